@@ -1,0 +1,1 @@
+"""What the course gives: meshes, images, plots, gradient check, skeletons, board, command line."""

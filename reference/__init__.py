@@ -1,0 +1,1 @@
+"""The complete code, one module per lecture topic. Start with transforms."""
