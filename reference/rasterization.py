@@ -1,38 +1,43 @@
-"""Rasterization: which face does each pixel see, where on the face, and how deep?
+"""Rasterization: which face does each pixel see, how deep, and where on the face?
 
 Screen space: x right, y up; pixel [row i, column j] is sampled at its centre (j + 0.5, i + 0.5).
 
     e(p) = det [x y 1; x0 y0 1; x1 y1 1] = n . (p - p0),   n = (y0 - y1, x1 - x0)            (1)
     covered  <=>  every e_k > 0, or e_k = 0 on an edge that the top-left rule owns           (2)
-    b_k = e_k / (e_0 + e_1 + e_2),   e_k belongs to the edge opposite to vertex k            (3)
+    b_k = e_k / 2A,   2A = e_0 + e_1 + e_2;   e_k is of the edge opposite to vertex k        (3)
 
-The same in clip space, without a division, so that w may have any sign. Vertex k in pixel units is
-v_k = (X, Y, w) = ((x + w) width / 2, (y + w) height / 2, w), column k of a matrix M:
+With perspective, w_k of clip space decides what is seen; it may be negative, behind the camera:
 
-    e_0 = v_1 x v_2,   e_1 = v_2 x v_0,   e_2 = v_0 x v_1,   det M = v_0 . e_0               (4)
-    c = M^-1 (x, y, 1);  row k of M^-1 is e_k / det M;  visible  <=>  every c_k >= 0         (5)
-    1/w = sum c_k,   z/w = sum z_k c_k   (linear in x and y),   b_k = c_k / sum c            (6)
+    c_k = e_k / (2A w_k),   seen  <=>  every c_k >= 0                                        (4)
+    1/w = sum c_k,   z/w = sum z_k c_k (linear in x and y),   b_k = c_k / sum c              (5)
 
-A face, clipped or not, is thus an intersection of half-planes a x + b y + c >= 0: on each row of
-pixels, one interval. Swapping two vertices negates e exactly, in floating point too. Two faces that
-share an edge see the same number with opposite sign, so no sample is lost and none counted twice.
+c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): row k of M^-1 is the edge function
+opposite to vertex k, divided by 2A w_k (edge functions, face_inv and this inverse are one thing).
+So a face, whether it crosses the camera plane or not, is an intersection of three half-planes, and
+on each row of pixels an interval; nothing needs to be clipped before.
 
-Sources: Pineda 1988 (1), Olano and Greer 1997 (4)-(6), GAMES101 lectures 5 and 6 and homework 2.
+Watertight: two faces at an edge compute the same e with opposite sign, to the last bit, and e is
+exactly 0 at the ends of the edge. So no sample is lost between them and none counted twice.
+
+Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3)-(5), Olano and Greer 1997 (4),
+GAMES101 lectures 5 and 6 and homework 2.
 """
 import numpy as np
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
-TINY = 1e-300    # least slope of an edge: a horizontal one meets a row at +-infinity, not at 0/0
-MARGIN = 1 / 16  # pixels added to a face's bounds: far more than rounding can move an edge
-CHUNK = 1 << 14  # rows of faces, then fragments, in flight at once: they stay in the cache
+CAMERA_PLANE = 1e-12  # the w of vertices with w = 0, which have no place on screen
+FAR = 1e9             # pixels: an edge with both ends farther away is beyond floating point
+TINY = 1e-300         # slope of a horizontal edge: it meets a row far out, left or right, not at 0/0
+MARGIN = 1 / 16       # pixels added to a face's bounds: far more than rounding can move an edge
+CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they stay in the cache
 
 
 def edge_function(p, a, b):  # exercise 2.1 (2 points)
     """Eq. (1): on which side of the line from a to b does p lie? Positive: on its left.
 
-    p, a, b (..., 2), shapes that broadcast -> e (...). Swapping a and b must flip the sign and
-    change nothing else, to the last bit, for any floats: two faces rely on it at their common edge.
-    Add up A x + (B y + C), with A, B and C made of a and b alone.
+    p, a, b (..., 2), shapes that broadcast -> e (...). To the last bit, for any floats: 0 at p = a
+    and at p = b; and swapping a and b flips the sign and changes nothing else. So measure from the
+    same end in both cases.
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)
@@ -40,7 +45,8 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points)
     x,  y  = p[..., 0], p[..., 1]
     x0, y0 = a[..., 0], a[..., 1]
     x1, y1 = b[..., 0], b[..., 1]
-    return (y0 - y1) * x + ((x1 - x0) * y + (x0 * y1 - y0 * x1))
+    left_x, left_y = np.minimum(x0, x1), np.where(x0 <= x1, y0, y1)
+    return (y0 - y1) * (x - left_x) + (x1 - x0) * (y - left_y)
 
 
 def edge_function_backward(grad_e, p, a, b):  # exercise 2.2 (2 points)
@@ -140,141 +146,142 @@ def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
     return int(x0), int(y0), int(x1), int(y1)
 
 
-def to_pixels(clip, width, height):  # exercise 2.9 (1 point)
-    """Homogeneous pixel coordinates: clip (V, 4) -> v (3, V), its rows X, Y and w.
+def screen_points(clip, width, height):  # exercise 2.9 (1 point)
+    """Where the vertices are on screen: clip (V, 4) -> x, y, w, each (V,).
 
-    The point on screen is (X/w, Y/w), wherever w is positive.
+    x, y in pixels after the divide by w, also where w < 0: such a vertex, behind the camera, comes
+    out mirrored. A w of 0 is taken for CAMERA_PLANE.
 
-    >>> to_pixels(np.array([[0.0, 2.0, 0.0, 2.0]]), 8, 4)
-    array([[8.],
-           [8.],
-           [2.]])
+    >>> screen_points(np.array([[0.0, 2.0, 0.0, 2.0], [0.0, 2.0, 0.0, -2.0]]), 8, 4)
+    (array([4., 4.]), array([4., 0.]), array([ 2., -2.]))
     """
     x, y, _, w = clip.T
-    return np.stack([(x + w) * (width / 2), (y + w) * (height / 2), w])
+    w = np.where(w == 0, CAMERA_PLANE, w)
+    return (x / w + 1) * (width / 2), (y / w + 1) * (height / 2), w
 
 
-def edge_planes(v0, v1, v2):  # exercise 2.10 (3 points)
-    """Eq. (4): coefficients (a, b, c) of the three edge functions, and det M.
+def cull_back_faces(x, y, w, faces):  # exercise 2.10 (2 points)
+    """The faces (F', 3) that turn their front to the camera, in their order.
 
-    v0, v1, v2 (3, ...): vertices (X, Y, w) of one face or of many -> planes (3, 3, ...), where
-    planes[k] = (a, b, c) belongs to the edge opposite to vertex k, and det (...).
-    Exact in the sense of exercise 2.1: the same two vertices in swapped order give -a, -b, -c.
+    x, y, w (V,) of `screen_points`, faces (F, 3). Of a face in front of the camera, the front is
+    seen if it is counter-clockwise on screen. Each vertex behind the camera (w < 0) turns it over.
 
-    >>> planes, det = edge_planes(*np.array([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 2.0, 1.0]]))
-    >>> planes, det
-    (array([[-2., -2.,  4.],
-           [ 2.,  0.,  0.],
-           [ 0.,  2.,  0.]]), np.float64(4.0))
+    >>> x, y, w = np.array([0.0, 2.0, 0.0]), np.array([0.0, 0.0, 2.0]), np.ones(3)
+    >>> cull_back_faces(x, y, w, np.array([[0, 1, 2], [0, 2, 1]]))
+    array([[0, 1, 2]])
     """
-    def cross(u, v):
-        return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
-
-    planes = np.array([cross(v1, v2), cross(v2, v0), cross(v0, v1)])
-    return planes, v0[0] * planes[0, 0] + v0[1] * planes[0, 1] + v0[2] * planes[0, 2]
+    area = signed_area(np.stack([x[faces], y[faces]], -1))
+    return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
-def cull_back_faces(clip, faces):  # exercise 2.11 (1 point)
-    """The faces (F', 3) seen from the front (counter-clockwise on screen), in their order.
+def half_planes(x, y, w):  # exercise 2.11 (4 points)
+    """Eq. (4) up to positive factors: c_k >= 0  <=>  a_k (x - x0_k) + b_k (y - y0_k) >= 0.
 
-    clip (V, 4), faces (F, 3). det M is positive for them, whatever the signs of w; its size, and so
-    the size of the picture, does not matter: (x, y, w) serves for (X, Y, w).
+    x, y, w (3, F): the faces' corners, row k of vertex k -> a, b, x0, y0, each (3, F).
+    (a_k, b_k) is plus or minus n of eq. (1) of the edge opposite to vertex k, by the sign of A w_k;
+    0 if A = 0 or not finite. (x0_k, y0_k) is the end of the edge that its two faces agree on: the
+    one of greater |w|, of equal ones the one of smaller x (if x is equal, too, either will do).
+    An edge whose x0 or y0 is beyond FAR gets a = b = 0, too: of its faces, nothing is seen.
+
+    >>> corners = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
+    >>> a, b, x0, y0 = half_planes(*corners[..., None])
+    >>> a.T, b.T
+    (array([[-2.,  2.,  0.]]), array([[-3., -1.,  4.]]))
+    >>> x0.T, y0.T
+    (array([[1., 0., 0.]]), array([[2., 0., 0.]]))
     """
-    v0, v1, v2 = (clip[k][:, [0, 1, 3]].T for k in faces.T)
-    return faces[edge_planes(v0, v1, v2)[1] > 0]
+    a, b, x0, y0 = np.empty((4, *x.shape))
+    area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
+    winding = np.where(np.isfinite(area), np.sign(area), 0)
+    for k, (i, j) in enumerate(EDGES):
+        w_i, w_j = np.abs(w[i]), np.abs(w[j])
+        use_i = (w_i > w_j) | ((w_i == w_j) & (x[i] <= x[j]))
+        x0[k], y0[k] = np.where(use_i, x[i], x[j]), np.where(use_i, y[i], y[j])
+        sign = winding * np.sign(w[k]) * (np.maximum(np.abs(x0[k]), np.abs(y0[k])) < FAR)
+        a[k], b[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
+    return a, b, x0, y0
 
 
-def depth_plane(planes, det, z0, z1, z2):  # exercise 2.12 (2 points)
-    """Eq. (6): coefficients (a, b, c) of depth = z/w = a x + b y + c on screen.
+def depth_plane(x, y, z):  # exercise 2.12 (3 points)
+    """Eq. (5): a, b, each (F,), such that depth = z/w = z_0 + a (x - x_0) + b (y - y_0) on a face.
 
-    planes (3, 3, ...) and det (...) as `edge_planes` gives them, z0, z1, z2 (...): clip z of the
-    vertices -> (3, ...).
+    x, y, z (3, F): the faces' corners, z after the divide. Of equal z, a = b = 0 exactly.
+
+    >>> depth_plane(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
+    (array([0.1]), array([0.]))
     """
-    return (z0 * planes[0] + z1 * planes[1] + z2 * planes[2]) / det
-
-
-def half_planes(v, z, faces):
-    """All that bounds faces on screen, and their depth: eqs. (4) to (6).
-
-    v (3, V) of `to_pixels`, z (V,) of clip space, faces (F, 3) -> planes (P, 3, F), depth (3, F):
-    coefficients (a, b, c) of a x + b y + c. The planes are the edges, positive inside, and near and
-    far where a face reaches beyond them (P = 5; else P = 3). A face of no area, or one whose
-    determinant overflows, gets planes that nothing satisfies.
-    """
-    X, Y, w = v
-    corners = [(X[k], Y[k], w[k]) for k in faces.T]
-    z = [z[k] for k in faces.T]
-    edges, det = edge_planes(*corners)
-    depth = depth_plane(edges, det, *z)
-    edges *= np.where(np.isfinite(det), np.sign(det), 0)
-    beyond = np.any([np.abs(z[k]) > corners[k][2] for k in range(3)], axis=0)
-    if not beyond.any():
-        return edges, depth
-    one, limited = np.array([[0.0], [0.0], [1.0]]), np.where(beyond, depth, 0)
-    return np.concatenate([edges, [one + limited, one - limited]]), depth
+    x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
+    x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
+    # a x1 + b y1 = z1 and a x2 + b y2 = z2, by Cramer's rule.
+    area = x1 * y2 - x2 * y1
+    return (z1 * y2 - z2 * y1) / area, (x1 * z2 - x2 * z1) / area
 
 
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
     """Homework 2: face by face and pixel by pixel, with a z-buffer. Slow and obvious.
 
     clip (V, 4), faces (F, 3) -> face_index (height, width) of integers, -1 where no face is seen;
-    depth (height, width), np.inf there. A face covers a pixel if each of its `half_planes` is
-    positive at the pixel's centre, e = a x + (b y + c) > 0, or e = 0 and `is_top_left(a, b)`. The
-    face of the least depth a x + (b y + c) is seen; of equally deep ones, the first.
-    The `bounding_box` saves work, but exists only where every w > 0. Skip faces with planes that
-    are not finite.
+    depth (height, width), np.inf there. A face covers a pixel if at the pixel's centre each of its
+    `half_planes` has e = a (x - x0) + b (y - y0) positive, or 0 with `is_top_left(a, b)`; and if its
+    depth, a (x - x_0) + (b (y - y_0) + z_0) with the a, b of `depth_plane`, lies from -1 (near) to
+    1 (far). The covering face of least depth is seen; of equally deep ones, the first. If every
+    w > 0, only pixels in the `bounding_box` can be covered. A face with a corner that is not finite
+    covers nothing.
     """
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
-    v = to_pixels(clip, width, height)
-    planes, depth_planes = half_planes(v, clip[:, 2], faces)
-    for f in np.flatnonzero(np.isfinite(planes).all((0, 1))):
-        X, Y, w = v[:, faces[f]]
-        x0, y0, x1, y1 = 0, 0, width, height
-        if (w > 0).all():
-            x0, y0, x1, y1 = bounding_box(np.stack([X / w, Y / w], -1), width, height)
-        a, b, c = planes[..., f].T
-        for i in range(y0, y1):
-            for j in range(x0, x1):
-                x, y = j + 0.5, i + 0.5
-                e = a * x + (b * y + c)
-                if ((e > 0) | (e == 0) & is_top_left(a, b)).all():
-                    z = depth_planes[0, f] * x + (depth_planes[1, f] * y + depth_planes[2, f])
-                    if z < depth[i, j]:
-                        face_index[i, j], depth[i, j] = f, z
+    x, y, w = screen_points(clip, width, height)
+    x, y, z, w = np.stack([x, y, clip[:, 2] / w, w])[:, faces.T]  # (3, F): corners
+    planes, (z_x, z_y) = np.stack(half_planes(x, y, w)), depth_plane(x, y, z)
+    for f in np.flatnonzero(np.isfinite(x + y + z + w).all(0)):
+        left, low, right, high = 0, 0, width, height
+        if (w[:, f] > 0).all():
+            triangle = np.stack([x[:, f], y[:, f]], -1)
+            left, low, right, high = bounding_box(triangle, width, height)
+        a, b, x0, y0 = planes[:, :, f]
+        for i in range(low, high):
+            for j in range(left, right):
+                e = a * (j + 0.5 - x0) + b * (i + 0.5 - y0)
+                if not ((e > 0) | (e == 0) & is_top_left(a, b)).all():
+                    continue
+                d = z_x[f] * (j + 0.5 - x[0, f]) + (z_y[f] * (i + 0.5 - y[0, f]) + z[0, f])
+                if -1 <= d <= 1 and d < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, d
     return face_index, depth
 
 
-def first_column(a, offset, width):  # exercise 2.14 (3 points)
-    """The least column j with a (j + 0.5) + offset >= 0, as floating point decides it.
+def first_column(a, x0, offset, width):  # exercise 2.14 (3 points)
+    """The least column j with a (j + 0.5 - x0) + offset >= 0, as floating point decides it.
 
-    a (R,) >= 0, offset (R,) -> j (R,) floats: whole numbers from 0 to width, width if there is
-    none. Where a = 0 the answer is 0 or width. The quotient -offset / a finds the place but is
+    a (R,) >= 0, x0, offset (R,) -> j (R,) floats: whole numbers from 0 to width, width if there is
+    none. Where a = 0 the answer is 0 or width. The quotient -offset / a finds the place, but it is
     rounded differently from the sum: the sum has the last word.
 
-    >>> first_column(np.array([2.0, 2.0, 0.0]), np.array([-3.0, -3.1, -1.0]), 8)
+    >>> zero = np.zeros(3)
+    >>> first_column(np.array([2.0, 2.0, 0.0]), zero, np.array([-3.0, -3.1, -1.0]), 8)
     array([1., 2., 8.])
     """
-    a = np.maximum(a, TINY)
-    column = np.floor(-offset / a + (0.5 - 1e-6))  # right, or one too small
-    column[a * (column + 0.5) + offset < 0] += 1
+    a, x0 = np.where(a == 0, TINY, a), np.where(a == 0, -1, x0)
+    column = np.floor(x0 - offset / a + (0.5 - 1e-6))  # right, or one too small
+    column[a * (column + 0.5 - x0) + offset < 0] += 1
     return np.clip(column, 0, width)
 
 
 def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     """Scanline: the columns start <= j < end that a face covers on a row of pixels.
 
-    planes (P, 3, F): half-planes (a, b, c) of F faces; face (R,), y (R,): a row of pixels, its
+    planes: a, b, x0, y0 of `half_planes`, each (3, F); face (R,), y (R,): a row of pixels, its
     centres at y, of face number face -> start, end (R,) floats from 0 to width, start >= end if
-    nothing is covered. A half-plane that `is_top_left` opens the interval at the first column with
-    e >= 0, any other ends it at the first column with -e >= 0, e = a x + (b y + c): the top-left
-    rule makes intervals half open.
+    nothing is covered. An edge that `is_top_left` opens the interval at the first column with
+    e >= 0, any other ends it at the first column with -e >= 0, e = a (x - x0) + b (y - y0): the
+    top-left rule makes intervals half open.
     """
     start, end = np.zeros(len(y)), np.full(len(y), float(width))
-    for a, b, c in planes:
+    for a, b, x0, y0 in zip(*planes, strict=True):
         opens = is_top_left(a, b).astype(float)
         sign = 2 * opens - 1
-        column = first_column((sign * a)[face], (sign * b)[face] * y + (sign * c)[face], width)
+        offset = (sign * b)[face] * (y - y0[face])
+        column = first_column((sign * a)[face], x0[face], offset, width)
         opens = opens[face]
         start = np.maximum(start, opens * column)
         end = np.minimum(end, opens * width + column)
@@ -314,20 +321,20 @@ def sample_range(position, in_front, corners, size):
     return start, np.minimum(np.maximum(np.maximum(first, second), third), size)
 
 
-def visible_rows(v, z, corners, width, height):
+def visible_rows(clip, x, y, faces, width, height):
     """The rows of pixels that each face may cover: first (F,), count (F,), 0 if it can't be seen.
 
-    v (3, V) of `to_pixels`, z (V,), corners (3, F). A face can't be seen if all its vertices lie
-    beyond one plane of the view frustum, if one is not finite, or if it passes between the centres.
+    clip (V, 4), x, y (V,) on screen. A face can't be seen if all its vertices lie beyond one plane
+    of the view frustum, if one is not finite, or if it passes between the pixel centres.
     """
-    X, Y, w = v
-    beyond = [X < 0, X > width * w, Y < 0, Y > height * w, z < -w, z > w, w <= 0]
+    clip_x, clip_y, z, w = clip.T
+    beyond = [clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0]
     beyond = np.packbits(beyond, axis=0)[0]
-    broken = ~np.isfinite(X + Y + w + z)
-    k0, k1, k2 = corners
+    broken = ~np.isfinite(x + y + z + w)
+    k0, k1, k2 = corners = np.ascontiguousarray(faces.T)
     hidden = (beyond[k0] & beyond[k1] & beyond[k2] > 0) | broken[k0] | broken[k1] | broken[k2]
-    column, end_column = sample_range(X / w, w > 0, corners, width)
-    row, end_row = sample_range(Y / w, w > 0, corners, height)
+    column, end_column = sample_range(x, w > 0, corners, width)
+    row, end_row = sample_range(y, w > 0, corners, height)
     hidden |= end_column <= column
     return row, np.where(hidden, 0, np.maximum(end_row - row, 0))
 
@@ -336,23 +343,28 @@ def fragments(clip, faces, width, height):
     """Every sample that every face covers: yields pixel (N,) = row * width + column, depth (N,) and
     face (N,) in chunks. The last face comes first.
     """
-    v, z = to_pixels(clip, width, height), np.ascontiguousarray(clip[:, 2])
-    first, count = visible_rows(v, z, np.ascontiguousarray(faces.T), width, height)
+    x, y, w = screen_points(clip, width, height)
+    z = clip[:, 2] / w
+    first, count = visible_rows(clip, x, y, faces, width, height)
     order = np.flatnonzero(count)[::-1]
     for drawn in (order[part] for part in chunks(count[order])):
-        planes, depth_planes = half_planes(v, z, faces[drawn])
+        corners = faces[drawn].T
+        cx, cy, cz = x[corners], y[corners], z[corners]
+        planes = half_planes(cx, cy, w[corners])
+        a, b = depth_plane(cx, cy, cz)
         face, row = expand(first[drawn], count[drawn])
         start, end = row_interval(planes, face, row + 0.5, width)
         covered = np.flatnonzero(end > start)
         face, row, start, end = face[covered], row[covered], start[covered], end[covered]
-        a, b, c = depth_planes
-        a, offset = a[face], b[face] * (row + 0.5) + c[face]
+        a, x0 = a[face], cx[0][face]
+        offset = b[face] * (row + 0.5 - cy[0][face]) + cz[0][face]
         face, row, length = drawn[face], row * width, (end - start).astype(int)
         for run in chunks(length):
             owner, column = expand(start[run], length[run])
             pixel = row[run][owner] + column.astype(int)
-            depth = a[run][owner] * (column + 0.5) + offset[run][owner]
-            yield pixel, depth, face[run][owner]
+            depth = a[run][owner] * (column + 0.5 - x0[run][owner]) + offset[run][owner]
+            kept = np.flatnonzero(np.abs(depth) <= 1)  # between near and far
+            yield pixel[kept], depth[kept], face[run][owner[kept]]
 
 
 def rasterize(clip, faces, width, height):
@@ -363,7 +375,7 @@ def rasterize(clip, faces, width, height):
     camera; faces with vertices that are not finite are left out.
     """
     face_index, depth = np.full(height * width, -1), np.full(height * width, np.inf)
-    with np.errstate(all="ignore"):  # of faces without an area, of vertices with w = 0: never seen
+    with np.errstate(all="ignore"):  # of faces without an area: they cover nothing
         for pixel, z, face in fragments(clip, faces, width, height):
             np.minimum.at(depth, pixel, z)
             seen = np.flatnonzero(z == depth[pixel])
@@ -371,39 +383,40 @@ def rasterize(clip, faces, width, height):
     return face_index.reshape(height, width), depth.reshape(height, width)
 
 
-def barycentric_on_face(planes, x, y):  # exercise 2.16 (3 points)
-    """Eq. (6): where on its face a sample lies: b (3, N), each column with sum 1.
+def barycentric_on_face(px, py, x, y, w):  # exercise 2.16 (3 points)
+    """Eq. (5): where on its face a sample lies: b (3, N), each column with sum 1.
 
-    planes (3, 3, N) of `edge_planes`, planes[k] = (a, b, c), one face for each of the samples
-    x, y (N,). det M cancels, and its sign with it. Weights of the vertices on the face in space,
-    not in its picture: lab 5 is about the difference.
+    px, py (N,): samples; x, y, w (3, N): the corners of the face that each one sees. Weights of the
+    vertices on the face in space, not in its picture: lab 5 is about the difference.
     """
-    e = planes[:, 0] * x + (planes[:, 1] * y + planes[:, 2])
-    return e / e.sum(0)
+    c = np.empty(x.shape)
+    for k, (i, j) in enumerate(EDGES):
+        c[k] = ((y[i] - y[j]) * (px - x[i]) + (x[j] - x[i]) * (py - y[i])) / w[k]
+    return c / c.sum(0)
 
 
-def barycentric_derivatives(planes, x, y):  # exercise 2.17 (3 points)
-    """How far b moves from a pixel to the next: db/dx, db/dy, each (3, N); arguments as above."""
-    s = (planes[:, 0] * x + (planes[:, 1] * y + planes[:, 2])).sum(0)
-    b = barycentric_on_face(planes, x, y)
-    # b = e / s, so db = (de - b ds) / s with de/dx = a and de/dy = b of the plane a x + b y + c.
-    db_dx = (planes[:, 0] - b * planes[:, 0].sum(0)) / s
-    db_dy = (planes[:, 1] - b * planes[:, 1].sum(0)) / s
-    return db_dx, db_dy
+def barycentric_derivatives(px, py, x, y, w):  # exercise 2.17 (3 points)
+    """What a step of one pixel does to b of `barycentric_on_face`: db/dx and db/dy, each (3, N)."""
+    c, dc_dx, dc_dy = np.empty((3, *x.shape))
+    for k, (i, j) in enumerate(EDGES):
+        c[k] = ((y[i] - y[j]) * (px - x[i]) + (x[j] - x[i]) * (py - y[i])) / w[k]
+        dc_dx[k], dc_dy[k] = (y[i] - y[j]) / w[k], (x[j] - x[i]) / w[k]
+    # b = c / s with s = sum c, so db = (dc - b ds) / s.
+    s = c.sum(0)
+    return (dc_dx - c / s * dc_dx.sum(0)) / s, (dc_dy - c / s * dc_dy.sum(0)) / s
 
 
-def seen_planes(face_index, clip, faces):
-    """The pixels that see a face: yields in chunks pixel (N,) = row * width + column, x, y (N,) of
-    its centre, and planes (3, 3, N) of its face.
+def seen_corners(face_index, clip, faces):
+    """The pixels that see a face: yields in chunks pixel (N,) = row * width + column, px, py (N,)
+    of its centre, and the corners x, y, w (3, N) of its face.
     """
     height, width = face_index.shape
-    X, Y, w = to_pixels(clip, width, height)
+    x, y, w = screen_points(clip, width, height)
     seen = np.flatnonzero(face_index >= 0)
     for pixel in (seen[start:start + CHUNK] for start in range(0, len(seen), CHUNK)):
         corners = faces[face_index.reshape(-1)[pixel]].T
-        planes, _ = edge_planes(*((X[k], Y[k], w[k]) for k in corners))
         row, column = np.divmod(pixel, width)
-        yield pixel, column + 0.5, row + 0.5, planes
+        yield pixel, column + 0.5, row + 0.5, x[corners], y[corners], w[corners]
 
 
 def barycentrics(face_index, clip, faces):
@@ -412,14 +425,14 @@ def barycentrics(face_index, clip, faces):
     face_index (height, width) of `rasterize`; clip (V, 4), faces (F, 3).
     """
     barycentric = np.zeros((face_index.size, 3))
-    for pixel, x, y, planes in seen_planes(face_index, clip, faces):
-        barycentric[pixel] = barycentric_on_face(planes, x, y).T
+    for pixel, *sample in seen_corners(face_index, clip, faces):
+        barycentric[pixel] = barycentric_on_face(*sample).T
     return barycentric.reshape(*face_index.shape, 3)
 
 
 def barycentrics_derivatives(face_index, clip, faces):
     """db/dx and db/dy of `barycentrics`, per pixel: (height, width, 3, 2), 0 where none is seen."""
     derivatives = np.zeros((face_index.size, 3, 2))
-    for pixel, x, y, planes in seen_planes(face_index, clip, faces):
-        derivatives[pixel] = np.stack(barycentric_derivatives(planes, x, y)).T
+    for pixel, *sample in seen_corners(face_index, clip, faces):
+        derivatives[pixel] = np.stack(barycentric_derivatives(*sample)).T
     return derivatives.reshape(*face_index.shape, 3, 2)

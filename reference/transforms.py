@@ -109,15 +109,15 @@ def look_at(eye, target, up):  # exercise 1.7 (3 points)
 
 
 def normal_matrix(matrix):  # exercise 1.8 (2 points)
-    """The matrix (3, 3) that keeps normals at right angles to the surface, moved by matrix (4, 4).
+    """The matrix N (3, 3) for normals of a surface whose points are moved by matrix (4, 4).
 
-    Not the matrix itself, unless it only turns and moves. Lengths need not be kept, but on a scaling
-    by s normals are scaled by 1/s, and a translation leaves them alone.
+    (N n) . (A v) = n . v for all n and v, A the upper left 3 x 3 of the matrix: a normal stays at
+    right angles to its surface. Its length may change.
 
     >>> normal_matrix(np.diag([2.0, 1.0, 1.0, 1.0])) @ np.array([1.0, 1.0, 0.0])
     array([0.5, 1. , 0. ])
     """
-    # A tangent t becomes A t. Of n' = N n we want n' . (A t) = n . t for every t, so N^T A = I.
+    # n^T N^T A v = n^T v for all n and v, so N^T A = I.
     return np.linalg.inv(matrix[:3, :3]).T
 
 

@@ -1,0 +1,43 @@
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytest_plugins = ["course.checks"]
+
+ROOT = Path(__file__).parent.parent
+
+
+@pytest.fixture(scope="session")
+def house(tmp_path_factory):
+    """house({"labs/transforms.py": text, ...}) -> the root of a course with these files alone."""
+    def build(files):
+        root = tmp_path_factory.mktemp("house")
+        for path in (*ROOT.glob("course/*.py"), *ROOT.glob("tests/conftest.py"),
+                     ROOT / "pyproject.toml", ROOT / "requirements.txt"):
+            copy = root / path.relative_to(ROOT)
+            copy.parent.mkdir(exist_ok=True)
+            shutil.copy(path, copy)
+        for name, text in files.items():
+            (root / name).parent.mkdir(exist_ok=True)
+            (root / name).write_text(text, encoding="utf-8")
+        return root
+
+    return build
+
+
+@pytest.fixture(scope="session")
+def run_module():
+    """run_module(root, "pytest", "-x") -> the finished process of python -m pytest -x in root."""
+    settings = {name: value for name, value in os.environ.items()
+                if not name.startswith(("PYTEST_", "COLUMNS", "FORCE_COLOR", "TTY_"))}
+    settings["PYTHONIOENCODING"] = "utf-8"
+
+    def run(root, *command):
+        return subprocess.run([sys.executable, "-m", *map(str, command)], cwd=root, env=settings,
+                              capture_output=True, encoding="utf-8")
+
+    return run
