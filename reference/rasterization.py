@@ -27,7 +27,7 @@ import numpy as np
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
 CAMERA_PLANE = 1e-12  # the w of vertices with w = 0, which have no place on screen
 FAR = 1e9             # pixels: an edge with both ends farther away is beyond floating point
-TINY = 1e-300         # slope of a horizontal edge: it meets a row far out, left or right, not at 0/0
+TINY = 1e-300         # slope of a horizontal edge: it meets a row far out, not at 0/0
 MARGIN = 1 / 16       # pixels added to a face's bounds: far more than rounding can move an edge
 CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they stay in the cache
 
@@ -221,8 +221,8 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
     """Homework 2: face by face and pixel by pixel, with a z-buffer. Slow and obvious.
 
     clip (V, 4), faces (F, 3) -> face_index (height, width) of integers, -1 where no face is seen;
-    depth (height, width), np.inf there. A face covers a pixel if at the pixel's centre each of its
-    `half_planes` has e = a (x - x0) + b (y - y0) positive, or 0 with `is_top_left(a, b)`; and if its
+    depth (height, width), np.inf there. A face covers a pixel if, at the pixel's centre, each of its
+    `half_planes` has e = a (x - x0) + b (y - y0) positive, or 0 and `is_top_left(a, b)`; and if its
     depth, a (x - x_0) + (b (y - y_0) + z_0) with the a, b of `depth_plane`, lies from -1 (near) to
     1 (far). The covering face of least depth is seen; of equally deep ones, the first. If every
     w > 0, only pixels in the `bounding_box` can be covered. A face with a corner that is not finite

@@ -1,0 +1,257 @@
+"""The progress board: what is done, what is not, and what to do next."""
+import contextlib
+import io
+import json
+import sys
+from typing import NamedTuple
+
+import pytest
+from rich.console import Console
+from rich.progress import Progress
+from rich.table import Table
+
+from . import checks, places, skeleton
+
+BAR = 20  # characters of a whole lab's bar
+STYLES = {"done": "green", "failing": "red"}
+
+
+class Entry(NamedTuple):
+    """An exercise on the board, with its checks."""
+
+    topic: str
+    exercise: skeleton.Exercise
+    verdict: str  # done, failing, not started, blocked by 2.1
+    checks: list
+
+
+def check(target=None, implementation="labs", json_file=None, seed=0):
+    """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all; show the board.
+
+    implementation: labs, reference, or a folder with files like those in labs/.
+    json_file: the board is written there, too. -> 0 if all that was asked for is done, else 1.
+    ValueError: there is no such target or folder.
+    """
+    course = {topic: skeleton.topic_exercises(topic) for topic in skeleton.topics()}
+    code = checks.folder(implementation)
+    asked = numbers_of(target, course)
+    called = called_exercises(course, code)
+    needed = closure(asked, called)
+    found, problems = run_checks(course, needed, implementation, seed)
+    everything = entries(course, needed, called, found)
+    board = [entry for entry in everything if entry.exercise.number in asked]
+
+    console = Console(highlight=False, markup=False)
+    all_is_done = all(entry.verdict == "done" for entry in board)
+    console.print(table(board))
+    for problem in problems:
+        console.print(problem, soft_wrap=True)
+    console.print()
+    console.print(all_done(board, course) if all_is_done
+                  else next_to_do(everything, code, implementation, seed), soft_wrap=True)
+    if json_file:
+        places.write_whole(json_file, as_json(board).encode("utf-8"))
+    return int(bool(problems) or not all_is_done)
+
+
+def numbers_of(target, course):
+    """The numbers of the exercises that are asked for."""
+    asked = [exercise.number for topic, exercises in course.items() for exercise in exercises
+             if target in (None, topic, str(skeleton.lab_number(topic)), exercise.number)]
+    if not asked:
+        labs = ", ".join(f"{skeleton.lab_number(topic)} or {topic}" for topic in course)
+        numbers = ", ".join(f"{exercises[0].number} to {exercises[-1].number}"
+                            for exercises in course.values() if exercises)
+        raise ValueError(f"there is nothing to check under {target}; give a lab ({labs}) or an "
+                         f"exercise ({numbers})")
+    return asked
+
+
+def called_exercises(course, code):
+    """{number: numbers of the exercises that the code under test calls in it}."""
+    called = {}
+    for topic, exercises in course.items():
+        numbers = {exercise.name: exercise.number for exercise in exercises}
+        try:
+            names = skeleton.calls(skeleton.read(code / f"{topic}.py"), numbers)
+        except (OSError, ValueError):  # not there, or not Python: then it is not called either
+            continue
+        called |= {numbers[name]: [numbers[other] for other in names[name]] for name in names}
+    return called
+
+
+def closure(numbers, called):
+    """These exercises, and all that they call."""
+    needed, ends = set(numbers), list(numbers)
+    while ends:
+        new = set(called.get(ends.pop(), ())) - needed
+        needed |= new
+        ends += new
+    return needed
+
+
+class Collector:
+    """A pytest plugin: runs the checks of these exercises alone, and keeps what became of them."""
+
+    def __init__(self, numbers, course, code, progress):
+        self.numbers = numbers
+        self.known = {exercise.number for exercises in course.values() for exercise in exercises}
+        self.code = code
+        self.progress = progress
+        self.planned = {}   # nodeid -> the Check of one that did not run
+        self.found = {}     # nodeid -> Check
+        self.problems = []  # sentences about the test files
+
+    def pytest_collectreport(self, report):
+        if not report.passed:
+            reason = report.longreprtext.strip().splitlines()[-1].removeprefix("E").strip()
+            self.problems.append(f"{report.nodeid} cannot be collected: {reason}")
+
+    def pytest_collection_modifyitems(self, items):
+        marks = [(item, item.get_closest_marker("exercise")) for item in items]
+        self.problems += [f"{item.nodeid} names exercise {mark.args[0]}, and there is none"
+                          for item, mark in marks if mark and mark.args[0] not in self.known]
+        asked = [(item, mark.args[0]) for item, mark in marks
+                 if mark and mark.args[0] in self.numbers]
+        items[:] = [item for item, _ in asked]
+        self.planned = {item.nodeid: checks.Check(number, item.nodeid, checks.claim(item), "failed",
+                                                  checks.layout([("wrong", "it did not run")]),
+                                                  None, 0.0) for item, number in asked}
+        self.task = self.progress.add_task("checks", total=len(items))
+
+    def pytest_runtest_logstart(self, nodeid):
+        self.running = nodeid
+
+    def pytest_runtest_logreport(self, report):
+        earlier = self.found.get(report.nodeid)  # a teardown can still spoil a check that passed
+        if hasattr(report, "check") and (earlier is None or earlier.verdict == "passed"):
+            self.found[report.nodeid] = checks.Check(**report.check)
+
+    def pytest_runtest_logfinish(self):
+        self.progress.advance(self.task)
+        self.progress.refresh()
+
+    def pytest_keyboard_interrupt(self, excinfo):
+        """Say in which line the code under test was, as a loop without end may be there."""
+        where = checks.layout([("wrong", checks.told(excinfo.value, self.code))])
+        if self.running in self.planned:
+            self.planned[self.running] = self.planned[self.running]._replace(message=where)
+
+
+def run_checks(course, numbers, implementation, seed):
+    """Run the checks of these exercises in this process -> ([Check], [problem])."""
+    topics = [topic for topic, exercises in course.items()
+              if any(exercise.number in numbers for exercise in exercises)]
+    tests = [path for topic in topics
+             if (path := places.ROOT / "tests" / f"test_{topic}.py").exists()]
+    if not tests:
+        return [], []
+    options = ["--rootdir", places.ROOT, "-c", places.ROOT / "pyproject.toml",
+               "-p", "no:cacheprovider", "--continue-on-collection-errors",
+               "--impl", implementation, "--seed", seed]
+    said = io.StringIO()
+    with (Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
+                   redirect_stdout=False, redirect_stderr=False,
+                   disable=not sys.stderr.isatty()) as progress,
+          pytest.MonkeyPatch.context() as environment, contextlib.redirect_stdout(said)):
+        environment.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # they only cost time
+        environment.delenv("PYTEST_ADDOPTS", raising=False)
+        collector = Collector(numbers, course, checks.folder(implementation), progress)
+        status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector])
+    if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
+        collector.problems.append(f"pytest broke off: {said.getvalue()}")
+    return list((collector.planned | collector.found).values()), collector.problems
+
+
+def entries(course, needed, called, found):
+    """The Entry of each needed exercise, in the course's order."""
+    of = {number: [check for check in found if check.exercise == number] for number in needed}
+    done = {number for number in needed
+            if of[number] and all(check.verdict == "passed" for check in of[number])}
+
+    def verdict(number):
+        if number in done:
+            return "done"
+        verdicts = [check.verdict for check in of[number]]
+        if "failed" in verdicts or not verdicts:
+            undone = [other for other in called.get(number, ()) if other not in done]
+            return f"blocked by {undone[0]}" if undone else "failing"
+        return next((text for text in verdicts if text.startswith("blocked")), "not started")
+
+    return [Entry(topic, exercise, verdict(exercise.number), of[exercise.number])
+            for topic, exercises in course.items() for exercise in exercises
+            if exercise.number in needed]
+
+
+def table(board):
+    rows = Table.grid(padding=(0, 2))
+    for topic in dict.fromkeys(entry.topic for entry in board):
+        lab = [entry for entry in board if entry.topic == topic]
+        reached, of = points(lab)
+        bar = ("#" * (BAR * reached // of)).ljust(BAR, ".")
+        rows.add_row(f"Lab {skeleton.lab_number(topic)}", topic, f"{reached} of {of}", bar,
+                     style="bold")
+        for _, exercise, verdict, _ in lab:
+            rows.add_row(f"{exercise.number:>5}", exercise.name, plural(exercise.points, "point"),
+                         verdict, style=STYLES.get(verdict))
+    return rows
+
+
+def points(board):
+    """(points reached, points in all): an exercise gives all of its points, or none."""
+    return (sum(entry.exercise.points for entry in board if entry.verdict == "done"),
+            sum(entry.exercise.points for entry in board))
+
+
+def plural(count, word):
+    return f"{count} {word}{'s' * (count != 1)}"
+
+
+def next_to_do(entries, code, implementation, seed):
+    """Of the first exercise that can be worked on: the first claim that fails, and why it does."""
+    ready = [entry for entry in entries if entry.verdict in ("failing", "not started")]
+    topic, exercise, verdict, found = (ready or entries)[0]
+    wrong = [check for check in found if check.verdict != "passed"]
+    wrong.sort(key=lambda check: check.verdict != "failed")
+    lines = [f"Next: {exercise.number} {exercise.name}, {verdict}"]
+    if verdict == "failing" and found:
+        lines = [f"{lines[0]} in {len(wrong)} of {plural(len(found), 'check')}"]
+    if not found:
+        lines += [checks.layout([("wrong", f"it has no check in tests/test_{topic}.py")])]
+    if wrong:
+        lines += [checks.layout([("claim", wrong[0].claim)])]
+        lines += [wrong[0].message] * (verdict != "not started")
+    again = checks.rerun(verdict.removeprefix("blocked by ") if "blocked" in verdict
+                         else exercise.number, implementation, seed)
+    return "\n".join([*lines, checks.layout([("again", again),
+                                             ("read", reading(topic, exercise, code))])])
+
+
+def reading(topic, exercise, code):
+    """Where an exercise's question stands, and its lecture."""
+    line = exercise.line
+    with contextlib.suppress(OSError, ValueError):
+        lines = {function.name: function.lineno for function in
+                 skeleton.top_level_functions(skeleton.read(code / f"{topic}.py"))}
+        line = lines.get(exercise.name, line)
+    question = f"{checks.shown_path(code / topic)}.py:{line}, the docstring is the question"
+    lecture = places.ROOT / "notebooks" / f"{skeleton.lab_number(topic):02}_{topic}.ipynb"
+    return f"{question}\n{checks.shown_path(lecture)}" if lecture.exists() else question
+
+
+def all_done(board, course):
+    reached, of = points(board)
+    everything = [exercise for exercises in course.values() for exercise in exercises]
+    coming = everything[everything.index(board[-1].exercise) + 1:]
+    goes_on = f"{coming[0].number} {coming[0].name}" if coming else "nothing, the course ends here"
+    return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {goes_on}."
+
+
+def as_json(board):
+    """{"points", "of", "exercises": [{number, name, topic, points, verdict, checks: [...]}]}."""
+    reached, of = points(board)
+    exercises = [{"number": exercise.number, "name": exercise.name, "topic": topic,
+                  "points": exercise.points, "verdict": verdict,
+                  "checks": [check._asdict() for check in found]}
+                 for topic, exercise, verdict, found in board]
+    return json.dumps({"points": reached, "of": of, "exercises": exercises}, indent=2) + "\n"

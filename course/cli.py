@@ -1,0 +1,148 @@
+"""Differentiable rasterization in plain NumPy: labs, their checks, and the code to compare with.
+
+to look and to read
+  demo [NAME ...]       render the course's scenes; the pictures go to out/
+  notebooks [NAME ...]  run the lectures in notebooks/ and save them with their figures
+
+to do the labs
+  check [TARGET]        what is right in labs/, what is not, and what to do next
+
+to teach, and to work on the course
+  skeleton              make labs/ from reference/; labs that were worked on stay as they are
+  test                  check everything: lint, code, labs, notebooks
+
+examples
+  python3 -m course demo                     all scenes
+  python3 -m course check                    the board of all labs
+  python3 -m course check rasterization      one lab, by its topic
+  python3 -m course check 2.3                one exercise
+  python3 -m course check --impl reference   what a finished course looks like
+  python3 -m course COMMAND --help           more about one command
+"""
+import argparse
+import os
+import subprocess
+import sys
+import traceback
+from pathlib import Path
+
+from course.places import ROOT
+
+
+def main(argv=None):
+    """Run one command; its exit status: 0 well, 1 something failed, 2 cannot be done, 130 Ctrl-C.
+
+    What the user can mend is told in one line. Everything else is a defect: traceback.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="replace")  # for consoles that lack a character
+    parser = arguments()
+    asked = parser.parse_args(argv)
+    if asked.command is None:
+        parser.print_help()
+        return 0
+    try:
+        return asked.command(asked)
+    except KeyboardInterrupt:
+        return 130
+    except (OSError, ValueError, NotImplementedError) as error:
+        if not can_be_mended(error):
+            raise
+        print(f"course: {error}", file=sys.stderr)
+        return 2
+
+
+def can_be_mended(error):
+    """Whether the user can: a file that fails him, or a raise statement in course/ or labs/."""
+    cause = traceback.extract_tb(error.__traceback__)[-1]
+    ours = Path(cause.filename).resolve().parent in (ROOT / "course", ROOT / "labs")
+    return isinstance(error, OSError) or (ours and cause.line.startswith("raise "))
+
+
+class Parser(argparse.ArgumentParser):
+    """Tells a mistake in one line, without the usage."""
+
+    def error(self, message):
+        self.exit(2, f"course: {message}; {self.prog} --help says more\n")
+
+
+def arguments():
+    parser = Parser(prog="python3 -m course", usage="%(prog)s COMMAND ...", description=__doc__,
+                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.set_defaults(command=None)
+    commands = parser.add_subparsers(prog=parser.prog, metavar="COMMAND", help=argparse.SUPPRESS)
+
+    def add(command):
+        made = commands.add_parser(command.__name__, description=command.__doc__)
+        made.set_defaults(command=command)
+        return made.add_argument
+
+    option = add(demo)
+    option("names", nargs="*", metavar="NAME", help="a scene; without a name, all of them")
+    option("--list", action="store_true", help="say which scenes there are")
+    option("--impl", choices=("reference", "labs"), default="reference",
+           help="whose code renders: the reference's, or yours in labs/")
+
+    option = add(notebooks)
+    option("names", nargs="*", metavar="NAME", help="a topic or a number; without, all of them")
+
+    option = add(check)
+    option("target", nargs="?", metavar="TARGET",
+           help="a topic (rasterization), a lab (2) or an exercise (2.3); without, everything")
+    option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check")
+    option("--json", metavar="FILE", help="write the board to this file as well")
+    option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+
+    option = add(skeleton)
+    option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
+    option("--force", action="store_true", help="start afresh the labs that were worked on, too")
+
+    option = add(test)
+    option("--quick", action="store_true", help="leave the notebooks out")
+    return parser
+
+
+def demo(asked):
+    """Render the course's scenes and say where the pictures are."""
+    import course.demo
+    return course.demo.run(asked.names, implementation=asked.impl)
+
+
+def notebooks(asked):
+    """Run notebooks from a clean kernel and save them with their figures."""
+    import course.notebooks
+    return course.notebooks.run(asked.names)
+
+
+def check(asked):
+    """Check the labs and show the board; status 0 only if all that was asked for passes."""
+    import course.board
+    return course.board.check(asked.target, asked.impl, json_file=asked.json, seed=asked.seed)
+
+
+def skeleton(asked):
+    """Make labs/ from reference/, each exercise's answer taken out."""
+    import course.skeleton
+    return course.skeleton.run(check=asked.check, force=asked.force)
+
+
+def test(asked):
+    """Check the whole project: lint, then every test, on all cores."""
+    # labs/ is not for lint: it is made from reference/, or a student's own.
+    lint = run_module("ruff", "check", "--quiet", "--extend-exclude", "labs", str(ROOT))
+    left_out = ("-m", "not notebook") if asked.quick else ()
+    tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
+    if lint:
+        print("course: ruff found what it prints above the tests", file=sys.stderr)
+    return tests or lint
+
+
+def run_module(*command):
+    """python -m command, in the course's folder, with nobody's own settings for pytest."""
+    settings = {**os.environ, "PYTEST_ADDOPTS": "", "OMP_NUM_THREADS": "1"}  # one core, one worker
+    with subprocess.Popen([sys.executable, "-m", *command], cwd=ROOT, env=settings) as child:
+        try:
+            return child.wait()
+        except KeyboardInterrupt:
+            child.wait()  # Ctrl-C reaches it, too: let it end in order
+            raise

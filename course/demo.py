@@ -1,0 +1,152 @@
+"""The scenes of `python3 -m course demo`: what the labs can do, on meshes that nobody here made.
+
+A scene is a function of the labs' modules that yields (what was made, path or None) as it goes.
+All of the rendering is the labs' own code; this file chooses cameras and colours.
+"""
+import importlib
+import time
+
+import numpy as np
+from rich import box
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from . import image, mesh, places, plot
+
+SIZE = 512
+LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
+BACKGROUND = np.array([0.93, 0.95, 0.97])
+
+
+class Labs:
+    """The labs' modules of one package, loaded when first used."""
+
+    def __init__(self, package):
+        self.package = package
+
+    def __getattr__(self, topic):
+        return importlib.import_module(f"{self.package}.{topic}")
+
+
+def run(names, implementation="reference"):
+    """Render the named scenes, or all -> exit status. ValueError: a name that is no scene's."""
+    unknown = [name for name in names if name not in SCENES]
+    if unknown:
+        raise ValueError(f"there is no scene {unknown[0]}: choose from {', '.join(SCENES)}")
+    console = Console()
+    for name in names or SCENES:
+        scene = SCENES[name]
+        table = Table(title=f"{name}: {scene.__doc__.splitlines()[0]}", box=box.SIMPLE_HEAD,
+                      title_justify="left", title_style="bold", pad_edge=False, min_width=72)
+        table.add_column("step")
+        table.add_column("ms", justify="right")
+        table.add_column("picture")
+        start = time.perf_counter()
+        for step, path in scene(Labs(implementation)):
+            milliseconds = 1000 * (time.perf_counter() - start)
+            picture = str(path.relative_to(places.ROOT)) if path else ""
+            table.add_row(step, f"{milliseconds:.1f}", picture)
+            start = time.perf_counter()
+        console.print(table)
+    console.print(f"The pictures are in {places.out('demo')}", soft_wrap=True)
+    return 0
+
+
+def scenes():
+    """{name: what it shows}, in the order of the labs."""
+    return {name: scene.__doc__.splitlines()[0] for name, scene in SCENES.items()}
+
+
+def bunny(labs):
+    """The Stanford bunny through labs 1 and 2."""
+    yield from portrait(labs, "bunny", mesh.bunny, eye=np.array([-1.3, 0.7, 2.2]))
+
+
+def teapot(labs):
+    """The Utah teapot through labs 1 and 2."""
+    yield from portrait(labs, "teapot", mesh.teapot, eye=np.array([0.6, 1.2, 2.2]))
+
+
+def portrait(labs, name, load, eye):
+    """What lab 2 says about a mesh, pixel by pixel, as pictures."""
+    vertices, faces = load()
+    vertices = mesh.normalize(vertices)
+    yield f"read {len(vertices):,} vertices, {len(faces):,} faces", None
+
+    clip = clip_positions(labs, vertices, eye)
+    yield "vertices to clip space", None
+    face_index, depth = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
+    yield "rasterize: face index and depth", None
+    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    yield "barycentrics", None
+    derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
+    yield "derivatives of the barycentrics", None
+
+    yield "face index", save(name, "face_index", plot.face_colours(face_index))
+    yield "depth", save(name, "depth", plot.depth_colours(depth))
+    seen = face_index >= 0
+    yield "barycentrics", save(name, "barycentric", painted(seen, barycentric[seen]))
+    yield "wireframe", save(name, "wireframe", wireframe(seen, barycentric, derivatives))
+    yield "normals", save(name, "normals", shaded(vertices, faces, face_index, barycentric))
+
+
+def flight(labs):
+    """A camera flies into the bunny and out at its back; nothing was clipped."""
+    vertices, faces = mesh.bunny()
+    vertices = mesh.normalize(vertices)
+    frames = []
+    for z in track(np.linspace(2.2, -0.9, 48), "flight", transient=True):
+        eye = np.array([0.1, -0.1, z])
+        clip = clip_positions(labs, vertices, eye, target=eye - [0.0, 0.0, 1.0], near=0.01)
+        face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE // 2, SIZE // 2)
+        barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+        frames.append(shaded(vertices, faces, face_index, barycentric))
+    path = places.out("demo", "flight.png")
+    image.write_animation(path, frames, 1 / 12)
+    yield f"{len(frames)} frames", path
+
+
+def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
+    """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
+    transforms = labs.transforms
+    view_from_world = transforms.look_at(eye, np.asarray(target), np.array([0.0, 1.0, 0.0]))
+    clip_from_view = transforms.perspective(np.radians(48), 1.0, near, 10.0)
+    points = transforms.to_homogeneous(vertices)
+    return transforms.transform(points, clip_from_view @ view_from_world)
+
+
+def shaded(vertices, faces, face_index, barycentric):
+    """One light on smooth normals, mixed by the barycentrics; it also reaches round the edge."""
+    seen = face_index >= 0
+    corners = mesh.vertex_normals(vertices, faces)[faces[face_index[seen]]]  # (N, 3, 3)
+    normal = (barycentric[seen][:, :, None] * corners).sum(1)
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    lit = (0.5 + 0.5 * normal @ LIGHT / np.linalg.norm(LIGHT)) ** 2
+    return painted(seen, image.to_srgb(lit[:, None] * np.array([0.85, 0.66, 0.48])))
+
+
+def wireframe(seen, barycentric, derivatives):
+    """Edges one pixel wide, hidden ones hidden: b_k / |db_k| is the distance to edge k in pixels.
+
+    After Baerentzen et al. 2006, "Single-pass wireframe rendering".
+    """
+    distance = barycentric[seen] / np.linalg.norm(derivatives[seen], axis=-1)
+    ink = np.clip(1.2 - distance.min(1), 0, 1)[:, None]
+    return painted(seen, ink * np.array([0.10, 0.15, 0.30]) + (1 - ink) * np.ones(3))
+
+
+def painted(seen, colours):
+    """Colours (N, 3) of the seen pixels (H, W) -> picture (H, W, 3) on the background."""
+    picture = np.tile(BACKGROUND, (*seen.shape, 1))
+    picture[seen] = colours
+    return picture
+
+
+def save(scene, name, picture):
+    path = places.out("demo", scene, f"{name}.png")
+    image.write(path, picture)
+    return path
+
+
+SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight)}

@@ -1,0 +1,121 @@
+"""Pictures as arrays: image[row, column, channel], float64 from 0 to 1, row 0 at the bottom.
+
+Files hold the top row first: every picture is turned over by `_turned_over`, and nowhere else.
+"""
+import io
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from . import places
+
+# Where the two pieces of the sRGB curve meet. The standard rounds it to 0.0031308, which leaves a
+# step of 3e-8 and so a curve without an exact inverse.
+SRGB_JOIN = 0.0031306684425005758
+
+
+def read(path):
+    """A picture file with 8 bits a channel -> image (H, W, 3), or (H, W, 4) if it has alpha.
+
+    Grey becomes three equal channels. The numbers stay as encoded: see `to_linear`.
+    FileNotFoundError or OSError for a file that cannot be opened, ValueError for one that is no
+    whole picture or holds more than 8 bits.
+    """
+    content = places.read_whole(path)
+    try:
+        picture = Image.open(io.BytesIO(content))
+        picture.load()
+    except Exception:  # whatever a broken file makes the parser stumble over
+        raise ValueError(f"cannot read {path} as a picture: it is broken, cut short or something "
+                         "else, save it again as PNG") from None
+    if picture.mode[0] in "IF":
+        raise ValueError(f"cannot read {path} as a picture: it holds more than 8 bits a channel "
+                         f"({picture.mode}), save it again with 8")
+    alpha = picture.mode in ("LA", "PA", "RGBA") or "transparency" in picture.info
+    return _turned_over(np.asarray(picture.convert("RGBA" if alpha else "RGB"))) / 255.0
+
+
+def write(path, image):
+    """image (H, W), (H, W, 1), (H, W, 3) or (H, W, 4) -> a PNG file with 8 bits a channel.
+
+    Numbers below 0 are written as 0, above 1 as 1. The same image gives the same bytes. ValueError
+    for another shape, NaN, infinity, whole numbers above 1 or another ending than .png, OSError
+    where the file cannot be written.
+    """
+    _check_ending(path)
+    content = io.BytesIO()
+    _picture(image).save(content, "PNG")
+    places.write_whole(path, content.getvalue())
+
+
+def write_animation(path, frames, seconds_per_frame):
+    """Images of one shape -> an animated PNG that runs for ever.
+
+    Each frame as for `write`; a frame equal to the one before is stored as a longer stay. Errors
+    as for `write`, and ValueError for no frames or a time outside 0.001 to 60 seconds.
+    """
+    _check_ending(path)
+    frames = list(frames)
+    pictures = [_picture(frame) for frame in frames]
+    if not pictures:
+        raise ValueError("an animation needs at least one frame, got none")
+    shapes = {np.shape(frame) for frame in frames}
+    if len(shapes) > 1:
+        raise ValueError(f"all frames must have one shape, got {sorted(shapes)}")
+    if not 0.001 <= seconds_per_frame <= 60:
+        raise ValueError(f"seconds_per_frame must be 0.001 to 60, got {seconds_per_frame}")
+    content = io.BytesIO()
+    pictures[0].save(content, "PNG", save_all=True, append_images=pictures[1:], loop=0,
+                     duration=round(1000 * seconds_per_frame))
+    places.write_whole(path, content.getvalue())
+
+
+def _turned_over(rows):
+    """Bottom row first <-> top row first."""
+    return rows[::-1]
+
+
+def _picture(image):
+    image = np.asarray(image)
+    _check(image)
+    if image.ndim == 3 and image.shape[2] == 1:
+        image = image[:, :, 0]
+    eight_bits = np.rint(255 * np.clip(image.astype(np.float64), 0, 1)).astype(np.uint8)
+    return Image.fromarray(np.ascontiguousarray(_turned_over(eight_bits)))
+
+
+def _check(image):
+    channels = image.shape[2] if image.ndim == 3 else 1
+    if image.ndim not in (2, 3) or channels not in (1, 3, 4) or image.size == 0:
+        raise ValueError("an image must be (H, W), (H, W, 1), (H, W, 3) or (H, W, 4), "
+                         f"got {image.shape}")
+    if image.dtype.kind not in "bfiu":
+        raise ValueError(f"an image holds numbers from 0 to 1 or booleans, got {image.dtype}")
+    if image.dtype.kind in "iu" and (image.max() > 1 or image.min() < 0):
+        raise ValueError(f"an image holds numbers from 0 to 1, got {image.dtype} from "
+                         f"{image.min()} to {image.max()}: divide by the largest, often 255")
+    finite = np.isfinite(image)
+    if not finite.all():
+        row, column = np.argwhere(~finite)[0, :2]
+        raise ValueError(f"the image holds {image[row, column]} at row {row}, column {column}: "
+                         "replace NaN and infinity (the depth of the background) before writing")
+
+
+def _check_ending(path):
+    if Path(path).suffix.lower() != ".png":
+        raise ValueError(f"pictures are written as .png, got {str(path)!r}")
+
+
+def to_srgb(linear):
+    """Light -> the number that a file or screen holds, both 0 to 1 (IEC 61966-2-1)."""
+    linear = np.asarray(linear, dtype=np.float64)
+    curve = 1.055 * np.maximum(linear, SRGB_JOIN) ** (1 / 2.4) - 0.055
+    return np.where(linear <= SRGB_JOIN, 12.92 * linear, curve)
+
+
+def to_linear(encoded):
+    """The inverse of `to_srgb`."""
+    encoded = np.asarray(encoded, dtype=np.float64)
+    curve = ((np.maximum(encoded, 12.92 * SRGB_JOIN) + 0.055) / 1.055) ** 2.4
+    return np.where(encoded <= 12.92 * SRGB_JOIN, encoded / 12.92, curve)

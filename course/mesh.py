@@ -1,0 +1,376 @@
+"""Triangle meshes as two plain arrays: files, simple shapes, normals and edges.
+
+vertices (V, 3) float64   positions, one row per vertex
+faces    (F, 3) int64     three vertex indices from 0, counter-clockwise seen from outside
+
+Functions that make a mesh return the tuple `vertices, faces`. Functions that measure one expect
+what `check` accepts.
+"""
+import io
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import scipy.sparse
+import trimesh
+
+from . import places
+
+# Files
+
+
+def bunny():
+    """The Stanford bunny: 3674 faces, closed, y up, looking along -x. -> vertices, faces"""
+    return read(places.DATA / "bunny.ply")
+
+
+def teapot():
+    """The Utah teapot: 992 faces in 32 open patches, y up, spout along +x. -> vertices, faces"""
+    return read(places.DATA / "teapot.ply")
+
+
+def read(path):
+    """An OBJ or PLY file -> vertices, faces.
+
+    Vertices keep the file's order and number; its uv, normals and colours are left out. A face of
+    more than three corners becomes a fan of triangles around one of them, right for convex faces.
+    FileNotFoundError or OSError for a file that cannot be opened, ValueError for one that is no
+    whole mesh.
+    """
+    ending = _ending(path)
+    content = places.read_whole(path)
+    try:
+        vertices, faces = _parse(content, ending)
+        check(vertices, faces)
+    except ValueError as error:
+        raise ValueError(f"cannot read {path} as a mesh: {error}") from None
+    return vertices, faces
+
+
+def write(path, vertices, faces):
+    """vertices, faces -> an OBJ file (positions to 17 decimals) or a PLY file (float32, binary).
+
+    ValueError for a broken mesh or an unknown ending, OSError where the file cannot be written.
+    """
+    ending = _ending(path)
+    check(vertices, faces)
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    if ending == "obj":
+        content = mesh.export(file_type="obj", digits=17, header=None).encode()
+    else:
+        content = mesh.export(file_type="ply")
+    places.write_whole(path, content)
+
+
+def _ending(path):
+    ending = Path(path).suffix.lower()
+    if ending not in (".obj", ".ply"):
+        raise ValueError(f"meshes are read and written as .obj or .ply, got {str(path)!r}")
+    return ending[1:]
+
+
+def _parse(content, ending):
+    plain = _positions_and_faces(content) if ending == "obj" else _whole_ply(content)
+    try:
+        mesh = trimesh.load_mesh(io.BytesIO(plain), file_type=ending, process=False,
+                                 maintain_order=True, fix_texture=False, skip_materials=True)
+        return np.array(mesh.vertices, dtype=np.float64), np.array(mesh.faces, dtype=np.int64)
+    except Exception:  # whatever a broken file makes the parser stumble over
+        raise ValueError("it is broken, cut short or of a rare kind, "
+                         "export it again as triangles") from None
+
+
+def _positions_and_faces(content):
+    """An OBJ's v and f lines alone, for trimesh splits vertices at every seam of uv or normals."""
+    text = content.decode("utf-8-sig", errors="replace")
+    text = re.sub(r"\\\r?\n", " ", text)   # a line that goes on
+    text = re.sub(r"/\S*|#.*", "", text)   # indices of uv and normals, comments
+    text = re.sub(r"[^\S\n]+", " ", text)  # tabs, returns
+    positions = re.findall(r"^ ?(v .*?) ?$", text, re.MULTILINE)
+    corners = re.findall(r"^ ?(f .*?) ?$", text, re.MULTILINE)
+    for line in positions + corners:
+        if not re.fullmatch(r"v( \S+){3,}|f( [1-9]\d*){3,}", line):
+            raise ValueError(f"the line {line[:60]!r} is neither v and three coordinates nor f and "
+                             "three or more vertex indices, which must count from 1 up")
+    highest = max(map(int, re.findall(r"\d+", " ".join(corners))), default=0)
+    if highest > len(positions):
+        raise ValueError(f"a face names vertex {highest}, but the file has {len(positions)}")
+    return "\n".join(positions + corners).encode()
+
+
+def _whole_ply(content):
+    """The content unchanged, for trimesh takes an ASCII PLY cut short as a smaller mesh."""
+    header, _, body = content.partition(b"end_header")
+    if b"format ascii" not in header:
+        return content
+    rows = body.strip().splitlines()
+    promised = sum(map(int, re.findall(rb"^element\s+\S+\s+(\d+)", header, re.MULTILINE)))
+    if len(rows) < promised:
+        raise ValueError(f"it is cut short, {len(rows)} rows where its header says {promised}")
+    if re.search(rb"element\s+face\s+\d+\s+property\s+list(?!.*\selement\s)", header, re.DOTALL):
+        corner_count, *corners = rows[-1].split()
+        if corner_count.isdigit() and len(corners) < int(corner_count):
+            raise ValueError(f"it is cut short, the last row is {rows[-1].decode()!r}")
+    return content
+
+
+def check(vertices, faces):
+    """Nothing for a sound mesh with at least one face, else a ValueError that says what is wrong.
+
+    vertices (V, 3) finite floating point numbers, faces (F, 3) integers from 0 to V - 1. Faces may
+    be degenerate, vertices unused or repeated.
+    """
+    vertices, faces = np.asarray(vertices), np.asarray(faces)
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or vertices.dtype.kind != "f":
+        raise ValueError("vertices must be an array (V, 3) of floating point numbers, "
+                         f"got {vertices.shape} of {vertices.dtype}")
+    if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
+        raise ValueError("faces must be an array (F, 3) of integers, "
+                         f"got {faces.shape} of {faces.dtype}")
+    if len(faces) == 0:
+        raise ValueError("a mesh needs at least one face, got none")
+    if not np.isfinite(vertices).all():
+        vertex = np.argmin(np.isfinite(vertices).all(axis=1))
+        raise ValueError("vertices must be finite, "
+                         f"vertex {vertex} is {vertices[vertex].tolist()}")
+    outside = (faces < 0) | (faces >= len(vertices))
+    if outside.any():
+        face, corner = np.argwhere(outside)[0]
+        raise ValueError(f"face {face} names vertex {faces[face, corner]}, but there are "
+                         f"{len(vertices)} vertices, counted from 0")
+
+
+# Shapes
+
+
+def cube(face_count):
+    """The closed surface of [-1, 1]^3. -> vertices, faces
+
+    12 n^2 faces, the fewest that are at least face_count. ValueError if face_count < 1.
+    """
+    n = _steps(face_count, 12)
+    x, y, side = _lattice(n, n)
+    # In whole numbers from -n to n: the side at z = n, the same turned to z = -n, and both again
+    # with the axes cycled once and twice.
+    front = np.stack([2 * x - n, 2 * y - n, np.full_like(x, n)], axis=1)
+    back = front * [-1, 1, -1]
+    sides = [np.roll(points, k, axis=1) for points in (front, back) for k in range(3)]
+    faces = np.concatenate([side + k * len(front) for k in range(6)])
+    vertices, faces = _merge(np.concatenate(sides), faces)
+    return vertices / n, faces
+
+
+def icosphere(face_count):
+    """The unit sphere, closed: an icosahedron's faces cut into n^2 and pushed out.
+    -> vertices, faces
+
+    20 n^2 faces, the fewest that are at least face_count. ValueError if face_count < 1.
+    """
+    n = _steps(face_count, 20)
+    corners, triangles = _icosahedron()
+    i, j, small = _triangle_lattice(n)
+    # A lattice point is a sum of corners with whole weights: the same 12 numbers on both sides of
+    # a shared edge, so that equal points merge exactly.
+    weights = np.zeros((20, len(i), 12), dtype=np.int64)
+    for k, weight in enumerate((n - i - j, i, j)):
+        weights[np.arange(20)[:, None], np.arange(len(i)), triangles[:, k, None]] = weight
+    faces = np.concatenate([small + k * len(i) for k in range(20)])
+    weights, faces = _merge(weights.reshape(-1, 12), faces)
+    vertices = weights @ corners
+    return vertices / np.linalg.norm(vertices, axis=1, keepdims=True), faces
+
+
+def torus(face_count, radius=1.0, tube=0.4):
+    """A closed ring around the y axis: a circle of radius `tube` in n >= 3 steps, led around one
+    of `radius` in 2 n. -> vertices, faces
+
+    4 n^2 faces, the fewest that are at least face_count. ValueError if face_count < 1, and unless
+    0 < tube < radius.
+    """
+    if not 0 < tube < radius < math.inf:
+        raise ValueError(f"a torus needs 0 < tube < radius, got tube {tube} and radius {radius}")
+    n = max(_steps(face_count, 4), 3)
+    x, y, faces = _lattice(2 * n, n)
+    faces = (y % n * 2 * n + x % (2 * n))[faces]  # the last column is the first, likewise rows
+    y, x = np.divmod(np.arange(2 * n * n), 2 * n)
+    around, across = x * (math.pi / n), y * (2 * math.pi / n)
+    distance = radius + tube * np.cos(across)
+    vertices = [distance * np.sin(around), tube * np.sin(across), distance * np.cos(around)]
+    return np.stack(vertices, axis=1), faces
+
+
+def plane(face_count):
+    """The ground [-1, 1]^2 in x and z, facing +y. -> vertices, faces
+
+    2 n^2 faces, the fewest that are at least face_count. ValueError if face_count < 1.
+    """
+    vertices, faces = grid(face_count)
+    x, y, z = vertices.T
+    n = x.max()
+    return np.stack([2 * x / n - 1, z, 1 - 2 * y / n], axis=1), faces
+
+
+def grid(face_count):
+    """A square lattice in x and y, facing +z. -> vertices, faces
+
+    The vertices have the whole coordinates 0 to n, which are the corners of n x n pixels; shifted
+    by 0.5 they lie on pixel centres. 2 n^2 faces, the fewest that are at least face_count.
+    ValueError if face_count < 1.
+    """
+    n = _steps(face_count, 2)
+    x, y, faces = _lattice(n, n)
+    return np.stack([x, y, np.zeros_like(x)], axis=1).astype(np.float64), faces
+
+
+def _steps(face_count, faces_per_square):
+    """The smallest whole n with faces_per_square n^2 >= face_count."""
+    if not 1 <= face_count < math.inf:
+        raise ValueError(f"face_count must be at least 1, got {face_count}")
+    return math.isqrt((math.ceil(face_count) - 1) // faces_per_square) + 1
+
+
+def _lattice(columns, rows):
+    """Points 0 <= x <= columns, 0 <= y <= rows, row by row; each square as two faces."""
+    y, x = np.divmod(np.arange((columns + 1) * (rows + 1)), columns + 1)
+    corner = np.flatnonzero((x < columns) & (y < rows))[:, None]
+    right, above = 1, columns + 1
+    square = np.array([0, right, right + above, 0, right + above, above])
+    return x, y, (corner + square).reshape(-1, 3)
+
+
+def _triangle_lattice(n):
+    """Points 0 <= i, j and i + j <= n of a triangle cut into n^2; its faces."""
+    i, j = np.divmod(np.arange((n + 1) ** 2), n + 1)
+    inside = i + j <= n
+    number = np.cumsum(inside) - 1
+    next_i, next_j = n + 1, 1
+    upright = np.flatnonzero(i + j < n)[:, None] + np.array([0, next_i, next_j])
+    flipped = np.flatnonzero(i + j < n - 1)[:, None] + np.array([next_i, next_i + next_j, next_j])
+    return i[inside], j[inside], number[np.concatenate([upright, flipped])]
+
+
+def _icosahedron():
+    """corners (12, 3) with edges of length 2, triangles (20, 3)."""
+    g = (1 + math.sqrt(5)) / 2  # the golden ratio
+    corners = np.array([[-1,  g,  0], [ 1,  g,  0], [-1, -g,  0], [ 1, -g,  0],
+                        [ 0, -1,  g], [ 0,  1,  g], [ 0, -1, -g], [ 0,  1, -g],
+                        [ g,  0, -1], [ g,  0,  1], [-g,  0, -1], [-g,  0,  1]])
+    distance = np.linalg.norm(corners[:, None] - corners, axis=-1)
+    near = np.abs(distance - 2) < 0.1
+    triangles = np.argwhere(near[:, :, None] & near[:, None, :] & near)
+    counterclockwise = np.linalg.det(corners[triangles]) > 0
+    starts_lowest = triangles[:, 0] == triangles.min(axis=1)
+    return corners, triangles[counterclockwise & starts_lowest]
+
+
+def _merge(points, faces):
+    """Equal rows of whole numbers become one. -> distinct points, faces"""
+    points, index = np.unique(points, axis=0, return_inverse=True)
+    return points, index.reshape(-1)[faces]
+
+
+# Size
+
+
+def normalize(vertices):
+    """Moved and scaled alike in x, y and z: bounding box centred at 0, farthest vertex at 1.
+
+    ValueError where all vertices are in one place.
+    """
+    centred = vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2
+    farthest = np.linalg.norm(centred, axis=1).max()
+    if farthest == 0:
+        raise ValueError("all vertices are in one place: there is no size to scale to 1")
+    return centred / farthest
+
+
+# Normals
+
+
+def face_normals(vertices, faces):
+    """-> (F, 3) of unit length, to the side that sees the face counter-clockwise.
+
+    Zero for a degenerate face.
+    """
+    return _unit(_area_vectors(vertices, faces))
+
+
+def vertex_normals(vertices, faces):
+    """-> (V, 3) of unit length: the mean over the faces at a vertex, weighted by their area.
+
+    Zero for a vertex of no face.
+    """
+    total = np.zeros_like(vertices)
+    np.add.at(total, faces, _area_vectors(vertices, faces)[:, None])
+    return _unit(total)
+
+
+def _area_vectors(vertices, faces):
+    """-> (F, 3) normals whose length is twice the face's area; exactly 0 for a degenerate face."""
+    a, b, c = vertices[faces.T]
+    area = np.cross(b - a, c - a)
+    # Three points on a line give a product of the size of its rounding, in any direction.
+    rounding = 4 * np.finfo(np.float64).eps
+    scale = np.linalg.norm(b - a, axis=1) * np.linalg.norm(c - a, axis=1)
+    return area * (np.linalg.norm(area, axis=1) > rounding * scale)[:, None]
+
+
+def _unit(vectors):
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return vectors / np.where(length > 0, length, 1)
+
+
+# Edges
+
+
+def edges(faces):
+    """-> edges (E, 2), face_edges (F, 3)
+
+    An edge is a pair of vertices, low < high; edges ascend. face_edges[f, k] is the number of the
+    edge opposite to vertex k of face f. ValueError for a face that names a vertex twice.
+    """
+    faces = np.asarray(faces, dtype=np.int64)
+    start, end = np.roll(faces, -1, axis=1), np.roll(faces, -2, axis=1)
+    if (start == end).any():
+        face = np.argmax((start == end).any(axis=1))
+        raise ValueError(f"face {face} names a vertex twice ({faces[face].tolist()}): "
+                         "leave such faces out before asking for edges")
+    vertex_count = faces.max(initial=0) + 1
+    key = np.minimum(start, end) * vertex_count + np.maximum(start, end)
+    key, face_edges = np.unique(key, return_inverse=True)
+    return np.stack(np.divmod(key, vertex_count), axis=1), face_edges.reshape(faces.shape)
+
+
+def edge_faces(faces):
+    """-> (E, 2) the faces at each edge of `edges(faces)`, the lower first, -1 for none.
+
+    ValueError for an edge of more than two faces.
+    """
+    pairs, face_edges = edges(faces)
+    count = np.bincount(face_edges.ravel(), minlength=len(pairs))
+    if (count > 2).any():
+        edge = np.argmax(count > 2)
+        raise ValueError(f"the edge between vertices {pairs[edge, 0]} and {pairs[edge, 1]} has "
+                         f"{count[edge]} faces: at most two may meet at an edge")
+    by_edge = np.argsort(face_edges.ravel(), kind="stable") // 3
+    first = np.cumsum(count) - count
+    both = count == 2
+    neighbours = np.full((len(pairs), 2), -1)
+    neighbours[:, 0] = by_edge[first]
+    neighbours[both, 1] = by_edge[first[both] + 1]
+    return neighbours
+
+
+def boundary_edges(faces):
+    """-> (B, 2) the edges of one face only, as in `edges`."""
+    pairs, face_edges = edges(faces)
+    return pairs[np.bincount(face_edges.ravel(), minlength=len(pairs)) == 1]
+
+
+def adjacency(faces, vertex_count):
+    """-> sparse (V, V), symmetric: 1 where an edge joins two vertices, else 0."""
+    low, high = edges(faces)[0].T
+    rows, columns = np.concatenate([low, high]), np.concatenate([high, low])
+    ones = np.ones(len(rows))
+    return scipy.sparse.csr_array((ones, (rows, columns)), shape=(vertex_count, vertex_count))

@@ -1,0 +1,51 @@
+"""Where things lie: the course's folder, its data, its output; files read and written whole."""
+import contextlib
+import os
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+DATA = ROOT / "course" / "data"
+
+
+def out(*parts):
+    """out("demo", "bunny.png") -> the path ROOT/out/demo/bunny.png, its folder made.
+
+    OSError where that folder cannot be written.
+    """
+    path = ROOT.joinpath("out", *parts)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        writable = os.access(path.parent, os.W_OK)
+    except OSError:
+        writable = False
+    if not writable:
+        raise OSError(f"cannot write into the folder {path.parent}: "
+                      "allow writing there, or copy the course to a folder of your own")
+    return path
+
+
+def read_whole(path):
+    """The file's bytes; FileNotFoundError or OSError, in one sentence."""
+    try:
+        return Path(path).read_bytes()
+    except FileNotFoundError:
+        raise FileNotFoundError(f"there is no file {path}: check its name, and the folder "
+                                f"you are in ({Path.cwd()})") from None
+    except OSError as error:
+        raise OSError(f"cannot read {path} ({error.strerror}): "
+                      "give the name of a file that you may read") from None
+
+
+def write_whole(path, content):
+    """Bytes -> the file, all or nothing: written beside it, then moved there. OSError if not."""
+    path = Path(path)
+    neighbour = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        neighbour.write_bytes(content)
+        os.replace(neighbour, path)
+    except OSError as error:
+        raise OSError(f"cannot write {path} ({error.strerror}): "
+                      "name a file in a folder that is there and that you may write to") from None
+    finally:
+        with contextlib.suppress(OSError):
+            neighbour.unlink()

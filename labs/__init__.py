@@ -1,0 +1,1 @@
+"""Your copy of the code: every exercise is yours to write. Start with transforms."""

@@ -1,0 +1,313 @@
+"""python3 -m course sets itself up: tried in real second processes, on a copy without the network.
+
+The copy's command line is a stand-in that prints where it runs, and exits as it is told to.
+"""
+import ast
+import errno
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+COURSE = Path(__file__).parents[2] / "course"
+STAND_IN = """
+import sys
+def main():
+    print(sys.prefix, sys.argv[1:])
+    return int(sys.argv[1])
+"""
+SLOW = "import time; print('slow', flush=True); time.sleep(60)"
+
+
+def lay_out(root):
+    """A repository of its own at root: the course's start, one requirement, a shelf of packages."""
+    (root / "course").mkdir(parents=True)
+    shutil.copy(COURSE / "__main__.py", root / "course")
+    (root / "course" / "__init__.py").touch()
+    (root / "course" / "cli.py").write_text(STAND_IN)
+    (root / "requirements.txt").write_text("pebble>=1.0  # a package that nobody has\n")
+    (root / "shelf").mkdir()
+    for name in ("pebble", "stone"):
+        wheel(root / "shelf", name)
+    return root
+
+
+def wheel(folder, name):
+    """The smallest package that pip installs: version 1.2 of name."""
+    with zipfile.ZipFile(folder / f"{name}-1.2-py3-none-any.whl", "w") as archive:
+        about = f"{name}-1.2.dist-info"
+        archive.writestr(f"{about}/METADATA",
+                         f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.2\n")
+        archive.writestr(f"{about}/WHEEL",
+                         "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
+        archive.writestr(f"{about}/RECORD", "")
+
+
+def surroundings(root, **more):
+    """The environment of a start: pip knows the shelf and no network, uv is nowhere."""
+    pip = {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": (root / "shelf").as_uri(),
+           "PIP_CONFIG_FILE": os.devnull}
+    ours = {key: text for key, text in os.environ.items()
+            if not key.startswith(("PIP_", "PYTHON", "UV_"))}
+    return {**ours, **pip, "PATH": str(root / "shelf"), **more}
+
+
+def start(root, *arguments, python=sys.executable, target=("-m", "course"), cwd=None, **more):
+    """One start to its end: exit status, what it printed, the sentences that it told."""
+    ended = subprocess.run([python, *target, *arguments], cwd=cwd or root, text=True,
+                           capture_output=True, timeout=60, env=surroundings(root, **more))
+    return SimpleNamespace(status=ended.returncode, printed=ended.stdout,
+                           told=ended.stderr.splitlines())
+
+
+def venv_python(root):
+    return root / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+
+def installed(root):
+    return sorted(path.name for path in (root / ".venv").rglob("*.dist-info")
+                  if not path.name.startswith(("pip-", "setuptools-")))
+
+
+@pytest.fixture(scope="module")
+def first(tmp_path_factory):
+    """A copy after its first start, and what that start said."""
+    root = lay_out(tmp_path_factory.mktemp("first") / "a folder with spaces")
+    return root, start(root, "0", "two words", "*")
+
+
+@pytest.fixture
+def ready(first, tmp_path):
+    """A copy of its own, set up."""
+    return shutil.copytree(first[0], tmp_path / "ready", symlinks=True)
+
+
+@pytest.fixture
+def new(tmp_path):
+    """A copy of its own, before its first start."""
+    return lay_out(tmp_path / "new")
+
+
+@pytest.fixture
+def module(new):
+    """The start of `new` as a module of this process, for what cannot be had for real."""
+    spec = spec_from_file_location("start", new / "course" / "__main__.py")
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_first_start_says_one_line_and_runs_the_command_in_a_new_venv(first):
+    """The set-up is silent or chatty, the command runs outside, arguments are split at spaces."""
+    root, ended = first
+    assert ended.status == 0, ended.told
+    assert len(ended.told) == 1 and "installing requirements.txt into" in ended.told[0]
+    assert ended.printed == f"{root / '.venv'} {['0', 'two words', '*']}\n"
+    assert installed(root) == ["pebble-1.2.dist-info"]
+
+
+def test_the_second_start_installs_nothing(ready):
+    """The finished .venv is not recognised, and every start costs a minute."""
+    ended = start(ready, "0", PIP_FIND_LINKS="nowhere")
+    assert (ended.status, ended.told) == (0, [])
+    assert ended.printed.startswith(str(ready / ".venv"))
+
+
+def test_the_exit_status_of_the_command_is_the_exit_status(ready):
+    """A failed check exits 0, and CI sees green."""
+    assert start(ready, "7").status == 7
+
+
+def test_changed_requirements_are_installed(ready):
+    """After an update of the course the old .venv goes on without the new package."""
+    (ready / "requirements.txt").write_text("pebble>=1.1\nstone>=1.0\n")
+    ended = start(ready, "0")
+    assert (ended.status, len(ended.told)) == (0, 1)
+    assert installed(ready) == ["pebble-1.2.dist-info", "stone-1.2.dist-info"]
+
+
+def test_changed_requirements_are_installed_in_the_active_venv_too(ready):
+    """With .venv active, the start finds itself inside and does not look at requirements.txt."""
+    (ready / "requirements.txt").write_text("pebble>=1.0\nstone>=1.0\n")
+    ended = start(ready, "0", python=venv_python(ready))
+    assert (ended.status, len(ended.told)) == (0, 1)
+    assert "stone-1.2.dist-info" in installed(ready)
+
+
+def test_a_set_up_that_was_cut_short_is_made_anew(ready):
+    """A start that was killed leaves a .venv that fails for ever."""
+    (ready / ".venv" / "requirements.txt").write_text("")
+    (ready / ".venv" / "half a package").touch()
+    ended = start(ready, "0")
+    assert (ended.status, len(ended.told)) == (0, 1)
+    assert installed(ready) == ["pebble-1.2.dist-info"]
+    assert not (ready / ".venv" / "half a package").exists()
+
+
+def test_without_network_the_sentence_holds_the_error_and_the_remedy(ready):
+    """pip's fifty lines, or a traceback, or nothing; and the next start believes it is ready."""
+    (ready / "requirements.txt").write_text("nobody-made-this\n")
+    for _ in range(2):
+        ended = start(ready, "0", python=venv_python(ready), PIP_NO_INDEX="", PIP_RETRIES="0",
+                      PIP_TIMEOUT="1", PIP_INDEX_URL="http://127.0.0.1:9/simple")
+        assert (ended.status, len(ended.told)) == (2, 2)
+        assert "No matching distribution found for nobody-made-this" in ended.told[1]
+        assert "check the network" in ended.told[1]
+
+
+def test_a_venv_of_somebody_else_is_used_and_left_as_it_is(new):
+    """It is deleted, or filled with our packages, or refused although it has everything."""
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", new / ".venv"], check=True)
+    before = sorted((new / ".venv").rglob("*"))
+    ended = start(new, "0")
+    assert ended.status == 2
+    assert len(ended.told) == 1 and "it lacks pebble>=1.0): delete this folder" in ended.told[0]
+    assert sorted((new / ".venv").rglob("*")) == before
+
+    packages = next((new / ".venv").rglob("site-packages"))
+    zipfile.ZipFile(new / "shelf" / "pebble-1.2-py3-none-any.whl").extractall(packages)
+    ended = start(new, "0")
+    assert (ended.status, ended.told) == (0, [])
+    assert ended.printed.startswith(str(new / ".venv"))
+
+
+def test_a_finished_venv_that_lost_a_package_does_not_start_itself_for_ever(ready):
+    """The child finds the package missing, starts a child, which finds the package missing ..."""
+    for package in (ready / ".venv").rglob("pebble-*"):
+        shutil.rmtree(package)
+    ended = start(ready, "0")
+    assert ended.status == 2
+    assert len(ended.told) == 1 and "it lacks pebble>=1.0" in ended.told[0]
+
+
+def test_a_venv_without_a_python_that_starts_is_not_deleted_unless_it_is_ours(new):
+    """Whatever is called .venv is removed."""
+    (new / ".venv").mkdir()
+    (new / ".venv" / "diary.txt").write_text("mine")
+    ended = start(new, "0")
+    assert ended.status == 2
+    assert len(ended.told) == 1 and "does not start" in ended.told[0]
+    assert (new / ".venv" / "diary.txt").exists()
+
+
+@pytest.mark.parametrize("missing", ["venv", "ensurepip"])
+def test_without_the_venv_module_the_sentence_names_the_system_package(new, missing):
+    """Debian's Python has no ensurepip, and the sentence speaks of the network."""
+    (new / "fakes").mkdir()
+    (new / "fakes" / f"{missing}.py").write_text(
+        f"raise ModuleNotFoundError(\"No module named '{missing}'\")")
+    ended = start(new, "0", PYTHONPATH=str(new / "fakes"))
+    assert (ended.status, len(ended.told)) == (2, 2)
+    assert f"No module named '{missing}'" in ended.told[1] and "apt install" in ended.told[1]
+
+
+def test_an_environment_that_has_everything_just_runs(new):
+    """A .venv is made in conda, too; or a version like 10.0 is taken for older than 9.0."""
+    (new / "requirements.txt").write_text("pytest>=8.0\npytest-xdist>=3.6\nnumpy\n")
+    ended = start(new, "0")
+    assert (ended.status, ended.told) == (0, [])
+    assert ended.printed.startswith(sys.prefix) and not (new / ".venv").exists()
+
+
+def test_it_starts_from_another_folder_by_its_path(ready, tmp_path):
+    """Started as python3 /path/to/course, it does not find itself."""
+    ended = start(ready, "0", target=[ready / "course"], cwd=tmp_path)
+    assert (ended.status, ended.told) == (0, [])
+
+
+def test_a_version_is_compared_by_its_numbers(module, monkeypatch):
+    """As text, 10.0 comes before 9.0."""
+    monkeypatch.setattr("importlib.metadata.version", {"old": "2.9", "new": "10.0rc1"}.get)
+    module.REQUIREMENTS.write_text("# why\nnew>=9.1  # why\nnew>=10.0\n\nold>=2.10\nold\nbroken>=1")
+    assert module.missing() == ["old>=2.10", "broken>=1"]
+
+
+def test_an_old_python_gets_a_sentence(module, monkeypatch, capsys):
+    """An old Python meets a word of Python 3.8 and shows a SyntaxError."""
+    ast.parse((COURSE / "__main__.py").read_text("utf-8"), feature_version=(3, 6))
+    ast.parse((COURSE / "__init__.py").read_text("utf-8"), feature_version=(3, 6))
+    monkeypatch.setattr(module.sys, "version_info", (3, 10, 13))
+    assert module.main() == 2
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1 and "needs Python 3.11 or newer" in told
+
+
+@pytest.mark.parametrize(("number", "remedy"), [
+    (errno.EROFS, "a folder in which you may write"),
+    (errno.EACCES, "a folder in which you may write"),
+    (errno.ENOSPC, "free 1 GB"),
+])
+def test_a_full_or_locked_disk_gets_a_sentence(module, monkeypatch, capsys, number, remedy):
+    """The operating system's error becomes a traceback, or the advice to check the network."""
+    def refuse(path):
+        raise OSError(number, os.strerror(number), str(path))
+
+    monkeypatch.setattr(module.Path, "mkdir", refuse)
+    monkeypatch.setattr(module, "succeeds", lambda *_: False)
+    assert module.main() == 2
+    told = capsys.readouterr().err.splitlines()
+    assert len(told) == 2 and remedy in told[1] and os.strerror(number) in told[1]
+
+
+def test_uv_is_used_where_it_is_found(module, monkeypatch):
+    """With uv there, pip is asked all the same, and takes a minute."""
+    commands = []
+    monkeypatch.setattr(module, "succeeds", lambda *command: command[0] == "uv")
+    monkeypatch.setattr(module, "run_quietly", lambda *command: commands.append(command[:3]))
+    module.set_up()
+    assert commands == [("uv", "venv", "--allow-existing"), ("uv", "pip", "install")]
+    assert module.COPY.read_text() == module.REQUIREMENTS.read_text()
+
+
+if os.name == "posix":  # Ctrl-C as a terminal sends it: to the start and to what it started
+    def interrupt(root, by=lambda child: os.killpg(child.pid, signal.SIGINT), **more):
+        """Start, wait until it is slow, interrupt: exit status, what it then told."""
+        child = subprocess.Popen([sys.executable, "-m", "course", "0"], cwd=root, text=True,
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                 env=surroundings(root, **more), start_new_session=True)
+        if more:
+            assert "installing" in child.stderr.readline()
+            patience = time.monotonic() + 10
+            while not (root / ".venv" / "requirements.txt").exists():
+                assert time.monotonic() < patience, "no mark in .venv"
+                time.sleep(0.01)
+        else:
+            assert child.stdout.readline() == "slow\n"
+        by(child)
+        _, errors = child.communicate(timeout=20)
+        return child.returncode, errors
+
+    def test_ctrl_c_during_set_up_is_one_sentence_and_leaves_its_mark(new):
+        """A traceback, or a half-made .venv that is taken for somebody else's or for ready."""
+        (new / "fakes").mkdir()
+        (new / "fakes" / "venv.py").write_text(SLOW)
+        status, errors = interrupt(new, PYTHONPATH=str(new / "fakes"))
+        assert status == 130
+        assert errors.count("\n") == 1 and "interrupted" in errors
+        assert (new / ".venv" / "requirements.txt").read_text() == ""
+
+    def test_ctrl_c_is_left_to_the_command(ready):
+        """The start dies first, and the command goes on printing over the prompt."""
+        (ready / "course" / "cli.py").write_text(
+            f"def main():\n    try:\n        {SLOW}\n    except KeyboardInterrupt:\n"
+            "        time.sleep(0.5); return 130\n")
+        assert interrupt(ready) == (130, "")
+
+    def test_a_command_that_was_killed_is_no_success(ready):
+        """The child's exit status -9 becomes 0, or 247."""
+        (ready / "course" / "cli.py").write_text(
+            "import os\ndef main():\n    os.kill(os.getpid(), 9)\n")
+        assert start(ready, "0").status == 128 + 9
+
+    def test_ending_the_start_ends_the_command(ready):
+        """A time limit's SIGTERM ends the start, and the command goes on without it."""
+        (ready / "course" / "cli.py").write_text(f"def main():\n    {SLOW}\n")
+        assert interrupt(ready, by=lambda child: child.terminate()) == (128 + 15, "")
