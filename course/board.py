@@ -60,9 +60,9 @@ def numbers_of(target, course):
              if target in (None, topic, str(skeleton.lab_number(topic)), exercise.number)]
     if not asked:
         labs = ", ".join(f"{skeleton.lab_number(topic)} or {topic}" for topic in course)
-        numbers = ", ".join(f"{exercises[0].number} to {exercises[-1].number}"
+        numbers = ", ".join(" to ".join(dict.fromkeys((exercises[0].number, exercises[-1].number)))
                             for exercises in course.values() if exercises)
-        raise ValueError(f"there is nothing to check under {target}; give a lab ({labs}) or an "
+        raise ValueError(f'there is no lab or exercise "{target}"; give a lab ({labs}) or an '
                          f"exercise ({numbers})")
     return asked
 

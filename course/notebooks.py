@@ -150,7 +150,7 @@ async def execute(path, progress=lambda **cells: None):
             objection = await _run_cell(client, cell, index) or _objection(cell)
             if objection:
                 raise ValueError(f"{path.name}, code cell [{number}] {objection}")
-            _tidy(cell, number)
+            _tidy(cell)
             progress(completed=number)
     return _content(notebook, path)
 
@@ -258,14 +258,12 @@ def _contents(output):
     return {kind: "".join(content) for kind, content in contents.items()}
 
 
-def _tidy(cell, number):
+def _tidy(cell):
     """Leave in the cell only what depends on its code."""
-    cell.execution_count, outputs = number, []
+    outputs = []
     for output in cell.outputs:
         if "metadata" in output:
             output.metadata = {}
-        if "execution_count" in output:
-            output.execution_count = number
         if outputs and output.output_type == outputs[-1].output_type == "stream":
             outputs[-1].text += output.text        # printed text comes in pieces, by chance
         else:

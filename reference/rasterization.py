@@ -221,9 +221,9 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
     """Homework 2: face by face and pixel by pixel, with a z-buffer. Slow and obvious.
 
     clip (V, 4), faces (F, 3) -> face_index (height, width) of integers, -1 where no face is seen;
-    depth (height, width), np.inf there. A face covers a pixel if, at the pixel's centre, each of its
-    `half_planes` has e = a (x - x0) + b (y - y0) positive, or 0 and `is_top_left(a, b)`; and if its
-    depth, a (x - x_0) + (b (y - y_0) + z_0) with the a, b of `depth_plane`, lies from -1 (near) to
+    depth (height, width), np.inf there. At the pixel's centre, a face that covers it has for each
+    of its `half_planes` e = a (x - x0) + b (y - y0) > 0, or e = 0 and `is_top_left(a, b)`; and its
+    depth a (x - x_0) + (b (y - y_0) + z_0), with a and b of `depth_plane`, lies from -1 (near) to
     1 (far). The covering face of least depth is seen; of equally deep ones, the first. If every
     w > 0, only pixels in the `bounding_box` can be covered. A face with a corner that is not finite
     covers nothing.

@@ -55,7 +55,8 @@ def test_whole_meshes_and_the_loop_agree_to_the_bit(seed):
 def test_chunks_change_nothing(monkeypatch):
     """A face or a row is lost or seen twice where one chunk ends and the next begins."""
     vertices, faces = mesh.torus(2000)
-    view, projection = transforms.translate([0, 0, -3.0]), transforms.perspective(1.0, 1.0, 1.0, 9.0)
+    view = transforms.translate(np.array([0.0, 0.0, -3.0]))
+    projection = transforms.perspective(1.0, 1.0, 1.0, 9.0)
     clip = transforms.transform(transforms.to_homogeneous(vertices), projection @ view)
     whole = rasterization.rasterize(clip, faces, 90, 70)
     for size in (1, 100, 4000):

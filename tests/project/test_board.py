@@ -1,0 +1,293 @@
+"""The progress board: verdicts, points, what comes next, exit status, JSON."""
+import json
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from course import board, places
+
+REFERENCE = '''\
+"""Made up."""
+
+
+def double(x):  # exercise 1.1 (2 points)
+    """Twice x."""
+    return 2 * x
+
+
+def half(x):  # exercise 1.2 (3 points)
+    """Half of x."""
+    return x / 2
+
+
+def between(x):
+    return half(x)
+
+
+def quarter(x):  # exercise 1.3 (1 point)
+    """Half of the half."""
+    return half(between(x))
+
+
+def mask(n):  # exercise 1.4 (4 points)
+    """Not started."""
+    return n
+
+
+def area(n):  # exercise 1.5 (2 points)
+    """Calls mask."""
+    return mask(n)
+
+
+def unchecked(x):  # exercise 1.6 (5 points)
+    """Without a check."""
+    return x
+
+
+def skipped(x):  # exercise 1.7 (1 point)
+    """Its only check is skipped."""
+    return x
+'''
+
+LAB = REFERENCE.replace("return x / 2", "return x / 3").replace(
+    "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
+
+CHECKS = '''\
+import pytest
+
+from course.checks import assert_close, exercise
+
+
+@exercise("1.1")
+def test_twice(impl):
+    """Once."""
+    assert_close(impl.double(2.0), 4.0)
+
+
+@exercise("1.2")
+def test_half_of_nothing(impl):
+    """Something."""
+    assert_close(impl.half(0.0), 0.0)
+
+
+@exercise("1.2")
+def test_half_of_three(impl):
+    """A third."""
+    print("three")
+    assert_close(impl.half(3.0), 1.5)
+
+
+@exercise("1.3")
+def test_quarter_of_one(impl):
+    """A third of the third."""
+    assert_close(impl.quarter(1.0), 0.25)
+
+
+@exercise("1.4")
+def test_mask_is_masked(impl):
+    """It is not."""
+    assert_close(impl.mask(2), 2)
+
+
+@exercise("1.5")
+def test_area_is_counted(impl):
+    """It is not."""
+    assert_close(impl.area(2), 2)
+
+
+@exercise("1.7")
+@pytest.mark.skip
+def test_skipped(impl):
+    """Left out."""
+
+
+def test_of_given_code(impl):
+    assert impl.between(2.0) == 1.0
+'''
+
+SECOND = '''\
+def twice(x):  # exercise 2.1 (3 points)
+    """Twice x."""
+    return 2 * x
+'''
+
+SECOND_CHECKS = '''\
+from course.checks import assert_close, exercise
+
+
+@exercise("2.1")
+def test_twice_is_more(impl, rng):
+    """Less."""
+    x = rng.random()
+    assert_close(impl.twice(x), x + x)
+'''
+
+FILES = {
+    "reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
+    "reference/rasterization.py": SECOND, "labs/rasterization.py": SECOND,
+    "tests/test_transforms.py": CHECKS, "tests/test_rasterization.py": SECOND_CHECKS,
+    "notebooks/01_transforms.ipynb": "",
+}
+
+
+@pytest.fixture(scope="module")
+def course(house):
+    return house(FILES)
+
+
+@pytest.fixture(scope="module")
+def check(course, run_module):
+    return lambda *asked: run_module(course, "course", "check", *asked)
+
+
+@pytest.fixture(scope="module")
+def whole(course, check):
+    """The board of all labs: (the process, its JSON)."""
+    done = check("--json", "board.json")
+    return done, json.loads((course / "board.json").read_text(encoding="utf-8"))
+
+
+def lines(text):
+    return [line.rstrip() for line in text.splitlines()]
+
+
+def test_the_board_shows_points_and_verdicts_of_every_lab(whole):
+    """Points for a part of the checks, a blocked exercise that seems wrong, a lab left out."""
+    done, _ = whole
+    assert done.stderr == ""
+    assert lines(done.stdout)[:10] == [
+        "Lab 1  transforms     2 of 18   ##..................",
+        "  1.1  double         2 points  done",
+        "  1.2  half           3 points  failing",
+        "  1.3  quarter        1 point   blocked by 1.2",
+        "  1.4  mask           4 points  not started",
+        "  1.5  area           2 points  blocked by 1.4",
+        "  1.6  unchecked      5 points  failing",
+        "  1.7  skipped        1 point   failing",
+        "Lab 2  rasterization  3 of 3    ####################",
+        "  2.1  twice          3 points  done",
+    ]
+
+
+def test_below_stands_what_to_do_next_and_why_it_fails(whole):
+    """The first exercise that fails is passed over, or its first check shown, which passes."""
+    done, _ = whole
+    assert lines(done.stdout)[10:] == [
+        "",
+        "Next: 1.2 half, failing in 1 of 2 checks",
+        "claim     Half of three",
+        "catches   A third.",
+        "given     half(x=3.0)",
+        "expected  1.5",
+        "got       1.0",
+        "differs   by 0.5; allowed 1e-12 + 1e-09 |expected|",
+        "check     tests/test_transforms.py:22",
+        "          assert_close(impl.half(3.0), 1.5)",
+        "seed      0",
+        "printed   three",
+        "again     python3 -m course check 1.2",
+        "read      labs/transforms.py:9, the docstring is the question",
+        "          notebooks/01_transforms.ipynb",
+    ]
+    assert done.returncode == 1
+
+
+def test_the_json_holds_the_board_and_every_check(whole):
+    """A key is missing, or points of an exercise that is not done are counted."""
+    _, found = whole
+    assert (found["points"], found["of"]) == (5, 21)
+    verdicts = {entry["number"]: entry["verdict"] for entry in found["exercises"]}
+    assert verdicts == {"1.1": "done", "1.2": "failing", "1.3": "blocked by 1.2",
+                        "1.4": "not started", "1.5": "blocked by 1.4", "1.6": "failing",
+                        "1.7": "failing", "2.1": "done"}
+    half = found["exercises"][1]
+    assert half | {"checks": []} == {"number": "1.2", "name": "half", "topic": "transforms",
+                                     "points": 3, "verdict": "failing", "checks": []}
+    passed, failed = half["checks"]
+    assert passed["verdict"] == "passed" and passed["message"] == ""
+    assert failed["seconds"] >= 0 and failed["picture"] is None
+    assert failed["message"].startswith("catches   A third.\ngiven     half(x=3.0)\n")
+    assert failed | {"seconds": 0, "message": ""} == {
+        "exercise": "1.2", "nodeid": "tests/test_transforms.py::test_half_of_three",
+        "claim": "Half of three", "verdict": "failed", "message": "", "picture": None, "seconds": 0}
+    assert found["exercises"][5]["checks"] == []
+
+
+@pytest.mark.parametrize(("asked", "status", "numbers", "next_line"), [
+    (["1.1"], 0, ["1.1"], "All that was asked for is done, 2 of 2 points. Next: 1.2 half."),
+    (["rasterization"], 0, ["2.1"],
+     "All that was asked for is done, 3 of 3 points. Next: nothing, the course ends here."),
+    (["1.3"], 1, ["1.3"], "Next: 1.2 half, failing in 1 of 2 checks"),
+    (["1.4"], 1, ["1.4"], "Next: 1.4 mask, not started"),
+    (["1.6"], 1, ["1.6"], "Next: 1.6 unchecked, failing"),
+    (["2", "--impl", "reference"], 0, ["2.1"],
+     "All that was asked for is done, 3 of 3 points. Next: nothing, the course ends here."),
+    (["1.2", "--impl", "reference"], 0, ["1.2"],
+     "All that was asked for is done, 3 of 3 points. Next: 1.3 quarter."),
+], ids=lambda value: " ".join(value) if isinstance(value, list) else "")
+def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, status, numbers,
+                                                               next_line):
+    """More is judged than was asked for, or a lab passes because nothing was run."""
+    done = check(*asked)
+    table, _, below = done.stdout.partition("\n\n")
+    assert [line.split()[0] for line in lines(table) if not line.startswith("Lab")] == numbers
+    assert lines(below)[0] == next_line
+    assert done.returncode == status
+
+
+def test_an_exercise_without_a_check_says_so(check):
+    """It is done, as nothing fails."""
+    assert "wrong     it has no check in tests/test_transforms.py" in check("1.6").stdout
+
+
+@pytest.mark.parametrize("target", ["1.8", "3", "sampling", "tests", ""])
+def test_an_unknown_target_is_told_with_what_there_is(course, monkeypatch, target):
+    """Nothing is checked, and that counts as passed."""
+    monkeypatch.setattr(places, "ROOT", course)
+    with pytest.raises(ValueError) as error:
+        board.check(target)
+    assert str(error.value) == (
+        f'there is no lab or exercise "{target}"; give a lab (1 or transforms, 2 or rasterization) '
+        "or an exercise (1.1 to 1.7, 2.1)")
+
+
+def test_other_settings_reach_the_checks_and_the_command_that_repeats_them(check):
+    """The numbers that failed cannot be drawn again."""
+    done = check("1.2", "--seed", "7", "--impl", "labs/../labs")
+    assert "seed      7\n" in done.stdout
+    assert "again     python3 -m course check 1.2 --impl labs/../labs --seed 7\n" in done.stdout
+
+
+def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_module):
+    """A test file that cannot be read, a check of no exercise, are passed over in silence."""
+    root = house(FILES | {
+        "labs/transforms.py": REFERENCE,
+        "tests/test_rasterization.py": "import nothing\n",
+        "tests/test_transforms.py": CHECKS.replace('"1.7"', '"1.9"')})
+    done = run_module(root, "course", "check")
+    assert done.returncode == 1
+    assert ("tests/test_rasterization.py cannot be collected: "
+            "ModuleNotFoundError: No module named 'nothing'") in done.stdout
+    assert ("tests/test_transforms.py::test_skipped names exercise 1.9, "
+            "and there is none") in done.stdout
+    assert "  2.1  twice          3 points  failing" in done.stdout
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
+def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house):
+    """Ctrl-C loses the board, and nobody knows where the loop is."""
+    root = house(FILES | {"labs/transforms.py": LAB.replace(
+        "return x / 3", 'while not open("started", "w").close():\n        pass')})
+    with subprocess.Popen([sys.executable, "-m", "course", "check", "1"], cwd=root,
+                          stdout=subprocess.PIPE, encoding="utf-8") as process:
+        while not (root / "started").exists() and process.poll() is None:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        output = process.communicate(timeout=20)[0]
+    assert "  1.1  double      2 points  done" in output
+    assert "Next: 1.2 half, failing in 2 of 2 checks\nclaim     Half of nothing\n" in output
+    assert "wrong     KeyboardInterrupt\n          labs/transforms.py:" in output
+    assert process.returncode == 1
