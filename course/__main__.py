@@ -53,7 +53,7 @@ def main():
             if missing():
                 raise OSError("it lacks " + ", ".join(missing()))
     except KeyboardInterrupt:
-        return say("set-up was interrupted; the next start makes .venv anew", status=130)
+        return say("set-up was interrupted; the next start begins it again", status=130)
     except OSError as error:
         remedy = next(helps for says, helps in REMEDIES if re.search(says, str(error), re.I))
         return say(f"cannot set up {VENV} ({error}): {remedy}, then start again")
@@ -91,7 +91,8 @@ def set_up():
         if not starts:
             raise OSError("its Python does not start, or is too old")
         return
-    wanted, reached = REQUIREMENTS.read_text("utf-8"), COPY.read_text("utf-8") if starts else ""
+    wanted = REQUIREMENTS.read_text("utf-8")
+    reached = COPY.read_text("utf-8") if starts else ""
     if reached == wanted:
         return
     uv = succeeds("uv", "--version")
@@ -146,7 +147,7 @@ def run_quietly(*command):
 
 
 def start_inside():
-    """The same command in .venv's Python: its exit status. Ctrl-C reaches it without our help."""
+    """The same command in .venv's Python -> its exit status. Ctrl-C reaches it without our help."""
     signal.signal(signal.SIGINT, lambda *_: None)
     child = subprocess.Popen([str(PYTHON), str(ROOT / "course"), *sys.argv[1:]])
     signal.signal(signal.SIGTERM, lambda *_: child.terminate())

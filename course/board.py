@@ -32,45 +32,48 @@ def check(target=None, implementation="labs", json_file=None, seed=0):
     json_file: the board is written there, too. -> 0 if all that was asked for is done, else 1.
     ValueError: there is no such target or folder.
     """
-    course = {topic: skeleton.topic_exercises(topic) for topic in skeleton.topics()}
+    labs, asked = asked_for(target)
     code = checks.folder(implementation)
-    asked = numbers_of(target, course)
-    called = called_exercises(course, code)
+    called = called_exercises(labs, code)
     needed = closure(asked, called)
-    found, problems = run_checks(course, needed, implementation, seed)
-    everything = entries(course, needed, called, found)
+    found, problems = run_checks(labs, needed, implementation, seed)
+    everything = entries(labs, needed, called, found)
     board = [entry for entry in everything if entry.exercise.number in asked]
 
-    console = Console(highlight=False, markup=False)
     all_is_done = all(entry.verdict == "done" for entry in board)
-    console.print(table(board))
-    for problem in problems:
-        console.print(problem, soft_wrap=True)
-    console.print()
-    console.print(all_done(board, course) if all_is_done
-                  else next_to_do(everything, code, implementation, seed), soft_wrap=True)
+    Console().print(table(board))
+    print(*problems, sep="\n")
+    print(all_done(board, labs) if all_is_done
+          else next_to_do(everything, code, implementation, seed))
     if json_file:
         places.write_whole(json_file, as_json(board).encode("utf-8"))
     return int(bool(problems) or not all_is_done)
 
 
-def numbers_of(target, course):
-    """The numbers of the exercises that are asked for."""
-    asked = [exercise.number for topic, exercises in course.items() for exercise in exercises
-             if target in (None, topic, str(skeleton.lab_number(topic)), exercise.number)]
+def asked_for(target):
+    """({topic: its exercises}, the numbers of those that are asked for)."""
+    topics = {topic: str(skeleton.lab_number(topic)) for topic in skeleton.topics()}
+    labs = {topic: skeleton.topic_exercises(topic) for topic, lab in topics.items()
+            if target is None or target == topic or target.split(".")[0] == lab}
+    asked = [exercise.number for exercises in labs.values() for exercise in exercises
+             if target in (None, *labs, exercise.number) or target in topics.values()]
     if not asked:
-        labs = ", ".join(f"{skeleton.lab_number(topic)} or {topic}" for topic in course)
-        numbers = ", ".join(" to ".join(dict.fromkeys((exercises[0].number, exercises[-1].number)))
-                            for exercises in course.values() if exercises)
-        raise ValueError(f'there is no lab or exercise "{target}"; give a lab ({labs}) or an '
-                         f"exercise ({numbers})")
-    return asked
+        names = ", ".join(f"{lab} or {topic}" for topic, lab in topics.items())
+        raise ValueError(f'there is no lab or exercise "{target}"; give a lab ({names}) or an '
+                         f"exercise ({', '.join(map(exercise_range, topics))})")
+    return labs, asked
 
 
-def called_exercises(course, code):
+def exercise_range(topic):
+    """'2.1 to 2.16'."""
+    numbers = [exercise.number for exercise in skeleton.topic_exercises(topic)]
+    return " to ".join(dict.fromkeys(numbers[:1] + numbers[-1:]))
+
+
+def called_exercises(labs, code):
     """{number: numbers of the exercises that the code under test calls in it}."""
     called = {}
-    for topic, exercises in course.items():
+    for topic, exercises in labs.items():
         numbers = {exercise.name: exercise.number for exercise in exercises}
         try:
             names = skeleton.calls(skeleton.read(code / f"{topic}.py"), numbers)
@@ -93,14 +96,15 @@ def closure(numbers, called):
 class Collector:
     """A pytest plugin: runs the checks of these exercises alone, and keeps what became of them."""
 
-    def __init__(self, numbers, course, code, progress):
+    def __init__(self, numbers, labs, code, progress):
         self.numbers = numbers
-        self.known = {exercise.number for exercises in course.values() for exercise in exercises}
+        self.known = {exercise.number for exercises in labs.values() for exercise in exercises}
         self.code = code
         self.progress = progress
         self.planned = {}   # nodeid -> the Check of one that did not run
         self.found = {}     # nodeid -> Check
-        self.problems = []  # sentences about the test files
+        self.problems = []  # sentences
+        self.running = None
 
     def pytest_collectreport(self, report):
         if not report.passed:
@@ -132,15 +136,16 @@ class Collector:
         self.progress.refresh()
 
     def pytest_keyboard_interrupt(self, excinfo):
-        """Say in which line the code under test was, as a loop without end may be there."""
+        """Say in which line the code under test was: there may be a loop without an end."""
+        self.problems.append("It was stopped. Checks that did not run count as failed.")
         where = checks.layout([("wrong", checks.told(excinfo.value, self.code))])
         if self.running in self.planned:
             self.planned[self.running] = self.planned[self.running]._replace(message=where)
 
 
-def run_checks(course, numbers, implementation, seed):
+def run_checks(labs, numbers, implementation, seed):
     """Run the checks of these exercises in this process -> ([Check], [problem])."""
-    topics = [topic for topic, exercises in course.items()
+    topics = [topic for topic, exercises in labs.items()
               if any(exercise.number in numbers for exercise in exercises)]
     tests = [path for topic in topics
              if (path := places.ROOT / "tests" / f"test_{topic}.py").exists()]
@@ -156,14 +161,14 @@ def run_checks(course, numbers, implementation, seed):
           pytest.MonkeyPatch.context() as environment, contextlib.redirect_stdout(said)):
         environment.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # they only cost time
         environment.delenv("PYTEST_ADDOPTS", raising=False)
-        collector = Collector(numbers, course, checks.folder(implementation), progress)
+        collector = Collector(numbers, labs, checks.folder(implementation), progress)
         status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector])
     if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
         collector.problems.append(f"pytest broke off: {said.getvalue()}")
     return list((collector.planned | collector.found).values()), collector.problems
 
 
-def entries(course, needed, called, found):
+def entries(labs, needed, called, found):
     """The Entry of each needed exercise, in the course's order."""
     of = {number: [check for check in found if check.exercise == number] for number in needed}
     done = {number for number in needed
@@ -179,7 +184,7 @@ def entries(course, needed, called, found):
         return next((text for text in verdicts if text.startswith("blocked")), "not started")
 
     return [Entry(topic, exercise, verdict(exercise.number), of[exercise.number])
-            for topic, exercises in course.items() for exercise in exercises
+            for topic, exercises in labs.items() for exercise in exercises
             if exercise.number in needed]
 
 
@@ -209,8 +214,9 @@ def plural(count, word):
 
 def next_to_do(entries, code, implementation, seed):
     """Of the first exercise that can be worked on: the first claim that fails, and why it does."""
-    ready = [entry for entry in entries if entry.verdict in ("failing", "not started")]
-    topic, exercise, verdict, found = (ready or entries)[0]
+    undone = [entry for entry in entries if entry.verdict != "done"]
+    ready = [entry for entry in undone if "blocked" not in entry.verdict]
+    topic, exercise, verdict, found = (ready or undone)[0]
     wrong = [check for check in found if check.verdict != "passed"]
     wrong.sort(key=lambda check: check.verdict != "failed")
     lines = [f"Next: {exercise.number} {exercise.name}, {verdict}"]
@@ -239,12 +245,15 @@ def reading(topic, exercise, code):
     return f"{question}\n{checks.shown_path(lecture)}" if lecture.exists() else question
 
 
-def all_done(board, course):
+def all_done(board, labs):
     reached, of = points(board)
-    everything = [exercise for exercises in course.values() for exercise in exercises]
-    coming = everything[everything.index(board[-1].exercise) + 1:]
-    goes_on = f"{coming[0].number} {coming[0].name}" if coming else "nothing, the course ends here"
-    return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {goes_on}."
+    topic, last = board[-1].topic, board[-1].exercise
+    rest = labs[topic][labs[topic].index(last) + 1:]
+    later = skeleton.topics()[skeleton.topics().index(topic) + 1:]
+    coming = ([f"{exercise.number} {exercise.name}" for exercise in rest]
+              + [f"lab {skeleton.lab_number(lab)}, {lab}" for lab in later]
+              + ["nothing, the course ends here"])
+    return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {coming[0]}."
 
 
 def as_json(board):

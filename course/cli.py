@@ -21,6 +21,7 @@ examples
 """
 import argparse
 import os
+import signal
 import subprocess
 import sys
 import traceback
@@ -48,7 +49,8 @@ def main(argv=None):
     except (OSError, ValueError, NotImplementedError) as error:
         if not can_be_mended(error):
             raise
-        print(f"course: {error}", file=sys.stderr)
+        unwritten = isinstance(error, NotImplementedError)
+        print(f"course: {error}{' is not written yet' if unwritten else ''}", file=sys.stderr)
         return 2
 
 
@@ -105,7 +107,11 @@ def arguments():
 def demo(asked):
     """Render the course's scenes and say where the pictures are."""
     import course.demo
-    return course.demo.run(asked.names, implementation=asked.impl)
+    if not asked.list:
+        return course.demo.run(asked.names, implementation=asked.impl)
+    for name, title in course.demo.scenes().items():
+        print(f"{name:12} {title}")
+    return 0
 
 
 def notebooks(asked):
@@ -141,6 +147,7 @@ def run_module(*command):
     """python -m command, in the course's folder, with nobody's own settings for pytest."""
     settings = {**os.environ, "PYTEST_ADDOPTS": "", "OMP_NUM_THREADS": "1"}  # one core, one worker
     with subprocess.Popen([sys.executable, "-m", *command], cwd=ROOT, env=settings) as child:
+        signal.signal(signal.SIGTERM, lambda *_: child.terminate())
         try:
             return child.wait()
         except KeyboardInterrupt:

@@ -22,7 +22,7 @@ import numpy as np
 
 from . import places
 
-STEPS = 4.0 ** -np.arange(3, 14)  # 1.6e-2 to 1.5e-8, in units of `magnitude`
+STEPS = 4.0 ** -np.arange(3, 12)  # 1.6e-2 to 2.4e-7 of `magnitude`; smaller ones are all rounding
 SETTLED = 1e-9                    # two successive E as close as this end the sweep
 FLOOR = 1e-3                      # of the largest number, see `relative_error`
 ELEMENTS = 60                     # of each input are looked at one by one, all if it has no more
@@ -79,10 +79,10 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     rtol: the largest error (3) that passes.
     name: what is checked. It opens every message and names the picture, out/checks/<name>.png.
 
-    Raises GradientMismatch where a gradient is wrong, zero everywhere, not finite, of the wrong
-    shape or missing, where forward or backward changes its arguments, and where more than
-    LEFT_OUT_LIMIT of an input's elements were left out. (Directions do not count here: one element
-    on an edge spoils them all.) Raises ValueError where the inputs cannot be differentiated.
+    -> GradReport. Raises GradientMismatch where a gradient is wrong, zero everywhere, not
+    finite, of the wrong shape or missing, where forward or backward changes its arguments, and
+    where more than LEFT_OUT_LIMIT of an input's elements were left out. (Directions do not count
+    here: one element on an edge spoils them all.) ValueError where nothing can be differentiated.
     """
     titles, inputs = prepare(forward, inputs, differentiable, name)
     rng = np.random.default_rng(seed)
@@ -289,8 +289,9 @@ def verdict(elements, directions, slope, rtol, name, seed):
 def complaint(part, rtol):
     """How many numbers are off, the mistake that explains them all, and the worst of them."""
     error, worst = part.error(), part.worst()
+    place = f"at {list(map(int, worst))}: " if worst else ""
     return (f"by {part.title}: {(error > rtol).sum()} of {len(part.probes)} looked at are off"
-            f"{pattern(part.analytic, part.numeric, rtol)}\n    at {list(map(int, worst))}: "
+            f"{pattern(part.analytic, part.numeric, rtol)}\n    {place}"
             f"analytic {part.analytic[worst] + 0.0:.10g}, numeric {part.numeric[worst]:.10g}, "
             f"relative error {error[worst]:.2g} (at most {rtol:g})")
 
@@ -320,13 +321,13 @@ def evidence(lines, part, slope, rtol, name):
     moves, scale = part.probes[worst]
     _, D, change = sweep(slope, moves, scale, settled=-1.0)
     if np.nanmin(change) > rtol * max(abs(part.analytic[worst]), abs(part.numeric[worst])):
-        lines += ["  there no two steps agree: forward jumps, bends or is noisy; see decisions="]
+        lines += ["  no two steps agree there: forward jumps, bends or is noisy; see decisions="]
     try:
-        path = draw(part, rtol, name, scale * STEPS, D, change)
-    except OSError as error:
-        return "\n  ".join([*lines, f"no picture: {error}"]), None
-    shown_path = path.relative_to(places.ROOT).as_posix()
-    return "\n  ".join([*lines, f"picture: {shown_path}"]), str(path)
+        picture = draw(part, rtol, name, scale * STEPS, D, change)
+        lines += [f"picture: {picture.relative_to(places.ROOT).as_posix()}"]
+    except OSError as error:  # must not hide the mismatch
+        picture, lines = None, [*lines, f"no picture: {error}"]
+    return "\n  ".join(lines), picture and str(picture)
 
 
 def draw(part, rtol, name, steps, D, change):
@@ -354,7 +355,7 @@ def draw(part, rtol, name, steps, D, change):
     curve.loglog(steps, np.maximum(distance, least), "o-", label="|D - numeric|")
     curve.loglog(steps[2:], np.maximum(change, least), "s-", label="change of E")
     curve.axhline(np.abs(difference[worst]), color="black", ls="--", label="|analytic - numeric|")
-    curve.set(title=f"sweep of the step h at {list(map(int, worst))}", xlabel="h")
+    curve.set(title="step sweep of the worst number", xlabel="h")
     curve.minorticks_off()
     curve.legend()
 

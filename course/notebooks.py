@@ -115,9 +115,11 @@ async def _run_one(path, progress, free):
     async with free:
         progress.start_task(task)
         try:
+            before = read_whole(path)
             content = await execute(path, functools.partial(progress.update, task))
-            changed = content != read_whole(path)
-            if changed:
+            if read_whole(path) != before:
+                raise ValueError(f"{path.name} was saved while it ran: run the command again")
+            if content != before:
                 write_whole(path, content)
         except (ValueError, OSError) as error:
             progress.update(task, verdict="refused")
@@ -125,7 +127,7 @@ async def _run_one(path, progress, free):
         finally:
             progress.stop_task(task)
     size = f"{len(content) / 1000:.0f} kB"
-    progress.update(task, verdict=f"written, {size}" if changed else f"unchanged, {size}")
+    progress.update(task, verdict=("unchanged, " if content == before else "written, ") + size)
 
 
 def _wait_for(work):
@@ -150,7 +152,7 @@ async def execute(path, progress=lambda **cells: None):
             objection = await _run_cell(client, cell, index) or _objection(cell)
             if objection:
                 raise ValueError(f"{path.name}, code cell [{number}] {objection}")
-            _tidy(cell)
+            _join_streams(cell)
             progress(completed=number)
     return _content(notebook, path)
 
@@ -230,6 +232,17 @@ async def _run_cell(client, cell, index):
         return "ended the kernel: look for too much memory, or an exit()"
 
 
+def _join_streams(cell):
+    """Printed text arrives in pieces, by chance: make neighbouring pieces one output."""
+    outputs = []
+    for output in cell.outputs:
+        if outputs and output.output_type == outputs[-1].output_type == "stream":
+            outputs[-1].text += output.text
+        else:
+            outputs.append(output)
+    cell.outputs = outputs
+
+
 # What a lecture must not show
 
 def _objection(cell):
@@ -256,19 +269,6 @@ def _contents(output):
     """What an output shows, by its kind: {"text/plain": ..., "image/png": in base64, ...}."""
     contents = output.get("data", {"text/plain": output.get("text", "")})
     return {kind: "".join(content) for kind, content in contents.items()}
-
-
-def _tidy(cell):
-    """Leave in the cell only what depends on its code."""
-    outputs = []
-    for output in cell.outputs:
-        if "metadata" in output:
-            output.metadata = {}
-        if outputs and output.output_type == outputs[-1].output_type == "stream":
-            outputs[-1].text += output.text        # printed text comes in pieces, by chance
-        else:
-            outputs.append(output)
-    cell.outputs = outputs
 
 
 def _content(notebook, path):
@@ -316,7 +316,7 @@ def _cell_differences(was, now, here):
     before, after = was.pop("outputs", []), now.pop("outputs", [])
     if was != now:
         yield f"{now['id']} has a name, count, source or metadata that the command does not write"
-    if [_frame(output) for output in before] != [_frame(output) for output in after]:
+    if [_form(output) for output in before] != [_form(output) for output in after]:
         yield f"{now['id']} has {len(after)} outputs, and in the file {len(before)} or other ones"
         return
     for old, new in zip(map(_contents, before), map(_contents, after), strict=True):
@@ -327,7 +327,7 @@ def _cell_differences(was, now, here):
                 yield f"{now['id']} {difference}"
 
 
-def _frame(output):
+def _form(output):
     """All of an output but what it shows."""
     return {**output, "text": None, "data": sorted(_contents(output))}
 

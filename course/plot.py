@@ -124,8 +124,9 @@ def screen(axes, width, height, title=""):
 
 
 def _title(axes, title):
-    column = axes.figure.bbox.width / axes.get_gridspec().ncols
-    axes.set_title(_wrapped(title, column), loc="left", pad=5)
+    grid = axes.get_gridspec()                     # None for an inset
+    room = axes.figure.bbox.width / grid.ncols if grid else axes.bbox.width
+    axes.set_title(_wrapped(title, room), loc="left", pad=5)
 
 
 def _wrapped(title, width):

@@ -11,6 +11,7 @@ labs/.generated.json keeps a hash of every lab as it was made. A lab with anothe
 on, and is not made anew without --force.
 """
 import ast
+import functools
 import hashlib
 import io
 import json
@@ -83,6 +84,7 @@ def topic_exercises(topic):
 
 def exercises(text):
     """The exercises of a module's text, from top to bottom. ValueError: a mark is wrong."""
+    lines = text_lines(text)
     functions = {function.lineno: function for function in top_level_functions(text)}
     found = {}
     for line, number, points in marks(text):
@@ -95,19 +97,21 @@ def exercises(text):
         if points < 1:
             raise ValueError(f"line {line}: exercise {number} has {points} points; "
                              "give it 1 or more")
-        require_question_and_answer(text, functions[line], number)
+        require_question_and_answer(lines, functions[line], number)
         found[number] = Exercise(number, functions[line].name, points, line, ())
     needs = calls(text, [exercise.name for exercise in found.values()])
     return [exercise._replace(calls=needs[exercise.name]) for exercise in found.values()]
 
 
+@functools.cache
 def top_level_functions(text):
+    """The nodes of a module's functions. ValueError: the text is not Python."""
     try:
         module = ast.parse(text)
     except SyntaxError as error:
         raise ValueError(f"line {error.lineno}: this is not Python ({error.msg}); "
                          "mend it first") from None
-    return [node for node in module.body if isinstance(node, ast.FunctionDef)]
+    return tuple(node for node in module.body if isinstance(node, ast.FunctionDef))
 
 
 def marks(text):
@@ -121,13 +125,13 @@ def marks(text):
             yield line, mark[1], int(mark[2])
 
 
-def require_question_and_answer(text, function, number):
+def require_question_and_answer(lines, function, number):
     """ValueError unless the docstring stands on lines of its own, and the answer below."""
     title = f"line {function.lineno}: exercise {number}, {function.name},"
     if not ast.get_docstring(function):
         raise ValueError(f"{title} has no docstring; write the question there")
     question, *answer = function.body
-    if text_lines(text)[question.lineno - 1][:question.col_offset].strip():
+    if lines[question.lineno - 1][:question.col_offset].strip():
         raise ValueError(f"{title} has its docstring beside the def; move it to the next line")
     if not answer or answer[0].lineno == question.end_lineno:
         raise ValueError(f"{title} has no answer on the lines below its docstring; write it there")

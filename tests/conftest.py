@@ -33,11 +33,11 @@ def house(tmp_path_factory):
 def run_module():
     """run_module(root, "pytest", "-x") -> the finished process of python -m pytest -x in root."""
     settings = {name: value for name, value in os.environ.items()
-                if not name.startswith(("PYTEST_", "COLUMNS", "FORCE_COLOR", "TTY_"))}
+                if not name.startswith(("PYTEST_", "PYTHON", "COLUMNS", "FORCE_COLOR", "TTY_"))}
     settings["PYTHONIOENCODING"] = "utf-8"
 
     def run(root, *command):
         return subprocess.run([sys.executable, "-m", *map(str, command)], cwd=root, env=settings,
-                              capture_output=True, encoding="utf-8")
+                              capture_output=True, encoding="utf-8", timeout=120)
 
     return run

@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from course import board, places
+from course import board, checks, places, skeleton
 
 REFERENCE = '''\
 """Made up."""
@@ -52,7 +52,7 @@ def skipped(x):  # exercise 1.7 (1 point)
     return x
 '''
 
-LAB = REFERENCE.replace("return x / 2", "return x / 3").replace(
+LAB = "# Mine.\n" + REFERENCE.replace("return x / 2", "return x / 3").replace(
     "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
 
 CHECKS = '''\
@@ -189,7 +189,7 @@ def test_below_stands_what_to_do_next_and_why_it_fails(whole):
         "seed      0",
         "printed   three",
         "again     python3 -m course check 1.2",
-        "read      labs/transforms.py:9, the docstring is the question",
+        "read      labs/transforms.py:10, the docstring is the question",
         "          notebooks/01_transforms.ipynb",
     ]
     assert done.returncode == 1
@@ -261,26 +261,50 @@ def test_other_settings_reach_the_checks_and_the_command_that_repeats_them(check
     assert "again     python3 -m course check 1.2 --impl labs/../labs --seed 7\n" in done.stdout
 
 
+BREAKS_AFTERWARDS = '''
+@pytest.fixture
+def breaks():
+    yield
+    raise OSError("broken")
+'''
+
+
 def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_module):
-    """A test file that cannot be read, a check of no exercise, are passed over in silence."""
+    """A file that cannot be read, a check of no exercise or a broken fixture pass in silence."""
     root = house(FILES | {
-        "labs/transforms.py": REFERENCE,
         "tests/test_rasterization.py": "import nothing\n",
-        "tests/test_transforms.py": CHECKS.replace('"1.7"', '"1.9"')})
-    done = run_module(root, "course", "check")
-    assert done.returncode == 1
+        "tests/test_transforms.py": CHECKS.replace('"1.7"', '"1.9"').replace(
+            "half_of_nothing(impl)", "half_of_nothing(impl, breaks)") + BREAKS_AFTERWARDS})
+    done = run_module(root, "course", "check", "--impl", "reference")
     assert ("tests/test_rasterization.py cannot be collected: "
             "ModuleNotFoundError: No module named 'nothing'") in done.stdout
     assert ("tests/test_transforms.py::test_skipped names exercise 1.9, "
             "and there is none") in done.stdout
     assert "  2.1  twice          3 points  failing" in done.stdout
+    assert "  1.2  half           3 points  failing" in done.stdout
+    assert "wrong     OSError: broken" in done.stdout
+    done = run_module(root, "course", "check", "1.1")
+    assert "All that was asked for is done" in done.stdout
+    assert done.returncode == 1
+
+
+def test_the_failure_of_an_exercise_is_shown_before_what_stopped_another_of_its_checks():
+    """A failing exercise is explained by a check that never came to its point."""
+    stopped, failed = (checks.Check("1.1", "", claim, verdict, f"for it is {verdict}", None, 0.0)
+                       for claim, verdict in (("First", "blocked by 2.1"), ("Second", "failed")))
+    entry = board.Entry("transforms", skeleton.Exercise("1.1", "double", 2, 4, ()), "failing",
+                        [stopped, failed])
+    text = board.next_to_do([entry], places.ROOT, "labs", 0)
+    assert "failing in 2 of 2 checks\nclaim     Second\nfor it is failed\n" in text
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
-def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house):
+def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_module):
     """Ctrl-C loses the board, and nobody knows where the loop is."""
     root = house(FILES | {"labs/transforms.py": LAB.replace(
         "return x / 3", 'while not open("started", "w").close():\n        pass')})
+    alone = run_module(root, "course", "check", "1.1")
+    assert alone.returncode == 0, "more was run than was asked for"
     with subprocess.Popen([sys.executable, "-m", "course", "check", "1"], cwd=root,
                           stdout=subprocess.PIPE, encoding="utf-8") as process:
         while not (root / "started").exists() and process.poll() is None:

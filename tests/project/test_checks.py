@@ -232,10 +232,10 @@ def test_a_changed_input_is_told_by_its_name():
         return 1
 
     inputs = np.zeros(2), np.array([math.nan, 1]), (np.zeros(1), np.zeros(1))
-    with pytest.raises(Mismatch, match="f changed its input arrays: let it work on a copy"):
+    with pytest.raises(Mismatch, match="spoil changed its input arrays: let it work on a copy"):
         implementation(spoil).f(*inputs)
     inputs[1][0] = 0
-    with pytest.raises(Mismatch, match="f changed its input b"):
+    with pytest.raises(Mismatch, match="spoil_b changed its input b"):
         implementation(spoil_b).f(inputs[0], arrays=inputs[2], b=inputs[1])
     assert implementation(lambda a, b: 1).f(*inputs[:2]) == 1, "NaN is not NaN"
 

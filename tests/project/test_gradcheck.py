@@ -4,6 +4,7 @@ import subprocess
 import sys
 
 import matplotlib as mpl
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from PIL import Image
@@ -144,17 +145,28 @@ def test_single_precision_inputs_are_checked_in_double(rng):
 
 
 def test_the_callers_inputs_stay_untouched(rng):
-    """The steps are made in the caller's own arrays."""
-    a, b = matrices(rng)
-    kept = a.copy(), b.copy()
-    gradcheck(product, product_backward, (a, b))
-    assert np.array_equal(a, kept[0]) and np.array_equal(b, kept[1])
+    """The steps, or a backward pass that works in place, change the caller's own arrays."""
+    def backward(g, values, index):
+        index[...] = values[...] = 0
+
+    values, index = rng.normal(size=4), np.array([3, 1, 2])
+    kept = values.copy()
+    gradcheck(gather, gather_backward, (values, index))
+    assert "changed its argument" in failure(gather, backward, (values, index))
+    assert np.array_equal(values, kept) and np.array_equal(index, [3, 1, 2])
+
+
+def test_a_forward_that_reuses_its_output_array_passes(rng):
+    """The outputs ahead and behind are one array, so that all differences are zero."""
+    out = np.empty(5)
+    assert gradcheck(lambda x: np.sin(x, out=out), lambda g, x: g * np.cos(x),
+                     (rng.normal(size=5),)).checked
 
 
 # --- the numeric derivative ---------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize("scale", [1e-6, 1e-3, 1.0, 1e3, 1e6])
 @pytest.mark.parametrize("function, derivative", [
     (np.exp, np.exp),
     (np.sin, np.cos),
@@ -167,6 +179,28 @@ def test_the_numeric_derivative_is_true_to_1e_8(rng, function, derivative, scale
     part = module.element_part("x", 0, x, np.ones(20), rng)
     numeric = np.array([module.sweep(slope, *part.probes[index])[0] for index in part.probes])
     np.testing.assert_allclose(numeric, derivative(x / scale) / scale, rtol=1e-8)
+
+
+def test_an_element_that_is_zero_moves_as_far_as_its_neighbours():
+    """It has no size of its own, and a step of size 1 is too large beside elements of 1e-6."""
+    x = np.array([0.0, 1e-6, -2e-6])
+    assert gradcheck(lambda x: np.sin(1e6 * x), lambda g, x: 1e6 * g * np.cos(1e6 * x),
+                     (x,)).worst_error < 1e-9
+
+
+def test_extrapolation_removes_the_square_of_the_step():
+    """Wrong factors in eq. (2): the sweep settles later, on a number that is less true."""
+    numeric, differences, _ = module.sweep(lambda moves, h: 3 + 7 * h**2, {}, 1.0)
+    assert abs(numeric - 3) < 1e-14 and np.isfinite(differences).sum() == 3
+
+
+def test_the_numeric_derivative_is_taken_on_the_plateau():
+    """It is taken at the smallest step, in the rounding, or at the largest, off by h^4."""
+    steps = list(module.STEPS)
+    numeric, _, change = module.sweep(
+        lambda moves, h: 3 + 1e6 * h**4 + (-1) ** steps.index(h) * 1e-13 / h, {}, 1.0)
+    assert abs(numeric - 3) < 1e-7
+    assert 1 < np.argmin(change) < len(change) - 2
 
 
 def test_the_numeric_derivative_is_true_where_the_output_dwarfs_its_change(rng):
@@ -224,7 +258,7 @@ def false_alarms(seeds):
 
 
 def test_no_right_gradient_of_a_hundred_is_called_wrong():
-    """False alarms. (`python tests/project/test_gradcheck.py 1000` counts them among more.)"""
+    """False alarms. (`python -m tests.project.test_gradcheck 1000` tries more.)"""
     assert false_alarms(range(100)) == []
 
 
@@ -263,6 +297,13 @@ def test_a_forgotten_term_fails_and_no_pattern_is_made_up(rng):
     assert re.search(r"by input 0 \(x\): 6 of 6 looked at are off$", message, re.MULTILINE)
 
 
+@pytest.mark.parametrize("forward, x", [(np.square, 3.0), (np.floor, np.array([0.4, 0.7]))])
+def test_no_factor_is_told_of_one_number_or_of_zeros(recwarn, forward, x):
+    """Any two numbers have a ratio; that of zeros warns and is no number."""
+    message = failure(forward, lambda g, x: g * x, (x,))
+    assert "times" not in message and "sign" not in message and not recwarn.list
+
+
 def test_last_write_wins_for_add_at_fails(rng):
     """A scatter that forgets repeated indices."""
     def backward(g, values, index):
@@ -278,8 +319,11 @@ def test_a_backward_that_averages_its_grad_output_fails(rng):
     def backward(grad_output, x):
         return grad_output.mean() * np.cos(x)
 
+    def all_ones(x):  # its gradient is that of sin with all ones upstream
+        return np.sin(x).sum()
+
     x = rng.normal(size=(2, 3))
-    assert np.array_equal(backward(np.ones_like(x), x), np.ones_like(x) * np.cos(x))
+    assert gradcheck(all_ones, lambda g, x: backward(g * np.ones_like(x), x), (x,)).checked
     assert "6 of 6" in failure(np.sin, backward, (x,))
 
 
@@ -477,6 +521,16 @@ def test_a_failure_of_any_shape_is_drawn(drawing, root, rng, shape):
     assert len(list((root / "out" / "checks").iterdir())) == 1
 
 
+def test_the_first_row_is_drawn_at_the_bottom(drawing, root, rng):
+    """The picture of a gradient stands on its head beside all other pictures of the course."""
+    failure(np.sin, lambda g, x: g * np.cos(x) * np.array([[2], [1], [1]]),
+            (rng.normal(size=(3, 4)),), name="sine")
+    with Image.open(root / "out" / "checks" / "sine.png") as picture:
+        pixels = np.asarray(picture)[:, 940:1200, :3].astype(int)  # the panel of what is off
+    rows = np.flatnonzero((pixels @ [1, -1, -1] > 50).any(axis=1))
+    assert rows.size and rows.min() > 200
+
+
 def test_a_folder_that_cannot_be_written_does_not_hide_the_mismatch(drawing, root, rng):
     """The failure to write the picture is all that the student sees."""
     (root / "out").write_text("a file where the folder should be")
@@ -485,12 +539,11 @@ def test_a_folder_that_cannot_be_written_does_not_hide_the_mismatch(drawing, roo
     assert "no picture: " in str(caught.value) and caught.value.picture is None
 
 
-def test_drawing_leaves_matplotlib_as_it_was(drawing, monkeypatch, rng):
+def test_drawing_leaves_matplotlib_as_it_was(drawing, rng):
     """A failed check in a notebook changes how its figures are shown, or adds one to them."""
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    before = dict(mpl.rcParams), pyplot.get_fignums()
+    before = dict(mpl.rcParams), plt.get_fignums()
     failure(np.sin, lambda g, x: -g * np.cos(x), (rng.normal(size=3),))
-    assert (dict(mpl.rcParams), pyplot.get_fignums()) == before
+    assert (dict(mpl.rcParams), plt.get_fignums()) == before
 
 
 # --- speed, repeatability -----------------------------------------------------------------------
@@ -521,6 +574,7 @@ def test_a_large_input_is_looked_at_in_part(rng):
     """All elements of a texture are differenced, one by one."""
     report = gradcheck(np.sin, lambda g, x: g * np.cos(x), (rng.normal(size=(32, 32, 3)),))
     assert report.checked == module.ELEMENTS + module.DIRECTIONS
+    assert "60 of 60 looked at" in failure(np.sin, lambda g, x: g * x, (rng.normal(size=(9, 9)),))
 
 
 def test_the_same_seed_gives_the_same_report_and_another_seed_another(rng):

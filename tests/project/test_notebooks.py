@@ -186,6 +186,18 @@ def test_a_notebook_that_does_not_end_is_ended(tmp_path, monkeypatch):
     assert time.monotonic() - start < 20
 
 
+def test_what_the_author_saves_meanwhile_is_kept(tmp_path, monkeypatch, capsys):
+    """An edit made in Jupyter while the notebook ran, overwritten by the older text."""
+    async def execute(path, progress):
+        path.write_text("edited")
+        return b"executed"
+    monkeypatch.setattr(notebooks, "execute", execute)
+    path = save(tmp_path / "open.ipynb", "1")
+    assert notebooks.run([path]) == 1
+    assert path.read_text() == "edited"
+    assert "open.ipynb was saved while it ran: run the command again" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("content", ["", "[]", "{}", '{"nbformat": 3, "worksheets": []}',
                                      '{"nbformat": 4, "cells": [{}]}'])
 def test_a_file_that_is_no_notebook_is_told_in_one_sentence(tmp_path, content, capsys):
@@ -224,7 +236,7 @@ def edited(written, tmp_path, monkeypatch, edit, layout=lambda text: text):
     notebook = nbformat.from_dict(json.loads(written.read_text(encoding="utf-8")))
     edit(notebook)
     path = tmp_path / "copy.ipynb"
-    path.write_text(layout(nbformat.writes(notebook) + "\n"), encoding="utf-8")
+    path.write_bytes(layout(nbformat.writes(notebook) + "\n").encode())
     return notebooks.compare(path)
 
 
@@ -249,8 +261,8 @@ def set_metadata(notebook):
 
 
 def set_picture(notebook, picture=lambda pixels: pixels):
-    """Draw the lecture's second picture again, its pixels (H, W, 3) changed by `picture`."""
-    data = notebook.cells[4].outputs[1].data
+    """Draw the lecture's curve again, its pixels (H, W, 3) changed by `picture`."""
+    data = notebook.cells[4].outputs[0].data
     pixels = np.asarray(notebooks._frames(data["image/png"])[0])
     content = io.BytesIO()
     Image.fromarray(picture(pixels)).save(content, "PNG")

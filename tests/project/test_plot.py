@@ -77,6 +77,15 @@ def test_row_0_is_at_the_bottom_and_overlays_share_its_coordinates():
     assert shown[zoom // 2, zoom // 2].max() == 0
 
 
+def test_a_picture_can_be_an_inset():
+    """A magnifying glass over a picture, which stands in no row of panels."""
+    axes, = plot.panels([(8, 8)])
+    plot.image(axes, np.zeros((8, 8)))
+    plot.image(axes.inset_axes((0.5, 0.5, 0.5, 0.5)), np.ones((2, 2)), "the upper right corner")
+    shown = dots(axes)
+    assert shown[-20, -20].min() == 255 and shown[20, 20].max() == 0
+
+
 def test_grey_is_not_stretched_to_black_and_white():
     """Scaling each picture by its own range, which hides an error of brightness."""
     axes, = plot.panels([(2, 2)])

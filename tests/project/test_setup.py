@@ -62,13 +62,19 @@ def surroundings(root, **more):
 def start(root, *arguments, python=sys.executable, target=("-m", "course"), cwd=None, **more):
     """One start to its end: exit status, what it printed, the sentences that it told."""
     ended = subprocess.run([python, *target, *arguments], cwd=cwd or root, text=True,
-                           capture_output=True, timeout=60, env=surroundings(root, **more))
+                           capture_output=True, timeout=200, env=surroundings(root, **more))
     return SimpleNamespace(status=ended.returncode, printed=ended.stdout,
                            told=ended.stderr.splitlines())
 
 
 def venv_python(root):
     return root / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+
+def fake(root, module, text):
+    """Put a module into root/fakes, to stand for one of the standard library."""
+    (root / "fakes").mkdir()
+    (root / "fakes" / f"{module}.py").write_text(text)
 
 
 def installed(root):
@@ -141,11 +147,15 @@ def test_changed_requirements_are_installed_in_the_active_venv_too(ready):
     assert "stone-1.2.dist-info" in installed(ready)
 
 
-def test_a_set_up_that_was_cut_short_is_made_anew(ready):
+def test_a_set_up_that_was_cut_short_is_made_anew(ready, first):
     """A start that was killed leaves a .venv that fails for ever."""
     (ready / ".venv" / "requirements.txt").write_text("")
     (ready / ".venv" / "half a package").touch()
-    ended = start(ready, "0")
+    pip = next((first[0] / ".venv").rglob("site-packages/pip"))
+    fake(ready, "ensurepip",  # quicker than the real one
+         "import shutil, sysconfig\n"
+         f"shutil.copytree(r'{pip}', sysconfig.get_path('purelib') + '/pip')")
+    ended = start(ready, "0", PYTHONPATH=str(ready / "fakes"))
     assert (ended.status, len(ended.told)) == (0, 1)
     assert installed(ready) == ["pebble-1.2.dist-info"]
     assert not (ready / ".venv" / "half a package").exists()
@@ -200,9 +210,7 @@ def test_a_venv_without_a_python_that_starts_is_not_deleted_unless_it_is_ours(ne
 @pytest.mark.parametrize("missing", ["venv", "ensurepip"])
 def test_without_the_venv_module_the_sentence_names_the_system_package(new, missing):
     """Debian's Python has no ensurepip, and the sentence speaks of the network."""
-    (new / "fakes").mkdir()
-    (new / "fakes" / f"{missing}.py").write_text(
-        f"raise ModuleNotFoundError(\"No module named '{missing}'\")")
+    fake(new, missing, f"raise ModuleNotFoundError(\"No module named '{missing}'\")")
     ended = start(new, "0", PYTHONPATH=str(new / "fakes"))
     assert (ended.status, len(ended.told)) == (2, 2)
     assert f"No module named '{missing}'" in ended.told[1] and "apt install" in ended.told[1]
@@ -282,11 +290,9 @@ if os.name == "posix":  # Ctrl-C as a terminal sends it: to the start and to wha
 
     def test_ctrl_c_during_set_up_is_one_sentence_and_leaves_its_mark(new):
         """A traceback, or a half-made .venv that is taken for somebody else's or for ready."""
-        (new / "fakes").mkdir()
-        (new / "fakes" / "venv.py").write_text(
-            "import signal, time; from pathlib import Path\n"
-            "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
-            "Path('reached').touch(); time.sleep(1); Path('late').touch()")
+        fake(new, "venv", "import signal, time; from pathlib import Path\n"
+                          "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+                          "Path('reached').touch(); time.sleep(1); Path('late').touch()")
         status, errors = interrupt(new, PYTHONPATH=str(new / "fakes"))
         assert status == 130
         assert errors.count("\n") == 2 and "interrupted" in errors.splitlines()[1]

@@ -108,6 +108,13 @@ def test_an_exercise_has_number_name_points_line_and_calls():
     ]
 
 
+def test_what_a_called_exercise_calls_is_its_own_affair():
+    """An exercise counts as waiting for all that stands before it."""
+    text = "def a():\n    b()\ndef b():\n    c()\ndef c():\n    a()\n"
+    assert skeleton.calls(text, ["a", "b", "c"]) == {"a": ("b",), "b": ("c",), "c": ("a",)}
+    assert skeleton.calls(text, ["a", "c"]) == {"a": ("c",), "c": ("a",)}
+
+
 @pytest.mark.parametrize("newline", ["\n", "\r\n"], ids=["LF", "CRLF"])
 def test_only_the_answers_are_replaced(newline):
     """Comments, decorators, blank lines, line ends or a last line without an end get lost."""
