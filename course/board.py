@@ -42,7 +42,7 @@ def check(target=None, implementation="labs", json_file=None, seed=0):
 
     all_is_done = all(entry.verdict == "done" for entry in board)
     Console().print(table(board))
-    print(*problems, sep="\n")
+    print("", *problems, sep="\n")
     print(all_done(board, labs) if all_is_done
           else next_to_do(everything, code, implementation, seed))
     if json_file:
@@ -164,7 +164,7 @@ def run_checks(labs, numbers, implementation, seed):
         collector = Collector(numbers, labs, checks.folder(implementation), progress)
         status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector])
     if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
-        collector.problems.append(f"pytest broke off: {said.getvalue()}")
+        collector.problems.append(f"pytest broke off\n{said.getvalue()}".rstrip())
     return list((collector.planned | collector.found).values()), collector.problems
 
 

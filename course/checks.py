@@ -280,9 +280,12 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
     rows += [*whereabouts(got, expected, wrong, allowed), *hint(got, expected, agrees, picture)]
     if not picture:
         raise Mismatch(*rows)
-    path = draw(got, expected, wrong)
-    raise Mismatch(*rows, *text_map(got, expected), ("picture", shown_path(path)),
-                   picture=str(path))
+    rows += text_map(got, expected)
+    try:
+        path = draw(got, expected, wrong)
+    except OSError as error:  # nowhere to draw, as where students' work is graded
+        raise Mismatch(*rows, ("picture", f"none: {error}")) from None
+    raise Mismatch(*rows, ("picture", shown_path(path)), picture=str(path))
 
 
 def compare_outputs(got, expected, rows, *how):
@@ -570,17 +573,16 @@ def verdict_of(error, number):
 def explained(error, item):
     """Rows: the mistake that the check catches, what it gave and what came of it, where, the seed.
 
-    An assertion of another kind, as the gradient check's, tells by itself what it gave.
+    Assertion errors of other kinds, as the gradient check's, tell by themselves what was given.
     """
-    rows = error.rows if isinstance(error, Mismatch) else [
+    rows = list(error.rows) if isinstance(error, Mismatch) else [
         ("wrong", told(error, folder(item.config.option.impl)))]
-    if LAST_CALL in item.stash and "given" not in dict(rows) and (
-            isinstance(error, Mismatch) or type(error) is AssertionError
-            or not isinstance(error, AssertionError)):
-        rows = [("given", shown_call(*item.stash[LAST_CALL])), *rows]
-    catches = (inspect.getdoc(item.function) or "").partition("\n")[0]
-    return [*([("catches", catches)] if catches else []), *rows, ("check", check_line(error, item)),
-            ("seed", str(item.config.option.seed))]
+    other_kind = isinstance(error, AssertionError) and type(error) not in (AssertionError, Mismatch)
+    if LAST_CALL in item.stash and "given" not in dict(rows) and not other_kind:
+        rows.insert(0, ("given", shown_call(*item.stash[LAST_CALL])))
+    if item.function.__doc__:
+        rows.insert(0, ("catches", inspect.getdoc(item.function).partition("\n")[0]))
+    return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
 
 
 def told(error, code):

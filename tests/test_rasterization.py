@@ -42,10 +42,10 @@ def clip_triangles(rng, count, behind=True):
 @exercise("2.1")
 def test_an_edge_is_positive_on_its_left(impl):
     """a and b are swapped, x and y are swapped, or the screen's y points down."""
-    a, b = np.array([1.0, 1.0]), np.array([4.0, 1.0])
-    assert_close(impl.edge_function(np.array([2.0, 3.0]), a, b), 6.0)
-    assert_close(impl.edge_function(np.array([2.0, -1.0]), a, b), -6.0)
-    assert_close(impl.edge_function(np.array([0.0, 1.0]), a, b), 0.0)
+    a, b = np.array([1.0, 1.0]), np.array([4.0, 2.0])
+    assert_close(impl.edge_function(np.array([2.0, 3.0]), a, b), 5.0)
+    assert_close(impl.edge_function(np.array([2.0, -1.0]), a, b), -7.0)
+    assert_close(impl.edge_function(np.array([7.0, 3.0]), a, b), 0.0)
 
 
 @exercise("2.1")

@@ -70,6 +70,7 @@ def test_twice(impl):
 @exercise("1.2")
 def test_half_of_nothing(impl):
     """Something."""
+    print("nothing")
     assert_close(impl.half(0.0), 0.0)
 
 
@@ -184,7 +185,7 @@ def test_below_stands_what_to_do_next_and_why_it_fails(whole):
         "expected  1.5",
         "got       1.0",
         "differs   by 0.5; allowed 1e-12 + 1e-09 |expected|",
-        "check     tests/test_transforms.py:22",
+        "check     tests/test_transforms.py:23",
         "          assert_close(impl.half(3.0), 1.5)",
         "seed      0",
         "printed   three",
@@ -288,14 +289,58 @@ def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_module):
     assert done.returncode == 1
 
 
-def test_the_failure_of_an_exercise_is_shown_before_what_stopped_another_of_its_checks():
-    """A failing exercise is explained by a check that never came to its point."""
-    stopped, failed = (checks.Check("1.1", "", claim, verdict, f"for it is {verdict}", None, 0.0)
-                       for claim, verdict in (("First", "blocked by 2.1"), ("Second", "failed")))
-    entry = board.Entry("transforms", skeleton.Exercise("1.1", "double", 2, 4, ()), "failing",
-                        [stopped, failed])
-    text = board.next_to_do([entry], places.ROOT, "labs", 0)
-    assert "failing in 2 of 2 checks\nclaim     Second\nfor it is failed\n" in text
+def test_a_test_run_that_breaks_off_spoils_the_board(house, run_module):
+    """No check has failed, as none has run."""
+    settings = '[tool.pytest.ini_options]\npythonpath = ["."]\naddopts = "--nonsense"\n'
+    done = run_module(house(FILES | {"pyproject.toml": settings}), "course", "check", "2")
+    assert done.returncode == 1
+    assert "pytest broke off" in done.stdout
+    assert "--nonsense" in done.stderr
+
+
+TWICE = '''\
+import os
+from pathlib import Path
+
+from course import board
+
+os.environ["PYTEST_ADDOPTS"] = "--collect-only"
+lab = Path("labs/rasterization.py")
+right = lab.read_text()
+lab.write_text(right.replace("2 *", "3 *"))
+print("status", board.check("2"))
+lab.write_text(right)
+print("status", board.check("2"))
+'''
+
+
+def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):
+    """In a notebook, a mended exercise keeps failing; a user's own settings change the verdict."""
+    done = run_module(house(FILES | {"twice.py": TWICE}), "twice")
+    assert [line for line in lines(done.stdout) if line.startswith("status")] == [
+        "status 1", "status 0"], done.stdout + done.stderr
+
+
+def entry(number, verdict, *verdicts):
+    found = [checks.Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0)
+             for k, text in enumerate(verdicts)]
+    return board.Entry("transforms", skeleton.Exercise(number, "f", 2, 4, ()), verdict, found)
+
+
+@pytest.mark.parametrize(("entries", "text"), [
+    ([entry("1.1", "failing", "passed", "blocked by 2.1", "failed")],
+     "Next: 1.1 f, failing in 2 of 3 checks\nclaim     claim 2\nfor it is failed\n"
+     "again     python3 -m course check 1.1\n"),
+    ([entry("1.1", "done", "passed"), entry("1.2", "blocked by 1.3", "failed"),
+      entry("1.3", "not started", "not started")],
+     "Next: 1.3 f, not started\nclaim     claim 0\nagain     python3 -m course check 1.3\n"),
+    ([entry("1.1", "done", "passed"), entry("1.2", "blocked by 2.1", "blocked by 2.1")],
+     "Next: 1.2 f, blocked by 2.1\nclaim     claim 0\nfor it is blocked by 2.1\n"
+     "again     python3 -m course check 2.1\n"),
+], ids=["failing", "blocked by a later one", "blocked by another lab"])
+def test_next_is_what_can_be_worked_on_with_the_check_that_says_why(entries, text):
+    """A student is sent to an exercise that is done, or that waits for another."""
+    assert board.next_to_do(entries, places.ROOT / "labs", "labs", 0).startswith(text)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
@@ -312,6 +357,7 @@ def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_module):
         process.send_signal(signal.SIGINT)
         output = process.communicate(timeout=20)[0]
     assert "  1.1  double      2 points  done" in output
+    assert "\nIt was stopped. Checks that did not run count as failed.\n" in output
     assert "Next: 1.2 half, failing in 2 of 2 checks\nclaim     Half of nothing\n" in output
     assert "wrong     KeyboardInterrupt\n          labs/transforms.py:" in output
     assert process.returncode == 1

@@ -188,6 +188,14 @@ def test_a_raster_of_another_shape_or_kind_is_not_drawn(pictures):
     assert not pictures.exists()
 
 
+def test_without_a_place_for_the_picture_the_text_remains(pictures):
+    """Where out/ cannot be written, the student is told about folders and not about pixels."""
+    pictures.parent.write_text("a file, not a folder")
+    text = text_of(assert_picture, FACE_INDEX + 1, FACE_INDEX)
+    assert "first at [0, 0]: 0 came, -1 was expected" in text
+    assert "picture   none: " in text
+
+
 def test_a_picture_is_compared_within_atol_and_infinity_with_infinity():
     """Background depth is infinite, and infinity minus infinity is not zero."""
     expected = np.array([[math.inf, 0.5], [math.nan, 0.25]])
@@ -283,6 +291,11 @@ def deep(x):  # exercise 1.6 (1 point)
 
 def other(x):  # exercise 1.7 (1 point)
     raise NotImplementedError("not yet")
+
+
+def strict(x):  # exercise 1.8 (1 point)
+    assert x > 0, "too small"
+    return x
 '''
 
 CHECKS = '''\
@@ -408,6 +421,23 @@ def test_numbers_are_not_those_of_another(impl, rng, request):
 
 def test_of_no_exercise():
     assert 1 == 2
+
+
+class Told(AssertionError):
+    pass
+
+
+@exercise("1.8")
+def test_strict_is_not_strict(impl):
+    """It is."""
+    impl.strict(0)
+
+
+@exercise("1.8")
+def test_strict_tells_all(impl):
+    """It keeps silent."""
+    impl.strict(1)
+    raise Told("it was given 1")
 '''
 
 
@@ -467,6 +497,18 @@ check     tests/test_transforms.py:25
           assert_close(impl.half(1.0), 0.5)
 seed      0
 """)
+
+
+def test_an_assertion_of_the_students_own_is_told_as_an_error(output):
+    """It is taken for one of the check's."""
+    assert "wrong     AssertionError: too small\n          labs/transforms.py:39 in strict\n" in (
+        output["test_strict_is_not_strict"])
+
+
+def test_an_assertion_of_another_kind_tells_what_it_was_given(output):
+    """The gradient check's report shows the last of a thousand calls."""
+    assert "catches   It keeps silent.\nwrong     it was given 1\n" in (
+        output["test_strict_tells_all"])
 
 
 def test_endless_recursion_is_cut(output):
