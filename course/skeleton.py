@@ -50,8 +50,8 @@ class Lab(NamedTuple):
 
 
 def topics():
-    """The topics that stand in reference/, in the course's order."""
-    return tuple(topic for topic in TOPICS if reference(topic).exists())
+    """The topics that there are, in the course's order."""
+    return tuple(topic for topic in TOPICS if questions(topic).exists())
 
 
 def lab_number(topic):
@@ -63,6 +63,12 @@ def reference(topic):
     return places.ROOT / "reference" / f"{topic}.py"
 
 
+def questions(topic):
+    """Where a topic's exercises are listed: its reference, or in a hand-out without, its lab."""
+    path = reference(topic)
+    return path if path.exists() else places.ROOT / "labs" / f"{topic}.py"
+
+
 def read(path):
     """A module's text, its line ends as they are."""
     return places.read_whole(path).decode("utf-8")
@@ -70,13 +76,17 @@ def read(path):
 
 def topic_exercises(topic):
     """The exercises of a topic of the course. ValueError: a mark is wrong, or of another lab."""
+    path = questions(topic)
+    place = f"{path.parent.name}/{path.name}"
     try:
-        found = exercises(read(reference(topic)))
+        found = exercises(read(path))
     except ValueError as error:
-        raise ValueError(f"reference/{topic}.py, {error}") from None
+        raise ValueError(f"{place}, {error}") from None
+    except SyntaxError as error:
+        raise ValueError(f"{place}, line {error.lineno}: {error.msg}; mend this first") from None
     for number, name, _, line, _ in found:
         if number.split(".")[0] != str(lab_number(topic)):
-            raise ValueError(f"reference/{topic}.py, line {line}: {name} is marked as exercise "
+            raise ValueError(f"{place}, line {line}: {name} is marked as exercise "
                              f"{number}, but {topic} is lab {lab_number(topic)}; "
                              f"number it {lab_number(topic)}.{number.split('.')[1]}")
     return found
