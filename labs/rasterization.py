@@ -2,42 +2,44 @@
 
 Screen space: x right, y up; pixel [row i, column j] is sampled at its centre (j + 0.5, i + 0.5).
 
-    e(p) = det [x y 1; x0 y0 1; x1 y1 1] = n . (p - p0),   n = (y0 - y1, x1 - x0)            (1)
+    e(p) = det [x y 1; a_x a_y 1; b_x b_y 1] = n . (p - a),   n = (a_y - b_y, b_x - a_x)     (1)
     covered  <=>  every e_k > 0, or e_k = 0 on an edge that the top-left rule owns           (2)
     b_k = e_k / 2A,   2A = e_0 + e_1 + e_2;   e_k is of the edge opposite to vertex k        (3)
 
-With perspective, w_k of clip space decides what is seen; it may be negative, behind the camera:
+That is the textbook's triangle, exercises 2.1 to 2.8. From 2.9 on: meshes in perspective, both
+sides seen, corners as rows of (3, F) arrays. w_k of clip space decides, negative behind the camera:
 
     c_k = e_k / (2A w_k),   seen  <=>  every c_k >= 0                                        (4)
-    1/w = sum c_k,   z/w = sum z_k c_k (linear in x and y),   b_k = c_k / sum c              (5)
+    1/w = sum c_k,   depth = sum z_k c_k (z of clip space),   b_k = c_k / sum c              (5)
 
-c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): row k of M^-1 is the edge function
-opposite to vertex k, divided by 2A w_k (edge functions, face_inv and this inverse are one thing).
-So a face, whether it crosses the camera plane or not, is an intersection of three half-planes, and
-on each row of pixels an interval; nothing needs to be clipped before.
+c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): edge functions, the inverse of lab 7
+and the face_inv of lab 10 are the same numbers. So a face is an intersection of three half-planes,
+also where it crosses the camera plane; nothing is clipped, and a row of pixels is one interval.
 
-Watertight: two faces at an edge compute the same e with opposite sign, to the last bit, and e is
-exactly 0 at the ends of the edge. So no sample is lost between them and none counted twice.
+Watertight needs two things. Two faces at an edge must compute the same e with opposite sign, to the
+last bit; and e must be exactly 0 at the ends of the edge, for vertices on a pixel's centre.
 
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3)-(5), Olano and Greer 1997 (4),
-GAMES101 lectures 5 and 6 and homework 2.
+GAMES101 lectures 5 and 6 and its homework 2, a rasterizer for single triangles.
 """
 import numpy as np
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
 CAMERA_PLANE = 1e-12  # the w of vertices with w = 0, which have no place on screen
-FAR = 1e9             # pixels: an edge with both ends farther away is beyond floating point
-TINY = 1e-300         # slope of a horizontal edge: it meets a row far out, not at 0/0
+FAR = 1e9             # pixels: an edge measured from farther away is beyond floating point
+TINY = 1e-300         # stands for a slope of 0 in a division
 MARGIN = 1 / 16       # pixels added to a face's bounds: far more than rounding can move an edge
+GUESS = 1e-6          # columns: more than the quotient in `first_column` is off, up to FAR
 CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they stay in the cache
 
 
 def edge_function(p, a, b):  # exercise 2.1 (2 points)
     """Eq. (1): on which side of the line from a to b does p lie? Positive: on its left.
 
-    p, a, b (..., 2), shapes that broadcast -> e (...). To the last bit, for any floats: 0 at p = a
-    and at p = b; and swapping a and b flips the sign and changes nothing else. So measure from the
-    same end in both cases.
+    p, a, b (..., 2), shapes that broadcast -> e (...). To the last bit, unless it overflows: 0 at
+    p = a and at p = b; and swapping a and b flips the sign and changes nothing else. So p is to be
+    measured from the same end, whichever of the two it is called: element by element, the points
+    themselves must tell.
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)
@@ -84,6 +86,7 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
     n_x, n_y (...): the edge's inward normal n of eq. (1), the face counter-clockwise -> bool (...).
     A left edge does (n points right), and so does a horizontal edge below its face (n points up):
     row 0 is stored first, so in memory order this is the top edge that other texts speak of.
+    n = 0, an edge without length, owns nothing.
 
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
@@ -118,9 +121,9 @@ def barycentric_coordinates(p, triangle):  # exercise 2.7 (2 points)
 def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
     """The pixels that a triangle's box touches: columns x0 <= j < x1 and rows y0 <= i < y1.
 
-    triangle (3, 2) in screen space -> four integers x0, y0, x1, y1, within the picture. The pixels
-    are those of the floors of the box's least and greatest coordinate and all between; where the
-    box lies outside the picture, x0 >= x1 or y0 >= y1.
+    triangle (3, 2), any finite numbers -> four integers: x0 and x1 from 0 to width, y0 and y1 from
+    0 to height. Columns run from the floor of the least x to the floor of the greatest x, which
+    counts, as far as they lie in the picture; rows likewise. None: x0 >= x1 or y0 >= y1.
 
     >>> bounding_box(np.array([[0.5, -9.0], [3.0, 1.2], [2.5, 1.0]]), 8, 8)
     (0, 0, 4, 2)
@@ -131,8 +134,8 @@ def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
 def screen_points(clip, width, height):  # exercise 2.9 (1 point)
     """Where the vertices are on screen: clip (V, 4) -> x, y, w, each (V,).
 
-    x, y in pixels after the divide by w, also where w < 0: such a vertex, behind the camera, comes
-    out mirrored. A w of 0 is taken for CAMERA_PLANE.
+    x = (clip_x / w + 1) width / 2, and y likewise, in pixels; also where w < 0: a vertex behind
+    the camera comes out mirrored. A w of 0 is replaced by CAMERA_PLANE, also in the w returned.
 
     >>> screen_points(np.array([[0.0, 2.0, 0.0, 2.0], [0.0, 2.0, 0.0, -2.0]]), 8, 4)
     (array([4., 4.]), array([4., 0.]), array([ 2., -2.]))
@@ -144,7 +147,8 @@ def cull_back_faces(x, y, w, faces):  # exercise 2.10 (2 points)
     """The faces (F', 3) that turn their front to the camera, in their order.
 
     x, y, w (V,) of `screen_points`, faces (F, 3). Of a face in front of the camera, the front is
-    seen if it is counter-clockwise on screen. Each vertex behind the camera (w < 0) turns it over.
+    seen if it is counter-clockwise on screen; each vertex behind the camera (w < 0) turns that
+    over. A face without area goes, too.
 
     >>> x, y, w = np.array([0.0, 2.0, 0.0]), np.array([0.0, 0.0, 2.0]), np.ones(3)
     >>> cull_back_faces(x, y, w, np.array([[0, 1, 2], [0, 2, 1]]))
@@ -154,59 +158,64 @@ def cull_back_faces(x, y, w, faces):  # exercise 2.10 (2 points)
 
 
 def half_planes(x, y, w):  # exercise 2.11 (4 points)
-    """Eq. (4) up to positive factors: c_k >= 0  <=>  a_k (x - x0_k) + b_k (y - y0_k) >= 0.
+    """Eq. (4) without its positive factors: n_x, n_y, from_x, from_y, each (3, F), such that
 
-    x, y, w (3, F): the faces' corners, row k of vertex k -> a, b, x0, y0, each (3, F).
-    (a_k, b_k) is plus or minus n of eq. (1) of the edge opposite to vertex k, by the sign of A w_k;
-    0 if A = 0 or not finite. (x0_k, y0_k) is the end of the edge that its two faces agree on: the
-    one of greater |w|, of equal ones the one of smaller x (if x is equal, too, either will do).
-    An edge whose x0 or y0 is beyond FAR gets a = b = 0, too: of its faces, nothing is seen.
+        c_k >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
 
-    >>> corners = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
-    >>> a, b, x0, y0 = half_planes(*corners[..., None])
-    >>> a.T, b.T
-    (array([[-2.,  2.,  0.]]), array([[-3., -1.,  4.]]))
-    >>> x0.T, y0.T
-    (array([[1., 0., 0.]]), array([[2., 0., 0.]]))
+    x, y, w (3, F), finite: the faces' corners, row k of vertex k. (n_x[k], n_y[k]) is n of eq. (1)
+    of the edge opposite to vertex k, times the signs of A (`signed_area`) and of w_k.
+    (from_x[k], from_y[k]) is one end of that edge, the same in both faces at it: the end of greater
+    |w| (the other may be near infinity), of equal ones that of smaller x.
+    n = 0 where A = 0, where A overflows, and where |from_x| or |from_y| is FAR or more.
+
+    >>> corners = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 2.0], [1.0, -2.0, 1.0]])
+    >>> n_x, n_y, from_x, from_y = half_planes(*corners[..., None])
+    >>> n_x.T, n_y.T
+    (array([[-2., -2.,  0.]]), array([[-3.,  1.,  4.]]))
+    >>> from_x.T, from_y.T
+    (array([[4., 0., 4.]]), array([[0., 0., 0.]]))
     """
     raise NotImplementedError("exercise 2.11: half_planes")
 
 
-def depth_plane(x, y, z):  # exercise 2.12 (3 points)
-    """Eq. (5): a, b, each (F,), such that depth = z/w = z_0 + a (x - x_0) + b (y - y_0) on a face.
+def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
+    """Eq. (5): dz_dx, dz_dy, each (F,), with depth = z[0] + dz_dx (x - x[0]) + dz_dy (y - y[0]).
 
-    x, y, z (3, F): the faces' corners, z after the divide. Of equal z, a = b = 0 exactly.
+    x, y, z (3, F): the faces' corners, z after the divide. Of equal z, both are exactly 0. A face
+    without area gets inf or nan; nothing is raised.
 
-    >>> depth_plane(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
+    >>> depth_slopes(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
     (array([0.1]), array([0.]))
     """
-    raise NotImplementedError("exercise 2.12: depth_plane")
+    raise NotImplementedError("exercise 2.12: depth_slopes")
 
 
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
     """Homework 2: face by face and pixel by pixel, with a z-buffer. Slow and obvious.
 
     clip (V, 4), faces (F, 3) -> face_index (height, width) of integers, -1 where no face is seen;
-    depth (height, width), np.inf there. At the pixel's centre, a face that covers it has for each
-    of its `half_planes` e = a (x - x0) + b (y - y0) > 0, or e = 0 and `is_top_left(a, b)`; and its
-    depth a (x - x_0) + (b (y - y_0) + z_0), with a and b of `depth_plane`, lies from -1 (near) to
-    1 (far). The covering face of least depth is seen; of equally deep ones, the first. If every
-    w > 0, only pixels in the `bounding_box` can be covered. A face with a corner that is not finite
-    covers nothing.
+    depth (height, width), np.inf there. Front and back of a face are seen alike. At a pixel's
+    centre (x, y), a face that covers it has for each of its `half_planes`
+    e = n_x (x - from_x) + n_y (y - from_y) > 0, or e = 0 and `is_top_left(n_x, n_y)`; and a depth,
+    dz_dx (x - x[0]) + (dz_dy (y - y[0]) + z[0]), from -1 (near) to 1 (far), where z is z / w of the
+    corners and the slopes are those of `depth_slopes`. Of the covering faces, the one of least
+    depth is seen; of equally deep ones, the first. A face with a corner that is not finite covers
+    nothing. If every w > 0, a look at the pixels in its `bounding_box` is enough.
     """
     raise NotImplementedError("exercise 2.13: rasterize_loop")
 
 
-def first_column(a, x0, offset, width):  # exercise 2.14 (3 points)
-    """The least column j with a (j + 0.5 - x0) + offset >= 0, as floating point decides it.
+def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
+    """The least column j with slope (j + 0.5 - from_x) + offset >= 0, as floating point decides it.
 
-    a (R,) >= 0, x0, offset (R,) -> j (R,) floats: whole numbers from 0 to width, width if there is
-    none. Where a = 0 the answer is 0 or width. The quotient -offset / a finds the place, but it is
-    rounded differently from the sum: the sum has the last word.
+    slope (R,) >= 0, from_x, offset (R,) -> j (R,) floats: whole numbers from 0 to width, width if
+    there is none. Where slope = 0, the answer is 0 or width. The quotient -offset / slope finds the
+    place, but is rounded differently from the sum, which has the last word; for |from_x| < FAR the
+    two are never more than one column apart.
 
-    >>> zero = np.zeros(3)
-    >>> first_column(np.array([2.0, 2.0, 0.0]), zero, np.array([-3.0, -3.1, -1.0]), 8)
-    array([1., 2., 8.])
+    >>> zero = np.zeros(4)
+    >>> first_column(np.array([2.0, 2.0, 0.0, 0.0]), zero, np.array([-3.0, -3.1, -1.0, 0.0]), 8)
+    array([1., 2., 8., 0.])
     """
     raise NotImplementedError("exercise 2.14: first_column")
 
@@ -214,11 +223,15 @@ def first_column(a, x0, offset, width):  # exercise 2.14 (3 points)
 def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     """Scanline: the columns start <= j < end that a face covers on a row of pixels.
 
-    planes: a, b, x0, y0 of `half_planes`, each (3, F); face (R,), y (R,): a row of pixels, its
-    centres at y, of face number face -> start, end (R,) floats from 0 to width, start >= end if
-    nothing is covered. An edge that `is_top_left` opens the interval at the first column with
-    e >= 0, any other ends it at the first column with -e >= 0, e = a (x - x0) + b (y - y0): the
-    top-left rule makes intervals half open.
+    planes: n_x, n_y, from_x, from_y of `half_planes`, each (3, F); face (R,), y (R,): a row of
+    pixels, its centres at y, of face number face -> start, end (R,) floats from 0 to width,
+    start >= end if nothing is covered. An edge that `is_top_left` opens the interval at the first
+    column with e >= 0; any other ends it at the first column with -e >= 0, as n = 0 does at 0. So
+    the top-left rule makes intervals half open.
+
+    >>> corners = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 4.0], [1.0, 1.0, 1.0]])
+    >>> row_interval(half_planes(*corners[..., None]), np.array([0, 0]), np.array([0.5, 2.5]), 8)
+    (array([0., 0.]), array([3., 1.]))
     """
     raise NotImplementedError("exercise 2.15: row_interval")
 
@@ -276,7 +289,7 @@ def visible_rows(clip, x, y, faces, width, height):
 
 def fragments(clip, faces, width, height):
     """Every sample that every face covers: yields pixel (N,) = row * width + column, depth (N,) and
-    face (N,) in chunks. The last face comes first.
+    face (N,) in chunks. The last face comes first: whoever writes last then keeps the first.
     """
     x, y, w = screen_points(clip, width, height)
     z = clip[:, 2] / w
@@ -286,18 +299,19 @@ def fragments(clip, faces, width, height):
         corners = faces[drawn].T
         cx, cy, cz = x[corners], y[corners], z[corners]
         planes = half_planes(cx, cy, w[corners])
-        a, b = depth_plane(cx, cy, cz)
+        dz_dx, dz_dy = depth_slopes(cx, cy, cz)
         face, row = expand(first[drawn], count[drawn])
         start, end = row_interval(planes, face, row + 0.5, width)
         covered = np.flatnonzero(end > start)
         face, row, start, end = face[covered], row[covered], start[covered], end[covered]
-        a, x0 = a[face], cx[0][face]
-        offset = b[face] * (row + 0.5 - cy[0][face]) + cz[0][face]
+        slope, from_x = dz_dx[face], cx[0][face]
+        offset = dz_dy[face] * (row + 0.5 - cy[0][face]) + cz[0][face]
         face, row, length = drawn[face], row * width, (end - start).astype(int)
         for run in chunks(length):
             owner, column = expand(start[run], length[run])
             pixel = row[run][owner] + column.astype(int)
-            depth = a[run][owner] * (column + 0.5 - x0[run][owner]) + offset[run][owner]
+            distance = column + 0.5 - from_x[run][owner]
+            depth = slope[run][owner] * distance + offset[run][owner]
             kept = np.flatnonzero(np.abs(depth) <= 1)  # between near and far
             yield pixel[kept], depth[kept], face[run][owner[kept]]
 
@@ -321,14 +335,15 @@ def rasterize(clip, faces, width, height):
 def barycentric_on_face(px, py, x, y, w):  # exercise 2.16 (3 points)
     """Eq. (5): where on its face a sample lies: b (3, N), each column with sum 1.
 
-    px, py (N,): samples; x, y, w (3, N): the corners of the face that each one sees. Weights of the
-    vertices on the face in space, not in its picture: lab 5 is about the difference.
+    px, py (N,): samples; x, y, w (3, N), where `edge_function` takes (..., 2): the corners of the
+    face that each one sees, w of any sign. Weights of the vertices on the face in space, not in its
+    picture: lab 5 is about the difference.
     """
     raise NotImplementedError("exercise 2.16: barycentric_on_face")
 
 
 def barycentric_derivatives(px, py, x, y, w):  # exercise 2.17 (3 points)
-    """What a step of one pixel does to b of `barycentric_on_face`: db/dx and db/dy, each (3, N)."""
+    """The partial derivatives of b of `barycentric_on_face` by px and by py, each (3, N)."""
     raise NotImplementedError("exercise 2.17: barycentric_derivatives")
 
 

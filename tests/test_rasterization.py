@@ -119,9 +119,11 @@ def test_areas_are_those_of_the_shoelace_formula(impl, rng):
 
 @exercise("2.4")
 def test_inside_border_and_outside(impl):
-    """Only two of the three edges are asked, or the border does not count."""
-    p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0]])
-    assert_equal(impl.is_inside(p, TRIANGLE), np.array([True, True, True, False, False, False]))
+    """Only two of the three edges are asked, the border does not count, or an edge's line does."""
+    p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0],
+                  [5.0, 11.0], [13.0, 3.0], [11.0, -2.0]])  # the last three on the edges' lines
+    inside = np.array([True, True, True, False, False, False, False, False, False])
+    assert_equal(impl.is_inside(p, TRIANGLE), inside)
 
 
 @exercise("2.4")
@@ -135,9 +137,9 @@ def test_inside_does_not_depend_on_the_winding(impl):
 @exercise("2.5")
 def test_left_and_lower_edges_own_their_samples(impl):
     """Right for left, upper for lower (y is up here), or a horizontal edge is decided by n_x."""
-    n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0])
-    n_y = np.array([0.0,  0.0, 1.0, -1.0, 9.0, -9.0,  9.0, -9.0])
-    owns = np.array([True, False, True, False, True, True, False, False])
+    n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0, 0.0])
+    n_y = np.array([0.0,  0.0, 1.0, -1.0, 9.0, -9.0,  9.0, -9.0, 0.0])
+    owns = np.array([True, False, True, False, True, True, False, False, False])
     assert_equal(impl.is_top_left(n_x, n_y), owns)
 
 
@@ -152,15 +154,18 @@ def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
 
 @exercise("2.6")
 def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
-    """Samples on an edge count on every side, or on none."""
+    """Samples on an edge count on every side, on none, or on its right: n_x and n_y are swapped."""
     p = centres(5, 4)
-    lower = np.array([[0.5, 0.5], [3.5, 0.5], [3.5, 2.5]])
-    upper = np.array([[0.5, 0.5], [3.5, 2.5], [0.5, 2.5]])
-    count = np.asarray(impl.is_covered(p, lower)).astype(int) + impl.is_covered(p, upper)
-    assert_picture(count, np.array([[1, 1, 1, 0, 0],
-                                    [1, 1, 1, 0, 0],
-                                    [0, 0, 0, 0, 0],
-                                    [0, 0, 0, 0, 0]]))
+    lower = impl.is_covered(p, np.array([[0.5, 0.5], [3.5, 0.5], [3.5, 3.5]]))
+    assert_picture(lower, np.array([[1, 1, 1, 0, 0],
+                                    [0, 1, 1, 0, 0],
+                                    [0, 0, 1, 0, 0],
+                                    [0, 0, 0, 0, 0]], bool))
+    upper = impl.is_covered(p, np.array([[0.5, 0.5], [3.5, 3.5], [0.5, 3.5]]))
+    assert_picture(upper, np.array([[0, 0, 0, 0, 0],
+                                    [1, 0, 0, 0, 0],
+                                    [1, 1, 0, 0, 0],
+                                    [0, 0, 0, 0, 0]], bool))
 
 
 @exercise("2.6")
@@ -234,11 +239,16 @@ def test_the_box_of_a_triangle_on_paper(impl):
 
 @exercise("2.8")
 def test_the_box_stays_in_the_picture(impl):
-    """The box is not clipped: column -1 is the last one to NumPy, and column 12 an error."""
+    """The box is not clipped, is clipped after it became integers, or -0.5 is cut to 0."""
     x0, y0, x1, y1 = impl.bounding_box(np.array([[-3.0, 2.0], [99.0, 3.0], [5.0, 77.0]]), 10, 20)
     assert_equal((x0, y0, x1, y1), (0, 2, 10, 20))
-    x0, y0, x1, y1 = impl.bounding_box(np.array([[-3.0, -2.0], [-1.5, -3.0], [-0.5, -7.0]]), 10, 20)
-    assert x0 >= x1 or y0 >= y1, f"the box misses the picture, but {(x0, y0, x1, y1)} is not empty"
+    triangle = np.array([[-1e300, 2.0], [1e300, 3.0], [5.0, 1e300]])
+    assert_equal(impl.bounding_box(triangle, 10, 20), (0, 2, 10, 20))
+    for outside in ([-3.0, -0.5, -1.5], [12.0, 10.0, 11.0]):
+        box = impl.bounding_box(np.stack([outside, [2.0, 3.0, 5.0]], -1), 10, 20)
+        assert_equal(box[0] >= box[2], True)
+        box = impl.bounding_box(np.stack([[2.0, 3.0, 5.0], outside], -1), 20, 10)
+        assert_equal(box[1] >= box[3], True)
 
 
 @exercise("2.8")
@@ -267,9 +277,11 @@ def test_vertices_on_screen_on_paper(impl):
 @exercise("2.9")
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
     """A division by zero: NaN or infinity spreads through the faces of this vertex."""
-    x, y, w = impl.screen_points(np.array([[1.0, -1.0, 0.0, 0.0]]), 8, 4)
-    assert_close(w, np.array([1e-12]))
-    assert_close(np.stack([x, y]), np.array([[4e12], [-2e12]]), rtol=1e-6)
+    clip = np.array([[1.0, -1.0, 0.0, 0.0], [1.0, -1.0, 0.0, 1e-9]])
+    x, y, w = impl.screen_points(clip, 8, 4)
+    assert_equal(w, np.array([1e-12, 1e-9]))
+    assert_close(x, np.array([4e12, 4e9]), rtol=1e-6)
+    assert_close(y, np.array([-2e12, -2e9]), rtol=1e-6)
 
 
 @exercise("2.10")
@@ -282,20 +294,29 @@ def test_clockwise_faces_are_culled(impl):
 
 @exercise("2.10")
 def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
-    """The winding on screen alone: wrong for faces that pass through the camera plane."""
-    for _ in range(50):
-        clip, faces = clip_triangles(rng, 1)
-        # (x, y, w) are the corners as the camera sees them: its distance to the face has this sign.
-        facing = np.linalg.det(clip[:, [0, 1, 3]]) > 0
-        x, y, _, w = clip.T
-        kept = impl.cull_back_faces(x / w, y / w, w, faces)
-        assert_equal(kept, faces if facing else faces[:0])
+    """The winding on screen alone, or right for one vertex behind the camera but not for three."""
+    clip, faces = clip_triangles(rng, 80)
+    face, corner = np.divmod(np.arange(240), 3)
+    behind = (face >> corner) & 1  # all eight cases in turn
+    clip[:, 3] = rng.uniform(0.5, 2, 240) * (1 - 2 * behind)
+    # (x, y, w) are the corners as the camera sees them: its distance to the face has this sign.
+    facing = np.linalg.det(clip[faces][..., [0, 1, 3]]) > 0
+    x, y, _, w = clip.T
+    assert_equal(impl.cull_back_faces(x / w, y / w, w, faces), faces[facing])
+
+
+@exercise("2.10")
+def test_faces_without_area_are_culled(impl):
+    """>= for >."""
+    x, y, w = np.array([[0.0, 2.0, 4.0], [0.0, 2.0, 4.0], [1.0, 1.0, 1.0]])
+    faces = np.array([[0, 1, 2], [0, 0, 1]])
+    assert_equal(impl.cull_back_faces(x, y, w, faces), faces[:0])
 
 
 def sides(planes, x, y):
-    """a (x - x0) + b (y - y0) of planes (4, 3, F)."""
-    a, b, x0, y0 = planes
-    return a * (x - x0) + b * (y - y0)
+    """e of planes (4, 3, F) at (x, y)."""
+    n_x, n_y, from_x, from_y = planes
+    return n_x * (x - from_x) + n_y * (y - from_y)
 
 
 @exercise("2.11")
@@ -303,23 +324,23 @@ def test_the_planes_of_a_face_on_paper(impl):
     """Row k is the edge that starts at vertex k instead of the one opposite to it."""
     x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, 1.0]])[..., None]
     for flip in (1, -1):  # counter-clockwise, clockwise
-        a, b, x0, y0 = impl.half_planes(x[::flip], y[::flip], w)
-        assert_close(a[::flip], np.array([[-4.0], [5.0], [-1.0]]))
-        assert_close(b[::flip], np.array([[-4.0], [-2.0], [6.0]]))
-        assert_close(x0[::flip], np.array([[3.0], [1.0], [1.0]]))
-        assert_close(y0[::flip], np.array([[6.0], [1.0], [1.0]]))
+        n_x, n_y, from_x, from_y = impl.half_planes(x[::flip], y[::flip], w)
+        assert_close(n_x, np.array([[-4.0], [5.0], [-1.0]])[::flip])
+        assert_close(n_y, np.array([[-4.0], [-2.0], [6.0]])[::flip])
+        assert_close(from_x, np.array([[3.0], [1.0], [1.0]])[::flip])
+        assert_close(from_y, np.array([[6.0], [1.0], [1.0]])[::flip])
 
 
 @exercise("2.11")
 def test_the_planes_hold_what_the_inverse_of_m_says(impl, rng):
     """The sign of w is forgotten: faces that cross the camera plane appear where they are not."""
-    x, y = rng.uniform(-10, 10, (2, 3, 400))
-    w = rng.uniform(0.5, 2, (3, 400)) * rng.choice([-1, 1], (3, 400))
-    planes = np.array(impl.half_planes(x, y, w))
-    p = rng.uniform(-10, 10, 2)
-    c = np.stack([np.linalg.solve(np.stack([x[:, n], y[:, n], np.ones(3)]) * w[:, n], [*p, 1])
-                  for n in range(400)], -1)
-    assert_equal(sides(planes, *p) > 0, c > 0)
+    p = rng.uniform(-5, 5, 2)
+    for _ in range(100):
+        x, y = rng.uniform(-10, 10, (2, 3, 1))
+        w = rng.uniform(0.5, 2, (3, 1)) * rng.choice([-1, 1], (3, 1))
+        c = np.linalg.solve(np.concatenate([w * x, w * y, w], 1).T, [*p, 1])
+        side = sides(np.array(impl.half_planes(x, y, w)), *p)[:, 0]
+        assert_equal(side > 0, c > 0)
 
 
 @exercise("2.11")
@@ -344,40 +365,63 @@ def test_an_edge_is_exactly_zero_at_its_ends(impl, rng):
 
 
 @exercise("2.11")
-def test_flat_and_endless_faces_have_no_inside(impl):
-    """The sign of 0 was taken for 1, or a face that floating point cannot hold is drawn."""
-    x = np.array([[0.0, 0.0, 0.0], [4.0, 4.0, 1e160], [2.0, 1e10, 0.0]])
-    y = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 1e10, 1e160]])
-    w = np.array([[1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 9.0, 1.0]])
+def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
+    """The smaller |w|, w for |w|, or the smaller x, although |w| differs."""
+    x, y, w = np.array([[0.0, 9.0, 4.0], [1.0, 2.0, 7.0], [1.0, -3.0, 2.0]])[..., None]
+    _, _, from_x, from_y = impl.half_planes(x, y, w)
+    assert_close(from_x, np.array([[9.0], [4.0], [9.0]]))
+    assert_close(from_y, np.array([[2.0], [7.0], [2.0]]))
+
+
+@exercise("2.11")
+@pytest.mark.parametrize("x, y, w, dead", [
+    ([0, 4, 2], [0, 4, 2], [1, 1, 1], [True, True, True]),          # without area
+    ([0, 1e160, 0], [0, 0, 1e160], [1, 1, 1], [True, True, True]),  # an area that overflows
+    ([0, 4, 2e9], [0, 0, 4], [1, 1, 9], [True, True, False]),       # edges 0 and 1 from beyond FAR
+    ([0, 4, 2], [0, 0, -2e9], [1, 1, 9], [True, True, False]),      # in y, on the negative side
+    ([0, 4, -2e9], [0, 0, 4], [9, 9, 1], [False, False, False]),    # beyond, but not measured from
+    ([0, 1e-6, 0], [0, 0, 1e-6], [1, 1, 1], [False, False, False]),  # tiny, and alive
+], ids=["flat", "overflow", "far in x", "far in y", "one far end", "tiny"])
+def test_which_edges_have_n_0(impl, x, y, w, dead):
+    """The sign of 0 was taken for 1, FAR was asked of the wrong end, in x alone, or without abs."""
+    x, y, w = (np.array(values, float)[:, None] for values in (x, y, w))
     with np.errstate(all="ignore"):
-        a, b, _, _ = impl.half_planes(x, y, w)
-    dead = ((np.asarray(a) == 0) & (np.asarray(b) == 0)).any(0)
-    assert_equal(dead, np.array([True, True, True]), given="one flat, one beyond FAR, one of 1e160")
+        n_x, n_y, _, _ = impl.half_planes(x, y, w)
+    assert_equal((np.asarray(n_x) == 0) & (np.asarray(n_y) == 0), np.array(dead)[:, None])
 
 
 @exercise("2.12")
 def test_a_tilted_plane_on_paper(impl):
     """a and b are swapped, or the slope is per area instead of per pixel."""
     x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None]
-    a, b = impl.depth_plane(x, y, z)
-    assert_close(a, np.array([0.1]))
-    assert_close(b, np.array([-0.2]))
+    dz_dx, dz_dy = impl.depth_slopes(x, y, z)
+    assert_close(dz_dx, np.array([0.1]))
+    assert_close(dz_dy, np.array([-0.2]))
 
 
 @exercise("2.12")
 def test_the_depth_plane_goes_through_its_corners(impl, rng):
     """Right for one winding only, or for one face alone."""
     x, y, z = rng.normal(size=(3, 3, 50))
-    a, b = impl.depth_plane(x, y, z)
-    assert_close(z[0] + a * (x - x[0]) + b * (y - y[0]), z, rtol=1e-6, atol=1e-8)
+    dz_dx, dz_dy = impl.depth_slopes(x, y, z)
+    assert_close(z[0] + dz_dx * (x - x[0]) + dz_dy * (y - y[0]), z, rtol=1e-6, atol=1e-8)
+
+
+@exercise("2.12")
+def test_a_face_without_area_stops_nothing(impl):
+    """A solver that raises for one face of many."""
+    x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None] * [1.0, 0.0]
+    with np.errstate(all="ignore"):
+        dz_dx, dz_dy = impl.depth_slopes(x, y, z)
+    assert_close(np.stack([dz_dx, dz_dy])[:, 0], np.array([0.1, -0.2]))
 
 
 @exercise("2.12")
 def test_a_face_parallel_to_the_screen_is_exactly_flat(impl, rng):
     """Rounding tilts it: a face in the near plane itself gets holes."""
     x, y = rng.normal(size=(2, 3, 50))
-    a, b = impl.depth_plane(x, y, np.full((3, 50), -1.0))
-    assert_equal(np.stack([a, b]), np.zeros((2, 50)))
+    dz_dx, dz_dy = impl.depth_slopes(x, y, np.full((3, 50), -1.0))
+    assert_equal(np.stack([dz_dx, dz_dy]), np.zeros((2, 50)))
 
 
 # --- pictures ----------------------------------------------------------------------------------
@@ -437,6 +481,43 @@ def test_the_picture_is_that_of_nvdiffrast(impl, scene):
     seen = expected >= 0
     assert_close(np.asarray(depth)[seen], golden[f"{scene}/depth"][seen], rtol=0, atol=2e-5,
                  given=f"scene {scene}: its depth is of 32-bit floats")
+
+
+@exercise("2.13")
+def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
+    """Samples on an edge are left out, or go to the face on the other side."""
+    x, y = np.array([0.5, 3.5, 3.5, 0.5]), np.array([0.5, 0.5, 3.5, 3.5])
+    clip = np.stack([x / 2 - 1, y / 2 - 1, np.zeros(4), np.ones(4)], -1)
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2], [0, 2, 3]]), 4, 4)
+    assert_picture(face_index, np.array([[ 0,  0,  0, -1],
+                                         [ 1,  0,  0, -1],
+                                         [ 1,  1,  0, -1],
+                                         [-1, -1, -1, -1]]))
+
+
+@exercise("2.13")
+@pytest.mark.parametrize("z", [-1.0, 1.0])
+def test_a_face_in_the_near_or_far_plane_is_seen(impl, z):
+    """< for <=, or a depth that rounding has moved beyond the plane."""
+    clip = np.array([[-1.0, -1.0, z, 1.0], [1.1, -1.3, z, 1.0], [-1.2, 1.7, z, 1.0]])
+    clip *= np.array([[1.0], [3.0], [0.7]])
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
+    assert_equal(face_index[0, 0], 0)
+
+
+@exercise("2.13")
+def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
+    """z is mixed by weights of the screen and divided by w a second time, or not at all."""
+    clip = np.append(rng.uniform(-1, 1, (3, 3)), rng.uniform(0.8, 1.2, (3, 1)), 1)
+    clip[:, :2] *= 3
+    clip[:, 2] /= 3
+    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 6, 6)
+    x, y = (clip[:, 0] / clip[:, 3] + 1) * 3, (clip[:, 1] / clip[:, 3] + 1) * 3
+    z = clip[:, 2] / clip[:, 3]
+    plane = np.linalg.solve(np.stack([x, y, np.ones(3)], -1), z)
+    expected = np.append(centres(6, 6), np.ones((6, 6, 1)), -1) @ plane
+    seen = np.isfinite(depth)
+    assert_close(np.asarray(depth)[seen], expected[seen], rtol=1e-9, atol=1e-9)
 
 
 @exercise("2.13")
@@ -540,6 +621,49 @@ def test_intervals_hold_what_the_planes_say(impl, rng):
         got = np.arange(int(start[n]), int(end[n]))
         assert_equal(got, np.array(covered_loop(planes[..., face[n]], y[n], 9), int),
                      given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
+
+
+@pytest.mark.parametrize("scene", range(4))
+def test_whole_meshes_are_drawn_to_the_bit(impl, rng, scene):
+    """The given `rasterize`, made of exercises 2.9 to 2.15: one bit differs in one of them."""
+    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (24, 4))
+    if scene % 2:  # vertices on pixel centres and corners
+        clip = np.round(clip * 8) / 8
+        clip[:, 3] = 1
+    faces = rng.integers(0, 24, (10, 3))
+    with np.errstate(all="ignore"):
+        got = impl.rasterize(clip, faces, 8, 12)
+        expected = planes_loop(clip, faces, 8, 12)
+    assert_picture(got[0], expected[0])
+    assert_equal(got[1], expected[1])
+
+
+def planes_loop(clip, faces, width, height):
+    """What `rasterize` must draw: every face at every pixel, by the definition of its planes."""
+    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
+    w = np.where(clip[:, 3] == 0, 1e-12, clip[:, 3])
+    x, y, z = (clip[:, 0] / w + 1) * width / 2, (clip[:, 1] / w + 1) * height / 2, clip[:, 2] / w
+    for f, (p, q, r) in enumerate(faces):
+        x1, y1, z1, x2, y2, z2 = (v[k] - v[p] for k in (q, r) for v in (x, y, z))
+        area = x1 * y2 - x2 * y1
+        for i, j in np.ndindex(height, width):
+            px, py = j + 0.5, i + 0.5
+            sides = [agreed_side(x, y, w, s, t, px, py) for s, t in ((q, r), (r, p), (p, q))]
+            signs = np.sign(area) * np.sign(w[[p, q, r]])
+            if area and all(m * e > 0 or (e == 0 and (m * n_x > 0 or (n_x == 0 and m * n_y > 0)))
+                            for m, (e, n_x, n_y) in zip(signs, sides, strict=True)):
+                d = (z1 * y2 - z2 * y1) / area * (px - x[p]) \
+                    + ((x1 * z2 - x2 * z1) / area * (py - y[p]) + z[p])
+                if abs(d) <= 1 and d < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, d
+    return face_index, depth
+
+
+def agreed_side(x, y, w, s, t, px, py):
+    """e and n of the edge from vertex s to t at (px, py), from the end that both its faces take."""
+    base = max((s, t), key=lambda v: (abs(w[v]), -x[v]))
+    n_x, n_y = y[s] - y[t], x[t] - x[s]
+    return n_x * (px - x[base]) + n_y * (py - y[base]), n_x, n_y
 
 
 # --- where on the face -------------------------------------------------------------------------
