@@ -263,7 +263,7 @@ def all_done(board, labs):
     later = skeleton.topics()[skeleton.topics().index(topic) + 1:]
     coming = ([f"{exercise.number} {exercise.name}" for exercise in rest]
               + [f"lab {skeleton.lab_number(lab)}, {lab}" for lab in later]
-              + ["nothing, the course ends here"])
+              + ["python3 -m course check, for the rest"])
     return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {coming[0]}."
 
 

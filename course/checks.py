@@ -46,6 +46,7 @@ KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
 MOST_NUMBERS = 24    # shown of an array; a larger one is shortened
 MOST_LINES = 12      # shown of an error's text, of frames, of printed output
 MAP_SHAPE = 20, 40   # rows and columns of the largest raster that is printed
+FRACTIONS = 1, 2, 3, 4, 180 / np.pi, np.pi / 180  # a factor is told if it is whole times one
 PANEL = 256          # pixels: a picture's panels are enlarged up to this
 GAP = 12             # pixels between panels
 
@@ -365,8 +366,10 @@ def suspicions(got, expected, picture):
     if numeric and got.shape == expected.shape and np.count_nonzero(expected) > 1:
         largest = np.unravel_index(np.abs(expected).argmax(), expected.shape)
         factor, more = got[largest] / expected[largest], got[largest] - expected[largest]
-        yield f"everything is {factor:.4g} times what was expected", got / factor
-        yield f"everything is {more:.4g} more than expected", got - more
+        if any(np.isclose(factor * n, np.round(factor * n), 1e-9, 0) for n in FRACTIONS):
+            yield f"everything is {factor:.4g} times what was expected", got / factor
+        than = "more" if more > 0 else "less"
+        yield f"everything is {abs(more):.4g} {than} than expected", got - more
 
 
 # --- how things are shown ---------------------------------------------------------------------
@@ -580,8 +583,10 @@ def explained(error, item):
     other_kind = isinstance(error, AssertionError) and type(error) not in (AssertionError, Mismatch)
     if LAST_CALL in item.stash and "given" not in dict(rows) and not other_kind:
         rows.insert(0, ("given", shown_call(*item.stash[LAST_CALL])))
-    if item.function.__doc__:
-        rows.insert(0, ("catches", inspect.getdoc(item.function).partition("\n")[0]))
+    compared = other_kind or "expected" in dict(rows)
+    if item.function.__doc__ and compared:
+        paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
+        rows.insert(0, ("catches", " ".join(paragraph.split())))
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
 
 

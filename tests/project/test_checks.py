@@ -486,7 +486,6 @@ def test_an_error_in_the_students_code_shows_the_students_lines_alone(output):
     """Frames of pytest or of the course, or not the line that went wrong."""
     assert output["test_half_of_one"].startswith("""\
 claim     Half of one
-catches   Division by zero.
 given     half(x=1.0)
 wrong     ZeroDivisionError: float division by zero
           labs/transforms.py:10 in half
