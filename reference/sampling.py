@@ -1,0 +1,310 @@
+"""Sampling: what is lost when a picture keeps one number per pixel, and how to lose less.
+
+    alias = f - r m, m whole, -r/2 <= alias < r/2    what frequency f looks like at rate r   (1)
+    F_k = sum_n f_n exp(-2 pi i k n / N)             discrete Fourier transform (DFT)        (2)
+    (f * g)_n = sum_m f_m g_(n - m)                  circular convolution, n - m modulo N    (3)
+    DFT(f * g) = DFT(f) DFT(g)                       convolution theorem                     (4)
+    B_k = sin(pi w k/N) / (w sin(pi k/N))            DFT of a box, w wide: a sinc            (5)
+    G_k = 1/s sum_m F_(k + m N/s), m = 0 .. s-1      DFT of every s-th sample                (6)
+    coverage = area(triangle and pixel)              box of one pixel, sampled at its centre (7)
+    d area = sum |q - p| integral n . ((1 - t) dp + t dq) dt,   over edges p + t (q - p)     (8)
+
+Sampling lays copies of the spectrum on top of each other, 1/s apart (6). Where they overlap is
+aliasing. A filter before sampling makes the spectrum narrower, so that less overlaps; a filter
+after sampling comes too late, for it cannot tell the copies apart.
+
+(8): n is an edge's outward unit normal, the polygon counter-clockwise; t runs over the part of the
+edge inside the pixel, from 0 to 1 if that is all of it.
+
+Pictures are (H, W), with frequencies along y and along x in cycles per pixel; their rows and
+columns go round. Screen coordinates are those of lab 2.
+
+Sources: GAMES101 lecture 6; Sutherland and Hodgman 1974 (clipping).
+"""
+import numpy as np
+
+
+def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
+    """Eq. (1): the slowest frequency whose samples are the same, in [-rate / 2, rate / 2).
+
+    frequency (...) in cycles, rate in samples per unit of time or length -> (...). Negative: a
+    wheel seems to turn backwards; a cosine has no direction, and is seen at the absolute value.
+
+    >>> alias_frequency(np.array([1.0, 9.0, 10.0, 15.0]), 10.0)
+    array([ 1., -1.,  0., -5.])
+    """
+    return frequency - rate * np.floor(frequency / rate + 0.5)
+
+
+def dft_matrix(n):  # exercise 3.2 (2 points)
+    """Eq. (2) as a matrix D (n, n), complex: D @ f is the spectrum of the samples f (n,).
+
+    >>> dft_matrix(4)[:2].round(9) + 0.0
+    array([[ 1.+0.j,  1.+0.j,  1.+0.j,  1.+0.j],
+           [ 1.+0.j,  0.-1.j, -1.+0.j,  0.+1.j]])
+    """
+    k = np.arange(n)
+    # A whole number of turns changes nothing; without it, the angles are small and exact.
+    return np.exp(-2j * np.pi * (np.outer(k, k) % n) / n)
+
+
+def spectrum_of(picture):  # exercise 3.3 (2 points)
+    """Eq. (2) along both axes: picture (H, W) -> spectrum (H, W), complex, [k_y, k_x].
+
+    >>> spectrum_of(np.array([[1.0, 2.0], [3.0, 4.0]])).real.round(9) + 0.0
+    array([[10., -2.],
+           [-4.,  0.]])
+    """
+    height, width = picture.shape
+    return dft_matrix(height) @ picture @ dft_matrix(width).T
+
+
+def picture_of(spectrum):  # exercise 3.4 (2 points)
+    """The inverse of `spectrum_of`: spectrum (H, W), complex -> picture (H, W), its real part.
+
+    >>> picture_of(np.array([[10.0, -2.0], [-4.0, 0.0]])).round(9) + 0.0
+    array([[1., 2.],
+           [3., 4.]])
+    """
+    # Two columns of D are orthogonal, and each has n entries of length 1: conj(D) D = n I.
+    height, width = spectrum.shape
+    return (dft_matrix(height).conj() @ spectrum @ dft_matrix(width).conj().T).real / spectrum.size
+
+
+def frequencies(n):  # exercise 3.5 (1 point)
+    """The frequency of each of a spectrum's n entries, in cycles per pixel, in [-1/2, 1/2).
+
+    >>> frequencies(4), frequencies(5)
+    (array([ 0.  ,  0.25, -0.5 , -0.25]), array([ 0. ,  0.2,  0.4, -0.4, -0.2]))
+    """
+    k = np.arange(n)
+    return np.where(2 * k < n, k, k - n) / n
+
+
+def band_pass(picture, low, high):  # exercise 3.6 (2 points)
+    """The part of a picture (H, W) whose frequencies have a length low <= |(f_y, f_x)| < high.
+
+    -> (H, W). Low-pass: low = 0; high-pass: high = np.inf, and then the mean is 0.
+    """
+    height, width = picture.shape
+    length = np.hypot(frequencies(height)[:, None], frequencies(width))
+    return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
+
+
+def convolve(picture, kernel):  # exercise 3.7 (3 points)
+    """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
+
+    h and w are odd; the kernel's middle is its number (0, 0). Rows and columns go round.
+
+    >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
+    array([[3., 0., 1., 2.]])
+    """
+    h, w = kernel.shape
+    total = np.zeros(picture.shape)
+    for i in range(h):
+        for j in range(w):
+            total += kernel[i, j] * np.roll(picture, (i - h // 2, j - w // 2), (0, 1))
+    return total
+
+
+def convolve_by_spectrum(picture, kernel):  # exercise 3.8 (2 points)
+    """Eq. (4): `convolve` as a product of spectra. h <= H, w <= W.
+
+    The kernel must first become a picture (H, W), its middle at [0, 0] and the rest around it.
+    """
+    (height, width), (h, w) = picture.shape, kernel.shape
+    padded = np.pad(kernel, ((0, height - h), (0, width - w)))
+    centred = np.roll(padded, (-(h // 2), -(w // 2)), (0, 1))
+    return picture_of(spectrum_of(picture) * spectrum_of(centred))
+
+
+def box_spectrum(width, n):  # exercise 3.9 (2 points)
+    """Eq. (5): the spectrum (n,), real, of a box filter on n samples; 1 at frequency 0.
+
+    The box: 1 / width at each of width samples, the middle one at 0. width is odd, at most n.
+
+    >>> box_spectrum(3, 4).round(9)
+    array([ 1.        ,  0.33333333, -0.33333333,  0.33333333])
+    """
+    f = np.arange(1, n) / n
+    return np.concatenate([[1.0], np.sin(np.pi * width * f) / (width * np.sin(np.pi * f))])
+
+
+def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
+    """Eq. (6) along both axes: the spectrum of picture[::step, ::step].
+
+    spectrum (H, W) of the picture; step divides H and W -> (H / step, W / step).
+
+    >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2)
+    array([[3.5, 0.5]])
+    """
+    height, width = spectrum.shape
+    copies = spectrum.reshape(step, height // step, step, width // step)
+    return copies.sum((0, 2)) / step**2
+
+
+def folded_energy(spectrum, step):  # exercise 3.11 (2 points)
+    """How much of a picture every step-th sample cannot hold: this part comes back as aliasing.
+
+    spectrum (H, W) -> the mean square of the pixels of what has |f_y| or |f_x| >= 1 / (2 step).
+    Parseval: the sum of |pixel|^2 is the sum of |F|^2 divided by H W.
+
+    >>> folded_energy(np.array([[8.0, 1.0, 2.0, 1.0]]), 2)  # the mean square of all is 70 / 16
+    np.float64(0.375)
+    """
+    height, width = spectrum.shape
+    f_y, f_x = np.abs(frequencies(height))[:, None], np.abs(frequencies(width))
+    folds = np.maximum(f_y, f_x) >= 0.5 / step
+    return (np.abs(spectrum[folds]) ** 2).sum() / spectrum.size**2
+
+
+def filter_then_sample(picture, step):
+    """The mean of step x step pixels (step odd) around every step-th one."""
+    return convolve(picture, np.full((step, step), step**-2.0))[::step, ::step]
+
+
+def sample_then_blur(picture, step, width=3):
+    """Every step-th pixel, then the mean of width x width of those: too late."""
+    return convolve(picture[::step, ::step], np.full((width, width), width**-2.0))
+
+
+def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
+    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2).
+
+    Sutherland and Hodgman: walk once round. A vertex inside stays; an edge of which one end is
+    inside and the other is not adds the point where it crosses the line. The order stays, and the
+    first point is of the first edge. N may be 0; if nothing is left, (0, 2).
+
+    >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
+    array([[0., 0.],
+           [1., 0.],
+           [1., 1.],
+           [0., 2.]])
+    """
+    kept = []
+    for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+        at_p, at_q = a * p[0] + b * p[1] + c, a * q[0] + b * q[1] + c
+        if at_p >= 0:
+            kept.append(p)
+        if (at_p >= 0) != (at_q >= 0):
+            kept.append(p + (q - p) * (at_p / (at_p - at_q)))
+    return np.array(kept).reshape(-1, 2)
+
+
+def polygon_area(polygon):  # exercise 3.13 (1 point)
+    """Shoelace formula: polygon (..., N, 2) -> area (...), negative if clockwise.
+
+    N = 0 has area 0. Measured from one of the polygon's own points: otherwise a small polygon far
+    from the origin is the difference of large numbers.
+
+    >>> polygon_area(np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]]))
+    np.float64(6.0)
+    """
+    x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
+    return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
+
+
+def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (2 points)
+    """Backward of `polygon_area`: grad_area (...) -> grad_polygon (..., N, 2)."""
+    # x_n meets y_(n+1) and -y_(n-1), y_n meets x_(n-1) and -x_(n+1). The area is the same from
+    # wherever it is measured, so that the first point is no exception.
+    x, y = polygon[..., 0], polygon[..., 1]
+    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
+    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
+    return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
+
+
+def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
+    """Eq. (7): how much of each pixel a triangle (3, 2) covers -> (height, width), from 0 to 1.
+
+    For either winding: clip the triangle by the four sides of each pixel, and take the area.
+    """
+    coverage = np.zeros((height, width))
+    for i in range(height):
+        for j in range(width):
+            part = triangle
+            for a, b, c in (1, 0, -j), (-1, 0, j + 1), (0, 1, -i), (0, -1, i + 1):
+                part = clip_polygon(part, a, b, c)
+            coverage[i, j] = abs(polygon_area(part))
+    return coverage
+
+
+def cuts(polygon, x, y):  # exercise 3.16 (2 points)
+    """Where the edges of a polygon (N, 2) cross the four lines through the sides of unit squares.
+
+    x, y (P,): the squares' lower left corners -> t (P, N, 6), each row sorted from 0 to 1: of the
+    edge from vertex n to the next, the two ends, 0 and 1, and the crossings p + t (q - p) with the
+    lines x, x + 1, y, y + 1. For a line that an edge does not cross, any number in [0, 1].
+    """
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]      # (N, 1, 2)
+    sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)       # (P, 2, 2)
+    across = np.where(p == q, 1.0, q - p)                               # no crossing, no 0/0
+    t = np.clip((sides[:, None] - p) / across, 0, 1)                    # (P, N, 2, 2)
+    t = np.pad(t.reshape(*t.shape[:2], 4), ((0, 0), (0, 0), (1, 1)), constant_values=(0, 1))
+    return np.sort(t)
+
+
+def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
+    """What a polygon (N, 2) has in common with unit squares: area (P,), with the polygon's sign.
+
+    x, y (P,): the squares' lower left corners. No clipping: of the `cuts`, clamp each point to the
+    square. What lay outside now runs along the border, where it encloses nothing more; the area of
+    the polygon of all these points is the answer.
+    """
+    t = cuts(polygon, x, y)[..., None]
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
+    corner = np.stack([x, y], -1)[:, None, None]
+    points = np.clip(p + t * (q - p) - corner, 0, 1)                    # (P, N, 6, 2)
+    return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
+
+
+def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
+    """Backward of `clamped_area`, eq. (8): grad_area (P,) -> grad_polygon (N, 2).
+
+    A piece between two neighbouring `cuts` lies inside a square where its middle does.
+    """
+    p, edge = polygon[:, None], (np.roll(polygon, -1, axis=0) - polygon)[:, None]
+    corner = np.stack([x, y], -1)[:, None, None]
+    t = cuts(polygon, x, y)
+    t0, t1 = t[..., :-1], t[..., 1:]
+    middle = p + (t0 + t1)[..., None] / 2 * edge - corner               # (P, N, 5, 2)
+    inside = ((middle > 0) & (middle < 1)).all(-1)
+    # |q - p| n = (edge_y, -edge_x); the integral of t is (t1^2 - t0^2) / 2, that of 1 - t the rest.
+    by_q = np.einsum("p,pni->n", grad_area, inside * (t1**2 - t0**2) / 2)
+    by_p = np.einsum("p,pni->n", grad_area, inside * (t1 - t0)) - by_q
+    normal = np.concatenate([edge[..., 1], -edge[..., 0]], -1)
+    return by_p[:, None] * normal + np.roll(by_q[:, None] * normal, 1, axis=0)
+
+
+def sort_pixels(triangle, width, height):
+    """Which pixels lie wholly inside a triangle (3, 2), and which does its border touch?
+
+    -> inside, touched, bool (height, width) each. A pixel that is just missed may count as touched.
+    """
+    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    winding = np.sign(polygon_area(triangle))
+    inside, near = np.ones((2, height, width), bool)
+    for p, q in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
+        a, b = winding * (p[1] - q[1]), winding * (q[0] - p[0])
+        distance = a * (x - p[0]) + b * (y - p[1])
+        reach = (abs(a) + abs(b)) * (0.5 + 1e-6)  # of the corner that is farthest from the centre
+        inside &= distance > reach
+        near &= distance >= -reach
+    return inside, near & ~inside
+
+
+def pixel_coverage(triangle, width, height):
+    """Eq. (7) for whole pictures: `pixel_coverage_loop`, by areas of the touched pixels alone."""
+    inside, touched = sort_pixels(triangle, width, height)
+    coverage = inside.astype(float)
+    y, x = np.nonzero(touched)
+    coverage[touched] = np.abs(clamped_area(triangle, x, y))
+    return coverage
+
+
+def pixel_coverage_backward(grad_coverage, triangle):
+    """Backward of `pixel_coverage`: grad_coverage (height, width) -> grad_triangle (3, 2)."""
+    _, touched = sort_pixels(triangle, *grad_coverage.shape[::-1])
+    y, x = np.nonzero(touched)
+    grad_area = np.sign(polygon_area(triangle)) * grad_coverage[touched]
+    return clamped_area_backward(grad_area, triangle, x, y)
