@@ -7,13 +7,14 @@
     B_k = sin(pi w k/N) / (w sin(pi k/N))            DFT of a box, w wide: a sinc            (5)
     G_k = 1/s sum_m F_(k + m N/s), m = 0 .. s-1      DFT of every s-th sample                (6)
     coverage = area(triangle and pixel)              box of one pixel, sampled at its centre (7)
-    d area = sum |q - p| integral n . ((1 - t) dp + t dq) dt,   over edges p + t (q - p)     (8)
+    area = 1/2 sum_n x_n y_(n+1) - x_(n+1) y_n       of a polygon: the shoelace formula      (8)
+    d area = sum |q - p| integral n . ((1 - t) dp + t dq) dt,   over edges p + t (q - p)     (9)
 
 Sampling lays copies of the spectrum on top of each other, 1/s apart (6). Where they overlap is
 aliasing. A filter before sampling makes the spectrum narrower, so that less overlaps; a filter
 after sampling comes too late, for it cannot tell the copies apart.
 
-(8): n is an edge's outward unit normal, the polygon counter-clockwise; t runs over the part of the
+(9): n is an edge's outward unit normal, the polygon counter-clockwise; t runs over the part of the
 edge inside the pixel, from 0 to 1 if that is all of it.
 
 Pictures are (H, W), with frequencies along y and along x in cycles per pixel; their rows and
@@ -171,9 +172,9 @@ def sample_then_blur(picture, step, width=3):
 def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
     """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2).
 
-    Sutherland and Hodgman: walk once round. A vertex inside stays; an edge of which one end is
-    inside and the other is not adds the point where it crosses the line. The order stays, and the
-    first point is of the first edge. N may be 0; if nothing is left, (0, 2).
+    Sutherland and Hodgman: walk once round, from the first vertex. A vertex inside (or on the line)
+    stays; then, if the edge to the next vertex has one end inside and one outside, the point where
+    it crosses the line follows. N may be 0; if nothing is left, (0, 2).
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],
@@ -192,7 +193,7 @@ def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
 
 
 def polygon_area(polygon):  # exercise 3.13 (1 point)
-    """Shoelace formula: polygon (..., N, 2) -> area (...), negative if clockwise.
+    """Eq. (8): polygon (..., N, 2) -> area (...), negative if clockwise.
 
     N = 0 has area 0. Measured from one of the polygon's own points: otherwise a small polygon far
     from the origin is the difference of large numbers.
@@ -247,9 +248,9 @@ def cuts(polygon, x, y):  # exercise 3.16 (2 points)
 def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
     """What a polygon (N, 2) has in common with unit squares: area (P,), with the polygon's sign.
 
-    x, y (P,): the squares' lower left corners. No clipping: of the `cuts`, clamp each point to the
-    square. What lay outside now runs along the border, where it encloses nothing more; the area of
-    the polygon of all these points is the answer.
+    x, y (P,): the squares' lower left corners. No clipping: take the points of all edges at their
+    `cuts`, in order, and clamp each to the square. What lay outside now runs along the border and
+    encloses nothing there. The polygon of all these points has the area.
     """
     t = cuts(polygon, x, y)[..., None]
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
@@ -259,7 +260,7 @@ def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
 
 
 def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
-    """Backward of `clamped_area`, eq. (8): grad_area (P,) -> grad_polygon (N, 2).
+    """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
     A piece between two neighbouring `cuts` lies inside a square where its middle does.
     """
@@ -276,7 +277,7 @@ def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
     return by_p[:, None] * normal + np.roll(by_q[:, None] * normal, 1, axis=0)
 
 
-def sort_pixels(triangle, width, height):
+def classify_pixels(triangle, width, height):
     """Which pixels lie wholly inside a triangle (3, 2), and which does its border touch?
 
     -> inside, touched, bool (height, width) each. A pixel that is just missed may count as touched.
@@ -295,7 +296,7 @@ def sort_pixels(triangle, width, height):
 
 def pixel_coverage(triangle, width, height):
     """Eq. (7) for whole pictures: `pixel_coverage_loop`, by areas of the touched pixels alone."""
-    inside, touched = sort_pixels(triangle, width, height)
+    inside, touched = classify_pixels(triangle, width, height)
     coverage = inside.astype(float)
     y, x = np.nonzero(touched)
     coverage[touched] = np.abs(clamped_area(triangle, x, y))
@@ -304,7 +305,7 @@ def pixel_coverage(triangle, width, height):
 
 def pixel_coverage_backward(grad_coverage, triangle):
     """Backward of `pixel_coverage`: grad_coverage (height, width) -> grad_triangle (3, 2)."""
-    _, touched = sort_pixels(triangle, *grad_coverage.shape[::-1])
+    _, touched = classify_pixels(triangle, *grad_coverage.shape[::-1])
     y, x = np.nonzero(touched)
     grad_area = np.sign(polygon_area(triangle)) * grad_coverage[touched]
     return clamped_area_backward(grad_area, triangle, x, y)
