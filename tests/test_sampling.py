@@ -496,9 +496,9 @@ def test_coverages_sum_to_the_area(impl, rng):
 @exercise("3.16")
 def test_cuts_on_paper(impl):
     """The lines of another square; or t is not sorted, or leaves [0, 1]."""
-    line = np.array([[0.0, 0.0], [4.0, 2.0]])  # there, and back
+    line = np.array([[0.0, -2.0], [5.0, 3.0]])  # there, and back
     t = impl.cuts(line, np.array([1.0]), np.array([0.0]))
-    assert_close(t, np.array([[[0.0, 0.0, 0.25, 0.5, 0.5, 1.0], [0.0, 0.5, 0.5, 0.75, 1.0, 1.0]]]))
+    assert_close(t, np.array([[[0.0, 0.2, 0.4, 0.4, 0.6, 1.0], [0.0, 0.4, 0.6, 0.6, 0.8, 1.0]]]))
 
 
 @exercise("3.16")
