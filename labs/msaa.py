@@ -13,8 +13,8 @@ finds face and depth of every sample, picture by picture: face_index (S, H, W), 
 By (7) a pixel needs one shade for each face that its samples see: inside a face that is one, not S.
 
 In a lattice each of S columns and, if k and S + 1 have no common divisor, each of S rows holds one
-sample: S = 4, k = 2 is known as the rotated grid. None of these pictures has a useful gradient by
-the vertices: each sample still sees one face or another. Colours have one, `resolve_backward`.
+sample: S = 4, k = 2 or 3 is known as the rotated grid. None of these pictures has a useful gradient
+by the vertices: a sample sees one face or another. By the colours it has: `resolve_backward`.
 
 Sources: GAMES101 lecture 6 and homework 2; Lottes 2009 (FXAA); Karis 2014 (TAA).
 """
@@ -23,7 +23,7 @@ from scipy import ndimage
 
 from . import rasterization
 
-STEPS = {1: 1, 2: 2, 4: 2, 8: 2, 16: 4}  # k of eq. (3) for S samples: no two of them come near
+STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples; no two of them come near
 LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
 FLAT = 1e-12                             # a slope of brightness below this has no direction
 
@@ -43,13 +43,18 @@ def regular_grid(n):  # exercise 4.1 (1 point)
 def lattice(count, step):  # exercise 4.2 (2 points)
     """Eq. (3): count = S samples on S columns, sample s on column s -> (S, 2). step = k.
 
-    >>> lattice(4, 2)
-    array([[0.125, 0.375],
-           [0.375, 0.875],
-           [0.625, 0.125],
-           [0.875, 0.625]])
+    >>> lattice(4, 3)
+    array([[0.125, 0.625],
+           [0.375, 0.125],
+           [0.625, 0.875],
+           [0.875, 0.375]])
     """
     raise NotImplementedError("exercise 4.2: lattice")
+
+
+def standard_pattern(count):
+    """The lattice of 1, 2, 4, 8 or 16 samples -> (S, 2). Four are those of Mesa's OpenGL."""
+    return lattice(count, STEPS[count])
 
 
 def centre_sample(clip, offset, width, height):  # exercise 4.3 (2 points)

@@ -13,8 +13,8 @@ finds face and depth of every sample, picture by picture: face_index (S, H, W), 
 By (7) a pixel needs one shade for each face that its samples see: inside a face that is one, not S.
 
 In a lattice each of S columns and, if k and S + 1 have no common divisor, each of S rows holds one
-sample: S = 4, k = 2 is known as the rotated grid. None of these pictures has a useful gradient by
-the vertices: each sample still sees one face or another. Colours have one, `resolve_backward`.
+sample: S = 4, k = 2 or 3 is known as the rotated grid. None of these pictures has a useful gradient
+by the vertices: a sample sees one face or another. By the colours it has: `resolve_backward`.
 
 Sources: GAMES101 lecture 6 and homework 2; Lottes 2009 (FXAA); Karis 2014 (TAA).
 """
@@ -23,7 +23,7 @@ from scipy import ndimage
 
 from . import rasterization
 
-STEPS = {1: 1, 2: 2, 4: 2, 8: 2, 16: 4}  # k of eq. (3) for S samples: no two of them come near
+STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples; no two of them come near
 LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
 FLAT = 1e-12                             # a slope of brightness below this has no direction
 
@@ -44,15 +44,20 @@ def regular_grid(n):  # exercise 4.1 (1 point)
 def lattice(count, step):  # exercise 4.2 (2 points)
     """Eq. (3): count = S samples on S columns, sample s on column s -> (S, 2). step = k.
 
-    >>> lattice(4, 2)
-    array([[0.125, 0.375],
-           [0.375, 0.875],
-           [0.625, 0.125],
-           [0.875, 0.625]])
+    >>> lattice(4, 3)
+    array([[0.125, 0.625],
+           [0.375, 0.125],
+           [0.625, 0.875],
+           [0.875, 0.375]])
     """
     s = np.arange(count)
     row = step * (s + 1) % (count + 1) - 1
     return (np.stack([s, row], -1) + 0.5) / count
+
+
+def standard_pattern(count):
+    """The lattice of 1, 2, 4, 8 or 16 samples -> (S, 2). Four are those of Mesa's OpenGL."""
+    return lattice(count, STEPS[count])
 
 
 def centre_sample(clip, offset, width, height):  # exercise 4.3 (2 points)
@@ -180,15 +185,15 @@ def shading_requests(face_index):  # exercise 4.9 (4 points)
     pixel, mixed = np.flatnonzero((seen[0] >= 0) & ~mixed), np.flatnonzero(mixed)
     face, request = seen[0, pixel], np.full(seen.shape, -1)
     request[:, pixel] = np.arange(len(pixel))
-    # A mixed pixel's sample has the request of the first sample there that sees the same face.
+    # A mixed pixel's sample has the request of the last sample there that sees the same face.
     seen = seen[:, mixed]
-    first = np.zeros(seen.shape, int)
-    for s in reversed(range(len(seen))):
-        np.copyto(first, s, where=seen == seen[s])
-    s, k = np.nonzero((first == np.arange(len(seen))[:, None]) & (seen >= 0))
+    last = np.zeros(seen.shape, int)
+    for s in range(len(seen)):
+        np.copyto(last, s, where=seen == seen[s])
+    s, k = np.nonzero((last == np.arange(len(seen))[:, None]) & (seen >= 0))
     number = np.full(seen.shape, -1)
     number[s, k] = len(pixel) + np.arange(len(k))
-    request[:, mixed] = np.take_along_axis(number, first, 0)
+    request[:, mixed] = np.take_along_axis(number, last, 0)
     pixel, face = np.concatenate([pixel, mixed[k]]), np.concatenate([face, seen[s, k]])
     return pixel, face, request.reshape(face_index.shape)
 

@@ -5,9 +5,8 @@ import pytest
 from course import mesh
 from reference import msaa, rasterization, transforms
 
-PATTERNS = {"centre": msaa.lattice(1, 1), "regular 4": msaa.regular_grid(2),
-            **{f"lattice {count}": msaa.lattice(count, step)
-               for count, step in msaa.STEPS.items() if count > 1}}
+PATTERNS = {"regular 4": msaa.regular_grid(2),
+            **{f"lattice {count}": msaa.standard_pattern(count) for count in (1, 2, 4, 8, 16)}}
 each_pattern = pytest.mark.parametrize("pattern", PATTERNS.values(), ids=PATTERNS.keys())
 
 
@@ -173,7 +172,7 @@ def test_each_face_in_a_pixel_is_shaded_once_at_the_centre():
         asked.append(np.stack([px, py, face], -1))
         return np.zeros((len(px), 1))
 
-    pattern = msaa.lattice(8, 2)
+    pattern = msaa.standard_pattern(8)
     face_index, _ = msaa.rasterize_samples(clip, faces, 40, 30, pattern)
     msaa.msaa(clip, faces, 40, 30, pattern, shade, np.zeros(1))
     samples, shades, memory = msaa.cost(face_index, 8)
@@ -241,7 +240,7 @@ def test_on_a_nearly_horizontal_edge_the_rotated_grid_has_twice_the_levels():
     clip, one = below_line(0.01, 2.0, 100, 4), np.array([[0, 1, 2]])
     exact = half_plane_coverage(0.01, 2.0, 100, 4)
     levels, error = [], []
-    for pattern in (msaa.regular_grid(2), msaa.lattice(4, 2)):
+    for pattern in (msaa.regular_grid(2), msaa.standard_pattern(4)):
         got = msaa.coverage(msaa.rasterize_samples(clip, one, 100, 4, pattern)[0])
         levels.append(len(np.unique(got)))
         error.append(np.abs(got - exact).max())
@@ -274,7 +273,8 @@ def test_fxaa_softens_a_staircase_and_keeps_a_straight_edge(upright):
 
 def test_taa_of_a_still_scene_comes_near_the_mean_of_its_samples():
     """The newest frame is all, or the first one never fades."""
-    clip, one, pattern = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]]), msaa.lattice(8, 2)
+    clip, one = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
+    pattern = msaa.standard_pattern(8)
     face_index, _ = msaa.rasterize_samples(clip, one, 12, 8, pattern)
     frames = np.tile((face_index >= 0)[..., None] * 1.0, (40, 1, 1, 1))
     still = msaa.taa(frames, 0.02)[..., 0]

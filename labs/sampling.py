@@ -1,0 +1,251 @@
+"""Sampling: what is lost when a picture keeps one number per pixel, and how to lose less.
+
+    alias = f - r m, m whole, -r/2 <= alias < r/2    what frequency f looks like at rate r   (1)
+    F_k = sum_n f_n exp(-2 pi i k n / N)             discrete Fourier transform (DFT)        (2)
+    (f * g)_n = sum_m f_m g_(n - m)                  circular convolution, n - m modulo N    (3)
+    DFT(f * g) = DFT(f) DFT(g)                       convolution theorem                     (4)
+    B_k = sin(pi w k/N) / (w sin(pi k/N))            DFT of a box, w wide: a sinc            (5)
+    G_k = 1/s sum_m F_(k + m N/s), m = 0 .. s-1      DFT of every s-th sample                (6)
+    coverage = area(triangle and pixel)              box of one pixel, sampled at its centre (7)
+    d area = sum |q - p| integral n . ((1 - t) dp + t dq) dt,   over edges p + t (q - p)     (8)
+
+Sampling lays copies of the spectrum on top of each other, 1/s apart (6). Where they overlap is
+aliasing. A filter before sampling makes the spectrum narrower, so that less overlaps; a filter
+after sampling comes too late, for it cannot tell the copies apart.
+
+(8): n is an edge's outward unit normal, the polygon counter-clockwise; t runs over the part of the
+edge inside the pixel, from 0 to 1 if that is all of it.
+
+Pictures are (H, W), with frequencies along y and along x in cycles per pixel; their rows and
+columns go round. Screen coordinates are those of lab 2.
+
+Sources: GAMES101 lecture 6; Sutherland and Hodgman 1974 (clipping).
+"""
+import numpy as np
+
+
+def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
+    """Eq. (1): the slowest frequency whose samples are the same, in [-rate / 2, rate / 2).
+
+    frequency (...) in cycles, rate in samples per unit of time or length -> (...). Negative: a
+    wheel seems to turn backwards; a cosine has no direction, and is seen at the absolute value.
+
+    >>> alias_frequency(np.array([1.0, 9.0, 10.0, 15.0]), 10.0)
+    array([ 1., -1.,  0., -5.])
+    """
+    raise NotImplementedError("exercise 3.1: alias_frequency")
+
+
+def dft_matrix(n):  # exercise 3.2 (2 points)
+    """Eq. (2) as a matrix D (n, n), complex: D @ f is the spectrum of the samples f (n,).
+
+    Each entry to 1e-14, also for large n: there the angle must not be many turns.
+
+    >>> dft_matrix(4)[:2].round(9) + 0.0
+    array([[ 1.+0.j,  1.+0.j,  1.+0.j,  1.+0.j],
+           [ 1.+0.j,  0.-1.j, -1.+0.j,  0.+1.j]])
+    """
+    raise NotImplementedError("exercise 3.2: dft_matrix")
+
+
+def spectrum_of(picture):  # exercise 3.3 (2 points)
+    """Eq. (2) along both axes: picture (H, W) -> spectrum (H, W), complex, [k_y, k_x].
+
+    >>> spectrum_of(np.array([[1.0, 2.0], [3.0, 4.0]])).real.round(9) + 0.0
+    array([[10., -2.],
+           [-4.,  0.]])
+    """
+    raise NotImplementedError("exercise 3.3: spectrum_of")
+
+
+def picture_of(spectrum):  # exercise 3.4 (2 points)
+    """The inverse of `spectrum_of`: spectrum (H, W), complex -> picture (H, W), its real part.
+
+    >>> picture_of(np.array([[10.0, -2.0], [-4.0, 0.0]])).round(9) + 0.0
+    array([[1., 2.],
+           [3., 4.]])
+    """
+    raise NotImplementedError("exercise 3.4: picture_of")
+
+
+def frequencies(n):  # exercise 3.5 (1 point)
+    """The frequency of each of a spectrum's n entries, in cycles per pixel, in [-1/2, 1/2).
+
+    >>> frequencies(4), frequencies(5)
+    (array([ 0.  ,  0.25, -0.5 , -0.25]), array([ 0. ,  0.2,  0.4, -0.4, -0.2]))
+    """
+    raise NotImplementedError("exercise 3.5: frequencies")
+
+
+def band_pass(picture, low, high):  # exercise 3.6 (2 points)
+    """The part of a picture (H, W) whose frequencies have a length low <= |(f_y, f_x)| < high.
+
+    -> (H, W). Low-pass: low = 0; high-pass: high = np.inf, and then the mean is 0.
+    """
+    raise NotImplementedError("exercise 3.6: band_pass")
+
+
+def convolve(picture, kernel):  # exercise 3.7 (3 points)
+    """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
+
+    h and w are odd; the kernel's middle is its number (0, 0). Rows and columns go round.
+
+    >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
+    array([[3., 0., 1., 2.]])
+    """
+    raise NotImplementedError("exercise 3.7: convolve")
+
+
+def convolve_by_spectrum(picture, kernel):  # exercise 3.8 (2 points)
+    """Eq. (4): `convolve` as a product of spectra. h <= H, w <= W.
+
+    The kernel must first become a picture (H, W), its middle at [0, 0] and the rest around it.
+    """
+    raise NotImplementedError("exercise 3.8: convolve_by_spectrum")
+
+
+def box_spectrum(width, n):  # exercise 3.9 (2 points)
+    """Eq. (5): the spectrum (n,), real, of a box filter on n samples; 1 at frequency 0.
+
+    The box: 1 / width at each of width samples, the middle one at 0. width is odd, at most n.
+
+    >>> box_spectrum(3, 4).round(9)
+    array([ 1.        ,  0.33333333, -0.33333333,  0.33333333])
+    """
+    raise NotImplementedError("exercise 3.9: box_spectrum")
+
+
+def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
+    """Eq. (6) along both axes: the spectrum of picture[::step, ::step].
+
+    spectrum (H, W) of the picture; step divides H and W -> (H / step, W / step).
+
+    >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2)
+    array([[3.5, 0.5]])
+    """
+    raise NotImplementedError("exercise 3.10: sampled_spectrum")
+
+
+def folded_energy(spectrum, step):  # exercise 3.11 (2 points)
+    """How much of a picture every step-th sample cannot hold: this part comes back as aliasing.
+
+    spectrum (H, W) -> the mean square of the pixels of what has |f_y| or |f_x| >= 1 / (2 step).
+    Parseval: the sum of |pixel|^2 is the sum of |F|^2 divided by H W.
+
+    >>> folded_energy(np.array([[8.0, 1.0, 2.0, 1.0]]), 2)  # the mean square of all is 70 / 16
+    np.float64(0.375)
+    """
+    raise NotImplementedError("exercise 3.11: folded_energy")
+
+
+def filter_then_sample(picture, step):
+    """The mean of step x step pixels (step odd) around every step-th one."""
+    return convolve(picture, np.full((step, step), step**-2.0))[::step, ::step]
+
+
+def sample_then_blur(picture, step, width=3):
+    """Every step-th pixel, then the mean of width x width of those: too late."""
+    return convolve(picture[::step, ::step], np.full((width, width), width**-2.0))
+
+
+def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
+    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2).
+
+    Sutherland and Hodgman: walk once round. A vertex inside stays; an edge of which one end is
+    inside and the other is not adds the point where it crosses the line. The order stays, and the
+    first point is of the first edge. N may be 0; if nothing is left, (0, 2).
+
+    >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
+    array([[0., 0.],
+           [1., 0.],
+           [1., 1.],
+           [0., 2.]])
+    """
+    raise NotImplementedError("exercise 3.12: clip_polygon")
+
+
+def polygon_area(polygon):  # exercise 3.13 (1 point)
+    """Shoelace formula: polygon (..., N, 2) -> area (...), negative if clockwise.
+
+    N = 0 has area 0. Measured from one of the polygon's own points: otherwise a small polygon far
+    from the origin is the difference of large numbers.
+
+    >>> polygon_area(np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]]))
+    np.float64(6.0)
+    """
+    raise NotImplementedError("exercise 3.13: polygon_area")
+
+
+def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (2 points)
+    """Backward of `polygon_area`: grad_area (...) -> grad_polygon (..., N, 2)."""
+    raise NotImplementedError("exercise 3.14: polygon_area_backward")
+
+
+def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
+    """Eq. (7): how much of each pixel a triangle (3, 2) covers -> (height, width), from 0 to 1.
+
+    For either winding: clip the triangle by the four sides of each pixel, and take the area.
+    """
+    raise NotImplementedError("exercise 3.15: pixel_coverage_loop")
+
+
+def cuts(polygon, x, y):  # exercise 3.16 (2 points)
+    """Where the edges of a polygon (N, 2) cross the four lines through the sides of unit squares.
+
+    x, y (P,): the squares' lower left corners -> t (P, N, 6), each row sorted from 0 to 1: of the
+    edge from vertex n to the next, the two ends, 0 and 1, and the crossings p + t (q - p) with the
+    lines x, x + 1, y, y + 1. For a line that an edge does not cross, any number in [0, 1].
+    """
+    raise NotImplementedError("exercise 3.16: cuts")
+
+
+def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
+    """What a polygon (N, 2) has in common with unit squares: area (P,), with the polygon's sign.
+
+    x, y (P,): the squares' lower left corners. No clipping: of the `cuts`, clamp each point to the
+    square. What lay outside now runs along the border, where it encloses nothing more; the area of
+    the polygon of all these points is the answer.
+    """
+    raise NotImplementedError("exercise 3.17: clamped_area")
+
+
+def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
+    """Backward of `clamped_area`, eq. (8): grad_area (P,) -> grad_polygon (N, 2).
+
+    A piece between two neighbouring `cuts` lies inside a square where its middle does.
+    """
+    raise NotImplementedError("exercise 3.18: clamped_area_backward")
+
+
+def sort_pixels(triangle, width, height):
+    """Which pixels lie wholly inside a triangle (3, 2), and which does its border touch?
+
+    -> inside, touched, bool (height, width) each. A pixel that is just missed may count as touched.
+    """
+    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    winding = np.sign(polygon_area(triangle))
+    inside, near = np.ones((2, height, width), bool)
+    for p, q in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
+        a, b = winding * (p[1] - q[1]), winding * (q[0] - p[0])
+        distance = a * (x - p[0]) + b * (y - p[1])
+        reach = (abs(a) + abs(b)) * (0.5 + 1e-6)  # of the corner that is farthest from the centre
+        inside &= distance > reach
+        near &= distance >= -reach
+    return inside, near & ~inside
+
+
+def pixel_coverage(triangle, width, height):
+    """Eq. (7) for whole pictures: `pixel_coverage_loop`, by areas of the touched pixels alone."""
+    inside, touched = sort_pixels(triangle, width, height)
+    coverage = inside.astype(float)
+    y, x = np.nonzero(touched)
+    coverage[touched] = np.abs(clamped_area(triangle, x, y))
+    return coverage
+
+
+def pixel_coverage_backward(grad_coverage, triangle):
+    """Backward of `pixel_coverage`: grad_coverage (height, width) -> grad_triangle (3, 2)."""
+    _, touched = sort_pixels(triangle, *grad_coverage.shape[::-1])
+    y, x = np.nonzero(touched)
+    grad_area = np.sign(polygon_area(triangle)) * grad_coverage[touched]
+    return clamped_area_backward(grad_area, triangle, x, y)
