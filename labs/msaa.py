@@ -233,19 +233,19 @@ def rate_times_colour(clip, faces, colours, width, height, pattern, background):
     return picture
 
 
-def fxaa(picture, contrast=0.1, reach=2):
+def fxaa(picture, contrast=0.1):
     """FXAA in short: where brightness has an edge, blur along it. picture (H, W, 3) -> (H, W, 3).
 
     After the idea of Lottes 2009: only the finished picture is known. An edge is where brightness
     differs by more than contrast among 3 x 3 pixels; it runs at right angles to the slope of the
-    brightness. reach: how many pixels are taken to each side.
+    brightness. Such a pixel becomes the mean of itself and one step along the edge to each side.
     """
     luma = picture @ LUMA
     edge = ndimage.maximum_filter(luma, 3) - ndimage.minimum_filter(luma, 3) > contrast
     slope_y, slope_x = ndimage.sobel(luma, 0)[edge], ndimage.sobel(luma, 1)[edge]
     along = np.stack([slope_x, -slope_y])  # row and column of a step along the edge
     along /= np.maximum(np.abs(along).max(0), FLAT)
-    places = [np.nonzero(edge) + t * along for t in range(-reach, reach + 1)]
+    places = [np.nonzero(edge) + t * along for t in (-1, 0, 1)]
     smooth = picture.copy()
     for channel in range(3):
         smooth[edge, channel] = np.mean([ndimage.map_coordinates(
