@@ -131,8 +131,8 @@ def msaa(labs):
         yield f"{draw}, {count} in a pixel", None
         picture, samples = image.to_srgb(picture), count * SIZE * SIZE / 1e6
         ears.append(picture[EARS].repeat(6, axis=0).repeat(6, axis=1))
-        yield (f"  {samples:.1f}M samples, {shades[-1] / 1e6:.2f}M shades, {8 * samples:.0f} MB",
-               save("msaa", f"{draw}_{count}", picture))
+        yield (f"  {samples:.1f}M samples, {shades[-1] / 1e3:,.0f}k shades, {8 * samples:.0f} MB",
+               save("msaa", f"{count}x", picture))
     yield "close up of all four", save("msaa", "close_up", np.concatenate(ears, axis=1))
 
 
