@@ -17,6 +17,7 @@ from . import image, mesh, places, plot
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
 BACKGROUND = np.array([0.93, 0.95, 0.97])
+EARS = slice(340, 420), slice(150, 230)  # rows and columns for a close up of the bunny
 
 
 class Labs:
@@ -133,6 +134,34 @@ def enlarged(picture, times):
     return picture.repeat(times, 0).repeat(times, 1)
 
 
+def msaa(labs):
+    """The bunny's silhouette with 1, 4, 16 and 25 samples in a pixel."""
+    vertices, faces = mesh.bunny()
+    vertices = mesh.normalize(vertices)
+    clip = clip_positions(labs, vertices, eye=np.array([-1.3, 0.7, 2.2]))
+    normals = mesh.vertex_normals(vertices, faces)
+    shades, ears = [], []
+    yield f"read {len(vertices):,} vertices, {len(faces):,} faces", None
+
+    def shade(px, py, face):
+        shades.append(len(face))
+        barycentric = labs.msaa.barycentric_at(px, py, face, clip, faces, SIZE, SIZE)
+        return lit(barycentric, normals[faces[face]])
+
+    for count, draw, pattern in ((1, "msaa", labs.msaa.standard_pattern(1)),
+                                 (4, "msaa", labs.msaa.standard_pattern(4)),
+                                 (16, "msaa", labs.msaa.standard_pattern(16)),
+                                 (25, "supersample", 5)):
+        picture = getattr(labs.msaa, draw)(clip, faces, SIZE, SIZE, pattern, shade,
+                                           image.to_linear(BACKGROUND))
+        yield f"{draw}, {count} in a pixel", None
+        picture, samples = image.to_srgb(picture), count * SIZE * SIZE / 1e6
+        ears.append(picture[EARS].repeat(6, axis=0).repeat(6, axis=1))
+        yield (f"  {samples:.1f}M samples, {shades[-1] / 1e3:,.0f}k shades, {8 * samples:.0f} MB",
+               save("msaa", f"{count}x", picture))
+    yield "close up of all four", save("msaa", "close_up", np.concatenate(ears, axis=1))
+
+
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
     transforms = labs.transforms
@@ -143,13 +172,21 @@ def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
 
 
 def shaded(vertices, faces, face_index, barycentric):
-    """One light on smooth normals, mixed by the barycentrics; it also reaches round the edge."""
+    """Face index and barycentrics of a picture -> the picture with `lit` faces."""
     seen = face_index >= 0
-    corners = mesh.vertex_normals(vertices, faces)[faces[face_index[seen]]]  # (N, 3, 3)
-    normal = (barycentric[seen][:, :, None] * corners).sum(1)
+    corners = mesh.vertex_normals(vertices, faces)[faces[face_index[seen]]]
+    return painted(seen, image.to_srgb(lit(barycentric[seen], corners)))
+
+
+def lit(barycentric, corners):
+    """One light on smooth normals, mixed by the barycentrics; it also reaches round the edge.
+
+    barycentric (N, 3), the corners' normals (N, 3, 3) -> linear colour (N, 3).
+    """
+    normal = (barycentric[:, :, None] * corners).sum(1)
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
-    lit = (0.5 + 0.5 * normal @ LIGHT / np.linalg.norm(LIGHT)) ** 2
-    return painted(seen, image.to_srgb(lit[:, None] * np.array([0.85, 0.66, 0.48])))
+    light = (0.5 + 0.5 * normal @ LIGHT / np.linalg.norm(LIGHT)) ** 2
+    return light[:, None] * np.array([0.85, 0.66, 0.48])
 
 
 def wireframe(seen, barycentric, derivatives):
@@ -175,4 +212,4 @@ def save(scene, name, picture):
     return path
 
 
-SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing)}
+SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa)}

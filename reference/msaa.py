@@ -1,0 +1,310 @@
+"""MSAA: several samples in each pixel for coverage and depth, but one shade for each face in it.
+
+    pixel = integral of f over its square ~ 1/S sum_s f(corner + o_s)     o: sample pattern  (1)
+    regular grid:  o_s = (j + 1/2, i + 1/2) / n,   s = n i + j,   S = n^2                    (2)
+    lattice:       o_s = (s + 1/2, r_s + 1/2) / S,   r_s = (k (s + 1) mod (S + 1)) - 1       (3)
+    sample o comes to the pixel's centre:   screen x, y  ->  x + 1/2 - o_x,  y + 1/2 - o_y   (4)
+    error ~ C n^-p:   p is the observed order                                                (5)
+    supersampling:   f(corner + o_s) = shade(corner + o_s, face seen there)                  (6)
+    MSAA:            f(corner + o_s) = shade(centre,       face seen there)                  (7)
+
+A pattern is an array (S, 2) of positions x, y in the unit pixel, 0 ... 1. By (4) lab 2's rasterize
+finds face and depth of every sample, picture by picture: face_index (S, H, W), -1 for no face.
+By (7) a pixel needs one shade for each face that its samples see: inside a face that is one, not S.
+
+In a lattice each of S columns and, if k and S + 1 have no common divisor, each of S rows holds one
+sample: S = 4, k = 2 or 3 is known as the rotated grid. None of these pictures has a useful gradient
+by the vertices: a sample sees one face or another. By the colours it has: `resolve_backward`.
+
+Sources: GAMES101 lecture 6 and homework 2; Lottes 2009 (FXAA); Karis 2014 (TAA).
+"""
+import numpy as np
+from scipy import ndimage
+
+from . import rasterization
+
+STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples; no two of them come near
+LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
+FLAT = 1e-12                             # a slope of brightness below this has no direction
+
+
+def regular_grid(n):  # exercise 4.1 (1 point)
+    """Eq. (2): the centres of n x n small squares, row by row from the bottom -> (n * n, 2).
+
+    >>> regular_grid(2)
+    array([[0.25, 0.25],
+           [0.75, 0.25],
+           [0.25, 0.75],
+           [0.75, 0.75]])
+    """
+    i, j = np.divmod(np.arange(n * n), n)
+    return (np.stack([j, i], -1) + 0.5) / n
+
+
+def lattice(count, step):  # exercise 4.2 (2 points)
+    """Eq. (3): count = S samples on S columns, sample s on column s -> (S, 2). step = k.
+
+    >>> lattice(4, 3)
+    array([[0.125, 0.625],
+           [0.375, 0.125],
+           [0.625, 0.875],
+           [0.875, 0.375]])
+    """
+    s = np.arange(count)
+    row = step * (s + 1) % (count + 1) - 1
+    return (np.stack([s, row], -1) + 0.5) / count
+
+
+def standard_pattern(count):
+    """The lattice of 1, 2, 4, 8 or 16 samples -> (S, 2). Four are those of Mesa's OpenGL."""
+    return lattice(count, STEPS[count])
+
+
+def centre_sample(clip, offset, width, height):  # exercise 4.3 (2 points)
+    """Eq. (4): clip (V, 4) moved so that what was at offset (2,) in a pixel is at its centre.
+
+    -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2 and y alike: all
+    vertices move by the same part of a pixel there, whatever their w (also w < 0), so not in clip
+    space. The offset (1/2, 1/2) changes no bit.
+
+    >>> clip = np.array([[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 2.0]])
+    >>> centre_sample(clip, np.array([0.25, 1.0]), 8, 4)
+    array([[ 0.0625, -0.25  ,  0.    ,  1.    ],
+           [ 0.125 , -0.5   ,  0.    ,  2.    ]])
+    """
+    # One pixel is 2 / width of ndc = clip / w.
+    moved = clip.copy()
+    moved[:, :2] += clip[:, 3:] * (1 - 2 * offset) / [width, height]
+    return moved
+
+
+def rasterize_samples(clip, faces, width, height, pattern):
+    """Face and depth of every sample: face_index (S, H, W), depth (S, H, W), as of `rasterize`.
+
+    clip (V, 4), faces (F, 3), pattern (S, 2). Two faces at an edge share out the samples, too: the
+    vertices of both move by the same numbers.
+    """
+    face_index = np.empty((len(pattern), height, width), int)
+    depth = np.empty(face_index.shape)
+    for s, offset in enumerate(pattern):
+        moved = centre_sample(clip, offset, width, height)
+        face_index[s], depth[s] = rasterization.rasterize(moved, faces, width, height)
+    return face_index, depth
+
+
+def coverage(face_index):  # exercise 4.4 (1 point)
+    """Eq. (1) of the function that is 1 on faces: the fraction of a pixel's samples that see one.
+
+    face_index (S, H, W), -1 for no face -> (H, W), from 0 to 1.
+
+    >>> coverage(np.array([[[0, -1]], [[7, 3]]]))
+    array([[1. , 0.5]])
+    """
+    return (face_index >= 0).mean(0)
+
+
+def observed_order(n, error):  # exercise 4.5 (2 points)
+    """Eq. (5): the p that fits measured errors best: n (M,), error (M,), all positive -> number.
+
+    Best by least squares of log error: -p is the slope of the line that it forms over log n.
+
+    >>> observed_order(np.array([1.0, 2.0, 4.0]), np.array([3.0, 0.75, 0.1875])).round(9)
+    np.float64(2.0)
+    """
+    x, y = np.log(n), np.log(error)
+    x = x - x.mean()
+    return -(x @ y) / (x @ x)
+
+
+def box_resolve(picture, n):  # exercise 4.6 (2 points)
+    """The mean of each n x n pixels: picture (n H, n W, C) -> (H, W, C).
+
+    >>> box_resolve(np.array([[1.0, 2.0, 5.0, 6.0], [3.0, 4.0, 7.0, 8.0]])[..., None], 2)[..., 0]
+    array([[2.5, 6.5]])
+    """
+    height, width, channels = picture.shape
+    return picture.reshape(height // n, n, width // n, n, channels).mean((1, 3))
+
+
+def box_resolve_backward(grad_output, picture, n):  # exercise 4.7 (2 points)
+    """grad_output (H, W, C), picture (n H, n W, C) -> grad_picture (n H, n W, C)."""
+    return grad_output.repeat(n, 0).repeat(n, 1) / n**2
+
+
+def barycentric_at(px, py, face, clip, faces, width, height):
+    """Where on its face a point of the screen lies: px, py (N,) in pixels, face (N,) -> (N, 3).
+
+    A point beside the face is taken as in the face's plane: some weight is negative then.
+    """
+    x, y, w = rasterization.screen_points(clip, width, height)
+    corners = faces[face].T
+    return rasterization.barycentric_on_face(px, py, x[corners], y[corners], w[corners]).T
+
+
+def supersample(clip, faces, width, height, n, shade, background):
+    """Eq. (6) on the regular grid: a picture n times as wide and high, then `box_resolve`.
+
+    shade(px, py, face) -> colours (N, C) at screen points px, py (N,), in pixels, on face (N,).
+    background (C,) -> picture (H, W, C).
+    """
+    face_index, _ = rasterization.rasterize(clip, faces, n * width, n * height)
+    row, column = np.nonzero(face_index >= 0)
+    picture = np.tile(background, (*face_index.shape, 1))
+    picture[row, column] = shade((column + 0.5) / n, (row + 0.5) / n, face_index[row, column])
+    return box_resolve(picture, n)
+
+
+def shading_requests_loop(face_index):  # exercise 4.8 (2 points)
+    """Eq. (7): what must be shaded: every face that any sample of a pixel sees, once per pixel.
+
+    face_index (S, H, W) -> pixel (N,) = row * W + column and face (N,), the N different pairs in
+    any order; and request (S, H, W): which pair, 0 ... N - 1, a sample uses, -1 where it sees no
+    face. All are integers.
+
+    >>> shading_requests_loop(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
+    [[[0, -1]], [[0, 2]], [[1, 3]]]
+    """
+    count, height, width = face_index.shape
+    pairs, request = {}, np.full(face_index.shape, -1)
+    for i, j, s in np.ndindex(height, width, count):
+        if face_index[s, i, j] >= 0:
+            pair = i * width + j, face_index[s, i, j]
+            request[s, i, j] = pairs.setdefault(pair, len(pairs))
+    pixel, face = np.array(list(pairs), int).reshape(-1, 2).T
+    return pixel, face, request
+
+
+def shading_requests(face_index):  # exercise 4.9 (4 points)
+    """What `shading_requests_loop` returns, for whole pictures; the pairs in any order.
+
+    No loop over pixels. In most pixels all samples see the same face, or none: such a pixel is one
+    pair or none, and only the others have to be searched for pairs that are equal.
+    """
+    seen = face_index.reshape(len(face_index), -1)  # (S, H W)
+    mixed = (seen[1:] != seen[0]).any(0)
+    pixel, mixed = np.flatnonzero((seen[0] >= 0) & ~mixed), np.flatnonzero(mixed)
+    face, request = seen[0, pixel], np.full(seen.shape, -1)
+    request[:, pixel] = np.arange(len(pixel))
+    # A mixed pixel's sample has the request of the last sample there that sees the same face.
+    seen = seen[:, mixed]
+    last = np.zeros(seen.shape, int)
+    for s in range(len(seen)):
+        np.copyto(last, s, where=seen == seen[s])
+    s, k = np.nonzero((last == np.arange(len(seen))[:, None]) & (seen >= 0))
+    number = np.full(seen.shape, -1)
+    number[s, k] = len(pixel) + np.arange(len(k))
+    request[:, mixed] = np.take_along_axis(number, last, 0)
+    pixel, face = np.concatenate([pixel, mixed[k]]), np.concatenate([face, seen[s, k]])
+    return pixel, face, request.reshape(face_index.shape)
+
+
+def resolve(shade, request, background):  # exercise 4.10 (3 points)
+    """Eq. (1) from a pixel's samples: the mean of their colours.
+
+    shade (N, C); request (S, H, W): the row of shade that a sample uses, or -1 for background (C,)
+    -> picture (H, W, C). A pixel whose samples all have one colour gets it to the last bit, be it
+    one request or several of equal colour. (Sums are rounded: 0.1 + 0.1 + 0.1 is not 3 * 0.1.)
+
+    >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
+    >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]
+    array([[3. , 1. , 0.1]])
+    """
+    colour = np.concatenate([shade, background[None]])  # row -1 is the background
+    picture = colour.take(request[0], 0)
+    mixed = np.nonzero((request[1:] != request[0]).any(0))
+    # The mean as one colour and the others' mean distance from it: equal ones add exactly 0.
+    first = picture[mixed]
+    others = sum(colour.take(used[mixed], 0) - first for used in request[1:])
+    picture[mixed] += others / len(request)
+    return picture
+
+
+def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
+    """grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
+
+    shade, request, background: as for `resolve`. This is linear: no value of a colour is needed.
+    """
+    # The picture gathers colours, so its gradient is scattered: each sample brings its S-th part.
+    used = request.reshape(-1) + 1  # entry 0 is the background
+    parts = np.tile(grad_picture.reshape(-1, len(background)), (len(request), 1)) / len(request)
+    grad_colour = np.stack([np.bincount(used, part, len(shade) + 1) for part in parts.T], -1)
+    return grad_colour[1:], grad_colour[0]
+
+
+def msaa(clip, faces, width, height, pattern, shade, background):
+    """Eq. (7): many samples, few shades -> picture (H, W, C).
+
+    shade and background: as for `supersample`; shade is asked at the centre of a pixel, which the
+    face may pass by, see `barycentric_at`.
+    """
+    face_index, _ = rasterize_samples(clip, faces, width, height, pattern)
+    pixel, face, request = shading_requests(face_index)
+    row, column = np.divmod(pixel, width)
+    return resolve(shade(column + 0.5, row + 0.5, face), request, background)
+
+
+def cost(face_index, sample_bytes):  # exercise 4.12 (2 points)
+    """What face_index (S, H, W) costs -> three integers: samples, shades, bytes.
+
+    samples: all that are stored, of all pixels; shades: the different faces >= 0 that the samples
+    of a pixel see, counted pixel by pixel; bytes: sample_bytes for each sample.
+
+    >>> cost(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]), 8)
+    (6, 4, 48)
+    """
+    ordered = np.sort(face_index, 0)
+    new = ordered >= 0
+    new[1:] &= ordered[1:] != ordered[:-1]
+    return face_index.size, int(new.sum()), face_index.size * sample_bytes
+
+
+def rate_times_colour(clip, faces, colours, width, height, pattern, background):
+    """A KNOWN MISTAKE, that of homework 2: rate x colour, with one depth for each pixel.
+
+    colours (F, C). A face that covers the fraction rate of a pixel and is nearest at its centre
+    sets the pixel to rate x its colour. What else the pixel showed is lost: it gets too dark.
+    """
+    picture, nearest = np.tile(background, (height, width, 1)), np.full((height, width), np.inf)
+    x, y, w = rasterization.screen_points(clip, width, height)
+    z = clip[:, 2] / w
+    column, row = np.arange(width) + 0.5, np.arange(height)[:, None] + 0.5
+    for face, colour in zip(faces, colours, strict=True):
+        seen, _ = rasterize_samples(clip, face[None], width, height, pattern)
+        rate = coverage(seen)
+        dz_dx, dz_dy = rasterization.depth_slopes(*(value[face][:, None] for value in (x, y, z)))
+        depth = z[face[0]] + dz_dx * (column - x[face[0]]) + dz_dy * (row - y[face[0]])
+        wins = (rate > 0) & (depth < nearest)
+        nearest[wins], picture[wins] = depth[wins], rate[wins][:, None] * colour
+    return picture
+
+
+def fxaa(picture, contrast=0.1):
+    """FXAA in short: where brightness has an edge, blur along it. picture (H, W, 3) -> (H, W, 3).
+
+    After the idea of Lottes 2009: only the finished picture is known. An edge is where brightness
+    differs by more than contrast among 3 x 3 pixels; it runs at right angles to the slope of the
+    brightness. Such a pixel becomes the mean of itself and one step along the edge to each side.
+    """
+    luma = picture @ LUMA
+    edge = ndimage.maximum_filter(luma, 3) - ndimage.minimum_filter(luma, 3) > contrast
+    slope_y, slope_x = ndimage.sobel(luma, 0)[edge], ndimage.sobel(luma, 1)[edge]
+    along = np.stack([slope_x, -slope_y])  # row and column of a step along the edge
+    along /= np.maximum(np.abs(along).max(0), FLAT)
+    places = [np.nonzero(edge) + t * along for t in (-1, 0, 1)]
+    smooth = picture.copy()
+    for channel in range(3):
+        smooth[edge, channel] = np.mean([ndimage.map_coordinates(
+            picture[..., channel], place, order=1, mode="nearest") for place in places], 0)
+    return smooth
+
+
+def taa(frames, weight):
+    """TAA in short: frames (T, H, W, C), each with another sample of a pattern -> (H, W, C).
+
+    A running mean: each frame counts for weight (0 ... 1) when it comes, and less with every frame
+    after it. Where something moves, its old places fade out slowly: ghosts.
+    """
+    history = frames[0]
+    for frame in frames[1:]:
+        history = history + weight * (frame - history)
+    return history
