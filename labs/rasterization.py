@@ -29,7 +29,6 @@ CAMERA_PLANE = 1e-12  # the w of vertices with w = 0, which have no place on scr
 FAR = 1e9             # pixels: an edge measured from farther away is beyond floating point
 TINY = 1e-300         # stands for a slope of 0 in a division
 MARGIN = 1 / 16       # pixels added to a face's bounds: far more than rounding can move an edge
-GUESS = 1e-6          # columns: more than the quotient in `first_column` is off, up to FAR
 CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they stay in the cache
 
 

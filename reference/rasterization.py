@@ -29,7 +29,6 @@ CAMERA_PLANE = 1e-12  # the w of vertices with w = 0, which have no place on scr
 FAR = 1e9             # pixels: an edge measured from farther away is beyond floating point
 TINY = 1e-300         # stands for a slope of 0 in a division
 MARGIN = 1 / 16       # pixels added to a face's bounds: far more than rounding can move an edge
-GUESS = 1e-6          # columns: more than the quotient in `first_column` is off, up to FAR
 CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they stay in the cache
 
 
@@ -272,8 +271,9 @@ def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
     array([1., 2., 8., 0.])
     """
     slope, from_x = np.where(slope == 0, TINY, slope), np.where(slope == 0, -1, from_x)
-    column = np.floor(from_x - offset / slope + (0.5 - GUESS))  # right, or one too small
-    column[slope * (column + 0.5 - from_x) + offset < 0] += 1
+    # The crossing lies in this column: its centre is inside, or the next one's is.
+    column = np.floor(from_x - offset / slope)
+    column += slope * (column + 0.5 - from_x) + offset < 0
     return np.clip(column, 0, width)
 
 

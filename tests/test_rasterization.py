@@ -121,8 +121,9 @@ def test_areas_are_those_of_the_shoelace_formula(impl, rng):
 def test_inside_border_and_outside(impl):
     """Only two of the three edges are asked, the border does not count, or an edge's line does."""
     p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0],
-                  [5.0, 11.0], [13.0, 3.0], [11.0, -2.0]])  # the last three on the edges' lines
-    inside = np.array([True, True, True, False, False, False, False, False, False])
+                  [5.0, 11.0], [13.0, 3.0], [11.0, -2.0],  # on the edges' lines
+                  [4.0, 1.5 - 1e-6]])
+    inside = np.array([True, True, True, False, False, False, False, False, False, False])
     assert_equal(impl.is_inside(p, TRIANGLE), inside)
 
 
@@ -137,9 +138,9 @@ def test_inside_does_not_depend_on_the_winding(impl):
 @exercise("2.5")
 def test_left_and_lower_edges_own_their_samples(impl):
     """Right for left, upper for lower (y is up here), or a horizontal edge is decided by n_x."""
-    n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0, 0.0])
-    n_y = np.array([0.0,  0.0, 1.0, -1.0, 9.0, -9.0,  9.0, -9.0, 0.0])
-    owns = np.array([True, False, True, False, True, True, False, False, False])
+    n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0, 0.0, -1e-9])
+    n_y = np.array([0.0,  0.0, 1.0, -1.0, 9.0, -9.0,  9.0, -9.0, 0.0,  1.0])
+    owns = np.array([True, False, True, False, True, True, False, False, False, False])
     assert_equal(impl.is_top_left(n_x, n_y), owns)
 
 
@@ -173,6 +174,8 @@ def test_pixels_are_sampled_where_the_points_say(impl, rng):
     """The points are cut to whole numbers, as homework 2 of GAMES101 does with (int x, int y)."""
     p = rng.uniform(0, 8, (300, 2))
     assert_equal(impl.is_covered(p, TRIANGLE), exact_inside(p, TRIANGLE))
+    small = 2.0**-20  # exact, so that only an absolute tolerance can tell the difference
+    assert_equal(impl.is_covered(small * p, small * TRIANGLE), exact_inside(p, TRIANGLE))
 
 
 @exercise("2.6")
@@ -222,10 +225,11 @@ def test_weights_on_paper(impl):
 @exercise("2.7")
 def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
     """The weights are divided by the wrong area, or made positive."""
-    triangle, p = rng.normal(size=(3, 2)), rng.normal(size=(4, 6, 2))
-    b = impl.barycentric_coordinates(p, triangle)
-    assert_close(b @ triangle, p, rtol=1e-7, atol=1e-9)
-    assert_close(b.sum(-1), np.ones((4, 6)), rtol=1e-7)
+    for size in 1.0, 1e-6:
+        triangle, p = size * rng.normal(size=(3, 2)), size * rng.normal(size=(4, 6, 2))
+        b = impl.barycentric_coordinates(p, triangle)
+        assert_close(b @ triangle / size, p / size, rtol=1e-7, atol=1e-9)
+        assert_close(b.sum(-1), np.ones((4, 6)), rtol=1e-7)
 
 
 @exercise("2.8")
@@ -245,10 +249,10 @@ def test_the_box_stays_in_the_picture(impl):
     triangle = np.array([[-1e300, 2.0], [1e300, 3.0], [5.0, 1e300]])
     assert_equal(impl.bounding_box(triangle, 10, 20), (0, 2, 10, 20))
     for outside in ([-3.0, -0.5, -1.5], [12.0, 10.0, 11.0]):
-        box = impl.bounding_box(np.stack([outside, [2.0, 3.0, 5.0]], -1), 10, 20)
-        assert_equal(box[0] >= box[2], True)
-        box = impl.bounding_box(np.stack([[2.0, 3.0, 5.0], outside], -1), 20, 10)
-        assert_equal(box[1] >= box[3], True)
+        x0, y0, x1, y1 = impl.bounding_box(np.stack([outside, [2.0, 3.0, 5.0]], -1), 10, 20)
+        assert_equal((x1 <= x0 <= 10, 0 <= x1, y0, y1), (True, True, 2, 6))
+        x0, y0, x1, y1 = impl.bounding_box(np.stack([[2.0, 3.0, 5.0], outside], -1), 20, 10)
+        assert_equal((y1 <= y0 <= 10, 0 <= y1, x0, x1), (True, True, 2, 6))
 
 
 @exercise("2.8")
@@ -268,9 +272,9 @@ def test_no_covered_sample_lies_outside_the_box(impl, rng):
 def test_vertices_on_screen_on_paper(impl):
     """y is flipped, width and height are swapped, or |w| stands for w."""
     clip = np.array([[0.0, 2.0, 9.0, 2.0], [-1.0, -1.0, 9.0, 1.0], [3.0, 0.5, 9.0, -1.0]])
-    x, y, w = impl.screen_points(clip, 8, 4)
-    assert_close(x, np.array([4.0, 0.0, -8.0]))
-    assert_close(y, np.array([4.0, 0.0, 1.0]))
+    x, y, w = impl.screen_points(clip, 9, 5)
+    assert_close(x, np.array([4.5, 0.0, -9.0]))
+    assert_close(y, np.array([5.0, 0.0, 1.25]))
     assert_close(w, np.array([2.0, 1.0, -1.0]))
 
 
@@ -299,6 +303,7 @@ def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
     face, corner = np.divmod(np.arange(240), 3)
     behind = (face >> corner) & 1  # all eight cases in turn
     clip[:, 3] = rng.uniform(0.5, 2, 240) * (1 - 2 * behind)
+    clip *= 10.0 ** rng.integers(-3, 3, (240, 1))  # which moves nothing on screen
     # (x, y, w) are the corners as the camera sees them: its distance to the face has this sign.
     facing = np.linalg.det(clip[faces][..., [0, 1, 3]]) > 0
     x, y, _, w = clip.T
@@ -381,7 +386,8 @@ def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
     ([0, 4, 2], [0, 0, -2e9], [1, 1, 9], [True, True, False]),      # in y, on the negative side
     ([0, 4, -2e9], [0, 0, 4], [9, 9, 1], [False, False, False]),    # beyond, but not measured from
     ([0, 1e-6, 0], [0, 0, 1e-6], [1, 1, 1], [False, False, False]),  # tiny, and alive
-], ids=["flat", "overflow", "far in x", "far in y", "one far end", "tiny"])
+    ([-9e8, 0, 9e8], [-9e8, 9e8, 0], [1, 1, 1], [False, False, False]),  # large, and alive
+], ids=["flat", "overflow", "far in x", "far in y", "one far end", "tiny", "large"])
 def test_which_edges_have_n_0(impl, x, y, w, dead):
     """The sign of 0 was taken for 1, FAR was asked of the wrong end, in x alone, or without abs."""
     x, y, w = (np.array(values, float)[:, None] for values in (x, y, w))
@@ -441,7 +447,7 @@ def test_one_triangle_on_paper(impl):
 def test_the_nearer_face_is_seen_whatever_the_order(impl):
     """No z-buffer (the last face wins), or the greater depth counts as nearer."""
     triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
-    clip = np.concatenate([triangle + [0, 0, z, 0] for z in (0.5, 0.0, -0.5, 0.0)])
+    clip = np.concatenate([triangle + [0, 0, z, 0] for z in (0.5, 1e-9 - 0.5, -0.5, 0.0)])
     faces = np.arange(12).reshape(4, 3)
     for order in ([0, 1, 2, 3], [2, 0, 1, 3], [3, 1, 0, 2]):
         face_index, depth = impl.rasterize_loop(clip, faces[order], 4, 4)
@@ -503,6 +509,9 @@ def test_a_face_in_the_near_or_far_plane_is_seen(impl, z):
     clip *= np.array([[1.0], [3.0], [0.7]])
     face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
     assert_equal(face_index[0, 0], 0)
+    clip[:, 2] *= 1.0 + 1e-9
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
+    assert_picture(face_index, np.full((4, 4), -1))
 
 
 @exercise("2.13")
@@ -564,7 +573,7 @@ def test_horizontal_edges_take_all_or_nothing(impl):
 @exercise("2.14")
 def test_the_sum_decides_and_not_the_quotient(impl, rng):
     """The column where -offset / a says so: one off where the edge passes through a centre."""
-    a, x0 = 10.0 ** rng.uniform(-6, 6, 3000), rng.uniform(-5, 5, 3000)
+    a, x0 = 10.0 ** rng.uniform(-30, 6, 3000), rng.uniform(-5, 5, 3000)
     offset = -a * (rng.integers(-3, 20, 3000) + 0.5 - x0)
     offset *= 1 + rng.choice([0, 1, -1, 2, -2], 3000) * 2.0 ** -52
     column = impl.first_column(a, x0, offset, 16)
@@ -686,9 +695,10 @@ def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
 @exercise("2.16")
 def test_weights_are_those_of_the_ray_through_the_pixel(impl, rng):
     """Multiplied by w instead of divided, or the sum is taken over samples instead of vertices."""
-    x, y = rng.uniform(0, 8, (2, 3, 40))
+    size = 10.0 ** rng.integers(-5, 2, 40)
+    x, y = size * rng.uniform(0, 8, (2, 3, 40))
     w = rng.uniform(0.5, 2, (3, 40)) * rng.choice([1, 1, -1], (3, 40))
-    px, py = rng.uniform(0, 8, (2, 40))
+    px, py = size * rng.uniform(0, 8, (2, 40))
     expected = [ray_weights(x[:, n], y[:, n], w[:, n], px[n], py[n]) for n in range(40)]
     b = impl.barycentric_on_face(px, py, x, y, w)
     assert_close(b, np.transpose(expected), rtol=1e-6, atol=1e-9)
@@ -709,7 +719,7 @@ def test_the_derivatives_are_central_differences(impl, rng):
     """The quotient rule's second term, - b ds, is missing: right only without perspective."""
     h = 1e-5
     x, y = rng.uniform(0, 8, (2, 3, 20))
-    w = rng.uniform(0.5, 2, (3, 20))
+    w = rng.uniform(0.5, 2, (3, 20)) * np.where(np.arange(20) < 10, 1, [[1], [1], [-3]])
     px, py = x.mean(0), y.mean(0)
     db_dx, db_dy = impl.barycentric_derivatives(px, py, x, y, w)
     for n in range(20):

@@ -159,8 +159,10 @@ def test_normals_stay_perpendicular_to_tangents(impl, rng):
 @exercise("1.9")
 def test_a_pinhole_shrinks_with_distance(impl):
     """The last row is (0, 0, 0, 1): nothing divides by z."""
-    x, y, z, w = impl.pinhole(2.0) @ np.array([1.0, 3.0, 4.0, 1.0])
-    assert_close(np.array([x / w, y / w, z / w]), np.array([0.5, 1.5, 2.0]))
+    matrix = impl.pinhole(2.0)
+    for z in 4.0, 7.0:
+        x, y, depth, w = matrix @ np.array([1.0, 3.0, z, 1.0])
+        assert_close(np.array([x / w, y / w, depth / w]), np.array([2 / z, 6 / z, 2.0]))
 
 
 @exercise("1.9")
@@ -251,25 +253,25 @@ def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape):
 @exercise("1.15")
 def test_the_corners_of_ndc_become_those_of_the_picture(impl):
     """y is flipped (row 0 is at the bottom here), width and height swapped, or half a pixel off."""
-    matrix = impl.viewport(640, 480)
+    matrix = impl.viewport(641, 479)
     assert_close(matrix @ np.array([-1.0, -1.0, 0.5, 1.0]), np.array([0.0, 0.0, 0.5, 1.0]))
-    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([640.0, 480.0, -0.5, 1.0]))
-    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, 480.0, 0.0, 1.0]))
+    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([641.0, 479.0, -0.5, 1.0]))
+    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, 479.0, 0.0, 1.0]))
 
 
 @exercise("1.16")
 def test_screen_points_of_ndc_points(impl, rng):
     """y is flipped, z was scaled, or width and height are swapped."""
     ndc = rng.uniform(-2, 2, (2, 5, 3))
-    expected = np.stack([(ndc[..., 0] + 1) * 320, (ndc[..., 1] + 1) * 240, ndc[..., 2]], -1)
-    assert_close(impl.to_screen(ndc, 640, 480), expected)
+    expected = np.stack([(ndc[..., 0] + 1) * 320.5, (ndc[..., 1] + 1) * 239.5, ndc[..., 2]], -1)
+    assert_close(impl.to_screen(ndc, 641, 479), expected)
 
 
 @exercise("1.17")
 def test_a_step_in_ndc_is_half_a_picture(impl):
     """The gradient was divided by the scale instead of multiplied."""
-    assert_close(impl.to_screen_backward(np.array([[1.0, 2.0, 3.0]]), 640, 480),
-                 np.array([[320.0, 480.0, 3.0]]))
+    assert_close(impl.to_screen_backward(np.array([[1.0, 2.0, 3.0]]), 641, 479),
+                 np.array([[320.5, 479.0, 3.0]]))
 
 
 @exercise("1.17")
