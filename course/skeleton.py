@@ -82,8 +82,6 @@ def topic_exercises(topic):
         found = exercises(read(path))
     except ValueError as error:
         raise ValueError(f"{place}, {error}") from None
-    except SyntaxError as error:
-        raise ValueError(f"{place}, line {error.lineno}: {error.msg}; mend this first") from None
     for number, name, _, line, _ in found:
         if number.split(".")[0] != str(lab_number(topic)):
             raise ValueError(f"{place}, line {line}: {name} is marked as exercise "

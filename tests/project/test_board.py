@@ -316,6 +316,33 @@ print("status", board.check("2"))
 '''
 
 
+LAB = """\
+def twice(x):  # exercise 1.1 (2 points)
+    \"\"\"2 x.\"\"\"
+    {body}
+"""
+CHECK = """\
+from course.checks import assert_close, exercise
+
+
+@exercise("1.1")
+def test_two(impl):
+    assert_close(impl.twice(1.0), 2.0)
+"""
+
+
+def test_a_hand_out_without_reference_has_its_board(house, run_module):
+    """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
+    right = LAB.format(body="return 2 * x")
+    files = {"tests/test_transforms.py": CHECK, "labs/transforms.py": right}
+    done = run_module(house(files), "course", "check", "1")
+    assert done.returncode == 0 and "2 of 2" in done.stdout
+    files["labs/transforms.py"] = LAB.format(body="return 2 *")
+    broken = run_module(house(files), "course", "check", "1")
+    assert broken.returncode == 2
+    assert broken.stderr.startswith("course: labs/transforms.py, line 3: this is not Python")
+
+
 def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):
     """In a notebook, a mended exercise keeps failing; a user's own settings change the verdict."""
     done = run_module(house(FILES | {"twice.py": TWICE}), "twice")
