@@ -316,12 +316,12 @@ print("status", board.check("2"))
 '''
 
 
-LAB = """\
+HANDED_OUT = """\
 def twice(x):  # exercise 1.1 (2 points)
     \"\"\"2 x.\"\"\"
     {body}
 """
-CHECK = """\
+ITS_CHECK = """\
 from course.checks import assert_close, exercise
 
 
@@ -333,11 +333,11 @@ def test_two(impl):
 
 def test_a_hand_out_without_reference_has_its_board(house, run_module):
     """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
-    right = LAB.format(body="return 2 * x")
-    files = {"tests/test_transforms.py": CHECK, "labs/transforms.py": right}
+    right = HANDED_OUT.format(body="return 2 * x")
+    files = {"tests/test_transforms.py": ITS_CHECK, "labs/transforms.py": right}
     done = run_module(house(files), "course", "check", "1")
     assert done.returncode == 0 and "2 of 2" in done.stdout
-    files["labs/transforms.py"] = LAB.format(body="return 2 *")
+    files["labs/transforms.py"] = HANDED_OUT.format(body="return 2 *")
     broken = run_module(house(files), "course", "check", "1")
     assert broken.returncode == 2
     assert broken.stderr.startswith("course: labs/transforms.py, line 3: this is not Python")
