@@ -177,8 +177,9 @@ def shading_requests_loop(face_index):  # exercise 4.8 (2 points)
 def shading_requests(face_index):  # exercise 4.9 (4 points)
     """What `shading_requests_loop` returns, for whole pictures; the pairs in any order.
 
-    No loop over pixels. In most pixels all samples see the same face, or none: such a pixel is one
-    pair or none, and only the others have to be searched for pairs that are equal.
+    With whole arrays, instead of a loop over pixels. In most pixels all samples see the same face,
+    or none: such a pixel is one pair or none, and only the others have to be searched for pairs
+    that are equal.
     """
     seen = face_index.reshape(len(face_index), -1)  # (S, H W)
     mixed = (seen[1:] != seen[0]).any(0)
@@ -202,8 +203,9 @@ def resolve(shade, request, background):  # exercise 4.10 (3 points)
     """Eq. (1) from a pixel's samples: the mean of their colours.
 
     shade (N, C); request (S, H, W): the row of shade that a sample uses, or -1 for background (C,)
-    -> picture (H, W, C). A pixel whose samples all have one colour gets it to the last bit, be it
-    one request or several of equal colour. (Sums are rounded: 0.1 + 0.1 + 0.1 is not 3 * 0.1.)
+    -> picture (H, W, C). N may be 0. A pixel whose samples all have one colour gets it to the last
+    bit, be it one request or several of equal colour. (Sums are rounded: 0.1 + 0.1 + 0.1 is not
+    3 * 0.1.) Colours that are nearly equal are mixed like others.
 
     >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]

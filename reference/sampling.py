@@ -134,7 +134,8 @@ def box_spectrum(width, n):  # exercise 3.9 (2 points)
 def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
     """Eq. (6) along both axes: the spectrum of picture[::step, ::step].
 
-    spectrum (H, W) of the picture; step divides H and W -> (H / step, W / step).
+    spectrum (H, W), complex or real, of any picture, a complex one, too; step divides H and W
+    -> (H / step, W / step).
 
     >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2)
     array([[3.5, 0.5]])
@@ -147,7 +148,8 @@ def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
 def folded_energy(spectrum, step):  # exercise 3.11 (2 points)
     """How much of a picture every step-th sample cannot hold: this part comes back as aliasing.
 
-    spectrum (H, W) -> the mean square of the pixels of what has |f_y| or |f_x| >= 1 / (2 step).
+    spectrum (H, W) -> the mean square of the pixels of what has |f_y| or |f_x| >= 1 / (2 step),
+    either of them: what is kept is a square of frequencies, not a disc.
     Parseval: the sum of |pixel|^2 is the sum of |F|^2 divided by H W.
 
     >>> folded_energy(np.array([[8.0, 1.0, 2.0, 1.0]]), 2)  # the mean square of all is 70 / 16
@@ -174,7 +176,8 @@ def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
 
     Sutherland and Hodgman: walk once round, from the first vertex. A vertex inside (or on the line)
     stays; then, if the edge to the next vertex has one end inside and one outside, the point where
-    it crosses the line follows. N may be 0; if nothing is left, (0, 2).
+    it crosses the line follows. (So a vertex on the line comes twice if its neighbour is outside.)
+    N may be 0; if nothing is left, (0, 2).
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],
@@ -235,7 +238,8 @@ def cuts(polygon, x, y):  # exercise 3.16 (2 points)
 
     x, y (P,): the squares' lower left corners -> t (P, N, 6), each row sorted from 0 to 1: of the
     edge from vertex n to the next, the two ends, 0 and 1, and the crossings p + t (q - p) with the
-    lines x, x + 1, y, y + 1. For a line that an edge does not cross, any number in [0, 1].
+    lines x, x + 1, y, y + 1. For a line that an edge does not cross or runs along, any number in
+    [0, 1], never NaN.
     """
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]      # (N, 1, 2)
     sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)       # (P, 2, 2)
@@ -262,14 +266,15 @@ def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
 def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
-    A piece between two neighbouring `cuts` lies inside a square where its middle does.
+    A piece between two neighbouring `cuts` lies inside a square where its middle does. Along a side
+    that two squares share it counts in one of them, for x <= middle < x + 1 and y alike.
     """
     p, edge = polygon[:, None], (np.roll(polygon, -1, axis=0) - polygon)[:, None]
     corner = np.stack([x, y], -1)[:, None, None]
     t = cuts(polygon, x, y)
     t0, t1 = t[..., :-1], t[..., 1:]
     middle = p + (t0 + t1)[..., None] / 2 * edge - corner               # (P, N, 5, 2)
-    inside = ((middle > 0) & (middle < 1)).all(-1)
+    inside = ((middle >= 0) & (middle < 1)).all(-1)
     # |q - p| n = (edge_y, -edge_x); the integral of t is (t1^2 - t0^2) / 2, that of 1 - t the rest.
     by_q = np.einsum("p,pni->n", grad_area, inside * (t1**2 - t0**2) / 2)
     by_p = np.einsum("p,pni->n", grad_area, inside * (t1 - t0)) - by_q

@@ -263,6 +263,14 @@ def test_the_mean_of_any_number_of_samples(impl, rng, count):
 
 
 @exercise("4.10")
+def test_colours_that_differ_little_are_mixed(impl):
+    """Nearly equal is taken for equal: a smooth picture gets steps."""
+    request = np.array([0, 1, 1, 1]).reshape(4, 1, 1)
+    got = impl.resolve(np.array([[0.5], [0.5 + 4e-9]]), request, np.zeros(1))
+    assert_close(got - 0.5, np.array([[[3e-9]]]), rtol=1e-6)
+
+
+@exercise("4.10")
 def test_no_shades_leave_the_background(impl):
     """A picture without faces ends in an error."""
     background = np.array([0.2, 0.4, 0.6])

@@ -316,9 +316,9 @@ def test_a_box_of_many_samples_is_a_sinc(impl):
 @exercise("3.10")
 def test_two_copies_on_paper(impl):
     """The copies are not summed but cut off, or neighbours are summed instead of copies."""
-    spectrum = np.array([[1.0, 20.0, 300.0, 4000.0]])
+    spectrum = np.array([[1.0, 20.0, 300.0, 4000.0]], complex)
     spectrum = np.concatenate([spectrum, 10000 * spectrum])
-    expected = np.array([[10001 * 301 / 4, 10001 * 4020 / 4]])
+    expected = np.array([[10001 * 301 / 4, 10001 * 4020 / 4]], complex)
     assert_close(impl.sampled_spectrum(spectrum, 2), expected)
 
 
@@ -373,12 +373,13 @@ def test_a_wave_at_half_the_rate_folds(impl):
 @exercise("3.11")
 def test_folded_energy_is_a_mean_square(impl, rng):
     """Parseval's factor; one of |f_y| and |f_x| is enough to fold; a ring in place of a square."""
-    picture = rng.normal(size=(12, 30))
-    spectrum = np.fft.fft2(picture)
-    f_y, f_x = np.abs(np.fft.fftfreq(12))[:, None], np.abs(np.fft.fftfreq(30))
-    kept = np.where((f_y < 1 / 6) & (f_x < 1 / 6), spectrum, 0)
-    lost = picture - np.fft.ifft2(kept).real
-    assert_close(impl.folded_energy(spectrum, 3), (lost**2).mean())
+    for shape, step in ((12, 30), 2), ((30, 24), 3):
+        picture = rng.normal(size=shape)
+        spectrum = np.fft.fft2(picture)
+        f_y, f_x = (np.abs(np.fft.fftfreq(n)) for n in shape)
+        kept = np.maximum(f_y[:, None], f_x) < 0.5 / step
+        lost = picture - np.fft.ifft2(np.where(kept, spectrum, 0)).real
+        assert_close(impl.folded_energy(spectrum, step), (lost**2).mean())
 
 
 # --- exact coverage ----------------------------------------------------------------------------
@@ -502,6 +503,14 @@ def test_cuts_on_paper(impl):
 
 
 @exercise("3.16")
+def test_an_edge_along_a_line_has_cuts_too(impl):
+    """0 / 0 where an edge runs along a side of the square."""
+    triangle = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
+    t = np.asarray(impl.cuts(triangle, np.array([1.0]), np.array([1.0])))
+    assert_equal(bool(np.isfinite(t).all() and (t >= 0).all() and (t <= 1).all()), True)
+
+
+@exercise("3.16")
 def test_every_crossing_is_among_the_cuts(impl, rng):
     """One of the four lines is left out, or all squares get the cuts of the first one."""
     polygon = rng.uniform(0, 6, (4, 2))
@@ -592,6 +601,14 @@ def test_all_squares_together_pull_like_the_area(impl):
     x, y = TRIANGLE.T
     expected = np.stack([np.roll(y, -1) - np.roll(y, 1), np.roll(x, 1) - np.roll(x, -1)], -1) / 2
     assert_close(got, expected)
+
+
+@exercise("3.18")
+def test_an_edge_along_a_side_pulls_once(impl):
+    """It counts in both of the squares that share the side, or in none."""
+    triangle = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
+    got = impl.clamped_area_backward(np.ones(16), triangle, *corners(4, 4))
+    assert_close(got, np.array([[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]]))
 
 
 @exercise("3.18")
