@@ -16,8 +16,9 @@ c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): edge functions, t
 and the face_inv of lab 10 are the same numbers. So a face is an intersection of three half-planes,
 also where it crosses the camera plane; nothing is clipped, and a row of pixels is one interval.
 
-Watertight needs two things. Two faces at an edge must compute the same e with opposite sign, to the
-last bit; and e must be exactly 0 at the ends of the edge, for vertices on a pixel's centre.
+Watertight: the two faces at an edge compute the same e with opposite sign, to the last bit; e is
+exactly 0 at its ends, for vertices on a pixel's centre. Only faces thinner than rounding (1e-15 of
+their length) can lose or double a sample; hardware rounds all vertices to 1/256 pixel before.
 
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3)-(5), Olano and Greer 1997 (4),
 GAMES101 lectures 5 and 6 and its homework 2, a rasterizer for single triangles.
@@ -25,10 +26,10 @@ GAMES101 lectures 5 and 6 and its homework 2, a rasterizer for single triangles.
 import numpy as np
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
-CAMERA_PLANE = 1e-12  # the w of vertices with w = 0, which have no place on screen
-FAR = 1e9             # pixels: an edge measured from farther away is beyond floating point
+CAMERA_PLANE = 1e-10  # the w of vertices with w = 0, which have no place on screen
+FAR = 1e14            # pixels: an edge measured from farther away is beyond floating point
 TINY = 1e-300         # stands for a slope of 0 in a division
-MARGIN = 1 / 16       # pixels added to a face's bounds: far more than rounding can move an edge
+MARGIN = 1 / 16       # pixels added to a face's bounds: more than rounding moves its edges
 CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they stay in the cache
 
 
@@ -135,30 +136,31 @@ def barycentric_coordinates(p, triangle):  # exercise 2.7 (2 points)
 
 
 def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
-    """The pixels that a triangle's box touches: columns x0 <= j < x1 and rows y0 <= i < y1.
+    """The pixels whose centres lie in a triangle's box: columns x0 <= j < x1, rows y0 <= i < y1.
 
     triangle (3, 2), any finite numbers -> four integers: x0 and x1 from 0 to width, y0 and y1 from
-    0 to height. Columns run from the floor of the least x to the floor of the greatest x, which
-    counts, as far as they lie in the picture; rows likewise. None: x0 >= x1 or y0 >= y1.
+    0 to height. The box is MARGIN wider than the triangle on each side, and a centre on its border
+    is in it. No pixel: x0 >= x1 or y0 >= y1.
 
     >>> bounding_box(np.array([[0.5, -9.0], [3.0, 1.2], [2.5, 1.0]]), 8, 8)
-    (0, 0, 4, 2)
+    (0, 0, 3, 1)
     """
-    x0, y0 = np.clip(np.floor(triangle.min(0)), 0, [width, height])
-    x1, y1 = np.clip(np.floor(triangle.max(0)) + 1, 0, [width, height])
+    # j + 0.5 >= min - MARGIN  and  j + 0.5 <= max + MARGIN
+    x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [width, height])
+    x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [width, height])
     return int(x0), int(y0), int(x1), int(y1)
 
 
 def screen_points(clip, width, height):  # exercise 2.9 (1 point)
-    """Where the vertices are on screen: clip (V, 4) -> x, y, w, each (V,).
+    """Where the vertices are on screen: clip (V, 4) -> x, y, w, each (V,) of float64.
 
-    x = (clip_x / w + 1) width / 2, and y likewise, in pixels; also where w < 0: a vertex behind
-    the camera comes out mirrored. A w of 0 is replaced by CAMERA_PLANE, also in the w returned.
+    x and y in pixels, after divide and viewport (lab 1), also where w < 0: a vertex behind the
+    camera comes out mirrored. A w of 0 is replaced by CAMERA_PLANE, also in the w returned.
 
     >>> screen_points(np.array([[0.0, 2.0, 0.0, 2.0], [0.0, 2.0, 0.0, -2.0]]), 8, 4)
     (array([4., 4.]), array([4., 0.]), array([ 2., -2.]))
     """
-    x, y, _, w = clip.T
+    x, y, _, w = clip.T.astype(float)
     w = np.where(w == 0, CAMERA_PLANE, w)
     return (x / w + 1) * (width / 2), (y / w + 1) * (height / 2), w
 
@@ -186,7 +188,8 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
     x, y, w (3, F), finite: the faces' corners, row k of vertex k. (n_x[k], n_y[k]) is n of eq. (1)
     of the edge opposite to vertex k, times the signs of A (`signed_area`) and of w_k.
     (from_x[k], from_y[k]) is one end of that edge, the same in both faces at it: the end of greater
-    |w| (the other may be near infinity), of equal ones that of smaller x.
+    |w| (the other may be near infinity), of equal ones that of smaller x, of equal x that of
+    smaller y.
     n = 0 where A = 0, where A overflows, and where |from_x| or |from_y| is FAR or more.
 
     >>> corners = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 2.0], [1.0, -2.0, 1.0]])
@@ -201,7 +204,8 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
     winding = np.where(np.isfinite(area), np.sign(area), 0)
     for k, (i, j) in enumerate(EDGES):
         w_i, w_j = np.abs(w[i]), np.abs(w[j])
-        at_i = (w_i > w_j) | ((w_i == w_j) & (x[i] <= x[j]))
+        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
+        at_i = (w_i > w_j) | ((w_i == w_j) & before)
         from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
         near = np.maximum(np.abs(from_x[k]), np.abs(from_y[k])) < FAR
         sign = winding * np.sign(w[k]) * near
@@ -212,8 +216,9 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
 def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
     """Eq. (5): dz_dx, dz_dy, each (F,), with depth = z[0] + dz_dx (x - x[0]) + dz_dy (y - y[0]).
 
-    x, y, z (3, F): the faces' corners, z after the divide. Of equal z, both are exactly 0. A face
-    without area gets inf or nan; nothing is raised.
+    x, y, z (3, F): the faces' corners, z after the divide; of the three, corner 0 is the one to
+    measure from. Of equal z, both slopes are exactly 0. A face without area gets inf or nan;
+    nothing is raised.
 
     >>> depth_slopes(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
     (array([0.1]), array([0.]))
@@ -225,24 +230,55 @@ def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
     return (z1 * y2 - z2 * y1) / area, (x1 * z2 - x2 * z1) / area
 
 
+def can_be_seen(clip, x, y, faces):
+    """Which faces have corners that are finite and not all beyond one plane of the view frustum.
+
+    clip (V, 4); x, y (V,) of `screen_points`; faces (F, 3) -> bool (F,).
+    """
+    clip_x, clip_y, z, w = clip.T
+    beyond = clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0
+    outcode = np.packbits(beyond, axis=0)[0]  # of each vertex, one bit for each plane
+    finite = np.isfinite(x + y + z + w)
+    k0, k1, k2 = faces.T
+    return ((outcode[k0] & outcode[k1] & outcode[k2]) == 0) & finite[k0] & finite[k1] & finite[k2]
+
+
+def farthest_first(corners, w):
+    """The corners (3, F) of faces, turned: first the one of greatest |w|, w (V,).
+
+    It lies best on screen; where w is nearly 0, x, y and z / w are nearly infinite.
+    """
+    first = np.abs(w)[corners].argmax(0)
+    return corners[(first + [[0], [1], [2]]) % 3, np.arange(len(first))]
+
+
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
     """Homework 2: face by face and pixel by pixel, with a z-buffer. Slow and obvious.
 
     clip (V, 4), faces (F, 3) -> face_index (height, width) of integers, -1 where no face is seen;
-    depth (height, width), np.inf there. Front and back of a face are seen alike. At a pixel's
-    centre (x, y), a face that covers it has for each of its `half_planes`
+    depth (height, width), np.inf there. Only faces that `can_be_seen` count, front and back alike;
+    their corners x[0], x[1], x[2] are taken in the order of `farthest_first`. If all three w of a
+    face are positive, it covers only pixels in its `bounding_box`.
+    At a pixel's centre (x, y), a face that covers it has for each of its `half_planes`
     e = n_x (x - from_x) + n_y (y - from_y) > 0, or e = 0 and `is_top_left(n_x, n_y)`; and a depth,
     dz_dx (x - x[0]) + (dz_dy (y - y[0]) + z[0]), from -1 (near) to 1 (far), where z is z / w of the
     corners and the slopes are those of `depth_slopes`. Of the covering faces, the one of least
-    depth is seen; of equally deep ones, the first. A face with a corner that is not finite covers
-    nothing. If every w > 0, a look at the pixels in its `bounding_box` is enough.
+    depth is seen; of equally deep ones, the first.
+
+    >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
+    >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)
+    (array([[ 0,  0, -1],
+           [ 0, -1, -1]]), array([[0.5, 0.5, inf],
+           [0.5, inf, inf]]))
     """
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
-    x, y, z, w = np.stack([x, y, clip[:, 2] / w, w])[:, faces.T]  # (3, F): corners
+    visible = np.flatnonzero(can_be_seen(clip, x, y, faces))
+    corners = farthest_first(faces.T, w)
+    x, y, z, w = np.stack([x, y, clip[:, 2] / w, w])[:, corners]  # (3, F) each
     planes, (dz_dx, dz_dy) = np.stack(half_planes(x, y, w)), depth_slopes(x, y, z)
-    for f in np.flatnonzero(np.isfinite(x + y + z + w).all(0)):
+    for f in visible:
         x0, y0, x1, y1 = 0, 0, width, height
         if (w[:, f] > 0).all():
             x0, y0, x1, y1 = bounding_box(np.stack([x[:, f], y[:, f]], -1), width, height)
@@ -261,16 +297,14 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
 def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
     """The least column j with slope (j + 0.5 - from_x) + offset >= 0, as floating point decides it.
 
-    slope (R,) >= 0, from_x, offset (R,) -> j (R,) floats: whole numbers from 0 to width, width if
-    there is none. Where slope = 0, the answer is 0 or width. The quotient -offset / slope finds the
-    place, but is rounded differently from the sum, which has the last word; for |from_x| < FAR the
-    two are never more than one column apart.
+    slope (R,) > 0, from_x, offset (R,) -> j (R,) floats: whole numbers from 0 to width, width if
+    there is none. A quotient finds the place, but is rounded differently from this sum, which has
+    the last word; for |from_x| < FAR the two are never more than one column apart.
 
-    >>> zero = np.zeros(4)
-    >>> first_column(np.array([2.0, 2.0, 0.0, 0.0]), zero, np.array([-3.0, -3.1, -1.0, 0.0]), 8)
-    array([1., 2., 8., 0.])
+    >>> zero = np.zeros(3)
+    >>> first_column(np.array([2.0, 2.0, 2.0]), zero, np.array([-3.0, -3.1, -99.0]), 8)
+    array([1., 2., 8.])
     """
-    slope, from_x = np.where(slope == 0, TINY, slope), np.where(slope == 0, -1, from_x)
     # The crossing lies in this column: its centre is inside, or the next one's is.
     column = np.floor(from_x - offset / slope)
     column += slope * (column + 0.5 - from_x) + offset < 0
@@ -284,7 +318,8 @@ def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     pixels, its centres at y, of face number face -> start, end (R,) floats from 0 to width,
     start >= end if nothing is covered. An edge that `is_top_left` opens the interval at the first
     column with e >= 0; any other ends it at the first column with -e >= 0, as n = 0 does at 0. So
-    the top-left rule makes intervals half open.
+    the top-left rule makes intervals half open. Of a horizontal edge, e is one number on the whole
+    row: `first_column` is 0 or width.
 
     >>> corners = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 4.0], [1.0, 1.0, 1.0]])
     >>> row_interval(half_planes(*corners[..., None]), np.array([0, 0]), np.array([0.5, 2.5]), 8)
@@ -293,10 +328,11 @@ def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     start, end = np.zeros(len(y)), np.full(len(y), float(width))
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1
+        sign = 2 * opens - 1  # from here on, e grows from left to right
+        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, -1, from_x)
         offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column((sign * n_x)[face], from_x[face], offset, width)
-        opens = opens[face]
+        column = first_column(slope[face], from_x[face], offset, width)
+        opens = opens[face]  # 1: column is the start; 0: it is the end
         start = np.maximum(start, opens * column)
         end = np.minimum(end, opens * width + column)
     return start, end
@@ -320,74 +356,70 @@ def chunks(count):
         start = end
 
 
-def sample_range(position, in_front, corners, size):
-    """First and last + 1 of the rows (or columns) whose centres lie within each face's bounds.
+def sample_range(position, in_front, faces, size):
+    """`bounding_box` in one direction, of all faces: first (F,), end (F,) columns (or rows).
 
-    position (V,): y / w (or x / w) in pixels, valid where in_front (V,); a face with a vertex that
-    is not gets the whole range. corners (3, F) -> first, end (F,), end <= first for none.
+    position (V,): x (or y) on screen, valid where in_front (V,); a face with a vertex that is not
+    gets the whole range, 0 to size.
     """
     position = np.clip(position, 0, size)
-    low = np.where(in_front, np.ceil(position - (0.5 + MARGIN)), 0).astype(int)
-    high = np.where(in_front, np.floor(position + (0.5 + MARGIN)), size).astype(int)
-    first, second, third = (low[k] for k in corners)
-    start = np.maximum(np.minimum(np.minimum(first, second), third), 0)
-    first, second, third = (high[k] for k in corners)
-    return start, np.minimum(np.maximum(np.maximum(first, second), third), size)
+    low = np.where(in_front, np.ceil(position - (0.5 + MARGIN)), 0).astype(np.int32)
+    high = np.where(in_front, np.floor(position + (0.5 + MARGIN)), size).astype(np.int32)
+    k0, k1, k2 = faces.T
+    first = np.minimum(np.minimum(low[k0], low[k1]), low[k2])
+    return first, np.maximum(np.maximum(high[k0], high[k1]), high[k2])
 
 
-def visible_rows(clip, x, y, faces, width, height):
-    """The rows of pixels that each face may cover: first (F,), count (F,), 0 if it can't be seen.
+def spans(clip, faces, width, height):
+    """The runs of pixels that faces cover on rows, the last face first; yields chunks of
 
-    clip (V, 4), x, y (V,) on screen. A face can't be seen if all its vertices lie beyond one plane
-    of the view frustum, if one is not finite, or if it passes between the pixel centres.
+    face, row, start, end (N,): columns start <= j < end of a row, and slope, from_x, offset (N,):
+    the face's depth there is slope (x - from_x) + offset.
     """
-    clip_x, clip_y, z, w = clip.T
-    beyond = [clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0]
-    beyond = np.packbits(beyond, axis=0)[0]
-    broken = ~np.isfinite(x + y + z + w)
-    k0, k1, k2 = corners = np.ascontiguousarray(faces.T)
-    hidden = (beyond[k0] & beyond[k1] & beyond[k2] > 0) | broken[k0] | broken[k1] | broken[k2]
-    column, end_column = sample_range(x, w > 0, corners, width)
-    row, end_row = sample_range(y, w > 0, corners, height)
-    hidden |= end_column <= column
-    return row, np.where(hidden, 0, np.maximum(end_row - row, 0))
+    x, y, w = screen_points(clip, width, height)
+    z = clip[:, 2] / w
+    left, right = sample_range(x, w > 0, faces, width)
+    bottom, top = sample_range(y, w > 0, faces, height)
+    drawn = can_be_seen(clip, x, y, faces) & (left < right) & (bottom < top)
+    drawn = np.flatnonzero(drawn)[::-1]
+    for part in chunks((top - bottom)[drawn]):
+        number = drawn[part]
+        corners = farthest_first(faces[number].T, w)
+        cx, cy, cz = x[corners], y[corners], z[corners]
+        planes, (dz_dx, dz_dy) = half_planes(cx, cy, w[corners]), depth_slopes(cx, cy, cz)
+        face, row = expand(bottom[number], (top - bottom)[number])
+        start, end = row_interval(planes, face, row + 0.5, width)
+        start, end = np.maximum(start, left[number][face]), np.minimum(end, right[number][face])
+        covered = np.flatnonzero(start < end)
+        face, row, start, end = face[covered], row[covered], start[covered], end[covered]
+        offset = dz_dy[face] * (row + 0.5 - cy[0][face]) + cz[0][face]
+        yield (number[face], row, start.astype(int), end.astype(int),
+               dz_dx[face], cx[0][face], offset)
 
 
 def fragments(clip, faces, width, height):
     """Every sample that every face covers: yields pixel (N,) = row * width + column, depth (N,) and
     face (N,) in chunks. The last face comes first: whoever writes last then keeps the first.
     """
-    x, y, w = screen_points(clip, width, height)
-    z = clip[:, 2] / w
-    first, count = visible_rows(clip, x, y, faces, width, height)
-    order = np.flatnonzero(count)[::-1]
-    for drawn in (order[part] for part in chunks(count[order])):
-        corners = faces[drawn].T
-        cx, cy, cz = x[corners], y[corners], z[corners]
-        planes = half_planes(cx, cy, w[corners])
-        dz_dx, dz_dy = depth_slopes(cx, cy, cz)
-        face, row = expand(first[drawn], count[drawn])
-        start, end = row_interval(planes, face, row + 0.5, width)
-        covered = np.flatnonzero(end > start)
-        face, row, start, end = face[covered], row[covered], start[covered], end[covered]
-        slope, from_x = dz_dx[face], cx[0][face]
-        offset = dz_dy[face] * (row + 0.5 - cy[0][face]) + cz[0][face]
-        face, row, length = drawn[face], row * width, (end - start).astype(int)
-        for run in chunks(length):
-            owner, column = expand(start[run], length[run])
-            pixel = row[run][owner] + column.astype(int)
-            distance = column + 0.5 - from_x[run][owner]
-            depth = slope[run][owner] * distance + offset[run][owner]
-            kept = np.flatnonzero(np.abs(depth) <= 1)  # between near and far
-            yield pixel[kept], depth[kept], face[run][owner[kept]]
+    for face, row, start, end, slope, from_x, offset in spans(clip, faces, width, height):
+        row_start, length = row * width, end - start
+        for part in chunks(length):
+            span, column = expand(start[part], length[part])
+            depth = slope[part][span] * (column + 0.5 - from_x[part][span]) + offset[part][span]
+            pixel, number = row_start[part][span] + column, face[part][span]
+            seen = np.abs(depth) <= 1  # between near and far
+            if not seen.all():
+                pixel, depth, number = pixel[seen], depth[seen], number[seen]
+            yield pixel, depth, number
 
 
 def rasterize(clip, faces, width, height):
     """What each pixel sees: the picture of `rasterize_loop`, bit for bit, for whole meshes.
 
-    clip (V, 4), faces (F, 3) integers below V -> face_index (height, width), -1 where no face is
-    seen; depth (height, width), z/w from -1 to 1, np.inf there. Any w, also of vertices behind the
-    camera; faces with vertices that are not finite are left out.
+    clip (V, 4), faces (F, 3) integers from 0 to V - 1 -> face_index (height, width), -1 where no
+    face is seen; depth (height, width), z/w from -1 to 1, np.inf there. Both sides of a face are
+    seen. Any w, also of vertices behind the camera; faces with vertices that are not finite are
+    left out.
     """
     face_index, depth = np.full(height * width, -1), np.full(height * width, np.inf)
     with np.errstate(all="ignore"):  # of faces without an area: they cover nothing
@@ -403,19 +435,32 @@ def barycentric_on_face(px, py, x, y, w):  # exercise 2.16 (3 points)
 
     px, py (N,): samples; x, y, w (3, N), where `edge_function` takes (..., 2): the corners of the
     face that each one sees, w of any sign. Weights of the vertices on the face in space, not in its
-    picture: lab 5 is about the difference.
+    picture: lab 5 is about the difference. To be measured from the sample, not from a corner: one
+    corner may be near infinity.
+
+    >>> x, y, w = np.array([[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1.0, 3.0, 1.0]])[..., None]
+    >>> barycentric_on_face(np.array([4.0]), np.array([2.0]), x, y, w)
+    array([[0.375],
+           [0.25 ],
+           [0.375]])
     """
-    c = np.empty(x.shape)
-    for k, (i, j) in enumerate(EDGES):
-        c[k] = ((y[i] - y[j]) * (px - x[i]) + (x[j] - x[i]) * (py - y[i])) / w[k]
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(EDGES)])
     return c / c.sum(0)
 
 
 def barycentric_derivatives(px, py, x, y, w):  # exercise 2.17 (3 points)
-    """The partial derivatives of b of `barycentric_on_face` by px and by py, each (3, N)."""
+    """The partial derivatives of b of `barycentric_on_face` by px and by py, each (3, N).
+
+    >>> x, y, w = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])[..., None]
+    >>> db_dx, db_dy = barycentric_derivatives(np.array([1.0]), np.array([0.5]), x, y, w)
+    >>> db_dx.T, db_dy.T
+    (array([[-0.25,  0.25,  0.  ]]), array([[-0.5,  0. ,  0.5]]))
+    """
+    x, y = x - px, y - py
     c, dc_dx, dc_dy = np.empty((3, *x.shape))
     for k, (i, j) in enumerate(EDGES):
-        c[k] = ((y[i] - y[j]) * (px - x[i]) + (x[j] - x[i]) * (py - y[i])) / w[k]
+        c[k] = (x[i] * y[j] - x[j] * y[i]) / w[k]
         dc_dx[k], dc_dy[k] = (y[i] - y[j]) / w[k], (x[j] - x[i]) / w[k]
     # b = c / s with s = sum c, so db = (dc - b ds) / s.
     s = c.sum(0)

@@ -236,9 +236,19 @@ def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
 def test_the_box_of_a_triangle_on_paper(impl):
     """The end is not one past the last pixel, or x and y are swapped."""
     triangle = np.array([[1.5, 2.5], [4.2, 3.0], [2.0, 6.9]])
-    assert_equal(impl.bounding_box(triangle, 8, 9), (1, 2, 5, 7))
+    assert_equal(impl.bounding_box(triangle, 8, 9), (1, 2, 4, 7))
     triangle = np.array([[0.5, -9.0], [3.0, 1.2], [2.5, 1.0]])
-    assert_equal(impl.bounding_box(triangle, 8, 8), (0, 0, 4, 2))
+    assert_equal(impl.bounding_box(triangle, 8, 8), (0, 0, 3, 1))
+    assert_equal(impl.bounding_box(triangle + [0.0, 12.0], 8, 9), (0, 3, 3, 9))
+
+
+@exercise("2.8")
+def test_the_box_is_a_sixteenth_of_a_pixel_wider(impl):
+    """The margin is missing, on one side only, or taken away; or a centre on the border is out."""
+    low, high = 1.5 + 1 / 16, 4.5 - 1 / 16  # the box ends at the centres 1.5 and 4.5
+    for shift, first, end in ((0.0, 1, 5), (1e-9, 2, 5), (-1e-9, 1, 4)):
+        triangle = np.array([[low, high], [high, low], [3.0, 3.0]]) + shift
+        assert_equal(impl.bounding_box(triangle, 9, 9), (first, first, end, end))
 
 
 @exercise("2.8")
@@ -250,9 +260,9 @@ def test_the_box_stays_in_the_picture(impl):
     assert_equal(impl.bounding_box(triangle, 10, 20), (0, 2, 10, 20))
     for outside in ([-3.0, -0.5, -1.5], [12.0, 10.0, 11.0]):
         x0, y0, x1, y1 = impl.bounding_box(np.stack([outside, [2.0, 3.0, 5.0]], -1), 10, 20)
-        assert_equal((x1 <= x0 <= 10, 0 <= x1, y0, y1), (True, True, 2, 6))
+        assert_equal((x1 <= x0 <= 10, 0 <= x1, y0, y1), (True, True, 2, 5))
         x0, y0, x1, y1 = impl.bounding_box(np.stack([[2.0, 3.0, 5.0], outside], -1), 20, 10)
-        assert_equal((y1 <= y0 <= 10, 0 <= y1, x0, x1), (True, True, 2, 6))
+        assert_equal((y1 <= y0 <= 10, 0 <= y1, x0, x1), (True, True, 2, 5))
 
 
 @exercise("2.8")
@@ -281,11 +291,11 @@ def test_vertices_on_screen_on_paper(impl):
 @exercise("2.9")
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
     """A division by zero: NaN or infinity spreads through the faces of this vertex."""
-    clip = np.array([[1.0, -1.0, 0.0, 0.0], [1.0, -1.0, 0.0, 1e-9]])
+    clip = np.array([[1.0, -1.0, 0.0, 0.0], [1.0, -1.0, 0.0, 1e-12]])
     x, y, w = impl.screen_points(clip, 8, 4)
-    assert_equal(w, np.array([1e-12, 1e-9]))
-    assert_close(x, np.array([4e12, 4e9]), rtol=1e-6)
-    assert_close(y, np.array([-2e12, -2e9]), rtol=1e-6)
+    assert_equal(w, np.array([1e-10, 1e-12]))
+    assert_close(x, np.array([4e10, 4e12]), rtol=1e-6)
+    assert_close(y, np.array([-2e10, -2e12]), rtol=1e-6)
 
 
 @exercise("2.10")
@@ -307,7 +317,9 @@ def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
     # (x, y, w) are the corners as the camera sees them: its distance to the face has this sign.
     facing = np.linalg.det(clip[faces][..., [0, 1, 3]]) > 0
     x, y, _, w = clip.T
-    assert_equal(impl.cull_back_faces(x / w, y / w, w, faces), faces[facing])
+    for size in 1.0, 1e-9:
+        kept = impl.cull_back_faces(size * x / w, size * y / w, w, faces)
+        assert_equal(kept, faces[facing], given=f"corners scaled by {size}")
 
 
 @exercise("2.10")
@@ -376,17 +388,29 @@ def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
     _, _, from_x, from_y = impl.half_planes(x, y, w)
     assert_close(from_x, np.array([[9.0], [4.0], [9.0]]))
     assert_close(from_y, np.array([[2.0], [7.0], [2.0]]))
+    w = np.array([[1.0], [1.0 + 1e-12], [1.0 + 2e-12]])  # not equal, if only just
+    _, _, from_x, _ = impl.half_planes(x, y, w)
+    assert_close(from_x, np.array([[4.0], [4.0], [9.0]]))
+
+
+@exercise("2.11")
+def test_at_equal_w_and_x_the_lower_end_decides(impl):
+    """Each of the two faces at a vertical edge takes its own end."""
+    x, y, w = np.array([[3.0, 3.0, 5.0], [8.0, 1.0, 4.0], [1.0, -1.0, 1.0]])[..., None]
+    for order in ([0, 1, 2], [1, 0, 2]):
+        _, _, _, from_y = impl.half_planes(x[order], y[order], w[order])
+        assert_close(from_y[2], np.array([1.0]))
 
 
 @exercise("2.11")
 @pytest.mark.parametrize("x, y, w, dead", [
     ([0, 4, 2], [0, 4, 2], [1, 1, 1], [True, True, True]),          # without area
     ([0, 1e160, 0], [0, 0, 1e160], [1, 1, 1], [True, True, True]),  # an area that overflows
-    ([0, 4, 2e9], [0, 0, 4], [1, 1, 9], [True, True, False]),       # edges 0 and 1 from beyond FAR
-    ([0, 4, 2], [0, 0, -2e9], [1, 1, 9], [True, True, False]),      # in y, on the negative side
-    ([0, 4, -2e9], [0, 0, 4], [9, 9, 1], [False, False, False]),    # beyond, but not measured from
-    ([0, 1e-6, 0], [0, 0, 1e-6], [1, 1, 1], [False, False, False]),  # tiny, and alive
-    ([-9e8, 0, 9e8], [-9e8, 9e8, 0], [1, 1, 1], [False, False, False]),  # large, and alive
+    ([0, 4, 1.01e14], [0, 0, 4], [1, 1, 9], [True, True, False]),   # edges 0, 1 from beyond FAR
+    ([0, 4, 2], [0, 0, -1.01e14], [1, 1, 9], [True, True, False]),  # in y, on the negative side
+    ([0, 4, -2e14], [0, 0, 4], [9, 9, 1], [False, False, False]),   # beyond, but not measured from
+    ([0, 1e-9, 0], [0, 0, 1e-9], [1, 1, 1], [False, False, False]),  # tiny, and alive
+    ([-9.9e13, 0, 9e13], [-9e13, 9.9e13, 0], [1, 1, 1], [False, False, False]),  # large, and alive
 ], ids=["flat", "overflow", "far in x", "far in y", "one far end", "tiny", "large"])
 def test_which_edges_have_n_0(impl, x, y, w, dead):
     """The sign of 0 was taken for 1, FAR was asked of the wrong end, in x alone, or without abs."""
@@ -408,9 +432,10 @@ def test_a_tilted_plane_on_paper(impl):
 @exercise("2.12")
 def test_the_depth_plane_goes_through_its_corners(impl, rng):
     """Right for one winding only, or for one face alone."""
-    x, y, z = rng.normal(size=(3, 3, 50))
-    dz_dx, dz_dy = impl.depth_slopes(x, y, z)
-    assert_close(z[0] + dz_dx * (x - x[0]) + dz_dy * (y - y[0]), z, rtol=1e-6, atol=1e-8)
+    for size in 1.0, 1e-9:
+        x, y, z = rng.normal(size=(3, 3, 50)) * np.reshape([size, size, 1], (3, 1, 1))
+        dz_dx, dz_dy = impl.depth_slopes(x, y, z)
+        assert_close(z[0] + dz_dx * (x - x[0]) + dz_dy * (y - y[0]), z, rtol=1e-6, atol=1e-8)
 
 
 @exercise("2.12")
@@ -544,6 +569,41 @@ def test_faces_that_are_not_finite_leave_no_trace(impl):
     assert_close(depth, np.where(seen, 0.0, np.inf))
 
 
+@exercise("2.13")
+def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
+    """Width and height are swapped on the way to the bounding box."""
+    clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
+    for width, height in ((3, 9), (9, 3)):
+        face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), width, height)
+        assert_picture(face_index, np.zeros((height, width), int))
+
+
+@exercise("2.13")
+def test_clip_space_has_no_unit(impl):
+    """A small w is taken for 0: faces far smaller than one are lost, although nothing changed."""
+    clip = 1e-13 * np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 3)
+    seen = np.array([[1, 1, 1, 0], [1, 1, 0, 0], [1, 0, 0, 0]], bool)
+    assert_picture(face_index, np.where(seen, 0, -1))
+
+
+@exercise("2.13")
+@pytest.mark.parametrize("turn", range(3))
+def test_a_floor_that_begins_below_the_camera(impl, turn):
+    """Depth is measured from a corner with w near 0, which lies almost infinitely far away."""
+    # y = -1, from x = -4.9 to 4.9 and z = 0 to -10, fov 90 degrees, near 0.01, far 100.
+    floor = np.array([[-4.9, -1.0, 0.0], [4.9, -1.0, 0.0], [4.9, -1.0, -10.0], [-4.9, -1.0, -10.0]])
+    x, y, z = floor.T
+    clip = np.stack([x, y, -(100.01 * z + 2) / 99.99, -z], -1)
+    faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
+    face_index, depth = impl.rasterize_loop(clip, faces, 16, 16)
+    px, py = np.moveaxis(centres(16, 16), -1, 0) / 8 - 1
+    w = -1 / np.where(py < 0, py, -1e-9)  # where the ray through the pixel meets y = -1
+    seen = (w < 10) & (np.abs(px * w) < 4.9)
+    assert_picture(np.asarray(face_index) >= 0, seen)
+    assert_close(np.asarray(depth)[seen], ((100.01 * w - 2) / 99.99 / w)[seen], rtol=1e-8)
+
+
 # --- whole rows --------------------------------------------------------------------------------
 
 def first_column_loop(a, x0, offset, width):
@@ -559,15 +619,6 @@ def test_the_first_column_on_paper(impl):
     x0     = np.array([ 0.0,  0.0,  0.0,   0.0, 0.0,  3.0])
     offset = np.array([-3.0, -3.1, -2.9, -99.0, 5.0, -1.0])  # x = 1.5, 1.55, 1.45, 49.5, -2.5, 3.5
     assert_close(impl.first_column(a, x0, offset, 8), np.array([1.0, 2.0, 1.0, 8.0, 0.0, 3.0]))
-
-
-@exercise("2.14")
-def test_horizontal_edges_take_all_or_nothing(impl):
-    """0 / 0, or a slope of 0 that is turned into NaN."""
-    offset = np.array([0.0, 1.0, -1.0, -1e-200])
-    with np.errstate(all="ignore"):
-        column = impl.first_column(np.zeros(4), np.full(4, 3.0), offset, 8)
-    assert_close(column, np.array([0.0, 0.0, 8.0, 8.0]))
 
 
 @exercise("2.14")
@@ -620,6 +671,18 @@ def test_a_row_of_pixels_is_half_open(impl):
 
 
 @exercise("2.15")
+def test_horizontal_edges_take_all_or_nothing(impl):
+    """0 / 0, or a slope of 0 that is turned into NaN."""
+    # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
+    n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])
+    n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])
+    from_x, from_y = np.array([[3.0, 3.0], [-9.0, -9.0], [99.0, 99.0]]), np.full((3, 2), 1.5)
+    face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
+    start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
+    assert_close(np.maximum(np.asarray(end) - start, 0), np.array([0.0, 8.0, 8.0, 8.0, 0.0, 0.0]))
+
+
+@exercise("2.15")
 def test_intervals_hold_what_the_planes_say(impl, rng):
     """Planes of another face or another row are used, or a horizontal edge on its own row."""
     planes = rng.integers(-3, 4, (4, 3, 60)).astype(float)
@@ -632,27 +695,13 @@ def test_intervals_hold_what_the_planes_say(impl, rng):
                      given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
 
 
-@pytest.mark.parametrize("scene", range(4))
-def test_whole_meshes_are_drawn_to_the_bit(impl, rng, scene):
-    """The given `rasterize`, made of exercises 2.9 to 2.15: one bit differs in one of them."""
-    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (24, 4))
-    if scene % 2:  # vertices on pixel centres and corners
-        clip = np.round(clip * 8) / 8
-        clip[:, 3] = 1
-    faces = rng.integers(0, 24, (10, 3))
-    with np.errstate(all="ignore"):
-        got = impl.rasterize(clip, faces, 8, 12)
-        expected = planes_loop(clip, faces, 8, 12)
-    assert_picture(got[0], expected[0])
-    assert_equal(got[1], expected[1])
-
-
 def planes_loop(clip, faces, width, height):
     """What `rasterize` must draw: every face at every pixel, by the definition of its planes."""
     face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
-    w = np.where(clip[:, 3] == 0, 1e-12, clip[:, 3])
+    w = np.where(clip[:, 3] == 0, 1e-10, clip[:, 3])
     x, y, z = (clip[:, 0] / w + 1) * width / 2, (clip[:, 1] / w + 1) * height / 2, clip[:, 2] / w
-    for f, (p, q, r) in enumerate(faces):
+    for f, corners in enumerate(faces):
+        p, q, r = np.roll(corners, -np.argmax(np.abs(w[corners])))
         x1, y1, z1, x2, y2, z2 = (v[k] - v[p] for k in (q, r) for v in (x, y, z))
         area = x1 * y2 - x2 * y1
         for i, j in np.ndindex(height, width):
@@ -670,9 +719,24 @@ def planes_loop(clip, faces, width, height):
 
 def agreed_side(x, y, w, s, t, px, py):
     """e and n of the edge from vertex s to t at (px, py), from the end that both its faces take."""
-    base = max((s, t), key=lambda v: (abs(w[v]), -x[v]))
+    base = max((s, t), key=lambda v: (abs(w[v]), -x[v], -y[v]))
     n_x, n_y = y[s] - y[t], x[t] - x[s]
     return n_x * (px - x[base]) + n_y * (py - y[base]), n_x, n_y
+
+
+@pytest.mark.parametrize("scene", range(4))
+def test_whole_meshes_are_drawn_to_the_bit(impl, rng, scene):
+    """The given `rasterize`, made of exercises 2.9 to 2.15: one bit differs in one of them."""
+    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (24, 4))
+    if scene % 2:  # vertices on pixel centres and corners
+        clip = np.round(clip * 8) / 8
+        clip[:, 3] = 1
+    faces = rng.integers(0, 24, (10, 3))
+    with np.errstate(all="ignore"):
+        got = impl.rasterize(clip, faces, 8, 12)
+        expected = planes_loop(clip, faces, 8, 12)
+    assert_picture(got[0], expected[0])
+    assert_equal(got[1], expected[1])
 
 
 # --- where on the face -------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 """The reference's whole pictures: rasterize and what lab 2 composes of its exercises."""
 import tracemalloc
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -7,7 +8,7 @@ import pytest
 from course import mesh
 from reference import rasterization, transforms
 
-GOLDEN = np.load("tests/golden/rasterize.npz")
+GOLDEN = np.load(Path(__file__).parent.parent / "golden" / "rasterize.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
 
 
@@ -43,13 +44,123 @@ def test_whole_meshes_and_the_loop_agree_to_the_bit(seed):
     clip = rng.uniform([-2, -2, -1.5, -1], [2, 2, 1.5, 2], (60, 4))
     faces = rng.integers(0, 60, (80, 3))
     if seed % 2:  # vertices on pixel centres and corners, faces upon each other
-        clip = np.round(clip[:, :4] * 8) / 8
+        clip = np.round(clip * 8) / 8
         clip[:, 3] = 1 if seed < 4 else clip[:, 3]
         faces[40:] = faces[:40, ::-1]
     with np.errstate(all="ignore"):
         loop = rasterization.rasterize_loop(clip, faces, 16, 24)
     assert (loop[0] >= 0).sum() > 100
     assert bits(rasterization.rasterize(clip, faces, 16, 24)) == bits(loop)
+
+
+def tips(rng, w):
+    """Faces up to 1e9 pixels long and far thinner than one, their tips aimed at pixel centres."""
+    tip, length = rng.integers(0, 8, (12, 2)) + 0.5, 10.0 ** rng.uniform(5, 9, (12, 1))
+    angle = rng.uniform(0, 2 * np.pi, (12, 1))
+    along = np.concatenate([np.cos(angle), np.sin(angle)], 1)
+    across = along[:, ::-1] * [-1, 1] * length * 10.0 ** rng.uniform(-12, -6, (12, 1))
+    tip -= along * rng.uniform(-0.5, 0.5, (12, 1))
+    corners = np.stack([tip, tip + along * length, tip + 0.7 * along * length + across], 1)
+    x, y = corners.reshape(-1, 2).T
+    return on_screen(x, y, 8, 8) * np.tile(w, 12)[:, None]
+
+
+def slivers(rng):
+    """Corners on a line through pixel centres, but for the last bits."""
+    start, step = rng.integers(0, 8, (12, 1, 2)) + 0.5, rng.integers(-3, 4, (12, 1, 2))
+    corners = start + step * rng.permutation(3)[None, :, None]
+    x, y = (corners + rng.integers(-3, 4, corners.shape) * 2.0 ** -50).reshape(-1, 2).T
+    return on_screen(x, y, 8, 8)
+
+
+def in_camera_plane(rng):
+    """One corner of each face with w = 0, others behind and in front."""
+    clip = rng.normal(size=(36, 4))
+    clip[::3, 3] = 0
+    return clip
+
+
+def small_w(rng):
+    """Corners on both sides of the camera plane and very near to it."""
+    clip = rng.normal(size=(36, 4))
+    clip[:, 3] *= 10.0 ** rng.uniform(-14, 0, 36)
+    return clip
+
+
+def in_near_plane(rng):
+    """z = w but for the last bit."""
+    clip = rng.uniform([-2, -2, 0, 0.3], [2, 2, 0, 2], (36, 4))
+    clip[:, 2] = -clip[:, 3] * (1 + rng.integers(-1, 2, 36) * 2.0 ** -52)
+    return clip
+
+
+def broken(rng):
+    """Numbers that are not finite, or become so on screen."""
+    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (36, 4))
+    clip[rng.integers(0, 36, 9), rng.integers(0, 4, 9)] = rng.choice([np.nan, np.inf, 1e308], 9)
+    return clip
+
+
+HOSTILE = {"tips": lambda rng: tips(rng, [1, 1, 1]), "tips, w": lambda rng: tips(rng, [.5, 1, 1.5]),
+           **{make.__name__: make for make in (slivers, in_camera_plane, small_w, in_near_plane,
+                                               broken)}}
+
+
+@pytest.mark.parametrize("make", HOSTILE.values(), ids=HOSTILE)
+def test_hostile_faces_agree_with_the_loop_to_the_bit(make):
+    """The loop and the rows bound a face differently, or take another w, end or corner for it."""
+    faces = np.arange(36).reshape(12, 3)
+    seen = 0
+    for seed in range(60):
+        clip = make(np.random.default_rng(seed))
+        with np.errstate(all="ignore"):
+            loop = rasterization.rasterize_loop(clip, faces, 8, 8)
+        assert bits(rasterization.rasterize(clip, faces, 8, 8)) == bits(loop), f"seed {seed}"
+        seen += (loop[0] >= 0).sum()
+    assert seen > 100
+
+
+@pytest.mark.parametrize("near", [0.0, 1e-9, 1e-5, 1.0])
+def test_the_order_of_corners_changes_nothing(near):
+    """A floor that begins below the camera: measured from the wrong corner, it vanishes."""
+    floor = np.array([[-4.9, -1, -near], [4.9, -1, -near], [4.9, -1, -10], [-4.9, -1, -10]])
+    clip = transforms.transform(transforms.to_homogeneous(floor),
+                                transforms.perspective(np.pi / 2, 1.0, 0.01, 100.0))
+    px, py = (np.stack(np.meshgrid(np.arange(64), np.arange(64))) + 0.5) / 32 - 1
+    w = -1 / py
+    expected = (w > near) & (w < 10) & (np.abs(px * w) < 4.9)
+    for turn in range(3):
+        faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
+        face_index, depth = rasterization.rasterize(clip, faces, 64, 64)
+        np.testing.assert_array_equal(face_index >= 0, expected)
+        barycentric = rasterization.barycentrics(face_index, clip, faces)
+        corners = clip[faces[face_index[expected]]]
+        at = (barycentric[expected][..., None] * corners).sum(1)
+        # the point on the face projects back to its pixel and its depth
+        np.testing.assert_allclose(at[:, 0] / at[:, 3], px[expected], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(at[:, 1] / at[:, 3], py[expected], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(at[:, 2] / at[:, 3], depth[expected], rtol=0, atol=1e-9)
+
+
+def test_a_face_ten_million_pixels_wide_is_seen_at_any_size():
+    """FAR is so small that a legitimate face counts as beyond floating point."""
+    clip = np.array([[-5e6, -5e6, 0, 1], [5e6, -5e6, 0, 1], [0, 1e7, 0, 1.0]])
+    for size in (8, 512):
+        assert (rasterization.rasterize(clip, np.array([[0, 1, 2]]), size, size)[0] == 0).all()
+
+
+def test_a_vertical_edge_of_equal_w_is_watertight():
+    """Each face at the edge measures it from its own end: the far one has lost its digits."""
+    clip = np.array([[0, -0.9, 0, 1], [0, 1e9, 0, 1], [-1, -0.9, 0, 1], [1, -0.9, 0, 1]])
+    counts = coverage(clip, np.array([[0, 1, 2], [1, 0, 3]]), 16, 16)
+    np.testing.assert_array_equal(counts, np.where(np.arange(16)[:, None] > 0, 1, 0) + 0 * counts)
+
+
+def test_single_precision_is_taken_for_what_it_is():
+    """Vertices in 32 bits are computed with in 32 bits."""
+    clip, faces = golden("cube_64x64")[:2]
+    assert bits(rasterization.rasterize(clip.astype(np.float32), faces, 64, 64)) \
+        == bits(rasterization.rasterize(clip.astype(float), faces, 64, 64))
 
 
 def test_chunks_change_nothing(monkeypatch):
