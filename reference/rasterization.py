@@ -244,12 +244,15 @@ def can_be_seen(clip, x, y, faces):
 
 
 def farthest_first(corners, w):
-    """The corners (3, F) of faces, turned: first the one of greatest |w|, w (V,).
+    """The corners (3, F) of faces, the one of greatest |w| swapped to the front; w (V,).
 
     It lies best on screen; where w is nearly 0, x, y and z / w are nearly infinite.
     """
-    first = np.abs(w)[corners].argmax(0)
-    return corners[(first + [[0], [1], [2]]) % 3, np.arange(len(first))]
+    first, second, third = corners
+    swap = np.abs(w[second]) > np.abs(w[first])
+    first, second = np.where(swap, second, first), np.where(swap, first, second)
+    swap = np.abs(w[third]) > np.abs(w[first])
+    return np.stack([np.where(swap, third, first), second, np.where(swap, first, third)])
 
 
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)

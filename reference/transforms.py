@@ -45,6 +45,11 @@ def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
     """Backward of `transform`: grad_output (..., 4) -> grad_points (..., 4), grad_matrix (4, 4).
 
     Every point adds to the one grad_matrix, however many axes the points have.
+
+    >>> point, matrix = np.array([5.0, 6.0, 8.0, 1.0]), np.diag([1.0, 2.0, 3.0, 4.0])
+    >>> grad_point, grad_matrix = transform_backward(np.array([0.0, 10.0, 0.0, 0.0]), point, matrix)
+    >>> grad_point, grad_matrix[1]
+    (array([ 0., 20.,  0.,  0.]), array([50., 60., 80., 10.]))
     """
     # output_ni = sum_j matrix_ij points_nj
     grad_points = grad_output @ matrix
@@ -93,9 +98,10 @@ def rotate(axis, angle):  # exercise 1.6 (3 points)
 
 
 def look_at(eye, target, up):  # exercise 1.7 (3 points)
-    """view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,), not along up (3,).
+    """view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
 
-    It takes eye to the origin and target to the -z axis; up ends in the y-z plane, where y > 0.
+    The target is not the eye, and up (3,) is not along the look. The matrix takes eye to the origin
+    and target to the -z axis; up ends in the y-z plane, where y > 0.
 
     >>> look_at(np.array([0.0, 0.0, 5.0]), np.zeros(3), np.array([0.0, 1.0, 0.0]))[2]
     array([ 0.,  0.,  1., -5.])
@@ -167,7 +173,7 @@ def orthographic(l, r, b, t, near, far):  # exercise 1.12 (2 points)
     """clip_from_view (4, 4) without perspective: the box l..r, b..t, z = -near..-far fills ndc.
 
     Of an object that is shallow beside its distance it gives nearly the picture that `frustum`
-    does: weak perspective.
+    does, if l, r, b, t are those of the plane through the object: weak perspective.
 
     >>> orthographic(0.0, 4.0, -1.0, 1.0, 1.0, 3.0) @ np.array([4.0, 1.0, -1.0, 1.0])
     array([ 1.,  1., -1.,  1.])
@@ -188,7 +194,11 @@ def perspective_divide(clip):  # exercise 1.13 (1 point)
 
 
 def perspective_divide_backward(grad_ndc, clip):  # exercise 1.14 (2 points)
-    """Backward of eq. (3): grad_ndc (..., 3), clip (..., 4) -> grad_clip (..., 4)."""
+    """Backward of eq. (3): grad_ndc (..., 3), clip (..., 4) -> grad_clip (..., 4).
+
+    >>> perspective_divide_backward(np.array([1.0, 0.0, 0.0]), np.array([6.0, 4.0, -2.0, 2.0]))
+    array([ 0.5,  0. ,  0. , -1.5])
+    """
     # d(x/w) = dx/w - (x/w) dw/w, and so for y and z: all three add to the gradient of w.
     w = clip[..., 3:]
     grad_xyz = grad_ndc / w
