@@ -135,12 +135,12 @@ def enlarged(picture, times):
 
 
 def msaa(labs):
-    """The bunny's silhouette with 1, 4, 16 and 25 samples in a pixel."""
+    """The bunny's silhouette with 1, 4 and 16 samples in a pixel, and by exact areas."""
     vertices, faces = mesh.bunny()
     vertices = mesh.normalize(vertices)
     clip = clip_positions(labs, vertices, eye=np.array([-1.3, 0.7, 2.2]))
     normals = mesh.vertex_normals(vertices, faces)
-    shades, ears = [], []
+    background, shades, ears = image.to_linear(BACKGROUND), [], []
     yield f"read {len(vertices):,} vertices, {len(faces):,} faces", None
 
     def shade(px, py, face):
@@ -148,18 +148,44 @@ def msaa(labs):
         barycentric = labs.msaa.barycentric_at(px, py, face, clip, faces, SIZE, SIZE)
         return lit(barycentric, normals[faces[face]])
 
-    for count, draw, pattern in ((1, "msaa", labs.msaa.standard_pattern(1)),
-                                 (4, "msaa", labs.msaa.standard_pattern(4)),
-                                 (16, "msaa", labs.msaa.standard_pattern(16)),
-                                 (25, "supersample", 5)):
-        picture = getattr(labs.msaa, draw)(clip, faces, SIZE, SIZE, pattern, shade,
-                                           image.to_linear(BACKGROUND))
-        yield f"{draw}, {count} in a pixel", None
-        picture, samples = image.to_srgb(picture), count * SIZE * SIZE / 1e6
-        ears.append(picture[EARS].repeat(6, axis=0).repeat(6, axis=1))
+    for count in 1, 4, 16:
+        pattern = labs.msaa.standard_pattern(count)
+        picture = labs.msaa.msaa(clip, faces, SIZE, SIZE, pattern, shade, background)
+        ears.append(picture)
+        yield f"{count} in a pixel", None
+        samples = count * SIZE * SIZE / 1e6
         yield (f"  {samples:.1f}M samples, {shades[-1] / 1e3:,.0f}k shades, {8 * samples:.0f} MB",
-               save("msaa", f"{count}x", picture))
-    yield "close up of all four", save("msaa", "close_up", np.concatenate(ears, axis=1))
+               save("msaa", f"{count}x", image.to_srgb(picture)))
+
+    exact, area = by_area(labs, clip, faces, shade, background)
+    layers = area > 1 + 1e-9
+    exact[layers] = ears[-1][layers]
+    yield (f"exact areas; of {layers.mean():.1%}, with several layers, the 16x",
+           save("msaa", "exact", image.to_srgb(exact)))
+    ears = [image.to_srgb(picture[EARS]) for picture in [*ears, exact]]
+    ears = np.concatenate(ears, axis=1).repeat(6, axis=0).repeat(6, axis=1)
+    yield "close up of all four", save("msaa", "close_up", ears)
+
+
+def by_area(labs, clip, faces, shade, background):
+    """Each front face by its exact area in every pixel: picture (SIZE, SIZE, 3), sum of areas.
+
+    Right where the faces in a pixel lie side by side; where some hide others, the sum is above 1.
+    """
+    x, y, _ = labs.rasterization.screen_points(clip, SIZE, SIZE)
+    corners, parts = np.stack([x, y], -1)[faces], []
+    for face in np.flatnonzero(labs.rasterization.signed_area(corners) > 0):
+        low = np.floor(corners[face].min(0)).astype(int)
+        width, height = np.floor(corners[face].max(0)).astype(int) + 1 - low
+        coverage = labs.sampling.pixel_coverage(corners[face] - low, width, height)
+        row, column = np.nonzero(coverage)
+        parts.append((row + low[1], column + low[0], 0 * row + face, coverage[row, column]))
+    row, column, face, part = (np.concatenate(values) for values in zip(*parts, strict=True))
+    picture, area = np.zeros((SIZE, SIZE, 3)), np.zeros((SIZE, SIZE))
+    colour = shade(column + 0.5, row + 0.5, face)
+    np.add.at(picture, (row, column), part[:, None] * colour)
+    np.add.at(area, (row, column), part)
+    return picture + (1 - area)[..., None] * background, area
 
 
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):

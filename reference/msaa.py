@@ -184,12 +184,13 @@ def shading_requests(face_index):  # exercise 4.9 (4 points)
     seen = face_index.reshape(len(face_index), -1)  # (S, H W)
     mixed = (seen[1:] != seen[0]).any(0)
     pixel, mixed = np.flatnonzero((seen[0] >= 0) & ~mixed), np.flatnonzero(mixed)
-    face, request = seen[0, pixel], np.full(seen.shape, -1)
-    request[:, pixel] = np.arange(len(pixel))
+    face, request = seen[0, pixel], np.full(seen.shape[1], -1)
+    request[pixel] = np.arange(len(pixel))
+    request = np.tile(request, (len(seen), 1))
     # A mixed pixel's sample has the request of the last sample there that sees the same face.
     seen = seen[:, mixed]
     last = np.zeros(seen.shape, int)
-    for s in range(len(seen)):
+    for s in range(1, len(seen)):
         np.copyto(last, s, where=seen == seen[s])
     s, k = np.nonzero((last == np.arange(len(seen))[:, None]) & (seen >= 0))
     number = np.full(seen.shape, -1)
@@ -212,13 +213,14 @@ def resolve(shade, request, background):  # exercise 4.10 (3 points)
     array([[3. , 1. , 0.1]])
     """
     colour = np.concatenate([shade, background[None]])  # row -1 is the background
-    picture = colour.take(request[0], 0)
-    mixed = np.nonzero((request[1:] != request[0]).any(0))
+    used = request.reshape(len(request), -1)
+    picture = colour.take(used[0], 0)
+    mixed = np.flatnonzero((used[1:] != used[0]).any(0))
     # The mean as one colour and the others' mean distance from it: equal ones add exactly 0.
     first = picture[mixed]
-    others = sum(colour.take(used[mixed], 0) - first for used in request[1:])
+    others = sum(colour.take(sample, 0) - first for sample in used[1:, mixed])
     picture[mixed] += others / len(request)
-    return picture
+    return picture.reshape(*request.shape[1:], -1)
 
 
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
