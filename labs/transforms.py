@@ -73,7 +73,7 @@ def scale(factors):  # exercise 1.5 (1 point)
 
 
 def rotate(axis, angle):  # exercise 1.6 (3 points)
-    """Matrix (4, 4) that turns by angle about axis (3,) of any length but 0: Rodrigues' formula.
+    """Matrix (4, 4) that turns by angle about axis (3,), of any length but 0: Rodrigues' formula.
 
     Right-handed: seen from the tip of the axis, a positive angle turns counter-clockwise.
 

@@ -23,11 +23,12 @@ their length) can lose or double a sample; hardware rounds all vertices to 1/256
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3)-(5), Olano and Greer 1997 (4),
 GAMES101 lectures 5 and 6 and its homework 2, a rasterizer for single triangles.
 """
+import itertools
+
 import numpy as np
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
-CAMERA_PLANE = 1e-10  # the w of vertices with w = 0, which have no place on screen
-FAR = 1e14            # pixels: an edge measured from farther away is beyond floating point
+CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 TINY = 1e-300         # stands for a slope of 0 in a division
 MARGIN = 1 / 16       # pixels added to a face's bounds: more than rounding moves its edges
 CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they stay in the cache
@@ -36,10 +37,10 @@ CHUNK = 1 << 14       # rows of faces, then fragments, in flight at once: they s
 def edge_function(p, a, b):  # exercise 2.1 (2 points)
     """Eq. (1): on which side of the line from a to b does p lie? Positive: on its left.
 
-    p, a, b (..., 2), shapes that broadcast -> e (...). To the last bit, unless it overflows: 0 at
-    p = a and at p = b; and swapping a and b flips the sign and changes nothing else. So p is to be
-    measured from the same end, whichever of the two it is called: element by element, the points
-    themselves must tell.
+    p, a, b (..., 2), shapes that broadcast -> e (...). To the last bit, unless it overflows: e is 0
+    at p = a and at p = b, and swapping a and b flips its sign and nothing else. So both calls must
+    measure p from the same end: which one, the coordinates of the two tell, for each element alone,
+    and not which of them is called a.
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)
@@ -155,13 +156,16 @@ def screen_points(clip, width, height):  # exercise 2.9 (1 point)
     """Where the vertices are on screen: clip (V, 4) -> x, y, w, each (V,) of float64.
 
     x and y in pixels, after divide and viewport (lab 1), also where w < 0: a vertex behind the
-    camera comes out mirrored. A w of 0 is replaced by CAMERA_PLANE, also in the w returned.
+    camera comes out mirrored. In the camera plane it has no place: a |w| less than CAMERA_PLANE
+    times the greater of |x| and |y| is raised to that, also in the w returned. The sign stays; of
+    w = 0 it is positive. The eye itself, x = y = w = 0, comes out as nan.
 
     >>> screen_points(np.array([[0.0, 2.0, 0.0, 2.0], [0.0, 2.0, 0.0, -2.0]]), 8, 4)
     (array([4., 4.]), array([4., 0.]), array([ 2., -2.]))
     """
     x, y, _, w = clip.T.astype(float)
-    w = np.where(w == 0, CAMERA_PLANE, w)
+    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
+    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
     return (x / w + 1) * (width / 2), (y / w + 1) * (height / 2), w
 
 
@@ -186,11 +190,11 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
         c_k >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
 
     x, y, w (3, F), finite: the faces' corners, row k of vertex k. (n_x[k], n_y[k]) is n of eq. (1)
-    of the edge opposite to vertex k, times the signs of A (`signed_area`) and of w_k.
+    of the edge opposite to vertex k, times the sign of w_k and the sign of A, which is taken of
+    (x[1] - x[0]) (y[2] - y[0]) - (x[2] - x[0]) (y[1] - y[0]). So n = 0 where that is 0.
     (from_x[k], from_y[k]) is one end of that edge, the same in both faces at it: the end of greater
     |w| (the other may be near infinity), of equal ones that of smaller x, of equal x that of
     smaller y.
-    n = 0 where A = 0, where A overflows, and where |from_x| or |from_y| is FAR or more.
 
     >>> corners = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 2.0], [1.0, -2.0, 1.0]])
     >>> n_x, n_y, from_x, from_y = half_planes(*corners[..., None])
@@ -200,15 +204,13 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
     (array([[4., 0., 4.]]), array([[0., 0., 0.]]))
     """
     n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
-    area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
-    winding = np.where(np.isfinite(area), np.sign(area), 0)
+    winding = np.sign((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]))
     for k, (i, j) in enumerate(EDGES):
         w_i, w_j = np.abs(w[i]), np.abs(w[j])
         before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
         at_i = (w_i > w_j) | ((w_i == w_j) & before)
         from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
-        near = np.maximum(np.abs(from_x[k]), np.abs(from_y[k])) < FAR
-        sign = winding * np.sign(w[k]) * near
+        sign = winding * np.sign(w[k])
         n_x[k], n_y[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
     return n_x, n_y, from_x, from_y
 
@@ -237,10 +239,10 @@ def can_be_seen(clip, x, y, faces):
     """
     clip_x, clip_y, z, w = clip.T
     beyond = clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0
-    outcode = np.packbits(beyond, axis=0)[0]  # of each vertex, one bit for each plane
-    finite = np.isfinite(x + y + z + w)
+    # Of each vertex one bit for each plane, and the last bit: 1 if it is finite.
+    outcode = np.packbits([*beyond, np.isfinite(x + y + z + w)], axis=0)[0]
     k0, k1, k2 = faces.T
-    return ((outcode[k0] & outcode[k1] & outcode[k2]) == 0) & finite[k0] & finite[k1] & finite[k2]
+    return outcode[k0] & outcode[k1] & outcode[k2] == 1
 
 
 def farthest_first(corners, w):
@@ -277,32 +279,30 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
-    visible = np.flatnonzero(can_be_seen(clip, x, y, faces))
+    seen = np.flatnonzero(can_be_seen(clip, x, y, faces))
     corners = farthest_first(faces.T, w)
     x, y, z, w = np.stack([x, y, clip[:, 2] / w, w])[:, corners]  # (3, F) each
     planes, (dz_dx, dz_dy) = np.stack(half_planes(x, y, w)), depth_slopes(x, y, z)
-    for f in visible:
-        x0, y0, x1, y1 = 0, 0, width, height
-        if (w[:, f] > 0).all():
-            x0, y0, x1, y1 = bounding_box(np.stack([x[:, f], y[:, f]], -1), width, height)
+    for f in seen:
+        box = bounding_box(np.stack([x[:, f], y[:, f]], -1), width, height)
+        x0, y0, x1, y1 = box if (w[:, f] > 0).all() else (0, 0, width, height)
         n_x, n_y, from_x, from_y = planes[:, :, f]
-        for i in range(y0, y1):
-            for j in range(x0, x1):
-                e = n_x * (j + 0.5 - from_x) + n_y * (i + 0.5 - from_y)
-                if not ((e > 0) | (e == 0) & is_top_left(n_x, n_y)).all():
-                    continue
-                d = dz_dx[f] * (j + 0.5 - x[0, f]) + (dz_dy[f] * (i + 0.5 - y[0, f]) + z[0, f])
-                if -1 <= d <= 1 and d < depth[i, j]:
-                    face_index[i, j], depth[i, j] = f, d
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            e = n_x * (j + 0.5 - from_x) + n_y * (i + 0.5 - from_y)
+            if not ((e > 0) | (e == 0) & is_top_left(n_x, n_y)).all():
+                continue
+            d = dz_dx[f] * (j + 0.5 - x[0, f]) + (dz_dy[f] * (i + 0.5 - y[0, f]) + z[0, f])
+            if -1 <= d <= 1 and d < depth[i, j]:
+                face_index[i, j], depth[i, j] = f, d
     return face_index, depth
 
 
 def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
     """The least column j with slope (j + 0.5 - from_x) + offset >= 0, as floating point decides it.
 
-    slope (R,) > 0, from_x, offset (R,) -> j (R,) floats: whole numbers from 0 to width, width if
-    there is none. A quotient finds the place, but is rounded differently from this sum, which has
-    the last word; for |from_x| < FAR the two are never more than one column apart.
+    slope (R,) > 0, from_x, offset (R,), finite -> j (R,) floats: whole numbers from 0 to width,
+    width if there is none. A quotient finds the place, but is rounded differently from this sum,
+    which has the last word; for |from_x| < 1e14 the two are never more than one column apart.
 
     >>> zero = np.zeros(3)
     >>> first_column(np.array([2.0, 2.0, 2.0]), zero, np.array([-3.0, -3.1, -99.0]), 8)
@@ -332,7 +332,8 @@ def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y).astype(float)
         sign = 2 * opens - 1  # from here on, e grows from left to right
-        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, -1, from_x)
+        # Of a horizontal edge, e is offset, and so is its sign with a slope of TINY from x = 0.
+        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
         offset = (sign * n_y)[face] * (y - from_y[face])
         column = first_column(slope[face], from_x[face], offset, width)
         opens = opens[face]  # 1: column is the start; 0: it is the end
@@ -383,20 +384,19 @@ def spans(clip, faces, width, height):
     z = clip[:, 2] / w
     left, right = sample_range(x, w > 0, faces, width)
     bottom, top = sample_range(y, w > 0, faces, height)
-    drawn = can_be_seen(clip, x, y, faces) & (left < right) & (bottom < top)
-    drawn = np.flatnonzero(drawn)[::-1]
-    for part in chunks((top - bottom)[drawn]):
-        number = drawn[part]
-        corners = farthest_first(faces[number].T, w)
+    can_be_drawn = can_be_seen(clip, x, y, faces) & (left < right) & (bottom < top)
+    drawn = np.flatnonzero(can_be_drawn)[::-1]
+    for part in (drawn[part] for part in chunks((top - bottom)[drawn])):
+        corners = farthest_first(faces[part].T, w)
         cx, cy, cz = x[corners], y[corners], z[corners]
         planes, (dz_dx, dz_dy) = half_planes(cx, cy, w[corners]), depth_slopes(cx, cy, cz)
-        face, row = expand(bottom[number], (top - bottom)[number])
+        face, row = expand(bottom[part], (top - bottom)[part])
         start, end = row_interval(planes, face, row + 0.5, width)
-        start, end = np.maximum(start, left[number][face]), np.minimum(end, right[number][face])
+        start, end = np.maximum(start, left[part][face]), np.minimum(end, right[part][face])
         covered = np.flatnonzero(start < end)
         face, row, start, end = face[covered], row[covered], start[covered], end[covered]
         offset = dz_dy[face] * (row + 0.5 - cy[0][face]) + cz[0][face]
-        yield (number[face], row, start.astype(int), end.astype(int),
+        yield (part[face], row, start.astype(int), end.astype(int),
                dz_dx[face], cx[0][face], offset)
 
 
@@ -409,11 +409,11 @@ def fragments(clip, faces, width, height):
         for part in chunks(length):
             span, column = expand(start[part], length[part])
             depth = slope[part][span] * (column + 0.5 - from_x[part][span]) + offset[part][span]
-            pixel, number = row_start[part][span] + column, face[part][span]
+            pixel, covering = row_start[part][span] + column, face[part][span]
             seen = np.abs(depth) <= 1  # between near and far
             if not seen.all():
-                pixel, depth, number = pixel[seen], depth[seen], number[seen]
-            yield pixel, depth, number
+                pixel, depth, covering = pixel[seen], depth[seen], covering[seen]
+            yield pixel, depth, covering
 
 
 def rasterize(clip, faces, width, height):

@@ -120,12 +120,13 @@ def test_hostile_faces_agree_with_the_loop_to_the_bit(make):
     assert seen > 100
 
 
-@pytest.mark.parametrize("near", [0.0, 1e-9, 1e-5, 1.0])
-def test_the_order_of_corners_changes_nothing(near):
+@pytest.mark.parametrize("unit", [1e-13, 1.0, 1e5])
+@pytest.mark.parametrize("near", [-1e-17, 0.0, 1e-17, 1e-12, 1e-9, 1e-5, 1.0])
+def test_the_order_of_corners_changes_nothing(near, unit):
     """A floor that begins below the camera: measured from the wrong corner, it vanishes."""
     floor = np.array([[-4.9, -1, -near], [4.9, -1, -near], [4.9, -1, -10], [-4.9, -1, -10]])
-    clip = transforms.transform(transforms.to_homogeneous(floor),
-                                transforms.perspective(np.pi / 2, 1.0, 0.01, 100.0))
+    clip = unit * transforms.transform(transforms.to_homogeneous(floor),
+                                       transforms.perspective(np.pi / 2, 1.0, 0.01, 100.0))
     px, py = (np.stack(np.meshgrid(np.arange(64), np.arange(64))) + 0.5) / 32 - 1
     w = -1 / py
     expected = (w > near) & (w < 10) & (np.abs(px * w) < 4.9)
@@ -142,8 +143,25 @@ def test_the_order_of_corners_changes_nothing(near):
         np.testing.assert_allclose(at[:, 2] / at[:, 3], depth[expected], rtol=0, atol=1e-9)
 
 
+def test_a_corner_beside_the_camera_loses_no_face():
+    """Corners whose w is all rounding, as where a floor begins beside a camera that is turned."""
+    rng = np.random.default_rng(0)
+    for _ in range(50):
+        eye, look = rng.normal(size=(2, 3))
+        view = transforms.look_at(eye, eye + look, np.array([0.0, 1.0, 0.0]))
+        world_from_view = np.linalg.inv(view)
+        floor = np.array([[-4.9, -1, 0], [4.9, -1, 0], [4.9, -1, -10], [-4.9, -1, -10]])
+        corners = transforms.transform(transforms.to_homogeneous(floor), world_from_view)
+        clip = transforms.transform(corners, transforms.perspective(np.pi / 2, 1, 0.01, 100) @ view)
+        face_index, _ = rasterization.rasterize(clip, np.array([[0, 1, 2], [0, 2, 3]]), 32, 32)
+        px, py = (np.stack(np.meshgrid(np.arange(32), np.arange(32))) + 0.5) / 16 - 1
+        w = -1 / py
+        expected = (w > 0) & (w < 10) & (np.abs(px * w) < 4.9)
+        np.testing.assert_array_equal(face_index >= 0, expected)
+
+
 def test_a_face_ten_million_pixels_wide_is_seen_at_any_size():
-    """FAR is so small that a legitimate face counts as beyond floating point."""
+    """A legitimate face counts as beyond floating point."""
     clip = np.array([[-5e6, -5e6, 0, 1], [5e6, -5e6, 0, 1], [0, 1e7, 0, 1.0]])
     for size in (8, 512):
         assert (rasterization.rasterize(clip, np.array([[0, 1, 2]]), size, size)[0] == 0).all()
