@@ -4,17 +4,17 @@ A point is divided by its w to get on the screen. What is linear on the face is 
 but A / w and 1 / w are. Along a segment, t is the fraction of the way on screen, q that in space.
 
     q = t w_0 / (t w_0 + (1 - t) w_1)                          0 at corner 0, 1 at corner 1  (1)
-    A = lerp(A_0/w_0, A_1/w_1, t) / lerp(1/w_0, 1/w_1, t)      an attribute: lerp(A_0, A_1, q) (2)
+    A = lerp(A_0/w_0, A_1/w_1, t) / lerp(1/w_0, 1/w_1, t)      which is lerp(A_0, A_1, q)    (2)
     b_k = n_k / s,   n_k = e_k / w_k,   s = n_0 + n_1 + n_2    corrected barycentrics        (3)
     db_k = (dn_k - b_k (dn_0 + dn_1 + dn_2)) / s               their derivatives             (4)
     A = b_0 A_0 + b_1 A_1 + b_2 A_2                            a pixel that sees a face      (5)
     dA/dx = db_0/dx A_0 + db_1/dx A_1 + db_2/dx A_2            and dA/dy: its footprint      (6)
-    A_pixels = W A_vertices                                    (5) for all pixels at once    (7)
-    grad_A_vertices = W^T grad_A_pixels,   grad_b_k = grad_A . A_k                           (8)
+    A_pixels = B A_vertices                                    (5) for all pixels at once    (7)
+    grad_A_vertices = B^T grad_A_pixels,   grad_b_k = grad_A . A_k                           (8)
 
 e_k is any multiple of the edge function opposite to corner k, as lab 2's e or its b in eq. (3)
 there. Then n is M^-1 (x, y, 1), up to a factor that (3) divides away: edge functions and the
-inverse of lab 7 and of lab 10 are one thing. W has one row per pixel, one column per vertex.
+inverse of lab 7 and of lab 10 are one thing. B has one row per pixel, one column per vertex.
 
 The caller sees to it that w_k and s are not 0. attributes (V, C): C numbers at each vertex, of any
 meaning. faces (F, 3) may name other vertices than those of the positions, as uv with seams do.
@@ -74,8 +74,8 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # exercise 5.4 (2 points)
 def corrected_barycentrics(e, w):  # exercise 5.5 (2 points)
     """Eq. (3): the weights on the screen, e (..., 3), and the corners' w (..., 3) -> b (..., 3).
 
-    b are the weights on the face in space, with sum 1. e may have any sum but 0, and either sign:
-    multiplied by a number, it gives the same b.
+    b are the weights on the face in space, with sum 1. e and w may have any sign and e any sum, as
+    long as s is not 0: e multiplied by a number gives the same b.
 
     >>> corrected_barycentrics(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
     array([0.75, 0.25, 0.  ])
@@ -111,8 +111,8 @@ def corrected_barycentrics_derivatives(de, e, w):  # exercise 5.7 (3 points)
 def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), pixel by pixel: -> (H, W, C), 0 where no face is seen. Slow and obvious.
 
-    attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3), of which the numbers
-    at pixels without a face mean nothing.
+    attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3). At pixels without a
+    face the weights may be anything, NaN too.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
@@ -129,7 +129,7 @@ def interpolate_backward_loop(grad_output, attributes, faces, face_index,  # exe
     (H, W, 3). Slow and obvious.
 
     The three weights of a pixel count as free, although their sum is 1. A pixel without a face adds
-    to nothing, whatever its grad_output, and its grad_barycentric is 0.
+    to nothing, whatever its grad_output and weights (NaN, too), and its grad_barycentric is 0.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])
@@ -141,12 +141,12 @@ def interpolate_backward_loop(grad_output, attributes, faces, face_index,  # exe
 
 
 def weight_rows(faces, face_index, barycentric):  # exercise 5.10 (3 points)
-    """W of eq. (7) in compressed sparse rows: start (H W + 1,), vertex (3 N,), weight (3 N,).
+    """B of eq. (7) in compressed sparse rows: start (H W + 1,), vertex (3 N,), weight (3 N,).
 
-    Pixel [i, j] is row W i + j (with W columns in the picture); N pixels see a face. The entries of
-    row p are those numbered start[p], start[p] + 1, ... as far as start[p + 1], which is not one of
-    them: weight[n] stands in column vertex[n]. A pixel that sees a face has three, in the order of
-    its corners, one without has none. start and vertex are integers, and start[0] = 0.
+    The rows of B are the pixels, row by row of the picture; N of them see a face. Row p has the
+    entries n = start[p], start[p] + 1, ... below start[p + 1]: weight[n] is in column vertex[n]. A
+    pixel that sees a face has three, in the order of its corners, one without has none. start and
+    vertex are integers, start[0] = 0.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> weight_rows(faces, seen, np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]]))
@@ -156,7 +156,7 @@ def weight_rows(faces, face_index, barycentric):  # exercise 5.10 (3 points)
 
 
 def interpolation_matrix(vertex_count, faces, face_index, barycentric):
-    """W of eq. (7), a sparse matrix (H W, V), made of `weight_rows`."""
+    """B of eq. (7), a sparse matrix (H W, V), made of `weight_rows`."""
     start, vertex, weight = weight_rows(faces, face_index, barycentric)
     return scipy.sparse.csr_array((weight, vertex, start), (face_index.size, vertex_count))
 
@@ -165,7 +165,7 @@ def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2
     """Eq. (7): what `interpolate_loop` gives, for whole pictures -> (H, W, C).
 
     attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3). The given
-    `interpolation_matrix` is W; arrays are multiplied by it with @.
+    `interpolation_matrix` is B; arrays are multiplied by it with @.
     """
     raise NotImplementedError("exercise 5.11: interpolate")
 
@@ -182,8 +182,8 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
 def interpolate_derivatives(attributes, faces, face_index, derivatives):  # exercise 5.13 (2 points)
     """Eq. (6): dA/dx and dA/dy per pixel -> (H, W, C, 2), 0 where no face is seen.
 
-    derivatives (H, W, 3, 2): db/dx and db/dy, as lab 2's barycentrics_derivatives gives them; those
-    at pixels without a face mean nothing. The others as for `interpolate`.
+    derivatives (H, W, 3, 2): db/dx and db/dy, as lab 2's barycentrics_derivatives gives them; at
+    pixels without a face they may be anything, NaN too. The others as for `interpolate`.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])
@@ -199,7 +199,7 @@ def interpolate_derivatives_backward(grad_output, attributes,  # exercise 5.14 (
     (H, W, 3, 2).
 
     The six derivatives of a pixel count as free. A pixel without a face adds to nothing, whatever
-    its grad_output, and its grad_derivatives are 0.
+    its grad_output and derivatives (NaN, too), and its grad_derivatives are 0.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])

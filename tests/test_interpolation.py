@@ -444,7 +444,7 @@ def test_the_gradients_are_those_of_the_definition(impl, rng, channels):
 
 @exercise("5.12")
 def test_the_gradients_are_central_differences(impl, rng):
-    """W for W^T, or the attributes of another corner."""
+    """B for B^T, or the attributes of another corner."""
     attributes, faces, face_index, weights = buffers(rng, 4)
     weights = np.nan_to_num(weights)
 
