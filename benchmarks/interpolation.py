@@ -37,12 +37,14 @@ def measure(face_count):
     face_index, _ = rasterization.rasterize(clip, faces, SIZE, SIZE)
     mixed = vertices, faces, face_index, rasterization.barycentrics(face_index, clip, faces)
     sloped = *mixed[:3], rasterization.barycentrics_derivatives(face_index, clip, faces)
-    grad = np.random.default_rng(0).normal(size=(SIZE, SIZE, 3, 2))
+    rng = np.random.default_rng(0)
+    grad, grad_sloped = (rng.normal(size=(SIZE, SIZE, 3, *axes)) for axes in ((), (2,)))
     calls = {"forward": lambda: interpolation.interpolate(*mixed),
-             "backward": lambda: interpolation.interpolate_backward(grad[..., 0].copy(), *mixed),
+             "backward": lambda: interpolation.interpolate_backward(grad, *mixed),
              "derivatives": lambda: interpolation.interpolate_derivatives(*sloped),
-             "their backward": lambda: interpolation.interpolate_derivatives_backward(grad, *sloped),
-             "add.at": lambda: scattered(grad[..., 0].copy(), *mixed)}
+             "their backward": lambda: interpolation.interpolate_derivatives_backward(
+                 grad_sloped, *sloped),
+             "add.at": lambda: scattered(grad, *mixed)}
     times = {name: [] for name in calls}
     for _ in range(ROUNDS):
         for name, call in calls.items():
