@@ -177,7 +177,7 @@ def weight_rows(faces, face_index, barycentric):  # exercise 5.10 (3 points)
     face = face_index.reshape(-1)
     start = np.append(0, np.cumsum(3 * (face >= 0)))
     seen = np.flatnonzero(face >= 0)
-    vertex = faces.take(face[seen], 0)  # copies rows of three four times as fast as faces[...]
+    vertex = faces.take(face[seen], 0)  # copies short rows four times as fast as faces[...]
     weight = barycentric.reshape(-1, 3).take(seen, 0)
     return start, vertex.reshape(-1), weight.reshape(-1)
 
@@ -205,7 +205,7 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
     grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3).
     """
     weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
-    grad_pixels = grad_output.reshape(face_index.size, -1)
+    grad_pixels = grad_output.reshape(-1, attributes.shape[1])
     seen = np.flatnonzero(face_index >= 0)
     grad_seen = grad_pixels.take(seen, 0)
     corners = faces.take(face_index.reshape(-1)[seen], 0).T
