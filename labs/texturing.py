@@ -136,7 +136,8 @@ def both_axes(row_start, column, row_weight, column_weight):
     weights (K, N) -> index, weight (N, K^2); number K i + j is of row i and column j.
     """
     index, weight = row_start[:, None] + column, row_weight[:, None] * column_weight
-    return index.reshape(-1, index.shape[-1]).T, weight.reshape(-1, index.shape[-1]).T
+    count = len(column)**2
+    return index.reshape(count, -1).T, weight.reshape(count, -1).T
 
 
 def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (3 points)
@@ -371,7 +372,7 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
 
     pixel_level = pixel_levels(image, jacobian, bias, uv.shape[:-1])
     colour = in_parts(colours, uv.reshape(-1, 2), pixel_level)
-    return colour.reshape(*uv.shape[:-1], -1)
+    return colour.reshape(*uv.shape[:-1], image.shape[2])
 
 
 def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="linear",
@@ -419,9 +420,11 @@ def require_texture(image, uv, jacobian, bias, filter, boundary, max_level):
             "uv (..., 2) of finite numbers; give (0, 0) where no face is seen",
             f"{np.shape(uv)}, or NaN or infinity in it")
     pixels = np.shape(uv)[:-1]
-    require(np.shape(bias) in ((), pixels), f"a bias {pixels}, one for each uv, or one number",
-            np.shape(bias))
-    require(jacobian is None or np.shape(jacobian) == (*pixels, 2, 2),
-            f"a jacobian {(*pixels, 2, 2)}, one for each uv, or None", np.shape(jacobian))
+    require(np.shape(bias) in ((), pixels) and not np.isnan(bias).any(),
+            f"a bias {pixels}, one for each uv, or one number", f"{np.shape(bias)}, or NaN in it")
+    if jacobian is not None:
+        require(np.shape(jacobian) == (*pixels, 2, 2) and np.isfinite(jacobian).all(),
+                f"a jacobian {(*pixels, 2, 2)} of finite numbers, or None",
+                f"{np.shape(jacobian)}, or NaN or infinity in it")
     require(max_level is None or max_level >= 0, "a max_level of 0 or more, or None for all levels",
             max_level)
