@@ -14,8 +14,8 @@ and v along the rows, (0, 0) is the corner of texel [0, 0], texel j has its cent
     trilinear = (1 - f) T_l + f T_(l+1),  l = floor(level),  f = level - l                   (7)
 
 J = d(u, v)/d(x, y) is the change of (u, v) from pixel to pixel; s_x is ds/dx. (J must be in texels:
-of u and v as they are, every level is negative.) Beyond the lecture, as nvdiffrast has it: a bias
-is added to the level, and then it is clamped to the pyramid.
+with u and v as they are, nearly all levels are negative.) Beyond the lecture, as nvdiffrast has it:
+a bias is added to the level, and then it is clamped to the pyramid.
 
 A look-up is linear in the texture: out = M T, with a few weights in each row of the sparse matrix
 M. So the gradient by the texture is M^T grad_out, and all of a pyramid is one long T.
@@ -33,9 +33,8 @@ CHUNK = 1 << 13  # points in flight at once: they stay in the cache
 def nearest_texel(x, size):  # exercise 6.1 (1 point)
     """Eq. (1): the number of the texel that holds x, along one axis with size texels.
 
-    x (...), any finite numbers; size a whole number, or an array of them that broadcasts
-    -> index (...), integers, below 0 or from size on where x is not in [0, 1). On the border of
-    two texels, the upper one.
+    x (...); size a whole number, or an array of them that broadcasts -> index (...), integers,
+    below 0 or from size on where x is not in [0, 1). On the border of two texels, the upper one.
 
     >>> nearest_texel(np.array([0.0, 0.49, 0.5, 1.0, -0.1]), 4)
     array([ 0,  1,  2,  4, -1])
@@ -293,10 +292,16 @@ def in_a_row(levels):
     channels = levels[0].shape[2]
     height, width, _ = np.transpose([level.shape for level in levels])
     start = np.cumsum(width * height) - width * height
-    texels = levels[0].reshape(-1, channels)  # of a single level, no copy
-    if len(levels) > 1:
-        texels = np.concatenate([level.reshape(-1, channels) for level in levels])
+    texels = [level.reshape(-1, channels) for level in levels]
+    texels = np.concatenate(texels) if len(levels) > 1 else texels[0]  # of one level, no copy
     return texels, np.stack([width, height, start])
+
+
+def out_of_a_row(texels, levels):
+    """The other way round: texels (T, C) -> a tuple of arrays with the shapes of the levels."""
+    ends = np.cumsum([level.shape[0] * level.shape[1] for level in levels])
+    return tuple(part.reshape(level.shape) for part, level in
+                 zip(np.split(texels, ends[:-1]), levels, strict=True))
 
 
 def texels_at(uv, level, sizes, filter, boundary):
@@ -375,6 +380,19 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
     return colour.reshape(*uv.shape[:-1], image.shape[2])
 
 
+def look_backward(grad_colour, texels, uv, level, share, sizes, filter, boundary):
+    """Backward of one of the look-ups that are mixed: grad_texels, grad_uv, grad_share (N,)."""
+    index, weight, inside = in_parts(lambda *point: texels_at(*point, sizes, filter, boundary),
+                                     uv, level)
+    grad_texels, grad_weight = look_up_backward(grad_colour, texels, index, weight * share)
+    grad_share = (grad_weight * weight).sum(1)
+    if filter == "nearest":
+        return grad_texels, np.zeros(uv.shape), grad_share
+    grad_uv = in_parts(bilinear_backward, grad_weight * inside * share, uv,
+                       *sizes[:2].take(level, 1))
+    return grad_texels, grad_uv, grad_share
+
+
 def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="linear",
                      boundary="wrap", max_level=None):
     """Backward of `texture`: grad_colour (..., C) -> grad_image, grad_uv, grad_jacobian, grad_bias.
@@ -383,27 +401,22 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
     does not matter: uv for "nearest", jacobian and bias for all but "linear-mipmap-linear".
     """
     require_texture(image, uv, jacobian, bias, filter, boundary, max_level)
+    if np.shape(grad_colour) != (*uv.shape[:-1], image.shape[2]):
+        raise ValueError("texture_backward expects a grad_colour with the colours' shape "
+                         f"{(*uv.shape[:-1], image.shape[2])}, got {np.shape(grad_colour)}")
     levels = pyramid(image, max_level if "mipmap" in filter else 0)
     texels, sizes = in_a_row(levels)
     points, grad_colour = uv.reshape(-1, 2), grad_colour.reshape(-1, image.shape[2])
     pixel_level, top = pixel_levels(image, jacobian, bias, uv.shape[:-1]), len(levels) - 1
-    grad_texels, grad_uv, grad_share = np.zeros(texels.shape), np.zeros(points.shape), []
-    for level, share in mixture(pixel_level, filter, top):
-        index, weight, inside = in_parts(lambda *point: texels_at(*point, sizes, filter, boundary),
-                                         points, level)
-        by_texels, by_weight = look_up_backward(grad_colour, texels, index, weight * share)
-        grad_texels += by_texels
-        grad_share.append((by_weight * weight).sum(1))
-        if filter != "nearest":
-            by_weight *= inside * share
-            grad_uv += in_parts(bilinear_backward, by_weight, points, *sizes[:2].take(level, 1))
+    looks = [look_backward(grad_colour, texels, points, level, share, sizes, filter, boundary)
+             for level, share in mixture(pixel_level, filter, top)]
+    by_texels, by_uv, by_share = zip(*looks, strict=True)
     grad_level = np.zeros(len(points))
     if filter == "linear-mipmap-linear":
-        grad_level = blend_levels_backward(grad_share[1] - grad_share[0], pixel_level, top)
-    grad_levels = tuple(part.reshape(level.shape) for part, level in
-                        zip(np.split(grad_texels, sizes[2, 1:]), levels, strict=True))
+        grad_level = blend_levels_backward(by_share[1] - by_share[0], pixel_level, top)
+    grad_levels = out_of_a_row(sum(by_texels[1:], by_texels[0]), levels)
     grad_jacobian, grad_bias = pixel_levels_backward(grad_level, image, jacobian, bias)
-    return pyramid_backward(grad_levels), grad_uv.reshape(uv.shape), grad_jacobian, grad_bias
+    return pyramid_backward(grad_levels), sum(by_uv).reshape(uv.shape), grad_jacobian, grad_bias
 
 
 def require_texture(image, uv, jacobian, bias, filter, boundary, max_level):

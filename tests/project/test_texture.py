@@ -185,6 +185,12 @@ def test_bad_input_is_told_in_a_sentence(change, sentence):
         texturing.texture_backward(np.zeros((5, 3)), **arguments)
 
 
+def test_an_upstream_gradient_of_another_shape_is_told():
+    """The rows and columns of the pixels are swapped, and a gradient comes back all the same."""
+    with pytest.raises(ValueError, match=r"grad_colour .*\(4, 5, 3\), got \(5, 4, 3\)"):
+        texturing.texture_backward(np.zeros((5, 4, 3)), np.zeros((2, 2, 3)), np.zeros((4, 5, 2)))
+
+
 def test_memory_does_not_grow_with_the_filter():
     """Forward, all weights of all pixels are held at once: 8 for each of 262,144 pixels."""
     uv = np.random.default_rng(12).random((512, 512, 2))
