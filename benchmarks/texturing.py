@@ -1,7 +1,7 @@
 """What a look-up costs, and its gradients: python3 benchmarks/texturing.py
 
 512 x 512 pixels, all covered, 3 channels, a texture of 1024 x 1024, turned by some degrees; the
-pixels are two texels wide, and four with a pyramid. Medians, in milliseconds.
+pixels are about two texels wide. Medians, in milliseconds.
 """
 import platform
 import statistics
@@ -23,7 +23,7 @@ def main():
     turn = np.array([[0.9, 0.2], [-0.2, 0.9]])
     row, column = (np.indices((PIXELS, PIXELS)) + 0.5) / PIXELS
     uv = np.stack([column, row], -1) @ turn.T
-    jacobian = np.broadcast_to(2 * turn / PIXELS, (PIXELS, PIXELS, 2, 2)).copy()
+    jacobian = np.broadcast_to(turn / PIXELS, (PIXELS, PIXELS, 2, 2)).copy()
     print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}; "
           f"{PIXELS} x {PIXELS} pixels, {TEXELS} x {TEXELS} texels, 3 channels")
     print(f"{'ms':24}{'forward':>10}{'backward':>10}")

@@ -334,10 +334,10 @@ def mixture(level, filter, top):
     return [(lower, 1 - fraction[:, None]), (upper, fraction[:, None])]
 
 
-def pixel_levels(image, jacobian, bias, shape):
-    """Eq. (6) plus bias, not clamped: (N,) for the N pixels of a shape."""
+def pixel_levels(image, jacobian, bias, filter, shape):
+    """Eq. (6) plus bias, not clamped: (N,) for the N pixels of a shape. Some filters need none."""
     bias = np.broadcast_to(bias, shape).reshape(-1)
-    if jacobian is None:
+    if jacobian is None or "mipmap" not in filter:
         return bias
     height, width, _ = image.shape
     return in_parts(lambda j: mip_level(j, width, height), jacobian.reshape(-1, 2, 2)) + bias
@@ -346,8 +346,8 @@ def pixel_levels(image, jacobian, bias, shape):
 def pixel_levels_backward(grad_level, image, jacobian, bias):
     """grad_level (N,) -> grad_jacobian, grad_bias, of their arguments' shapes; or None."""
     grad_bias = grad_level.reshape(np.shape(bias)) if np.ndim(bias) else grad_level.sum()
-    if jacobian is None:
-        return None, grad_bias
+    if jacobian is None or not grad_level.any():
+        return None if jacobian is None else np.zeros(jacobian.shape), grad_bias
     height, width, _ = image.shape
     grad_jacobian = in_parts(lambda grad, j: mip_level_backward(grad, j, width, height),
                              grad_level, jacobian.reshape(-1, 2, 2))
@@ -375,7 +375,7 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
             total = total + look_up(texels, index, weight * share)
         return total
 
-    pixel_level = pixel_levels(image, jacobian, bias, uv.shape[:-1])
+    pixel_level = pixel_levels(image, jacobian, bias, filter, uv.shape[:-1])
     colour = in_parts(colours, uv.reshape(-1, 2), pixel_level)
     return colour.reshape(*uv.shape[:-1], image.shape[2])
 
@@ -407,14 +407,14 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
     levels = pyramid(image, max_level if "mipmap" in filter else 0)
     texels, sizes = in_a_row(levels)
     points, grad_colour = uv.reshape(-1, 2), grad_colour.reshape(-1, image.shape[2])
-    pixel_level, top = pixel_levels(image, jacobian, bias, uv.shape[:-1]), len(levels) - 1
+    pixel_level = pixel_levels(image, jacobian, bias, filter, uv.shape[:-1])
     looks = [look_backward(grad_colour, texels, points, level, share, sizes, filter, boundary)
-             for level, share in mixture(pixel_level, filter, top)]
+             for level, share in mixture(pixel_level, filter, len(levels) - 1)]
     by_texels, by_uv, by_share = zip(*looks, strict=True)
+    grad_levels = out_of_a_row(sum(by_texels[1:], by_texels[0]), levels)
     grad_level = np.zeros(len(points))
     if filter == "linear-mipmap-linear":
-        grad_level = blend_levels_backward(by_share[1] - by_share[0], pixel_level, top)
-    grad_levels = out_of_a_row(sum(by_texels[1:], by_texels[0]), levels)
+        grad_level = blend_levels_backward(by_share[1] - by_share[0], pixel_level, len(levels) - 1)
     grad_jacobian, grad_bias = pixel_levels_backward(grad_level, image, jacobian, bias)
     return pyramid_backward(grad_levels), sum(by_uv).reshape(uv.shape), grad_jacobian, grad_bias
 
