@@ -385,7 +385,7 @@ def look_backward(grad_colour, texels, uv, level, share, sizes, filter, boundary
     index, weight, inside = in_parts(lambda *point: texels_at(*point, sizes, filter, boundary),
                                      uv, level)
     grad_texels, grad_weight = look_up_backward(grad_colour, texels, index, weight * share)
-    grad_share = (grad_weight * weight).sum(1)
+    grad_share = np.einsum("nk,nk->n", grad_weight, weight)
     if filter == "nearest":
         return grad_texels, np.zeros(uv.shape), grad_share
     grad_uv = in_parts(bilinear_backward, grad_weight * inside * share, uv,
