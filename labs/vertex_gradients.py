@@ -16,8 +16,8 @@ df/da, times the weight. For whole meshes no matrix is inverted: b is the same f
     d_(q_i x q_j) = sum of d_e_k a over all pixels that see the face: nine numbers for each      (9)
     depth = z^T M^-1 a,   z of clip space                          eq. (2) once more            (10)
 
-e_k are the edge functions of lab 2: they are the rows of M^-1, times det(M). In clip space a is
-(x, y, 1) in ndc. Matrices are (3, 3), or (3, 3, F) for many faces.
+q_i x q_j are the rows of M^-1, times det(M), so the e_k are lab 2's edge functions. In clip space
+a is (x, y, 1) in ndc. Matrices are (3, 3), or (3, 3, F) for many faces.
 
 Sources: a note on the derivative of a rendered pixel by its triangle's vertices, (1) to (4), which
 in perspective leaves out the sum s and its share in (6); Laine et al. 2020, epsilon of (8).
@@ -25,7 +25,7 @@ in perspective leaves out the sum s and its share in (6); Laine et al. 2020, eps
 import numpy as np
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
-CHUNK = 1 << 16                 # pixels in flight at once
+CHUNK = 1 << 15                 # pixels in flight at once: they stay in the cache
 
 
 def vertex_matrix(triangle):  # exercise 7.1 (1 point)
@@ -188,11 +188,12 @@ def normalize(e, epsilon):  # exercise 7.12 (1 point)
     """Eq. (8): b = e / (s + epsilon), where s = sum e: e (3, N) -> b (3, N).
 
     epsilon >= 0 gets the sign of s, so that it makes |s| larger; for s = 0 it stays positive.
+    s + epsilon is not 0, here and below.
 
-    >>> normalize(np.array([[1.0, -3.0], [2.0, 0.0], [3.0, 0.0]]), 1.0)
-    array([[ 0.14285714,  0.75      ],
-           [ 0.28571429, -0.        ],
-           [ 0.42857143, -0.        ]])
+    >>> normalize(np.array([[1.0, -3.0], [2.0, -1.0], [4.0, 1.0]]), 1.0)
+    array([[ 0.125,  0.75 ],
+           [ 0.25 ,  0.25 ],
+           [ 0.5  , -0.25 ]])
     """
     raise NotImplementedError("exercise 7.12: normalize")
 
@@ -200,8 +201,8 @@ def normalize(e, epsilon):  # exercise 7.12 (1 point)
 def normalize_backward(grad_b, e, epsilon):  # exercise 7.13 (2 points)
     """Backward of `normalize`: grad_b (3, N) -> grad_e (3, N). epsilon is a constant.
 
-    >>> normalize_backward(np.array([[7.0], [0.0], [0.0]]), np.array([[1.0], [2.0], [4.0]]), 0.0).T
-    array([[ 0.85714286, -0.14285714, -0.14285714]])
+    >>> normalize_backward(np.array([[8.0], [0.0], [0.0]]), np.array([[1.0], [1.0], [2.0]]), 0.0).T
+    array([[ 1.5, -0.5, -0.5]])
     """
     raise NotImplementedError("exercise 7.13: normalize_backward")
 
