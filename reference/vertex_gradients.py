@@ -390,13 +390,14 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
     grad_planes = np.zeros(planes.shape)
     for pixel, face, x, y in seen_pixels(face_index, shown, origin):
         e = at_pixels(planes, face, x, y)
+        grad_e = np.zeros(e.shape)
         grad_b_xy = grad_derivatives.reshape(-1, 3, 2).take(pixel, 0).T.copy()
         for axis, step in enumerate((2 / width, 2 / height)):  # a pixel in ndc
             e_x = step * planes[:, axis].take(face, 1)
-            grad_e, grad_e_x = normalize_derivative_backward(grad_b_xy[axis], e, e_x, epsilon)
-            grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
-            grad_planes[:, axis] += [step * np.bincount(face, grad, len(shown))
-                                     for grad in grad_e_x]
+            by_e, by_e_x = normalize_derivative_backward(grad_b_xy[axis], e, e_x, epsilon)
+            grad_e += by_e
+            grad_planes[:, axis] += [step * np.bincount(face, by, len(shown)) for by in by_e_x]
+        grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
     grad_corners = edges_backward(grad_planes, corners)
     return sum_per_vertex(grad_corners, 0 * grad_corners[2], origin, faces[shown].T, len(clip))
 
