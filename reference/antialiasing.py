@@ -397,8 +397,10 @@ def why_zero(face_index, depth, clip, faces, opposite):
     np.maximum.at(pixel, other, reason)
     vertex = np.zeros(len(clip), int)
     vertex[faces[face_index[face_index >= 0]]] = 1
-    np.maximum.at(vertex, faces[face].T, np.minimum(reason, 3))
-    np.maximum.at(vertex, ends, reason)
+    for corner in faces[face].T:
+        np.maximum.at(vertex, corner, np.minimum(reason, 3))
+    for end in ends:
+        np.maximum.at(vertex, end, reason)
     vertex[screen[2] < 0] = 2
     return pixel.reshape(face_index.shape), vertex
 
