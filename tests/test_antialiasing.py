@@ -168,6 +168,23 @@ def test_behind_the_camera_an_area_has_the_other_sign(impl):
 
 
 @exercise("8.2")
+def test_neither_size_nor_distance_matters(impl):
+    """A threshold for areas or for w: what is small, or near the camera, is lost."""
+    folded = SQUARE.copy()
+    folded[3] = 1.5, 0.2
+    flat = np.array([[True, False, True], [True, True, False]])
+    for size, w in (1e-6, np.ones(4)), (1e4, np.array([1e-9, 1.0, 1e-9, 5.0])):
+        for turned in slice(None), slice(None, None, -1):
+            x, y = size * SQUARE.T[turned]
+            assert_equal(impl.silhouette_edges(x, y, w, HALVES, ACROSS), flat)
+            x, y = size * folded.T[turned]
+            assert_equal(impl.silhouette_edges(x, y, w, HALVES, ACROSS), np.ones((2, 3), bool))
+    w = np.array([1.0, 1.0, 1.0, -1e-9])
+    expected = np.array([[True, True, True], [False, False, False]])
+    assert_equal(impl.silhouette_edges(*SQUARE.T, w, HALVES, ACROSS), expected)
+
+
+@exercise("8.2")
 def test_both_faces_at_an_edge_agree_on_the_silhouette(impl, rng):
     """The area across is measured from another edge; or the number of faces is taken for V."""
     points = rng.normal(size=(2, 50, 4))
@@ -250,6 +267,14 @@ def test_the_nearer_face_owns_the_edge(impl):
     first, second = np.array([0, 1, 0, 4, 2]), np.array([1, 2, 3, 5, 5])
     owner, other = impl.owner_and_other(first, second, depth)
     assert_equal((owner, other), (np.array([0, 2, 3, 5, 5]), np.array([1, 1, 0, 4, 2])))
+
+
+@exercise("8.4")
+def test_the_smallest_difference_in_depth_decides(impl):
+    """A threshold: faces that are nearly as deep count as equally deep."""
+    depth = np.array([[0.5, 0.5 - 1e-12], [0.5 + 1e-12, 0.5]])
+    owner, other = impl.owner_and_other(np.array([0, 0]), np.array([1, 2]), depth)
+    assert_equal((owner, other), (np.array([1, 0]), np.array([0, 2])))
 
 
 @exercise("8.4")
