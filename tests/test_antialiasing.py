@@ -454,6 +454,8 @@ def test_a_vertex_on_the_line_counts_as_above(impl):
     edge, c = impl.last_crossing(x, y)
     assert_equal(edge, np.array([0]))
     assert_close(c, np.array([-np.inf]))
+    x, y = column((0.25, -1e-9), (-1.0, 0.5), (-1.0, 2.0))  # a little below: edges 1 and 2 cross
+    assert_close(impl.last_crossing(x, y)[1], np.array([0.25]), atol=1e-6)
     x, y = column((2.0, 0.0), (0.5, 0.0), (1.0, -1.0))  # edges 0 and 1 end on it, edge 2 lies on it
     edge, c = impl.last_crossing(x, y)
     assert_equal(edge, np.array([1]))
@@ -522,12 +524,14 @@ def test_the_window_is_open(impl):
     """>= for >, another window, or one on one side only."""
     c = [-1 / 16, 1 + 1 / 16, -0.0624, 1.0624, -0.0626, 1.0626]
     assert_equal(is_blended(impl, c), np.array([False, False, True, True, False, False]))
+    c = [-1 / 16 + 1e-12, 1 + 1 / 16 - 1e-12]
+    assert_equal(is_blended(impl, c), np.array([True, True]))
 
 
 @exercise("8.10")
 def test_an_edge_at_45_degrees_is_steep(impl):
     """> for >=, the two lengths are swapped, or a falling edge is flat."""
-    x1 = [2.0, -2.0, 2.001, -2.001, 1.999, 0.0, 9.0]
+    x1 = [2.0, -2.0, 2 + 1e-9, -2 - 1e-9, 2 - 1e-9, 0.0, 9.0]
     expected = np.array([True, True, False, False, True, True, False])
     assert_equal(is_blended(impl, np.full(7, 0.5), x1), expected)
     c, x0, y0 = np.full(3, 0.5), np.full(3, 4.0), np.full(3, 1.0)  # downwards, x0 not at 0
