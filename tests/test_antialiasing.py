@@ -598,6 +598,15 @@ def test_without_weight_or_pairs_nothing_changes(impl):
     assert_close(impl.blend(COLOUR, np.array([1]), np.array([4]), np.zeros(1)), COLOUR)
 
 
+@exercise("8.13")
+def test_the_sign_of_the_smallest_weight_decides(impl):
+    """A threshold: a weight of little less than 0 changes the owner."""
+    expected = COLOUR.copy()
+    expected[0, 1] += [1e-8 * -1, 1e-8 * 8]
+    got = impl.blend(COLOUR, np.array([0]), np.array([1]), np.array([-1e-8]))
+    assert_close(got, expected, rtol=0)
+
+
 def many_pairs(rng, count=40, height=4, width=5):
     """owner, other (N,) of neighbours, alpha (N,) of both signs, each pixel in several pairs."""
     owner = rng.integers(0, height * width, count)
@@ -645,6 +654,8 @@ def test_at_zero_the_owners_side_counts(impl):
     grad_output[0, 0], grad_output[0, 1] = (1.0, 2.0), (100.0, 200.0)
     got = impl.blend_backward(grad_output, COLOUR, np.array([0]), np.array([1]), np.array([0.0]))
     assert_close(got, (grad_output, np.array([-15.0])))
+    got = impl.blend_backward(grad_output, COLOUR, np.array([0]), np.array([1]), np.array([-1e-9]))
+    assert_close(got[1], np.array([-1500.0]))
 
 
 @exercise("8.14")
