@@ -383,7 +383,8 @@ def why_zero(face_index, depth, clip, faces, opposite):
     with np.errstate(all="ignore"):
         screen = rasterization.screen_points(clip, width, height)
     silhouette = outlines(face_index, screen, faces, opposite)
-    owner, other = owner_and_other(*neighbour_pairs(face_index, face_index == face_index), depth)
+    everywhere = np.ones(face_index.shape, bool)
+    owner, other = owner_and_other(*neighbour_pairs(face_index, everywhere), depth)
     face = face_index.ravel()[owner]
     edge, c, ends, x, y = last_edges(owner, other, face_index, screen, faces)
     failed = [(screen[2][faces[face]] <= 0).any(1), ~silhouette[face].any(1),
