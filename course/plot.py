@@ -17,6 +17,7 @@ from matplotlib.patheffects import withStroke
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
     "#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00", "#CC79A7")
 GREY = "#8a8a8a"
+LABELS = "#f2f2f2", "#cfcfcf", BLACK, GREY, ORANGE, SKY, PURPLE, RED, BLUE, GREEN
 BACKGROUND = (0.80, 0.88, 0.95)                    # where a depth picture shows no surface
 DEPTHS = mpl.colormaps["magma_r"]                  # near to far
 SIGNED = mpl.colormaps["RdBu"]                     # below zero red, above zero blue
@@ -187,6 +188,16 @@ def face_colours(face_index):
 def barycentric(axes, barycentric, face_index, title=""):
     """Barycentrics (H, W, 3): vertices 0, 1, 2 are red, green, blue; white where face_index < 0."""
     image(axes, np.where(face_index[..., None] >= 0, barycentric, 1.0), title)
+
+
+def labels(axes, labels, names, title=""):
+    """Labels (H, W), whole numbers into names: a colour for each; the legend counts what occurs."""
+    colours = np.array([mpl.colors.to_rgb(LABELS[k % len(LABELS)]) for k in range(len(names))])
+    image(axes, colours[labels], title)
+    for label, count in zip(*np.unique(labels, return_counts=True), strict=True):
+        axes.plot([], [], "s", color=colours[label], markeredgecolor=GREY, markeredgewidth=0.4,
+                  label=f"{names[label]}: {count:,}")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0, fontsize=7.5)
 
 
 def before_after(axes, before, after, titles):

@@ -268,6 +268,15 @@ def test_before_and_after_count_the_pixels_that_differ():
     assert blue > red
 
 
+def test_labels_have_a_colour_and_a_count_each():
+    """A label has the colour or the name of another one, or the legend tells of absent ones."""
+    axes, = plot.panels([(2, 3)], columns=3)
+    plot.labels(axes, np.array([[0, 2, 2], [2, 0, 2]]), ["sky", "sea", "land"])
+    picture = axes.images[0].get_array()
+    assert (picture[0, 0] == picture[1, 1]).all() and (picture[0, 0] != picture[0, 1]).any()
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["sky: 2", "land: 4"]
+
+
 def test_a_gradient_check_states_the_largest_relative_error(rng):
     """A mean instead of the largest; nan counted as right."""
     numeric = rng.normal(size=(5, 4))
