@@ -454,8 +454,11 @@ def test_a_vertex_on_the_line_counts_as_above(impl):
     edge, c = impl.last_crossing(x, y)
     assert_equal(edge, np.array([0]))
     assert_close(c, np.array([-np.inf]))
-    x, y = column((0.25, -1e-9), (-1.0, 0.5), (-1.0, 2.0))  # a little below: edges 1 and 2 cross
-    assert_close(impl.last_crossing(x, y)[1], np.array([0.25]), atol=1e-6)
+    for first, second, last in (0.5, 2.0, 1), (2.0, 0.5, 2):  # a little below: edges 1 and 2 cross
+        x, y = column((0.25, -1e-9), (-1.0, first), (-1.0, second))
+        edge, c = impl.last_crossing(x, y)
+        assert_equal(edge, np.array([last]))
+        assert_close(c, np.array([0.25]), atol=1e-6)
     x, y = column((2.0, 0.0), (0.5, 0.0), (1.0, -1.0))  # edges 0 and 1 end on it, edge 2 lies on it
     edge, c = impl.last_crossing(x, y)
     assert_equal(edge, np.array([1]))
