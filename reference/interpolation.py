@@ -1,0 +1,254 @@
+"""Interpolation: what a face's corners know, seen at every pixel, in perspective.
+
+A point is divided by its w to get on the screen. What is linear on the face is not linear there,
+but A / w and 1 / w are. Along a segment, t is the fraction of the way on screen, q that in space.
+
+    q = t w_0 / (t w_0 + (1 - t) w_1)                          0 at corner 0, 1 at corner 1  (1)
+    A = lerp(A_0/w_0, A_1/w_1, t) / lerp(1/w_0, 1/w_1, t)      an attribute: lerp(A_0, A_1, q) (2)
+    b_k = n_k / s,   n_k = e_k / w_k,   s = n_0 + n_1 + n_2    corrected barycentrics        (3)
+    db_k = (dn_k - b_k (dn_0 + dn_1 + dn_2)) / s               their derivatives             (4)
+    A = b_0 A_0 + b_1 A_1 + b_2 A_2                            a pixel that sees a face      (5)
+    dA/dx = db_0/dx A_0 + db_1/dx A_1 + db_2/dx A_2            and dA/dy: its footprint      (6)
+    A_pixels = W A_vertices                                    (5) for all pixels at once    (7)
+    grad_A_vertices = W^T grad_A_pixels,   grad_b_k = grad_A . A_k                           (8)
+
+e_k is any multiple of the edge function opposite to corner k, as lab 2's e or its b in eq. (3)
+there. Then n is M^-1 (x, y, 1), up to a factor that (3) divides away: edge functions and the
+inverse of lab 7 and of lab 10 are one thing. W has one row per pixel, one column per vertex.
+
+The caller sees to it that w_k and s are not 0. attributes (V, C): C numbers at each vertex, of any
+meaning. faces (F, 3) may name other vertices than those of the positions, as uv with seams do.
+face_index (H, W), -1 for no face, and barycentric (H, W, 3) are as lab 2 makes them.
+
+Source: lecture "Differentiable graphics 1".
+"""
+import numpy as np
+import scipy.sparse
+
+
+def lerp(a, b, t):  # exercise 5.1 (1 point)
+    """Linear interpolation: a at t = 0, b at t = 1, both to the last bit; halfway at t = 1/2.
+
+    a, b, t: shapes that broadcast. t may lie outside of 0 ... 1.
+
+    >>> lerp(2.0, 4.0, np.array([0.0, 0.25, 1.0, 2.0]))
+    array([2. , 2.5, 4. , 6. ])
+    """
+    return (1 - t) * a + t * b
+
+
+def fraction_in_space(t, w_0, w_1):  # exercise 5.2 (2 points)
+    """Eq. (1): how far along a segment in space is the point seen at fraction t on the screen?
+
+    t, w_0, w_1: shapes that broadcast; w_0, w_1 > 0 (or both < 0) are those of the two ends.
+
+    >>> fraction_in_space(np.array([0.0, 0.5, 1.0]), 1.0, 3.0)
+    array([0.  , 0.25, 1.  ])
+    """
+    return t * w_0 / lerp(w_1, w_0, t)
+
+
+def fraction_in_space_backward(grad_q, t, w_0, w_1):  # exercise 5.3 (3 points)
+    """Backward of eq. (1): grad_q (...) -> grad_t, grad_w_0, grad_w_1, each (...).
+
+    t, w_0, w_1 (...), all of one shape.
+
+    >>> np.array(fraction_in_space_backward(1.0, 0.5, 1.0, 3.0))
+    array([ 0.75  ,  0.1875, -0.0625])
+    """
+    # q = u / v with u = t w_0, v = t w_0 + (1 - t) w_1, so dq = (v du - u dv) / v^2.
+    v = lerp(w_1, w_0, t)
+    grad = grad_q / v**2
+    return grad * w_0 * w_1, grad * t * (1 - t) * w_1, -grad * t * (1 - t) * w_0
+
+
+def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # exercise 5.4 (2 points)
+    """Eq. (2): attributes along a segment, at fractions t (N,) of its picture -> (N, C).
+
+    a_0, a_1 (C,): the attributes of its ends, of any C; w_0, w_1: their w, of one sign.
+
+    >>> attribute_on_segment(np.array([0.0, 0.5]), np.array([8.0, 0.0]), np.array([0.0, 4.0]), 1, 3)
+    array([[8., 0.],
+           [6., 1.]])
+    """
+    t = t[:, None]
+    return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
+
+
+def corrected_barycentrics(e, w):  # exercise 5.5 (2 points)
+    """Eq. (3): the weights on the screen, e (..., 3), and the corners' w (..., 3) -> b (..., 3).
+
+    b are the weights on the face in space, with sum 1. e may have any sum but 0, and either sign:
+    multiplied by a number, it gives the same b.
+
+    >>> corrected_barycentrics(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
+    array([0.75, 0.25, 0.  ])
+    """
+    n = e / w
+    return n / n.sum(-1, keepdims=True)
+
+
+def corrected_barycentrics_backward(grad_b, e, w):  # exercise 5.6 (4 points)
+    """Backward of eq. (3): grad_b (..., 3) -> grad_e (..., 3), grad_w (..., 3).
+
+    e, w (..., 3), of grad_b's shape.
+
+    >>> e, w = np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0])
+    >>> grad_e, grad_w = corrected_barycentrics_backward(np.array([1.0, 0.0, 0.0]), e, w)
+    >>> grad_e, grad_w + 0.0
+    (array([ 0.375, -0.375, -1.125]), array([-0.1875,  0.0625,  0.    ]))
+    """
+    # By eq. (4), L changes by sum_k grad_b_k (dn_k - b_k sum_j dn_j) / s: collected by dn_k. Every
+    # n_k is in s, so that corner k feels what all three weights want.
+    n = e / w
+    s = n.sum(-1, keepdims=True)
+    grad_n = (grad_b - (grad_b * n / s).sum(-1, keepdims=True)) / s
+    return grad_n / w, -grad_n * n / w
+
+
+def corrected_barycentrics_derivatives(de, e, w):  # exercise 5.7 (3 points)
+    """Eq. (4): how b of eq. (3) changes where e does: de (..., 3, D) -> db (..., 3, D).
+
+    de: D derivatives of e (..., 3), such as those by x and by y; w (..., 3) stays as it is.
+
+    >>> e, w, de = np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]), np.array([-1.0, 1.0, 0.0])
+    >>> corrected_barycentrics_derivatives(de[:, None], e, w)[:, 0].round(9)
+    array([-0.75,  0.75,  0.  ])
+    """
+    # n = b s, so dn = db s + b ds.
+    n, dn = e / w, de / w[..., None]
+    s, ds = n.sum(-1)[..., None, None], dn.sum(-2, keepdims=True)
+    return (dn - n[..., None] / s * ds) / s
+
+
+def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
+    """Eq. (5), pixel by pixel: -> (H, W, C), 0 where no face is seen. Slow and obvious.
+
+    attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3), of which the numbers
+    at pixels without a face mean nothing.
+
+    >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
+    >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
+    >>> interpolate_loop(np.array([[9.0], [4.0], [6.0], [8.0]]), faces, seen, b)
+    array([[[6.],
+            [0.]]])
+    """
+    output = np.zeros((*face_index.shape, attributes.shape[1]))
+    for i, j in np.argwhere(face_index >= 0):
+        for vertex, b in zip(faces[face_index[i, j]], barycentric[i, j], strict=True):
+            output[i, j] += b * attributes[vertex]
+    return output
+
+
+def interpolate_backward_loop(grad_output, attributes, faces, face_index,  # exercise 5.9 (3 points)
+                              barycentric):
+    """Eq. (8), pixel by pixel: grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric
+    (H, W, 3). Slow and obvious.
+
+    The three weights of a pixel count as free, although their sum is 1. A pixel without a face adds
+    to nothing, whatever its grad_output, and its grad_barycentric is 0.
+
+    >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
+    >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])
+    >>> grads = interpolate_backward_loop(grad_output, attributes, faces, np.array([[0]]), b)
+    >>> grads[0].T, grads[1]
+    (array([[0., 2., 4., 2.]]), array([[[48., 32., 64.]]]))
+    """
+    grad_attributes, grad_barycentric = np.zeros(attributes.shape), np.zeros(barycentric.shape)
+    for i, j in np.argwhere(face_index >= 0):
+        for k, vertex in enumerate(faces[face_index[i, j]]):
+            grad_attributes[vertex] += barycentric[i, j, k] * grad_output[i, j]
+            grad_barycentric[i, j, k] = grad_output[i, j] @ attributes[vertex]
+    return grad_attributes, grad_barycentric
+
+
+def weight_rows(faces, face_index, barycentric):  # exercise 5.10 (3 points)
+    """W of eq. (7) in compressed sparse rows: start (H W + 1,), vertex (3 N,), weight (3 N,).
+
+    Pixel [i, j] is row W i + j (with W columns in the picture); N pixels see a face. The entries of
+    row p are those numbered start[p], start[p] + 1, ... as far as start[p + 1], which is not one of
+    them: weight[n] stands in column vertex[n]. A pixel that sees a face has three, in the order of
+    its corners, one without has none. start and vertex are integers, and start[0] = 0.
+
+    >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
+    >>> weight_rows(faces, seen, np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]]))
+    (array([0, 3, 3]), array([2, 1, 3]), array([0.5 , 0.25, 0.25]))
+    """
+    face = face_index.reshape(-1)
+    start = np.append(0, np.cumsum(3 * (face >= 0)))
+    seen = np.flatnonzero(face >= 0)
+    vertex = faces.take(face[seen], 0)  # copies rows of three four times as fast as faces[...]
+    weight = barycentric.reshape(-1, 3).take(seen, 0)
+    return start, vertex.reshape(-1), weight.reshape(-1)
+
+
+def interpolation_matrix(vertex_count, faces, face_index, barycentric):
+    """W of eq. (7), a sparse matrix (H W, V), made of `weight_rows`."""
+    start, vertex, weight = weight_rows(faces, face_index, barycentric)
+    return scipy.sparse.csr_array((weight, vertex, start), (face_index.size, vertex_count))
+
+
+def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2 points)
+    """Eq. (7): what `interpolate_loop` gives, for whole pictures -> (H, W, C).
+
+    attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3). The given
+    `interpolation_matrix` is W; arrays are multiplied by it with @.
+    """
+    weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
+    return (weights @ attributes).reshape(*face_index.shape, attributes.shape[1])
+
+
+def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.12 (4 points)
+                         barycentric):
+    """Eq. (8): what `interpolate_backward_loop` gives, for whole pictures.
+
+    grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3).
+    """
+    weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
+    grad_pixels = grad_output.reshape(face_index.size, -1)
+    seen = np.flatnonzero(face_index >= 0)
+    grad_seen = grad_pixels.take(seen, 0)
+    corners = faces.take(face_index.reshape(-1)[seen], 0).T
+    grad_barycentric = np.zeros((face_index.size, 3))
+    for k, vertex in enumerate(corners):
+        grad_barycentric[seen, k] = np.einsum("nc,nc->n", grad_seen, attributes.take(vertex, 0))
+    return weights.T @ grad_pixels, grad_barycentric.reshape(barycentric.shape)
+
+
+def interpolate_derivatives(attributes, faces, face_index, derivatives):  # exercise 5.13 (2 points)
+    """Eq. (6): dA/dx and dA/dy per pixel -> (H, W, C, 2), 0 where no face is seen.
+
+    derivatives (H, W, 3, 2): db/dx and db/dy, as lab 2's barycentrics_derivatives gives them; those
+    at pixels without a face mean nothing. The others as for `interpolate`.
+
+    >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
+    >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])
+    >>> interpolate_derivatives(attributes, faces, np.array([[0]]), db)
+    array([[[[-1. , -0.5]]]])
+    """
+    # (6) is (5) with other weights.
+    by_x, by_y = (interpolate(attributes, faces, face_index, derivatives[..., axis])
+                  for axis in (0, 1))
+    return np.stack([by_x, by_y], -1)
+
+
+def interpolate_derivatives_backward(grad_output, attributes,  # exercise 5.14 (3 points)
+                                     faces, face_index, derivatives):
+    """Backward of eq. (6): grad_output (H, W, C, 2) -> grad_attributes (V, C), grad_derivatives
+    (H, W, 3, 2).
+
+    The six derivatives of a pixel count as free. A pixel without a face adds to nothing, whatever
+    its grad_output, and its grad_derivatives are 0.
+
+    >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
+    >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])
+    >>> grads = interpolate_derivatives_backward(np.array([[[[2.0, 4.0]]]]), attributes, faces,
+    ...                                          np.array([[0]]), db)
+    >>> grads[0].T, grads[1]
+    (array([[ 0.,  1.,  0., -1.]]), array([[[[12., 24.],
+             [ 8., 16.],
+             [16., 32.]]]]))
+    """
+    by_x, by_y = (interpolate_backward(grad_output[..., axis], attributes, faces, face_index,
+                                       derivatives[..., axis]) for axis in (0, 1))
+    return by_x[0] + by_y[0], np.stack([by_x[1], by_y[1]], -1)
