@@ -72,11 +72,11 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.4 (2 po
 
 def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.5 (3 points)
               beta_1=0.9, beta_2=0.999, epsilon=1e-8):
-    """Eq. (4): one step of Adam downhill -> x, mean, square after it, the arguments untouched.
+    """Eq. (4): one step of Adam downhill -> x, mean, square after it, the arguments unchanged.
 
     x, grad_x, mean (m), square (s): arrays of one shape, any; step (n) = 1 is the first one, to
-    which mean and square come as 0. Every element goes its own way. (The first step is by rate,
-    whatever the size of the gradient.)
+    which mean and square come as 0. Every element goes its own way: the first step is nearly by
+    rate in each, whatever the size of its gradient, if that is far above epsilon.
 
     >>> x, grad_x, zero = np.array([5.0, 5.0]), np.array([4.0, -100.0]), np.zeros(2)
     >>> x, mean, square = adam_step(x, grad_x, zero, zero, 1, rate=0.25)
@@ -344,6 +344,7 @@ def render_textured_backward(grad_picture, buffers, positions, faces, uv, uv_fac
 
 
 def require(fits, expected, came):
+    """ValueError, in one sentence, unless what came fits."""
     if not fits:
         raise ValueError(f"render expects {expected}; it got {came}")
 
@@ -375,5 +376,6 @@ def require_colours(colours, positions, background):
 
 
 def require_background(background, channels):
+    """ValueError, in one sentence, unless the background is one colour of so many channels."""
     require(np.shape(background) == (channels,), f"a background ({channels},), of as many channels "
             "as the colours have", np.shape(background))
