@@ -202,7 +202,7 @@ def fit_triangle(labs):
 
 
 def over(labs, template, x):
-    """The template in blue; in red where the triangle began, where it was and where it ended."""
+    """The template in blue; in orange where the triangle began, where it was and where it ended."""
     steps = [labs.sampling.pixel_coverage(x[step], fits.SIDE, fits.SIDE) for step in (0, 40, -1)]
     return np.concatenate([np.stack([1 - template[..., 0], 1 - (template[..., 0] + step) / 2,
                                      1 - step], -1) for step in steps], 1)
@@ -210,7 +210,7 @@ def over(labs, template, x):
 
 def fit_cube(labs):
     """A cube's shape and colours from pictures of 16 x 16, 8 x 8 and 4 x 4 pixels (lab 9)."""
-    for size, goal in X:
+    for size, goal in (16, "goal: 0.001"), (8, "goal: 0.010"), (4, "no convergence"):
         seeds, start = range(5), time.process_time()
         fitted = [fits.cube(labs, size, seed) for seed in track(seeds, f"{size}", transient=True)]
         seconds = (time.process_time() - start) / len(seeds)
