@@ -259,9 +259,9 @@ def test_products_are_those_of_matrices(impl, rng):
 @exercise("9.8")
 def test_products_of_many(impl, rng):
     """Right for one pair alone; or shapes do not broadcast."""
-    p, q = rng.normal(size=(5, 1, 4)), rng.normal(size=(3, 4))
+    p, q = rng.normal(size=(5, 1, 4)), rng.normal(size=(2, 1, 3, 4))
     got = np.asarray(impl.quaternion_product(p, q))
-    assert_equal(got.shape, (5, 3, 4))
+    assert_equal(got.shape, (2, 5, 3, 4))
     assert_close(as_complex(got), as_complex(p) @ as_complex(q))
 
 

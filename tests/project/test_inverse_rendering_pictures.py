@@ -164,7 +164,7 @@ def test_a_texture_of_one_colour_is_a_mesh_of_one_colour():
 
 @pytest.mark.parametrize("name", SCENES)
 def test_without_antialiasing_a_mesh_of_one_colour_has_exactly_no_gradient(name):
-    """Rounding goes for a gradient: Adam makes whole steps of it."""
+    """Rounding goes for a gradient: nobody can tell any more that the mesh is stuck."""
     positions, faces, colours, clip_from_model, background, _ = scene(name)
     colours[:] = 0.1, 0.7
     clip = transforms.transform(transforms.to_homogeneous(positions), clip_from_model)
