@@ -237,8 +237,8 @@ def planet(rows, seed=3):
 
 
 def globe_views(labs, texture, count, seed=0, size=64):
-    """The globe from count random sides, 1.5 to 50 away: for each, of the pixels that see it, (u, v)
-    (N, 2), its change (N, 2, 2), and the colour (N, 3): a mean of 4 x 4 samples, each trilinear.
+    """The globe from count random sides, 1.5 to 50 away: for each, of the pixels that see it, uv
+    (N, 2), their change (N, 2, 2), and the colour (N, 3): a mean of 4 x 4 samples, each trilinear.
     """
     rng, views = np.random.default_rng(seed), []
     for _ in range(count):
@@ -304,7 +304,7 @@ def ball():
     return 0.6 * vertices, faces
 
 
-def rabbit():
+def bunny_mesh():
     """The Stanford bunny, scaled to the unit sphere -> vertices, faces."""
     vertices, faces = mesh.bunny()
     return mesh.normalize(vertices), faces
@@ -330,7 +330,7 @@ def bunny(labs, weight, steps=300, size=128, seed=0):
     """
     lab9, rng, (x, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
     cameras = cameras_around(labs, 20)
-    targets = [silhouette(labs, *rabbit(), camera, size)[0] for camera in cameras]
+    targets = [silhouette(labs, *bunny_mesh(), camera, size)[0] for camera in cameras]
     edges, _ = mesh.edges(faces)
     path, losses, mean, square = [x], [], 0 * x, 0 * x
     for step in range(1, steps + 1):
