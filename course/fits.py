@@ -304,7 +304,7 @@ def ball():
     return 0.6 * vertices, faces
 
 
-def bunny_mesh():
+def rabbit():
     """The Stanford bunny, scaled to the unit sphere -> vertices, faces."""
     vertices, faces = mesh.bunny()
     return mesh.normalize(vertices), faces
@@ -330,7 +330,7 @@ def bunny(labs, weight, steps=300, size=128, seed=0):
     """
     lab9, rng, (x, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
     cameras = cameras_around(labs, 20)
-    targets = [silhouette(labs, *bunny_mesh(), camera, size)[0] for camera in cameras]
+    targets = [silhouette(labs, *rabbit(), camera, size)[0] for camera in cameras]
     edges, _ = mesh.edges(faces)
     path, losses, mean, square = [x], [], 0 * x, 0 * x
     for step in range(1, steps + 1):
