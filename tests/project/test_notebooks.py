@@ -294,6 +294,20 @@ def test_another_layout_is_a_difference_and_other_line_ends_are_not(written, tmp
                   lambda text: text.replace("\n", "\r\n")) == []
 
 
+SAME = [("off by 3e-15 at most", "off by  2e-14 at most"), ("0.25 px", "0.26 px"),
+        ("-1e-16", "0.0"), ("100 faces", "101 faces"), ("x = 1234.5", "x = 1245.5")]
+OTHER = [("off by 3e-15", "off by 3e-05"), ("0.25 px", "0.27 px"), ("100 faces", "102 faces"),
+         ("0.25 px", "0.25 m"), ("x = 1234.5", "x = -1234.5"), ("1 2", "1 2 3"), ("a b", "a c")]
+
+
+@pytest.mark.parametrize("old, new", SAME + OTHER)
+def test_a_number_written_elsewhere_may_be_rounded_otherwise(old, new):
+    """A lecture that is wrong on every other processor; a stale number that nobody sees."""
+    same = (old, new) in SAME
+    assert (notebooks._text_difference(old, new, here=False) is None) == same
+    assert notebooks._text_difference(old, new, here=True) is not None
+
+
 def from_elsewhere(picture):
     def edit(notebook):
         notebook.metadata.written_with.matplotlib = "3.0"
