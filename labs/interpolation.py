@@ -25,6 +25,8 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
+CHUNK = 1 << 14  # pixels in flight at once: they stay in the cache
+
 
 def lerp(a, b, t):  # exercise 5.1 (1 point)
     """Linear interpolation: a at t = 0, b at t = 1, both to the last bit; halfway at t = 1/2.
@@ -171,11 +173,21 @@ def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2
     raise NotImplementedError("exercise 5.11: interpolate")
 
 
+def seen_corners(face_index, faces):
+    """The pixels that see a face, in chunks that stay in the cache: yields pixel (N,) = row * width
+    + column, and corners (3, N): the vertices of the face that each one sees.
+    """
+    seen = np.flatnonzero(face_index >= 0)
+    for pixel in (seen[start:start + CHUNK] for start in range(0, len(seen), CHUNK)):
+        yield pixel, faces.take(face_index.reshape(-1)[pixel], 0).T
+
+
 def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.12 (4 points)
                          barycentric):
     """Eq. (8): what `interpolate_backward_loop` gives, without a loop over pixels.
 
-    grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3).
+    grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3). The given
+    `seen_corners` walks over the pixels that count.
     """
     raise NotImplementedError("exercise 5.12: interpolate_backward")
 

@@ -400,9 +400,9 @@ def seen_corners(face_index, clip, faces):
     x, y, w = screen_points(clip, width, height)
     seen = np.flatnonzero(face_index >= 0)
     for pixel in (seen[start:start + CHUNK] for start in range(0, len(seen), CHUNK)):
-        corners = faces[face_index.reshape(-1)[pixel]].T
-        row, column = np.divmod(pixel, width)
-        yield pixel, column + 0.5, row + 0.5, x[corners], y[corners], w[corners]
+        corners = faces.take(face_index.reshape(-1)[pixel], 0).T.copy()  # rows side by side
+        row = pixel // width
+        yield pixel, pixel - row * width + 0.5, row + 0.5, x[corners], y[corners], w[corners]
 
 
 def barycentrics(face_index, clip, faces):

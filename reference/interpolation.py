@@ -25,6 +25,8 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
+CHUNK = 1 << 14  # pixels in flight at once: they stay in the cache
+
 
 def lerp(a, b, t):  # exercise 5.1 (1 point)
     """Linear interpolation: a at t = 0, b at t = 1, both to the last bit; halfway at t = 1/2.
@@ -199,20 +201,30 @@ def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2
     return (weights @ attributes).reshape(*face_index.shape, attributes.shape[1])
 
 
+def seen_corners(face_index, faces):
+    """The pixels that see a face, in chunks that stay in the cache: yields pixel (N,) = row * width
+    + column, and corners (3, N): the vertices of the face that each one sees.
+    """
+    seen = np.flatnonzero(face_index >= 0)
+    for pixel in (seen[start:start + CHUNK] for start in range(0, len(seen), CHUNK)):
+        yield pixel, faces.take(face_index.reshape(-1)[pixel], 0).T
+
+
 def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.12 (4 points)
                          barycentric):
     """Eq. (8): what `interpolate_backward_loop` gives, without a loop over pixels.
 
-    grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3).
+    grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3). The given
+    `seen_corners` walks over the pixels that count.
     """
     weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
     grad_pixels = grad_output.reshape(-1, attributes.shape[1])
-    seen = np.flatnonzero(face_index >= 0)
-    grad_seen = grad_pixels.take(seen, 0)
-    corners = faces.take(face_index.reshape(-1)[seen], 0).T
     grad_barycentric = np.zeros((face_index.size, 3))
-    for k, vertex in enumerate(corners):
-        grad_barycentric[seen, k] = np.einsum("nc,nc->n", grad_seen, attributes.take(vertex, 0))
+    for pixel, corners in seen_corners(face_index, faces):
+        grad_seen = grad_pixels.take(pixel, 0)
+        for k, vertex in enumerate(corners):
+            at_corner = attributes.take(vertex, 0)
+            grad_barycentric[pixel, k] = np.einsum("nc,nc->n", grad_seen, at_corner)
     return weights.T @ grad_pixels, grad_barycentric.reshape(barycentric.shape)
 
 

@@ -137,7 +137,7 @@ def barycentric_at(px, py, face, clip, faces, width, height):
     A point beside the face is taken as in the face's plane: some weight is negative then.
     """
     x, y, w = rasterization.screen_points(clip, width, height)
-    corners = faces[face].T
+    corners = faces.take(face, 0).T.copy()  # rows side by side
     return rasterization.barycentric_on_face(px, py, x[corners], y[corners], w[corners]).T
 
 
