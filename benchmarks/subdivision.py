@@ -1,0 +1,65 @@
+"""What a step of subdivision costs: python3 benchmarks/subdivision.py
+
+The topology with its checks, the sparse matrix S, the new points and the new faces, all from
+scratch. Medians, in milliseconds; the bar is 600 for 100,000 triangles, 800 for 50,000 quads.
+"""
+import platform
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import scipy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from course import mesh
+from reference import subdivision
+
+ROUNDS = 7
+
+
+def quads(n):
+    """A closed ring of n x n quads -> vertices, corners, counts."""
+    y, x = np.divmod(np.arange(n * n), n)
+    right, above = (x + 1) % n, (y + 1) % n
+    corners = np.stack([y * n + x, y * n + right, above * n + right, above * n + x], axis=1)
+    a, b = 2 * np.pi * x / n, 2 * np.pi * y / n
+    vertices = np.stack([(2 + np.cos(b)) * np.cos(a), (2 + np.cos(b)) * np.sin(a), np.sin(b)], 1)
+    return vertices, corners.ravel(), np.full(n * n, 4)
+
+
+def main():
+    print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}, "
+          f"SciPy {scipy.__version__}")
+    print(f"{'':16}{'faces':>9}{'step':>9}{'S alone':>9}{'S @ x':>9}{'S.T @ g':>9}   ms")
+    for count in 1_000, 10_000, 100_000:
+        vertices, faces = mesh.torus(count)
+        row("Loop", len(faces), vertices, lambda m=(vertices, faces): subdivision.loop(*m),
+            lambda m=(faces, len(vertices)): subdivision.loop_matrix(*m))
+    for side in 22, 71, 224:
+        vertices, *polygons = quads(side)
+        row("Catmull-Clark", side**2, vertices,
+            lambda m=(vertices, *polygons): subdivision.catmull_clark(*m),
+            lambda m=(*polygons, len(vertices)): subdivision.catmull_clark_matrix(*m))
+
+
+def row(name, count, vertices, step, matrix):
+    S = matrix()
+    new = S @ vertices
+    times = median(step), median(matrix), median(lambda: S @ vertices), median(lambda: S.T @ new)
+    print(f"{name:16}{count:9,}" + "".join(f"{took:9.1f}" for took in times))
+
+
+def median(call):
+    """Milliseconds, after one call to warm up."""
+    took = []
+    for _ in range(ROUNDS + 1):
+        start = time.perf_counter()
+        call()
+        took.append(1000 * (time.perf_counter() - start))
+    return statistics.median(took[1:])
+
+
+if __name__ == "__main__":
+    main()
