@@ -35,19 +35,18 @@ def main():
     print(f"{'':16}{'faces':>9}{'step':>9}{'S alone':>9}{'S @ x':>9}{'S.T @ g':>9}   ms")
     for count in 1_000, 10_000, 100_000:
         vertices, faces = mesh.torus(count)
-        row("Loop", len(faces), vertices, lambda m=(vertices, faces): subdivision.loop(*m),
-            lambda m=(faces, len(vertices)): subdivision.loop_matrix(*m))
+        row("Loop", len(faces), vertices, subdivision.loop, subdivision.loop_matrix, faces)
     for side in 22, 71, 224:
         vertices, *polygons = quads(side)
         row("Catmull-Clark", side**2, vertices,
-            lambda m=(vertices, *polygons): subdivision.catmull_clark(*m),
-            lambda m=(*polygons, len(vertices)): subdivision.catmull_clark_matrix(*m))
+            subdivision.catmull_clark, subdivision.catmull_clark_matrix, *polygons)
 
 
-def row(name, count, vertices, step, matrix):
-    S = matrix()
+def row(name, count, vertices, step, matrix, *faces):
+    S = matrix(*faces, len(vertices))
     new = S @ vertices
-    times = median(step), median(matrix), median(lambda: S @ vertices), median(lambda: S.T @ new)
+    times = [median(lambda: step(vertices, *faces)), median(lambda: matrix(*faces, len(vertices))),
+             median(lambda: S @ vertices), median(lambda: S.T @ new)]
     print(f"{name:16}{count:9,}" + "".join(f"{took:9.1f}" for took in times))
 
 
