@@ -21,7 +21,7 @@ points around v, R that of the middles of its edges; diagonals: across each quad
 
 Polygons are two arrays: corners (C,), the vertices of all faces in a row, and counts (F,), how many
 are each face's. `topology` says which meshes are accepted. Sources: a lecture on geometry, its
-course's number 12; Loop 1987; Catmull and Clark 1978; Warren 1995; Stam 1998 (10).
+course's number 12; Loop 1987; Catmull, Clark 1978; Warren 1995; Halstead et al. 1993 (10).
 """
 import numpy as np
 import scipy.sparse
@@ -185,7 +185,7 @@ def loop_slow(vertices, faces, u):  # exercise 11.11 (4 points)
 
     vertices (V, C), faces (F, 3), u (V,): the weight of each vertex -> the new points (V + E, C):
     the V old vertices, moved, then one for each edge, in the order of `edges`. A vertex of no face
-    stays. `faces_at_edges` and `ring_of` tell who is near whom.
+    stays; u of one on the boundary is not used. `faces_at_edges` and `ring_of` tell who is near.
 
     >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     >>> loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
@@ -366,7 +366,7 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.21 (4 points)
 
     vertices (V, C), corners, counts -> the new points (V + E + F, C): the V old vertices, moved;
     one for each edge, in the order of `edges`; one for each face. A vertex of no face stays.
-    `polygons`, `faces_at_edges` and `ring_of` tell who is near whom.
+    `polygons`, `faces_at_edges` and `ring_of` tell who is near.
 
     >>> square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
     >>> catmull_clark_slow(square, np.array([0, 1, 2, 3]), np.array([4]))[[0, 1, 4, 8]]
@@ -380,10 +380,14 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.21 (4 points)
     points = []
     for v in range(len(vertices)):
         ring, beside = ring_of(v, at_edge)
-        around = [f for f, face in enumerate(faces) if v in face]
-        points.append(curve_point(vertices[v], vertices[beside]) if beside else vertices[v]
-                      if not ring else
-                      catmull_clark_vertex_point(vertices[v], vertices[ring], face_points[around]))
+        if beside:
+            points.append(curve_point(vertices[v], vertices[beside]))
+        elif ring:
+            around = [f for f, face in enumerate(faces) if v in face]
+            points.append(catmull_clark_vertex_point(vertices[v], vertices[ring],
+                                                     face_points[around]))
+        else:
+            points.append(vertices[v])
     for edge, its_faces in at_edge.items():
         points.append(catmull_clark_edge_point(vertices[list(edge)], face_points[its_faces]))
     return np.concatenate([points, face_points])
