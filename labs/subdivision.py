@@ -43,8 +43,9 @@ def edges(corners, counts):  # exercise 11.1 (3 points)
     """The edges (E, 2) of a mesh, and corner_edge (C,): which of them runs from each corner to the
     next corner of its face (`next_corner`).
 
-    corners (C,), counts (F,), F >= 1. An edge is a pair of vertices, low < high, and is there once,
-    however many faces have it. Edges ascend: by low, and those of equal low by high.
+    corners (C,), of any integer type, counts (F,), F >= 1. An edge is a pair of vertices, low <
+    high, and is there once, however many faces have it. Edges ascend: by low, and those of equal
+    low by high.
 
     >>> edges(np.array([0, 1, 2, 2, 1, 3]), np.array([3, 3]))  # two triangles with the edge 1 2
     (array([[0, 1],
