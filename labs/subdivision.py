@@ -450,9 +450,10 @@ def topology(corners, counts, vertex_count):
 def check_polygons(corners, counts, vertex_count):
     """Nothing for at least one polygon between vertices that are there, else a ValueError."""
     for name, numbers in (("corners", corners), ("counts", counts)):
-        if numbers.ndim != 1 or numbers.dtype.kind not in "iu" or len(numbers) == 0:
-            raise ValueError(f"{name} must be an array of integers in a row, at least one, "
-                             f"got {numbers.shape} of {numbers.dtype}")
+        whole = numbers.dtype.kind in "iu" and np.can_cast(numbers.dtype, np.int64)
+        if numbers.ndim != 1 or len(numbers) == 0 or not whole:
+            raise ValueError(f"{name} must be integers in a row, at least one, of a type that fits "
+                             f"int64; got {numbers.shape} of {numbers.dtype}")
     if counts.min() < 3 or counts.sum() != len(corners):
         raise ValueError("counts must be at least 3 for each face and add up to the number of "
                          f"corners, {len(corners)}; the least is {counts.min()}, "

@@ -54,9 +54,10 @@ def edges(corners, counts):  # exercise 11.1 (3 points)
            [1, 3],
            [2, 3]]), array([0, 2, 1, 2, 3, 4]))
     """
-    start, end = corners, corners[next_corner(counts)]
-    vertex_count = int(corners.max()) + 1
-    key = np.minimum(start, end).astype(np.int64) * vertex_count + np.maximum(start, end)
+    start = corners.astype(np.int64)  # a product of two narrow numbers would not fit
+    end = start[next_corner(counts)]
+    vertex_count = start.max() + 1
+    key = np.minimum(start, end) * vertex_count + np.maximum(start, end)
     key, corner_edge = np.unique(key, return_inverse=True)
     return np.stack(np.divmod(key, vertex_count), axis=1), corner_edge
 
@@ -522,9 +523,10 @@ def topology(corners, counts, vertex_count):
 def check_polygons(corners, counts, vertex_count):
     """Nothing for at least one polygon between vertices that are there, else a ValueError."""
     for name, numbers in (("corners", corners), ("counts", counts)):
-        if numbers.ndim != 1 or numbers.dtype.kind not in "iu" or len(numbers) == 0:
-            raise ValueError(f"{name} must be an array of integers in a row, at least one, "
-                             f"got {numbers.shape} of {numbers.dtype}")
+        whole = numbers.dtype.kind in "iu" and np.can_cast(numbers.dtype, np.int64)
+        if numbers.ndim != 1 or len(numbers) == 0 or not whole:
+            raise ValueError(f"{name} must be integers in a row, at least one, of a type that fits "
+                             f"int64; got {numbers.shape} of {numbers.dtype}")
     if counts.min() < 3 or counts.sum() != len(corners):
         raise ValueError("counts must be at least 3 for each face and add up to the number of "
                          f"corners, {len(corners)}; the least is {counts.min()}, "

@@ -140,7 +140,7 @@ def test_edges_are_those_of_a_dictionary(impl, count, faces):
 @exercise("11.1")
 def test_edges_of_large_numbers(impl):
     """Pairs that are packed into one number, too small for them."""
-    for integer in np.int64, np.int32, np.uint32:
+    for integer in np.int64, np.int32, np.uint64:
         edges, _ = impl.edges(np.array([0, 70_000, 140_000], integer), np.array([3]))
         assert_equal(edges, np.array([[0, 70_000], [0, 140_000], [70_000, 140_000]]))
 
