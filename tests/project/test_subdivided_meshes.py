@@ -379,7 +379,7 @@ BROKEN = {
     "below 0": ([[0, 1, 2], [2, 1, -1]], "face 1 names vertex -1"),
     "quads": ([[0, 1, 2, 3]], r"faces must be an array \(F, 3\) of integers, got \(1, 4\)"),
     "no faces": (np.zeros((0, 3), int), "at least one"),
-    "too wide": (np.array([[0, 1, 2]], np.uint64), "corners must be integers in a row .* uint64"),
+    "too wide": (np.array([[0, 1, 2]], np.uint64), "corners must be integers in a row, .* uint64"),
     "not whole": ([[0.0, 1.0, 2.0]], r"corners must be integers .* float64"),
 }
 
