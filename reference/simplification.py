@@ -76,6 +76,8 @@ def vertex_quadrics(face_quadrics, faces, vertex_count):  # exercise 12.3 (2 poi
 def quadric_error(q, x):  # exercise 12.4 (1 point)
     """Eq. (2): the error of points under quadrics: q (..., 4, 4), x (..., 3) -> (...).
 
+    Leading shapes broadcast; q need not be symmetric.
+
     >>> quadric_error(plane_quadrics(np.array([0.0, 0.0, 1.0, -2.0])), np.array([7.0, 8.0, 5.0]))
     np.float64(9.0)
     """
@@ -409,14 +411,14 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     count neither in face_count nor in the result. The bookkeeping is given:
 
     rows, rows_at   the closed faces as lists, and a set of their numbers for each vertex
-    became, age     lists: the vertex that stands for a vertex, itself at first; an array: 0 at first
-    waiting         a dict: vertex -> list of entries;  known: a set, empty at first
+    became, age     for each vertex: in a list what stands for it, first itself; in an array 0
+    waiting         a dict, vertex -> list of entries; empty at first, as is the set known
 
     >>> vertices, faces = mesh.grid(32)
     >>> q, pairs = mesh_quadrics(vertices, faces), valid_pairs(vertices, faces, 0.0)
-    >>> vertices, faces, _ = simplify_heap(vertices, faces, q, pairs, 2)
-    >>> vertices[np.unique(faces)].tolist()
-    [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0]]
+    >>> vertices, faces, refused = simplify_heap(vertices, faces, q, pairs, 2)
+    >>> vertices[np.unique(faces)].round(9).astype(int).tolist()
+    [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
     """
     # Quadrics are only ever added to, so a cost never falls: an entry that is out of date comes to
     # the top too early, not too late, and it is soon enough to ask again there.
@@ -442,6 +444,30 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
             put_back(heap, waiting, set(around.ravel().tolist()))
     left = [row for row in rows if row and len(vertices) not in row]
     return vertices, np.array(left, int).reshape(-1, 3), refused
+
+
+def split_longest(vertices, faces, face_count):
+    """The other way round: the same surface in at least face_count faces, at most one more.
+
+    Again and again, the longest edges are halved, each with the faces at it.
+    """
+    while len(faces) < face_count:
+        edges, face_edges = mesh.edges(faces)
+        length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+        by_length = np.argsort(-length, kind="stable")
+        rank = np.argsort(by_length)                    # 0 for the longest
+        first = np.take_along_axis(face_edges, rank[face_edges].argmin(1)[:, None], 1)
+        alone = np.bincount(first.ravel(), minlength=len(edges)) == np.bincount(face_edges.ravel())
+        alone &= length > 0.9 * length.max()            # the longest edge of all its faces
+        chosen = by_length[alone[by_length]][:(face_count - len(faces) + 1) // 2]
+        middle = np.full(len(edges), -1)
+        middle[chosen] = len(vertices) + np.arange(len(chosen))
+        split = middle[first[:, 0]] >= 0
+        (a, b), m, whole = edges[first[split, 0]].T[:, :, None], middle[first[split]], faces[split]
+        halves = [np.where(whole == end, m, whole) for end in (a, b)]
+        vertices = np.concatenate([vertices, vertices[edges[chosen]].mean(1)])
+        faces = np.concatenate([faces[~split], *halves])
+    return vertices, faces
 
 
 def plain_faces(faces):
