@@ -324,6 +324,13 @@ def test_on_a_crease_and_on_a_plane_it_stays_with_the_pair(impl):
 
 
 @exercise("12.10")
+def test_without_any_plane_a_stays(impl):
+    """A = 0: the system is singular, for vertices of faces without area."""
+    a, b = np.array([[1.0, 2.0, 3.0]]), np.array([[4.0, 4.0, 4.0]])
+    assert_equal(impl.best_position(np.zeros((1, 4, 4)), a, b), a)
+
+
+@exercise("12.10")
 def test_the_least_eigenvalue_decides(impl):
     """The determinant, another threshold, or one that depends on the scale."""
     turn = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
@@ -428,6 +435,16 @@ def test_a_right_angle_flips_and_a_little_less_does_not(impl):
                             ((-0.01, 1.0), True), ((0.0, 0.0), True):
         after = triangle([0, 0, 0], [2, 0, 0], [0, *height])
         assert_equal(impl.flips(before, after), expected)
+
+
+@exercise("12.14")
+def test_the_angle_between_the_normals_decides(impl, rng):
+    """A side is measured from the origin: right only where the first corner lies there."""
+    for _ in range(40):
+        before, after = 3 + rng.normal(size=(2, 1, 3, 3))
+        n, n1 = ([np.linalg.det([axis, b - a, c - a]) for axis in np.eye(3)]
+                 for a, b, c in (before[0], after[0]))
+        assert_equal(impl.flips(before, after), bool(np.dot(n, n1) <= 0))
 
 
 @exercise("12.14")
