@@ -258,7 +258,7 @@ def flips(before, after):  # exercise 12.14 (2 points)
 
 
 def why_refused(vertices, faces, a, b, position):
-    """Whether the pair a, b may become one vertex at position (3,): 0 yes, else 1 + a REASON.
+    """May the pair a, b become one vertex at position (3,)? -> 0 for yes, k for the k-th of REASONS.
 
     faces (N, 3): all at a or b of the closed surface, whose `outside` is len(vertices). A pair that
     is no edge joins two sheets: what eq. (8) forbids is its very purpose.
@@ -446,27 +446,39 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     return vertices, np.array(left, int).reshape(-1, 3), refused
 
 
-def split_longest(vertices, faces, face_count):
-    """The other way round: the same surface in at least face_count faces, at most one more.
+def rounded_middles(vertices, faces, edges):
+    """Middles of edges (N, 2) on a rounded surface: (N, 3).
 
-    Again and again, the longest edges are halved, each with the faces at it.
+    They are those of the cubic edges of Vlachos et al. 2001, "Curved PN triangles": the middle goes
+    half as far as the two tangent planes at its ends are away from it, in the mean.
+    """
+    ends, n = vertices[edges], mesh.vertex_normals(vertices, faces)[edges]
+    middles = ends.mean(1, keepdims=True)
+    away = ((ends - middles) * n).sum(2, keepdims=True) * n
+    return (middles + away.mean(1, keepdims=True) / 2)[:, 0]
+
+
+def split_longest(vertices, faces, face_count):
+    """The other way round: a mesh of at least face_count faces, at most one more.
+
+    Again and again, edges that are the longest of all their faces are halved with these faces, the
+    longest first. On the chord the new vertices would cost nothing, and chance would order them.
     """
     while len(faces) < face_count:
         edges, face_edges = mesh.edges(faces)
         length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
         by_length = np.argsort(-length, kind="stable")
-        rank = np.argsort(by_length)                    # 0 for the longest
-        first = np.take_along_axis(face_edges, rank[face_edges].argmin(1)[:, None], 1)
-        alone = np.bincount(first.ravel(), minlength=len(edges)) == np.bincount(face_edges.ravel())
-        alone &= length > 0.9 * length.max()            # the longest edge of all its faces
-        chosen = by_length[alone[by_length]][:(face_count - len(faces) + 1) // 2]
+        rank = np.argsort(by_length)                    # 0 for the longest edge of all
+        longest = face_edges[np.arange(len(faces)), rank[face_edges].argmin(1)]
+        agreed = np.bincount(longest, minlength=len(edges)) == np.bincount(face_edges.ravel())
+        chosen = by_length[agreed[by_length]][:(face_count - len(faces) + 1) // 2]
         middle = np.full(len(edges), -1)
         middle[chosen] = len(vertices) + np.arange(len(chosen))
-        split = middle[first[:, 0]] >= 0
-        (a, b), m, whole = edges[first[split, 0]].T[:, :, None], middle[first[split]], faces[split]
-        halves = [np.where(whole == end, m, whole) for end in (a, b)]
-        vertices = np.concatenate([vertices, vertices[edges[chosen]].mean(1)])
-        faces = np.concatenate([faces[~split], *halves])
+        split = middle[longest] >= 0
+        whole, ends, m = faces[split], edges[longest[split]], middle[longest[split], None]
+        vertices = np.concatenate([vertices, rounded_middles(vertices, faces, edges[chosen])])
+        faces = np.concatenate([faces[~split], np.where(whole == ends[:, :1], m, whole),
+                                np.where(whole == ends[:, 1:], m, whole)])
     return vertices, faces
 
 
@@ -495,6 +507,7 @@ def simplify(vertices, faces, face_count, t=0.0):
     ValueError for what is no mesh, for a negative t or face_count, or nan.
     """
     mesh.check(vertices, faces)
+    vertices, faces = np.asarray(vertices, float), np.asarray(faces)
     if not (face_count >= 0 and t >= 0):
         raise ValueError("simplify needs face_count >= 0 and t >= 0, "
                          f"got face_count {face_count} and t {t}")
