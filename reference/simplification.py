@@ -120,12 +120,11 @@ def boundary_planes(vertices, faces):  # exercise 12.6 (3 points)
     lonely = np.bincount(face_edges.ravel(), minlength=len(edges)) == 1
     face, corner = np.nonzero(lonely[face_edges])
     face, corner = np.stack([face, corner])[:, np.argsort(face_edges[face, corner])]
-    a, b = vertices[edges[lonely].T]
-    third = vertices[faces[face, corner]]
-    normal = mesh.face_normals(vertices, faces)[face]
-    n = np.cross(b - a, normal)
-    n *= -np.sign(((third - a) * n).sum(1, keepdims=True))
-    n /= np.where(normal.any(1), np.linalg.norm(b - a, axis=1), 1)[:, None]
+    # Along an edge as its face goes round, outside is on the right.
+    a, b = vertices[faces[face, corner - 2]], vertices[faces[face, corner - 1]]
+    n = np.cross(b - a, mesh.face_normals(vertices, faces)[face])
+    length = np.linalg.norm(n, axis=1, keepdims=True)  # |b - a|; 0 for a face without area
+    n /= np.where(length > 0, length, 1)
     return edges[lonely], np.column_stack([n, -(n * a).sum(1)])
 
 
@@ -258,10 +257,11 @@ def flips(before, after):  # exercise 12.14 (2 points)
 
 
 def why_refused(vertices, faces, a, b, position):
-    """May the pair a, b become one vertex at position (3,)? -> 0 for yes, k for the k-th of REASONS.
+    """May the pair a, b become one vertex at position (3,)?
 
-    faces (N, 3): all at a or b of the closed surface, whose `outside` is len(vertices). A pair that
-    is no edge joins two sheets: what eq. (8) forbids is its very purpose.
+    -> 0 for yes, else 1, 2 or 3 for the first of REASONS against it. faces (N, 3): all at a or b of
+    the closed surface, whose `outside` is len(vertices). A pair that is no edge joins two sheets:
+    what eq. (8) forbids is its very purpose.
     """
     kept = collapse_faces(faces, a, b)
     real = (kept < len(vertices)).all(1)
@@ -283,10 +283,10 @@ def simplify_loop(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     -> vertices (V, 3), faces (F', 3).
 
     While there are more than face_count faces: of all pairs that are not refused (`why_refused` at
-    their `best_position` is 0), take the one of the least cost, eq. (4). Its lower vertex moves to
-    this position, gets the sum of both quadrics, and takes the higher one's place in faces
-    (`collapse_faces`) and pairs, of which none stays twice or with itself. If all are refused, end.
-    The higher vertex stays in vertices, unused.
+    their `best_position` is 0), take the one of the least cost, eq. (4), the first of equal ones.
+    Its lower vertex moves to this position, gets the sum of both quadrics, and takes the higher
+    one's place in faces (`collapse_faces`) and pairs, which ascend as before, none with itself,
+    none twice. If all are refused, end. The higher vertex stays in vertices, unused.
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = vertex_quadrics(plane_quadrics(face_planes(vertices, faces)), faces, 12)
@@ -408,11 +408,13 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     collapsed as in `simplify_loop` (`merge`), the age of the vertex that stays becomes 1 more than
     the pair's, and what waits at a vertex of a face that was at one of the two goes back to the
     heap (`put_back`). Faces to `outside` (`close_boundary`, which has the number V) take part, but
-    count neither in face_count nor in the result. The bookkeeping is given:
+    count neither in face_count nor in the result. What the given functions need, and change:
 
-    rows, rows_at   the closed faces as lists, and a set of their numbers for each vertex
-    became, age     for each vertex: in a list what stands for it, first itself; in an array 0
-    waiting         a dict, vertex -> list of entries; empty at first, as is the set known
+    rows, rows_at   `incidence` of the closed faces, with V + 1 vertices
+    became          a list: for each vertex what it has become, at first itself
+    age             an array of integers, one for each vertex, at first 0
+    waiting         a dict, at first empty: vertex -> a list of entries
+    known           a set, at first empty
 
     >>> vertices, faces = mesh.grid(32)
     >>> q, pairs = mesh_quadrics(vertices, faces), valid_pairs(vertices, faces, 0.0)
@@ -420,8 +422,8 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     >>> vertices[np.unique(faces)].round(9).astype(int).tolist()
     [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
     """
-    # Quadrics are only ever added to, so a cost never falls: an entry that is out of date comes to
-    # the top too early, not too late, and it is soon enough to ask again there.
+    # Quadrics are only ever added to, so the least error of a pair never falls: an entry that is
+    # out of date comes to the top too early, not too late. It is soon enough to ask again there.
     vertices, quadrics, count = vertices.copy(), quadrics.copy(), len(faces)
     rows, rows_at = incidence(close_boundary(faces, len(vertices)), len(vertices) + 1)
     became, age = np.arange(len(vertices)).tolist(), np.zeros(len(vertices), int)
