@@ -238,8 +238,8 @@ def why_refused(vertices, faces, a, b, position):
 def simplify_loop(vertices, faces, quadrics, pairs, face_count):  # exercise 12.15 (4 points)
     """The greedy algorithm without a heap: all pairs anew for every collapse. Slow and obvious.
 
-    vertices (V, 3), faces (F, 3) without boundary, quadrics (V, 4, 4), pairs (N, 2), low < high
-    -> vertices (V, 3), faces (F', 3).
+    vertices (V, 3), faces (F, 3) without boundary, quadrics (V, 4, 4), pairs (N, 2) as those of
+    `valid_pairs` -> vertices (V, 3), faces (F', 3).
 
     While there are more than face_count faces: of all pairs that are not refused (`why_refused` at
     their `best_position` is 0), take the one of the least cost, eq. (4), the first of equal ones.
