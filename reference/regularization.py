@@ -334,11 +334,11 @@ def delaunay_gain(corners):  # exercise 13.17 (2 points)
 def valence_gain(valence, target):  # exercise 13.18 (2 points)
     """How much nearer to their targets a flip brings four valences: (N,), integers.
 
-    valence, target (N, 4): the numbers of edges at a, b, c, d of `flip`, and those wanted. Measured
-    is the sum of |valence - target|: before less after, so positive is good.
+    valence, target (N, 4), integers: how many edges meet at a, b, c, d of `flip`, and how many
+    should. Measured is the sum of |valence - target|: before less after, so positive is good.
 
-    >>> valence_gain(np.array([[7, 7, 5, 5], [6, 6, 6, 6], [7, 6, 6, 5]]), np.array([6]))
-    array([ 4, -4,  0])
+    >>> valence_gain(np.array([[7, 7, 5, 5], [6, 6, 6, 6]]), np.array([[6, 6, 6, 6], [6, 6, 4, 6]]))
+    array([ 4, -4])
     """
     after = valence + np.array([-1, -1, 1, 1])
     return (np.abs(valence - target) - np.abs(after - target)).sum(1)
@@ -485,7 +485,7 @@ def held_vertices(vertices, faces, tolerance):
     return out
 
 
-def relax(vertices, faces, tolerance, steps=5):
+def relax(vertices, faces, tolerance, steps=4):
     """Thin triangles become rounder, the surface stays: -> vertices (V, 3), faces (F, 3).
 
     Flips, eq. (9), and back onto the surface, in turn. tolerance: see `held_vertices`; by about
