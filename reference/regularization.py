@@ -276,12 +276,11 @@ def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.15 (2 point
 
 def restore_volume(vertices, faces, volume):
     """The vertices (V, 3), moved along the gradient of their volume until it is the one wanted."""
-    direction = np.zeros_like(vertices)
-    np.add.at(direction, faces, enclosed_volume_backward(1.0, vertices[faces]))
-    slope = (direction**2).sum()
-    for _ in range(5):  # Newton with a fixed slope; the volume is nearly linear in so short a way
+    for _ in range(5):  # of Newton's steps; after three the rest is rounding
         missing = volume - enclosed_volume(vertices[faces])
-        vertices = vertices + missing / slope * direction
+        direction = np.zeros_like(vertices)
+        np.add.at(direction, faces, enclosed_volume_backward(1.0, vertices[faces]))
+        vertices = vertices + missing / (direction**2).sum() * direction
     return vertices
 
 
@@ -472,7 +471,7 @@ def closest_points(points, vertices, faces):
 
 
 def held_vertices(vertices, faces, tolerance):
-    """Which vertices must not slide: at a held edge, or standing out too far: bool (V,).
+    """Which vertices must not slide: at a held edge, of no face, or standing out: bool (V,).
 
     A vertex that stands above its neighbours' mean by more than the tolerance would be missed.
     """
@@ -482,7 +481,7 @@ def held_vertices(vertices, faces, tolerance):
     move = smooth_explicit(vertices, edges, np.ones(len(edges)), valence, 1.0) - vertices
     out = np.abs((move * mesh.vertex_normals(vertices, faces)).sum(1)) > tolerance
     out[held] = True
-    return out
+    return out | (valence == 0)
 
 
 def relax(vertices, faces, tolerance, steps=4):

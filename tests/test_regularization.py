@@ -170,14 +170,14 @@ def test_cotangents_of_obtuse_angles_are_negative(impl, rng):
 @exercise("13.3")
 def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     """FLAT is compared with something that has a unit; or with another side than the longest."""
-    for size in 1e-5, 1.0, 1e4:
-        for turn in range(3):
-            for height, expected in (0.95e-12, 0.0), (0.0, 0.0), (1.05e-12, None):
-                flat = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.25, 0.0, height]])
-                if expected is None:
-                    expected = np.array([0.25, 0.75, -0.1875]) / height
-                expected = np.roll(np.broadcast_to(expected, 3), turn)
-                assert_close(impl.cotangents(size * np.roll(flat, turn, 0)), expected, rtol=1e-3)
+    given, expected = [], []
+    for size, turn in itertools.product((1e-5, 1.0, 1e4), range(3)):
+        for height, flat in (0.95e-12, True), (0.0, True), (1.05e-12, False):
+            triangle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.25, 0.0, height]])
+            given.append(size * np.roll(triangle, turn, 0))
+            steep = np.zeros(3) if flat else np.array([0.25, 0.75, -0.1875]) / height
+            expected.append(np.roll(steep, turn))
+    assert_close(impl.cotangents(np.array(given)), np.array(expected), rtol=1e-3)
 
 
 @exercise("13.3")
@@ -215,9 +215,14 @@ def test_flat_triangles_have_no_gradient(impl, rng):
     a, b, c = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.5, 0.95e-12, 1.0]])
     given = np.array([[a, b, c], [a, a, b], [a, a, a]])
     assert_close(impl.cotangents_backward(rng.normal(size=(3, 3)), given), np.zeros((3, 3, 3)))
-    higher = np.array([a, b, [0.5, 1.05e-12, 1.0]])
-    got = np.asarray(impl.cotangents_backward(np.array([1.0, 0.0, 0.0]), higher))
-    assert_close(got[2, 1], -0.5 / 1.05e-12**2, rtol=1e-2)
+    sizes, upstream = np.array([1e-5, 1.0, 1e4]), np.tile([1.0, 0.0, 0.0], (3, 1))
+    for turn in range(3):
+        higher = np.roll([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 1.05e-12, 0.0]], turn, 0)
+        got = impl.cotangents_backward(np.roll(upstream, turn, 1), sizes[:, None, None] * higher)
+        assert_close(np.asarray(got)[:, (2 + turn) % 3, 1], -0.5 / 1.05e-12**2 / sizes, rtol=1e-2)
+        lower = higher * [1.0, 0.9, 1.0]
+        got = impl.cotangents_backward(np.roll(upstream, turn, 1), sizes[:, None, None] * lower)
+        assert_close(got, np.zeros((3, 3, 3)))
 
 
 @exercise("13.5")
@@ -426,6 +431,14 @@ def test_waves_decay_by_their_frequency(impl):
         factor = 1 - 0.4 * (2 - 2 * np.cos(2 * np.pi * k / 8)) * 1.5 / 3.0
         got = impl.smooth_explicit(waves(k), RING, np.full(8, 1.5), np.full(8, 3.0), 0.4)
         assert_close(got, factor * waves(k))
+
+
+@exercise("13.11")
+def test_without_mass_a_vertex_stays(impl):
+    """0/0, or a vertex of mass 0 that moves although it has an edge."""
+    x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
+    got = impl.smooth_explicit(x, edges, np.ones(2), np.array([2.0, 0.0, 0.5]), 0.25)
+    assert_close(got, np.array([[0.5], [4.0], [7.0]]))
 
 
 @exercise("13.12")
@@ -660,12 +673,12 @@ def test_the_seven_regions_around_a_triangle(impl):
     pairs = [((1, 1), (1, 1)), ((2, -1), (2, 0)), ((3, 3), (2, 2)), ((-1, 2), (0, 2)),
              ((-1, -2), (0, 0)), ((6, 1), (4, 0)), ((1, 6), (0, 4)), ((2, 0), (2, 0)),
              ((4, 0), (4, 0)), ((5, -3), (4, 0)), ((-3, 5), (0, 4)), ((0.5, 0.25), (0.5, 0.25))]
-    for height in 0.0, 5.0, -3.0:
-        p = np.array([[*at, 2 + height] for at, _ in pairs], float)
-        expected = np.array([[*at, 2] for _, at in pairs], float)
+    for height, size in itertools.product((0.0, 5.0, -3.0), (1.0, 1e-4, 1e4)):
+        p = size * np.array([[*at, 2 + height] for at, _ in pairs])
+        expected = size * np.array([[*at, 2.0] for _, at in pairs])
         for corners in triangle, triangle[[1, 2, 0]], triangle[::-1]:
-            got = impl.closest_on_triangles(p, np.tile(corners, (len(p), 1, 1)))
-            assert_close(got, expected)
+            got = impl.closest_on_triangles(p, np.tile(size * corners, (len(p), 1, 1)))
+            assert_close(got, expected, atol=1e-12 * size)
 
 
 @exercise("13.20")
