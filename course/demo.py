@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from . import image, mesh, places, plot
+from . import fits, image, mesh, places, plot
 
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
@@ -188,6 +188,43 @@ def by_area(labs, clip, faces, shade, background):
     return picture + (1 - area)[..., None] * background, area
 
 
+def fit_triangle(labs):
+    """A triangle moves to its template: with antialiasing alone (lab 9)."""
+    template = fits.template(labs)
+    for name, antialiased in ("without", False), ("with", True):
+        x, _, gradients = fits.triangle(labs, template, antialiased)
+        yield f"{name} antialiasing, {len(gradients)} steps:", None
+        goal = "" if antialiased else " (goal: exact 0)"
+        yield f"  gradient {np.abs(gradients).max():.2g}{goal}", None
+        goal = " (goal: 0.1)" if antialiased else ""
+        yield (f"  {np.linalg.norm(x[-1] - fits.TEMPLATE, axis=1).max():.3f} px off{goal}",
+               save("fit_triangle", name, enlarged(over(labs, template, x), 8)))
+
+
+def over(labs, template, x):
+    """The template in blue; in orange where the triangle began, where it was and where it ended."""
+    steps = [labs.sampling.pixel_coverage(x[step], fits.SIDE, fits.SIDE) for step in (0, 40, -1)]
+    return np.concatenate([np.stack([1 - template[..., 0], 1 - (template[..., 0] + step) / 2,
+                                     1 - step], -1) for step in steps], 1)
+
+
+def fit_cube(labs):
+    """A cube's shape and colours from pictures of 16 x 16, 8 x 8 and 4 x 4 pixels (lab 9)."""
+    for size, goal in (16, "goal: 0.001"), (8, "goal: 0.010"), (4, "no convergence"):
+        seeds, start = range(5), time.process_time()
+        fitted = [fits.cube(labs, size, seed) for seed in track(seeds, f"{size}", transient=True)]
+        seconds = (time.process_time() - start) / len(seeds)
+        last = np.sort([errors[-1] for errors, *_ in fitted])
+        yield f"{size} x {size}: error {np.median(last):.5f} ({goal})", None
+        yield f"  {last[0]:.5f} to {last[-1]:.5f}, {seconds:.1f} s each", None
+        pose = fits.cube_camera(labs) @ labs.transforms.rotate(np.array([1.0, 1.0, 0.2]), 0.9)
+        seen = [fits.cube_picture(labs, *truth_or_fit, pose, pixels) for truth_or_fit, pixels in (
+            ((fits.CORNERS - 0.5, fits.CORNERS), size), (fitted[0][1:], SIZE // 2),
+            ((fits.CORNERS - 0.5, fits.CORNERS), SIZE // 2))]
+        seen[0] = enlarged(seen[0], SIZE // 2 // size)
+        yield "  a picture, the fit, the truth", save("fit_cube", f"{size}", np.hstack(seen))
+
+
 def relaxation(labs):
     """The teapot's thin triangles made rounder, its surface kept (lab 13)."""
     vertices, faces = closed_seams(*mesh.teapot())
@@ -275,4 +312,5 @@ def save(scene, name, picture):
     return path
 
 
-SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa, relaxation)}
+SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
+                                               fit_triangle, fit_cube, relaxation)}
