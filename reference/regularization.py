@@ -211,7 +211,7 @@ def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.11 (2 points)
     """Eq. (5): x (V, C) -> x' (V, C); s is the step, the diagonal of M is the mass (V,).
 
     A vertex of mass 0 stays where it is. With uniform weights and the valences as mass, a step of 1
-    puts each vertex at the mean of its neighbours, and a longer one is unstable.
+    puts each vertex at the mean of its neighbours, and a longer one may be unstable.
 
     >>> x, edges = np.array([[0.0], [4.0], [10.0], [7.0]]), np.array([[0, 1], [1, 2]])
     >>> smooth_explicit(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0, 0.0]), 0.5)[:, 0]
