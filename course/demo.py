@@ -209,7 +209,7 @@ def over(labs, template, x):
 
 
 def fit_cube(labs):
-    """A cube's shape and colours from pictures of 16 x 16, 8 x 8 and 4 x 4 pixels (lab 9)."""
+    """A cube's shape and colours from tiny pictures (lab 9)."""
     for size, goal in (16, "goal: 0.001"), (8, "goal: 0.010"), (4, "no convergence"):
         seeds, start = range(5), time.process_time()
         fitted = [fits.cube(labs, size, seed) for seed in track(seeds, f"{size}", transient=True)]
@@ -260,6 +260,65 @@ def drawn(labs, vertices, faces, size=SIZE):
     barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
     derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
     return wireframe(face_index >= 0, barycentric, derivatives)
+def fit_pose(labs):
+    """How a cube is turned: search, then gradient (lab 9)."""
+    unturned = fits.cube_symmetries()[:1]
+    for name, title, search in (
+            ("search", "search by symmetries", {}),
+            ("trapped", "search without them", {"symmetries": unturned}),
+            ("gradient", "no search", {"proposals": 0})):
+        start = time.process_time()
+        fitted = [fits.pose(labs, seed, **search) for seed in track(range(10), transient=True)]
+        seconds = (time.process_time() - start) / len(fitted)
+        angles = np.degrees([labs.inverse_rendering.rotation_angle(turns[-1], goal)
+                             for turns, goal in fitted])
+        near, far = angles[angles < 0.01], np.sort(angles[angles >= 0.01])
+        yield f"{title}, {seconds:.1f} s each:", None
+        goal = "" if search else " (goal: 8)"
+        yield f"  {len(near)} of 10 under 0.01 degrees{goal}", None
+        if len(near):
+            yield f"  they are up to {near.max():.4f} off", None
+        if len(far):
+            yield "  " + " ".join(f"{angle:.0f}" for angle in far) + " degrees off", None
+        turns, goal = fitted[np.argmax(angles)]
+        seen = [fits.block_picture(labs, turn, SIZE // 2)[0]
+                for turn in (turns[0], turns[-1], goal)]
+        yield "  worst: start, fit, truth", save("fit_pose", name, np.clip(np.hstack(seen), 0, 1))
+
+
+def fit_texture(labs):
+    """A globe's texture from 800 far and near views (lab 9)."""
+    truth = fits.planet(128)
+    views = fits.globe_views(labs, truth, 800)
+    yield "views, 64 x 64 pixels", save("fit_texture", "truth", enlarged(truth, 4))
+    decibels = []
+    for name, filter in ("without", "linear"), ("with", "linear-mipmap-linear"):
+        psnr, texture = fits.texture(labs, truth, views, filter)
+        decibels.append(psnr[-1])
+        yield (f"{name} mipmaps: {psnr[-1]:.2f} dB",
+               save("fit_texture", name, enlarged(np.clip(texture, 0, 1), 4)))
+    yield f"difference {decibels[1] - decibels[0]:.2f} dB (goal: 1.3)", None
+
+
+def fit_bunny(labs):
+    """A ball becomes the bunny by 20 silhouettes (lab 9)."""
+    cameras, (_, faces) = fits.cameras_around(labs, 20, longitude=0.3), fits.ball()
+    eye = np.array([-1.3, 0.7, 2.2])
+    for name, weight in ("with", 0.02), ("without", 0.0):
+        start = time.process_time()
+        path, _ = fits.bunny(labs, weight)
+        yield f"{name} a regularizer, {time.process_time() - start:.0f} s:", None
+        ious = fits.shared_silhouettes(labs, (path[-1], faces), fits.rabbit(), cameras)
+        yield f"  IoU of new views {ious.mean():.4f} (goal: 0.97)", None
+        yield f"  {ious.min():.4f} in the worst of {len(ious)}", None
+        yield f"  {fits.folded_edges(path[-1], faces):.1%} of edges folded", None
+        seen = []
+        for vertices in path[[0, 30, 100, -1]]:
+            clip = clip_positions(labs, vertices, eye)
+            face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
+            barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+            seen.append(shaded(vertices, faces, face_index, barycentric))
+        yield "  steps 0, 30, 100, 300", save("fit_bunny", name, np.hstack(seen))
 
 
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
@@ -314,3 +373,5 @@ def save(scene, name, picture):
 
 SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
                                                fit_triangle, fit_cube, relaxation)}
+                                               fit_triangle, fit_cube, fit_pose, fit_texture,
+                                               fit_bunny)}
