@@ -225,41 +225,6 @@ def fit_cube(labs):
         yield "  a picture, the fit, the truth", save("fit_cube", f"{size}", np.hstack(seen))
 
 
-def relaxation(labs):
-    """The teapot's thin triangles made rounder, its surface kept (lab 13)."""
-    vertices, faces = closed_seams(*mesh.teapot())
-    vertices, faces = split_in_four(vertices, faces)
-    size = np.linalg.norm(np.ptp(vertices, axis=0))
-    yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
-    moved, flipped = labs.regularization.relax(vertices, faces, 0.004 * size)
-    yield "flips and slides, four times", None
-    for name, shape, triangles in ("before", vertices, faces), ("after", moved, flipped):
-        angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())
-        yield (f"{name}: mean of the least angles {angle:.1f} degrees",
-               save("relaxation", name, drawn(labs, shape, triangles)))
-
-
-def closed_seams(vertices, faces):
-    """A mesh whose vertices at the same place became one."""
-    vertices, index = np.unique(vertices, axis=0, return_inverse=True)
-    return vertices, index.reshape(-1)[faces]
-
-
-def split_in_four(vertices, faces):
-    """Each face as four of its own shape: the surface stays, and so do its angles."""
-    edges, face_edges = mesh.edges(faces)
-    (a, b, c), (bc, ca, ab) = faces.T, (len(vertices) + face_edges).T
-    faces = np.stack([a, ab, ca,  b, bc, ab,  c, ca, bc,  ab, bc, ca], 1).reshape(-1, 3)
-    return np.concatenate([vertices, vertices[edges].mean(1)]), faces
-
-
-def drawn(labs, vertices, faces, size=SIZE):
-    """The visible edges of a mesh, seen as the teapot is: a picture (size, size, 3)."""
-    clip = clip_positions(labs, mesh.normalize(vertices), eye=np.array([0.6, 1.2, 2.2]))
-    face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
-    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
-    derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
-    return wireframe(face_index >= 0, barycentric, derivatives)
 def fit_pose(labs):
     """How a cube is turned: search, then gradient (lab 9)."""
     unturned = fits.cube_symmetries()[:1]
@@ -321,6 +286,43 @@ def fit_bunny(labs):
         yield "  steps 0, 30, 100, 300", save("fit_bunny", name, np.hstack(seen))
 
 
+def relaxation(labs):
+    """The teapot's thin triangles made rounder, its surface kept (lab 13)."""
+    vertices, faces = closed_seams(*mesh.teapot())
+    vertices, faces = split_in_four(vertices, faces)
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
+    moved, flipped = labs.regularization.relax(vertices, faces, 0.004 * size)
+    yield "flips and slides, four times", None
+    for name, shape, triangles in ("before", vertices, faces), ("after", moved, flipped):
+        angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())
+        yield (f"{name}: mean of the least angles {angle:.1f} degrees",
+               save("relaxation", name, drawn(labs, shape, triangles)))
+
+
+def closed_seams(vertices, faces):
+    """A mesh whose vertices at the same place became one."""
+    vertices, index = np.unique(vertices, axis=0, return_inverse=True)
+    return vertices, index.reshape(-1)[faces]
+
+
+def split_in_four(vertices, faces):
+    """Each face as four of its own shape: the surface stays, and so do its angles."""
+    edges, face_edges = mesh.edges(faces)
+    (a, b, c), (bc, ca, ab) = faces.T, (len(vertices) + face_edges).T
+    faces = np.stack([a, ab, ca,  b, bc, ab,  c, ca, bc,  ab, bc, ca], 1).reshape(-1, 3)
+    return np.concatenate([vertices, vertices[edges].mean(1)]), faces
+
+
+def drawn(labs, vertices, faces, size=SIZE):
+    """The visible edges of a mesh, seen as the teapot is: a picture (size, size, 3)."""
+    clip = clip_positions(labs, mesh.normalize(vertices), eye=np.array([0.6, 1.2, 2.2]))
+    face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
+    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
+    return wireframe(face_index >= 0, barycentric, derivatives)
+
+
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
     transforms = labs.transforms
@@ -372,6 +374,5 @@ def save(scene, name, picture):
 
 
 SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
-                                               fit_triangle, fit_cube, relaxation)}
                                                fit_triangle, fit_cube, fit_pose, fit_texture,
-                                               fit_bunny)}
+                                               fit_bunny, relaxation)}

@@ -3,7 +3,7 @@
     q = 2 r / R                      radii of a triangle's inscribed, circumscribed circle   (1)
     (L x)_i = sum_j w_ij (x_i - x_j)                 Laplacian, over the edges at vertex i   (2)
     w_ij = 1    or    w_ij = (cot alpha + cot beta) / 2             uniform, or cotangents   (3)
-    E = sum |L x|^2                                                       Laplacian energy   (4)
+    E = sum_i |(L x)_i|^2 / m_i                                           Laplacian energy   (4)
     x' = x - s M^-1 L x                            explicit smoothing: a step of diffusion   (5)
     (M + s L) x' = M x                             implicit smoothing: stable for any s      (6)
     6 volume = sum x_0 . (x_1 x x_2)                      tetrahedra from the origin         (7)
@@ -11,8 +11,10 @@
     x' = x + rate (I - n n^T) (mean of the neighbours - x)       tangential relaxation       (9)
     u = (I + lambda L) x,   grad_u = (I + lambda L)^-1 grad_x    large steps                (10)
 
-L is symmetric, its rows sum to 0, x . L x >= 0 for weights >= 0. alpha and beta lie opposite to
-the edge in its two faces. M is diagonal: valences with uniform weights, areas with cotangents.
+L is symmetric, its rows sum to 0, x . L x >= 0 for weights >= 0 and for cotangents. alpha and beta
+lie opposite to the edge in its two faces. M is diagonal, m_i how much vertex i stands for: its
+valence with uniform weights, its area with cotangents. (Lab 9 wrote (4) for uniform weights and
+m = valence^2: no exercise calls another lab's. Here is the general one, and a test ties them.)
 
 Edges (E, 2), low < high, and face_edges (F, 3) are those of `mesh.edges`: face_edges[f, k] is the
 edge opposite to vertex k of face f, and in an array (F, 3, 3) of triangles corner k is vertex k. A
@@ -39,6 +41,12 @@ MOST_PASSES = 100     # of flips; in the plane Delaunay flips come to an end, in
 def sides(triangles):
     """From each corner k of triangles (..., 3, 3) to corner k + 1, and to k + 2, modulo 3."""
     return np.roll(triangles, -1, -2) - triangles, np.roll(triangles, -2, -2) - triangles
+
+
+def unit(vectors):
+    """Vectors (..., 3) of length 1, in the same directions; (0, 0, 0) stays."""
+    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return vectors / np.where(length > 0, length, 1)
 
 
 def corner_angles(triangles):  # exercise 13.1 (2 points)
@@ -125,21 +133,25 @@ def cotangent_weights(cotangents, face_edges, edge_count):  # exercise 13.5 (2 p
     return np.bincount(face_edges.ravel(), cotangents.ravel(), edge_count) / 2
 
 
-def vertex_areas(triangles, faces, vertex_count):  # exercise 13.6 (1 point)
+def vertex_areas(triangles, faces, vertex_count):
     """M of the cotangent Laplacian: each vertex has a third of its faces' areas: (vertex_count,).
 
-    triangles (F, 3, 3) in space, faces (F, 3). A vertex of no face has 0.
-
-    >>> triangle = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 0.0, 2.0]])
-    >>> vertex_areas(triangle[None], np.array([[0, 3, 1]]), 4)
-    array([1., 1., 0., 1.])
+    triangles (F, 3, 3), faces (F, 3).
     """
     p, q = sides(triangles)
     third = np.linalg.norm(np.cross(p, q)[:, 0], axis=-1) / 6
     return np.bincount(faces.ravel(), np.repeat(third, 3), vertex_count)
 
 
-def laplacian_entries(edges, weights, vertex_count):  # exercise 13.7 (2 points)
+def vertex_areas_backward(grad_areas, triangles, faces):
+    """Backward of `vertex_areas`: grad_areas (V,) -> grad_triangles (F, 3, 3)."""
+    # As in `cotangents_backward`, 2 A grows by n x (q_k - p_k) with corner k.
+    p, q = sides(triangles)
+    normal = unit(np.cross(p, q)[:, :1])
+    return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
+
+
+def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
     edges (E, 2), weights (E,). In any order; several entries at one place are meant to be added.
@@ -162,52 +174,72 @@ def laplacian(edges, weights, vertex_count):
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
 
 
-def apply_laplacian(x, edges, weights):  # exercise 13.8 (2 points)
-    """Eq. (2) without a matrix: x (V, C), numbers at the vertices, any C -> L x (V, C).
-
-    edges (E, 2), weights (E,).
-
-    >>> x = np.array([[1.0, 0.0], [2.0, 0.0], [4.0, 8.0]])
-    >>> apply_laplacian(x, np.array([[0, 1], [1, 2]]), np.array([1.0, 10.0]))
-    array([[ -1.,   0.],
-           [-19., -80.],
-           [ 20.,  80.]])
-    """
-    flow = weights[:, None] * (x[edges[:, 0]] - x[edges[:, 1]])
-    ends = edges.T.ravel()  # all first ends, which the flow leaves, then all second ones
-    return np.stack([np.bincount(ends, np.concatenate([each, -each]), len(x))
-                     for each in flow.T], -1)
+def per_mass(x, mass):
+    """M^-1 x, where a mass is 0: 0. x (V, C), mass (V,) >= 0, both float."""
+    return np.divide(x, mass[:, None], out=np.zeros_like(x), where=mass[:, None] > 0)
 
 
-def laplacian_energy(x, edges, weights):  # exercise 13.9 (1 point)
-    """Eq. (4): the sum of squares of L x, a number: a regularizer, 0 if x is constant.
+def laplacian_energy(x, edges, weights, mass):  # exercise 13.7 (1 point)
+    """Eq. (4): the sum over all vertices and channels of (L x)^2 / m, a number: a regularizer.
 
-    x (V, C), edges (E, 2), weights (E,).
-
-    >>> laplacian_energy(np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]]), np.ones(2))
-    np.float64(6.0)
-    """
-    return (apply_laplacian(x, edges, weights)**2).sum()
-
-
-def laplacian_energy_backward(grad_energy, x, edges, weights):  # exercise 13.10 (3 points)
-    """Backward of eq. (4): grad_energy, a number -> grad_x (V, C), grad_weights (E,).
+    x (V, C), edges (E, 2), weights (E,), mass (V,) >= 0. A vertex of mass 0 adds nothing.
 
     >>> x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
-    >>> grad_x, grad_weights = laplacian_energy_backward(0.5, x, edges, np.ones(2))
-    >>> grad_x[:, 0], grad_weights
-    (array([ 0., -3.,  3.]), array([0., 6.]))
+    >>> laplacian_energy(x, edges, np.ones(2), np.array([1.0, 2.0, 4.0]))  # L x is -1, -1, 2
+    np.float64(2.5)
     """
-    # E = y . y with y = L x, and L is symmetric:
-    # dE = 2 y . L dx + 2 sum dw_ij (y_i - y_j) . (x_i - x_j), each edge once.
-    grad_y = 2 * grad_energy * apply_laplacian(x, edges, weights)
-    i, j = edges.T
-    return apply_laplacian(grad_y, edges, weights), ((grad_y[i] - grad_y[j]) * (x[i] - x[j])).sum(1)
+    y = laplacian(edges, weights, len(x)) @ x
+    return (y * per_mass(y, mass)).sum()
+
+
+def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # exercise 13.8 (4 points)
+    """Backward of eq. (4): grad_energy, a number -> grad_x (V, C), grad_weights (E,),
+    grad_mass (V,), which is 0 where the mass is 0.
+
+    >>> x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
+    >>> grad_x, grad_weights, grad_mass = laplacian_energy_backward(
+    ...     0.5, x, edges, np.ones(2), np.array([1.0, 2.0, 4.0]))
+    >>> grad_x[:, 0], grad_weights, grad_mass
+    (array([-0.5, -0.5,  1. ]), array([0.5, 2. ]), array([-0.5  , -0.125, -0.125]))
+    """
+    # E = y . z with y = L x and z = y / m, and L is symmetric:
+    # dE = 2 z . L dx + 2 sum dw_ij (z_i - z_j) . (x_i - x_j) - sum dm_i z_i . z_i, each edge once.
+    L, (i, j) = laplacian(edges, weights, len(x)), edges.T
+    z = per_mass(L @ x, mass)
+    grad_y = 2 * grad_energy * z
+    grad_weights = ((grad_y[i] - grad_y[j]) * (x[i] - x[j])).sum(1)
+    return L @ grad_y, grad_weights, -grad_energy * (z**2).sum(1)
+
+
+def bending_energy(vertices, faces):
+    """Eq. (4) of a surface's own vertices, with its own cotangents and areas -> a number.
+
+    L x is the gradient of the whole area by x; on a fine mesh it has the length 2 (mean curvature)
+    (area of the vertex). So this comes near the integral of 4 (mean curvature)^2, which has no
+    unit: 16 pi for every sphere, and more for all else that is closed.
+    """
+    edges, face_edges = mesh.edges(faces)
+    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
+    areas = vertex_areas(vertices[faces], faces, len(vertices))
+    return laplacian_energy(vertices, edges, weights, areas)
+
+
+def bending_energy_backward(grad_energy, vertices, faces):
+    """Backward of `bending_energy`, through weights and areas, too -> grad_vertices (V, 3)."""
+    edges, face_edges = mesh.edges(faces)
+    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
+    areas = vertex_areas(vertices[faces], faces, len(vertices))
+    grad_vertices, grad_weights, grad_areas = laplacian_energy_backward(
+        grad_energy, vertices, edges, weights, areas)
+    grad_triangles = (cotangents_backward(grad_weights[face_edges] / 2, vertices[faces])
+                      + vertex_areas_backward(grad_areas, vertices[faces], faces))
+    np.add.at(grad_vertices, faces, grad_triangles)
+    return grad_vertices
 
 
 # --- smoothing, and the volume that it costs ---------------------------------------------------
 
-def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.11 (2 points)
+def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (2 points)
     """Eq. (5): x (V, C) -> x' (V, C); s is the step, the diagonal of M is the mass (V,).
 
     A vertex of mass 0 stays where it is. With uniform weights and the valences as mass, a step of 1
@@ -217,11 +249,10 @@ def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.11 (2 points)
     >>> smooth_explicit(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0, 0.0]), 0.5)[:, 0]
     array([2. , 4.5, 7. , 7. ])
     """
-    rate = np.where(mass > 0, step / np.where(mass > 0, mass, 1), 0)
-    return x - rate[:, None] * apply_laplacian(x, edges, weights)
+    return x - step * per_mass(laplacian(edges, weights, len(x)) @ x, mass)
 
 
-def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.12 (3 points)
+def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (3 points)
     """Eq. (6): x (V, C) -> x' (V, C), by one sparse solve.
 
     mass (V,); a vertex of mass 0 belongs to no edge of a weight other than 0, and stays.
@@ -235,7 +266,7 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.12 (3 points)
     return spsolve(system.tocsc(), mass[:, None] * x).reshape(x.shape)
 
 
-def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13.13 (2 points)
+def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13.11 (2 points)
     """Smoothing that keeps the size: in each round eq. (5) by shrink, then the other way by grow.
 
     x (V, C) -> (V, C). 0 < shrink < grow: what is slow grows a little, and what is fast shrinks.
@@ -250,7 +281,7 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13
     return x
 
 
-def enclosed_volume(triangles):  # exercise 13.14 (1 point)
+def enclosed_volume(triangles):  # exercise 13.12 (1 point)
     """Eq. (7): what triangles (F, 3, 3) enclose, a number; positive if all are counter-clockwise
     seen from outside. (Of an open surface, the volume between it and the origin.)
 
@@ -261,7 +292,7 @@ def enclosed_volume(triangles):  # exercise 13.14 (1 point)
     return (x0 * np.cross(x1, x2)).sum() / 6
 
 
-def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.15 (2 points)
+def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
     """Backward of eq. (7): grad_volume, a number -> grad_triangles (F, 3, 3).
 
     >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
@@ -275,7 +306,10 @@ def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.15 (2 point
 
 
 def restore_volume(vertices, faces, volume):
-    """The vertices (V, 3), moved along the gradient of their volume until it is the one wanted."""
+    """The vertices (V, 3), moved along the gradient of their volume until it is the one wanted.
+
+    Of a surface that encloses something, and a volume not far from that.
+    """
     for _ in range(5):  # of Newton's steps; after three the rest is rounding
         missing = volume - enclosed_volume(vertices[faces])
         direction = np.zeros_like(vertices)
@@ -293,6 +327,7 @@ def edge_quads(faces):
     Held are all others: at a hole, or where three faces meet or two wind against each other.
     """
     edges, face_edges = mesh.edges(faces)
+    # The edge opposite to corner k runs from k + 1 to k + 2: from a to b in one face, or back.
     forward = np.roll(faces, -1, 1) < np.roll(faces, -2, 1)
     corners, sound = np.zeros((2, len(edges)), int), np.ones(len(edges), bool)
     for corner, way in zip(corners, (forward, ~forward), strict=True):
@@ -302,20 +337,15 @@ def edge_quads(faces):
     return np.hstack([edges[sound], faces.ravel()[corners]]), corners // 3, edges[~sound]
 
 
-def flip(quads):  # exercise 13.16 (1 point)
+def flip(quads):
     """The faces after edge a b was replaced by c d: quads (N, 4) of a, b, c, d -> (N, 2, 3).
 
-    Before, they are (a, b, c) and (b, a, d), counter-clockwise. First of the new ones, and turned
-    so that it starts there, is that at a, the second is that at b; counter-clockwise both.
-
-    >>> flip(np.array([[5, 6, 7, 8]]))
-    array([[[5, 8, 7],
-            [6, 7, 8]]])
+    Before, they are (a, b, c) and (b, a, d); then (a, d, c), the one at a, and (b, c, d).
     """
     return quads[:, [[0, 3, 2], [1, 2, 3]]]
 
 
-def delaunay_gain(corners):  # exercise 13.17 (2 points)
+def delaunay_gain(corners):  # exercise 13.14 (2 points)
     """Eq. (8): gamma + delta - pi (N,), in radians, positive where an edge should be flipped.
 
     corners (N, 4, 3): the positions of a, b, c, d as in `flip`. gamma is the angle at c, delta that
@@ -330,14 +360,10 @@ def delaunay_gain(corners):  # exercise 13.17 (2 points)
     return gamma + delta - np.pi
 
 
-def valence_gain(valence, target):  # exercise 13.18 (2 points)
+def valence_gain(valence, target):
     """How much nearer to their targets a flip brings four valences: (N,), integers.
 
-    valence, target (N, 4), integers: how many edges meet at a, b, c, d of `flip`, and how many
-    should. Measured is the sum of |valence - target|: before less after, so positive is good.
-
-    >>> valence_gain(np.array([[7, 7, 5, 5], [6, 6, 6, 6]]), np.array([[6, 6, 6, 6], [6, 6, 4, 6]]))
-    array([ 4, -4])
+    valence, target (N, 4): how many edges meet at a, b, c, d of `flip`, and how many should.
     """
     after = valence + np.array([-1, -1, 1, 1])
     return (np.abs(valence - target) - np.abs(after - target)).sum(1)
@@ -352,9 +378,7 @@ def can_flip(vertices, faces, quads):
     new = np.sort(quads[:, 2:], axis=1) @ [len(vertices), 1]
     corners = vertices[np.concatenate([quads[:, [[0, 1, 2], [1, 0, 3]]], flip(quads)], 1)]
     p, q = sides(corners)
-    normal = np.cross(p, q)[..., 0, :]
-    length = np.linalg.norm(normal, axis=-1)
-    normal = normal / np.where(length > 0, length, 1)[..., None]
+    normal = unit(np.cross(p, q)[..., 0, :])
     alike = (normal @ normal.swapaxes(1, 2)).min((1, 2)) > STRAIGHT
     return alike & ~np.isin(new, edges @ [len(vertices), 1])
 
@@ -403,7 +427,7 @@ def flip_to_valence_6(vertices, faces):
 
 # --- tangential relaxation ---------------------------------------------------------------------
 
-def relax_step(vertices, normals, edges, rate):  # exercise 13.19 (3 points)
+def relax_step(vertices, normals, edges, rate):  # exercise 13.15 (3 points)
     """Eq. (9): vertices (V, 3) slide towards the mean of their neighbours -> x' (V, 3).
 
     normals (V, 3), n of unit length, or 0 where there is none, and then nothing is taken away from
@@ -422,7 +446,7 @@ def relax_step(vertices, normals, edges, rate):  # exercise 13.19 (3 points)
     return vertices + move - (move * normals).sum(1, keepdims=True) * normals
 
 
-def closest_on_triangles(p, triangles):  # exercise 13.20 (4 points)
+def closest_on_triangles(p, triangles):  # exercise 13.16 (4 points)
     """The point of each triangle that is nearest to p: p (N, 3), triangles (N, 3, 3) -> (N, 3).
 
     A triangle is its inside, its sides and its corners. If it has no area, it is its sides; if they
@@ -504,48 +528,17 @@ def relax(vertices, faces, tolerance, steps=4):
 
 # --- large steps -------------------------------------------------------------------------------
 
-def cotangent_energy(vertices, faces):
-    """Eq. (4) of the vertices with their own cotangents as weights: how much a surface bends."""
-    edges, face_edges = mesh.edges(faces)
-    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
-    return laplacian_energy(vertices, edges, weights)
-
-
-def cotangent_energy_backward(grad_energy, vertices, faces):
-    """Backward of `cotangent_energy`, through the weights, too -> grad_vertices (V, 3)."""
-    edges, face_edges = mesh.edges(faces)
-    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
-    grad_vertices, grad_weights = laplacian_energy_backward(grad_energy, vertices, edges, weights)
-    grad_triangles = cotangents_backward(grad_weights[face_edges] / 2, vertices[faces])
-    np.add.at(grad_vertices, faces, grad_triangles)
-    return grad_vertices
-
-
-def precondition(x, edges, weights, amount):  # exercise 13.21 (2 points)
-    """Eq. (10): (I + lambda L)^-1 x, by a sparse solve: x (V, C) -> (V, C), spread over the mesh.
-
-    edges (E, 2), weights (E,) >= 0; the amount is lambda >= 0. Each column keeps its sum.
-
-    >>> precondition(np.array([[0.0], [3.0]]), np.array([[0, 1]]), np.ones(1), 1.0)[:, 0]
-    array([1., 2.])
-    """
+def precondition(x, edges, weights, amount):
+    """Eq. (10): (I + lambda L)^-1 x, which is (6) for M = I: x (V, C) -> (V, C), spread out."""
     return smooth_implicit(x, edges, weights, np.ones(len(x)), amount)
 
 
-def uniform_adam_step(x, grad_x, mean, square, step, rate,  # exercise 13.22 (3 points)
+def uniform_adam_step(x, grad_x, mean, square, step, rate,
                       beta_1=0.9, beta_2=0.999, epsilon=1e-8):
-    """A step of Adam downhill, with one rate for all -> x, mean, square after it.
+    """Lab 9's `adam_step`, but all elements go at the rate of the one with the largest square.
 
-    x, grad_x, mean, square: arrays of one shape, any; step = 1 is the first one, to which mean and
-    square come as 0. mean becomes beta_1 mean + (1 - beta_1) grad_x, and square becomes
-    beta_2 square + (1 - beta_2) grad_x^2. Divided by 1 - beta_1^step and 1 - beta_2^step, they are
-    estimates of the gradient and of its square. x goes by rate times the first, divided by the root
-    of the *largest* element of the second, plus epsilon. So all go the gradient's own way.
-
-    >>> x, grad_x, zero = np.zeros(2), np.array([4.0, -100.0]), np.zeros(2)
-    >>> x, mean, square = uniform_adam_step(x, grad_x, zero, zero, 1, rate=0.25)
-    >>> x.round(6), mean.round(6), square.round(6)
-    (array([-0.01,  0.25]), array([  0.4, -10. ]), array([ 0.016, 10.   ]))
+    x, grad_x, mean, square: arrays of one shape, any -> x, mean, square after the step, which is
+    1 for the first one. Where Adam turns each element its own way, this keeps grad_x's direction.
     """
     mean = beta_1 * mean + (1 - beta_1) * grad_x
     square = beta_2 * square + (1 - beta_2) * grad_x**2
@@ -553,19 +546,19 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate,  # exercise 13.22 (3 
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate,  # exercise 13.23 (3 points)
+def large_step(x, grad_x, mean, square, step, rate,  # exercise 13.17 (4 points)
                edges, weights, amount):
     """Eq. (10): downhill in u instead of x, with `uniform_adam_step` -> x, mean, square after it.
 
     x, grad_x (V, C); mean, square (V, C) and step belong to the gradients by u; the rate is that of
-    u. edges, weights, amount: see `precondition`.
+    u. edges (E, 2), weights (E,) >= 0; the amount is lambda >= 0.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     >>> x, *_ = large_step(x, grad_x, zero, zero, 1, 2.0, np.array([[0, 1]]), np.ones(1), 1.0)
     >>> x[:, 0].round(6)  # grad_u = (1, 2), u goes by (-1, -2), and x by a third of (-4, -5)
     array([-1.333333, -1.666667])
     """
-    u = x + amount * apply_laplacian(x, edges, weights)
+    u = x + amount * laplacian(edges, weights, len(x)) @ x
     grad_u = precondition(grad_x, edges, weights, amount)
     u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
     return precondition(u, edges, weights, amount), mean, square

@@ -5,7 +5,7 @@ import scipy.spatial
 
 from course import demo, mesh
 from course.gradcheck import gradcheck
-from reference import regularization
+from reference import inverse_rendering, regularization
 
 
 def cotangent_laplacian(vertices, faces):
@@ -42,8 +42,11 @@ def test_the_laplacians_of_the_bunny_are_symmetric_and_their_rows_sum_to_0():
         L = regularization.laplacian(edges, each, len(vertices))
         assert abs(L - L.T).max() <= 1e-12
         np.testing.assert_allclose(L.sum(1), 0, atol=1e-11)
-        by_edges = regularization.apply_laplacian(vertices, edges, each)
-        np.testing.assert_allclose(L @ vertices, by_edges, atol=1e-10)
+        expected = np.zeros_like(vertices)
+        for side in edges.T, edges.T[::-1]:
+            flow = each[:, None] * (vertices[side[0]] - vertices[side[1]])
+            np.add.at(expected, side[0], flow)
+        np.testing.assert_allclose(L @ vertices, expected, atol=1e-10)
 
 
 def test_the_cotangent_laplacian_is_the_gradient_of_the_area():
@@ -55,16 +58,61 @@ def test_the_cotangent_laplacian_is_the_gradient_of_the_area():
         opposite = vertices[faces[:, k - 1]] - vertices[faces[:, k - 2]]
         np.add.at(expected, faces[:, k], np.cross(normals, opposite) / 2)
     edges, weights, _ = cotangent_laplacian(vertices, faces)
-    got = regularization.apply_laplacian(vertices, edges, weights)
+    got = regularization.laplacian(edges, weights, len(vertices)) @ vertices
     np.testing.assert_allclose(got, expected, atol=1e-10)
 
 
-def test_the_cotangent_energy_has_a_gradient():
-    """Its weights depend on the vertices, too."""
+def test_a_plane_keeps_its_linear_functions():
+    """A force inside a triangulated plane, or one that is hidden by an average."""
+    points = np.random.default_rng(7).uniform(-1, 1, (400, 2))
+    triangulation = scipy.spatial.Delaunay(points)
+    vertices = np.column_stack([points, points @ [0.5, -2.0] + 1])
+    edges, weights, _ = cotangent_laplacian(vertices, triangulation.simplices.astype(int))
+    inner = np.setdiff1d(np.arange(400), triangulation.convex_hull)
+    force = regularization.laplacian(edges, weights, 400) @ vertices
+    assert np.abs(force[inner]).max() <= 1e-10 * np.abs(weights).max()
+
+
+def test_areas_are_shared_and_sum_to_the_surface():
+    """A vertex has all of its faces' areas, or one of no face has some; or a wrong gradient."""
+    given = np.array([[[0.0, 0, 0], [3, 0, 0], [0, 0, 2]], [[0, 1, 0], [0, 1, 6], [2, 1, 0]]])
+    faces = np.array([[0, 3, 1], [5, 3, 0]])
+    np.testing.assert_allclose(regularization.vertex_areas(given, faces, 7), [3, 1, 0, 3, 0, 2, 0])
+    gradcheck(lambda t: regularization.vertex_areas(t, faces, 7),
+              lambda grad_areas, t: regularization.vertex_areas_backward(grad_areas, t, faces),
+              (given,), name="vertex_areas")
+    flat = regularization.vertex_areas_backward(np.ones(7), np.zeros((2, 3, 3)), faces)
+    np.testing.assert_array_equal(flat, 0)
+
+
+def test_the_energy_of_lab_9_is_the_one_for_uniform_weights_and_squared_valences():
+    """Two labs that mean different energies by one word. One vertex has no edge."""
+    vertices, faces = with_an_isolated_vertex()
+    edges, _ = mesh.edges(faces)
+    around = edges, np.ones(len(edges)), np.bincount(edges.ravel(), minlength=len(vertices))**2
+    np.testing.assert_allclose(regularization.laplacian_energy(vertices, *around),
+                               inverse_rendering.laplacian_energy(vertices, edges), rtol=1e-12)
+    got, *_ = regularization.laplacian_energy_backward(0.3, vertices, *around)
+    expected = inverse_rendering.laplacian_energy_backward(0.3, vertices, edges)
+    np.testing.assert_allclose(got, expected, atol=1e-12)
+
+
+def test_the_bending_energy_has_a_gradient():
+    """Its weights and its areas depend on the vertices, too."""
     vertices, faces = mesh.icosphere(20)
     vertices = vertices * np.random.default_rng(1).uniform(0.8, 1.2, (12, 1))
-    gradcheck(regularization.cotangent_energy, regularization.cotangent_energy_backward,
-              (vertices, faces), differentiable=[0], name="cotangent_energy")
+    gradcheck(regularization.bending_energy, regularization.bending_energy_backward,
+              (vertices, faces), differentiable=[0], name="bending_energy")
+
+
+def test_spheres_bend_by_16_pi_and_everything_else_by_more():
+    """Another factor, or an energy that depends on the size or on the number of faces."""
+    vertices, faces = mesh.icosphere(5120)
+    for size in 0.01, 1.0, 30.0:
+        sphere = regularization.bending_energy(size * vertices, faces)
+        np.testing.assert_allclose(sphere, 16 * np.pi, rtol=0.002)
+    egg = regularization.bending_energy(vertices * [1.0, 1.0, 2.0], faces)
+    assert egg > 1.2 * sphere
 
 
 def test_smoothing_shrinks_and_taubins_does_not():
@@ -82,8 +130,22 @@ def test_smoothing_shrinks_and_taubins_does_not():
     assert volume(explicit, faces) < 0.97 * volume(rough, faces)
     assert abs(volume(taubin, faces) / volume(rough, faces) - 1) < 0.01
     np.testing.assert_allclose(volume(restored, faces), volume(rough, faces), rtol=1e-12)
-    roughness = [regularization.laplacian_energy(x, *around[:2]) for x in (rough, taubin)]
+    roughness = [regularization.laplacian_energy(x, *around) for x in (rough, taubin)]
     assert roughness[1] < 0.2 * roughness[0]
+
+
+def test_both_faces_of_a_flipped_edge_stay_counter_clockwise():
+    """One of the faces looks the other way, or the two come in another order."""
+    got = regularization.flip(np.array([[5, 6, 7, 8], [0, 1, 2, 3]]))
+    np.testing.assert_array_equal(got, [[[5, 8, 7], [6, 7, 8]], [[0, 3, 2], [1, 2, 3]]])
+
+
+def test_a_flip_takes_an_edge_from_two_vertices_and_gives_it_to_two_others():
+    """After less before; squares instead of sums; or 6 for all."""
+    valence = np.array([[7, 7, 5, 5], [6, 6, 6, 6], [7, 6, 6, 5], [5, 5, 7, 7], [9, 6, 5, 6]])
+    target = np.array([[6, 6, 6, 6], [6, 6, 4, 6], [6, 6, 6, 6], [6, 6, 6, 6], [6, 6, 6, 6]])
+    got = regularization.valence_gain(valence, target)
+    np.testing.assert_array_equal(got, [4, -4, 0, -4, 0])
 
 
 def test_flips_in_the_plane_end_at_the_delaunay_triangulation():
@@ -145,6 +207,27 @@ def test_a_bad_real_mesh_becomes_round_and_stays_where_it_is():
         points = np.concatenate([(b[k] * x[f]).sum(1), x])
         found = regularization.closest_points(points, to_x, to_f)
         assert np.linalg.norm(found - points, axis=1).max() < 0.005 * diagonal
+
+
+def test_a_gradient_is_spread_and_keeps_its_sum():
+    """L itself is applied, not the inverse; or the I is left out."""
+    x, edges = np.array([[0.0], [3.0]]), np.array([[0, 1]])
+    got = regularization.precondition(x, edges, np.ones(1), 1.0)
+    np.testing.assert_allclose(got, [[1.0], [2.0]])
+
+
+def test_all_elements_go_the_way_of_the_gradient():
+    """Each element has its own root, as in Adam; 0/0 without a gradient."""
+    x, grad_x, zero = np.zeros(2), np.array([4.0, -100.0]), np.zeros(2)
+    x, mean, square = regularization.uniform_adam_step(x, grad_x, zero, zero, 1, 0.25)
+    np.testing.assert_allclose(x, [-0.01, 0.25])
+    np.testing.assert_allclose([mean, square], [[0.4, -10.0], [0.016, 10.0]])
+    still, *_ = regularization.uniform_adam_step(x, zero, zero, zero, 1, 0.25)
+    np.testing.assert_array_equal(still, x)
+    one = np.array([2.0]), np.array([0.3]), np.array([0.1]), np.array([0.2]), 5, 0.1
+    for got, expected in zip(regularization.uniform_adam_step(*one),
+                             inverse_rendering.adam_step(*one), strict=True):
+        np.testing.assert_allclose(got, expected, rtol=1e-15)
 
 
 def test_a_large_step_moves_the_neighbourhood_and_not_a_spike():
