@@ -31,7 +31,7 @@ from scipy.spatial import cKDTree
 from course import mesh
 
 FLAT = 1e-12          # twice a face's area over its longest side squared: up to this it has none
-STRAIGHT = 0.8        # cosine of the largest angle between normals over which an edge may flip
+STRAIGHT = 0.9        # cosine of the largest angle between normals over which an edge may flip
 LEAST_GAIN = 1e-9     # of a flip, so that rounding cannot flip to and fro
 MOST_PASSES = 100     # of flips; in the plane Delaunay flips come to an end, in space nearly always
 
