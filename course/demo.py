@@ -267,23 +267,86 @@ def fit_texture(labs):
 
 def fit_bunny(labs):
     """A ball becomes the bunny by 20 silhouettes (lab 9)."""
-    cameras, (_, faces) = fits.cameras_around(labs, 20, longitude=0.3), fits.ball()
-    eye = np.array([-1.3, 0.7, 2.2])
     for name, weight in ("with", 0.02), ("without", 0.0):
         start = time.process_time()
         path, _ = fits.bunny(labs, weight)
         yield f"{name} a regularizer, {time.process_time() - start:.0f} s:", None
-        ious = fits.shared_silhouettes(labs, (path[-1], faces), fits.rabbit(), cameras)
-        yield f"  IoU of new views {ious.mean():.4f} (goal: 0.97)", None
-        yield f"  {ious.min():.4f} in the worst of {len(ious)}", None
-        yield f"  {fits.folded_edges(path[-1], faces):.1%} of edges folded", None
-        seen = []
-        for vertices in path[[0, 30, 100, -1]]:
-            clip = clip_positions(labs, vertices, eye)
-            face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
-            barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
-            seen.append(shaded(vertices, faces, face_index, barycentric))
-        yield "  steps 0, 30, 100, 300", save("fit_bunny", name, np.hstack(seen))
+        yield from seen_anew(labs, path, " (goal: 0.97)")
+        yield "  steps 0, 30, 100, 300", save("fit_bunny", name, stages(labs, path))
+
+
+def large_steps(labs):
+    """A ball becomes the bunny by spread gradients, without a regularizer (lab 13)."""
+    for name, amount in ("with", 3.0), ("without", 0.0):
+        start = time.process_time()
+        path, _ = fits.bunny_by_large_steps(labs, amount, (0.2, 0.1))
+        yield f"{name} spreading, {time.process_time() - start:.0f} s:", None
+        for step in 30, 100:
+            yield f"  after {step:3} steps, IoU {new_views(labs, path[step]).mean():.4f}", None
+        yield from seen_anew(labs, path)
+        yield "  steps 0, 30, 100, 300", save("large_steps", name, stages(labs, path))
+
+
+def new_views(labs, vertices):
+    """Intersection over union with the bunny in 20 views that the fit did not have: (20,)."""
+    cameras, (_, faces) = fits.cameras_around(labs, 20, longitude=0.3), fits.ball()
+    return fits.shared_silhouettes(labs, (vertices, faces), fits.rabbit(), cameras)
+
+
+def seen_anew(labs, path, goal=""):
+    """What new views say about the end of a fit, and how much of it is folded."""
+    ious, (_, faces) = new_views(labs, path[-1]), fits.ball()
+    yield f"  IoU of new views {ious.mean():.4f}{goal}", None
+    yield f"  {ious.min():.4f} in the worst of {len(ious)}", None
+    yield f"  {fits.folded_edges(path[-1], faces):.1%} of edges folded", None
+
+
+def stages(labs, path):
+    """The ball on its way, after 0, 30, 100 and all steps, side by side."""
+    seen, (_, faces) = [], fits.ball()
+    for vertices in path[[0, 30, 100, -1]]:
+        clip = clip_positions(labs, vertices, eye=np.array([-1.3, 0.7, 2.2]))
+        face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
+        barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+        seen.append(shaded(vertices, faces, face_index, barycentric))
+    return np.hstack(seen)
+
+
+def relaxation(labs):
+    """The teapot's thin triangles made rounder, its surface kept (lab 13)."""
+    vertices, faces = closed_seams(*mesh.teapot())
+    vertices, faces = split_in_four(vertices, faces)
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
+    moved, flipped = labs.regularization.relax(vertices, faces, 0.004 * size)
+    yield "flips and slides, four times", None
+    for name, shape, triangles in ("before", vertices, faces), ("after", moved, flipped):
+        angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())
+        yield (f"{name}: mean least angle {angle:.1f} degrees",
+               save("relaxation", name, drawn(labs, shape, triangles)))
+
+
+def closed_seams(vertices, faces):
+    """A mesh whose vertices at the same place became one."""
+    vertices, index = np.unique(vertices, axis=0, return_inverse=True)
+    return vertices, index.reshape(-1)[faces]
+
+
+def split_in_four(vertices, faces):
+    """Each face as four of its own shape: the surface stays, and so do its angles."""
+    edges, face_edges = mesh.edges(faces)
+    (a, b, c), (bc, ca, ab) = faces.T, (len(vertices) + face_edges).T
+    faces = np.stack([a, ab, ca,  b, bc, ab,  c, ca, bc,  ab, bc, ca], 1).reshape(-1, 3)
+    return np.concatenate([vertices, vertices[edges].mean(1)]), faces
+
+
+def drawn(labs, vertices, faces, size=SIZE):
+    """The visible edges of a mesh, seen as the teapot is: a picture (size, size, 3)."""
+    clip = clip_positions(labs, mesh.normalize(vertices), eye=np.array([0.6, 1.2, 2.2]))
+    face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
+    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
+    return wireframe(face_index >= 0, barycentric, derivatives)
 
 
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
@@ -338,4 +401,4 @@ def save(scene, name, picture):
 
 SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
                                                fit_triangle, fit_cube, fit_pose, fit_texture,
-                                               fit_bunny)}
+                                               fit_bunny, relaxation, large_steps)}

@@ -323,25 +323,46 @@ def cameras_around(labs, count, longitude=0.0):
 
 
 def bunny(labs, weight, steps=300, size=128, seed=0):
-    """The ball's vertices move until its silhouettes are the bunny's: at each step a sum of the
-    losses of 4 of the 20 views, and weight times the Laplacian energy, in Adam.
+    """The ball's vertices move until its silhouettes are the bunny's, by Adam, with weight times
+    the Laplacian energy added to the loss. -> what `carve` returns.
+    """
+    lab9, edges = labs.inverse_rendering, mesh.edges(ball()[1])[0]
+
+    def penalty_backward(x):
+        return lab9.laplacian_energy_backward(weight, x, edges)
+
+    return carve(labs, penalty_backward, lab9.adam_step, (0.02, 0.002), steps, size, seed)
+
+
+def bunny_by_large_steps(labs, amount, rates, steps=300, size=128, seed=0):
+    """The same without a penalty, but with lab 13's large steps. -> what `carve` returns."""
+    edges, _ = mesh.edges(ball()[1])
+
+    def move(*state):
+        return labs.regularization.large_step(*state, edges, np.ones(len(edges)), amount)
+
+    return carve(labs, np.zeros_like, move, rates, steps, size, seed)
+
+
+def carve(labs, penalty_backward, move, rates, steps, size, seed):
+    """At each step, a sum of the losses of 4 of the 20 views, and a penalty; the rate goes from
+    rates[0] to rates[1]. move(x, grad_x, mean, square, step, rate) -> the next x, mean and square.
 
     -> vertices (steps + 1, V, 3), the losses (steps,) of the silhouettes, each a mean of 4.
     """
     lab9, rng, (x, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
     cameras = cameras_around(labs, 20)
     targets = [silhouette(labs, *rabbit(), camera, size)[0] for camera in cameras]
-    edges, _ = mesh.edges(faces)
     path, losses, mean, square = [x], [], 0 * x, 0 * x
     for step in range(1, steps + 1):
-        loss, grad_x = 0, lab9.laplacian_energy_backward(weight, x, edges)
+        loss, grad_x = 0, penalty_backward(x)
         for view in rng.permutation(20)[:4]:
             picture, buffers, *scene = silhouette(labs, x, faces, cameras[view], size)
             loss += lab9.silhouette_loss(picture, targets[view]) / 4
             grad_picture = lab9.silhouette_loss_backward(1 / 4, picture, targets[view])
             grad_x += lab9.render_backward(grad_picture, buffers, *scene)[0]
-        rate = 0.02 * 0.1**((step - 1) / steps)
-        x, mean, square = lab9.adam_step(x, grad_x, mean, square, step, rate)
+        rate = rates[0] * (rates[1] / rates[0])**((step - 1) / steps)
+        x, mean, square = move(x, grad_x, mean, square, step, rate)
         path.append(x)
         losses.append(loss)
     return np.array(path), np.array(losses)

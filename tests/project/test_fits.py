@@ -131,6 +131,13 @@ def test_the_ball_grows_towards_the_bunny():
     assert fits.folded_edges(path[-1], fits.ball()[1]) < 0.01
 
 
+def test_the_ball_grows_by_large_steps_and_does_not_fold():
+    """The gradient is followed as it is, and the outline's vertices leave the others behind."""
+    path, losses = fits.bunny_by_large_steps(LABS, 3.0, (0.2, 0.2), steps=6, size=32)
+    assert path.shape[0] == 7 and losses[-3:].mean() < losses[:3].mean()
+    assert fits.folded_edges(path[-1], fits.ball()[1]) == 0
+
+
 def test_a_silhouette_is_shared_with_itself():
     """An intersection over union above or below 1 for equal shapes; pairs of other cameras."""
     cameras = fits.cameras_around(LABS, 2)
