@@ -24,13 +24,15 @@ def require_indices(name, array, *shape, first, count, of, hint=""):
     """An array of integers from first to below count: they name things of this sort."""
     expected = f"{_shown(name, shape)} of integers from {first} to {count - 1}, {of}{hint}"
     _require_array(array, shape, "iu", expected)
-    low, high = array.min(initial=count), array.max(initial=first - 1)
-    require((first <= low and high < count) or not array.size, expected, f"{low} to {high}")
+    if array.size:
+        low, high = array.min(), array.max()
+        require(first <= low and high < count, expected, f"{low} to {high}")
 
 
 def require_geometry(positions, faces, clip_from_model, width, height, opposite):
     """What every picture is of: a mesh, a camera, and a screen."""
-    require_reals("positions", positions, "V", 3, hint=" (if a fit diverges, make its rate smaller)")
+    require_reals("positions", positions, "V", 3, hint=" (a fit that diverges wants a smaller "
+                  "rate)")
     require_indices("faces", faces, "F", 3, first=0, count=len(positions), of="rows of positions")
     require_indices("opposite", opposite, *faces.shape, first=-1, count=len(positions), of="-1 for "
                     "none", hint=", made by antialiasing.opposite_vertices(faces)")

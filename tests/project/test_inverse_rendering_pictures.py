@@ -226,23 +226,23 @@ def test_the_gradient_of_a_depth_is_added():
     """grad_depth is dropped, or takes the place of the picture's gradient."""
     positions, faces, colours, clip_from_model, background, opposite = scene("cube")
 
-    def rendered(positions, clip_from_model):
-        return inverse.render(positions, faces, colours, clip_from_model, WIDTH, HEIGHT,
-                              background, opposite)
+    def render(positions, clip_from_model):
+        picture, buffers = inverse.render(positions, faces, colours, clip_from_model, WIDTH, HEIGHT,
+                                          background, opposite)
+        _, face_index, depth, *_ = buffers
+        return np.dstack([picture, np.where(face_index >= 0, depth, 0)]), buffers
 
-    def forward(positions, clip_from_model):
-        picture, (_, face_index, depth, *_) = rendered(positions, clip_from_model)
-        return picture, np.where(face_index >= 0, depth, 0)
-
-    def backward(grad_outputs, positions, clip_from_model):
-        grad_picture, grad_depth = grad_outputs
-        buffers = rendered(positions, clip_from_model)[1]
+    def backward(grad, buffers, positions, clip_from_model):
         grad_positions, _, grad_matrix = inverse.render_backward(
-            grad_picture, buffers, positions, faces, colours, clip_from_model, opposite, grad_depth)
+            grad[..., :2], buffers, positions, faces, colours, clip_from_model, opposite,
+            grad[..., 2])
         return grad_positions, grad_matrix
 
-    gradcheck(forward, backward, (positions, clip_from_model), name="picture and depth",
-              decisions=lambda *inputs: decided(*rendered(*inputs)[1][:3], faces, opposite))
+    def decisions(buffers, *_):
+        return decided(*buffers[:3], faces, opposite)
+
+    whole_gradcheck("picture and depth", render, backward, decisions, (positions, clip_from_model),
+                    [[0, 3, 6]])
 
 
 # --- the regularizer ---------------------------------------------------------------------------
