@@ -1,9 +1,10 @@
 """What the differentiable pipeline costs, stage by stage: python3 benchmarks/pipeline.py
 
 Rasterize, barycentrics, interpolate 3 attributes, antialias; then their backward passes, from the
-picture to clip positions and attributes. Medians of several runs, in milliseconds of processor
-time, so that what else the machine does is not counted; everything runs on one core. In brackets
-the growth: times the column before. Written to out/benchmarks/pipeline.json as well.
+picture to clip positions and attributes. "render" and "d render" are lab 9's, from positions to a
+picture and back: the stages and what joins them. Medians of several runs, in milliseconds of
+processor time, on one core: waiting does not count, but what else runs makes caches and memory
+slower. In brackets the growth: times the column before. Also in out/benchmarks/pipeline.json.
 
 The scene is an icosphere that fills four fifths of the height. Where DEODR, PyTorch3D or Mitsuba is
 installed, its time for this scene, forward and backward, stands below ours; benchmarks/peers.py
@@ -24,7 +25,14 @@ import scipy
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import peers
 from course import mesh, places
-from reference import antialiasing, interpolation, rasterization, transforms, vertex_gradients
+from reference import (
+    antialiasing,
+    interpolation,
+    inverse_rendering,
+    rasterization,
+    transforms,
+    vertex_gradients,
+)
 
 FACES = 1_000, 10_000, 100_000
 SIZES = 256, 512, 1024, 2048
@@ -66,11 +74,12 @@ def row(face_count, size, runs):
     clip = transforms.transform(transforms.to_homogeneous(vertices), CLIP_FROM_WORLD)
     attributes = np.random.default_rng(0).random((len(vertices), 3))
     took = medians(stages(clip, faces, attributes, size), runs)
+    whole = medians(renders(vertices, faces, attributes, size), runs)
     others = {name: statistics.median(times(call, 3)) for name, call
               in peers.calls(vertices, faces, clip, attributes, size).items()}
     forward = sum(value for name, value in took.items() if not name.startswith("d "))
     return {"faces": len(faces), "pixels": size * size, **took, "forward": forward,
-            "backward": sum(took.values()) - forward, "all": sum(took.values()), **others}
+            "backward": sum(took.values()) - forward, "all": sum(took.values()), **whole, **others}
 
 
 def stages(clip, faces, attributes, size):
@@ -95,6 +104,16 @@ def stages(clip, faces, attributes, size):
         "d barycentrics": lambda: vertex_gradients.barycentrics_backward(grad_barycentric,
                                                                          face_index, clip, faces),
     }
+
+
+def renders(vertices, faces, attributes, size):
+    """{name: call}: lab 9's `render` and its backward pass."""
+    scene = vertices, faces, attributes, CLIP_FROM_WORLD
+    screen, opposite = (size, size, np.zeros(3)), antialiasing.opposite_vertices(faces)
+    picture, buffers = inverse_rendering.render(*scene, *screen, opposite)
+    grad = np.random.default_rng(1).normal(size=picture.shape)
+    return {"render": lambda: inverse_rendering.render(*scene, *screen, opposite),
+            "d render": lambda: inverse_rendering.render_backward(grad, buffers, *scene, opposite)}
 
 
 def medians(calls, runs):

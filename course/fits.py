@@ -70,27 +70,28 @@ def cube(labs, size, seed, steps=1000):
     """A cube seen in one random pose at every step, in size x size pixels; position is CORNERS -
     1/2, colour is CORNERS: at first the one is wrong by up to 1/2, the other is noise.
 
-    -> errors (steps + 1,), the mean distance of the vertices from the cube's; positions (8, 3),
-    colours (8, 3) at the end.
+    -> errors (steps + 1,), the mean distance of the vertices from the cube's; losses (steps,);
+    positions (8, 3), colours (8, 3) at the end.
     """
     lab9, rng = labs.inverse_rendering, np.random.default_rng(seed)
     opposite = labs.antialiasing.opposite_vertices(CUBE_FACES)
     screen = size, size, np.zeros(3), opposite
     x = CORNERS - 0.5 + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3))
     mean = square = (np.zeros((8, 3)),) * 2
-    errors = [cube_error(x[0])]
+    errors, losses = [cube_error(x[0])], []
     for step in range(1, steps + 1):
         clip_from_model = cube_camera(labs) @ random_pose(labs, rng, 0.25)
         target, _ = lab9.render(CORNERS - 0.5, CUBE_FACES, CORNERS, clip_from_model, *screen)
         scene = x[0], CUBE_FACES, x[1], clip_from_model
         picture, buffers = lab9.render(*scene, *screen)
+        losses.append(lab9.squared_error(picture, target))
         grad_picture = lab9.squared_error_backward(1.0, picture, target)
         *grad_x, _ = lab9.render_backward(grad_picture, buffers, *scene, opposite)
         rate = 1e-2 * max(0.01, 10**(-0.0005 * (step - 1)))
         x, mean, square = zip(*(lab9.adam_step(*each, step, rate)
                                 for each in zip(x, grad_x, mean, square, strict=True)), strict=True)
         errors.append(cube_error(x[0]))
-    return np.array(errors), *x
+    return np.array(errors), np.array(losses), *x
 
 
 def cube_picture(labs, positions, colours, clip_from_model, size):
@@ -113,9 +114,9 @@ def cube_camera(labs, distance=3.5):
 
 
 def random_pose(labs, rng, shift=0.0):
-    """Any turn is as likely as any other, then a shift by up to so much along x, y, z: (4, 4)."""
-    turn = labs.transforms.look_at(np.zeros(3), rng.normal(size=3), rng.normal(size=3))
-    return labs.transforms.translate(rng.uniform(-shift, shift, 3)) @ turn
+    """Any rotation, all as likely, then a shift by up to so much along x, y, z: (4, 4)."""
+    rotation = labs.transforms.look_at(np.zeros(3), rng.normal(size=3), rng.normal(size=3))
+    return labs.transforms.translate(rng.uniform(-shift, shift, 3)) @ rotation
 
 
 # The pose of a known cube. It has 24 vertices, so that each side has a colour of its own.
@@ -127,70 +128,69 @@ BLOCK_COLOURS = np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1],
 
 
 def pose(labs, seed, proposals=400, symmetries=None, stages=((64, 40, 5e-3), (256, 40, 3e-4))):
-    """A cube's turn, from one picture: first greedy random search, in pictures of 16 x 16, then
-    Adam: in each stage (size, steps, first rate).
+    """A cube's rotation, from one picture: greedy random search, in pictures of 16 x 16, then Adam,
+    in each stage (size, steps, first rate).
 
-    symmetries (K, 4) are turns to try beside small ones, `cube_symmetries` if None.
-    -> turns (proposals + all steps + 1, 4), quaternions from start to end; the right one (4,).
+    symmetries (K, 4) are rotations to try beside small ones, `cube_symmetries` if None.
+    -> rotations (proposals + all steps + 1, 4), quaternions from start to end; the right one (4,).
     """
     rng = np.random.default_rng(seed)
     start, goal = (q / np.linalg.norm(q) for q in rng.normal(size=(2, 4)))
     symmetries = cube_symmetries() if symmetries is None else symmetries
-    turns = pose_search(labs, rng, start, goal, proposals, symmetries)
+    rotations = pose_search(labs, rng, start, goal, proposals, symmetries)
     for size, steps, rate in stages:
-        turns += pose_descent(labs, turns[-1], goal, size, steps, rate)
-    return np.array(turns), goal
+        rotations += pose_descent(labs, rotations[-1], goal, size, steps, rate)
+    return np.array(rotations), goal
 
 
 def pose_search(labs, rng, start, goal, proposals, symmetries):
-    """Greedy: a turn that is proposed is taken if its picture is nearer to the goal's. They become
+    """Greedy: a proposed rotation is taken if its picture is nearer to the goal's. They become
     smaller and smaller; every second one is one of the symmetries besides.
     """
-    lab9, turns = labs.inverse_rendering, [start]
+    lab9, rotations = labs.inverse_rendering, [start]
     target = block_picture(labs, goal, 16)[0]
     least = lab9.squared_error(block_picture(labs, start, 16)[0], target)
     for n in range(proposals):
         half_angle = np.pi / 2 * rng.uniform() * 0.01**(n / proposals)
         axis = rng.normal(size=3)
         axis *= np.sin(half_angle) / np.linalg.norm(axis)
-        proposal = lab9.quaternion_product(turns[-1], np.append(np.cos(half_angle), axis))
+        proposal = lab9.quaternion_product(rotations[-1], np.append(np.cos(half_angle), axis))
         if n % 2:
             symmetry = symmetries[rng.integers(len(symmetries))]
             proposal = lab9.quaternion_product(proposal, symmetry)
         loss = lab9.squared_error(block_picture(labs, proposal, 16)[0], target)
-        turns.append(proposal if loss < least else turns[-1])
+        rotations.append(proposal if loss < least else rotations[-1])
         least = min(loss, least)
-    return turns
+    return rotations
 
 
-def pose_descent(labs, turn, goal, size, steps, rate):
+def pose_descent(labs, q, goal, size, steps, rate):
     """Adam on the quaternion, in pictures of size x size; the rate falls to a 50th."""
-    lab9, turns = labs.inverse_rendering, []
+    lab9, rotations = labs.inverse_rendering, []
     target = block_picture(labs, goal, size)[0]
     mean = square = np.zeros(4)
     for step in range(1, steps + 1):
-        picture, buffers, *scene = block_picture(labs, turn, size)
+        picture, buffers, *scene = block_picture(labs, q, size)
         grad_picture = lab9.squared_error_backward(1.0, picture, target)
         *_, grad_clip_from_model = lab9.render_backward(grad_picture, buffers, *scene)
-        grad_turn = lab9.quaternion_matrix_backward(cube_camera(labs).T @ grad_clip_from_model,
-                                                    turn)
-        turn, mean, square = lab9.adam_step(turn, grad_turn, mean, square, step,
-                                            rate * 0.02**((step - 1) / steps))
-        turn = turn / np.linalg.norm(turn)
-        turns.append(turn)
-    return turns
+        grad_q = lab9.quaternion_matrix_backward(cube_camera(labs).T @ grad_clip_from_model, q)
+        q, mean, square = lab9.adam_step(q, grad_q, mean, square, step,
+                                         rate * 0.02**((step - 1) / steps))
+        q = q / np.linalg.norm(q)
+        rotations.append(q)
+    return rotations
 
 
-def block_picture(labs, turn, size):
-    """The cube with coloured sides, turned: its picture, and what `render_backward` takes."""
+def block_picture(labs, q, size):
+    """The cube with coloured sides, rotated by q: its picture, and what `render_backward` takes."""
     lab9, opposite = labs.inverse_rendering, labs.antialiasing.opposite_vertices(BLOCK_FACES)
-    scene = BLOCK, BLOCK_FACES, BLOCK_COLOURS, cube_camera(labs) @ lab9.quaternion_matrix(turn)
+    scene = BLOCK, BLOCK_FACES, BLOCK_COLOURS, cube_camera(labs) @ lab9.quaternion_matrix(q)
     picture, buffers = lab9.render(*scene, size, size, np.zeros(3), opposite)
     return picture, buffers, *scene, opposite
 
 
 def cube_symmetries():
-    """The 24 turns that bring a cube back to itself, as quaternions (24, 4)."""
+    """The 24 rotations that bring a cube back to itself, as quaternions (24, 4)."""
     signs = np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T
     thirds = np.concatenate([np.ones((8, 1)), signs], 1)  # about a diagonal
     pairs = [np.eye(4)[i] + sign * np.eye(4)[j] for i in range(4) for j in range(i) for sign in
@@ -315,11 +315,22 @@ def cameras_around(labs, count, longitude=0.0):
     longitude, in turns: clip_from_world (count, 4, 4).
     """
     golden, step = (1 + np.sqrt(5)) / 2, np.arange(count) + 0.5
-    eyes = 3 * directions(golden * step + longitude, np.arccos(1 - 2 * step / count) / np.pi)
+    return cameras_at(labs, directions(golden * step + longitude,
+                                       np.arccos(1 - 2 * step / count) / np.pi))
+
+
+def random_cameras(labs, count, seed=0):
+    """Cameras 3 away from the origin, from all sides alike: clip_from_world (count, 4, 4)."""
+    eyes = np.random.default_rng(seed).normal(size=(count, 3))
+    return cameras_at(labs, eyes / np.linalg.norm(eyes, axis=1, keepdims=True))
+
+
+def cameras_at(labs, sides):
+    """Cameras that see the origin from 3 away, on the sides (N, 3): clip_from_world (N, 4, 4)."""
     clip_from_view = labs.transforms.perspective(np.radians(40), 1.0, 0.5, 10.0)
     up = np.array([0.0, 1.0, 0.0])
-    return np.array([clip_from_view @ labs.transforms.look_at(eye, np.zeros(3), up)
-                     for eye in eyes])
+    return np.array([clip_from_view @ labs.transforms.look_at(3 * side, np.zeros(3), up)
+                     for side in sides])
 
 
 def bunny(labs, weight, steps=300, size=128, seed=0):
@@ -352,12 +363,14 @@ def carve(labs, penalty_backward, move, rates, steps, size, seed):
     """
     lab9, rng, (x, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
     cameras = cameras_around(labs, 20)
-    targets = [silhouette(labs, *rabbit(), camera, size)[0] for camera in cameras]
+    targets = silhouettes(labs, *rabbit(), cameras, size)
+    opposite = labs.antialiasing.opposite_vertices(faces)
     path, losses, mean, square = [x], [], 0 * x, 0 * x
     for step in range(1, steps + 1):
         loss, grad_x = 0, penalty_backward(x)
         for view in rng.permutation(20)[:4]:
-            picture, buffers, *scene = silhouette(labs, x, faces, cameras[view], size)
+            picture, buffers, *scene = silhouette(labs, x, faces, opposite, cameras[view],
+                                                   size)
             loss += lab9.silhouette_loss(picture, targets[view]) / 4
             grad_picture = lab9.silhouette_loss_backward(1 / 4, picture, targets[view])
             grad_x += lab9.render_backward(grad_picture, buffers, *scene)[0]
@@ -368,9 +381,14 @@ def carve(labs, penalty_backward, move, rates, steps, size, seed):
     return np.array(path), np.array(losses)
 
 
-def silhouette(labs, vertices, faces, clip_from_world, size):
-    """A mesh in white on black: the picture (size, size, 1), and what `render_backward` takes."""
+def silhouettes(labs, vertices, faces, cameras, size):
+    """A mesh in white on black, for each of the cameras: a list of pictures (size, size, 1)."""
     opposite = labs.antialiasing.opposite_vertices(faces)
+    return [silhouette(labs, vertices, faces, opposite, camera, size)[0] for camera in cameras]
+
+
+def silhouette(labs, vertices, faces, opposite, clip_from_world, size):
+    """A mesh in white on black: the picture (size, size, 1), and what `render_backward` takes."""
     scene = vertices, faces, np.ones((len(vertices), 1)), clip_from_world
     picture, buffers = labs.inverse_rendering.render(*scene, size, size, np.zeros(1), opposite)
     return picture, buffers, *scene, opposite

@@ -1,26 +1,27 @@
 """Inverse rendering: from pictures back to the scene, by the gradient of everything before.
 
     I = R(theta),   theta = argmin L(R(theta), T)     theta: positions, colours, pose, texture   (1)
+    R: positions -> clip -> face_index, depth -> barycentric -> colour -> picture
+                 1       2                    2              5, 6      8                      lab
     L = mean (I - T)^2                                squared error, T is the target             (2)
-    L = 1 - sum(c t) / sum(c + t - c t)               silhouettes: 1 - intersection over union   (3)
     m' = b1 m + (1 - b1) g,   s' = b2 s + (1 - b2) g^2,   x' = x - rate m^ / (sqrt(s^) + epsilon),
-    m^ = m' / (1 - b1^n),     s^ = s' / (1 - b2^n)    step n of Adam, from n = 1                 (4)
-    d_v = x_v - mean of x over v's neighbours         uniform Laplacian: 0 on a smooth mesh      (5)
-    v' = q v q* / |q|^2                               a turn by a quaternion q = (w, x, y, z)    (6)
+    m^ = m' / (1 - b1^n),     s^ = s' / (1 - b2^n)    step n of Adam, from n = 1                 (3)
+    v' = q v q* / |q|^2                               rotation by a quaternion q = (w, x, y, z)  (4)
+    L = 1 - sum(c t) / sum(c + t - c t)               soft IoU loss of silhouettes c and t       (5)
+    d_v = x_v - mean of x over v's neighbours         uniform Laplacian, 0 where flat and even   (6)
 
-    positions -> clip -> face_index, depth -> barycentric -> colour -> picture                   (7)
-              1       2                    2              5          8                      lab
+Each lab wrote a link of the chain R and its backward pass; here they are joined. The gradient of a
+position comes along two ways: through the colours inside of faces (lab 7; with a texture, lab 6
+comes before it), and through the edges between pixels (lab 8). A face of one colour has only the
+second. grad_x of a parameter x has its shape. Adam's m and s are arrays like x, at first 0; what
+they hold between two steps is the caller's to keep.
 
-R is the chain (7). Each lab wrote a link and its backward pass; here they are joined. The gradient
-of a position comes along two ways: through the colours inside of faces (lab 7), and through the
-edges between pixels (lab 8). A face of one colour has only the second.
-
-grad_x of a parameter x has its shape. Adam's m and s are arrays like x, at first 0; what they hold
-between two steps is the caller's to keep.
-
-Sources: lecture "Differentiable graphics 1"; Kingma and Ba 2015 (4); Laine et al. 2020.
+Sources: lecture "Differentiable graphics 1"; Kingma and Ba 2015 (3); Shoemake 1985 (4); Kato et al.
+2018 (5); Taubin 1995 (6); Laine et al. 2020.
 """
 import numpy as np
+
+from course import inputs
 
 from . import antialiasing, interpolation, rasterization, texturing, transforms, vertex_gradients
 
@@ -28,7 +29,7 @@ from . import antialiasing, interpolation, rasterization, texturing, transforms,
 def squared_error(picture, target):  # exercise 9.1 (1 point)
     """Eq. (2): the mean, over all pixels and channels, of squared differences: a number.
 
-    picture, target: arrays of one shape, any.
+    picture, target: floats of one shape, any.
 
     >>> squared_error(np.array([[[1.0, 2.0], [3.0, 4.0]]]), np.array([[[1.0, 0.0], [3.0, 0.0]]]))
     np.float64(5.0)
@@ -45,32 +46,9 @@ def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point
     raise NotImplementedError("exercise 9.2: squared_error_backward")
 
 
-def silhouette_loss(coverage, target):  # exercise 9.3 (1 point)
-    """Eq. (3): 0 for the same silhouette, 1 for two that do not meet: a number.
-
-    coverage, target: arrays of one shape, any, of numbers from 0 to 1: how much of each pixel is
-    covered. Not both are 0 everywhere. (Pixels covered in part count in part: where c = t = 1/2,
-    the loss is not 0.)
-
-    >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])).round(9)
-    np.float64(0.5)
-    """
-    raise NotImplementedError("exercise 9.3: silhouette_loss")
-
-
-def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.4 (2 points)
-    """Backward of eq. (3): grad_loss, a number -> grad_coverage, of coverage's shape.
-
-    >>> coverage, target = np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])
-    >>> silhouette_loss_backward(18.0, coverage, target)
-    array([ 3., -6., -6.,  3.])
-    """
-    raise NotImplementedError("exercise 9.4: silhouette_loss_backward")
-
-
-def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.5 (3 points)
+def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
               beta_1=0.9, beta_2=0.999, epsilon=1e-8):
-    """Eq. (4): one step of Adam downhill -> x, mean, square after it, the arguments unchanged.
+    """Eq. (3): one step of Adam downhill -> x, mean, square after it, the arguments unchanged.
 
     x, grad_x, mean (m), square (s): arrays of one shape, any; step (n) = 1 is the first one, to
     which mean and square come as 0. Every element goes its own way: the first step is nearly by
@@ -81,87 +59,47 @@ def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.5 (3 points)
     >>> x.round(6), mean.round(6), square.round(6)
     (array([4.75, 5.25]), array([  0.4, -10. ]), array([ 0.016, 10.   ]))
     """
-    raise NotImplementedError("exercise 9.5: adam_step")
+    raise NotImplementedError("exercise 9.3: adam_step")
 
 
-def laplacian(positions, edges):  # exercise 9.6 (2 points)
-    """Eq. (5): how far each vertex is from the middle of its neighbours: d (V, C).
-
-    positions (V, C), of any C; edges (E, 2) integers: two neighbours each, every edge once, in
-    either order. A vertex of no edge has d = 0.
-
-    >>> positions = np.array([[0.0, 3.0], [4.0, 5.0], [8.0, 1.0], [9.0, 9.0]])
-    >>> laplacian(positions, np.array([[0, 1], [1, 2]]))
-    array([[-4., -2.],
-           [ 0.,  3.],
-           [ 4., -4.],
-           [ 0.,  0.]])
-    """
-    raise NotImplementedError("exercise 9.6: laplacian")
-
-
-def laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.7 (3 points)
-    """Backward of eq. (5): grad_laplacian (V, C) -> grad_positions (V, C).
-
-    >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
-    >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])
-    >>> laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
-    array([[-0.5],
-           [-9. ],
-           [ 9.5],
-           [ 0. ]])
-    """
-    raise NotImplementedError("exercise 9.7: laplacian_backward")
-
-
-def laplacian_energy(positions, edges):
-    """The sum of |d_v|^2 over all vertices: a regularizer, the less the smoother the mesh."""
-    return (laplacian(positions, edges)**2).sum()
-
-
-def laplacian_energy_backward(grad_energy, positions, edges):
-    """Backward of `laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
-    grad_laplacian = 2 * grad_energy * laplacian(positions, edges)
-    return laplacian_backward(grad_laplacian, positions, edges)
-
-
-def quaternion_product(p, q):  # exercise 9.8 (2 points)
-    """The product p q of quaternions: of the two turns, first q's, then p's.
+def quaternion_product(p, q):  # exercise 9.4 (2 points)
+    """The product p q of quaternions: of the two rotations, first q's, then p's.
 
     p, q (..., 4), shapes that broadcast, elements (w, x, y, z) -> (..., 4). They are w + x i + y j
-    + z k, with i i = j j = k k = -1, i j = k, j k = i, k i = j and, turned round, j i = -k etc.
+    + z k, with i i = j j = k k = -1, i j = k, j k = i, k i = j and, in the other order, j i = -k,
+    k j = -i, i k = -j.
 
     >>> quaternion_product(np.array([0.0, 1.0, 0.0, 0.0]), np.array([2.0, 0.0, 3.0, 0.0]))
     array([0., 2., 0., 3.])
     """
-    raise NotImplementedError("exercise 9.8: quaternion_product")
+    raise NotImplementedError("exercise 9.4: quaternion_product")
 
 
-def quaternion_matrix(q):  # exercise 9.9 (2 points)
-    """Eq. (6): the matrix (4, 4) that turns points as q (4,) does, of any length but 0.
+def quaternion_matrix(q):  # exercise 9.5 (2 points)
+    """Eq. (4): the matrix (4, 4) that rotates points as q (4,) does.
 
-    q = (cos(angle/2), sin(angle/2) axis) turns by angle about an axis of length 1, as lab 1's
-    rotate; so does any multiple of it. With s = 2 / |q|^2, and K v = (x, y, z) x v, the upper left
-    3 x 3 is I + s (w K + K K).
+    q = (cos(angle/2), sin(angle/2) axis) rotates by angle about an axis of length 1, as lab 1's
+    rotate; so does any multiple of it, of a length from 1e-100 to 1e100. In eq. (4) the point v is
+    the quaternion (0, v), and q* has the other sign in x, y, z. `cross_matrix`, below, is given.
 
     >>> quaternion_matrix(np.array([2.0, 0.0, 0.0, 2.0])).round(9) @ np.array([1.0, 5.0, 7.0, 1.0])
     array([-5.,  1.,  7.,  1.])
     """
-    raise NotImplementedError("exercise 9.9: quaternion_matrix")
+    raise NotImplementedError("exercise 9.5: quaternion_matrix")
 
 
-def quaternion_matrix_backward(grad_matrix, q):  # exercise 9.10 (4 points)
+def quaternion_matrix_backward(grad_matrix, q):  # exercise 9.6 (4 points)
     """Backward of `quaternion_matrix`: grad_matrix (4, 4) -> grad_q (4,).
 
     The last row and column of the matrix are constant. All four numbers of q count as free; its
-    length makes no difference, so grad_q is at right angles to q.
+    length makes no difference to the matrix, so grad_q is at right angles to q.
 
     >>> grad_matrix = np.zeros((4, 4))
-    >>> grad_matrix[1, 0] = 3.0  # by 2 (x y + w z) / |q|^2
+    >>> grad_matrix[1, 0] = 3.0  # element [1, 0] is 2 (x y + w z) / |q|^2
     >>> quaternion_matrix_backward(grad_matrix, np.array([2.0, 0.0, 0.0, 1.0])) + 0.0
     array([-0.72,  0.  ,  0.  ,  1.44])
     """
-    raise NotImplementedError("exercise 9.10: quaternion_matrix_backward")
+    raise NotImplementedError("exercise 9.6: quaternion_matrix_backward")
 
 
 def cross_matrix(u):
@@ -172,20 +110,104 @@ def cross_matrix(u):
                      [-y,  x,  0]])
 
 
-def rotation_angle(p, q):  # exercise 9.11 (2 points)
-    """By what angle, from 0 to pi, do two turns differ? p, q (..., 4) of length 1 -> (...).
+def rotation_angle(p, q):  # exercise 9.7 (2 points)
+    """By what angle, from 0 to pi, do two rotations differ? p, q (..., 4) of length 1 -> (...).
 
-    It is the angle of the turn that leads from one to the other. q and -q are the same turn. A
-    small angle must keep its digits: one of 1e-9 comes out right to 1e-15.
+    It is the angle of the rotation from one to the other. q and -q are the same rotation. Every
+    angle must keep its digits: one of 1e-9 comes out right to 1e-15, one of pi - 1e-6 to 1e-14.
 
     >>> quarter = np.array([1.0, 0.0, 0.0, 1.0]) / np.sqrt(2)
     >>> rotation_angle(quarter, np.array([1.0, 0.0, 0.0, 0.0])).round(6)
     np.float64(1.570796)
     """
-    raise NotImplementedError("exercise 9.11: rotation_angle")
+    raise NotImplementedError("exercise 9.7: rotation_angle")
+
+
+def silhouette_loss(coverage, target):  # exercise 9.8 (1 point)
+    """Eq. (5), soft IoU (Jaccard): 1 - intersection over union of two silhouettes, a number.
+
+    coverage, target: floats of one shape, any, from 0 to 1: how much of each pixel is covered. Not
+    both are 0 everywhere. It is 1 for two that do not meet, and 0 for equal ones of 0 and 1. Pixels
+    covered in part count in part: with c = t = 1/2 it is 2/3, and its least is not at c = t.
+
+    >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])).round(9)
+    np.float64(0.5)
+    """
+    raise NotImplementedError("exercise 9.8: silhouette_loss")
+
+
+def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 points)
+    """Backward of eq. (5): grad_loss, a number -> grad_coverage, of coverage's shape.
+
+    >>> coverage, target = np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])
+    >>> silhouette_loss_backward(18.0, coverage, target)
+    array([ 3., -6., -6.,  3.])
+    """
+    raise NotImplementedError("exercise 9.9: silhouette_loss_backward")
+
+
+def laplacian(positions, edges):  # exercise 9.10 (2 points)
+    """Eq. (6): how far each vertex is from the middle of its neighbours: d (V, C).
+
+    positions (V, C), C >= 1; edges (E, 2) integers: two neighbours each, every edge once, in
+    either order. A vertex of no edge has d = 0.
+
+    >>> positions = np.array([[0.0, 3.0], [4.0, 5.0], [8.0, 1.0], [9.0, 9.0]])
+    >>> laplacian(positions, np.array([[0, 1], [1, 2]]))
+    array([[-4., -2.],
+           [ 0.,  3.],
+           [ 4., -4.],
+           [ 0.,  0.]])
+    """
+    raise NotImplementedError("exercise 9.10: laplacian")
+
+
+def laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 points)
+    """Backward of eq. (6): grad_laplacian (V, C) -> grad_positions (V, C).
+
+    Eq. (6) is linear, so that only the shape of positions counts.
+
+    >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
+    >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])
+    >>> laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
+    array([[-0.5],
+           [-9. ],
+           [ 9.5],
+           [ 0. ]])
+    """
+    raise NotImplementedError("exercise 9.11: laplacian_backward")
+
+
+def laplacian_energy(positions, edges):
+    """The sum of |d_v|^2 over all vertices, a thin plate's energy: the less, the smoother."""
+    return (laplacian(positions, edges)**2).sum()
+
+
+def laplacian_energy_backward(grad_energy, positions, edges):
+    """Backward of `laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
+    grad_laplacian = 2 * grad_energy * laplacian(positions, edges)
+    return laplacian_backward(grad_laplacian, positions, edges)
 
 
 # --- the pipeline: labs 1, 2, 5, 7, 8, and 6 for textures ---------------------------------------
+
+
+def to_clip(positions, clip_from_model):
+    """positions (V, 3), clip_from_model (4, 4) -> clip (V, 4)."""
+    return transforms.transform(transforms.to_homogeneous(positions), clip_from_model)
+
+
+def geometry_backward(grad_clip, grad_depth, face_index, clip, positions, faces, clip_from_model):
+    """From clip (V, 4) and depth (H, W) back -> grad_positions (V, 3), grad_clip_from_model (4, 4).
+
+    grad_depth may be None, if the loss does not look at the depth.
+    """
+    if grad_depth is not None:
+        inputs.require_gradient("grad_depth", grad_depth, face_index.shape)
+        grad_clip = grad_clip + vertex_gradients.depth_backward(grad_depth, face_index, clip, faces)
+    grad_points, grad_clip_from_model = transforms.transform_backward(
+        grad_clip, transforms.to_homogeneous(positions), clip_from_model)
+    return grad_points[:, :3], grad_clip_from_model
 
 
 def shade(clip, faces, colours, width, height, background):
@@ -204,40 +226,52 @@ def shade_backward(grad_colour, clip, faces, colours, face_index, barycentric):
     """
     grad_colours, grad_barycentric = interpolation.interpolate_backward(
         grad_colour, colours, faces, face_index, barycentric)
-    grad_barycentric -= grad_barycentric[..., :1]  # the sum is 1: only differences matter
+    for corner in (1, 2, 0):  # the sum of the weights is 1: only differences matter
+        grad_barycentric[..., corner] -= grad_barycentric[..., 0]
     return vertex_gradients.barycentrics_backward(grad_barycentric, face_index, clip,
                                                   faces), grad_colours
 
 
 def render(positions, faces, colours, clip_from_model, width, height, background, opposite):
-    """Eq. (7): the antialiased picture (height, width, C), and the buffers of `render_backward`.
+    """R of eq. (1): the antialiased picture (height, width, C), and `render_backward`'s buffers.
 
     positions (V, 3), faces (F, 3), colours (V, C), clip_from_model (4, 4), background (C,);
     opposite (F, 3) is `antialiasing.opposite_vertices(faces)`, once for a mesh. The buffers are
     clip (V, 4), face_index, depth (H, W), barycentric (H, W, 3), and colour (H, W, C), which is the
     picture before antialiasing. ValueError for what does not fit.
     """
-    require_scene(positions, faces, clip_from_model, opposite)
-    require_colours(colours, positions, background)
-    clip = transforms.transform(transforms.to_homogeneous(positions), clip_from_model)
+    inputs.require_geometry(positions, faces, clip_from_model, width, height, opposite)
+    inputs.require_colours(positions, colours, background)
+    clip = to_clip(positions, clip_from_model)
     colour, *seen = shade(clip, faces, colours, width, height, background)
-    face_index, depth, barycentric = seen
-    picture = antialiasing.antialias(colour, face_index, depth, clip, faces, opposite)
-    return picture, (clip, face_index, depth, barycentric, colour)
+    picture = antialiasing.antialias(colour, *seen[:2], clip, faces, opposite)
+    return picture, (clip, *seen, colour)
 
 
-def render_backward(grad_picture, buffers, positions, faces, colours, clip_from_model, opposite):
+def render_backward(grad_picture, buffers, positions, faces, colours, clip_from_model, opposite,
+                    grad_depth=None):
     """`render` read upwards: grad_picture (H, W, C) -> grad_positions (V, 3), grad_colours (V, C),
     grad_clip_from_model (4, 4). The face of each pixel and the blended edges are taken as given.
+    A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
     """
     clip, face_index, depth, barycentric, colour = buffers
-    grad_colour, grad_clip = antialiasing.antialias_backward(
+    inputs.require_gradient("grad_picture", grad_picture, colour.shape)
+    grad_colour, through_edges = antialiasing.antialias_backward(
         grad_picture, colour, face_index, depth, clip, faces, opposite)
-    grad_clip_inside, grad_colours = shade_backward(
+    through_colours, grad_colours = shade_backward(
         grad_colour, clip, faces, colours, face_index, barycentric)
-    grad_points, grad_matrix = transforms.transform_backward(
-        grad_clip + grad_clip_inside, transforms.to_homogeneous(positions), clip_from_model)
-    return grad_points[:, :3], grad_colours, grad_matrix
+    grad_positions, grad_clip_from_model = geometry_backward(
+        through_edges + through_colours, grad_depth, face_index, clip, positions, faces,
+        clip_from_model)
+    return grad_positions, grad_colours, grad_clip_from_model
+
+
+def footprints(uv, uv_faces, face_index, barycentric, derivatives):
+    """Where the N pixels that see a face look up its texture: (u, v) (N, 2), change (N, 2, 2)."""
+    seen = face_index >= 0
+    at = interpolation.interpolate(uv, uv_faces, face_index, barycentric)
+    footprint = interpolation.interpolate_derivatives(uv, uv_faces, face_index, derivatives)
+    return at[seen], footprint[seen]
 
 
 def shade_textured(clip, faces, uv, uv_faces, image, width, height, background, filter):
@@ -272,14 +306,6 @@ def shade_textured_backward(grad_colour, clip, faces, uv, uv_faces, image, filte
     return grad_clip, grad_uv + grad_uv_too, grad_image
 
 
-def footprints(uv, uv_faces, face_index, barycentric, derivatives):
-    """Where the N pixels that see a face look up its texture: (u, v) (N, 2), change (N, 2, 2)."""
-    seen = face_index >= 0
-    at = interpolation.interpolate(uv, uv_faces, face_index, barycentric)
-    footprint = interpolation.interpolate_derivatives(uv, uv_faces, face_index, derivatives)
-    return at[seen], footprint[seen]
-
-
 def render_textured(positions, faces, uv, uv_faces, image, clip_from_model, width, height,
                     background, opposite, filter="linear-mipmap-linear"):
     """`render` with a texture: image (h, w, C), seen by one of lab 6's filters.
@@ -288,9 +314,9 @@ def render_textured(positions, faces, uv, uv_faces, image, clip_from_model, widt
     be one for each vertex, and uv_faces = faces. The buffers hold derivatives (H, W, 3, 2) after
     barycentric; the rest as in `render`.
     """
-    require_scene(positions, faces, clip_from_model, opposite)
-    require_background(background, np.shape(image)[-1])
-    clip = transforms.transform(transforms.to_homogeneous(positions), clip_from_model)
+    inputs.require_geometry(positions, faces, clip_from_model, width, height, opposite)
+    inputs.require_texture(faces, uv, uv_faces, image, background)
+    clip = to_clip(positions, clip_from_model)
     colour, *seen = shade_textured(clip, faces, uv, uv_faces, image, width, height, background,
                                    filter)
     picture = antialiasing.antialias(colour, *seen[:2], clip, faces, opposite)
@@ -298,53 +324,18 @@ def render_textured(positions, faces, uv, uv_faces, image, clip_from_model, widt
 
 
 def render_textured_backward(grad_picture, buffers, positions, faces, uv, uv_faces, image,
-                             clip_from_model, opposite, filter="linear-mipmap-linear"):
+                             clip_from_model, opposite, filter="linear-mipmap-linear",
+                             grad_depth=None):
     """`render_textured` read upwards: grad_picture (H, W, C) -> grad_positions (V, 3), grad_uv
-    (T, 2), grad_image (h, w, C), grad_clip_from_model (4, 4).
+    (T, 2), grad_image (h, w, C), grad_clip_from_model (4, 4). grad_depth as in `render_backward`.
     """
     clip, face_index, depth, barycentric, derivatives, colour = buffers
-    grad_colour, grad_clip = antialiasing.antialias_backward(
+    inputs.require_gradient("grad_picture", grad_picture, colour.shape)
+    grad_colour, through_edges = antialiasing.antialias_backward(
         grad_picture, colour, face_index, depth, clip, faces, opposite)
-    grad_clip_inside, grad_uv, grad_image = shade_textured_backward(
+    through_colours, grad_uv, grad_image = shade_textured_backward(
         grad_colour, clip, faces, uv, uv_faces, image, filter, face_index, barycentric, derivatives)
-    grad_points, grad_matrix = transforms.transform_backward(
-        grad_clip + grad_clip_inside, transforms.to_homogeneous(positions), clip_from_model)
-    return grad_points[:, :3], grad_uv, grad_image, grad_matrix
-
-
-def require(fits, expected, came):
-    """ValueError, in one sentence, unless what came fits."""
-    if not fits:
-        raise ValueError(f"render expects {expected}; it got {came}")
-
-
-def require_scene(positions, faces, clip_from_model, opposite):
-    """ValueError, in one sentence, unless there is a mesh, and a camera to see it."""
-    def is_finite(array, shape):
-        return np.shape(array) == shape and np.isfinite(array).all()
-
-    require(is_finite(positions, (len(positions), 3)), "positions (V, 3) of finite numbers (a fit "
-            "that diverges wants a smaller rate)", f"{np.shape(positions)}, or NaN or infinity")
-    require(is_finite(clip_from_model, (4, 4)), "clip_from_model (4, 4) of finite numbers",
-            f"{np.shape(clip_from_model)}, or NaN or infinity")
-    require(np.shape(faces) == (len(faces), 3) and np.asarray(faces).dtype.kind in "iu",
-            "faces (F, 3) of integers", f"{np.shape(faces)} of {np.asarray(faces).dtype}")
-    require(not len(faces) or (np.min(faces) >= 0 and np.max(faces) < len(positions)),
-            f"faces that name vertices from 0 to {len(positions) - 1}",
-            f"{np.min(faces, initial=0)} to {np.max(faces, initial=0)}")
-    require(np.shape(opposite) == np.shape(faces), f"opposite {np.shape(faces)}, made by "
-            "antialiasing.opposite_vertices(faces)", np.shape(opposite))
-
-
-def require_colours(colours, positions, background):
-    """ValueError, in one sentence, unless each vertex has a colour, and so has the background."""
-    require(np.shape(colours)[:1] == (len(positions),) and np.ndim(colours) == 2, "colours "
-            f"({len(positions)}, C), one for each vertex; give grey ones as grey[:, None]",
-            np.shape(colours))
-    require_background(background, np.shape(colours)[1])
-
-
-def require_background(background, channels):
-    """ValueError, in one sentence, unless the background is one colour of so many channels."""
-    require(np.shape(background) == (channels,), f"a background ({channels},), of as many channels "
-            "as the colours have", np.shape(background))
+    grad_positions, grad_clip_from_model = geometry_backward(
+        through_edges + through_colours, grad_depth, face_index, clip, positions, faces,
+        clip_from_model)
+    return grad_positions, grad_uv, grad_image, grad_clip_from_model

@@ -22,6 +22,19 @@ def test_with_antialiasing_the_triangle_comes_nearer():
     assert after.sum() < before.sum() - 5
 
 
+def test_the_triangle_comes_to_a_tenth_of_a_pixel():
+    """The goal of the lecture's first example: a fit that stops on the way to its template."""
+    x, *_ = fits.triangle(LABS, fits.template(LABS), True)
+    assert np.linalg.norm(x[-1] - fits.TEMPLATE, axis=1).max() <= 0.1
+
+
+def test_the_pose_comes_to_a_hundredth_of_a_degree():
+    """The goal of the pose: a search that ends in a wrong valley, or a descent that ends early."""
+    rotations, goal = fits.pose(LABS, 0)
+    off = LABS.inverse_rendering.rotation_angle(rotations[-1], goal)
+    assert len(rotations) == 481 and np.degrees(off) < 0.01
+
+
 def test_the_template_has_the_area_of_its_triangle():
     """A template that no triangle can match."""
     area = LABS.rasterization.signed_area(fits.TEMPLATE)
@@ -47,14 +60,15 @@ def test_a_cube_is_at_distance_0_from_itself():
 
 def test_the_cube_is_found_step_by_step_and_the_same_again():
     """A fit that diverges, or that cannot be reproduced."""
-    errors, positions, colours = fits.cube(LABS, 8, seed=1, steps=40)
+    errors, losses, positions, colours = fits.cube(LABS, 8, seed=1, steps=40)
     assert errors.shape == (41,) and errors[-1] < 0.9 * errors[0]
+    assert losses.shape == (40,) and losses[-10:].mean() < 0.8 * losses[:10].mean()
     assert errors[-1] == fits.cube_error(positions)
     assert colours.shape == (8, 3)
     np.testing.assert_array_equal(fits.cube(LABS, 8, seed=1, steps=5)[0], errors[:6])
 
 
-def test_random_poses_are_turns_and_shifts(rng):
+def test_random_poses_are_rotations_and_shifts(rng):
     """A pose that mirrors or shears what it moves."""
     pose = fits.random_pose(LABS, rng, 0.25)
     np.testing.assert_allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3), atol=1e-12)
@@ -63,27 +77,27 @@ def test_random_poses_are_turns_and_shifts(rng):
 
 
 def test_a_cube_has_24_symmetries():
-    """A turn listed twice, or one that leaves the cube askew."""
+    """A rotation listed twice, or one that leaves the cube askew."""
     matrices = np.array([LABS.inverse_rendering.quaternion_matrix(q)[:3, :3]
                          for q in fits.cube_symmetries()])
     assert len(np.unique(matrices.round(6) + 0.0, axis=0)) == 24
     np.testing.assert_allclose(np.abs(matrices).sum(2), 1)
 
 
-def test_greedy_search_never_takes_a_worse_turn(rng):
+def test_greedy_search_never_takes_a_worse_rotation(rng):
     """A proposal taken on its distance to another goal, or without comparison."""
     start, goal = np.array([1.0, 0, 0, 0]), np.array([0.6, 0.8, 0, 0])
-    turns = fits.pose_search(LABS, rng, start, goal, 30, fits.cube_symmetries())
+    found = fits.pose_search(LABS, rng, start, goal, 30, fits.cube_symmetries())
     target = fits.block_picture(LABS, goal, 16)[0]
-    losses = [((fits.block_picture(LABS, turn, 16)[0] - target)**2).mean() for turn in turns]
-    assert len(turns) == 31 and (np.diff(losses) <= 0).all() and losses[-1] < losses[0] / 2
+    losses = [((fits.block_picture(LABS, q, 16)[0] - target)**2).mean() for q in found]
+    assert len(found) == 31 and (np.diff(losses) <= 0).all() and losses[-1] < losses[0] / 2
 
 
 def test_the_gradient_finishes_what_the_search_began():
     """A gradient by the quaternion that leads away."""
     goal = np.array([0.4, 0.2, -0.8, 0.4])
-    turns = fits.pose_descent(LABS, goal + [0.01, 0, 0, -0.01], goal, 32, 30, 3e-3)
-    before, after = LABS.inverse_rendering.rotation_angle(np.array(turns)[[0, -1]], goal)
+    found = fits.pose_descent(LABS, goal + [0.01, 0, 0, -0.01], goal, 32, 30, 3e-3)
+    before, after = LABS.inverse_rendering.rotation_angle(np.array(found)[[0, -1]], goal)
     assert after < before / 4
 
 
@@ -144,7 +158,34 @@ def test_a_silhouette_is_shared_with_itself():
     small = fits.ball()
     large = small[0] * np.sqrt(2), small[1]
     np.testing.assert_array_equal(fits.shared_silhouettes(LABS, small, small, cameras, 64), 1)
+    # Of discs, a little less than 1 / 2: in perspective the larger ball looks larger still.
     assert 0.4 < fits.shared_silhouettes(LABS, small, large, cameras, 64).max() < 0.52
+
+
+def test_random_cameras_look_at_the_origin():
+    """Cameras all on one side, or that look elsewhere."""
+    cameras = fits.random_cameras(LABS, 40)
+    origin = cameras @ [0.0, 0.0, 0.0, 1.0]
+    np.testing.assert_allclose(origin[:, [0, 1, 3]], [[0, 0, 3]] * 40, atol=1e-12)
+    towards = cameras[:, 3, :3]  # w grows along the view
+    np.testing.assert_allclose(np.linalg.norm(towards, axis=1), 1)
+    assert np.abs(towards.mean(0)).max() < 0.3
+
+
+def test_a_missed_goal_is_told_and_makes_the_status_1(monkeypatch, capsys):
+    """A demo that misses what it promises, and says nothing."""
+    def scene(labs):
+        """Two goals."""
+        yield "near", None, ("0.1", True)
+        yield "far", None, ("0.2", met)
+        yield "nothing", None
+
+    monkeypatch.setattr(demo, "SCENES", {"scene": scene})
+    for met, status in (True, 0), (False, 1):
+        assert demo.run([]) == status
+        printed = capsys.readouterr().out
+        assert "0.1" in printed and ("0.2 MISSED" in printed) == (not met)
+        assert "0.1 MISSED" not in printed
 
 
 def test_folds_are_counted():

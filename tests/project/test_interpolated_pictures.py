@@ -126,3 +126,20 @@ def test_the_backward_pass_of_a_mesh():
               lambda grad, attributes, barycentric: interpolation.interpolate_backward(
                   grad, attributes, faces, face_index, barycentric),
               (attributes, barycentric), name="interpolate_bunny")
+
+
+@pytest.mark.parametrize("row", [-1, 4, 10**8])
+def test_a_face_that_names_no_vertex_is_told(row):
+    """SciPy trusts the column numbers: garbage from beside the array, or the end of the process."""
+    attributes, faces = np.arange(8.0).reshape(4, 2), np.array([[0, 1, 2], [2, 1, row]])
+    face_index, barycentric = np.array([[-1, 1, 0]]), np.full((1, 3, 3), 1 / 3)
+    derivatives = np.zeros((1, 3, 3, 2))
+    upstream = np.ones((1, 3, 2))
+    for call in (lambda seen: interpolation.interpolate(attributes, faces, seen, barycentric),
+                 lambda seen: interpolation.interpolate_backward(upstream, attributes, faces, seen,
+                                                                 barycentric),
+                 lambda seen: interpolation.interpolate_derivatives(attributes, faces, seen,
+                                                                    derivatives)):
+        with pytest.raises(IndexError, match="which have 4: give the faces"):
+            call(face_index)
+        call(np.minimum(face_index, 0))  # a face that nobody sees does no harm

@@ -222,6 +222,29 @@ def test_what_two_ways_do_to_a_position_adds_up():
     np.testing.assert_allclose(got, (grad_clip @ clip_from_model)[:, :3], rtol=1e-12, atol=1e-12)
 
 
+def test_the_gradient_of_a_depth_is_added():
+    """grad_depth is dropped, or takes the place of the picture's gradient."""
+    positions, faces, colours, clip_from_model, background, opposite = scene("cube")
+
+    def render(positions, clip_from_model):
+        picture, buffers = inverse.render(positions, faces, colours, clip_from_model, WIDTH, HEIGHT,
+                                          background, opposite)
+        _, face_index, depth, *_ = buffers
+        return np.dstack([picture, np.where(face_index >= 0, depth, 0)]), buffers
+
+    def backward(grad, buffers, positions, clip_from_model):
+        grad_positions, _, grad_matrix = inverse.render_backward(
+            grad[..., :2], buffers, positions, faces, colours, clip_from_model, opposite,
+            grad[..., 2])
+        return grad_positions, grad_matrix
+
+    def decisions(buffers, *_):
+        return decided(*buffers[:3], faces, opposite)
+
+    whole_gradcheck("picture and depth", render, backward, decisions, (positions, clip_from_model),
+                    [[0, 3, 6]])
+
+
 # --- the regularizer ---------------------------------------------------------------------------
 
 def test_the_energy_of_a_laplacian_has_a_gradient():
@@ -257,7 +280,8 @@ def test_a_picture_without_faces_is_the_background():
 
 
 GOOD = {"positions": np.zeros((3, 3)), "faces": np.array([[0, 1, 2]]), "colours": np.zeros((3, 2)),
-        "clip_from_model": np.eye(4), "background": np.zeros(2), "opposite": np.full((1, 3), -1)}
+        "clip_from_model": np.eye(4), "background": np.zeros(2), "opposite": np.full((1, 3), -1),
+        "width": 5, "height": 4}
 BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
        ("positions", np.full((3, 3), np.nan), "finite.*NaN"),
        ("faces", np.array([[0.0, 1.0, 2.0]]), "integers.*float64"),
@@ -268,28 +292,78 @@ BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
        ("colours", np.zeros((4, 2)), r"colours \(3, C\).*got \(4, 2\)"),
        ("clip_from_model", np.eye(3), r"clip_from_model \(4, 4\).*got \(3, 3\)"),
        ("background", np.zeros(3), r"background \(2,\).*got \(3,\)"),
-       ("background", 0.0, r"background \(2,\).*got \(\)"),
+       ("background", 0.0, r"background \(2,\).*got a float"),
+       ("background", np.array([0.0, np.inf]), "background .*finite.*NaN or infinity"),
+       ("positions", [[0.0, 0.0, 0.0]] * 3, r"positions \(V, 3\).*got a list"),
+       ("positions", np.zeros((3, 3), complex), "positions.*got complex128"),
+       ("positions", np.zeros((0, 3)), "faces|colours"),
+       ("colours", None, "colours.*got a NoneType"),
+       ("colours", np.full((3, 2), np.nan), "colours.*finite.*NaN"),
+       ("colours", np.zeros((3, 0)), "colours of one channel or more"),
+       ("clip_from_model", np.full((4, 4), np.inf), "clip_from_model.*finite.*NaN or infinity"),
+       ("width", 5.0, "width, an integer.*got 5.0"),
+       ("height", -3, "height, an integer.*got -3"),
+       ("height", None, "height, an integer.*got None"),
+       ("opposite", np.full((1, 3), -1.0), "opposite.*integers.*got float64"),
+       ("opposite", np.full((1, 3), 99), "opposite.*from -1 to 2.*got 99 to 99"),
        ("opposite", np.full((2, 3), -1), r"opposite \(1, 3\).*opposite_vertices.*got \(2, 3\)")]
+
+TEXTURED = {"uv": np.zeros((3, 2)), "uv_faces": np.array([[0, 1, 2]]), "image": np.zeros((2, 2, 2))}
+BAD_TEXTURED = [("uv", np.zeros((3, 3)), r"uv \(T, 2\).*got \(3, 3\)"),
+                ("uv", np.full((3, 2), np.nan), "uv.*finite.*NaN"),
+                ("uv_faces", np.array([[0, 1, 3]]), "uv_faces.*from 0 to 2, rows of uv.*0 to 3"),
+                ("uv_faces", np.array([[-1, 1, 2]]), "uv_faces.*got -1 to 2"),
+                ("uv_faces", np.zeros((2, 3), int), r"uv_faces \(1, 3\).*got \(2, 3\)"),
+                ("image", np.zeros((4, 8)), r"image \(h, w, C\).*got \(4, 8\)"),
+                ("image", np.array(0.5), r"image \(h, w, C\).*got \(\)"),
+                ("image", np.full((2, 2, 2), np.nan), "image.*finite.*NaN"),
+                ("image", np.zeros((2, 2, 0)), "image of one channel or more"),
+                ("background", np.zeros(3), r"background \(2,\).*got \(3,\)")]
 
 
 @pytest.mark.parametrize("name, bad, sentence", BAD)
 def test_render_says_in_one_sentence_what_does_not_fit(name, bad, sentence):
     """A traceback from the depths of NumPy, or a picture of nonsense."""
-    inputs = {**GOOD, name: bad, "width": 5, "height": 4}
+    inputs = {**GOOD, name: bad}
     with pytest.raises(ValueError, match=sentence) as error:
         inverse.render(**inputs)
     assert "\n" not in str(error.value)
     if name in ("positions", "background", "opposite"):
         del inputs["colours"]
-        image = np.zeros((2, 2, 2))
         with pytest.raises(ValueError, match=sentence):
-            inverse.render_textured(**inputs, uv=np.zeros((3, 2)), uv_faces=GOOD["faces"],
-                                    image=image)
+            inverse.render_textured(**inputs, **TEXTURED)
+
+
+@pytest.mark.parametrize("name, bad, sentence", BAD_TEXTURED)
+def test_render_textured_says_what_does_not_fit(name, bad, sentence):
+    """A wrong uv_faces reads memory that is not uv's."""
+    inputs = {**GOOD, **TEXTURED, name: bad}
+    del inputs["colours"]
+    with pytest.raises(ValueError, match=sentence):
+        inverse.render_textured(**inputs)
+
+
+def test_a_gradient_of_another_shape_is_told():
+    """A transposed gradient of a picture is taken for what it is not."""
+    positions, faces, colours, clip_from_model, background, opposite = scene("cube")
+    mesh_and_camera = positions, faces, colours, clip_from_model
+    picture, buffers = inverse.render(*mesh_and_camera, WIDTH, HEIGHT, background, opposite)
+    with pytest.raises(ValueError, match=r"grad_picture \(19, 26, 2\).*got \(26, 19, 2\)"):
+        inverse.render_backward(picture.swapaxes(0, 1), buffers, *mesh_and_camera, opposite)
+    with pytest.raises(ValueError, match=r"grad_depth \(19, 26\).*got \(26, 19\)"):
+        inverse.render_backward(picture, buffers, *mesh_and_camera, opposite, buffers[2].T)
+    uv, image = np.zeros((len(positions), 2)), np.zeros((4, 4, 2))
+    textured = positions, faces, uv, faces, image, clip_from_model
+    picture, buffers = inverse.render_textured(*textured, WIDTH, HEIGHT, background, opposite)
+    with pytest.raises(ValueError, match=r"grad_picture \(19, 26, 2\).*got \(19, 26\)"):
+        inverse.render_textured_backward(picture[..., 0], buffers, *textured, opposite)
 
 
 def test_a_good_scene_is_rendered():
     """The checks refuse what fits."""
-    picture, _ = inverse.render(**GOOD, width=5, height=4)
+    picture, _ = inverse.render(**GOOD)
     assert picture.shape == (4, 5, 2)
+    picture, _ = inverse.render(**{**GOOD, "width": np.int64(0)})
+    assert picture.shape == (4, 0, 2)
     face_index, _ = rasterization.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
     assert (face_index == -1).all()

@@ -1,0 +1,82 @@
+"""What lab 9's `render` and its backward pass expect: one sentence for what does not fit.
+
+A shape is told by its lengths, a number where it is known and a letter where it is free.
+"""
+import numbers
+
+import numpy as np
+
+
+def require(fits, expected, came):
+    """ValueError, in one sentence, unless what came fits."""
+    if not fits:
+        raise ValueError(f"render expects {expected}; it got {came}")
+
+
+def require_reals(name, array, *shape, hint=""):
+    """An array of finite real numbers, of which there may be none."""
+    expected = f"{_shown(name, shape)} of finite numbers{hint}"
+    _require_array(array, shape, "iuf", expected)
+    require(np.isfinite(array).all(), expected, "NaN or infinity")
+
+
+def require_indices(name, array, *shape, first, count, of, hint=""):
+    """An array of integers from first to below count: they name things of this sort."""
+    expected = f"{_shown(name, shape)} of integers from {first} to {count - 1}, {of}{hint}"
+    _require_array(array, shape, "iu", expected)
+    if array.size:
+        low, high = array.min(), array.max()
+        require(first <= low and high < count, expected, f"{low} to {high}")
+
+
+def require_geometry(positions, faces, clip_from_model, width, height, opposite):
+    """What every picture is of: a mesh, a camera, and a screen."""
+    require_reals("positions", positions, "V", 3, hint=" (a fit that diverges wants a smaller "
+                  "rate)")
+    require_indices("faces", faces, "F", 3, first=0, count=len(positions), of="rows of positions")
+    require_indices("opposite", opposite, *faces.shape, first=-1, count=len(positions), of="-1 for "
+                    "none", hint=", made by antialiasing.opposite_vertices(faces)")
+    require_reals("clip_from_model", clip_from_model, 4, 4)
+    for name, length in ("width", width), ("height", height):
+        require(isinstance(length, numbers.Integral) and length >= 0, f"{name}, an integer that "
+                "counts pixels", repr(length))
+
+
+def require_colours(positions, colours, background):
+    """A colour for each vertex, and one for the background."""
+    require_reals("colours", colours, len(positions), "C", hint=", one row for each vertex; give "
+                  "grey ones as grey[:, None]")
+    require_reals("background", background, _channels("colours", colours))
+
+
+def require_texture(faces, uv, uv_faces, image, background):
+    """The (u, v) of each face's corners, a texture, and a colour for the background."""
+    require_reals("uv", uv, "T", 2)
+    require_indices("uv_faces", uv_faces, *faces.shape, first=0, count=len(uv), of="rows of uv")
+    require_reals("image", image, "h", "w", "C")
+    require_reals("background", background, _channels("image", image))
+
+
+def require_gradient(name, gradient, shape):
+    """The loss's gradient by something that `render` made, of its shape."""
+    require(np.shape(gradient) == shape, f"{name} {shape}, of the shape that it made",
+            np.shape(gradient))
+
+
+def _require_array(array, shape, kinds, expected):
+    require(isinstance(array, np.ndarray), expected, f"a {type(array).__name__}")
+    fits = len(array.shape) == len(shape) and all(
+        isinstance(length, str) or length == came
+        for length, came in zip(shape, array.shape, strict=True))
+    require(fits, expected, array.shape)
+    require(array.dtype.kind in kinds, expected, array.dtype)
+
+
+def _channels(name, array):
+    require(array.shape[-1] > 0, f"{name} of one channel or more", array.shape)
+    return array.shape[-1]
+
+
+def _shown(name, shape):
+    inside = ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "")
+    return f"{name} ({inside})"
