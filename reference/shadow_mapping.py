@@ -287,8 +287,8 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
 def window_sums(picture, radius):  # exercise 14.16 (2 points)
     """Sums over squares: of the pixels up to radius rows and columns away -> (H, W, C).
 
-    picture (H, W, C); radius a whole number >= 0. Squares end at the picture's border. The time
-    must not grow with radius: take differences of running sums, along rows, then along columns.
+    picture (H, W, C); radius a whole number >= 0. Squares end at the picture's border. By running
+    sums along rows, then along columns, the time does not grow with radius.
 
     >>> window_sums(np.array([[[1.0], [2.0], [4.0], [8.0]]]), 1)[..., 0]
     array([[ 3.,  7., 14., 12.]])
