@@ -390,8 +390,8 @@ def moved_moments(distance_map, motion, move):  # exercise 14.22 (4 points)
     -> moments (H, W, 2). With d = distance_map: first, each texel has d - move_z and its square.
     Then, of each pair of neighbours a and b, b to the right of a or above it: the border between
     them moves with the surface in front, by s texels to the right (or up). s is x (or y) of motion
-    @ move, of the texel with the smaller d, of equal ones that of a. Each of the two loses
-    s / 2 times (moments of b - moments of a), the moments as they were before: d and d^2.
+    @ move, of the texel with the smaller d. (Equal ones have no step between them.) Each of the two
+    loses s / 2 times (moments of b - moments of a), the moments as they were before: d and d^2.
 
     >>> C = np.diag([1.0, 1.0, -1.0, 1.0])
     >>> distance_map = np.array([[2.0, 2.0, 3.0]])
@@ -470,7 +470,7 @@ def point_light(position, vertices):
                          "side; move it out of the scene")
     rotation = axes_of(position, target)
     q = to_light(vertices, position, rotation)
-    if not (np.hypot(q[:, 0], q[:, 1]) <= -np.tan(WIDEST) * q[:, 2]).all():
+    if not (np.hypot(q[:, 0], q[:, 1]) < -np.tan(WIDEST) * q[:, 2]).all():
         raise ValueError("point_light expects all vertices within a cone of "
                          f"{np.degrees(WIDEST):.0f} degrees around its axis, and some are outside; "
                          "move it away from the scene")
@@ -631,7 +631,9 @@ def variance_shadow_backward(grad_lit, buffers, points, light, radius, least_var
 
     The points move in the light's frame, and so does all that the map shows, by eq. (10). A texel
     of the map jumps when an edge passes its centre; (10) moves the edge evenly instead. So this is
-    the slope of sums over many texels, and not of single ones.
+    the slope of sums over many texels, and not of single ones. At a round body's rim, the texels'
+    centres are nearer than the rim, and seem to move too far: the gradient of the bunny is some
+    10 % too long in 320 x 320 texels, and less in more.
     """
     position, rotation, clip_from_light = light
     distance_map, blurred, q, uv, mean, inside = buffers
