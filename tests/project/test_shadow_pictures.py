@@ -3,7 +3,8 @@ import numpy as np
 import pytest
 
 from course import mesh
-from reference import shadow_mapping, transforms
+from course.gradcheck import gradcheck
+from reference import shadow_mapping, texturing, transforms
 
 
 def scene(load=mesh.bunny, lift=0.0):
@@ -172,6 +173,39 @@ def test_the_gradient_of_the_position_is_the_slope_of_the_shadow(load, within):
         h = np.eye(3)[axis] * (0.05 + 0.01 * step)
         slopes[axis] += (loss(light[0] + h)[0] - loss(light[0] - h)[0]) / (2 * h.sum()) / 4
     assert np.linalg.norm(got - slopes) < within * np.linalg.norm(slopes)
+
+
+def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
+    """A part of the way from the position to the shadow is missing, or has another sign."""
+    vertices, faces = scene(slab, lift=0.35)
+    light, size, radius = LIGHTS["point"](vertices), 48, 2
+    face_index, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 12, 10)
+    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    _, buffers = shadow_mapping.variance_shadow(points, vertices, faces, light, size, radius, 1e-3)
+    distance_map = buffers[0]
+    motion = shadow_mapping.map_motion(distance_map, light[2])
+
+    def looked_up(position):
+        moments = shadow_mapping.moved_moments(distance_map, motion,
+                                               -light[1] @ (position - light[0]))
+        q = shadow_mapping.to_light(points, position, light[1])
+        uv = np.stack(shadow_mapping.map_position(q, light[2], size, size), -1) / size
+        blurred = shadow_mapping.box_blur(moments, radius)
+        return -q[:, 2], *texturing.texture(blurred, uv, boundary="clamp").T, uv
+
+    def forward(position):
+        return shadow_mapping.chebyshev(*looked_up(position)[:3], 1e-3)
+
+    def backward(grad_lit, position):
+        return shadow_mapping.variance_shadow_backward(grad_lit, buffers, points, light, radius,
+                                                       1e-3)
+
+    def decisions(position):
+        distance, mean, mean_square, uv = looked_up(position)
+        return distance > mean, mean_square - mean**2 > 1e-3, np.floor(uv * size - 0.5)
+
+    assert (forward(light[0]) < 0.5).any()
+    gradcheck(forward, backward, (light[0],), decisions=decisions, name="variance_shadow")
 
 
 def test_a_light_is_found_by_its_shadow():
