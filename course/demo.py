@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from . import image, mesh, places, plot
+from . import fits, image, mesh, places, plot
 
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
@@ -221,6 +221,104 @@ def by_area(labs, clip, faces, shade, background):
     return picture + (1 - area)[..., None] * background, area
 
 
+def fit_triangle(labs):
+    """A triangle moves to its template: with antialiasing alone (lab 9)."""
+    template = fits.template(labs)
+    for name, antialiased in ("without", False), ("with", True):
+        x, _, gradients = fits.triangle(labs, template, antialiased)
+        yield f"{name} antialiasing, {len(gradients)} steps:", None
+        goal = "" if antialiased else " (goal: exact 0)"
+        yield f"  gradient {np.abs(gradients).max():.2g}{goal}", None
+        goal = " (goal: 0.1)" if antialiased else ""
+        yield (f"  {np.linalg.norm(x[-1] - fits.TEMPLATE, axis=1).max():.3f} px off{goal}",
+               save("fit_triangle", name, enlarged(over(labs, template, x), 8)))
+
+
+def over(labs, template, x):
+    """The template in blue; in orange where the triangle began, where it was and where it ended."""
+    steps = [labs.sampling.pixel_coverage(x[step], fits.SIDE, fits.SIDE) for step in (0, 40, -1)]
+    return np.concatenate([np.stack([1 - template[..., 0], 1 - (template[..., 0] + step) / 2,
+                                     1 - step], -1) for step in steps], 1)
+
+
+def fit_cube(labs):
+    """A cube's shape and colours from tiny pictures (lab 9)."""
+    for size, goal in (16, "goal: 0.001"), (8, "goal: 0.010"), (4, "no convergence"):
+        seeds, start = range(5), time.process_time()
+        fitted = [fits.cube(labs, size, seed) for seed in track(seeds, f"{size}", transient=True)]
+        seconds = (time.process_time() - start) / len(seeds)
+        last = np.sort([errors[-1] for errors, *_ in fitted])
+        yield f"{size} x {size}: error {np.median(last):.5f} ({goal})", None
+        yield f"  {last[0]:.5f} to {last[-1]:.5f}, {seconds:.1f} s each", None
+        pose = fits.cube_camera(labs) @ labs.transforms.rotate(np.array([1.0, 1.0, 0.2]), 0.9)
+        seen = [fits.cube_picture(labs, *truth_or_fit, pose, pixels) for truth_or_fit, pixels in (
+            ((fits.CORNERS - 0.5, fits.CORNERS), size), (fitted[0][1:], SIZE // 2),
+            ((fits.CORNERS - 0.5, fits.CORNERS), SIZE // 2))]
+        seen[0] = enlarged(seen[0], SIZE // 2 // size)
+        yield "  a picture, the fit, the truth", save("fit_cube", f"{size}", np.hstack(seen))
+
+
+def fit_pose(labs):
+    """How a cube is turned: search, then gradient (lab 9)."""
+    unturned = fits.cube_symmetries()[:1]
+    for name, title, search in (
+            ("search", "search by symmetries", {}),
+            ("trapped", "search without them", {"symmetries": unturned}),
+            ("gradient", "no search", {"proposals": 0})):
+        start = time.process_time()
+        fitted = [fits.pose(labs, seed, **search) for seed in track(range(10), transient=True)]
+        seconds = (time.process_time() - start) / len(fitted)
+        angles = np.degrees([labs.inverse_rendering.rotation_angle(turns[-1], goal)
+                             for turns, goal in fitted])
+        near, far = angles[angles < 0.01], np.sort(angles[angles >= 0.01])
+        yield f"{title}, {seconds:.1f} s each:", None
+        goal = "" if search else " (goal: 8)"
+        yield f"  {len(near)} of 10 under 0.01 degrees{goal}", None
+        if len(near):
+            yield f"  they are up to {near.max():.4f} off", None
+        if len(far):
+            yield "  " + " ".join(f"{angle:.0f}" for angle in far) + " degrees off", None
+        turns, goal = fitted[np.argmax(angles)]
+        seen = [fits.block_picture(labs, turn, SIZE // 2)[0]
+                for turn in (turns[0], turns[-1], goal)]
+        yield "  worst: start, fit, truth", save("fit_pose", name, np.clip(np.hstack(seen), 0, 1))
+
+
+def fit_texture(labs):
+    """A globe's texture from 800 far and near views (lab 9)."""
+    truth = fits.planet(128)
+    views = fits.globe_views(labs, truth, 800)
+    yield "views, 64 x 64 pixels", save("fit_texture", "truth", enlarged(truth, 4))
+    decibels = []
+    for name, filter in ("without", "linear"), ("with", "linear-mipmap-linear"):
+        psnr, texture = fits.texture(labs, truth, views, filter)
+        decibels.append(psnr[-1])
+        yield (f"{name} mipmaps: {psnr[-1]:.2f} dB",
+               save("fit_texture", name, enlarged(np.clip(texture, 0, 1), 4)))
+    yield f"difference {decibels[1] - decibels[0]:.2f} dB (goal: 1.3)", None
+
+
+def fit_bunny(labs):
+    """A ball becomes the bunny by 20 silhouettes (lab 9)."""
+    cameras, (_, faces) = fits.cameras_around(labs, 20, longitude=0.3), fits.ball()
+    eye = np.array([-1.3, 0.7, 2.2])
+    for name, weight in ("with", 0.02), ("without", 0.0):
+        start = time.process_time()
+        path, _ = fits.bunny(labs, weight)
+        yield f"{name} a regularizer, {time.process_time() - start:.0f} s:", None
+        ious = fits.shared_silhouettes(labs, (path[-1], faces), fits.rabbit(), cameras)
+        yield f"  IoU of new views {ious.mean():.4f} (goal: 0.97)", None
+        yield f"  {ious.min():.4f} in the worst of {len(ious)}", None
+        yield f"  {fits.folded_edges(path[-1], faces):.1%} of edges folded", None
+        seen = []
+        for vertices in path[[0, 30, 100, -1]]:
+            clip = clip_positions(labs, vertices, eye)
+            face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
+            barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+            seen.append(shaded(vertices, faces, face_index, barycentric))
+        yield "  steps 0, 30, 100, 300", save("fit_bunny", name, np.hstack(seen))
+
+
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
     points = labs.transforms.to_homogeneous(vertices)
@@ -276,3 +374,6 @@ def save(scene, name, picture):
 
 
 SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa, shadow)}
+SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
+                                               fit_triangle, fit_cube, fit_pose, fit_texture,
+                                               fit_bunny)}

@@ -6,21 +6,22 @@
     df/dM = -M^-T r a^T M^-T = -(df/da) c^T,   c = M^-1 a                                        (4)
 
     q_k = (x_k, y_k, w_k) of clip space,   s = sum c,   b = c / s          in perspective        (5)
-    d_c = (d_b - (d_b . b) 1) / s,   d_a = M^-T d_c,   d_M = -d_a c^T                            (6)
+    grad_c = (grad_b - (grad_b . b) 1) / s,  grad_a = M^-T grad_c,  grad_M = -grad_a c^T         (6)
 
 A vertex drags the picture along, by its weight. So its gradient (4) is minus the picture's slope
 df/da, times the weight. For whole meshes no matrix is inverted: b is the same for e = det(M) c.
 
     e_k = (q_i x q_j) . a,   (i, j) = (1, 2), (2, 0), (0, 1) for k = 0, 1, 2                     (7)
     b = e / (s + epsilon),   s = sum e,   db/dx = (e_x - b sum e_x) / (s + epsilon)              (8)
-    d_(q_i x q_j) = sum of d_e_k a over all pixels that see the face: nine numbers for each      (9)
+    grad_(q_i x q_j) = sum of grad_e_k a over the pixels that see the face: nine numbers         (9)
     depth = z^T M^-1 a,   z of clip space                          eq. (2) once more            (10)
 
 q_i x q_j are the rows of M^-1, times det(M), so the e_k are lab 2's edge functions. In clip space
 a is (x, y, 1) in ndc. Matrices are (3, 3), or (3, 3, F) for many faces.
 
 Sources: a note on the derivative of a rendered pixel by its triangle's vertices, (1) to (4), which
-in perspective leaves out the sum s and its share in (6); Laine et al. 2020, epsilon of (8).
+in perspective leaves out the sum s and its share in (6); nvdiffrast, which has epsilon of (8) in
+its backward pass only.
 """
 import numpy as np
 
@@ -157,37 +158,38 @@ def cross(p, q):
                      p[0] * q[1] - p[1] * q[0]])
 
 
-def edges(corners):  # exercise 7.10 (2 points)
+def edge_functions(corners):  # exercise 7.10 (2 points)
     """Eq. (7): the edge functions of faces: edges (3, 3, ...), row k of each face's is q_i x q_j.
 
     corners (3, 3, ...): the matrices M, so corners[:, k] is q_k. The result is det(M) M^-1, but
     exists also where det(M) = 0.
 
-    >>> edges(np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]]))
+    >>> edge_functions(np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]]))
     array([[-1., -2.,  4.],
            [ 2.,  0.,  0.],
            [ 0.,  2.,  0.]])
     """
-    raise NotImplementedError("exercise 7.10: edges")
+    raise NotImplementedError("exercise 7.10: edge_functions")
 
 
-def edges_backward(grad_edges, corners):  # exercise 7.11 (3 points)
-    """Backward of `edges`: grad_edges (3, 3, ...) -> grad_corners (3, 3, ...).
+def edge_functions_backward(grad_edges, corners):  # exercise 7.11 (3 points)
+    """Backward of `edge_functions`: grad_edges (3, 3, ...) -> grad_corners (3, 3, ...).
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> grad_edges = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    >>> edges_backward(grad_edges, corners)  # edges[0, 0] = y_1 w_2 - w_1 y_2
+    >>> edge_functions_backward(grad_edges, corners)  # edges[0, 0] = y_1 w_2 - w_1 y_2
     array([[ 0. ,  0. ,  0. ],
            [ 0. ,  1. , -0.5],
            [ 0. , -2. ,  0. ]])
     """
-    raise NotImplementedError("exercise 7.11: edges_backward")
+    raise NotImplementedError("exercise 7.11: edge_functions_backward")
 
 
 def normalize(e, epsilon):  # exercise 7.12 (1 point)
     """Eq. (8): b = e / (s + epsilon), where s = sum e: e (3, N) -> b (3, N).
 
-    epsilon >= 0 gets the sign of s, so that it makes |s| larger; for s = 0 it stays positive.
+    epsilon >= 0 gets the sign of s, so that it makes |s| larger; for s = 0 it stays positive. It is
+    0 in a picture, and for the backward pass.
     s + epsilon is not 0, here and below.
 
     >>> normalize(np.array([[1.0, -3.0], [2.0, -1.0], [4.0, 1.0]]), 1.0)
@@ -289,7 +291,8 @@ def seen_faces(face_index, clip, faces):
     """
     height, width = face_index.shape
     some_pixel = np.full(len(faces) + 1, -1)  # the last one is for pixels that see none
-    some_pixel[face_index.ravel()] = np.arange(face_index.size)
+    seen = np.flatnonzero(face_index >= 0)
+    some_pixel[face_index.ravel()[seen]] = seen
     shown = np.flatnonzero(some_pixel[:-1] >= 0)
     origin = ndc_of_pixels(some_pixel[shown], width, height)
     x, y, w = (clip[:, axis][faces[shown].T] for axis in (0, 1, 3))
@@ -332,14 +335,14 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0
     where no face is seen is ignored. epsilon of eq. (8): 0 is the derivative, 1e-6 nvdiffrast's.
     """
     shown, corners, origin = seen_faces(face_index, clip, faces)
-    planes = edges(corners)
+    planes = edge_functions(corners)
     grad_planes = np.zeros(planes.shape)
     for pixel, face, x, y in seen_pixels(face_index, shown, origin):
         e = at_pixels(planes, face, x, y)
         grad_b = grad_barycentric.reshape(-1, 3).take(pixel, 0).T.copy()  # rows side by side
         grad_e = normalize_backward(grad_b, e, epsilon)
         grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
-    grad_corners = edges_backward(grad_planes, corners)
+    grad_corners = edge_functions_backward(grad_planes, corners)
     return sum_per_vertex(grad_corners, 0 * grad_corners[2], origin, faces[shown].T, len(clip))
 
 
@@ -349,7 +352,7 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
     """
     height, width = face_index.shape
     shown, corners, origin = seen_faces(face_index, clip, faces)
-    planes = edges(corners)
+    planes = edge_functions(corners)
     grad_planes = np.zeros(planes.shape)
     for pixel, face, x, y in seen_pixels(face_index, shown, origin):
         e = at_pixels(planes, face, x, y)
@@ -361,7 +364,7 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
             grad_e += by_e
             grad_planes[:, axis] += [step * np.bincount(face, by, len(shown)) for by in by_e_x]
         grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
-    grad_corners = edges_backward(grad_planes, corners)
+    grad_corners = edge_functions_backward(grad_planes, corners)
     return sum_per_vertex(grad_corners, 0 * grad_corners[2], origin, faces[shown].T, len(clip))
 
 

@@ -26,10 +26,10 @@ import numpy as np
 from . import rasterization, transforms
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
-WINDOW = 1 / 16  # pixels: what an edge may be off where the rasterizer rounds its vertices
+WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer rounds vertices
 ROUNDING = 1e-9  # of a colour: more than this beyond the range is not rounding
-REASONS = ("not seen", "no pair", "behind the camera", "no silhouette edge",
-           "last edge is no silhouette", "edge not steep", "crossing outside the pair",
+REASONS = ("not seen: hidden or outside", "no pair", "behind the camera", "no silhouette edge",
+           "last edge is another one", "edge not steep", "crossing outside the pair",
            "alpha saturated, or 0", "has a gradient")  # of `why_zero`, the farther the higher
 
 
@@ -40,14 +40,15 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
     its two vertices other than faces[f, k]; another face with the same two vertices, in either
     order, has this third one. Faces that name a vertex twice do not count, and have -1 throughout.
 
-    In general, go through the faces in order and list the different third vertices at an edge; the
-    first two count, the others do not. Each of the two is across from the other; a face with
-    another third vertex has -1 there. So two faces with the same three vertices are one.
+    In general, list the third vertices of an edge's faces, in the order of the faces, each once. Of
+    two or more, the first two, p and q, are across from each other: a face whose third vertex is p
+    has q there, one with q has p, any other -1. So copies of a face count once.
 
     >>> opposite_vertices(np.array([[0, 1, 2], [2, 1, 3]]))
     array([[ 3, -1, -1],
            [-1, -1,  0]])
     """
+    faces = faces.astype(np.int64)  # room for the keys below
     ends = faces[:, [1, 2, 0]], faces[:, [2, 0, 1]]
     low, high = np.minimum(*ends), np.maximum(*ends)
     sound = (low != high).all(1)
@@ -71,10 +72,10 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     x, y (V,): vertices on screen, w (V,) not 0, negative for a vertex behind the camera, whose x
     and y are mirrored; faces, opposite (F, 3), of any number of faces -> bool (F, 3).
 
-    Compare the face with the triangle in which `opposite` takes the place of vertex k. Of the
-    same winding, both lie on one side of edge k: a fold. An area of 0 counts as positive. If the
-    vertex across is behind the camera, that triangle's area has the other sign. -1 across: a
-    silhouette. No edge is one of a face with a vertex of w < 0.
+    Compare the face with the triangle in which `opposite` takes the place of vertex k. If both have
+    the same winding, they lie on one side of edge k: a fold. Each corner behind the camera turns
+    the winding over; without an area, a triangle counts as counter-clockwise in any case. -1
+    across: a silhouette.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
@@ -85,13 +86,14 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     def area(a, b, c):
         return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 
-    corners = np.stack([x[faces.T], y[faces.T]], 1)
-    across = np.stack([x[opposite.T], y[opposite.T]], 1)
-    clockwise, silhouette = area(*corners) < 0, np.empty(faces.shape, bool)
+    corners, across = (np.stack([x[index.T], y[index.T]], 1) for index in (faces, opposite))
+    side = np.where(w < 0, -1, 1)
+    own, silhouette = area(*corners) * side[faces].prod(1), np.empty(faces.shape, bool)
     for k, (i, j) in enumerate(EDGES):
-        wing = area(across[k], corners[i], corners[j]) * np.sign(w[opposite[:, k]])
-        silhouette[:, k] = ((wing < 0) == clockwise) | (opposite[:, k] < 0)
-    return silhouette & (w[faces] > 0).all(1)[:, None]
+        turned = side[opposite[:, k]] * side[faces[:, i]] * side[faces[:, j]]
+        wing = area(across[k], corners[i], corners[j]) * turned
+        silhouette[:, k] = ((wing < 0) == (own < 0)) | (opposite[:, k] < 0)
+    return silhouette
 
 
 def neighbour_pairs(face_index, outlined):  # exercise 8.3 (2 points)
@@ -166,18 +168,22 @@ def pair_frame_backward(grad_x, grad_y, owner, other, width):  # exercise 8.6 (1
 def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point)
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 
-    x0, y0, x1, y1 (...), y0 and y1 different.
+    x0, y0, x1, y1 (...), y0 and y1 different. To be measured from the end that is nearer to y = 0:
+    the other may be near infinity.
 
-    >>> crossing(1.0, -1.0, 4.0, 2.0)
-    2.0
+    >>> crossing(np.array([1.0]), np.array([-1.0]), np.array([4.0]), np.array([2.0]))
+    array([2.])
     """
-    return x0 - y0 * (x1 - x0) / (y1 - y0)
+    nearer = np.abs(y1) < np.abs(y0)
+    x, y = np.where(nearer, x1, x0), np.where(nearer, y1, y0)
+    return x - y * (x1 - x0) / (y1 - y0)
 
 
 def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (3 points)
     """Backward of eq. (3): grad_c (...) -> grad_x0, grad_y0, grad_x1, grad_y1, each (...).
 
-    An edge that is nearly along y = 0 has a huge gradient; epsilon >= 0 tames it. With
+    y0 and y1 are different. An edge that is nearly along y = 0 has a huge gradient; epsilon >= 0
+    tames it. With
     r = 1 / (y1 - y0), c = (x0 y1 - x1 y0) r, dc/dx0 = r y1 and dc/dy0 = r (c - x1). In r, and so
     in the c of this formula, y1 - y0 is made longer by epsilon and keeps its sign. (nvdiffrast
     takes 1e-3 pixels.) To exchange the two ends must exchange their gradients, and no more.
@@ -195,20 +201,23 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (3 p
     return slope * y1, slope * (c - x1), -slope * y0, slope * (x0 - c)
 
 
-def last_crossing(x, y):  # exercise 8.9 (3 points)
+def last_crossing(x, y, w):  # exercise 8.9 (3 points)
     """The edge by which the line y = 0 leaves a face on the way from the owner to the other.
 
-    x, y (3, N): the face's corners, in the pair's frame -> edge (N,) from 0 to 2, c (N,), its
-    eq. (3). Edge k, opposite to vertex k, crosses where one of its ends has y < 0 and one y >= 0.
-    Of these edges, the one of greatest c; of equal c, the first; if there is none, edge 0 with
-    c = -np.inf. Nothing is divided by 0.
+    x, y (3, N): the face's corners, in the pair's frame; w (3, N), negative behind the camera
+    -> edge (N,) from 0 to 2, c (N,), its eq. (3). Edge k, opposite to vertex k, crosses if one of
+    its ends has y w < 0, the other y w >= 0, and the point where it does is in front of the camera:
+    w_i |y_j w_j| + w_j |y_i w_i| > 0, i and j the ends. Of these edges, the one of greatest c; of
+    equal c, the first; if there is none, edge 0 with c = -np.inf. Nothing is divided by 0.
 
-    >>> last_crossing(np.array([[-1.0], [3.0], [1.0]]), np.array([[-1.0], [-1.0], [1.0]]))
+    >>> x, y = np.array([[-1.0], [3.0], [1.0]]), np.array([[-1.0], [-1.0], [1.0]])
+    >>> last_crossing(x, y, np.ones((3, 1)))
     (array([0]), array([2.]))
     """
-    c = np.full(x.shape, -np.inf)
+    c, above = np.full(x.shape, -np.inf), y * w
     for k, (i, j) in enumerate(EDGES):
-        crosses = (y[i] < 0) != (y[j] < 0)
+        crosses = (above[i] < 0) != (above[j] < 0)
+        crosses &= w[i] * np.abs(above[j]) + w[j] * np.abs(above[i]) > 0
         c[k, crosses] = crossing(*(corner[crosses] for corner in (x[i], y[i], x[j], y[j])))
     edge = c.argmax(0)
     return edge, c[edge, np.arange(len(edge))]
@@ -252,7 +261,8 @@ def blend(colour, owner, other, alpha):  # exercise 8.13 (3 points)
     """Eq. (5) for all pairs: colour (H, W, C), owner, other, alpha (N,) -> output (H, W, C).
 
     owner, other: numbers of pixels, row * W + column. A pixel may be in several pairs. All of
-    them read `colour`, so that their order does not matter, and their changes add up.
+    them read `colour`, so that their order does not matter, and their changes add up. The output
+    is of floats, whatever colour is.
 
     >>> blend(np.array([[[0.0], [1.0], [5.0]]]), np.array([0, 2]), np.array([1, 1]),
     ...       np.array([0.25, -0.5]))
@@ -260,7 +270,7 @@ def blend(colour, owner, other, alpha):  # exercise 8.13 (3 points)
             [3.  ],
             [5.  ]]])
     """
-    pixels = colour.reshape(-1, colour.shape[-1])
+    pixels = colour.reshape(-1, colour.shape[-1]).astype(float)
     output = pixels.copy()
     changed = np.where(alpha > 0, owner, other)
     np.add.at(output, changed, alpha[:, None] * (pixels[other] - pixels[owner]))
@@ -278,7 +288,8 @@ def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (
     (array([[[  7.5],
             [102.5]]]), array([10.]))
     """
-    pixels, grad_pixels = (p.reshape(-1, colour.shape[-1]) for p in (colour, grad_output))
+    pixels, grad_pixels = (p.reshape(-1, colour.shape[-1]).astype(float)
+                           for p in (colour, grad_output))
     grad_changed = grad_pixels[np.where(alpha >= 0, owner, other)]
     # changed += alpha (other - owner), for either sign of alpha.
     grad_alpha = (grad_changed * (pixels[other] - pixels[owner])).sum(1)
@@ -288,13 +299,13 @@ def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (
     return grad_colour.reshape(colour.shape), grad_alpha
 
 
-def outlines(face_index, screen, faces, opposite):
+def seen_silhouettes(face_index, screen, faces, opposite):
     """Eq. (2) for the faces that the picture shows: bool (F + 1, 3), False for others and for -1.
 
     face_index (H, W); screen: x, y, w (V,) of the vertices.
     """
     seen, silhouette = np.zeros(len(faces) + 1, bool), np.zeros((len(faces) + 1, 3), bool)
-    seen[face_index] = True
+    seen[face_index[face_index >= 0]] = True
     seen = np.flatnonzero(seen[:-1])
     silhouette[seen] = silhouette_edges(*screen, faces[seen], opposite[seen])
     return silhouette
@@ -304,10 +315,10 @@ def last_edges(owner, other, face_index, screen, faces):
     """The `last_crossing` of pairs (N,): edge (N,), c (N,), its two ends' vertices (2, N), and
     their x, y in the pair's frame, (2, N) each.
     """
-    x, y, _ = screen
+    x, y, w = screen
     corners = faces[face_index.ravel()[owner]].T
     corner_x, corner_y = pair_frame(x[corners], y[corners], owner, other, face_index.shape[1])
-    edge, c = last_crossing(corner_x, corner_y)
+    edge, c = last_crossing(corner_x, corner_y, w[corners])
     ends = np.array(EDGES).T[:, edge], np.arange(len(edge))
     return edge, c, corners[ends], corner_x[ends], corner_y[ends]
 
@@ -319,11 +330,11 @@ def blended_pairs(face_index, depth, clip, faces, opposite):
     height, width = face_index.shape
     with np.errstate(all="ignore"):  # of vertices that no seen face has
         screen = rasterization.screen_points(clip, width, height)
-    silhouette = outlines(face_index, screen, faces, opposite)
-    outlined = silhouette.any(1)
-    owner, other = owner_and_other(*neighbour_pairs(face_index, outlined[face_index]), depth)
+    silhouette = seen_silhouettes(face_index, screen, faces, opposite)
+    has_silhouette = silhouette.any(1)
+    owner, other = owner_and_other(*neighbour_pairs(face_index, has_silhouette[face_index]), depth)
     face = face_index.ravel()[owner]
-    owner, other, face = (pixels[outlined[face]] for pixels in (owner, other, face))
+    owner, other, face = (pixels[has_silhouette[face]] for pixels in (owner, other, face))
     edge, c, ends, x, y = last_edges(owner, other, face_index, screen, faces)
     kept = is_blended(c, silhouette[face, edge], x[0], y[0], x[1], y[1])
     kept &= ~is_dropped(c, owner, other)
@@ -341,7 +352,9 @@ def antialias(colour, face_index, depth, clip, faces, opposite):
     """Eqs. (1) to (5) for a picture: colour (H, W, C) -> output (H, W, C).
 
     face_index (H, W), depth (H, W) of `rasterize`, np.inf where there is no face; clip (V, 4),
-    faces (F, 3), opposite (F, 3) of `opposite_vertices`, once for a mesh.
+    faces (F, 3), opposite (F, 3) of `opposite_vertices`, once for a mesh. Faces that meet share
+    their vertices here; doubled ones, as for uv seams, make the seam an outline. Give attributes
+    their own faces, as lab 5 does.
     """
     owner, other, c, *_ = blended_pairs(face_index, depth, clip, faces, opposite)
     return blend(colour, owner, other, blend_weight(c))
@@ -351,7 +364,8 @@ def antialias_backward(grad_output, colour, face_index, depth, clip, faces, oppo
     """Backward of `antialias`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
 
     The face of each pixel, the edge of each pair and whether it is blended are taken as given.
-    epsilon: of `crossing_backward`, in pixels.
+    epsilon: of `crossing_backward`, in pixels. Near the camera plane digits are lost: where w is a
+    millionth of x or y, six of the gradient by w are right.
     """
     height, width = face_index.shape
     owner, other, c, ends, x, y = blended_pairs(face_index, depth, clip, faces, opposite)
@@ -366,9 +380,37 @@ def antialias_backward(grad_output, colour, face_index, depth, clip, faces, oppo
     for axis, grad in enumerate((grad_x, grad_y)):
         grad_screen[:, axis] = np.bincount(end.ravel(), grad.ravel(), len(vertex))
     grad_ndc = transforms.to_screen_backward(grad_screen, width, height)
+    with np.errstate(all="ignore"):
+        *_, w = rasterization.screen_points(clip[vertex], width, height)  # as the forward divides
     grad_clip = np.zeros(clip.shape)
-    grad_clip[vertex] = transforms.perspective_divide_backward(grad_ndc, clip[vertex])
+    grad_clip[vertex] = transforms.perspective_divide_backward(
+        grad_ndc, np.column_stack([clip[vertex, :3], w]))
     return grad_colour, grad_clip
+
+
+def pair_reasons(face_index, depth, clip, faces, opposite):
+    """How far each pair of pixels that see different faces gets: owner, other, reason (N,), and
+    that, or less, for the corners of the owner's face: corners, corner_reason (3, N).
+
+    The reason of an edge's ends is the pair's. A corner that is none of them ends another edge,
+    and so has 4 at the most, if this is a silhouette, and else 3.
+    """
+    height, width = face_index.shape
+    with np.errstate(all="ignore"):
+        screen = rasterization.screen_points(clip, width, height)
+    silhouette = seen_silhouettes(face_index, screen, faces, opposite)
+    owner, other = owner_and_other(*neighbour_pairs(face_index, face_index == face_index), depth)
+    face = face_index.ravel()[owner]
+    edge, c, _, x, y = last_edges(owner, other, face_index, screen, faces)
+    failed = [~silhouette[face].any(1), ~silhouette[face, edge],
+              np.abs(y[1] - y[0]) < np.abs(x[1] - x[0]), (c <= -WINDOW) | (c >= 1 + WINDOW),
+              (c <= 0) | (c >= 1) | is_dropped(c, owner, other)]
+    reason = np.select(failed, np.arange(3, 8), 8)
+    touched = silhouette[:, [1, 2, 0]] | silhouette[:, [2, 0, 1]]
+    corner_reason = np.minimum(reason, np.where(touched[face], 4, 3).T)
+    for ends in np.array(EDGES).T[:, edge]:
+        corner_reason[ends, np.arange(len(edge))] = reason
+    return owner, other, reason, faces[face].T, corner_reason
 
 
 def why_zero(face_index, depth, clip, faces, opposite):
@@ -376,33 +418,19 @@ def why_zero(face_index, depth, clip, faces, opposite):
 
     They number REASONS: how far the best of its pairs got, of a vertex the best that its faces own.
     "not seen": the pixel sees no face, or no face of the vertex is seen. "no pair": its neighbours
-    see the same face, or the faces across are nearer. A vertex behind the camera is called so, and
-    so are the pairs that are owned by a face with such a vertex.
+    see the same face, or the faces across are nearer. A vertex behind the camera without a gradient
+    is called so. Colours and the loss are not looked at: equal colours, or a loss that does not
+    ask, give 0 at the last reason, too.
     """
-    height, width = face_index.shape
-    with np.errstate(all="ignore"):
-        screen = rasterization.screen_points(clip, width, height)
-    silhouette = outlines(face_index, screen, faces, opposite)
-    everywhere = np.ones(face_index.shape, bool)
-    owner, other = owner_and_other(*neighbour_pairs(face_index, everywhere), depth)
-    face = face_index.ravel()[owner]
-    edge, c, ends, x, y = last_edges(owner, other, face_index, screen, faces)
-    failed = [(screen[2][faces[face]] <= 0).any(1), ~silhouette[face].any(1),
-              ~silhouette[face, edge], np.abs(y[1] - y[0]) < np.abs(x[1] - x[0]),
-              (c <= -WINDOW) | (c >= 1 + WINDOW),
-              (c <= 0) | (c >= 1) | is_dropped(c, owner, other)]
-    reason = np.select(failed, np.arange(2, 8), 8)
-
+    owner, other, reason, corners, corner_reason = pair_reasons(face_index, depth, clip, faces,
+                                                                opposite)
     pixel = (face_index.ravel() >= 0).astype(int)
     np.maximum.at(pixel, owner, reason)
     np.maximum.at(pixel, other, reason)
     vertex = np.zeros(len(clip), int)
     vertex[faces[face_index[face_index >= 0]]] = 1
-    for corner in faces[face].T:
-        np.maximum.at(vertex, corner, np.minimum(reason, 3))
-    for end in ends:
-        np.maximum.at(vertex, end, reason)
-    vertex[screen[2] < 0] = 2
+    np.maximum.at(vertex, corners.ravel(), corner_reason.ravel())
+    vertex[(clip[:, 3] < 0) & (vertex < 8)] = 2
     return pixel.reshape(face_index.shape), vertex
 
 
@@ -412,11 +440,11 @@ def overblended(colour, face_index, depth, clip, faces, opposite):
     Each of up to four pairs moves a pixel up to half of the way to its other colour; together they
     can go too far. True where a channel of `antialias` lies outside of all that were blended there.
     """
-    output = antialias(colour, face_index, depth, clip, faces, opposite)
     owner, other, c, *_ = blended_pairs(face_index, depth, clip, faces, opposite)
+    output = blend(colour, owner, other, blend_weight(c))
     owner_changes = blend_weight(c) > 0
     changed, source = np.where(owner_changes, owner, other), np.where(owner_changes, other, owner)
-    pixels, low, high = (colour.reshape(-1, colour.shape[-1]).copy() for _ in range(3))
+    pixels, low, high = (colour.reshape(-1, colour.shape[-1]).astype(float) for _ in range(3))
     np.minimum.at(low, changed, pixels[source])
     np.maximum.at(high, changed, pixels[source])
     output = output.reshape(low.shape)

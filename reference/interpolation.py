@@ -29,7 +29,7 @@ import scipy.sparse
 def lerp(a, b, t):  # exercise 5.1 (1 point)
     """Linear interpolation: a at t = 0, b at t = 1, both to the last bit; halfway at t = 1/2.
 
-    a, b, t: shapes that broadcast. t may lie outside of 0 ... 1.
+    a, b, t, finite: shapes that broadcast. t may lie outside of 0 ... 1.
 
     >>> lerp(2.0, 4.0, np.array([0.0, 0.25, 1.0, 2.0]))
     array([2. , 2.5, 4. , 6. ])
@@ -189,10 +189,11 @@ def interpolation_matrix(vertex_count, faces, face_index, barycentric):
 
 
 def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2 points)
-    """Eq. (7): what `interpolate_loop` gives, for whole pictures -> (H, W, C).
+    """Eq. (7): what `interpolate_loop` gives, without a loop over pixels -> (H, W, C).
 
     attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3). The given
-    `interpolation_matrix` is B; arrays are multiplied by it with @.
+    `interpolation_matrix` is B; arrays are multiplied by it with @. H and W
+    may be 0.
     """
     weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
     return (weights @ attributes).reshape(*face_index.shape, attributes.shape[1])
@@ -200,7 +201,7 @@ def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2
 
 def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise 5.12 (4 points)
                          barycentric):
-    """Eq. (8): what `interpolate_backward_loop` gives, for whole pictures.
+    """Eq. (8): what `interpolate_backward_loop` gives, without a loop over pixels.
 
     grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3).
     """

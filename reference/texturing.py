@@ -20,13 +20,14 @@ a bias is added to the level, and then it is clamped to the pyramid.
 A look-up is linear in the texture: out = M T, with a few weights in each row of the sparse matrix
 M. So the gradient by the texture is M^T grad_out, and all of a pyramid is one long T.
 
-Sources: lecture "Differentiable graphics 1"; Williams 1983 (5)-(7); nvdiffrast, Laine et al. 2020.
+Sources: lecture "Differentiable graphics 1" (1)-(4), (6); Williams 1983 (5), (7); nvdiffrast.
 """
 import numpy as np
 from scipy.sparse import csr_array
 
 BOUNDARIES = "wrap", "clamp", "zero"
 FILTERS = "nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"
+LARGEST = 1e15   # of uv and of its derivatives: more has no digit left for a texel
 CHUNK = 1 << 13  # points in flight at once: they stay in the cache
 
 
@@ -154,7 +155,8 @@ def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (3 points
 
     weight[n, 2 i + j] = row_weight[i, n] column_weight[j, n], which are the weights of
     `linear_texels(v, height)` and of `linear_texels(u, width)`; uv (N, 2); width and height are
-    numbers or (N,). The texels' numbers are held: a grows steadily, also on a texel's centre.
+    numbers or (N,). j counts as a constant, so da/dx = 1 everywhere; on a texel's centre this is
+    the derivative from above.
 
     >>> bilinear_backward(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[0.125, 0.1875]]), 8, 4)
     array([[2., 2.]])
@@ -191,7 +193,7 @@ def halve(image):  # exercise 6.9 (2 points)
     """Eq. (5): the next level of a pyramid: image (h, w, C) -> means of 2 x 2 texels.
 
     A side of 1 stays 1, and then the means are of the two texels along the other side. Sides of
-    more than 1 are even; one of them is there.
+    more than 1 are even; not both are 1.
 
     >>> halve(np.array([[1.0, 3.0, 0.0, 8.0], [5.0, 7.0, 2.0, 2.0]])[..., None])[..., 0]
     array([[4., 3.]])
@@ -470,15 +472,16 @@ def require_texture(image, uv, jacobian, bias, filter, boundary, max_level):
     require(boundary in BOUNDARIES, f"a boundary out of {', '.join(BOUNDARIES)}", repr(boundary))
     require(np.ndim(image) == 3 and np.size(image), "an image (h, w, C) with at least one texel; "
             "give a grey one as image[..., None]", np.shape(image))
-    require(np.shape(uv)[-1:] == (2,) and np.isfinite(uv).all(),
-            "uv (..., 2) of finite numbers; give (0, 0) where no face is seen",
-            f"{np.shape(uv)}, or NaN or infinity in it")
+    require(np.shape(uv)[-1:] == (2,) and (np.abs(uv) < LARGEST).all(),
+            f"uv (..., 2) of numbers below {LARGEST:g}; give (0, 0) where no face is seen",
+            f"{np.shape(uv)}, or a larger number or NaN in it")
     pixels = np.shape(uv)[:-1]
-    require(np.shape(bias) in ((), pixels) and not np.isnan(bias).any(),
-            f"a bias {pixels}, one for each uv, or one number", f"{np.shape(bias)}, or NaN in it")
+    require(np.shape(bias) in ((), pixels) and np.isfinite(bias).all(),
+            f"a finite bias {pixels}, one for each uv, or one number",
+            f"{np.shape(bias)}, or NaN or infinity in it")
     if jacobian is not None:
-        require(np.shape(jacobian) == (*pixels, 2, 2) and np.isfinite(jacobian).all(),
-                f"a jacobian {(*pixels, 2, 2)} of finite numbers, or None",
-                f"{np.shape(jacobian)}, or NaN or infinity in it")
+        require(np.shape(jacobian) == (*pixels, 2, 2) and (np.abs(jacobian) < LARGEST).all(),
+                f"a jacobian {(*pixels, 2, 2)} of numbers below {LARGEST:g}, or None",
+                f"{np.shape(jacobian)}, or a larger number or NaN in it")
     require(max_level is None or max_level >= 0, "a max_level of 0 or more, or None for all levels",
             max_level)

@@ -101,6 +101,17 @@ def test_large_meshes_and_large_numbers(impl):
     assert_equal(impl.opposite_vertices(strip), expected)
 
 
+@exercise("8.1")
+def test_small_integers_do_not_overflow(impl):
+    """Keys of edges are computed in the faces' own 32 or 8 bits, and wrap around."""
+    k = np.arange(60_000)
+    strip = np.stack([k, k + 1, k + 2], 1)
+    expected = np.stack([np.append(k[1:] + 2, -1), np.full(len(k), -1), np.append(-1, k[:-1])], 1)
+    assert_equal(impl.opposite_vertices(strip.astype(np.int32)), expected)
+    expected[199] = -1, -1, 198
+    assert_equal(impl.opposite_vertices(strip[:200].astype(np.uint8)), expected[:200])
+
+
 # --- silhouettes -------------------------------------------------------------------------------
 
 SQUARE = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])
@@ -151,20 +162,26 @@ def test_an_area_of_zero_counts_as_positive(impl):
     assert_equal(impl.silhouette_edges(x, y, np.ones(4), np.array([[1, 0, 2]]), opposite),
                  np.array([[True, True, False]]))
     flat = np.array([[0, 1, 3]])  # the face itself has no area
+    x, y, w = np.array([[0.0, 1.0, 0.0, 2.0], [0.0, 0.0, 1.0, -1.0], [1.0, 1.0, 1.0, -1.0]])
+    opposite = np.array([[3, -1, -1]])  # on the line of edge 0, and behind the camera
+    assert_equal(impl.silhouette_edges(x, y, w, np.array([[0, 1, 2]]), opposite),
+                 np.array([[True, True, True]]))
+    x, y = np.array([0.0, 2.0, 0.0, 1.0]), np.array([0.0, 0.0, 1.0, 0.0])
     assert_equal(impl.silhouette_edges(x, y, np.ones(4), flat, np.array([[2, 2, 2]])),
                  np.array([[False, False, True]]))
 
 
 @exercise("8.2")
 def test_behind_the_camera_an_area_has_the_other_sign(impl):
-    """A vertex across that is behind the camera is mirrored on screen."""
-    w = np.array([1.0, 1.0, 1.0, -3.0])
-    expected = np.array([[True, True, True], [False, False, False]])
-    assert_equal(impl.silhouette_edges(*SQUARE.T, w, HALVES, ACROSS), expected)
+    """A vertex behind the camera is mirrored on screen: of the face itself, or across an edge."""
+    flat, fold = np.array([[True, False, True], [True, True, False]]), np.ones((2, 3), bool)
     folded = SQUARE.copy()
     folded[3] = 1.5, 0.2
-    expected = np.array([[True, False, True], [False, False, False]])
-    assert_equal(impl.silhouette_edges(*folded.T, w, HALVES, ACROSS), expected)
+    for behind, turned in ([3], True), ([1], True), ([0], False), ([1, 3], False), ([0, 3], True):
+        w = np.ones(4)
+        w[behind] = -3.0  # one of the two triangles is turned over, or both are
+        assert_equal(impl.silhouette_edges(*SQUARE.T, w, HALVES, ACROSS), fold if turned else flat)
+        assert_equal(impl.silhouette_edges(*folded.T, w, HALVES, ACROSS), flat if turned else fold)
 
 
 @exercise("8.2")
@@ -180,8 +197,7 @@ def test_neither_size_nor_distance_matters(impl):
             x, y = size * folded.T[turned]
             assert_equal(impl.silhouette_edges(x, y, w, HALVES, ACROSS), np.ones((2, 3), bool))
     w = np.array([1.0, 1.0, 1.0, -1e-9])
-    expected = np.array([[True, True, True], [False, False, False]])
-    assert_equal(impl.silhouette_edges(*SQUARE.T, w, HALVES, ACROSS), expected)
+    assert_equal(impl.silhouette_edges(*SQUARE.T, w, HALVES, ACROSS), np.ones((2, 3), bool))
 
 
 @exercise("8.2")
@@ -210,7 +226,9 @@ def everywhere(shape):
 
 @exercise("8.3")
 def test_pairs_of_six_pixels(impl):
-    """Rows and columns are swapped, or a pair is found twice."""
+    """Rows and columns are swapped, a pair is found twice or in another order, or pairs with the
+    background are left out, or pairs that see one face are not.
+    """
     face_index = np.array([[-1, 3, 3], [-1, -1, 3]])
     first, second = impl.neighbour_pairs(face_index, everywhere((2, 3)))
     assert_equal((first, second), (np.array([0, 4, 1]), np.array([1, 5, 4])))
@@ -378,6 +396,16 @@ def crossing_of_lines(x0, y0, x1, y1):
     return (x0 * y1 - x1 * y0) / (y1 - y0)
 
 
+@exercise("8.7")
+def test_an_end_near_infinity_costs_no_digits(impl):
+    """Measured from the far end: x0 - y0 (x1 - x0) / (y1 - y0) is a difference of huge numbers."""
+    near, far = np.array([0.25, -1.0]), np.array([3e9, 4e9])
+    expected = 0.25 + 2999999999.75 / 4000000001
+    one, other = (np.array([[*a, *b]]).T for a, b in ((near, far), (far, near)))
+    assert_close(impl.crossing(*one), np.array([expected]), rtol=1e-14)
+    assert_close(impl.crossing(*other), np.array([expected]), rtol=1e-14)
+
+
 @exercise("8.8")
 def test_the_gradient_of_a_crossing_on_paper(impl):
     """A vertical edge, a quarter of it below: the upper end pulls by 1/4, the lower by 3/4."""
@@ -435,10 +463,10 @@ def column(*points):
 def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
     """The edge by which it comes in, behind the owner, or the first that crosses."""
     x, y = column((-2.0, -1.0), (4.0, -1.0), (1.0, 2.0))  # edges 0 and 1 cross, at 3 and -1
-    assert_close(impl.last_crossing(x, y)[1], np.array([3.0]))
+    assert_close(impl.last_crossing(x, y, np.ones(x.shape))[1], np.array([3.0]))
     for turn in range(3):  # whichever vertex comes first
         x_, y_ = np.roll(x, turn, 0), np.roll(y, turn, 0)
-        edge, c = impl.last_crossing(x_, y_)
+        edge, c = impl.last_crossing(x_, y_, np.ones(x.shape))
         assert_equal(edge, np.array([turn]))
         assert_close(c, np.array([3.0]))
 
@@ -447,17 +475,20 @@ def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
 def test_a_vertex_on_the_line_counts_as_above(impl):
     """> for >=: an edge that only touches the line crosses it, or one that ends there does not."""
     x, y = column((0.25, 0.0), (-1.0, -2.0), (-1.0, 2.0))  # only edges 0 (at -1) and 2 (at 0.25)
-    edge, c = impl.last_crossing(x, y)
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
     assert_equal(edge, np.array([2]))
     assert_close(c, np.array([0.25]))
     x, y = column((0.25, 0.0), (-1.0, 0.5), (-1.0, 2.0))  # no end below: nothing crosses
-    edge, c = impl.last_crossing(x, y)
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
     assert_equal(edge, np.array([0]))
     assert_close(c, np.array([-np.inf]))
-    x, y = column((0.25, -1e-9), (-1.0, 0.5), (-1.0, 2.0))  # a little below: edges 1 and 2 cross
-    assert_close(impl.last_crossing(x, y)[1], np.array([0.25]), atol=1e-6)
+    for first, second, last in (0.5, 2.0, 1), (2.0, 0.5, 2):  # a little below: edges 1 and 2 cross
+        x, y = column((0.25, -1e-9), (-1.0, first), (-1.0, second))
+        edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+        assert_equal(edge, np.array([last]))
+        assert_close(c, np.array([0.25]), atol=1e-6)
     x, y = column((2.0, 0.0), (0.5, 0.0), (1.0, -1.0))  # edges 0 and 1 end on it, edge 2 lies on it
-    edge, c = impl.last_crossing(x, y)
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
     assert_equal(edge, np.array([1]))
     assert_close(c, np.array([2.0]))
 
@@ -466,7 +497,7 @@ def test_a_vertex_on_the_line_counts_as_above(impl):
 def test_of_equal_crossings_the_first_edge_is_taken(impl):
     """>= for >: two edges meet in a vertex on the line."""
     x, y = column((1.0, 0.0), (0.0, -1.0), (2.0, -1.0))  # edges 1 and 2 meet at 1
-    edge, c = impl.last_crossing(x, y)
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
     assert_equal(edge, np.array([1]))
     assert_close(c, np.array([1.0]))
 
@@ -478,9 +509,30 @@ def test_edges_along_the_line_are_not_divided_by(impl):
                      column((0.0, 0.0), (1.0, 0.0), (0.5, -1.0)),
                      column((0.0, 0.0), (1.0, 0.0), (2.0, 0.0))], 2)[..., 0]
     with np.errstate(all="raise"):
-        edge, c = impl.last_crossing(x, y)
+        edge, c = impl.last_crossing(x, y, np.ones(x.shape))
     assert_equal(edge, np.array([0, 0, 0]))
     assert_close(c, np.array([-np.inf, 1.0, -np.inf]))
+
+
+@exercise("8.9")
+def test_edges_to_behind_the_camera_cross_where_they_are_in_front(impl, rng):
+    """An end behind the camera is mirrored, so the part of the edge on screen lies elsewhere."""
+    q = rng.normal(size=(3, 3, 200))  # corner, (x w, y w, w), face
+    x, y, w = q[:, 0] / q[:, 2], q[:, 1] / q[:, 2], q[:, 2]
+    edges, crossings = [], []
+    for n in range(200):
+        best = 0, -np.inf
+        for k, (i, j) in enumerate(EDGES):
+            if (q[i, 1, n] < 0) != (q[j, 1, n] < 0):
+                t = q[i, 1, n] / (q[i, 1, n] - q[j, 1, n])
+                at_x, _, at_w = (1 - t) * q[i, :, n] + t * q[j, :, n]
+                if at_w > 0:
+                    best = max(best, (k, at_x / at_w), key=lambda found: found[1])
+        edges.append(best[0])
+        crossings.append(best[1])
+    edge, c = impl.last_crossing(x, y, w)
+    assert_equal(edge, np.array(edges))
+    assert_close(c, np.array(crossings), rtol=1e-6, atol=1e-6)
 
 
 @exercise("8.9")
@@ -497,7 +549,7 @@ def test_last_crossings_are_those_of_a_search(impl, rng):
                 best = max(best, (k, c), key=lambda found: found[1])
         edges.append(best[0])
         crossings.append(best[1])
-    edge, c = impl.last_crossing(x, y)
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
     assert_equal(edge, np.array(edges))
     assert_close(c, np.array(crossings))
 
@@ -631,6 +683,14 @@ def test_a_blend_is_the_sum_over_its_pairs(impl, rng):
         pairs = many_pairs(rng)
         colour = rng.normal(size=(4, 5, channels))
         assert_close(impl.blend(colour, *pairs), blended(colour, *pairs))
+
+
+@exercise("8.13")
+def test_colours_of_integers_are_blended_like_others(impl):
+    """The output takes the colours' type, and what is added is cut to whole numbers."""
+    colour = np.array([[[0], [1]]])
+    output = impl.blend(colour, np.array([0]), np.array([1]), np.array([0.25]))
+    assert_close(output, np.array([[[0.25], [1.0]]]))
 
 
 @exercise("8.14")

@@ -225,7 +225,9 @@ def test_edge_functions_are_the_rows_of_the_inverse(impl, rng):
 
 @exercise("5.6")
 def test_gradients_of_corrected_weights_on_paper(impl):
-    """The sum's part is missing: corner 2 has no weight here, and yet it would take some away."""
+    """The sum's part is missing (corner 2 has no weight here, and yet it would take some away); or
+    w is not squared in grad_w, or has the wrong sign.
+    """
     e, w = np.array([[0.5, 0.5, 0.0]]), np.array([[1.0, 3.0, 1.0]])
     got = impl.corrected_barycentrics_backward(np.array([[16.0, 0.0, 0.0]]), e, w)
     assert_close(got, (np.array([[6.0, -6.0, -18.0]]), np.array([[-3.0, 1.0, 0.0]])))
@@ -254,7 +256,9 @@ def test_gradients_of_corrected_weights_are_central_differences(impl, rng):
 
 @exercise("5.7")
 def test_derivatives_of_corrected_weights_on_paper(impl):
-    """The quotient rule's second term is missing: the weights would not keep their sum of 1."""
+    """The quotient rule's second term is missing (the weights would not keep their sum of 1); or de
+    is not divided by w, or the sum runs over the derivatives.
+    """
     e, w = np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0])
     de = np.array([[-4.0, 0.0], [4.0, -3.0], [0.0, 3.0]])
     expected = np.array([[-3.0, -2.25], [3.0, -2.25], [0.0, 4.5]])

@@ -373,6 +373,14 @@ def test_a_square_footprint_pulls_at_both_axes(impl):
 
 
 @exercise("6.13")
+def test_a_tiny_footprint_is_not_yet_a_square(impl):
+    """A small number is added to R in place of the case R = 0."""
+    jacobian = 1e-9 * np.array([[[0.5, 0.0], [0.0, 0.25]]])
+    got = impl.mip_level_backward(np.log(2.0) * np.ones(1), jacobian, 16, 16)
+    assert_close(got, np.array([[[2e9, 0.0], [0.0, 0.0]]]), atol=1e-3)
+
+
+@exercise("6.13")
 def test_no_change_at_all_has_no_gradient(impl):
     """NaN, infinity or a warning where J is 0."""
     jacobian = np.array([np.zeros((2, 2)), [[0.5, 0.0], [0.0, 0.25]]])

@@ -232,7 +232,8 @@ def test_the_weighted_corners_lie_behind_the_pixel(impl, m):
 
 @exercise("7.9")
 def test_the_gradient_of_a_weight_on_paper(impl):
-    """The sum's own share is left out, as in S2: -0.4 for -0.24; or the sign."""
+    """The sum's own share is left out, as in the note that the header names (-0.4 for -0.24);
+    or the sign, a transpose, or b in place of c."""
     got = impl.weights_backward(np.array([0.0, 1.0, 0.0]), NEAR, np.array([1.0, 0.0, 1.0]))
     expected = (np.array([[-0.24, -0.16, 0.0], [0.0, 0.0, 0.0], [0.24, 0.16, 0.0]]),
                 np.array([0.32, 0.0, -0.32]))
@@ -259,14 +260,16 @@ def test_a_sum_that_is_always_1_has_no_gradient(impl, m):
 @exercise("7.10")
 def test_edges_on_paper(impl):
     """The corners of a cross product are swapped, or rows and columns."""
-    assert_close(impl.edges(NEAR), np.array([[-1.0, -2.0, 4.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]))
+    expected = np.array([[-1.0, -2.0, 4.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
+    assert_close(impl.edge_functions(NEAR), expected)
 
 
 @exercise("7.10")
 def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
     """Edge k is not the one opposite to vertex k, or runs the other way."""
     x, y = triangle = rng.uniform(0, 9, (2, 3))
-    e = np.asarray(impl.edges(np.stack([*triangle, np.ones(3)]))) @ np.array([4.0, 5.0, 1.0])
+    corners = np.stack([*triangle, np.ones(3)])
+    e = np.asarray(impl.edge_functions(corners)) @ np.array([4.0, 5.0, 1.0])
     for k, (i, j) in enumerate([(1, 2), (2, 0), (0, 1)]):
         expected = (y[i] - y[j]) * (4.0 - x[i]) + (x[j] - x[i]) * (5.0 - y[i])
         assert_close(e[k], expected, atol=1e-9)
@@ -276,7 +279,7 @@ def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
 def test_they_are_the_inverse_times_the_determinant(impl, rng):
     """Right for one face alone, or for F = 3; or each row is divided by something."""
     corners = corners_of(rng, 5)
-    got = np.asarray(impl.edges(corners))
+    got = np.asarray(impl.edge_functions(corners))
     assert_equal(got.shape, (3, 3, 5))
     for face in range(5):
         m = corners[..., face]
@@ -288,7 +291,7 @@ def test_a_face_seen_from_its_side_has_edges(impl):
     """An inverse is taken, and there is none."""
     flat = np.array([[0.0, 2.0, 4.0], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
     expected = np.array([[0.0, 2.0, 0.0], [0.0, -4.0, 0.0], [0.0, 2.0, 0.0]])
-    assert_close(impl.edges(flat), expected)
+    assert_close(impl.edge_functions(flat), expected)
 
 
 @exercise("7.11")
@@ -297,10 +300,10 @@ def test_an_element_of_the_edges_on_paper(impl):
     grad = np.zeros((3, 3))
     grad[0, 0] = 1.0
     expected = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, -0.5], [0.0, -2.0, 0.0]])
-    assert_close(impl.edges_backward(grad, NEAR), expected)
+    assert_close(impl.edge_functions_backward(grad, NEAR), expected)
     grad[0, 0], grad[1, 2] = 0.0, 3.0
     expected = np.array([[-6.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    assert_close(impl.edges_backward(grad, NEAR), expected)
+    assert_close(impl.edge_functions_backward(grad, NEAR), expected)
 
 
 @exercise("7.11")
@@ -310,8 +313,8 @@ def test_the_gradients_of_edges_are_central_differences(impl, rng):
         return np.stack([np.cross(corners[:, i], corners[:, j], axis=0)
                          for i, j in [(1, 2), (2, 0), (0, 1)]])
 
-    gradcheck(forward, impl.edges_backward, (corners_of(rng, 5),), name="edges of 5 faces")
-    gradcheck(forward, impl.edges_backward, (MATRICES["w differs"],), name="edges of a face")
+    gradcheck(forward, impl.edge_functions_backward, (corners_of(rng, 5),), name="5 faces")
+    gradcheck(forward, impl.edge_functions_backward, (MATRICES["w differs"],), name="a face")
 
 
 E_SIGNS = np.array([[1.0, -3.0, 0.5, -1.0], [2.0, 0.5, -0.25, 4.0], [4.0, -1.5, 1.75, -4.0]])
@@ -400,7 +403,9 @@ def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon
 
 @exercise("7.16")
 def test_sums_on_paper(impl):
-    """A face that no pixel sees is left out, or x, y and 1 are in another order."""
+    """A face that no pixel sees is left out; x, y and 1 are in another order; or += with an index,
+    which adds a face's pixels once only.
+    """
     u = np.array([[1.0, 10.0, 100.0], [1.0, 1.0, 1.0]])
     x, y, face = np.array([1.0, 2.0, 4.0]), np.array([0.0, 1.0, 3.0]), np.array([2, 0, 2])
     got = impl.sum_per_face(u, x, y, face, 4)

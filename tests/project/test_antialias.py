@@ -87,10 +87,8 @@ def antialias_by_hand(colour, face_index, depth, clip, faces):
             if not depth[owner] < depth[other]:
                 owner, other = other, owner
             face = faces[face_index[owner]]
-            if (clip[face, 3] <= 0).any():
-                continue
-            edge, c = last_crossing(x[face], y[face], owner, other)
-            if edge is None or not is_silhouette(x, y, clip[:, 3], faces, face, edge):
+            edge, c = last_crossing(clip[face], width, height, owner, other)
+            if edge is None or not is_silhouette(clip[:, [0, 1, 3]], faces, face, edge):
                 continue
             run, rise = (abs(a[face[EDGES[edge][1]]] - a[face[EDGES[edge][0]]]) for a in (x, y))
             if (run > rise if dx else rise > run) or not -1 / 16 < c < 17 / 16:
@@ -102,28 +100,42 @@ def antialias_by_hand(colour, face_index, depth, clip, faces):
     return output, count
 
 
-def last_crossing(x, y, owner, other):
+def last_crossing(corners, width, height, owner, other):
     """Where the line through two pixels leaves a face: edge and distance from owner to other."""
     axis = 0 if owner[1] == other[1] else 1  # of row, column; the line is along this one
     side = other[axis] - owner[axis]
-    along, across = (y, x) if axis == 0 else (x, y)
-    along = side * (along - owner[axis] - 0.5)
-    across = across - owner[1 - axis] - 0.5
     best = None, -np.inf
     for k, (i, j) in enumerate(EDGES):
-        if (across[i] < 0) != (across[j] < 0):
-            t = across[i] / (across[i] - across[j])
-            c = (1 - t) * along[i] + t * along[j]
-            best = max(best, (k, c), key=lambda found: found[1])
+        ends = in_front(corners[i], corners[j])
+        if ends is None:
+            continue
+        x, y = ((ends[:, a] / ends[:, 3] + 1) / 2 * size for a, size in ((0, width), (1, height)))
+        along, across = (y, x) if axis == 0 else (x, y)
+        along = side * (along - owner[axis] - 0.5)
+        across = across - owner[1 - axis] - 0.5
+        if (across[0] < 0) != (across[1] < 0):
+            t = across[0] / (across[0] - across[1])
+            best = max(best, (k, (1 - t) * along[0] + t * along[1]), key=lambda found: found[1])
     return best
 
 
-def is_silhouette(x, y, w, faces, face, k):
-    """Of a mesh in which no three faces with different third vertices meet at an edge."""
+def in_front(p, q, least=1e-4):
+    """The part of the segment from p to q (4,) with w >= least: its ends (2, 4), or None."""
+    if max(p[3], q[3]) < least:
+        return None
+    ends = [a if a[3] >= least else a + (b - a) * (least - a[3]) / (b[3] - a[3])
+            for a, b in ((p, q), (q, p))]
+    return np.array(ends)
+
+
+def is_silhouette(points, faces, face, k):
+    """Of a mesh in which no three faces with different third vertices meet at an edge; points
+    (V, 3) are x, y, w of clip space, where the sign of a determinant tells the side, whatever w.
+    """
     a, b = (face[i] for i in EDGES[k])
 
     def side(p):
-        return np.sign(w[p]) * ((x[b] - x[a]) * (y[p] - y[a]) - (x[p] - x[a]) * (y[b] - y[a])) < 0
+        return np.linalg.det(points[[a, b, p]]) < 0
 
     across = {p for other in faces if len(set(other)) == 3 and {a, b} <= set(other)
               for p in other if p not in face}
@@ -205,6 +217,47 @@ def test_pictures_without_faces_or_with_hostile_vertices():
         grad_colour, grad_clip = antialiasing.antialias_backward(colour, colour, *arguments)
     assert np.isfinite(grad_colour).all() and np.isfinite(grad_clip).all()
     assert grad_clip[:3, [0, 1, 3]].all() and not grad_clip[3:].any()
+
+
+def test_a_floor_is_blended_however_it_is_cut_into_faces():
+    """A face that reaches behind the camera owns no edge, or a mirrored one."""
+    view = transforms.look_at(np.array([0.1, 0.4, 0.35]), np.array([0.1, 0.0, -0.6]),
+                              np.array([0.0, 1.0, 0.0]))
+    clip_from_world = transforms.perspective(1.0, 4 / 3, 0.05, 9.0) @ view
+    pictures = []
+    for n in 1, 2, 5:
+        steps = np.linspace(-1, 1, n + 1)
+        x, z = (values.ravel() for values in np.meshgrid(steps, -steps))
+        k = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
+        faces = np.concatenate([np.stack([k, k + 1, k + n + 2], 1),
+                                np.stack([k, k + n + 2, k + n + 1], 1)])
+        points = np.stack([x, 0 * x, z, np.ones(len(x))], 1)
+        clip = transforms.transform(points, clip_from_world)
+        face_index, depth = rasterization.rasterize(clip, faces, 40, 30)
+        colour = (face_index >= 0)[..., None].astype(float)
+        opposite = antialiasing.opposite_vertices(faces)
+        pictures.append(antialiasing.antialias(colour, face_index, depth, clip, faces, opposite))
+    assert (clip[:, 3] < 0).any() and np.count_nonzero(pictures[0] % 1) > 30
+    for picture in pictures[1:]:  # but for a few pairs whose last edge is one of the cuts
+        differs = np.abs(picture - pictures[0]) > 1e-9
+        assert np.count_nonzero(differs) <= np.count_nonzero(pictures[0] % 1) / 4
+
+
+def test_a_seen_vertex_in_the_camera_plane_has_a_gradient():
+    """The backward pass divides by another w than the forward pass: infinity and NaN."""
+    clip = np.array([[-0.3, -0.8, 0, 1], [0.2, -0.7, 0, 1], [0.4, 0.9, 0, 0]])
+    faces = np.arange(3)[None]
+
+    def gradient(w):
+        clip[2, 3] = w
+        face_index, depth = rasterization.rasterize(clip, faces, 16, 12)
+        colour = (face_index >= 0)[..., None].astype(float)
+        grad_output = np.arange(192.0).reshape(12, 16, 1) % 7
+        arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
+        return antialiasing.antialias_backward(grad_output, colour, *arguments)[1]
+
+    np.testing.assert_allclose(gradient(0.0)[:2], gradient(1e-7)[:2], rtol=1e-4)
+    assert np.isfinite(gradient(0.0)).all() and gradient(0.0)[2].any()
 
 
 # --- gradients ---------------------------------------------------------------------------------
@@ -329,8 +382,9 @@ def test_why_zero_tells_the_reasons_apart():
     whole = on_screen([-9, 30, -9], [-9, -9, 30], 8, 6)
     assert reasons(whole, face) == (["no pair"] * 3, {"no pair"})
     small = on_screen([2.1, 3.2, 2.2], [2.1, 2.3, 3.3], 8, 6, -0.5)
-    assert reasons(np.concatenate([whole, small + [0, 0, 0.9, 0]]), two)[0][3:] == ["not seen"] * 3
-    assert reasons(small + [100, 0, 0, 0], face) == (["not seen"] * 3, {"not seen"})
+    hidden = "not seen: hidden or outside"
+    assert reasons(np.concatenate([whole, small + [0, 0, 0.9, 0]]), two)[0][3:] == [hidden] * 3
+    assert reasons(small + [100, 0, 0, 0], face) == ([hidden] * 3, {hidden})
     behind = small * [-1, -1, -1, -1]
     assert reasons(behind, face)[0] == ["behind the camera"] * 3
     assert reasons(small, face)[0].count("has a gradient") >= 2
@@ -339,7 +393,7 @@ def test_why_zero_tells_the_reasons_apart():
     strip = np.concatenate([square, on_screen([4.4, 4.4], [-9, 30], 8, 6)])
     faces = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]])
     vertex, pixel = reasons(strip, faces)
-    assert "last edge is no silhouette" in pixel and "has a gradient" not in vertex
+    assert "last edge is another one" in pixel and "has a gradient" not in vertex
     snapped = on_screen([-9, 4.5, 4.5], [-9, -9, 30], 8, 6)  # an edge on the centres of pixels
     assert "alpha saturated, or 0" in reasons(snapped, face)[0]
 

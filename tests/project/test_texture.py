@@ -169,11 +169,13 @@ def test_the_mean_of_a_footprint_of_whole_texels_is_exact():
     ({"image": np.zeros((4, 4))}, r"an image \(h, w, C\)"),
     ({"image": np.zeros((0, 4, 3))}, "at least one texel"),
     ({"uv": np.zeros((5, 3))}, r"uv \(..., 2\)"),
-    ({"uv": np.full((5, 2), np.nan)}, "finite"),
-    ({"bias": np.zeros(4)}, r"a bias \(5,\)"),
+    ({"uv": np.full((5, 2), np.nan)}, "numbers below"),
+    ({"uv": np.full((5, 2), 1e19), "boundary": "clamp"}, "numbers below"),
+    ({"bias": np.zeros(4)}, r"a finite bias \(5,\)"),
+    ({"bias": np.inf}, "a finite bias"),
     ({"bias": np.nan}, "NaN"),
     ({"jacobian": np.zeros((5, 4))}, r"a jacobian \(5, 2, 2\)"),
-    ({"jacobian": np.full((5, 2, 2), np.inf)}, "finite"),
+    ({"jacobian": np.full((5, 2, 2), 1e160)}, "numbers below"),
     ({"max_level": -1}, "a max_level of 0 or more"),
 ])
 def test_bad_input_is_told_in_a_sentence(change, sentence):

@@ -1,0 +1,372 @@
+"""Five scenes found from their pictures, with lab 9: what the demo prints and notebook 09 plots.
+
+Each fit is a function of the labs' modules. It takes what was known, a seed or a start, and a
+number of steps; it gives back arrays: the course of the fit, step by step, and where it ended.
+Fits of random things are reproducible: the same seed gives the same numbers.
+"""
+import numpy as np
+
+from . import mesh
+
+# A triangle, in pixels of a picture of SIDE x SIDE; its colour is 1, the background's is 0.
+
+SIDE = 64
+TEMPLATE = np.array([[50.0, 50.0], [10.0, 38.0], [38.0, 8.0]])
+START = np.array([[42.0, 58.0], [21.0, 22.0], [56.0, 26.0]])
+
+
+def triangle(labs, template, antialiased, steps=300):
+    """Three vertices move until the triangle looks like its template (SIDE, SIDE, 1).
+
+    -> vertices (steps + 1, 3, 2) in pixels, at first START; losses, gradients (steps, 3, 2).
+    """
+    lab9, faces = labs.inverse_rendering, np.array([[0, 1, 2]])
+    opposite = labs.antialiasing.opposite_vertices(faces)
+    colours, background = np.ones((3, 1)), np.zeros(1)
+    x, losses, gradients = [START], [], []
+    mean = square = np.zeros(START.shape)
+    for step in range(1, steps + 1):
+        clip = clip_of_pixels(x[-1])
+        colour, *seen = lab9.shade(clip, faces, colours, SIDE, SIDE, background)
+        face_index, depth, barycentric = seen
+        edges = face_index, depth, clip, faces, opposite
+        picture = labs.antialiasing.antialias(colour, *edges) if antialiased else colour
+        losses.append(lab9.squared_error(picture, template))
+
+        grad_clip = 0
+        grad_colour = lab9.squared_error_backward(1.0, picture, template)
+        if antialiased:
+            grad_colour, grad_clip = labs.antialiasing.antialias_backward(grad_colour, colour,
+                                                                          *edges)
+        inside, _ = lab9.shade_backward(grad_colour, clip, faces, colours, face_index, barycentric)
+        gradients.append((grad_clip + inside)[:, :2] * 2 / SIDE)
+        rate = 0.6 * 0.01**(step / steps)
+        x_next, mean, square = lab9.adam_step(x[-1], gradients[-1], mean, square, step, rate)
+        x.append(x_next)
+    return np.array(x), np.array(losses), np.array(gradients)
+
+
+def template(labs):
+    """TEMPLATE as a picture (SIDE, SIDE, 1): its exact area in each pixel (lab 3)."""
+    return labs.sampling.pixel_coverage(TEMPLATE, SIDE, SIDE)[..., None]
+
+
+def clip_of_pixels(points):
+    """points (V, 2) on a screen of SIDE x SIDE -> clip (V, 4), w = 1, all equally deep."""
+    ones = np.ones((len(points), 1))
+    return np.concatenate([points * 2 / SIDE - 1, 0 * ones, ones], 1)
+
+
+# A cube of 8 coloured vertices from tiny pictures, as in nvdiffrast's sample: shape and colours.
+
+CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+SQUARES = np.array([[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5],
+                    [2, 6, 3, 7], [0, 4, 2, 6], [1, 3, 5, 7]])
+HALVES = np.array([[0, 1, 2], [2, 1, 3]])
+CUBE_FACES = SQUARES[:, HALVES].reshape(12, 3)
+
+
+def cube(labs, size, seed, steps=1000):
+    """A cube seen in one random pose at every step, in size x size pixels; position is CORNERS -
+    1/2, colour is CORNERS: at first the one is wrong by up to 1/2, the other is noise.
+
+    -> errors (steps + 1,), the mean distance of the vertices from the cube's; positions (8, 3),
+    colours (8, 3) at the end.
+    """
+    lab9, rng = labs.inverse_rendering, np.random.default_rng(seed)
+    opposite = labs.antialiasing.opposite_vertices(CUBE_FACES)
+    screen = size, size, np.zeros(3), opposite
+    x = CORNERS - 0.5 + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3))
+    mean = square = (np.zeros((8, 3)),) * 2
+    errors = [cube_error(x[0])]
+    for step in range(1, steps + 1):
+        clip_from_model = cube_camera(labs) @ random_pose(labs, rng, 0.25)
+        target, _ = lab9.render(CORNERS - 0.5, CUBE_FACES, CORNERS, clip_from_model, *screen)
+        scene = x[0], CUBE_FACES, x[1], clip_from_model
+        picture, buffers = lab9.render(*scene, *screen)
+        grad_picture = lab9.squared_error_backward(1.0, picture, target)
+        *grad_x, _ = lab9.render_backward(grad_picture, buffers, *scene, opposite)
+        rate = 1e-2 * max(0.01, 10**(-0.0005 * (step - 1)))
+        x, mean, square = zip(*(lab9.adam_step(*each, step, rate)
+                                for each in zip(x, grad_x, mean, square, strict=True)), strict=True)
+        errors.append(cube_error(x[0]))
+    return np.array(errors), *x
+
+
+def cube_picture(labs, positions, colours, clip_from_model, size):
+    """What a cube of CUBE_FACES looks like on black, in colours from 0 to 1: (size, size, 3)."""
+    opposite = labs.antialiasing.opposite_vertices(CUBE_FACES)
+    picture, _ = labs.inverse_rendering.render(positions, CUBE_FACES, colours, clip_from_model,
+                                               size, size, np.zeros(3), opposite)
+    return np.clip(picture, 0, 1)
+
+
+def cube_error(positions):
+    """How far vertices (8, 3) are from those of a cube of side 1: the mean of their distances."""
+    return np.linalg.norm(np.abs(positions) - 0.5, axis=1).mean()
+
+
+def cube_camera(labs, distance=3.5):
+    """clip_from_world (4, 4) of the sample: it sees 0.4 to each side of the axis at distance 1."""
+    away = labs.transforms.translate(np.array([0.0, 0.0, -distance]))
+    return labs.transforms.frustum(-0.4, 0.4, -0.4, 0.4, 1.0, 50.0) @ away
+
+
+def random_pose(labs, rng, shift=0.0):
+    """Any turn is as likely as any other, then a shift by up to so much along x, y, z: (4, 4)."""
+    turn = labs.transforms.look_at(np.zeros(3), rng.normal(size=3), rng.normal(size=3))
+    return labs.transforms.translate(rng.uniform(-shift, shift, 3)) @ turn
+
+
+# The pose of a known cube. It has 24 vertices, so that each side has a colour of its own.
+
+BLOCK = CORNERS[SQUARES].reshape(24, 3) - 0.5
+BLOCK_FACES = np.arange(24).reshape(6, 4)[:, HALVES].reshape(12, 3)
+BLOCK_COLOURS = np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1],
+                          [1, 1, 0], [1, 0, 1], [0, 1, 1]]).repeat(4, 0)
+
+
+def pose(labs, seed, proposals=400, symmetries=None, stages=((64, 40, 5e-3), (256, 40, 3e-4))):
+    """A cube's turn, from one picture: first greedy random search, in pictures of 16 x 16, then
+    Adam: in each stage (size, steps, first rate).
+
+    symmetries (K, 4) are turns to try beside small ones, `cube_symmetries` if None.
+    -> turns (proposals + all steps + 1, 4), quaternions from start to end; the right one (4,).
+    """
+    rng = np.random.default_rng(seed)
+    start, goal = (q / np.linalg.norm(q) for q in rng.normal(size=(2, 4)))
+    symmetries = cube_symmetries() if symmetries is None else symmetries
+    turns = pose_search(labs, rng, start, goal, proposals, symmetries)
+    for size, steps, rate in stages:
+        turns += pose_descent(labs, turns[-1], goal, size, steps, rate)
+    return np.array(turns), goal
+
+
+def pose_search(labs, rng, start, goal, proposals, symmetries):
+    """Greedy: a turn that is proposed is taken if its picture is nearer to the goal's. They become
+    smaller and smaller; every second one is one of the symmetries besides.
+    """
+    lab9, turns = labs.inverse_rendering, [start]
+    target = block_picture(labs, goal, 16)[0]
+    least = lab9.squared_error(block_picture(labs, start, 16)[0], target)
+    for n in range(proposals):
+        half_angle = np.pi / 2 * rng.uniform() * 0.01**(n / proposals)
+        axis = rng.normal(size=3)
+        axis *= np.sin(half_angle) / np.linalg.norm(axis)
+        proposal = lab9.quaternion_product(turns[-1], np.append(np.cos(half_angle), axis))
+        if n % 2:
+            symmetry = symmetries[rng.integers(len(symmetries))]
+            proposal = lab9.quaternion_product(proposal, symmetry)
+        loss = lab9.squared_error(block_picture(labs, proposal, 16)[0], target)
+        turns.append(proposal if loss < least else turns[-1])
+        least = min(loss, least)
+    return turns
+
+
+def pose_descent(labs, turn, goal, size, steps, rate):
+    """Adam on the quaternion, in pictures of size x size; the rate falls to a 50th."""
+    lab9, turns = labs.inverse_rendering, []
+    target = block_picture(labs, goal, size)[0]
+    mean = square = np.zeros(4)
+    for step in range(1, steps + 1):
+        picture, buffers, *scene = block_picture(labs, turn, size)
+        grad_picture = lab9.squared_error_backward(1.0, picture, target)
+        *_, grad_clip_from_model = lab9.render_backward(grad_picture, buffers, *scene)
+        grad_turn = lab9.quaternion_matrix_backward(cube_camera(labs).T @ grad_clip_from_model,
+                                                    turn)
+        turn, mean, square = lab9.adam_step(turn, grad_turn, mean, square, step,
+                                            rate * 0.02**((step - 1) / steps))
+        turn = turn / np.linalg.norm(turn)
+        turns.append(turn)
+    return turns
+
+
+def block_picture(labs, turn, size):
+    """The cube with coloured sides, turned: its picture, and what `render_backward` takes."""
+    lab9, opposite = labs.inverse_rendering, labs.antialiasing.opposite_vertices(BLOCK_FACES)
+    scene = BLOCK, BLOCK_FACES, BLOCK_COLOURS, cube_camera(labs) @ lab9.quaternion_matrix(turn)
+    picture, buffers = lab9.render(*scene, size, size, np.zeros(3), opposite)
+    return picture, buffers, *scene, opposite
+
+
+def cube_symmetries():
+    """The 24 turns that bring a cube back to itself, as quaternions (24, 4)."""
+    signs = np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T
+    thirds = np.concatenate([np.ones((8, 1)), signs], 1)  # about a diagonal
+    pairs = [np.eye(4)[i] + sign * np.eye(4)[j] for i in range(4) for j in range(i) for sign in
+             (-1, 1)]
+    symmetries = np.concatenate([np.eye(4), thirds, pairs])
+    return symmetries / np.linalg.norm(symmetries, axis=1, keepdims=True)
+
+
+# The texture of a known globe, from views so far away that most pixels hold many texels.
+
+
+def globe(steps=16):
+    """A unit sphere in steps of latitude and twice as many of longitude: vertices, faces, uv."""
+    v, u = np.divmod(np.arange((steps + 1) * (2 * steps + 1)), 2 * steps + 1)
+    u, v = u / (2 * steps), v / steps
+    corner = np.flatnonzero((u < 1) & (v < 1))[:, None]
+    south, north = corner[corner[:, 0] > 2 * steps], corner[corner[:, 0] < corner.max() - 2 * steps]
+    up = 2 * steps + 1
+    faces = np.concatenate([south + [0, 1, up + 1], north + [0, up + 1, up]])
+    return directions(u, v), faces, np.stack([u, v], -1)
+
+
+def directions(u, v):
+    """u (east) and v (north), from 0 to 1 (...) -> points of the unit sphere (..., 3)."""
+    longitude, latitude = 2 * np.pi * u, np.pi * (v - 0.5)
+    return np.stack([np.cos(latitude) * np.sin(longitude), np.sin(latitude),
+                     np.cos(latitude) * np.cos(longitude)], -1)
+
+
+def planet(rows, seed=3):
+    """A texture (rows, 2 rows, 3) for the globe: sea, land and ice, out of random waves."""
+    rng, height = np.random.default_rng(seed), 0
+    v, u = np.meshgrid((np.arange(rows) + 0.5) / rows, (np.arange(2 * rows) + 0.5) / (2 * rows),
+                       indexing="ij")
+    for octave in np.arange(6).repeat(6):
+        wave = directions(u, v) @ rng.normal(size=3) * 1.7 * 2**octave
+        height = height + np.sin(wave + rng.uniform(0, 7)) / 1.7**octave
+    relief = np.clip(height / 4, -1, 1)[..., None]
+    sea = np.array([0.2, 0.3, 0.55]) + 0.15 * relief
+    land = np.array([0.25, 0.45, 0.15]) + relief * np.array([0.6, 0.3, 0.3])
+    colour = np.where(height[..., None] > 0.6, land, sea)
+    colour[np.abs(v - 0.5) + relief[..., 0] * 0.04 > 0.38] = 0.95
+    return np.clip(colour, 0, 1)
+
+
+def globe_views(labs, texture, count, seed=0, size=64):
+    """The globe from count random sides, 1.5 to 50 away: for each, of the pixels that see it, uv
+    (N, 2), their change (N, 2, 2), and the colour (N, 3): a mean of 4 x 4 samples, each trilinear.
+    """
+    rng, views = np.random.default_rng(seed), []
+    for _ in range(count):
+        pose = random_pose(labs, rng)
+        clip_from_view = labs.transforms.frustum(-0.04, 0.04, -0.04, 0.04, 0.1, 100.0)
+        away = labs.transforms.translate(np.array([0.0, 0.0, -rng.uniform(1.5, 50)]))
+        clip_from_model = clip_from_view @ away @ pose
+        fine, *where = globe_footprints(labs, clip_from_model, 4 * size)
+        samples = np.zeros((4 * size, 4 * size, 4))
+        samples[fine, 3] = 1
+        samples[fine, :3] = labs.texturing.texture(texture, *where, filter="linear-mipmap-linear")
+        samples = samples.reshape(size, 4, size, 4, 4).mean((1, 3))
+        seen, at, footprint = globe_footprints(labs, clip_from_model, size)
+        known = samples[seen, 3] > 0
+        colour = samples[seen][known]
+        views.append((at[known], footprint[known], colour[:, :3] / colour[:, 3:]))
+    return views
+
+
+def globe_footprints(labs, clip_from_model, size):
+    """seen (size, size), and of the seen pixels (u, v) (N, 2) and its change (N, 2, 2)."""
+    vertices, faces, uv = globe()
+    clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), clip_from_model)
+    face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
+    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
+    return face_index >= 0, *labs.inverse_rendering.footprints(uv, faces, face_index, barycentric,
+                                                               derivatives)
+
+
+def texture(labs, truth, views, filter, size=64, first_rate=1e-2):
+    """A grey texture becomes the globe's: a step of Adam for each of the views, seen through one of
+    lab 6's filters. The rate falls to a tenth.
+
+    -> psnr (steps,), `globe_psnr` after each step; the texture, like truth.
+    """
+    x = np.full(truth.shape, 0.5)
+    mean, square, psnr = 0 * x, 0 * x, []
+    for step, (at, footprint, colour) in enumerate(views, 1):
+        seen = labs.texturing.texture(x, at, footprint, filter=filter)
+        grad_seen = 2 * (seen - colour) / (3 * size**2)  # squared error, the rest of it is black
+        grad_x, *_ = labs.texturing.texture_backward(grad_seen, x, at, footprint, filter=filter)
+        rate = first_rate * 0.1**((step - 1) / len(views))
+        x, mean, square = labs.inverse_rendering.adam_step(x, grad_x, mean, square, step, rate)
+        psnr.append(globe_psnr(x, truth))
+    return np.array(psnr), x
+
+
+def globe_psnr(texture, truth):
+    """In decibels, for colours from 0 to 1. A texel counts by its area on the globe: the rows at
+    the poles hold as many as the equator's, and show nothing.
+    """
+    area = np.cos(np.pi * ((np.arange(len(truth)) + 0.5) / len(truth) - 0.5))
+    return -10 * np.log10(np.average(((texture - truth)**2).mean((1, 2)), weights=area))
+
+
+# A ball becomes the bunny, of which nothing is known but 20 silhouettes.
+
+
+def ball():
+    """Where the bunny begins: a sphere around the origin, of 1280 faces -> vertices, faces."""
+    vertices, faces = mesh.icosphere(1280)
+    return 0.6 * vertices, faces
+
+
+def rabbit():
+    """The Stanford bunny, scaled to the unit sphere -> vertices, faces."""
+    vertices, faces = mesh.bunny()
+    return mesh.normalize(vertices), faces
+
+
+def cameras_around(labs, count, longitude=0.0):
+    """Cameras 3 away from the origin, spread evenly on a spiral from pole to pole that starts at
+    longitude, in turns: clip_from_world (count, 4, 4).
+    """
+    golden, step = (1 + np.sqrt(5)) / 2, np.arange(count) + 0.5
+    eyes = 3 * directions(golden * step + longitude, np.arccos(1 - 2 * step / count) / np.pi)
+    clip_from_view = labs.transforms.perspective(np.radians(40), 1.0, 0.5, 10.0)
+    up = np.array([0.0, 1.0, 0.0])
+    return np.array([clip_from_view @ labs.transforms.look_at(eye, np.zeros(3), up)
+                     for eye in eyes])
+
+
+def bunny(labs, weight, steps=300, size=128, seed=0):
+    """The ball's vertices move until its silhouettes are the bunny's: at each step a sum of the
+    losses of 4 of the 20 views, and weight times the Laplacian energy, in Adam.
+
+    -> vertices (steps + 1, V, 3), the losses (steps,) of the silhouettes, each a mean of 4.
+    """
+    lab9, rng, (x, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
+    cameras = cameras_around(labs, 20)
+    targets = [silhouette(labs, *rabbit(), camera, size)[0] for camera in cameras]
+    edges, _ = mesh.edges(faces)
+    path, losses, mean, square = [x], [], 0 * x, 0 * x
+    for step in range(1, steps + 1):
+        loss, grad_x = 0, lab9.laplacian_energy_backward(weight, x, edges)
+        for view in rng.permutation(20)[:4]:
+            picture, buffers, *scene = silhouette(labs, x, faces, cameras[view], size)
+            loss += lab9.silhouette_loss(picture, targets[view]) / 4
+            grad_picture = lab9.silhouette_loss_backward(1 / 4, picture, targets[view])
+            grad_x += lab9.render_backward(grad_picture, buffers, *scene)[0]
+        rate = 0.02 * 0.1**((step - 1) / steps)
+        x, mean, square = lab9.adam_step(x, grad_x, mean, square, step, rate)
+        path.append(x)
+        losses.append(loss)
+    return np.array(path), np.array(losses)
+
+
+def silhouette(labs, vertices, faces, clip_from_world, size):
+    """A mesh in white on black: the picture (size, size, 1), and what `render_backward` takes."""
+    opposite = labs.antialiasing.opposite_vertices(faces)
+    scene = vertices, faces, np.ones((len(vertices), 1)), clip_from_world
+    picture, buffers = labs.inverse_rendering.render(*scene, size, size, np.zeros(1), opposite)
+    return picture, buffers, *scene, opposite
+
+
+def shared_silhouettes(labs, shape, other, cameras, size=256):
+    """Intersection over union of two meshes' silhouettes, for each of the cameras (N,)."""
+    ious = []
+    for camera in cameras:
+        a, b = (labs.rasterization.rasterize(labs.transforms.transform(
+                labs.transforms.to_homogeneous(vertices), camera), faces, size, size)[0] >= 0
+                for vertices, faces in (shape, other))
+        ious.append((a & b).sum() / (a | b).sum())
+    return np.array(ious)
+
+
+def folded_edges(vertices, faces):
+    """The part of a mesh's edges where it turns by more than 90 degrees: many are a tangle."""
+    normal, pairs = mesh.face_normals(vertices, faces), mesh.edge_faces(faces)
+    return ((normal[pairs[:, 0]] * normal[pairs[:, 1]]).sum(1) < 0).mean()
