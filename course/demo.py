@@ -373,7 +373,6 @@ def save(scene, name, picture):
     return path
 
 
-SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa, shadow)}
 SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
                                                fit_triangle, fit_cube, fit_pose, fit_texture,
-                                               fit_bunny)}
+                                               fit_bunny, shadow)}
