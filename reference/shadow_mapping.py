@@ -30,6 +30,7 @@ from . import interpolation, rasterization, texturing, transforms
 GRAZING = 1e-2   # the least |n . ray|: a plane seen edge-on has no slope
 SELF_HIT = 1e-7  # of a distance: a ray that starts on a surface is not stopped by it
 WIDEST = np.radians(75)  # from a cone's axis to its side; beyond, texels are wasted on the border
+NARROWEST = 1e-6         # of a map's width, where all vertices lie on the light's axis
 GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 PAIRS = ((0, np.s_[:, :-1], np.s_[:, 1:]),  # neighbours in x: the left ones, the right ones
          (1, np.s_[:-1], np.s_[1:]))        # in y: the lower ones, the upper ones
@@ -141,18 +142,7 @@ def is_lit(distance_map, x, y, distance, bias):  # exercise 14.7 (1 point)
     return distance <= stored_distance(distance_map, x, y) + bias
 
 
-def error_shares(lit, truth):  # exercise 14.8 (1 point)
-    """How wrong a shadow is: the shares of all pixels that are wrongly dark and wrongly lit.
-
-    lit, truth: bool (N,), N > 0 -> two numbers from 0 to 1.
-
-    >>> error_shares(np.array([True, True, False, True]), np.array([True, False, True, False]))
-    (np.float64(0.25), np.float64(0.5))
-    """
-    return np.mean(~lit & truth), np.mean(lit & ~truth)
-
-
-def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.9 (4 points)
+def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8 (4 points)
     """Eq. (4): how fast a surface recedes from texel to texel -> slope_x, slope_y, each (N,).
 
     normal n (N, 3) of unit length, q (N, 3), both in the light's frame: the distance of the plane
@@ -178,7 +168,7 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.9
     return slope_x, slope_y
 
 
-def slope_scaled_bias(slope_x, slope_y, constant, factor, most):  # exercise 14.10 (1 point)
+def slope_scaled_bias(slope_x, slope_y, constant, factor, most):  # exercise 14.9 (1 point)
     """Eq. (5), but never above most: slope_x, slope_y (N,), three numbers -> bias (N,).
 
     A point is at most half a texel in x and half in y from the centre where its texel was measured.
@@ -190,22 +180,7 @@ def slope_scaled_bias(slope_x, slope_y, constant, factor, most):  # exercise 14.
     return np.minimum(constant + factor * (np.abs(slope_x) + np.abs(slope_y)) / 2, most)
 
 
-def disc_offsets(count):  # exercise 14.11 (1 point)
-    """Places spread evenly over the unit disc -> (count, 2), by x and y.
-
-    The seeds of a sunflower: number k = 0, 1, ... lies sqrt((k + 1/2) / count) from the middle, in
-    the direction k GOLDEN_ANGLE, counter-clockwise from x.
-
-    >>> disc_offsets(2).round(3)
-    array([[ 0.5  ,  0.   ],
-           [-0.639,  0.585]])
-    """
-    k = np.arange(count)
-    radius, angle = np.sqrt((k + 0.5) / count), k * GOLDEN_ANGLE
-    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], -1)
-
-
-def on_plane(x, y, distance, slope_x, slope_y, dx, dy):  # exercise 14.12 (2 points)
+def on_plane(x, y, distance, slope_x, slope_y, dx, dy):  # exercise 14.10 (2 points)
     """A neighbouring texel, and how distant the receiver's plane is there.
 
     x, y, distance, slope_x, slope_y (N,): receivers, as above; dx, dy (N,): steps in texels ->
@@ -222,7 +197,7 @@ def on_plane(x, y, distance, slope_x, slope_y, dx, dy):  # exercise 14.12 (2 poi
     return there_x, there_y, distance + slope_x * (centre_x - x) + slope_y * (centre_y - y)
 
 
-def percentage_closer(distance_map, x, y, distance, slope_x, slope_y,  # exercise 14.13 (3 points)
+def percentage_closer(distance_map, x, y, distance, slope_x, slope_y,  # exercise 14.11 (3 points)
                       bias, offsets, radius):
     """Eq. (6): the share of places around (x, y) that light reaches -> (N,), from 0 to 1.
 
@@ -243,7 +218,7 @@ def percentage_closer(distance_map, x, y, distance, slope_x, slope_y,  # exercis
     return lit / len(offsets)
 
 
-def blocker_distance(distance_map, x, y, distance, slope_x, slope_y,  # exercise 14.14 (3 points)
+def blocker_distance(distance_map, x, y, distance, slope_x, slope_y,  # exercise 14.12 (3 points)
                      bias, offsets, radius):
     """The mean of the stored distances of blockers: of the places that are not lit -> (N,).
 
@@ -266,7 +241,7 @@ def blocker_distance(distance_map, x, y, distance, slope_x, slope_y,  # exercise
     return np.where(count > 0, total / np.maximum(count, 1), np.inf)
 
 
-def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercise 14.15 (2 points)
+def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercise 14.13 (2 points)
                     width):
     """Eq. (7): how wide the shadow's soft border is on the map, in texels -> (N,), at least 0.
 
@@ -284,7 +259,7 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
     return np.maximum(spread, 0) * (clip_from_light[0, 0] * width / 2)
 
 
-def window_sums(picture, radius):  # exercise 14.16 (2 points)
+def window_sums(picture, radius):  # exercise 14.14 (2 points)
     """Sums over squares: of the pixels up to radius rows and columns away -> (H, W, C).
 
     picture (H, W, C); radius a whole number >= 0. Squares end at the picture's border. By running
@@ -302,7 +277,7 @@ def window_sums(picture, radius):  # exercise 14.16 (2 points)
     return picture
 
 
-def box_blur(picture, radius):  # exercise 14.17 (1 point)
+def box_blur(picture, radius):  # exercise 14.15 (1 point)
     """The mean over the squares of `window_sums`: picture (H, W, C) -> (H, W, C).
 
     At the border, the mean of the pixels that there are.
@@ -313,7 +288,7 @@ def box_blur(picture, radius):  # exercise 14.17 (1 point)
     return window_sums(picture, radius) / window_sums(np.ones((*picture.shape[:2], 1)), radius)
 
 
-def box_blur_backward(grad_output, radius):  # exercise 14.18 (2 points)
+def box_blur_backward(grad_output, radius):  # exercise 14.16 (2 points)
     """Backward of `box_blur`: grad_output (H, W, C) -> grad_picture (H, W, C).
 
     >>> box_blur_backward(np.array([[[6.0], [0.0], [0.0], [0.0]]]), 1)[..., 0]
@@ -325,7 +300,7 @@ def box_blur_backward(grad_output, radius):  # exercise 14.18 (2 points)
     return window_sums(grad_output / count, radius)
 
 
-def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.19 (2 points)
+def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.17 (2 points)
     """Eq. (9): at most how much of a filtered map lies at `distance` or beyond? -> (N,), 0 to 1.
 
     distance, mean E_0, mean_square E_1 (N,). The variance is at least the number least_variance
@@ -339,7 +314,7 @@ def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.19 (2
     return variance / (variance + beyond**2)
 
 
-def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.20 (3 points)
+def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.18 (3 points)
                        least_variance):
     """Backward of eq. (9): grad_lit (N,) -> grad_distance, grad_mean, grad_mean_square, each (N,).
 
@@ -359,7 +334,7 @@ def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.20 
     return grad_beyond, -grad_beyond - 2 * mean * grad_mean_square, grad_mean_square
 
 
-def map_motion(distance_map, clip_from_light):  # exercise 14.21 (3 points)
+def map_motion(distance_map, clip_from_light):  # exercise 14.19 (3 points)
     """How far the content of each texel moves on the map when all points move in the light's frame.
 
     distance_map (H, W), finite -> motion (H, W, 2, 3): the partial derivatives of eq. (2), x and y
@@ -383,7 +358,7 @@ def map_motion(distance_map, clip_from_light):  # exercise 14.21 (3 points)
     return motion
 
 
-def moved_moments(distance_map, motion, move):  # exercise 14.22 (4 points)
+def moved_moments(distance_map, motion, move):  # exercise 14.20 (4 points)
     """Eq. (10): the moments when all points have moved by a little in the light's frame.
 
     distance_map (H, W), finite; motion (H, W, 2, 3) of `map_motion`; move (3,): q becomes q + move
@@ -412,7 +387,7 @@ def moved_moments(distance_map, motion, move):  # exercise 14.22 (4 points)
     return moved
 
 
-def moved_moments_backward(grad_moments, distance_map, motion, move):  # exercise 14.23 (4 points)
+def moved_moments_backward(grad_moments, distance_map, motion, move):  # exercise 14.21 (4 points)
     """Backward of `moved_moments` by the last input: grad_moments (H, W, 2) -> grad_move (3,).
 
     distance_map and motion are held.
@@ -440,41 +415,57 @@ def moved_moments_backward(grad_moments, distance_map, motion, move):  # exercis
 # A light is a tuple: position (3,), rotation (3, 3), clip_from_light (4, 4).
 
 
-def axes_of(position, target):
-    """rotation (3, 3) of a light at position that looks at target; up is y, or z beside it."""
-    toward = target - position
+def axes_of(toward):
+    """rotation (3, 3) of a light that looks along toward (3,); up is y, or z beside it."""
     up = np.eye(3)[1 if np.hypot(toward[0], toward[2]) > 1e-3 * abs(toward[1]) else 2]
-    return transforms.look_at(position, target, up)[:3, :3]
+    return transforms.look_at(np.zeros(3), toward, up)[:3, :3]
+
+
+def bounds(vertices):
+    """The least and the greatest x, y and z of vertices (V, 3), each (3,)."""
+    if not (len(vertices) and np.isfinite(vertices).all() and np.ptp(vertices, axis=0).any()):
+        raise ValueError("a light expects finite vertices that are not all in one place, got "
+                         f"{len(vertices)} of them; give it the vertices of the scene")
+    return vertices.min(0), vertices.max(0)
 
 
 def directional_light(direction, vertices):
     """Light that falls along direction (3,), its map around all vertices (V, 3)."""
     direction = np.asarray(direction, float)
-    if not np.linalg.norm(direction) > 0:
+    if not 0 < np.linalg.norm(direction) < np.inf:
         raise ValueError(f"directional_light expects a direction of some length, got {direction}; "
                          "give the direction in which the light falls")
-    low, high = vertices.min(0), vertices.max(0)
-    radius = 0.51 * np.linalg.norm(high - low)
-    position = (low + high) / 2 - 2 * radius * direction / np.linalg.norm(direction)
-    side = radius / 1.02 * 1.001
-    clip_from_light = transforms.orthographic(-side, side, -side, side, radius, 3 * radius)
-    return position, axes_of(position, (low + high) / 2), clip_from_light
+    rotation = axes_of(direction)
+    low, high = bounds(to_light(vertices, np.zeros(3), rotation))
+    far = np.linalg.norm(high - low)
+    side = max(0.51 * (high - low)[:2].max(), NARROWEST * far)
+    position = np.append((low + high)[:2] / 2, high[2] + far) @ rotation
+    return position, rotation, transforms.orthographic(-side, side, -side, side, far / 2, 2.5 * far)
 
 
-def point_light(position, vertices):
-    """Light from position (3,), its map a cone around all vertices (V, 3)."""
-    position = np.asarray(position, float)
-    target = (vertices.min(0) + vertices.max(0)) / 2
-    if not np.linalg.norm(target - position) > 0:
+def in_a_cone(vertices, position, toward):
+    """rotation (3, 3) of a light that looks along toward (3,), and q (V, 3), all before it."""
+    if not np.linalg.norm(toward) > 0:
         raise ValueError("point_light stands in the middle of the scene, and a cone sees only one "
                          "side; move it out of the scene")
-    rotation = axes_of(position, target)
+    rotation = axes_of(toward)
     q = to_light(vertices, position, rotation)
     if not (np.hypot(q[:, 0], q[:, 1]) < -np.tan(WIDEST) * q[:, 2]).all():
         raise ValueError("point_light expects all vertices within a cone of "
                          f"{np.degrees(WIDEST):.0f} degrees around its axis, and some are outside; "
                          "move it away from the scene")
-    slope = 1.02 * (np.abs(q[:, :2]) / -q[:, 2:]).max()
+    return rotation, q
+
+
+def point_light(position, vertices):
+    """Light from position (3,), its map a cone around all vertices (V, 3)."""
+    position = np.asarray(position, float)
+    rotation, q = in_a_cone(vertices, position, sum(bounds(vertices)) / 2 - position)
+    # Look at the middle of what is seen from here, so that no side of the map stays empty.
+    angle = np.arctan(q[:, :2] / -q[:, 2:])
+    middle = np.append(np.tan((angle.min(0) + angle.max(0)) / 2), -1.0)
+    rotation, q = in_a_cone(vertices, position, middle @ rotation)
+    slope = max(1.02 * (np.abs(q[:, :2]) / -q[:, 2:]).max(), NARROWEST)
     near, far = 0.9 * -q[:, 2].max(), 1.1 * -q[:, 2].min()
     return position, rotation, transforms.perspective(2 * np.arctan(slope), 1.0, near, far)
 
@@ -507,6 +498,21 @@ def receivers(points, normals, light, size):
     q = to_light(points, position, rotation)
     x, y = map_position(q, clip_from_light, size, size)
     return x, y, -q[:, 2], *distance_slopes(normals @ rotation.T, q, clip_from_light, size, size)
+
+
+def disc_offsets(count):
+    """Places spread evenly over the unit disc -> (count, 2), by x and y.
+
+    The seeds of a sunflower: number k = 0, 1, ... lies sqrt((k + 1/2) / count) from the middle, in
+    the direction k GOLDEN_ANGLE, counter-clockwise from x.
+
+    >>> disc_offsets(2).round(3)
+    array([[ 0.5  ,  0.   ],
+           [-0.639,  0.585]])
+    """
+    k = np.arange(count)
+    radius, angle = np.sqrt((k + 0.5) / count), k * GOLDEN_ANGLE
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], -1)
 
 
 def hard_shadow(points, normals, vertices, faces, light, size, constant, factor=1.0, most=np.inf):
@@ -589,6 +595,17 @@ def ray_cast(points, vertices, faces, light, cells=128):
         at_face = (c * face_distance[entry]).sum(1) / c.sum(1)
         lit[part][ray[at_face < distance[part][ray] * (1 - SELF_HIT)]] = False
     return lit
+
+
+def error_shares(lit, truth):
+    """How wrong a shadow is: the shares of all pixels that are wrongly dark and wrongly lit.
+
+    lit, truth: bool (N,), N > 0 -> two numbers from 0 to 1.
+
+    >>> error_shares(np.array([True, True, False, True]), np.array([True, False, True, False]))
+    (np.float64(0.25), np.float64(0.5))
+    """
+    return np.mean(~lit & truth), np.mean(lit & ~truth)
 
 
 def area_light_truth(points, vertices, faces, light, light_radius, offsets):

@@ -60,6 +60,24 @@ def test_ray_casting_is_that_of_every_ray_with_every_face(light, cells):
     assert 0.04 < np.mean(~got) < 0.9
 
 
+def test_errors_are_counted_by_kind():
+    """The two are swapped, or counted as shares of the wrong, the lit or the dark pixels."""
+    lit = np.array([True] * 5 + [False] * 5)
+    truth = np.array([True] * 3 + [False] * 3 + [True] + [False] * 3)
+    assert shadow_mapping.error_shares(lit, truth) == (0.1, 0.2)
+    assert shadow_mapping.error_shares(lit, lit) == (0, 0)
+
+
+def test_places_fill_the_disc_evenly():
+    """More places to an area in the middle than at the rim; or they lean to one side."""
+    offsets = shadow_mapping.disc_offsets(400)
+    from_middle = np.sort(np.hypot(*offsets.T))
+    np.testing.assert_allclose(from_middle, np.sqrt((np.arange(400) + 0.5) / 400))
+    np.testing.assert_allclose(offsets.mean(0), 0, atol=0.005)
+    apart = np.linalg.norm(offsets[:, None] - offsets, axis=-1) + 9 * np.eye(400)
+    assert apart.min() > 1.4 / np.sqrt(400)              # a grid would have sqrt(pi / 400)
+
+
 @each_light
 def test_the_map_holds_the_nearest_surface(light):
     """The greatest depth, as the lecture has it: then the ground is never in shadow."""
@@ -106,7 +124,7 @@ def test_without_bias_a_surface_shadows_itself():
 
     assert wrong(0.0, 0.0)[0] > 0.25                    # nearly every other pixel that is lit
     assert wrong(1e-4, 1.0)[0] < 0.005
-    assert wrong(0.3, 0.0)[1] > 4 * wrong(1e-4, 1.0)[1]  # a leak
+    assert wrong(0.5, 0.0)[1] > 5 * wrong(1e-4, 1.0)[1]  # a leak
 
 
 def test_soft_shadows_come_near_256_point_lights():
@@ -243,9 +261,35 @@ def test_broken_meshes_have_the_same_shadow(light):
         np.testing.assert_array_equal(shadow(*broken), expected)
 
 
+@each_light
+def test_the_map_is_around_the_scene_and_filled_by_it(light):
+    """Vertices lie outside, or a side of the map stays empty."""
+    vertices, _ = scene()
+    position, rotation, clip_from_light = light(vertices)
+    q = shadow_mapping.to_light(vertices, position, rotation)
+    clip = transforms.transform(transforms.to_homogeneous(q), clip_from_light)
+    ndc = clip[:, :3] / clip[:, 3:]
+    assert np.abs(ndc).max() < 1
+    low, high = ndc[:, :2].min(0), ndc[:, :2].max(0)
+    assert np.abs(low + high).max() < 0.15 and (high - low).max() > 1.8
+
+
+@each_light
+def test_a_scene_on_the_axis_of_the_light_has_a_map(light):
+    """A map without width: division by 0."""
+    vertices = PLACE * np.array([[0.2], [0.1], [-0.1]])
+    light = light(vertices)
+    assert np.isfinite(light[2]).all()
+    assert np.isinf(shadow_mapping.depth_map(vertices, np.array([[0, 1, 2]]), light, 8)).all()
+
+
 def test_what_cannot_be_done_is_one_sentence():
     """A picture of NaN, or a traceback from inside, in place of what to do."""
     vertices, faces = scene(lambda: mesh.icosphere(20))
+    for light in LIGHTS.values():
+        for broken in np.zeros((0, 3)), np.ones((4, 3)), np.where(vertices < 0, np.nan, vertices):
+            with pytest.raises(ValueError, match="give it the vertices"):
+                light(broken)
     for position in [0.3, 0.5, 0.2], (vertices.min(0) + vertices.max(0)) / 2, vertices[3]:
         with pytest.raises(ValueError, match="move it"):
             shadow_mapping.point_light(position, vertices)
