@@ -585,11 +585,10 @@ def variance_shadow_backward(grad_lit, buffers, points, light, radius, least_var
     return to_light_backward(grad_q, points, position, rotation)[1] - grad_move @ rotation
 
 
-def position_loss(position, target, points, vertices, faces, light, size, radius, least_variance):
-    """The mean square error of a shadow when the light stands at position (3,), not turned, against
-    target (N,); its gradient by position (3,).
+def position_loss(target, points, vertices, faces, light, size, radius, least_variance):
+    """The mean square error of a shadow against target (N,), and its gradient by the light's
+    position (3,); the others as in `variance_shadow`.
     """
-    light = position, *light[1:]
     lit, buffers = variance_shadow(points, vertices, faces, light, size, radius, least_variance)
     grad_lit = 2 * (lit - target) / len(target)
     grad_position = variance_shadow_backward(grad_lit, buffers, points, light, radius,
@@ -597,19 +596,23 @@ def position_loss(position, target, points, vertices, faces, light, size, radius
     return np.mean((lit - target)**2), grad_position
 
 
-def fit_position(target, points, vertices, faces, light, size, steps, rate, radius,
+def fit_position(target, points, vertices, faces, guess, size, steps, rate, radius,
                  least_variance):
-    """Where does the light stand that casts this shadow? -> its positions (steps + 1, 3).
+    """Where does the point light stand that casts this shadow? -> its positions (steps + 1, 3).
 
-    target (N,): the lit shares of points (N, 3). light: the first guess; only its position moves.
-    Adam (Kingma and Ba 2015); its rate and the blur's radius fall to a tenth.
+    target (N,): the lit shares of points (N, 3); guess (3,): the first position. Adam (Kingma and
+    Ba 2015), in the axes of a light that looks at the scene anew in each step: to go nearer or
+    farther changes a shadow the least, and so has a step size of its own. The rate and the blur's
+    radius fall to a tenth.
     """
-    path, mean, square = [light[0]], np.zeros(3), np.zeros(3)
+    path, mean, square = [np.asarray(guess, float)], np.zeros(3), np.zeros(3)
     for step in range(1, steps + 1):
         fall = 0.1 ** ((step - 1) / steps)
-        _, grad = position_loss(path[-1], target, points, vertices, faces, light, size,
-                                round(radius * fall), least_variance)
+        light = point_light(path[-1], vertices)
+        _, grad_position = position_loss(target, points, vertices, faces, light, size,
+                                         round(radius * fall), least_variance)
+        grad = light[1] @ grad_position
         mean, square = 0.9 * mean + 0.1 * grad, 0.99 * square + 0.01 * grad**2
         move = mean / (1 - 0.9**step) / (np.sqrt(square / (1 - 0.99**step)) + 1e-12)
-        path.append(path[-1] - rate * fall * move)
+        path.append(path[-1] - rate * fall * move @ light[1])
     return np.array(path)
