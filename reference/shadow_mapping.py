@@ -649,8 +649,8 @@ def variance_shadow_backward(grad_lit, buffers, points, light, radius, least_var
     The points move in the light's frame, and so does all that the map shows, by eq. (10). A texel
     of the map jumps when an edge passes its centre; (10) moves the edge evenly instead. So this is
     the slope of sums over many texels, and not of single ones. At a round body's rim, the texels'
-    centres are nearer than the rim, and seem to move too far: the gradient of the bunny is some
-    10 % too long in 320 x 320 texels, and less in more.
+    centres are nearer than the rim, and seem to move too far: this error falls with the root
+    of the texel's size.
     """
     position, rotation, clip_from_light = light
     distance_map, blurred, q, uv, mean, inside = buffers
