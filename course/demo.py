@@ -178,6 +178,39 @@ def msaa(labs):
     yield "close up of all four", save("msaa", "close_up", ears)
 
 
+def shadow(labs):
+    """The bunny's shadow on the ground, hard and soft (lab 14)."""
+    shadow_mapping = labs.shadow_mapping
+    vertices, faces = mesh.bunny()
+    vertices = mesh.normalize(vertices)
+    ground, ground_faces = mesh.plane(2)
+    ground = 2 * ground + [0.4, vertices[:, 1].min(), -0.2]
+    faces = np.concatenate([faces, ground_faces + len(vertices)])
+    vertices = np.concatenate([vertices, ground])
+    light = shadow_mapping.point_light(np.array([-2.6, 2.4, 1.4]), vertices)
+    camera = clip_from_world(labs, np.array([-0.7, 1.3, 3.3]), np.array([0.1, -0.15, 0.0]))
+    yield f"read {len(vertices):,} vertices, {len(faces):,} faces", None
+
+    face_index, points, normals = shadow_mapping.visible_points(vertices, faces, camera, SIZE, SIZE)
+    yield "what the eye sees, as points in the world", None
+    lit = shadow_mapping.hard_shadow(points, normals, vertices, faces, light, 2 * SIZE, 2e-3)
+    yield "hard shadow: the light's map, comparison", None
+    soft = shadow_mapping.soft_shadow(points, normals, vertices, faces, light, 0.2, 2 * SIZE, 1e-2,
+                                      shadow_mapping.disc_offsets(32))
+    yield "soft shadow of a disc, PCSS with 32 places", None
+
+    seen, corners = face_index >= 0, face_index[face_index >= 0]
+    toward = light[0] - points
+    toward /= np.linalg.norm(toward, axis=1, keepdims=True)
+    colour = np.where(corners[:, None] < len(faces) - 2, [0.85, 0.66, 0.48], [0.62, 0.66, 0.70])
+    facing = np.clip((toward * normals).sum(1), 0, 1)
+    for name, share in ("hard", lit), ("soft", soft):
+        shades = image.to_srgb((0.12 + 0.88 * share * facing)[:, None] * colour)
+        yield f"{name} shadow", save("shadow", name, painted(seen, shades))
+    distance = shadow_mapping.depth_map(vertices, faces, light, SIZE)
+    yield "the light's map", save("shadow", "map", plot.depth_colours(distance))
+
+
 def by_area(labs, clip, faces, shade, background):
     """Each front face by its exact area in every pixel: picture (SIZE, SIZE, 3), sum of areas.
 
@@ -370,11 +403,15 @@ def drawn(labs, vertices, faces, size=SIZE):
 
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
+    points = labs.transforms.to_homogeneous(vertices)
+    return labs.transforms.transform(points, clip_from_world(labs, eye, target, near))
+
+
+def clip_from_world(labs, eye, target, near=0.1):
+    """The matrix (4, 4) of a camera at eye that looks at target."""
     transforms = labs.transforms
     view_from_world = transforms.look_at(eye, np.asarray(target), np.array([0.0, 1.0, 0.0]))
-    clip_from_view = transforms.perspective(np.radians(48), 1.0, near, 10.0)
-    points = transforms.to_homogeneous(vertices)
-    return transforms.transform(points, clip_from_view @ view_from_world)
+    return transforms.perspective(np.radians(48), 1.0, near, 10.0) @ view_from_world
 
 
 def shaded(vertices, faces, face_index, barycentric):
@@ -421,3 +458,4 @@ def save(scene, name, picture):
 SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
                                                fit_triangle, fit_cube, fit_pose, fit_texture,
                                                fit_bunny, relaxation, large_steps)}
+                                               fit_bunny, shadow)}

@@ -1,0 +1,167 @@
+"""How long lab 14 takes, and how wrong its shadows are: python3 benchmarks/shadow_mapping.py
+
+The bunny on a square ground, 512 x 512 pixels. Times are medians of several runs on one core, in
+milliseconds. Errors are % of the pixels that face the light, against exact ray casting, and root
+mean squares against 256 point lights; fits start from places around the light. All of it goes to
+out/benchmarks/shadow_mapping.json as well.
+"""
+import json
+import platform
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from course import mesh, places
+from reference import shadow_mapping, transforms
+
+SIZE = 512
+MAPS = 256, 512, 1024, 2048
+RUNS = 5
+PLACE = np.array([-2.6, 2.4, 1.4])
+VARIANCE = 6, 1e-3  # radius of the blur, least variance
+STARTS, STEPS = 8, 100
+
+
+def main():
+    print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}")
+    tables = {}
+    for table in times, errors, soft_errors, fits:
+        tables[table.__name__] = rows = table()
+        print(table.__doc__)
+        print("".join(f"{name:>16}" for name in rows[0]))
+        for row in rows:
+            print("".join(f"{value:>16}" for value in row.values()), flush=True)
+    path = places.out("benchmarks", "shadow_mapping.json")
+    places.write_whole(path, json.dumps(tables, indent=1).encode())
+    print(f"written to {path}")
+
+
+def scene(lift=0.0):
+    """The bunny above a ground of 4 x 4; the last two faces are the ground."""
+    vertices, faces = mesh.bunny()
+    vertices = mesh.normalize(vertices)
+    ground, ground_faces = mesh.plane(2)
+    ground = 2 * ground + [0.4, vertices[:, 1].min() - lift, -0.2]
+    return np.concatenate([vertices, ground]), np.concatenate([faces, ground_faces + len(vertices)])
+
+
+def seen(vertices, faces, size, eye=(-0.7, 1.3, 3.3)):
+    view_from_world = transforms.look_at(np.array(eye), np.array([0.2, -0.3, 0.0]),
+                                         np.array([0.0, 1.0, 0.0]))
+    clip_from_world = transforms.perspective(np.radians(48), 1.0, 0.1, 10.0) @ view_from_world
+    return shadow_mapping.visible_points(vertices, faces, clip_from_world, size, size)
+
+
+def times():
+    """Milliseconds, by the rows and columns of the map"""
+    vertices, faces = scene()
+    light = shadow_mapping.point_light(PLACE, vertices)
+    _, points, normals = seen(vertices, faces, SIZE)
+    offsets, rows = shadow_mapping.disc_offsets(32), []
+    for size in MAPS:
+        given = points, normals, vertices, faces, light
+        variance = points, vertices, faces, light, size, *VARIANCE
+        lit, buffers = shadow_mapping.variance_shadow(*variance)
+        rows.append({
+            "map": size,
+            "points": len(points),
+            "what is seen": median(seen, vertices, faces, SIZE),
+            "map alone": median(shadow_mapping.depth_map, vertices, faces, light, size),
+            "hard shadow": median(shadow_mapping.hard_shadow, *given, size, 1e-3),
+            "PCSS, 32 places": median(shadow_mapping.soft_shadow, *given, 0.2, size, 0.02, offsets),
+            "variance": median(shadow_mapping.variance_shadow, *variance),
+            "its backward": median(shadow_mapping.variance_shadow_backward, lit, buffers, points,
+                                   light, *VARIANCE),
+            "ray casting": median(shadow_mapping.ray_cast, points, vertices, faces, light),
+        })
+    return rows
+
+
+def errors():
+    """% wrongly dark and wrongly lit: no bias, constant, slope-scaled (0.001 and factor 1)"""
+    vertices, faces = scene()
+    _, points, normals = seen(vertices, faces, SIZE)
+    lights = {"point": shadow_mapping.point_light(PLACE, vertices),
+              "direction": shadow_mapping.directional_light(-PLACE, vertices)}
+    rows = []
+    for name, light in lights.items():
+        toward = light[0] - points if name == "point" else light[1][2]
+        facing = (normals * toward).sum(1) > 0
+        truth = shadow_mapping.ray_cast(points, vertices, faces, light)[facing]
+        for size in MAPS:
+            row = {"light": name, "map": size}
+            for bias, given in {"none": (0.0, 0.0), "0.05": (0.05, 0.0),
+                                "slope": (1e-3, 1.0)}.items():
+                lit = shadow_mapping.hard_shadow(points, normals, vertices, faces, light, size,
+                                                 *given)[facing]
+                dark, leak = shadow_mapping.error_shares(lit, truth)
+                row[f"bias {bias}"] = f"{100 * dark:.2f} + {100 * leak:.2f}"
+            rows.append(row)
+    return rows
+
+
+def soft_errors():
+    """Root mean square error against 256 point lights on a disc; PCF over 4 texels"""
+    vertices, faces = scene()
+    light = shadow_mapping.point_light(PLACE, vertices)
+    face_index, points, normals = seen(vertices, faces, 96)
+    facing = (normals * (PLACE - points)).sum(1) > 0
+    ground = (face_index[face_index >= 0] >= len(faces) - 2)[facing]
+    points, normals = points[facing], normals[facing]
+    on_map = shadow_mapping.receivers(points, normals, light, 1024)
+    distance_map = shadow_mapping.depth_map(vertices, faces, light, 1024)
+    offsets, rows = shadow_mapping.disc_offsets(64), []
+    for radius in 0.1, 0.25, 0.5:
+        truth = shadow_mapping.area_light_truth(points, vertices, faces, light, radius,
+                                                shadow_mapping.disc_offsets(256))
+        soft = {"hard": shadow_mapping.hard_shadow(points, normals, vertices, faces, light, 1024,
+                                                   1e-3),
+                "PCF": shadow_mapping.percentage_closer(distance_map, *on_map, 0.02,
+                                                                  offsets, 4.0),
+                "PCSS": shadow_mapping.soft_shadow(points, normals, vertices, faces, light, radius,
+                                                   1024, 0.02, offsets)}
+        rows.append({"radius": radius} | {
+            f"{name}{where}": round(float(np.sqrt(np.mean((lit - truth)[among] ** 2))), 3)
+            for where, among in (("", slice(None)), (" ground", ground))
+            for name, lit in soft.items()})
+    return rows
+
+
+def fits():
+    """How far from its place a light is, in % of the scene's size, before and after a fit"""
+    vertices, faces = scene(0.5)
+    place, rng = np.array([-1.4, 3.4, 0.8]), np.random.default_rng(0)
+    face_index, points, _ = seen(vertices, faces, 80, (0.6, 3.6, 2.2))
+    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    target = shadow_mapping.ray_cast(points, vertices, faces,
+                                     shadow_mapping.point_light(place, vertices))
+    size, rows = np.linalg.norm(np.ptp(vertices, axis=0)), []
+    for start in range(STARTS):
+        off = rng.normal(size=3)
+        guess, began = place + off / np.linalg.norm(off), time.perf_counter()
+        path = shadow_mapping.fit_position(target, points, vertices, faces, guess, 192, STEPS, 0.08,
+                                           *VARIANCE)
+        distance = 100 * np.linalg.norm(path - place, axis=1) / size
+        rows.append({"start": start, "before": round(distance[0], 2),
+                     "after": round(distance[-1], 2),
+                     "ms a step": round(1000 * (time.perf_counter() - began) / STEPS)})
+    return rows
+
+
+def median(function, *arguments):
+    """Milliseconds of a call, the median of RUNS after one to warm up."""
+    function(*arguments)
+    took = []
+    for _ in range(RUNS):
+        start = time.perf_counter()
+        function(*arguments)
+        took.append(1000 * (time.perf_counter() - start))
+    return round(statistics.median(took), 1)
+
+
+if __name__ == "__main__":
+    main()
