@@ -455,7 +455,6 @@ def save(scene, name, picture):
     return path
 
 
-SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
-                                               fit_triangle, fit_cube, fit_pose, fit_texture,
-                                               fit_bunny, relaxation, large_steps)}
-                                               fit_bunny, shadow)}
+SCENES = {scene.__name__: scene for scene in (
+    bunny, teapot, flight, aliasing, msaa, fit_triangle, fit_cube, fit_pose, fit_texture, fit_bunny,
+    relaxation, large_steps, shadow)}
