@@ -12,7 +12,7 @@ to teach, and to work on the course
   test                  check everything: lint, code, labs, notebooks
 
 examples
-  python3 -m course demo                     all scenes
+  python3 -m course demo                     all scenes that take seconds
   python3 -m course check                    the board of all labs
   python3 -m course check rasterization      one lab, by its topic
   python3 -m course check 2.3                one exercise
@@ -80,7 +80,7 @@ def arguments():
         return made.add_argument
 
     option = add(demo)
-    option("names", nargs="*", metavar="NAME", help="a scene; without a name, all of them")
+    option("names", nargs="*", metavar="NAME", help="a scene; without a name, all quick ones")
     option("--list", action="store_true", help="say which scenes there are")
     option("--impl", choices=("reference", "labs"), default="reference",
            help="whose code renders: the reference's, or yours in labs/")
