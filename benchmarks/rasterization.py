@@ -1,72 +1,43 @@
 """How long lab 2 takes, and how it grows: python3 benchmarks/rasterization.py
 
-Medians of several runs on one core, in milliseconds; written to out/benchmarks/rasterization.json
-as well. "boxes" is the textbook's way on the same meshes, in NumPy: for every face all samples of
-its bounding box, in chunks as large as `rasterize` has them. The ratio to it says more than a time
-does on another machine.
+Milliseconds as benchmarks/measure.py has them; written to out/benchmarks/rasterization.json as
+well. "boxes" is the textbook's way on the same meshes, in NumPy: for every face all samples of its
+bounding box, in chunks as large as `rasterize` has them.
 """
-import json
-import platform
-import statistics
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from course import mesh, places
-from reference import rasterization, transforms
-
-FACES = 1_000, 10_000, 100_000
-SIZES = 256, 512, 1024, 2048
-RUNS = 9
+from benchmarks import measure
+from reference import rasterization
 
 
 def main():
-    rows = [measure(count, 512) for count in FACES] + [measure(10_000, size) for size in SIZES]
-    columns = ("faces", "pixels", "rasterize", "barycentrics", "derivatives", "boxes",
-               "boxes/rasterize")
-    print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}")
-    print("".join(f"{name:>16}" for name in columns))
-    for row in rows:
-        print("".join(f"{row[name]:>16}" for name in columns))
-    path = places.out("benchmarks", "rasterization.json")
-    machine = {"machine": platform.machine(), "system": platform.platform(),
-               "python": platform.python_version(), "numpy": np.__version__}
-    places.write_whole(path, json.dumps({**machine, "medians in ms": rows}, indent=1).encode())
-    print(f"written to {path}")
+    facts = measure.begin()
+    rows = [row(count, 512) for count in measure.FACES]
+    rows += [row(10_000, size) for size in measure.SIZES]
+    measure.show(rows)
+    measure.save("rasterization", facts, {"medians in ms": rows})
 
 
-def measure(face_count, size):
-    """One row of the table: an icosphere that fills four fifths of the height."""
-    vertices, faces = mesh.icosphere(face_count)
-    clip_from_world = transforms.perspective(np.radians(48), 1.0, 0.1, 10.0)
-    clip_from_world = clip_from_world @ transforms.translate(np.array([0.0, 0.0, -3.0]))
-    clip = transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
-    face_index, _ = rasterization.rasterize(clip, faces, size, size)
-    assert (face_index == boxes(clip, faces, size, size)[0]).all()
-    took = {
-        "rasterize": median(rasterization.rasterize, clip, faces, size, size),
-        "barycentrics": median(rasterization.barycentrics, face_index, clip, faces),
-        "derivatives": median(rasterization.barycentrics_derivatives, face_index, clip, faces),
-        "boxes": median(boxes, clip, faces, size, size),
-    }
-    ratio = took["boxes"] / took["rasterize"]
-    return {"faces": len(faces), "pixels": f"{size}x{size}",
-            **{name: round(value, 1) for name, value in took.items()},
-            "boxes/rasterize": round(ratio, 2)}
-
-
-def median(function, *arguments):
-    """Milliseconds of a call, the median of RUNS after one to warm up."""
-    function(*arguments)
-    times = []
-    for _ in range(RUNS):
-        start = time.perf_counter()
-        function(*arguments)
-        times.append(1000 * (time.perf_counter() - start))
-    return statistics.median(times)
+def row(face_count, size):
+    """One row of the table."""
+    _, faces, clip = measure.sphere(face_count)
+    scene = clip, faces, size, size
+    face_index, _ = rasterization.rasterize(*scene)
+    assert (face_index == boxes(*scene)[0]).all()
+    picture = face_index, clip, faces
+    took = measure.medians({
+        "rasterize": lambda: rasterization.rasterize(*scene),
+        "barycentrics": lambda: rasterization.barycentrics(*picture),
+        "derivatives": lambda: rasterization.barycentrics_derivatives(*picture),
+        "boxes": lambda: boxes(*scene),
+    })
+    return {"faces": len(faces), "pixels": size**2, **took,
+            "boxes / rasterize": took["boxes"] / took["rasterize"],
+            "with barycentrics": 1 + took["barycentrics"] / took["rasterize"]}
 
 
 def boxes(clip, faces, width, height):

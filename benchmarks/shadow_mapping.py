@@ -1,13 +1,10 @@
 """How long lab 14 takes, and how wrong its shadows are: python3 benchmarks/shadow_mapping.py
 
-The bunny on a square ground, 512 x 512 pixels. Times are medians of several runs on one core, in
-milliseconds. Errors are % of the pixels that face the light, against exact ray casting, and root
-mean squares against 256 point lights; fits start from places around the light. All of it goes to
+The bunny on a square ground, 512 x 512 pixels. Times are milliseconds as benchmarks/measure.py has
+them. Errors are % of the pixels that face the light, against exact ray casting, and root mean
+squares against 256 point lights; fits start from places around the light. All of it goes to
 out/benchmarks/shadow_mapping.json as well.
 """
-import json
-import platform
-import statistics
 import sys
 import time
 from pathlib import Path
@@ -15,29 +12,24 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from course import mesh, places
+from benchmarks import measure
+from course import mesh
 from reference import shadow_mapping, transforms
 
 SIZE = 512
 MAPS = 256, 512, 1024, 2048
-RUNS = 5
 PLACE = np.array([-2.6, 2.4, 1.4])
 VARIANCE = 6, 1e-3  # radius of the blur, least variance
 STARTS, STEPS = 8, 100
 
 
 def main():
-    print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}")
-    tables = {}
+    facts, tables = measure.begin(), {}
     for table in times, errors, soft_errors, fits:
         tables[table.__name__] = rows = table()
-        print(table.__doc__)
-        print("".join(f"{name:>16}" for name in rows[0]))
-        for row in rows:
-            print("".join(f"{value:>16}" for value in row.values()), flush=True)
-    path = places.out("benchmarks", "shadow_mapping.json")
-    places.write_whole(path, json.dumps(tables, indent=1).encode())
-    print(f"written to {path}")
+        print(f"\n{table.__doc__}", end="")
+        measure.show(rows)
+    measure.save("shadow_mapping", facts, tables)
 
 
 def scene(lift=0.0):
@@ -62,22 +54,21 @@ def times():
     light = shadow_mapping.point_light(PLACE, vertices)
     _, points, normals = seen(vertices, faces, SIZE)
     offsets, rows = shadow_mapping.disc_offsets(32), []
+    given = points, normals, vertices, faces, light
     for size in MAPS:
-        given = points, normals, vertices, faces, light
         variance = points, vertices, faces, light, size, *VARIANCE
         lit, buffers = shadow_mapping.variance_shadow(*variance)
-        rows.append({
-            "map": size,
-            "points": len(points),
-            "what is seen": median(seen, vertices, faces, SIZE),
-            "map alone": median(shadow_mapping.depth_map, vertices, faces, light, size),
-            "hard shadow": median(shadow_mapping.hard_shadow, *given, size, 1e-3),
-            "PCSS, 32 places": median(shadow_mapping.soft_shadow, *given, 0.2, size, 0.02, offsets),
-            "variance": median(shadow_mapping.variance_shadow, *variance),
-            "its backward": median(shadow_mapping.variance_shadow_backward, lit, buffers, points,
-                                   light, *VARIANCE),
-            "ray casting": median(shadow_mapping.ray_cast, points, vertices, faces, light),
-        })
+        rows.append({"map": size, "points": len(points), **measure.medians({
+            "what is seen": lambda: seen(vertices, faces, SIZE),
+            "map alone": lambda size=size: shadow_mapping.depth_map(vertices, faces, light, size),
+            "hard shadow": lambda size=size: shadow_mapping.hard_shadow(*given, size, 1e-3),
+            "PCSS, 32 places": lambda size=size: shadow_mapping.soft_shadow(
+                *given, 0.2, size, 0.02, offsets),
+            "variance": lambda variance=variance: shadow_mapping.variance_shadow(*variance),
+            "its backward": lambda lit=lit, buffers=buffers:
+                shadow_mapping.variance_shadow_backward(lit, buffers, points, light, *VARIANCE),
+            "ray casting": lambda: shadow_mapping.ray_cast(points, vertices, faces, light),
+        }, runs=5)})
     return rows
 
 
@@ -150,17 +141,6 @@ def fits():
                      "after": round(distance[-1], 2),
                      "ms a step": round(1000 * (time.perf_counter() - began) / STEPS)})
     return rows
-
-
-def median(function, *arguments):
-    """Milliseconds of a call, the median of RUNS after one to warm up."""
-    function(*arguments)
-    took = []
-    for _ in range(RUNS):
-        start = time.perf_counter()
-        function(*arguments)
-        took.append(1000 * (time.perf_counter() - start))
-    return round(statistics.median(took), 1)
 
 
 if __name__ == "__main__":

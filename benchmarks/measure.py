@@ -1,0 +1,95 @@
+"""What the benchmarks share: how they measure, their sphere, their tables and files.
+
+Medians of several runs, in milliseconds of processor time, on one core: waiting does not count, but
+what else runs makes caches and memory slower. All calls are measured in turn, round by round, so
+that this falls on all alike, and their ratios say more than a time does on another machine.
+"""
+import json
+import os
+import platform
+import statistics
+import time
+from pathlib import Path
+
+import numpy as np
+import scipy
+
+from course import mesh, places
+from reference import transforms
+
+FACES = 1_000, 10_000, 100_000
+SIZES = 256, 512, 1024, 2048
+RUNS = 9
+CLIP_FROM_WORLD = transforms.perspective(np.radians(48), 1.0, 0.1, 10.0) @ transforms.translate(
+    np.array([0.0, 0.0, -3.0]))
+
+
+def medians(calls, runs=RUNS):
+    """{name: call} -> {name: milliseconds}, after one round to warm up."""
+    took = {name: [] for name in calls}
+    for _ in range(runs + 1):
+        for name, call in calls.items():
+            start = time.process_time()
+            call()
+            took[name].append(1000 * (time.process_time() - start))
+    return {name: statistics.median(times[1:]) for name, times in took.items()}
+
+
+def sphere(face_count):
+    """An icosphere that fills four fifths of the height: vertices (V, 3), faces, clip (V, 4)."""
+    vertices, faces = mesh.icosphere(face_count)
+    clip = transforms.transform(transforms.to_homogeneous(vertices), CLIP_FROM_WORLD)
+    return vertices, faces, clip
+
+
+def machine():
+    """{what: fact} of what the numbers were measured on; from here on, on one core."""
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text().splitlines() if info.exists() else []
+    names = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
+    return {"machine": platform.machine(), "system": platform.platform(),
+            "processor": (names or [platform.processor() or "unknown"])[0],
+            "python": platform.python_version(), "numpy": np.__version__,
+            "scipy": scipy.__version__}
+
+
+def begin():
+    """Print the machine -> its facts, for `save`."""
+    facts = machine()
+    print(", ".join(f"{name} {fact}" for name, fact in facts.items()))
+    return facts
+
+
+def show(rows):
+    """Rows [{column: value}, ...] as a table; a row may lack columns that others have."""
+    columns = list(dict.fromkeys(column for row in rows for column in row))
+    lines = [columns] + [[text(row.get(column, "")) for column in columns] for row in rows]
+    widths = [max(map(len, cells)) for cells in zip(*lines, strict=True)]
+    print()
+    for line in lines:
+        print("  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True)))
+
+
+def show_growth(key, rows):
+    """Rows side by side, and after each value by how much it grew from the row before."""
+    print()
+    for name in (key, *(name for name in rows[0] if name != key)):
+        line, before = f"{name:>16}", rows[0][name]
+        for value in (row.get(name, np.nan) for row in rows):
+            line, before = line + f"{text(value):>13} ({value / before:4.1f})", value
+        print(line)
+
+
+def text(value):
+    if isinstance(value, float):
+        return f"{value:.3g}" if abs(value) < 10 else f"{value:.1f}"
+    return f"{value:,}" if isinstance(value, int) else str(value)
+
+
+def save(name, facts, tables):
+    """Write facts and {title: rows} to out/benchmarks/NAME.json."""
+    path = places.out("benchmarks", f"{name}.json")
+    places.write_whole(path, json.dumps({**facts, **tables}, indent=1).encode())
+    print(f"\nwritten to {path}")
