@@ -28,6 +28,8 @@ import scipy.sparse
 
 from . import antialiasing, inverse_rendering
 
+CHUNK = 1 << 17  # samples of a volume in flight at once
+
 # --- signed distances: eq. (1) to (3) -----------------------------------------------------------
 
 
@@ -314,8 +316,8 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 poi
                            spacing, background):
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
-    density, colour, spacing, background as in `volume_render`; the last two are given. A sample that
-    becomes denser adds more of its own colour, and hides some of all that is behind it, the
+    density, colour, spacing, background as in `volume_render`; the last two are given. A sample
+    that becomes denser adds more of its own colour, and hides some of all that is behind it, the
     background included. Right where nothing passes, too, as with a density of 1e9, and where a
     density is 0: divide by no weight and no T.
 
@@ -359,12 +361,11 @@ def grid_weights(points, n):
     inside = ((place >= 0) & (place <= n)).all(-1)
     low = np.clip(np.floor(place), 0, n - 1).astype(int)
     part = place - low
-    columns, weights = [], []
-    for corner in itertools.product((0, 1), repeat=3):
-        columns.append((low + corner) @ [(n + 1)**2, n + 1, 1])
-        weights.append(np.where(corner, part, 1 - part).prod(-1) * inside)
-    rows = np.arange(0, 8 * len(points) + 1, 8)
-    entries = np.stack(weights, -1).ravel(), np.stack(columns, -1).ravel(), rows
+    x, y, z = np.stack([1 - part, part], -1).swapaxes(0, 1)  # (P, 2): of the lower, of the upper
+    weights = np.einsum("p,pi,pj,pk->pijk", inside, x, y, z)
+    step = np.array([(n + 1)**2, n + 1, 1])
+    corners = (low @ step)[:, None] + np.indices((2, 2, 2)).reshape(3, 8).T @ step
+    entries = weights.ravel(), corners.ravel(), np.arange(0, corners.size + 1, 8)
     return scipy.sparse.csr_array(entries, shape=(len(points), (n + 1)**3))
 
 
@@ -512,13 +513,17 @@ def render_distance(shape, clip_from_world, width, height, light, colour, backgr
 
 def render_volume(shape, clip_from_world, width, height, light, colour, background, near, far,
                   beta=0.01, count=128):
-    """A shape as a volume of eq. (7), count samples on each ray: picture (height, width, 3)."""
+    """A shape as a volume of eq. (7), count samples on each ray: picture (height, width, 3).
+
+    Samples of a weight up to 1e-6 are seen by nobody, and left black.
+    """
     origins, directions = camera_rays(clip_from_world, width, height)
     picture = np.empty((len(origins), 3))
-    for rays in np.array_split(np.arange(len(origins)), -(-len(origins) * count // 500_000)):
+    for rays in np.array_split(np.arange(len(origins)), -(-len(origins) * count // CHUNK)):
         points, spacing = ray_samples(origins[rays], directions[rays], near, far, count)
         density = density_of(signed_distance(points, shape), beta)
-        colours = lit(normals(points, shape), light, colour)
+        seen, colours = ray_weights(density, spacing)[0] > 1e-6, np.zeros(points.shape)
+        colours[seen] = lit(normals(points[seen], shape), light, colour)
         picture[rays] = volume_render(density, colours, spacing, background)
     return picture.reshape(height, width, 3)
 
