@@ -342,23 +342,24 @@ WHEEL = ("intersection",
            ("union", ("box", np.array([0.72, 0.06, 0.06])), ("box", np.array([0.06, 0.06, 0.72]))),
            ("intersection", ("sphere", 0.34), ("box", np.array([0.3, 0.16, 0.3]))))),
          ("complement", ("box", np.array([0.11, 1.0, 0.11]))))  # a hand wheel, of five holes
+BRASS, WHITE = np.array([0.85, 0.66, 0.48]), np.ones(3)
 SATURN = ("union", ("torus", 0.68, 0.22), ("sphere", 0.32))
-WHITE = np.ones(3)
 
 
 def representations(labs):
     """A hand wheel as signed distance, as volume and as mesh (lab 15)."""
-    lab15, size = labs.implicit_surfaces, SIZE // 2
-    given = WHEEL, wheel_camera(labs), size, size, LIGHT, np.array([0.85, 0.66, 0.48]), BACKGROUND
+    lab15, size = labs.implicit_surfaces, 144
+    given = WHEEL, wheel_camera(labs), size, size, LIGHT, BRASS, BACKGROUND
     picture, evaluations = lab15.render_distance(*given)
     yield (f"distance: {evaluations.mean():.0f} steps a ray",
-           save("representations", "distance", picture))
+           save("representations", "distance", enlarged(picture, 2)))
     for beta in 0.1, 0.03, 0.01:
-        picture = lab15.render_volume(*given, 1.8, 3.9, beta)
-        yield f"volume, beta {beta}", save("representations", f"volume_{beta}", picture)
+        picture = lab15.render_volume(*given, 1.7, 3.9, beta, count=96)
+        yield (f"volume, beta {beta}",
+               save("representations", f"volume_{beta}", enlarged(picture, 2)))
     for n in 16, 32, 64:
-        yield f"mesh, {n}^3 cells", save("representations", f"mesh_{n}",
-                                         lab15.render_mesh(*given, n=n))
+        picture = lab15.render_mesh(*given, n=n)
+        yield f"mesh, {n}^3 cells", save("representations", f"mesh_{n}", enlarged(picture, 2))
 
 
 def wheel_camera(labs):
@@ -380,7 +381,7 @@ def fit_volume(labs):
     picture = volume_seen(labs, origins, directions, density, colour)
     yield f"three new views: {-10 * np.log10(np.mean((picture - truth)**2)):.1f} dB", None
     sheet = np.concatenate([rays.reshape(3, size, size, 3).swapaxes(0, 1).reshape(size, -1, 3)
-                            for rays in (picture, truth)])
+                            for rays in (truth, picture)])
     yield "fit, and truth below", save("fit_volume", "views", enlarged(np.clip(sheet, 0, 1), 5))
 
     points, tetrahedra = lab15.tetrahedral_grid(n)

@@ -468,6 +468,8 @@ def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.13 (3 poin
     """
     inside = distance < 0
     case = inside[tetrahedra] @ np.array([1, 2, 4, 8], np.uint8)
+    crossed = (0 < case) & (case < 15)
+    tetrahedra, case = tetrahedra[crossed], case[crossed]
     corners = [np.empty((0, 3, 2), int)]
     for number in range(1, 15):
         triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)

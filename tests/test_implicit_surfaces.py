@@ -225,7 +225,7 @@ def test_half_a_step_comes_nearer_by_half(impl):
     for far, epsilon, most, t, evaluations in (
             (9.0, 0.3, 99, 3.75, 5), (9.0, 0.5, 99, 3.75, 5), (9.0, 0.6, 99, 3.5, 4),
             (9.0, 0.3, 5, 3.75, 5), (9.0, 0.3, 4, np.inf, 4),
-            (3.75, 0.3, 99, 3.75, 5), (3.7, 0.3, 99, np.inf, 4)):
+            (3.75, 0.3, 99, 3.75, 5), (3.7, 0.3, 99, np.inf, 4), (3.7, 0.5, 99, np.inf, 4)):
         got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
         assert_close(got[0], np.array([t]))
         assert_equal(got[1], np.array([evaluations]))
@@ -274,6 +274,8 @@ def test_the_defaults_are_those_of_the_question(impl, rng):
     expected = np.array([traced(*ray, 9.0, 1.0, 1e-5, 200)[0]
                          for ray in zip(origins, directions, strict=True)])
     assert_close(impl.sphere_trace(origins, directions, TWO_BALLS, 9.0)[0], expected)
+    _, evaluations = impl.sphere_trace(origins[:1], directions[:1], TWO_BALLS, 9.0, 1000.0)
+    assert_equal(evaluations, np.array([200]))
     t, evaluations = impl.sphere_trace(np.zeros((0, 3)), np.zeros((0, 3)), TWO_BALLS, 9.0)
     assert_equal((t.shape, evaluations.shape), ((0,), (0,)))
 

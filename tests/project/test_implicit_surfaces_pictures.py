@@ -219,7 +219,6 @@ def assert_closed_manifold(count, faces):
     np.testing.assert_array_equal(along, against)
     # Around each vertex one fan: faces at it, joined where they share an edge at it.
     corner = np.arange(faces.size)              # corner 3 f + k is that of vertex k of face f
-    following = 3 * (corner // 3) + (corner + 1) % 3
     previous = 3 * (corner // 3) + (corner + 2) % 3
     by_edge = {(int(a), int(b)): int(c) for a, b, c in zip(start, end, corner, strict=True)}
     flat = faces.ravel()
@@ -228,7 +227,6 @@ def assert_closed_manifold(count, faces):
                                    shape=(len(corner), len(corner)))
     fans, _ = scipy.sparse.csgraph.connected_components(graph, directed=False)
     assert fans == count == len(np.unique(flat))
-    assert len(following) == len(corner)
 
 
 def inside_volume(points, distance, n, steps=6):
