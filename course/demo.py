@@ -391,7 +391,7 @@ def fit_volume(labs):
         labs, vertices, faces, wheel_camera(labs)))
 
 
-def volume_surface(density, points, level=8.0):
+def volume_surface(density, points, level=5.0):
     """Where a density is level, a surface: numbers for marching, positive outside and at the end of
     the grid."""
     return np.where((np.abs(points) == 1).any(1), level, level - density)
