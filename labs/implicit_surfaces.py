@@ -447,7 +447,7 @@ def render_distance(shape, clip_from_world, width, height, light, colour, backgr
                     lipschitz=1.0):
     """A shape by sphere tracing: picture (height, width, 3), evaluations (height, width)."""
     origins, directions = camera_rays(clip_from_world, width, height)
-    t, evaluations = sphere_trace(origins, directions, shape, far, lipschitz)
+    t, evaluations = sphere_trace(origins, directions, shape, far, lipschitz, most=1000)
     picture, seen = np.tile(background, (len(t), 1)), np.isfinite(t)
     points = origins[seen] + t[seen, None] * directions[seen]
     picture[seen] = lit(normals(points, shape), light, colour)
