@@ -262,7 +262,8 @@ def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
                  lipschitz=1.0, epsilon=1e-5, most=200):
     """Eq. (4): where do rays hit a shape? No point of it is nearer than s / L: so far one can go.
 
-    origins, directions (R, 3), of unit length; shape as in the header -> t (R,), evaluations (R,).
+    origins (R, 3), directions (R, 3) of unit length, a shape of the header, four numbers > 0
+    -> t (R,), evaluations (R,).
 
     Each ray begins at t = 0. Evaluate s by `signed_distance` at its present t. If s < epsilon, the
     ray has hit, and this t is its t. If not, go on by eq. (4), with L = lipschitz; beyond far, the

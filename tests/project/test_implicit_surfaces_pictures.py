@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import scipy.sparse
 
-from course import demo, mesh
+from course import demo, fits, mesh
 from course.gradcheck import gradcheck
 from reference import implicit_surfaces, transforms
 
@@ -313,3 +313,34 @@ def test_three_representations_are_one_object():
         assert np.median(difference[evaluations > 8]) < limit
     assert np.abs(traced - traced[:, ::-1]).mean() > 0.03  # so that a mirrored one would be told
     assert np.abs(traced - traced[::-1]).mean() > 0.03
+
+
+def test_a_ball_opens_to_a_ring():
+    """The gradient of distances does not change the topology, or leads elsewhere."""
+    goal, n = ("torus", 0.55, 0.25), 14
+    points, tetrahedra = implicit_surfaces.tetrahedral_grid(n)
+    distance, euler = implicit_surfaces.signed_distance(points, ("sphere", 0.85)), []
+    for _ in range(150):
+        vertices, faces, ends = implicit_surfaces.marching_tetrahedra(points, distance, tetrahedra)
+        off = implicit_surfaces.signed_distance(vertices, goal)
+        euler.append(len(vertices) - len(mesh.edges(faces)[0]) + len(faces))
+        a, b, c = vertices[faces.T]
+        push = np.zeros(vertices.shape)
+        for corner in faces.T:
+            np.add.at(push, corner, np.cross(b - a, c - a) / 6)
+        _, grad_distance = implicit_surfaces.marching_tetrahedra_backward(
+            off[:, None] * push, ends, points, distance)
+        distance = distance - 3 * (n / 2)**2 * grad_distance
+    assert (euler[0], euler[-1]) == (2, 0)
+    assert np.abs(off).mean() < 0.1 * 2 / n
+
+
+def test_a_density_grid_is_found_from_pictures():
+    """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
+    labs, size = demo.Labs("reference"), 12
+    seen = demo.saturn_rays(labs, fits.cameras_around(labs, 16, longitude=0.2), size)
+    density, colour, losses = demo.volume_fit(labs, *seen, 12, 100, batch=300)
+    *rays, truth = demo.saturn_rays(labs, fits.cameras_around(labs, 3, longitude=0.7), size)
+    picture = demo.volume_seen(labs, *rays, density, colour)
+    assert np.mean(losses[-10:]) < losses[0] / 15
+    assert -10 * np.log10(np.mean((picture - truth)**2)) > 20
