@@ -18,6 +18,13 @@ from . import fits, image, mesh, places, plot
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
 BACKGROUND = np.array([0.93, 0.95, 0.97])
+WHEEL = ("intersection",
+         ("smooth union", 0.1, ("torus", 0.72, 0.14),
+          ("smooth union", 0.1,
+           ("union", ("box", np.array([0.72, 0.06, 0.06])), ("box", np.array([0.06, 0.06, 0.72]))),
+           ("intersection", ("sphere", 0.34), ("box", np.array([0.3, 0.16, 0.3]))))),
+         ("complement", ("box", np.array([0.11, 1.0, 0.11]))))  # a hand wheel, of five holes
+BRASS = np.array([0.85, 0.66, 0.48])
 EARS = slice(340, 420), slice(150, 230)  # rows and columns for a close up of the bunny
 
 
@@ -405,6 +412,59 @@ def drawn(labs, vertices, faces, size=SIZE):
     return wireframe(face_index >= 0, barycentric, derivatives)
 
 
+def representations(labs):
+    """A hand wheel as signed distance, as volume and as mesh (lab 15)."""
+    lab15, size = labs.implicit_surfaces, 144
+    given = WHEEL, wheel_camera(labs), size, size, LIGHT, BRASS, BACKGROUND
+    picture, evaluations = lab15.render_distance(*given)
+    yield (f"distance: {evaluations.mean():.0f} steps a ray",
+           save("representations", "distance", enlarged(picture, 2)))
+    for beta in 0.1, 0.03, 0.01:
+        picture = lab15.render_volume(*given, 1.7, 3.9, beta, count=96)
+        yield (f"volume, beta {beta}",
+               save("representations", f"volume_{beta}", enlarged(picture, 2)))
+    for n in 16, 32, 64:
+        picture = lab15.render_mesh(*given, n=n)
+        yield f"mesh, {n}^3 cells", save("representations", f"mesh_{n}", enlarged(picture, 2))
+
+
+def wheel_camera(labs):
+    """clip_from_world that sees the hand wheel from above."""
+    eye, up = np.array([1.0, 2.2, 1.4]), np.array([0.0, 1.0, 0.0])
+    view = labs.transforms.look_at(eye, np.zeros(3), up)
+    return labs.transforms.perspective(np.radians(40), 1.0, 0.1, 10.0) @ view
+
+
+def fit_volume(labs):
+    """Density and colour in a grid, found from 30 pictures (lab 15)."""
+    lab15, n, size = labs.implicit_surfaces, 24, 32
+    rays = fits.saturn_rays(labs, fits.cameras_around(labs, 30, longitude=0.2), size)
+    yield f"30 views, {size} x {size} pixels", None
+    density, colour, _ = fits.volume_fit(labs, *rays, n, 500)
+    yield "500 steps", None
+    origins, directions, truth = fits.saturn_rays(
+        labs, fits.cameras_around(labs, 3, longitude=0.7), size)
+    picture = fits.volume_seen(labs, origins, directions, density, colour)
+    yield f"three new views: {-10 * np.log10(np.mean((picture - truth)**2)):.1f} dB", None
+    sheet = np.concatenate([rays.reshape(3, size, size, 3).swapaxes(0, 1).reshape(size, -1, 3)
+                            for rays in (truth, picture)])
+    yield "fit, and truth below", save("fit_volume", "views", enlarged(np.clip(sheet, 0, 1), 5))
+
+    points, tetrahedra = lab15.tetrahedral_grid(n)
+    outside = fits.volume_surface(density, points)
+    vertices, faces, _ = lab15.marching_tetrahedra(points, outside, tetrahedra)
+    yield f"its mesh: {len(faces):,} faces", save("fit_volume", "mesh", mesh_seen(
+        labs, vertices, faces, wheel_camera(labs)))
+
+
+def mesh_seen(labs, vertices, faces, clip_from_world):
+    """A mesh with a light, SIZE / 2 wide and high."""
+    clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), clip_from_world)
+    face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE // 2, SIZE // 2)
+    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    return shaded(vertices, faces, face_index, barycentric)
+
+
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
     points = labs.transforms.to_homogeneous(vertices)
@@ -461,137 +521,5 @@ def save(scene, name, picture):
 
 SCENES = {scene.__name__: scene for scene in (
     bunny, teapot, flight, aliasing, msaa, fit_triangle, fit_cube, fit_pose, fit_texture, fit_bunny,
-    relaxation, large_steps, shadow)}
-SLOW = "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "large_steps"
-WHEEL = ("intersection",
-         ("smooth union", 0.1, ("torus", 0.72, 0.14),
-          ("smooth union", 0.1,
-           ("union", ("box", np.array([0.72, 0.06, 0.06])), ("box", np.array([0.06, 0.06, 0.72]))),
-           ("intersection", ("sphere", 0.34), ("box", np.array([0.3, 0.16, 0.3]))))),
-         ("complement", ("box", np.array([0.11, 1.0, 0.11]))))  # a hand wheel, of five holes
-BRASS, WHITE = np.array([0.85, 0.66, 0.48]), np.ones(3)
-SATURN = ("union", ("torus", 0.68, 0.22), ("sphere", 0.32))
-
-
-def representations(labs):
-    """A hand wheel as signed distance, as volume and as mesh (lab 15)."""
-    lab15, size = labs.implicit_surfaces, 144
-    given = WHEEL, wheel_camera(labs), size, size, LIGHT, BRASS, BACKGROUND
-    picture, evaluations = lab15.render_distance(*given)
-    yield (f"distance: {evaluations.mean():.0f} steps a ray",
-           save("representations", "distance", enlarged(picture, 2)))
-    for beta in 0.1, 0.03, 0.01:
-        picture = lab15.render_volume(*given, 1.7, 3.9, beta, count=96)
-        yield (f"volume, beta {beta}",
-               save("representations", f"volume_{beta}", enlarged(picture, 2)))
-    for n in 16, 32, 64:
-        picture = lab15.render_mesh(*given, n=n)
-        yield f"mesh, {n}^3 cells", save("representations", f"mesh_{n}", enlarged(picture, 2))
-
-
-def wheel_camera(labs):
-    """clip_from_world that sees the hand wheel from above."""
-    eye, up = np.array([1.0, 2.2, 1.4]), np.array([0.0, 1.0, 0.0])
-    view = labs.transforms.look_at(eye, np.zeros(3), up)
-    return labs.transforms.perspective(np.radians(40), 1.0, 0.1, 10.0) @ view
-
-
-def fit_volume(labs):
-    """Density and colour in a grid, found from 30 pictures (lab 15)."""
-    lab15, n, size = labs.implicit_surfaces, 24, 32
-    rays = saturn_rays(labs, fits.cameras_around(labs, 30, longitude=0.2), size)
-    yield f"30 views, {size} x {size} pixels", None
-    density, colour, _ = volume_fit(labs, *rays, n, 500)
-    yield "500 steps", None
-    origins, directions, truth = saturn_rays(
-        labs, fits.cameras_around(labs, 3, longitude=0.7), size)
-    picture = volume_seen(labs, origins, directions, density, colour)
-    yield f"three new views: {-10 * np.log10(np.mean((picture - truth)**2)):.1f} dB", None
-    sheet = np.concatenate([rays.reshape(3, size, size, 3).swapaxes(0, 1).reshape(size, -1, 3)
-                            for rays in (truth, picture)])
-    yield "fit, and truth below", save("fit_volume", "views", enlarged(np.clip(sheet, 0, 1), 5))
-
-    points, tetrahedra = lab15.tetrahedral_grid(n)
-    outside = volume_surface(density, points)
-    vertices, faces, _ = lab15.marching_tetrahedra(points, outside, tetrahedra)
-    yield f"its mesh: {len(faces):,} faces", save("fit_volume", "mesh", mesh_seen(
-        labs, vertices, faces, wheel_camera(labs)))
-
-
-def volume_surface(density, points, level=5.0):
-    """Where a density is level, a surface: numbers for marching, positive outside and at the end of
-    the grid."""
-    return np.where((np.abs(points) == 1).any(1), level, level - density)
-
-
-def mesh_seen(labs, vertices, faces, clip_from_world):
-    """A mesh with a light, SIZE / 2 wide and high."""
-    clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), clip_from_world)
-    face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE // 2, SIZE // 2)
-    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
-    return shaded(vertices, faces, face_index, barycentric)
-
-
-def saturn_rays(labs, cameras, size, samples=3):
-    """Pictures (size, size) of a ball in a ring, each pixel a mean of samples^2 rays; on white.
-
-    -> origins, directions, colours (N, 3) of all pixels of all cameras, one after the other.
-    """
-    lab15, rays = labs.implicit_surfaces, []
-    for camera in cameras:
-        origins, directions = lab15.camera_rays(camera, samples * size, samples * size)
-        t, _ = lab15.sphere_trace(origins, directions, SATURN, 9.0)
-        seen, colours = np.isfinite(t), np.ones(origins.shape)
-        at = origins[seen] + t[seen, None] * directions[seen]
-        ball, left = np.linalg.norm(at, axis=1) < 0.4, at[:, 0] < 0
-        paint = np.select([ball[:, None], left[:, None]], [[0.9, 0.3, 0.2], [0.95, 0.8, 0.3]],
-                          [0.25, 0.5, 0.85])
-        colours[seen] = paint * (0.7 + 0.3 * lab15.normals(at, SATURN)[:, 1:2])
-        colours = colours.reshape(size, samples, size, samples, 3).mean((1, 3)).reshape(-1, 3)
-        rays.append((*lab15.camera_rays(camera, size, size), colours))
-    return tuple(np.concatenate(part) for part in zip(*rays, strict=True))
-
-
-def volume_samples(labs, origins, directions, n, count=40):
-    """The look-ups of rays in a grid of n^3 cells, 1.2 to 3.8 in front of their origins."""
-    points, spacing = labs.implicit_surfaces.ray_samples(origins, directions, 1.2, 3.8, count)
-    return labs.implicit_surfaces.grid_weights(points.reshape(-1, 3), n), spacing
-
-
-def volume_seen(labs, origins, directions, density, colour):
-    """What rays (R, 3) see of a grid's density (G,) and colour (G, 3) on white: (R, 3)."""
-    n = round(len(density)**(1 / 3)) - 1
-    weights, spacing = volume_samples(labs, origins, directions, n)
-    return labs.implicit_surfaces.volume_render(
-        (weights @ density).reshape(spacing.shape), (weights @ colour).reshape(*spacing.shape, 3),
-        spacing, WHITE)
-
-
-def volume_fit(labs, origins, directions, target, n, steps, seed=0, batch=1000):
-    """Adam on a grid of n^3 cells: in each step, batch random rays. -> density (G,), colour (G, 3),
-    losses (steps,)."""
-    lab9, lab15, rng = labs.inverse_rendering, labs.implicit_surfaces, np.random.default_rng(seed)
-    density, colour = np.full((n + 1)**3, 0.1), np.full(((n + 1)**3, 3), 0.5)
-    of_density, of_colour = (0 * density, 0 * density), (0 * colour, 0 * colour)
-    losses = []
-    for step in range(1, steps + 1):
-        rays = rng.integers(len(target), size=batch)
-        weights, spacing = volume_samples(labs, origins[rays], directions[rays], n)
-        seen = ((weights @ density).reshape(spacing.shape),
-                (weights @ colour).reshape(*spacing.shape, 3), spacing, WHITE)
-        output = lab15.volume_render(*seen)
-        losses.append(lab9.squared_error(output, target[rays]))
-        grad_output = lab9.squared_error_backward(1.0, output, target[rays])
-        grad_density, grad_colour = lab15.volume_render_backward(grad_output, *seen)
-        rate = 0.1**(step / steps)
-        density, *of_density = lab9.adam_step(density, weights.T @ grad_density.ravel(),
-                                              *of_density, step, 1.0 * rate)
-        colour, *of_colour = lab9.adam_step(colour, weights.T @ grad_colour.reshape(-1, 3),
-                                            *of_colour, step, 0.03 * rate)
-        density, colour = np.maximum(density, 0), np.clip(colour, 0, 1)
-    return density, colour, np.array(losses)
-
-
-SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
-                                               fit_triangle, fit_cube, fit_pose, fit_texture,
-                                               fit_bunny, representations, fit_volume)}
+    relaxation, large_steps, shadow, representations, fit_volume)}
+SLOW = "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "large_steps", "fit_volume"

@@ -1,4 +1,4 @@
-"""Five scenes found from their pictures, with lab 9: what the demo prints and notebook 09 plots.
+"""Scenes found from their pictures: what the demo prints and notebooks 09, 13 and 15 plot.
 
 Each fit is a function of the labs' modules. It takes what was known, a seed or a start, and a
 number of steps; it gives back arrays: the course of the fit, step by step, and where it ended.
@@ -409,3 +409,75 @@ def folded_edges(vertices, faces):
     """The part of a mesh's edges where it turns by more than 90 degrees: many are a tangle."""
     normal, pairs = mesh.face_normals(vertices, faces), mesh.edge_faces(faces)
     return ((normal[pairs[:, 0]] * normal[pairs[:, 1]]).sum(1) < 0).mean()
+
+
+# A ball in a ring, as density and colour in a grid (lab 15), on white.
+
+SATURN = ("union", ("torus", 0.68, 0.22), ("sphere", 0.32))
+WHITE = np.ones(3)
+
+
+def saturn_rays(labs, cameras, size, samples=3):
+    """Pictures (size, size) of a ball in a ring, each pixel a mean of samples^2 rays; on white.
+
+    -> origins, directions, colours (N, 3) of all pixels of all cameras, one after the other.
+    """
+    lab15, rays = labs.implicit_surfaces, []
+    for camera in cameras:
+        origins, directions = lab15.camera_rays(camera, samples * size, samples * size)
+        t, _ = lab15.sphere_trace(origins, directions, SATURN, 9.0)
+        seen, colours = np.isfinite(t), np.ones(origins.shape)
+        at = origins[seen] + t[seen, None] * directions[seen]
+        ball, left = np.linalg.norm(at, axis=1) < 0.4, at[:, 0] < 0
+        paint = np.select([ball[:, None], left[:, None]], [[0.9, 0.3, 0.2], [0.95, 0.8, 0.3]],
+                          [0.25, 0.5, 0.85])
+        colours[seen] = paint * (0.7 + 0.3 * lab15.normals(at, SATURN)[:, 1:2])
+        colours = colours.reshape(size, samples, size, samples, 3).mean((1, 3)).reshape(-1, 3)
+        rays.append((*lab15.camera_rays(camera, size, size), colours))
+    return tuple(np.concatenate(part) for part in zip(*rays, strict=True))
+
+
+def volume_samples(labs, origins, directions, n, count=40):
+    """The look-ups of rays in a grid of n^3 cells, 1.2 to 3.8 in front of their origins."""
+    points, spacing = labs.implicit_surfaces.ray_samples(origins, directions, 1.2, 3.8, count)
+    return labs.implicit_surfaces.grid_weights(points.reshape(-1, 3), n), spacing
+
+
+def volume_seen(labs, origins, directions, density, colour):
+    """What rays (R, 3) see of a grid's density (G,) and colour (G, 3) on white: (R, 3)."""
+    n = round(len(density)**(1 / 3)) - 1
+    weights, spacing = volume_samples(labs, origins, directions, n)
+    return labs.implicit_surfaces.volume_render(
+        (weights @ density).reshape(spacing.shape), (weights @ colour).reshape(*spacing.shape, 3),
+        spacing, WHITE)
+
+
+def volume_fit(labs, origins, directions, target, n, steps, seed=0, batch=1000):
+    """Adam on a grid of n^3 cells: in each step, batch random rays. -> density (G,), colour (G, 3),
+    losses (steps,)."""
+    lab9, lab15, rng = labs.inverse_rendering, labs.implicit_surfaces, np.random.default_rng(seed)
+    density, colour = np.full((n + 1)**3, 0.1), np.full(((n + 1)**3, 3), 0.5)
+    of_density, of_colour = (0 * density, 0 * density), (0 * colour, 0 * colour)
+    losses = []
+    for step in range(1, steps + 1):
+        rays = rng.integers(len(target), size=batch)
+        weights, spacing = volume_samples(labs, origins[rays], directions[rays], n)
+        seen = ((weights @ density).reshape(spacing.shape),
+                (weights @ colour).reshape(*spacing.shape, 3), spacing, WHITE)
+        output = lab15.volume_render(*seen)
+        losses.append(lab9.squared_error(output, target[rays]))
+        grad_output = lab9.squared_error_backward(1.0, output, target[rays])
+        grad_density, grad_colour = lab15.volume_render_backward(grad_output, *seen)
+        rate = 0.1**(step / steps)
+        density, *of_density = lab9.adam_step(density, weights.T @ grad_density.ravel(),
+                                              *of_density, step, 1.0 * rate)
+        colour, *of_colour = lab9.adam_step(colour, weights.T @ grad_colour.reshape(-1, 3),
+                                            *of_colour, step, 0.03 * rate)
+        density, colour = np.maximum(density, 0), np.clip(colour, 0, 1)
+    return density, colour, np.array(losses)
+
+
+def volume_surface(density, points, level=5.0):
+    """Where a density is level, a surface: numbers for marching, positive outside and at the end of
+    the grid."""
+    return np.where((np.abs(points) == 1).any(1), level, level - density)

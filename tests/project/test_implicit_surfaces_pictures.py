@@ -338,9 +338,9 @@ def test_a_ball_opens_to_a_ring():
 def test_a_density_grid_is_found_from_pictures():
     """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
     labs, size = demo.Labs("reference"), 12
-    seen = demo.saturn_rays(labs, fits.cameras_around(labs, 16, longitude=0.2), size)
-    density, colour, losses = demo.volume_fit(labs, *seen, 12, 100, batch=300)
-    *rays, truth = demo.saturn_rays(labs, fits.cameras_around(labs, 3, longitude=0.7), size)
-    picture = demo.volume_seen(labs, *rays, density, colour)
+    seen = fits.saturn_rays(labs, fits.cameras_around(labs, 16, longitude=0.2), size)
+    density, colour, losses = fits.volume_fit(labs, *seen, 12, 100, batch=300)
+    *rays, truth = fits.saturn_rays(labs, fits.cameras_around(labs, 3, longitude=0.7), size)
+    picture = fits.volume_seen(labs, *rays, density, colour)
     assert np.mean(losses[-10:]) < losses[0] / 15
     assert -10 * np.log10(np.mean((picture - truth)**2)) > 20
