@@ -41,7 +41,7 @@ def triangle_meshes():
 
 
 def irregular(count, rng):
-    """Points in a square and their Delaunay triangles, a few of them away: valences 2 to 10."""
+    """Points in a square and their Delaunay triangles, those in the middle away."""
     points = rng.random((count, 2))
     faces = scipy.spatial.Delaunay(points).simplices.astype(np.int64)
     kept = np.linalg.norm(points[faces].mean(1) - 0.5, axis=1) > 0.2
@@ -162,7 +162,7 @@ def test_the_two_weights_are_equal_at_valences_3_and_6_only():
 def test_loop_is_that_of_libigl(vertices, faces):
     """Another scheme than libigl's at a boundary or an odd valence; it must be installed for this.
 
-    It wants all vertices used, at least one boundary or none, and faces wound alike.
+    Faces must be wound alike for it, and vertices of no face are left out, as it forgets them.
     """
     igl = pytest.importorskip("igl")
     if faces is MOEBIUS:
