@@ -52,8 +52,9 @@ def test_a_face_without_area_is_not_drawn(impl):
 
 @exercise("10.1")
 def test_many_faces_are_told_by_their_turn(impl, rng):
-    """Coordinates of different faces are mixed."""
+    """Coordinates of different faces are mixed, or a small face is taken for one without area."""
     screen = random_triangles(rng, 9)
+    screen[4:] *= 1e-3
     flipped = rng.random(9) < 0.5
     screen[flipped] = screen[flipped][:, ::-1]
     assert_equal(impl.front_faces(screen, np.ones((9, 3))), ~flipped)
@@ -178,6 +179,10 @@ def test_only_what_the_clamp_changes_has_no_gradient(impl):
                                               np.array(-0.5), np.array(0.25))
     # c = 1.25, -0.5, 0.25 -> u = 1, 0, 0.25: w = 0.8, 0, 0.2, and grad . w = 20.8
     assert_close(outside[0][:, 2], np.array([0.0, 0.0, 79.2 / 1.25]))
+    beside = impl.weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
+                                             np.array(0.5), np.array(-0.5))
+    # c = 1, 0.5, -0.5: w = 2 / 3, 1 / 3, 0, and grad . w = 4
+    assert_close(beside[0][:, 2], np.array([-3.0, 6.0, 0.0]) / 1.5)
 
 
 def corners_of_screen(screen, z, width, height):
