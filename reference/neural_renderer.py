@@ -19,7 +19,7 @@ What an edge does to the picture has a gradient in two approximate ways, beside 
     S = 1 - prod_f (1 - D_f),  D = 1 / (1 + exp(-+ d^2 / sigma))    SoftRas: - inside          (9)
 
 Sources: a reading of neural_renderer's rasterizer; Kato, Ushiku, Harada 2018; Liu et al. 2019
-(SoftRas). Where the original's kernel differs from their words, `sweep_line` says so.
+(SoftRas). Where the original's kernel does something else, the functions say so.
 """
 import numpy as np
 
@@ -312,8 +312,8 @@ def sample_cubes(textures, face, index, tap):  # exercise 10.8 (1 point)
     >>> sample_cubes(textures, np.array([1]), index, tap)
     array([[10.]])
     """
-    texels = textures.reshape(len(textures), -1, textures.shape[-1])[face[:, None], index]
-    return (tap[..., None] * texels).sum(1)
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures[0, ..., 0].size
+    return sum(tap[:, n, None] * texels[first + index[:, n]] for n in range(8))
 
 
 def sample_cubes_backward(grad_colour, textures, face, index, tap):  # exercise 10.9 (2 points)
@@ -327,12 +327,12 @@ def sample_cubes_backward(grad_colour, textures, face, index, tap):  # exercise 
     >>> grad_textures[1].ravel(), grad_tap
     (array([1., 0., 0., 0., 1., 0., 0., 0.]), array([[16., 24., 20., 28., 18., 26., 22., 30.]]))
     """
-    texels = textures.reshape(len(textures), -1, textures.shape[-1])
-    cell = (face[:, None] * texels.shape[1] + index).ravel()
-    grad_textures = [np.bincount(cell, (tap * grad[:, None]).ravel(), texels[..., 0].size)
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures[0, ..., 0].size
+    cell = first[:, None] + index
+    grad_textures = [np.bincount(cell.ravel(), (tap * grad[:, None]).ravel(), len(texels))
                      for grad in grad_colour.T]
-    grad_tap = (texels[face[:, None], index] * grad_colour[:, None]).sum(2)
-    return np.stack(grad_textures, -1).reshape(textures.shape), grad_tap
+    grad_tap = [(texels[cell[:, n]] * grad_colour).sum(1) for n in range(8)]
+    return np.stack(grad_textures, -1).reshape(textures.shape), np.stack(grad_tap, 1)
 
 
 def texel_weights(size):
