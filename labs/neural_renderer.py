@@ -19,7 +19,7 @@ What an edge does to the picture has a gradient in two approximate ways, beside 
     S = 1 - prod_f (1 - D_f),  D = 1 / (1 + exp(-+ d^2 / sigma))    SoftRas: - inside          (9)
 
 Sources: a reading of neural_renderer's rasterizer; Kato, Ushiku, Harada 2018; Liu et al. 2019
-(SoftRas). Where the original's kernel differs from their words, `sweep_line` says so.
+(SoftRas). Where the original's kernel does something else, the functions say so.
 """
 import numpy as np
 
@@ -224,9 +224,9 @@ def cube_taps(weight, depth, z, size):  # exercise 10.6 (3 points)
     """Eqs. (4) and (5): which 8 texels of its face's cube a pixel reads, and their weights.
 
     weight (N, 3), depth (N,) of `rasterize`, z (N, 3) of the face's corners; size = T >= 2
-    -> index (N, 8) integers, tap (N, 8). low_k is t_k rounded down, T - 2 at most; rounding errors
-    may not bring t_k below 0 or above T - 1. Tap n takes texel low_k if bit k of n (1, 2 or 4)
-    is 0, and low_k + 1 if it is 1; texel [i, j, k] has index i T^2 + j T + k.
+    -> index (N, 8) integers, tap (N, 8). Of t_k, what rounding brings above T - 1 is cut off; low_k
+    is t_k rounded down, T - 2 at most. Tap n takes texel low_k if bit k of n (of value 1, 2, 4 for
+    k = 0, 1, 2) is 0, and low_k + 1 if it is 1; texel [i, j, k] has index i T^2 + j T + k.
 
     >>> weight, z = np.array([[0.25, 0.25, 0.5]]), np.array([[1.0, 1.0, 4.0]])
     >>> index, tap = cube_taps(weight, np.array([1.6]), z, 2)  # t = 0.4, 0.4, 0.2

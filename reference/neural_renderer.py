@@ -257,9 +257,9 @@ def cube_taps(weight, depth, z, size):  # exercise 10.6 (3 points)
     """Eqs. (4) and (5): which 8 texels of its face's cube a pixel reads, and their weights.
 
     weight (N, 3), depth (N,) of `rasterize`, z (N, 3) of the face's corners; size = T >= 2
-    -> index (N, 8) integers, tap (N, 8). low_k is t_k rounded down, T - 2 at most; rounding errors
-    may not bring t_k below 0 or above T - 1. Tap n takes texel low_k if bit k of n (1, 2 or 4)
-    is 0, and low_k + 1 if it is 1; texel [i, j, k] has index i T^2 + j T + k.
+    -> index (N, 8) integers, tap (N, 8). Of t_k, what rounding brings above T - 1 is cut off; low_k
+    is t_k rounded down, T - 2 at most. Tap n takes texel low_k if bit k of n (of value 1, 2, 4 for
+    k = 0, 1, 2) is 0, and low_k + 1 if it is 1; texel [i, j, k] has index i T^2 + j T + k.
 
     >>> weight, z = np.array([[0.25, 0.25, 0.5]]), np.array([[1.0, 1.0, 4.0]])
     >>> index, tap = cube_taps(weight, np.array([1.6]), z, 2)  # t = 0.4, 0.4, 0.2
@@ -268,7 +268,7 @@ def cube_taps(weight, depth, z, size):  # exercise 10.6 (3 points)
     >>> tap.round(9)
     array([[0.288, 0.192, 0.192, 0.128, 0.072, 0.048, 0.048, 0.032]])
     """
-    t = np.clip((size - 1) * weight * depth[:, None] / z, 0, size - 1)
+    t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
     low = np.minimum(np.floor(t), size - 2).astype(int)
     index, tap = np.zeros((len(t), 8), int), np.ones((len(t), 8))
     for n in range(8):
@@ -291,7 +291,7 @@ def cube_taps_backward(grad_tap, weight, depth, z, size):  # exercise 10.7 (3 po
     (array([[1.6, 0. , 0. ]]), array([0.25]), array([[-0.4,  0. ,  0. ]]))
     """
     scale = (size - 1) / z
-    t = np.clip(scale * weight * depth[:, None], 0, size - 1)
+    t = scale * weight * depth[:, None]
     part = t - np.minimum(np.floor(t), size - 2)
     # Along axis k a tap is part_k or 1 - part_k: the others' product, with + or -.
     grad_t = np.zeros(t.shape)

@@ -260,6 +260,15 @@ def test_only_depths_between_near_and_far_are_seen(impl, near, far, expected):
 
 
 @exercise("10.5")
+def test_near_is_a_tenth_and_far_a_hundred_unless_given(impl):
+    """Other defaults."""
+    large = np.array([[-8.0, -8.0], [24.0, -8.0], [-8.0, 24.0]])
+    for z, expected in (0.09999995, -1), (0.10000005, 0), (99.99999995, 0), (100.00000005, -1):
+        face_index, _, _ = impl.rasterize_loop(corners_of_screen(large[None], z, 4, 2), 4, 2)
+        assert_picture(face_index, np.full((2, 4), expected))
+
+
+@exercise("10.5")
 def test_the_maps_are_those_of_a_search(impl, rng):
     """Weights that stay behind from a hidden face, faces cut by the picture's border."""
     screen, z = random_triangles(rng, 9), rng.uniform(1, 3, (9, 3))
