@@ -542,6 +542,15 @@ def test_lines_are_those_of_a_search(impl, rng, height):
 
 
 @exercise("10.12")
+def test_a_row_counts_if_its_centre_is_between_the_ends(impl):
+    """A centre just beyond an end is crossed, or one just before it is not."""
+    for beyond, rows in ((1e-8, [1]), (-1e-8, [0, 1, 2])):
+        low, high = np.array([4.0, 0.5 + beyond]), np.array([7.0, 2.5 - beyond])
+        assert_equal(impl.edge_lines(low, high, 4)[0], np.array(rows))
+        assert_equal(impl.edge_lines(high, low, 4)[0], np.array(rows))
+
+
+@exercise("10.12")
 def test_an_edge_along_a_row_crosses_none(impl):
     """0 / 0, or a whole row."""
     for y in 2.0, 2.5:
@@ -586,6 +595,7 @@ def test_a_pixel_inside_pulls_the_edge_in(impl):
     assert_close(left, np.array([-0.51863, -1.03417]), rtol=1e-5)
     right = impl.sweep_line(grad_colour, colour, sees, 57.6, 1, np.array([1 - up, up]))
     assert_close(right, np.array([3.00086, 1.50506]), rtol=1e-5)
+    assert_close(right, 1 / (7.1 / 32 / np.array([1 - up, up]) + 1e-4))
 
 
 @exercise("10.13")
