@@ -666,10 +666,10 @@ def test_on_the_way_in_only_the_face_itself_counts(impl):
 @exercise("10.13")
 @pytest.mark.parametrize("crossing, side", [(9.7, 1), (0.3, -1), (-2.0, 1), (0.2, 1), (9.5, 1),
                                             (9.9, -1), (12.0, -1), (0.5, -1)])
-def test_an_edge_at_the_border_of_the_picture_has_no_gradient(impl, crossing, side):
+def test_an_edge_at_the_border_of_the_picture_has_no_gradient(impl, rng, crossing, side):
     """Inner or outer outside of the picture: an index that goes round, or the last pixel twice."""
-    colour, sees = line(10, 0, 9)
-    got = impl.sweep_line(np.ones((10, 1)), colour, sees, crossing, side, HALF)
+    colour, grad_colour = rng.random((10, 3)), rng.normal(size=(10, 3))
+    got = impl.sweep_line(grad_colour, colour, np.ones(10, bool), crossing, side, HALF)
     assert_close(got, np.zeros(2))
 
 
