@@ -312,7 +312,7 @@ def sample_cubes(textures, face, index, tap):  # exercise 10.8 (1 point)
     >>> sample_cubes(textures, np.array([1]), index, tap)
     array([[10.]])
     """
-    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures[0, ..., 0].size
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
     return sum(tap[:, n, None] * texels[first + index[:, n]] for n in range(8))
 
 
@@ -327,7 +327,7 @@ def sample_cubes_backward(grad_colour, textures, face, index, tap):  # exercise 
     >>> grad_textures[1].ravel(), grad_tap
     (array([1., 0., 0., 0., 1., 0., 0., 0.]), array([[16., 24., 20., 28., 18., 26., 22., 30.]]))
     """
-    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures[0, ..., 0].size
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
     cell = first[:, None] + index
     grad_textures = [np.bincount(cell.ravel(), (tap * grad[:, None]).ravel(), len(texels))
                      for grad in grad_colour.T]
