@@ -4,6 +4,7 @@ A scene is a function of the labs' modules that yields (what was made, path or N
 where there is a goal, a third thing: (the goal, whether it is met). All of the rendering is the
 labs' own code; this file chooses cameras and colours.
 """
+import functools
 import importlib
 import time
 
@@ -465,6 +466,33 @@ def mesh_seen(labs, vertices, faces, clip_from_world):
     return shaded(vertices, faces, face_index, barycentric)
 
 
+def fit_outlines(labs):
+    """A triangle and a teapot's silhouette by three gradients (lab 10)."""
+    goal = fits.template(labs)
+    ways = (("sweep", {}), ("sweep", {"eps": 1e-2}), ("soft", {}), ("soft", {"sigma": 0.5}),
+            ("blend", {}))
+    for name, setting in ways:
+        title = " ".join([name, *(f"{key} {value:g}" for key, value in setting.items())])
+        outline = functools.partial(fits.OUTLINES[name], **setting)
+        start = time.process_time()
+        x = fits.triangle_by(labs, outline)
+        off = np.linalg.norm(x - fits.TEMPLATE, axis=2).max(1)
+        near = np.flatnonzero(off < 1)
+        yield f"{title}: triangle, {time.process_time() - start:.1f} s", None
+        seen = enlarged(over(labs, goal, x), 8)
+        yield (f"  {off[-1]:.2f} px off, 1 px after {near[0] if len(near) else '-'} steps",
+               save("fit_outlines", f"triangle {title}", seen))
+        start = time.process_time()
+        path, faces = fits.teapot_by(labs, outline)
+        yield f"  teapot, {time.process_time() - start:.1f} s", None
+        seen = [fits.seen_mask(labs, vertices, faces, fits.teapot_camera(labs), SIZE // 2)
+                for vertices in path[[0, 20, -1]]]
+        mask = fits.teapot_mask(labs, SIZE // 2)
+        seen = [1 - 0.5 * mask[..., None] - 0.5 * a[..., None] * [0, 0.5, 1] for a in seen]
+        yield (f"  IoU {fits.teapot_iou(labs, path[-1], faces):.3f}",
+               save("fit_outlines", f"teapot {title}", np.hstack(seen)))
+
+
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
     points = labs.transforms.to_homogeneous(vertices)
@@ -523,3 +551,6 @@ SCENES = {scene.__name__: scene for scene in (
     bunny, teapot, flight, aliasing, msaa, fit_triangle, fit_cube, fit_pose, fit_texture, fit_bunny,
     relaxation, large_steps, shadow, representations, fit_volume)}
 SLOW = "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "large_steps", "fit_volume"
+SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
+                                               fit_triangle, fit_cube, fit_pose, fit_texture,
+                                               fit_bunny, fit_outlines)}

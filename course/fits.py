@@ -1,4 +1,5 @@
 """Scenes found from their pictures: what the demo prints and notebooks 09, 13 and 15 plot.
+"""Scenes found from their pictures, with labs 9 and 10: for the demo and notebooks 09 and 10.
 
 Each fit is a function of the labs' modules. It takes what was known, a seed or a start, and a
 number of steps; it gives back arrays: the course of the fit, step by step, and where it ended.
@@ -481,3 +482,111 @@ def volume_surface(density, points, level=5.0):
     """Where a density is level, a surface: numbers for marching, positive outside and at the end of
     the grid."""
     return np.where((np.abs(points) == 1).any(1), level, level - density)
+# One silhouette, three gradients (lab 10): the same Adam, start and goal for each of them.
+
+
+def sweep_outline(labs, clip, faces, size, eps=1e-4):
+    """neural_renderer's: 1 where a face is seen, and its sweep."""
+    lab10, corners = labs.neural_renderer, labs.neural_renderer.corners_of(clip, faces)
+    face_index, *_ = lab10.rasterize(corners, size, size)
+    picture = (face_index >= 0).astype(float)
+
+    def backward(grad_picture):
+        grad_corners = lab10.sweep_backward(grad_picture[..., None], picture[..., None],
+                                            face_index, corners, eps)
+        return lab10.clip_backward(lab10.per_vertex(grad_corners, faces, len(clip)), clip)
+
+    return picture, backward
+
+
+def soft_outline(labs, clip, faces, size, sigma=0.05):
+    """SoftRas's: a probability, sigma in pixels^2."""
+    lab10, corners = labs.neural_renderer, labs.neural_renderer.corners_of(clip, faces)
+    screen = lab10.on_screen(corners, size, size)
+
+    def backward(grad_picture):
+        grad_corners, grad_screen = np.zeros(corners.shape), lab10.soft_silhouette_backward(
+            grad_picture, screen, sigma)
+        grad_corners[..., :2] = grad_screen * size / 2
+        return lab10.clip_backward(lab10.per_vertex(grad_corners, faces, len(clip)), clip)
+
+    return lab10.soft_silhouette(screen, size, size, sigma), backward
+
+
+def blend_outline(labs, clip, faces, size):
+    """Lab 8's: white faces on black, antialiased."""
+    lab8 = labs.antialiasing
+    face_index, depth = labs.rasterization.rasterize(clip, faces, size, size)
+    edges = face_index, depth, clip, faces, lab8.opposite_vertices(faces)
+    colour = (face_index >= 0)[..., None].astype(float)
+
+    def backward(grad_picture):
+        return lab8.antialias_backward(grad_picture[..., None], colour, *edges)[1]
+
+    return lab8.antialias(colour, *edges)[..., 0], backward
+
+
+OUTLINES = {"sweep": sweep_outline, "soft": soft_outline, "blend": blend_outline}
+
+
+def triangle_by(labs, outline, steps=300):
+    """`triangle` by any of the OUTLINES -> vertices (steps + 1, 3, 2) in pixels."""
+    lab9, faces, goal = labs.inverse_rendering, np.array([[0, 1, 2]]), template(labs)[..., 0]
+    x, mean, square = [START], *np.zeros((2, 3, 2))
+    for step in range(1, steps + 1):
+        picture, backward = outline(labs, clip_of_pixels(x[-1]), faces, SIDE)
+        grad_clip = backward(lab9.squared_error_backward(1.0, picture, goal))
+        rate = 0.6 * 0.01**(step / steps)
+        grad_x = grad_clip[:, :2] * 2 / SIDE
+        x_next, mean, square = lab9.adam_step(x[-1], grad_x, mean, square, step, rate)
+        x.append(x_next)
+    return np.array(x)
+
+
+def teapot_camera(labs):
+    """clip_from_world (4, 4) of the teapot's portrait."""
+    eye, up = np.array([0.4, 0.8, 2.6]), np.array([0.0, 1.0, 0.0])
+    view = labs.transforms.look_at(eye, np.zeros(3), up)
+    return labs.transforms.perspective(np.radians(44), 1.0, 0.1, 10.0) @ view
+
+
+def teapot_by(labs, outline, steps=150, size=64, weight=2e-3):
+    """A ball's vertices move until its silhouette is the teapot's, in one view of size x size.
+
+    -> vertices (steps + 1, V, 3), faces. The goal is a mean of 4 x 4 samples.
+    """
+    lab9, camera = labs.inverse_rendering, teapot_camera(labs)
+    goal = labs.msaa.box_resolve(teapot_mask(labs, 4 * size)[..., None] * 1.0, 4)[..., 0]
+    x, faces = mesh.icosphere(320)
+    edges, path = mesh.edges(faces)[0], [0.5 * x]
+    mean, square = np.zeros((2, *x.shape))
+    for step in range(1, steps + 1):
+        homogeneous = labs.transforms.to_homogeneous(path[-1])
+        clip = labs.transforms.transform(homogeneous, camera)
+        picture, backward = outline(labs, clip, faces, size)
+        grad_clip = backward(lab9.silhouette_loss_backward(1.0, picture, goal))
+        grad_x = labs.transforms.transform_backward(grad_clip, homogeneous, camera)[0][:, :3]
+        grad_x += lab9.laplacian_energy_backward(weight, path[-1], edges)
+        rate = 0.02 * 0.1**((step - 1) / steps)
+        x, mean, square = lab9.adam_step(path[-1], grad_x, mean, square, step, rate)
+        path.append(x)
+    return np.array(path), faces
+
+
+def teapot_mask(labs, size):
+    """Where the teapot is seen: bool (size, size)."""
+    vertices, faces = mesh.teapot()
+    return seen_mask(labs, mesh.normalize(vertices), faces, teapot_camera(labs), size)
+
+
+def seen_mask(labs, vertices, faces, camera, size):
+    """Where a mesh is seen at the pixels' centres: bool (size, size)."""
+    clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), camera)
+    return labs.rasterization.rasterize(clip, faces, size, size)[0] >= 0
+
+
+def teapot_iou(labs, vertices, faces, size=256):
+    """Intersection over union of a mesh's silhouette and the teapot's, in fine pictures."""
+    a = seen_mask(labs, vertices, faces, teapot_camera(labs), size)
+    b = teapot_mask(labs, size)
+    return (a & b).sum() / (a | b).sum()

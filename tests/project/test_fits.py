@@ -1,4 +1,6 @@
-"""The fits of lab 9, a few steps of each: they go the right way, and what they measure is right."""
+"""The fits of labs 9 and 10, a few steps of each: they go the right way, and measure right."""
+import functools
+
 import numpy as np
 import pytest
 
@@ -195,3 +197,29 @@ def test_folds_are_counted():
     vertices[3] = [-0.2, -0.2, 0.01]
     assert fits.folded_edges(*fits.ball()) == 0
     assert fits.folded_edges(vertices, faces) > 0.3
+
+
+# --- lab 10 -------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("name, setting", [("sweep", {"eps": 1e-2}), ("soft", {}), ("blend", {})])
+def test_each_gradient_brings_the_triangle_nearer(name, setting):
+    """A gradient of the wrong sign, or by ndc where pixels are expected."""
+    outline = functools.partial(fits.OUTLINES[name], **setting)
+    x = fits.triangle_by(LABS, outline, steps=40)
+    before, after = (np.linalg.norm(x[step] - fits.TEMPLATE, axis=1) for step in (0, -1))
+    assert x.shape == (41, 3, 2) and after.sum() < before.sum() - 5
+
+
+@pytest.mark.parametrize("name", fits.OUTLINES)
+def test_each_gradient_brings_the_ball_nearer_to_the_teapot(name):
+    """A silhouette that is mirrored, or a camera that looks elsewhere."""
+    path, faces = fits.teapot_by(LABS, fits.OUTLINES[name], steps=20, size=32)
+    before, after = (fits.teapot_iou(LABS, path[step], faces, 64) for step in (0, -1))
+    assert after > before + 0.1
+
+
+def test_the_blend_of_lab_10_is_that_of_lab_9():
+    """Two fits that go by one name and are not one."""
+    x, *_ = fits.triangle(LABS, fits.template(LABS), True, steps=4)
+    y = fits.triangle_by(LABS, fits.blend_outline, steps=4)
+    assert x.shape == y.shape and np.abs(x[1] - y[1]).max() < 1e-6
