@@ -549,8 +549,6 @@ def save(scene, name, picture):
 
 SCENES = {scene.__name__: scene for scene in (
     bunny, teapot, flight, aliasing, msaa, fit_triangle, fit_cube, fit_pose, fit_texture, fit_bunny,
-    relaxation, large_steps, shadow, representations, fit_volume)}
-SLOW = "fit_cube", "fit_pose", "fit_texture", "fit_bunny", "large_steps", "fit_volume"
-SCENES = {scene.__name__: scene for scene in (bunny, teapot, flight, aliasing, msaa,
-                                               fit_triangle, fit_cube, fit_pose, fit_texture,
-                                               fit_bunny, fit_outlines)}
+    fit_outlines, relaxation, large_steps, shadow, representations, fit_volume)}
+SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
+        "fit_volume")

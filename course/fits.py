@@ -1,5 +1,4 @@
-"""Scenes found from their pictures: what the demo prints and notebooks 09, 13 and 15 plot.
-"""Scenes found from their pictures, with labs 9 and 10: for the demo and notebooks 09 and 10.
+"""Scenes found from their pictures: what the demo prints and notebooks 09, 10, 13 and 15 plot.
 
 Each fit is a function of the labs' modules. It takes what was known, a seed or a start, and a
 number of steps; it gives back arrays: the course of the fit, step by step, and where it ended.
