@@ -42,14 +42,18 @@ def closest_points(points, vertices, faces):
     larger = 1 + 1e-9  # that rounding may leave none out
     radius = np.linalg.norm(triangles - middle[:, None], axis=-1).max(1) * larger
     bound = cKDTree(triangles.reshape(-1, 3)).query(points)[0] * larger
-    near = cKDTree(middle).query_ball_point(points, bound + radius.max())
-    point = np.repeat(np.arange(len(points)), [len(each) for each in near])
-    face = np.concatenate([*near, []]).astype(int)
-    reached = np.linalg.norm(points[point] - middle[face], axis=1) <= bound[point] + radius[face]
-    point, face = point[reached], face[reached]
-    found = closest_on_triangles(points[point], triangles[face])
-    order = np.lexsort([np.linalg.norm(points[point] - found, axis=1), point])
-    return found[order[np.unique(point[order], return_index=True)[1]]]
+    tree, closest = cKDTree(middle), np.empty((len(points), 3))
+    for block in np.array_split(np.arange(len(points)), len(points) // 256 + 1):
+        near = tree.query_ball_point(points[block], bound[block] + radius.max())
+        point = np.repeat(block, [len(each) for each in near])
+        face = np.concatenate([*near, []]).astype(int)
+        away = np.linalg.norm(points[point] - middle[face], axis=1)
+        reached = away <= bound[point] + radius[face]
+        point, face = point[reached], face[reached]
+        found = closest_on_triangles(points[point], triangles[face])
+        order = np.lexsort([np.linalg.norm(points[point] - found, axis=1), point])
+        closest[block] = found[order[np.unique(point[order], return_index=True)[1]]]
+    return closest
 
 
 def distance_to_surface(points, vertices, faces):
