@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from course import mesh, places
+from course import distances, mesh, places
 from reference import simplification
 
 GROWTH = 1_000, 5_000, 20_000, 50_000
@@ -27,17 +27,17 @@ TARGETS = 994, 532, 248, 64
 
 def main():
     print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}")
-    bunny = simplification.split_longest(*mesh.bunny(), 5804)
+    bunny = mesh.split_longest(*mesh.bunny(), 5804)
     seconds, (_, left, _) = timed(simplification.simplify, *bunny, 500)
     times = [{"mesh": "bunny", "faces": len(bunny[1]), "left": len(left), "seconds": seconds}]
     times += [growth(count) for count in GROWTH]
     for row in times:
         row["n log n"] = 1e6 * row["seconds"] / (row["faces"] * math.log2(row["faces"]))
     table(times)
-    distances = [distance(name, peer, bunny) for name, peer in peers().items()]
-    table(distances)
+    near = [distance(name, peer, bunny) for name, peer in peers().items()]
+    table(near)
     path = places.out("benchmarks", "simplification.json")
-    places.write_whole(path, json.dumps([times, distances], indent=1).encode())
+    places.write_whole(path, json.dumps([times, near], indent=1).encode())
     print(f"written to {path}")
 
 
@@ -60,8 +60,8 @@ def distance(name, peer, original):
     row = {"by": name}
     for target in TARGETS:
         row[f"s, {target}"], simplified = timed(peer, *original, target)
-        there = simplification.surface_distances(*simplified, *original)
-        back = simplification.surface_distances(*original, *simplified)
+        there = distances.surface_distances(*simplified, *original)
+        back = distances.surface_distances(*original, *simplified)
         diagonal = 1e-4 * np.linalg.norm(np.ptp(original[0], axis=0))
         row[str(len(simplified[1]))] = (f"{(there[0] + back[0]) / 2 / diagonal:.2f} / "
                                         f"{max(there[1], back[1]) / diagonal:.0f}")

@@ -374,3 +374,41 @@ def adjacency(faces, vertex_count):
     rows, columns = np.concatenate([low, high]), np.concatenate([high, low])
     ones = np.ones(len(rows))
     return scipy.sparse.csr_array((ones, (rows, columns)), shape=(vertex_count, vertex_count))
+
+# Finer
+
+
+def split_longest(vertices, faces, face_count):
+    """A mesh of at least face_count faces, at most one more. -> vertices, faces
+
+    Again and again, edges that are the longest of all their faces are halved with these faces, the
+    longest first. On the chord the new vertices would cost nothing, and chance would order them.
+    """
+    while len(faces) < face_count:
+        pairs, face_edges = edges(faces)
+        length = np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1)
+        by_length = np.argsort(-length, kind="stable")
+        rank = np.argsort(by_length)                    # 0 for the longest edge of all
+        longest = face_edges[np.arange(len(faces)), rank[face_edges].argmin(1)]
+        agreed = np.bincount(longest, minlength=len(pairs)) == np.bincount(face_edges.ravel())
+        chosen = by_length[agreed[by_length]][:(face_count - len(faces) + 1) // 2]
+        middle = np.full(len(pairs), -1)
+        middle[chosen] = len(vertices) + np.arange(len(chosen))
+        split = middle[longest] >= 0
+        whole, ends, m = faces[split], pairs[longest[split]], middle[longest[split], None]
+        vertices = np.concatenate([vertices, _rounded_middles(vertices, faces, pairs[chosen])])
+        faces = np.concatenate([faces[~split], np.where(whole == ends[:, :1], m, whole),
+                                np.where(whole == ends[:, 1:], m, whole)])
+    return vertices, faces
+
+
+def _rounded_middles(vertices, faces, pairs):
+    """Middles of edges (N, 2), `pairs` of vertices, on a rounded surface: (N, 3).
+
+    They are those of the cubic edges of Vlachos et al. 2001, "Curved PN triangles": the middle goes
+    half as far as the two tangent planes at its ends are away from it, in the mean.
+    """
+    ends, n = vertices[pairs], vertex_normals(vertices, faces)[pairs]
+    middles = ends.mean(1, keepdims=True)
+    away = ((ends - middles) * n).sum(2, keepdims=True) * n
+    return (middles + away.mean(1, keepdims=True) / 2)[:, 0]

@@ -23,14 +23,16 @@ face that names a vertex twice must be left out before. Any number of faces may 
 Sources: GAMES101's lecture on geometry; Pinkall and Polthier 1993 (3), Desbrun et al. 1999 (6),
 Taubin 1995, Botsch and Kobbelt 2004 (9), Nicolet, Jacobson and Jakob 2021 (10).
 """
+import numbers
+
 import numpy as np
 import scipy.sparse
 from scipy.sparse.linalg import spsolve
-from scipy.spatial import cKDTree
 
 from course import mesh
+from course.distances import closest_points
 
-FLAT = 1e-12          # twice a face's area over its longest side squared: up to this it has none
+NO_AREA = 1e-12       # twice a face's area over its longest side squared: up to this it has none
 STRAIGHT = 0.9        # cosine of the largest angle between normals over which an edge may flip
 LEAST_GAIN = 1e-9     # of a flip, so that rounding cannot flip to and fro
 MOST_PASSES = 100     # of flips; in the plane Delaunay flips come to an end, in space nearly always
@@ -83,7 +85,7 @@ def radius_ratio(triangles):  # exercise 13.2 (2 points)
 def cotangents(triangles):  # exercise 13.3 (2 points)
     """The cotangent of the angle at each corner: triangles (..., 3, 3) -> (..., 3).
 
-    Where twice the area is at most FLAT times the longest side squared, all three are 0: such a
+    Where twice the area is at most NO_AREA times the longest side squared, all three are 0: such a
     triangle takes no part in anything.
 
     >>> cotangents(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]]))
@@ -91,7 +93,7 @@ def cotangents(triangles):  # exercise 13.3 (2 points)
     """
     p, q = sides(triangles)
     twice_area = np.linalg.norm(np.cross(p, q)[..., :1, :], axis=-1)
-    flat = twice_area <= FLAT * (p**2).sum(-1).max(-1, keepdims=True)
+    flat = twice_area <= NO_AREA * (p**2).sum(-1).max(-1, keepdims=True)
     return np.where(flat, 0, (p * q).sum(-1) / np.where(flat, 1, twice_area))
 
 
@@ -111,7 +113,7 @@ def cotangents_backward(grad_cotangents, triangles):  # exercise 13.4 (4 points)
     p, q = sides(triangles)
     area_vector = np.cross(p, q)[..., :1, :]
     s = np.linalg.norm(area_vector, axis=-1, keepdims=True)
-    flat = s <= FLAT * (p**2).sum(-1).max(-1)[..., None, None]
+    flat = s <= NO_AREA * (p**2).sum(-1).max(-1)[..., None, None]
     s = np.where(flat, 1, s)
     by_dot = np.where(flat, 0, grad_cotangents[..., None] / s)
     by_p, by_q = by_dot * q, by_dot * p
@@ -349,7 +351,7 @@ def delaunay_gain(corners):  # exercise 13.14 (2 points)
     """Eq. (8): gamma + delta - pi (N,), in radians, positive where an edge should be flipped.
 
     corners (N, 4, 3): the positions of a, b, c, d as in `flip`. gamma is the angle at c, delta that
-    at d, each between the sides to a and b.
+    at d, each between the sides to a and b, both as exact as `corner_angles` has them.
 
     >>> delaunay_gain(np.array([[[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, -3, 0]],
     ...                         [[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 0]]])).round(6)
@@ -372,13 +374,16 @@ def valence_gain(valence, target):
 def can_flip(vertices, faces, quads):
     """Where a flip keeps a mesh sound and its surface nearly where it is: bool (N,).
 
-    The new edge must be new, and the normals of the four faces, old and new, nearly alike.
+    The new edge must be new, and the normals of the four faces, old and new, nearly alike. An old
+    face without any area counts as lying in the other one's plane.
     """
     edges, _ = mesh.edges(faces)
     new = np.sort(quads[:, 2:], axis=1) @ [len(vertices), 1]
     corners = vertices[np.concatenate([quads[:, [[0, 1, 2], [1, 0, 3]]], flip(quads)], 1)]
     p, q = sides(corners)
     normal = unit(np.cross(p, q)[..., 0, :])
+    empty = ~normal[:, :2].any(-1, keepdims=True)
+    normal[:, :2] = np.where(empty, normal[:, 1::-1], normal[:, :2])
     alike = (normal @ normal.swapaxes(1, 2)).min((1, 2)) > STRAIGHT
     return alike & ~np.isin(new, edges @ [len(vertices), 1])
 
@@ -446,54 +451,6 @@ def relax_step(vertices, normals, edges, rate):  # exercise 13.15 (3 points)
     return vertices + move - (move * normals).sum(1, keepdims=True) * normals
 
 
-def closest_on_triangles(p, triangles):  # exercise 13.16 (4 points)
-    """The point of each triangle that is nearest to p: p (N, 3), triangles (N, 3, 3) -> (N, 3).
-
-    A triangle is its inside, its sides and its corners. If it has no area, it is its sides; if they
-    have no length either, it is a point.
-
-    >>> triangle = np.array([[[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]]] * 3)
-    >>> p = np.array([[1.0, 1.0, 5.0], [3.0, 3.0, 5.0], [2.0, -1.0, 5.0]])
-    >>> closest_on_triangles(p, triangle) + 0.0
-    array([[1., 1., 0.],
-           [2., 2., 0.],
-           [2., 0., 0.]])
-    """
-    side, _ = sides(triangles)                                      # (N, 3, 3)
-    normal = np.cross(side[:, 0], side[:, 1])
-    square, length = (normal**2).sum(-1), (side**2).sum(-1)
-    to_p = p[:, None] - triangles
-    # On each side, as far along it as p is, but not beyond its ends; the nearest of the three.
-    t = np.clip((to_p * side).sum(-1) / np.where(length > 0, length, 1), 0, 1)
-    on_side = triangles + t[..., None] * side
-    nearest = ((p[:, None] - on_side)**2).sum(-1).argmin(1)
-    on_side = on_side[np.arange(len(p)), nearest]
-    # Straight down to the plane, if that is within: on the left of all three sides.
-    height = (to_p[:, 0] * normal).sum(-1) / np.where(square > 0, square, 1)
-    left = (np.cross(side, to_p) * normal[:, None]).sum(-1)
-    within = (left >= 0).all(1) & (square > 0)
-    return np.where(within[:, None], p - height[:, None] * normal, on_side)
-
-
-def closest_points(points, vertices, faces):
-    """Of each of points (P, 3) the nearest point on a mesh: (P, 3).
-
-    The mesh's nearest corner bounds the distance: only faces whose ball comes nearer are looked at.
-    """
-    triangles = vertices[faces]
-    middle = triangles.mean(1)
-    radius = np.linalg.norm(triangles - middle[:, None], axis=-1).max(1)
-    bound = cKDTree(triangles.reshape(-1, 3)).query(points)[0] * (1 + 1e-9)
-    near = cKDTree(middle).query_ball_point(points, bound + radius.max())
-    point = np.repeat(np.arange(len(points)), [len(each) for each in near])
-    face = np.concatenate([*near, []]).astype(int)
-    reached = np.linalg.norm(points[point] - middle[face], axis=1) <= bound[point] + radius[face]
-    point, face = point[reached], face[reached]
-    found = closest_on_triangles(points[point], triangles[face])
-    order = np.lexsort([np.linalg.norm(points[point] - found, axis=1), point])
-    return found[order[np.unique(point[order], return_index=True)[1]]]
-
-
 def held_vertices(vertices, faces, tolerance):
     """Which vertices must not slide: at a held edge, of no face, or standing out: bool (V,).
 
@@ -511,11 +468,16 @@ def held_vertices(vertices, faces, tolerance):
 def relax(vertices, faces, tolerance, steps=4):
     """Thin triangles become rounder, the surface stays: -> vertices (V, 3), faces (F, 3).
 
-    Flips, eq. (9), and back onto the surface, in turn. tolerance: see `held_vertices`; by about
-    this much the surface may move, measure it. ValueError for what is no mesh, see `mesh.check`,
-    or has a face that names a vertex twice.
+    Flips, eq. (9), and back onto the surface, in turn. tolerance: see `held_vertices`; by up to
+    twice this the surface may move, measure it. ValueError for what is no mesh, see `mesh.check`,
+    or has a face that names a vertex twice, and for a negative tolerance or steps, or nan.
     """
     mesh.check(vertices, faces)
+    vertices, faces = np.asarray(vertices, float), np.asarray(faces, int)
+    if not (isinstance(tolerance, numbers.Real) and isinstance(steps, numbers.Integral)
+            and tolerance >= 0 and steps >= 0):
+        raise ValueError("relax needs a number tolerance >= 0 and a whole number steps >= 0, "
+                         f"got tolerance {tolerance} and steps {steps}")
     free = ~held_vertices(vertices, faces, tolerance)
     moved, flipped = vertices.copy(), flip_to_delaunay(vertices, faces)
     for _ in range(steps):
@@ -546,7 +508,7 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate,
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate,  # exercise 13.17 (4 points)
+def large_step(x, grad_x, mean, square, step, rate,  # exercise 13.16 (4 points)
                edges, weights, amount):
     """Eq. (10): downhill in u instead of x, with `uniform_adam_step` -> x, mean, square after it.
 

@@ -19,9 +19,10 @@ A pair is refused if its collapse would break the surface. For a closed surface 
 An open surface is closed first: each boundary edge gets a face to one more vertex, `outside`.
 
 Sources: lecture "Geometry, advanced"; Garland and Heckbert 1997 (1)-(7); Dey et al. 1999, the link
-condition (8). Ericson 2005 (distances). The caller guarantees faces of three different vertices.
+condition (8). The caller guarantees faces of three different vertices.
 """
 import heapq
+import numbers
 import warnings
 
 import numpy as np
@@ -29,8 +30,8 @@ from scipy.spatial import cKDTree
 
 from course import mesh
 
-FLAT = 1e-3            # of the greatest eigenvalue of A: less is no curvature
-BOUNDARY_WEIGHT = 100  # of a plane through a boundary edge; that of a face has 1
+LEAST_CURVATURE = 1e-3  # of the greatest eigenvalue of A: less is rounding, or nearly flat
+BOUNDARY_WEIGHT = 100   # of a plane through a boundary edge; that of a face has 1
 REASONS = "the link condition", "a repeated face", "a flipped face"
 
 
@@ -148,7 +149,8 @@ def best_on_segment(q, a, b):  # exercise 12.8 (3 points)
     """Eq. (6): the best place x (N, 3) on the segments from a to b, and whether it is unique (N,).
 
     q (N, 4, 4) symmetric, a, b (N, 3). t is clipped to the segment, from 0 to 1. Where e.A e is not
-    greater than FLAT trace(A) e.e, the error hardly changes along the segment: not unique, x = a.
+    greater than LEAST_CURVATURE trace(A) e.e, the error hardly changes along the segment: not
+    unique, x = a.
 
     >>> q = plane_quadrics(np.array([[1.0, 0.0, 0.0, -2.0]]))
     >>> best_on_segment(q, np.array([[0.0, 0.0, 0.0]]), np.array([[8.0, 4.0, 0.0]]))
@@ -156,7 +158,7 @@ def best_on_segment(q, a, b):  # exercise 12.8 (3 points)
     """
     e, (A, offset) = b - a, (q[:, :3, :3], q[:, :3, 3])
     along = ((A @ e[..., None])[..., 0] * e).sum(1)
-    unique = along > FLAT * A.trace(axis1=1, axis2=2) * (e * e).sum(1)
+    unique = along > LEAST_CURVATURE * A.trace(axis1=1, axis2=2) * (e * e).sum(1)
     slope = (((A @ a[..., None])[..., 0] + offset) * e).sum(1)
     t = np.where(unique, -slope / np.where(unique, along, 1), 0)
     return a + np.clip(t, 0, 1)[:, None] * e, unique
@@ -180,15 +182,15 @@ def best_position(q, a, b):  # exercise 12.10 (3 points)
     """Where to put the vertex that a pair becomes: (N, 3).
 
     q (N, 4, 4), the sum of the pair's quadrics, symmetric; a, b (N, 3), its two vertices. Eq. (5)
-    counts where the least eigenvalue of A is greater than FLAT times its greatest one; else eq.
-    (6) where that is unique; else eq. (7).
+    counts where the least eigenvalue of A is greater than LEAST_CURVATURE times its greatest one;
+    else eq. (6) where that is unique; else eq. (7).
 
     >>> corner = plane_quadrics(np.array([[1.0, 0, 0, -1], [0, 1, 0, -2], [0, 0, 1, -3]])).sum(0)
     >>> best_position(corner[None], np.array([[0.0, 0.0, 0.0]]), np.array([[1.0, 0.0, 0.0]]))
     array([[1., 2., 3.]])
     """
     spread = np.linalg.eigvalsh(q[:, :3, :3])
-    curved = spread[:, 0] > FLAT * spread[:, 2]
+    curved = spread[:, 0] > LEAST_CURVATURE * spread[:, 2]
     position = np.empty(a.shape)
     position[curved] = np.linalg.solve(q[curved, :3, :3], -q[curved, :3, 3:])[..., 0]
     if not curved.all():
@@ -219,9 +221,9 @@ def collapse_faces(faces, a, b):  # exercise 12.11 (2 points)
 def satisfies_link_condition(faces, a, b):  # exercise 12.12 (3 points)
     """Eq. (8) -> bool: may the edge between the vertices a and b be collapsed?
 
-    faces (N, 3) of a surface without boundary: all faces at a or at b, and perhaps others; at least
-    one has both. A neighbour of a vertex is another vertex of one of its faces. Below, a ring of
-    three edges, 1 2 3, lies around a double pyramid. To collapse one of them would pinch it.
+    faces (N, 3): all faces at a or at b, and perhaps others. One or more of them have both. A
+    neighbour of a vertex is another vertex of one of its faces. Below, a ring of three edges,
+    1 2 3, lies around a double pyramid. To collapse one of them would pinch it.
 
     >>> faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
     >>> satisfies_link_condition(faces, 0, 1), satisfies_link_condition(faces, 1, 2)
@@ -245,7 +247,8 @@ def flips(before, after):  # exercise 12.14 (2 points)
     """Does one of the triangles turn by 90 degrees or more, or lose its area? -> bool
 
     before, after (N, 3, 3): the corners of N triangles. The two normals' product n . n' tells: not
-    greater than 0, it flips. One that had no area before (n = 0 exactly) never does.
+    greater than 0, it flips. One that had no area before (n = 0 exactly) never does; one that is
+    flat only up to rounding may, by chance.
 
     >>> before = np.array([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> flips(before, before + 1), flips(before, before[:, [1, 0, 2]])
@@ -404,11 +407,12 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
 
     Ask all pairs once (`entries`), and make a heap of them. While there are more than face_count
     faces, take the cheapest entry that is up to date (`has_cheapest`); if there is none, end.
-    If `why_refused` refuses it, count that, and let it wait at both of its vertices. Else it is
-    collapsed as in `simplify_loop` (`merge`), the age of the vertex that stays becomes 1 more than
-    the pair's, and what waits at a vertex of a face that was at one of the two goes back to the
-    heap (`put_back`). Faces to `outside` (`close_boundary`, which has the number V) take part, but
-    count neither in face_count nor in the result. What the given functions need, and change:
+    If `why_refused` refuses it, count that, each time, and let it wait at both of its vertices.
+    Else it is collapsed as in `simplify_loop` (`merge`), the age of the vertex that stays becomes 1
+    more than the pair's, and all that waits at a, b or a neighbour of either (before the merge)
+    goes back to the heap (`put_back`). Faces to `outside` (`close_boundary`, which has the number
+    V) take part, but count neither in face_count nor in the result. What the given functions need,
+    and change:
 
     rows, rows_at   `incidence` of the closed faces, with V + 1 vertices
     became          a list: for each vertex what it has become, at first itself
@@ -424,6 +428,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     """
     # Quadrics are only ever added to, so the least error of a pair never falls: an entry that is
     # out of date comes to the top too early, not too late. It is soon enough to ask again there.
+    # (Where (6) or (7) gave the place a cost may fall, seldom: the order then differs from a loop.)
     vertices, quadrics, count = vertices.copy(), quadrics.copy(), len(faces)
     rows, rows_at = incidence(close_boundary(faces, len(vertices)), len(vertices) + 1)
     became, age = np.arange(len(vertices)).tolist(), np.zeros(len(vertices), int)
@@ -448,44 +453,8 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     return vertices, np.array(left, int).reshape(-1, 3), refused
 
 
-def rounded_middles(vertices, faces, edges):
-    """Middles of edges (N, 2) on a rounded surface: (N, 3).
-
-    They are those of the cubic edges of Vlachos et al. 2001, "Curved PN triangles": the middle goes
-    half as far as the two tangent planes at its ends are away from it, in the mean.
-    """
-    ends, n = vertices[edges], mesh.vertex_normals(vertices, faces)[edges]
-    middles = ends.mean(1, keepdims=True)
-    away = ((ends - middles) * n).sum(2, keepdims=True) * n
-    return (middles + away.mean(1, keepdims=True) / 2)[:, 0]
-
-
-def split_longest(vertices, faces, face_count):
-    """The other way round: a mesh of at least face_count faces, at most one more.
-
-    Again and again, edges that are the longest of all their faces are halved with these faces, the
-    longest first. On the chord the new vertices would cost nothing, and chance would order them.
-    """
-    while len(faces) < face_count:
-        edges, face_edges = mesh.edges(faces)
-        length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
-        by_length = np.argsort(-length, kind="stable")
-        rank = np.argsort(by_length)                    # 0 for the longest edge of all
-        longest = face_edges[np.arange(len(faces)), rank[face_edges].argmin(1)]
-        agreed = np.bincount(longest, minlength=len(edges)) == np.bincount(face_edges.ravel())
-        chosen = by_length[agreed[by_length]][:(face_count - len(faces) + 1) // 2]
-        middle = np.full(len(edges), -1)
-        middle[chosen] = len(vertices) + np.arange(len(chosen))
-        split = middle[longest] >= 0
-        whole, ends, m = faces[split], edges[longest[split]], middle[longest[split], None]
-        vertices = np.concatenate([vertices, rounded_middles(vertices, faces, edges[chosen])])
-        faces = np.concatenate([faces[~split], np.where(whole == ends[:, :1], m, whole),
-                                np.where(whole == ends[:, 1:], m, whole)])
-    return vertices, faces
-
-
 def plain_faces(faces):
-    """The faces (F, 3) without those that name a vertex twice or have an earlier one's vertices."""
+    """Of faces (F, 3) with the same three vertices the first; none that names a vertex twice."""
     ascending = np.sort(faces, axis=1)
     first = np.unique(ascending, axis=0, return_index=True)[1]
     return faces[np.intersect1d(first, np.flatnonzero((np.diff(ascending) > 0).all(1)))]
@@ -509,85 +478,23 @@ def simplify(vertices, faces, face_count, t=0.0):
     ValueError for what is no mesh, for a negative t or face_count, or nan.
     """
     mesh.check(vertices, faces)
-    vertices, faces = np.asarray(vertices, float), np.asarray(faces)
-    if not (face_count >= 0 and t >= 0):
+    vertices, faces = np.asarray(vertices, float), plain_faces(np.asarray(faces, int))
+    if not all(isinstance(number, numbers.Real) and number >= 0 for number in (face_count, t)):
         raise ValueError("simplify needs face_count >= 0 and t >= 0, "
                          f"got face_count {face_count} and t {t}")
-    centre = vertices.mean(0)  # near the origin, the numbers of a quadric keep their digits
-    vertices, faces = vertices - centre, plain_faces(faces)
     if len(faces) == 0:
         raise ValueError("every face names a vertex twice: there is no surface to simplify")
-    pairs, quadrics = valid_pairs(vertices, faces, t), mesh_quadrics(vertices, faces)
+    used, faces = np.unique(faces, return_inverse=True)
+    vertices, faces = vertices[used], faces.reshape(-1, 3)
+    # Near the origin and of size 1, the numbers of a quadric keep their digits.
+    centre = vertices.mean(0)
+    size = 2.0 ** np.frexp(np.abs(vertices - centre).max())[1]
+    vertices = (vertices - centre) / size
+    pairs, quadrics = valid_pairs(vertices, faces, t / size), mesh_quadrics(vertices, faces)
     vertices, faces, refused = simplify_heap(vertices, faces, quadrics, pairs, face_count)
     if len(faces) > face_count:
         counts = ", ".join(f"{n} for {reason}" for n, reason in zip(refused, REASONS, strict=True))
         warnings.warn(f"{len(faces)} faces are left, {face_count} were asked for: every other "
                       f"collapse would break the surface (refused: {counts})", stacklevel=2)
     used, faces = np.unique(faces, return_inverse=True)
-    return vertices[used] + centre, faces.reshape(-1, 3), refused
-
-
-def point_triangle_distance(points, triangles):  # exercise 12.17 (4 points)
-    """The distances between points (..., 3) and triangles (..., 3, 3), shapes that broadcast: (...)
-
-    A triangle is its inside and its border; it may have no area, or be a single point.
-
-    >>> triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]])
-    >>> point_triangle_distance(np.array([[1.0, 1.0, 2.0], [-3.0, -4.0, 0.0]]), triangle)
-    array([2., 5.])
-    """
-    a, b, c = np.moveaxis(triangles, -2, 0)
-    n = np.cross(b - a, c - a)
-    nearest, above = np.inf, n.any(-1)
-    for start, end in (a, b), (b, c), (c, a):
-        e, to_point = end - start, points - start
-        length = (e * e).sum(-1)
-        t = np.clip((to_point * e).sum(-1) / np.where(length > 0, length, 1), 0, 1)
-        nearest = np.minimum(nearest, np.linalg.norm(to_point - t[..., None] * e, axis=-1))
-        above = above & ((np.cross(n, e) * to_point).sum(-1) >= 0)
-    height = np.abs(((points - a) * n).sum(-1)) / np.where(n.any(-1), np.linalg.norm(n, axis=-1), 1)
-    return np.where(above, height, nearest)
-
-
-def distance_to_surface(points, vertices, faces):
-    """How far points (N, 3) are from the nearest point of a mesh: (N,).
-
-    Faces come in the order of their centres. Those that are left cannot be nearer than the next
-    centre less `reach`, the farthest that a corner is from its centre.
-    """
-    triangles = vertices[faces]
-    centres = triangles.mean(1)
-    reach = np.linalg.norm(triangles - centres[:, None], axis=2).max()
-    tree, distance = cKDTree(centres), np.empty(len(points))
-    for block in np.array_split(np.arange(len(points)), len(points) // 256 + 1):
-        k = 8
-        while len(block):
-            k = min(k, len(faces))
-            far, face = (out.reshape(len(block), k) for out in tree.query(points[block], k))
-            near = point_triangle_distance(points[block, None], triangles[face]).min(1)
-            distance[block] = near
-            block, k = block[(near > far[:, -1] - reach) & (k < len(faces))], 4 * k
-    return distance
-
-
-def sample_surface(vertices, faces, count, rng):
-    """Points (count, 3) spread evenly over a mesh's area, by the random numbers of rng."""
-    a, b, c = vertices[faces.T]
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    a, b, c = vertices[faces[rng.choice(len(faces), count, p=area / area.sum())].T]
-    u, v = rng.uniform(size=(2, count, 1))
-    folded = u + v > 1
-    u, v = np.where(folded, 1 - u, u), np.where(folded, 1 - v, v)
-    return a + u * (b - a) + v * (c - a)
-
-
-def surface_distances(vertices, faces, other_vertices, other_faces, count=4000, seed=0):
-    """From points of one mesh to the other: their mean distance, and the greatest (Hausdorff's).
-
-    The points are all vertices and `count` random ones; the mean is of the random ones, so that it
-    is one over the area. One-sided: swap the meshes for the other side.
-    """
-    points = sample_surface(vertices, faces, count, np.random.default_rng(seed))
-    used = vertices[np.unique(faces)]
-    distance = distance_to_surface(np.concatenate([points, used]), other_vertices, other_faces)
-    return distance[:count].mean(), distance.max()
+    return vertices[used] * size + centre, faces.reshape(-1, 3), refused

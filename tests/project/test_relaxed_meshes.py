@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 import scipy.spatial
 
-from course import demo, mesh
+from course import demo, distances, mesh
 from course.gradcheck import gradcheck
 from reference import inverse_rendering, regularization
 
@@ -178,16 +178,14 @@ def test_flips_bring_valences_to_6_and_keep_the_mesh_closed():
     assert len(mesh.edges(flipped)[0]) == len(mesh.edges(faces)[0])
 
 
-def test_closest_points_are_the_nearest_of_all_faces():
-    """A face is left out of the search, as is easy with long ones."""
-    vertices, faces = mesh.teapot()
-    p = np.random.default_rng(3).uniform(-1.2, 1.2, (60, 3)) * vertices.max(0)
-    every = [regularization.closest_on_triangles(np.broadcast_to(each, (len(faces), 3)),
-                                                 vertices[faces]) for each in p]
-    expected = [np.linalg.norm(found - each, axis=1).min()
-                for found, each in zip(every, p, strict=True)]
-    got = np.linalg.norm(regularization.closest_points(p, vertices, faces) - p, axis=1)
-    np.testing.assert_allclose(got, expected, rtol=1e-12)
+def test_a_face_without_area_is_flipped_away():
+    """Its normal is 0, and never like the others: it stays for ever."""
+    vertices = np.array([[0.0, 0, 0], [4, 0, 0], [2, 0, 0], [1, -3, 0], [0, 5, 0], [4, 5, 0]])
+    faces = np.array([[0, 1, 2], [1, 0, 3], [0, 2, 4], [2, 1, 5], [2, 5, 4]])
+    flipped = regularization.flip_to_delaunay(vertices, faces)
+    assert {frozenset(face) for face in flipped[:2].tolist()} == {frozenset({0, 2, 3}),
+                                                                  frozenset({1, 2, 3})}
+    assert (mesh.face_normals(vertices, flipped) == [0, 0, 1]).all()
 
 
 def test_a_bad_real_mesh_becomes_round_and_stays_where_it_is():
@@ -205,7 +203,7 @@ def test_a_bad_real_mesh_becomes_round_and_stays_where_it_is():
     for k, (x, f, to_x, to_f) in enumerate(((vertices, faces, moved, flipped),
                                             (moved, flipped, vertices, faces))):
         points = np.concatenate([(b[k] * x[f]).sum(1), x])
-        found = regularization.closest_points(points, to_x, to_f)
+        found = distances.closest_points(points, to_x, to_f)
         assert np.linalg.norm(found - points, axis=1).max() < 0.005 * diagonal
 
 
@@ -321,3 +319,18 @@ def test_what_is_no_mesh_is_refused_in_a_sentence(vertices, faces, sentence):
     """An index error from deep inside."""
     with pytest.raises(ValueError, match=sentence):
         regularization.relax(vertices, faces, 1.0)
+
+
+@pytest.mark.parametrize("asked", [(np.nan,), (-1.0,), (None,), (1.0, -3), (1.0, 2.5)])
+def test_a_tolerance_or_steps_that_make_no_sense_are_refused(asked):
+    """Nothing happens, or everything slides."""
+    with pytest.raises(ValueError, match="tolerance >= 0 and a whole number steps >= 0, got"):
+        regularization.relax(BOX, BOX_FACES, *asked)
+
+
+def test_lists_and_other_kinds_of_integers_are_meshes_too():
+    """An error from deep inside."""
+    expected = regularization.relax(BOX, BOX_FACES, 1.0)
+    for other in BOX_FACES.tolist(), BOX_FACES.astype(np.uint64), BOX_FACES.astype(np.int8):
+        got = regularization.relax(BOX.tolist(), other, 1.0)
+        assert all(np.array_equal(*each) for each in zip(got, expected, strict=True))

@@ -1,10 +1,10 @@
-"""`simplify` of lab 12: whole meshes, real and broken ones, and distances between them."""
+"""`simplify` of lab 12: whole meshes, real and broken ones."""
 import warnings
 
 import numpy as np
 import pytest
 
-from course import mesh
+from course import distances, mesh
 from reference import simplification
 
 # Mean distances of the bunny in 5,804 faces, both ways, in 1/10,000 of its diagonal: the less of
@@ -40,7 +40,7 @@ def fan_count(faces, vertex):
 
 @pytest.fixture(scope="module")
 def bunny():
-    return simplification.split_longest(*mesh.bunny(), 5804)
+    return mesh.split_longest(*mesh.bunny(), 5804)
 
 
 @pytest.mark.parametrize("face_count", OTHERS)
@@ -51,8 +51,8 @@ def test_the_lectures_picture(bunny, face_count):
     assert len(faces) == face_count and is_manifold(faces) and euler(faces) == 2
     assert len(mesh.boundary_edges(faces)) == 0
     assert len(np.unique(faces)) == len(vertices)
-    there = simplification.surface_distances(vertices, faces, *bunny)[0]
-    back = simplification.surface_distances(*bunny, vertices, faces)[0]
+    there = distances.surface_distances(vertices, faces, *bunny)[0]
+    back = distances.surface_distances(*bunny, vertices, faces)[0]
     diagonal = np.linalg.norm(np.ptp(bunny[0], axis=0))
     assert (there + back) / 2 < 1.1e-4 * OTHERS[face_count] * diagonal
 
@@ -78,6 +78,27 @@ def test_it_does_not_matter_where_and_how_large_a_mesh_is():
     moved = simplification.simplify(0.001 * vertices + [50.0, -30.0, 70.0], faces, 3400)
     np.testing.assert_array_equal(moved[1], expected[1])
     np.testing.assert_allclose(moved[0], 0.001 * expected[0] + [50, -30, 70], atol=1e-8)
+    for size in 2.0**-500, 2.0**500:  # whose squares would be 0 or infinite
+        huge = simplification.simplify(size * vertices, faces, 3400)
+        np.testing.assert_array_equal(huge[0], size * expected[0])
+
+
+def test_a_vertex_of_no_face_does_not_matter():
+    """The middle of all vertices is taken for that of the mesh: its digits are gone."""
+    vertices, faces = mesh.bunny()
+    expected = simplification.simplify(vertices, faces, 3400)
+    for far in 1e20, -1e300:
+        got = simplification.simplify(np.vstack([vertices, [[far, 0, 0]]]), faces, 3400)
+        assert all(np.array_equal(*each) for each in zip(got, expected, strict=True))
+
+
+def test_lists_and_other_kinds_of_integers_are_meshes_too():
+    """An error from deep inside."""
+    vertices, faces = mesh.icosphere(80)
+    expected = simplification.simplify(vertices, faces, 40)
+    for other in faces.tolist(), faces.astype(np.uint64), faces.astype(np.int8):
+        got = simplification.simplify(vertices.tolist(), other, 40)
+        assert all(np.array_equal(*each) for each in zip(got, expected, strict=True))
 
 
 def test_a_plane_becomes_two_faces_and_keeps_its_outline():
@@ -153,8 +174,8 @@ def test_broken_meshes_give_a_right_answer():
     points, left, _ = simplification.simplify(names, book, 20)
     assert 8 <= len(left) <= 20
     assert np.bincount(mesh.edges(left)[1].ravel()).max() == 3
-    there = simplification.surface_distances(points, left, names, simplification.plain_faces(book))
-    back = simplification.surface_distances(names, simplification.plain_faces(book), points, left)
+    there = distances.surface_distances(points, left, names, simplification.plain_faces(book))
+    back = distances.surface_distances(names, simplification.plain_faces(book), points, left)
     assert max(there[1], back[1]) < 1e-9
     assert len(points) == len(np.unique(left))
 
@@ -165,6 +186,7 @@ def test_broken_meshes_give_a_right_answer():
     (np.eye(3), np.array([[0, 1, 3]]), 1, 0.0, "face 0 names vertex 3"),
     (np.eye(3), np.array([[0, 1, 1]]), 1, 0.0, "names a vertex twice"),
     (np.eye(3), np.array([[0, 1, 2]]), -1, 0.0, "face_count >= 0"),
+    (np.eye(3), np.array([[0, 1, 2]]), None, 0.0, "got face_count None"),
     (np.eye(3), np.array([[0, 1, 2]]), 1, np.nan, "t >= 0"),
 ])
 def test_what_is_no_mesh_gets_one_sentence(vertices, faces, face_count, t, message):
@@ -176,37 +198,14 @@ def test_what_is_no_mesh_gets_one_sentence(vertices, faces, face_count, t, messa
 def test_the_longest_edges_are_halved_and_rounded():
     """Halves overlap, an edge is split for one of its faces only, or middles stay on the chord."""
     for whole in mesh.teapot(), mesh.bunny():
-        vertices, faces = simplification.split_longest(*whole, len(whole[1]) + 801)
+        vertices, faces = mesh.split_longest(*whole, len(whole[1]) + 801)
         assert len(faces) - len(whole[1]) in (801, 802)
         assert is_manifold(faces) and euler(faces) == euler(whole[1])
         np.testing.assert_array_equal(vertices[:len(whole[0])], whole[0])
-    ball, _ = simplification.split_longest(*mesh.icosphere(320), 1280)
+    ball, _ = mesh.split_longest(*mesh.icosphere(320), 1280)
     radii = np.linalg.norm(ball, axis=1)
     assert len(ball) == 642 and np.abs(radii - 1).max() < 5e-3
-    flat, faces = simplification.split_longest(*mesh.plane(8), 31)
+    flat, faces = mesh.split_longest(*mesh.plane(8), 31)
     assert len(faces) in (31, 32) and not flat[:, 1].any()
     a, b, c = flat[faces.T]
     np.testing.assert_allclose(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2, 4)
-
-
-def test_distances_to_a_mesh_are_the_least_over_all_its_faces():
-    """A face that is far by its centre, but near by its corner."""
-    vertices, faces = mesh.teapot()
-    faces = np.concatenate([faces, [[0, 300, 700]]])
-    points = 20 * np.random.default_rng(1).normal(size=(600, 3))
-    got = simplification.distance_to_surface(points, vertices, faces)
-    for k in range(0, 600, 50):
-        block = points[k:k + 50, None]
-        all_of_them = simplification.point_triangle_distance(block, vertices[faces])
-        np.testing.assert_array_equal(got[k:k + 50], all_of_them.min(1))
-
-
-def test_samples_lie_evenly_on_the_surface():
-    """More points on small faces, or in one corner of each."""
-    vertices = np.array([[0.0, 0, 0], [3, 0, 0], [0, 4, 0], [0, 0, 1]])
-    faces = np.array([[0, 1, 2], [0, 2, 3]])
-    points = simplification.sample_surface(vertices, faces, 40000, np.random.default_rng(0))
-    first = points[:, 2] == 0
-    assert abs(first.mean() - 0.75) < 0.01
-    np.testing.assert_allclose(points[first].mean(0), [1, 4 / 3, 0], atol=0.03)
-    np.testing.assert_allclose(points[~first].mean(0), [0, 4 / 3, 1 / 3], atol=0.03)
