@@ -9,6 +9,7 @@ to do the labs
 
 to teach, and to work on the course
   skeleton              make labs/ from reference/; labs that were worked on stay as they are
+  mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   test                  check everything: lint, code, labs, notebooks
 
 examples
@@ -99,6 +100,10 @@ def arguments():
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
     option("--force", action="store_true", help="start afresh the labs that were worked on, too")
 
+    option = add(mutants)
+    option("target", nargs="?", metavar="TARGET",
+           help="a topic, a lab or an exercise, as for check; without, everything: an hour")
+
     option = add(test)
     option("--quick", action="store_true", help="leave the notebooks out")
     return parser
@@ -130,6 +135,12 @@ def skeleton(asked):
     """Make labs/ from reference/, each exercise's answer taken out."""
     import course.skeleton
     return course.skeleton.run(check=asked.check, force=asked.force)
+
+
+def mutants(asked):
+    """Put small mistakes into the reference's exercises, and count those that the checks catch."""
+    import course.mutants
+    return course.mutants.run(asked.target)
 
 
 def test(asked):
