@@ -9,6 +9,7 @@ to do the labs
 
 to teach, and to work on the course
   skeleton              make labs/ from reference/; labs that were worked on stay as they are
+  mistakes              try the known mistakes, and make the hints that they give
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   test                  check everything: lint, code, labs, notebooks
 
@@ -102,6 +103,8 @@ def arguments():
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
     option("--force", action="store_true", help="start afresh the labs that were worked on, too")
 
+    add(mistakes)
+
     option = add(mutants)
     option("target", nargs="?", metavar="TARGET",
            help="a topic, a lab or an exercise, as for check; without, everything: an hour")
@@ -138,6 +141,12 @@ def skeleton(asked):
     """Make labs/ from reference/, each exercise's answer taken out."""
     import course.skeleton
     return course.skeleton.run(check=asked.check, force=asked.force)
+
+
+def mistakes(asked):
+    """Try the mistakes in tests/mistakes/: each must be caught. Makes course/data/hints.json."""
+    import course.mistakes
+    return course.mistakes.run()
 
 
 def mutants(asked):

@@ -14,6 +14,7 @@ stand with their reason in tests/mistakes/equivalent_mutants.txt, and do not cou
 import ast
 import contextlib
 import io
+import itertools
 import json
 import multiprocessing
 import os
@@ -246,46 +247,52 @@ def equivalents():
 # --- in a process of its own ------------------------------------------------------------------
 
 
-class Trial:
-    """A pytest plugin: collects an exercise's checks once, then runs them on text after text.
+class Trials:
+    """A pytest plugin: collects checks once, then runs them on one wrong answer after another.
 
-    tell(seconds) once for the right function, tell(nodeid or None) for each mutant: who caught it.
+    trials: [(exercise, text of the function)]. tell(seconds) once for the right answers, then for
+    each trial [(nodeid, fingerprint of what the check was returned)] of the checks that caught it:
+    of the first one, or of all.
     """
 
-    def __init__(self, topic, exercise, texts, tell):
-        self.topic, self.exercise, self.texts, self.tell = topic, exercise, texts, tell
+    def __init__(self, topic, trials, only_first, tell):
+        self.topic, self.trials, self.only_first, self.tell = topic, trials, only_first, tell
+        self.of = {exercise.number: [] for exercise, _ in trials}  # its checks
 
     def pytest_collection_modifyitems(self, items):
-        items[:] = [item for item in items if (mark := item.get_closest_marker("exercise"))
-                    and mark.args[0] == self.exercise.number]
+        for item in items:
+            mark = item.get_closest_marker("exercise")
+            if mark and mark.args[0] in self.of:
+                self.of[mark.args[0]].append(item)
 
     def pytest_runtestloop(self, session):
         start = time.perf_counter()
-        catcher = first_failure(session.items)
-        if catcher or not session.items:
-            raise ValueError(f"exercise {self.exercise.number}: the reference itself fails "
-                             f"{catcher}" if catcher else "it has no check")
+        for number, items in self.of.items():
+            if not items or list(failures(items)):
+                raise ValueError(f"exercise {number} has no check, or the reference fails")
         self.tell(time.perf_counter() - start)
         module = sys.modules[f"{checks.PACKAGE}.{self.topic}"]
-        right = getattr(module, self.exercise.name)
-        for text in self.texts:
+        for exercise, text in self.trials:
+            right = getattr(module, exercise.name)
             exec(compile(text, "mutant", "exec"), vars(module))
-            self.tell(first_failure(session.items))
-            setattr(module, self.exercise.name, right)
+            failed = failures(self.of[exercise.number])
+            self.tell(list(itertools.islice(failed, 1 if self.only_first else None)))
+            setattr(module, exercise.name, right)
         return True
 
 
-def first_failure(items):
-    """Run checks until one fails -> its nodeid, or None."""
+def failures(items):
+    """Run checks; yield (nodeid, fingerprint or None) of each that fails."""
     for item in items:
+        item.stash[checks.LAST_RETURN] = None
         if any(report.failed for report in
                runtestprotocol(item, log=False, nextitem=item.parent)):  # keeps what is of the file
-            return item.nodeid
-    return None
+            returned = item.stash[checks.LAST_RETURN]
+            yield item.nodeid, returned is not None and checks.fingerprint(item.nodeid, returned)
 
 
-def work(topic, exercise, texts, pipe):
-    """What a worker does: pytest with a Trial. Nothing is printed, no picture is drawn."""
+def work(topic, trials, only_first, pipe):
+    """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
     with contextlib.suppress(ImportError):  # not on Windows
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # a mutant may ask for all
@@ -300,44 +307,44 @@ def work(topic, exercise, texts, pipe):
                "-p", "no:cacheprovider", places.ROOT / "tests" / f"test_{topic}.py"]
     said = io.StringIO()
     with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-        pytest.main([*map(str, options)], plugins=[Trial(topic, exercise, texts, pipe.send)])
+        pytest.main([*map(str, options)], plugins=[Trials(topic, trials, only_first, pipe.send)])
     pipe.send(said.getvalue())
 
 
 # --- in the main process ----------------------------------------------------------------------
 
 
-def caught_by(topic, exercise, texts):
-    """Who caught each text: a check's nodeid, "no end in 20 s", "it broke off", or None.
+def caught_by(topic, trials, only_first=True):
+    """Who caught each of the trials (exercise, text): see Trials; [] for one that lives.
 
     A mutant that does not end is ended with its process; the next process goes on behind it.
     ValueError: the reference itself does not pass.
     """
     verdicts = []
-    while len(verdicts) < len(texts):
+    while len(verdicts) < len(trials):
         here, there = multiprocessing.Pipe()
         process = multiprocessing.get_context("spawn").Process(
-            target=work, args=(topic, exercise, texts[len(verdicts):], there), daemon=True)
+            target=work, args=(topic, trials[len(verdicts):], only_first, there), daemon=True)
         process.start()
         there.close()
         try:
-            limit = max(AT_LEAST, SLOWER * seconds_of_the_right_one(here, exercise))
-            while len(verdicts) < len(texts):
-                verdicts.append(here.recv() if here.poll(limit) else f"no end in {limit:.0f} s")
-                if (verdicts[-1] or "").startswith("no end"):
-                    break
+            limit = max(AT_LEAST, SLOWER * seconds_of_the_right_ones(here, topic))
+            while len(verdicts) < len(trials) and here.poll(limit):
+                verdicts.append(here.recv())
+            if len(verdicts) < len(trials):
+                verdicts.append([(f"no end in {limit:.0f} s", None)])
         except EOFError:
-            verdicts.append("it broke off")
+            verdicts.append([("it broke off", None)])
         finally:
             process.kill()
             process.join()
     return verdicts
 
 
-def seconds_of_the_right_one(pipe, exercise):
+def seconds_of_the_right_ones(pipe, topic):
     first = pipe.recv()
     if isinstance(first, str):
-        raise ValueError(f"the checks of exercise {exercise.number} do not pass on the reference: "
+        raise ValueError(f"the checks of {topic} do not pass on the reference: "
                          f"mend them first\n{first.strip()[-500:]}")
     return first
 
@@ -350,8 +357,8 @@ def mutants_of(topic, exercise):
 def score(topic, exercise, tried, reasons):
     """Let the checks of an exercise judge its mutants -> Score."""
     start = time.perf_counter()
-    verdicts = caught_by(topic, exercise, [mutant.text for mutant in tried])
-    alive = [mutant for mutant, verdict in zip(tried, verdicts, strict=True) if verdict is None]
+    verdicts = caught_by(topic, [(exercise, mutant.text) for mutant in tried])
+    alive = [mutant for mutant, verdict in zip(tried, verdicts, strict=True) if not verdict]
     known = [mutant for mutant in alive if (exercise.number, mutant.change) in reasons]
     survivors = [mutant for mutant in alive if mutant not in known]
     stale = [change for number, change in reasons if number == exercise.number

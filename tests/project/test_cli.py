@@ -27,6 +27,7 @@ def stand_in(monkeypatch):
     ("check 2.3 --impl handed/in --json board.json --seed 7", "board.check",
      ("2.3", "handed/in"), {"json_file": "board.json", "seed": 7}),
     ("check 2 --watch", "board.watch", ("2", "labs"), {"json_file": None, "seed": 0}),
+    ("mistakes", "mistakes.run", (), {}),
     ("mutants", "mutants.run", (None,), {}),
     ("mutants 2.3", "mutants.run", ("2.3",), {}),
     ("skeleton", "skeleton.run", (), {"check": False, "force": False}),

@@ -181,7 +181,7 @@ def test_a_reference_that_fails_is_told(house, run_module):
     done = run_module(root, "course", "mutants", "1.1")
     assert done.returncode == 2
     assert done.stderr.startswith(
-        "course: the checks of exercise 1.1 do not pass on the reference: mend them first\n")
+        "course: the checks of transforms do not pass on the reference: mend them first\n")
 
 
 def test_an_equivalent_mutant_has_a_reason(monkeypatch, tmp_path):
