@@ -397,7 +397,8 @@ def known_sentences():
 def fingerprint(nodeid, returned):
     """Twelve letters for what a check was returned: the same for equal numbers but for rounding."""
     parts = [nodeid]
-    for output in returned if isinstance(returned, tuple | list) else (returned,):
+    several = isinstance(returned, tuple) or as_array(returned).dtype == object
+    for output in returned if several and np.iterable(returned) else (returned,):
         array = as_array(output)
         if array.dtype.kind in "fc":
             size = np.abs(array[np.isfinite(array)]).max(initial=1e-3)

@@ -76,12 +76,13 @@ MISTAKES = {
         ("(x1 - x0) / (y1 - y0)", "(y1 - y0) / (x1 - x0)", "the slope is upside down"),
         ("nearer = np.abs(y1) < np.abs(y0)", "nearer = np.zeros(np.shape(y0), bool)",
          "it is always measured from the first end, even if that is near infinity"),
-        ("np.abs(y1) < np.abs(y0)", "np.abs(y1) > np.abs(y0)", "it is measured from the farther end"),
+        ("np.abs(y1) < np.abs(y0)", "np.abs(y1) > np.abs(y0)",
+         "it is measured from the farther end"),
         ("x - y * (x1 - x0) / (y1 - y0)", "(x0 + x1) / 2", "it is the middle of the edge"),
     ],
     "8.8": [
-        ("np.copysign(epsilon, y1 - y0)", "epsilon", "epsilon makes an edge that goes down shorter; "
-         "it must keep the sign of y1 - y0"),
+        ("np.copysign(epsilon, y1 - y0)", "epsilon",
+         "epsilon makes an edge that goes down shorter; it must keep the sign of y1 - y0"),
         ("-slope * y0", "slope * y0", "the gradient by x1 has the wrong sign"),
         ("slope * (c - x1)", "slope * (x1 - c)", "the gradient by y0 has the wrong sign"),
         ("slope * y1, slope * (c - x1), -slope * y0", "-slope * y0, slope * (c - x1), slope * y1",

@@ -30,8 +30,8 @@ MISTAKES = {
     "5.4": [
         (" / lerp(1 / w_0, 1 / w_1, t)", "", "A / w is not divided by 1 / w again"),
         ("lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)",
-         "lerp(a_0, a_1, t)", "the attributes are mixed as they look on the screen: that is linear, "
-         "but not in perspective"),
+         "lerp(a_0, a_1, t)",
+         "the attributes are mixed as they look on the screen: that is not in perspective"),
         ("lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)",
          "lerp(a_0 * w_0, a_1 * w_1, t) / lerp(w_0, w_1, t)", "the ends are multiplied by w "
          "instead of divided"),
@@ -101,7 +101,8 @@ MISTAKES = {
          "pixels are counted column by column; they go row by row"),
         (".reshape(*face_index.shape, attributes.shape[1])", "", "the pixels are not put back into "
          "the rows of the picture"),
-        ("(weights @ attributes)", "(abs(weights) @ attributes)", "negative weights lose their sign"),
+        ("(weights @ attributes)", "(abs(weights) @ attributes)",
+         "negative weights lose their sign"),
         ("barycentric)\n", "barycentric[..., ::-1])\n", "the weights are in reverse order"),
     ],
     "5.12": [

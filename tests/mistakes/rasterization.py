@@ -16,7 +16,8 @@ MISTAKES = {
          "x and y of the edge are swapped: it is how far along the edge p lies"),
     ],
     "2.2": [
-        ("np.stack([side[..., 1], -side[..., 0]], -1)", "np.stack([-side[..., 1], side[..., 0]], -1)",
+        ("np.stack([side[..., 1], -side[..., 0]], -1)",
+         "np.stack([-side[..., 1], side[..., 0]], -1)",
          "all gradients are turned the wrong way"),
         ("np.stack([side[..., 1], -side[..., 0]], -1)", "side", "the sides are not turned by 90 "
          "degrees"),
@@ -33,9 +34,6 @@ MISTAKES = {
         ("triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]) / 2",
          "triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]).__abs__() / 2",
          "the sign is lost: a clockwise triangle has a negative area"),
-        ("triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]",
-         "triangle[..., 2], triangle[..., 0], triangle[..., 1]",
-         "the last axis is taken for the corners"),
     ],
     "2.4": [
         ("(e >= 0).all(0) | (e <= 0).all(0)", "(e >= 0).all(0)",
@@ -81,7 +79,8 @@ MISTAKES = {
          "weights are made positive; outside of the triangle, some are negative"),
     ],
     "2.8": [
-        ("0.5 + MARGIN", "MARGIN", "pixels are tested at their corners instead of at their centres"),
+        ("0.5 + MARGIN", "MARGIN",
+         "pixels are tested at their corners instead of at their centres"),
         ("triangle.min(0) - (0.5 + MARGIN)", "triangle.min(0)",
          "the box begins half a pixel too late: the centre of pixel j is at j + 0.5"),
         ("[width, height]", "[height, width]", "width and height are swapped"),
@@ -150,7 +149,7 @@ MISTAKES = {
         ("(e > 0) | (e == 0) & is_top_left(n_x, n_y)", "e > 0",
          "samples on an edge never count: the top-left rule is missing"),
         ("box if (w[:, f] > 0).all() else (0, 0, width, height)", "box",
-         "the box of a face that crosses the camera plane is taken, but it covers pixels elsewhere"),
+         "the box of a face that crosses the camera plane is taken, but it covers others"),
         ("np.full((height, width), -1)", "np.full((height, width), 0)",
          "no face is 0 instead of -1"),
         ("np.full((height, width), np.inf)", "np.full((height, width), 1.0)",
@@ -174,7 +173,8 @@ MISTAKES = {
          "no edge ends the interval"),
         ("return start, end", "return start, end - 1", "end is the last column that is covered; "
          "it is the first one that is not"),
-        ("is_top_left(n_x, n_y)", "(n_x > 0)", "horizontal edges are all taken to end the interval"),
+        ("is_top_left(n_x, n_y)", "(n_x > 0)",
+         "horizontal edges are all taken to end the interval"),
     ],
     "2.16": [
         (" / w[k]", "", "w is left out: these are the weights in the picture"),

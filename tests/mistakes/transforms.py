@@ -82,7 +82,8 @@ MISTAKES = {
     "1.10": [
         ("fov_y / 2", "fov_y", "the whole angle is taken for half of it"),
         ("fov_y / 2", "np.radians(fov_y) / 2", "the angle is taken for degrees"),
-        ("r = aspect * t", "r = t / aspect", "the width is divided by the aspect; it is width / height"),
+        ("r = aspect * t", "r = t / aspect",
+         "the width is divided by the aspect; it is width / height"),
         ("np.tan(fov_y / 2)", "np.tan(fov_y / 2) / 2",
          "the lecture's field of view is taken, which holds for half the height"),
         ("return -r, r, -t, t", "return -t, t, -r, r", "left and right are swapped with "
@@ -94,7 +95,8 @@ MISTAKES = {
         ("beta = 2", "beta = -2", "beta has the wrong sign"),
         ("beta = 2 * far", "beta = far", "beta lacks its factor 2"),
         ("2 * near / (r - l)", "near / (r - l)", "the factor 2 in 2 near / (r - l) is missing"),
-        ("(r + l) / (r - l)", "-(r + l) / (r - l)", "a view that is not centred moves the wrong way"),
+        ("(r + l) / (r - l)", "-(r + l) / (r - l)",
+         "a view that is not centred moves the wrong way"),
         ("-1,                0]", "1,                 0]", "w is z; the camera looks down -z"),
         ("alpha,             beta]", "beta,              alpha]", "alpha and beta are swapped"),
     ],
