@@ -3,8 +3,10 @@ import contextlib
 import io
 import json
 import os
+import re
 import subprocess
 import sys
+import time
 from typing import NamedTuple
 
 import pytest
@@ -15,6 +17,7 @@ from rich.table import Table
 from . import checks, places, skeleton
 
 BAR = 20  # characters of a whole lab's bar
+LOOK = 0.3  # seconds between two looks at the files that are watched
 STYLES = {"done": "green", "failing": "red"}
 
 
@@ -23,7 +26,7 @@ class Entry(NamedTuple):
 
     topic: str
     exercise: skeleton.Exercise
-    verdict: str  # done, failing, not started, blocked by 2.1
+    verdict: str  # done, failing, not started, blocked by 2.1, not readable
     checks: list
 
 
@@ -38,18 +41,43 @@ def check(target=None, implementation="labs", json_file=None, seed=0):
     code = checks.folder(implementation)
     called = called_exercises(labs, code)
     needed = closure(asked, called)
-    found, problems = run_checks(labs, needed, implementation, seed)
-    everything = entries(labs, needed, called, found)
+    broken = not_python(labs, code)
+    found, problems = run_checks({topic: labs[topic] for topic in labs if topic not in broken},
+                                 needed, implementation, seed)
+    everything = entries(labs, needed, called, found, broken)
     board = [entry for entry in everything if entry.exercise.number in asked]
 
     all_is_done = all(entry.verdict == "done" for entry in board)
     Console().print(table(board))
-    print("", *problems, sep="\n")
-    print(all_done(board, labs) if all_is_done
-          else next_to_do(everything, code, implementation, seed))
+    print("", *problems, *broken.values(), sep="\n")
+    if all_is_done:
+        print(all_done(board, labs))
+    elif not broken:
+        print(next_to_do(everything, code, implementation, seed))
     if json_file:
         places.write_whole(json_file, as_json(board).encode("utf-8"))
     return int(bool(problems) or not all_is_done)
+
+
+def watch(target=None, implementation="labs", json_file=None, seed=0):
+    """`check`, and again whenever a file of the code under test is saved. Ends with Ctrl-C.
+
+    While checks run, Ctrl-C stops these alone, as where a loop has no end.
+    """
+    code, seen = checks.folder(implementation), None
+    while True:
+        files = {path: path.stat().st_mtime_ns for path in code.glob("*.py") if path.exists()}
+        if files != seen:
+            Console().clear()
+            try:
+                check(target, implementation, json_file, seed)
+            except ValueError as error:
+                if seen is None:  # what was asked for is not there
+                    raise
+                print(error)
+            seen = files
+            print(f"\nWatching {checks.shown_path(code)}/; Ctrl-C ends this.", flush=True)
+        time.sleep(LOOK)
 
 
 def show(target=None, implementation="labs"):
@@ -79,6 +107,18 @@ def exercise_range(topic):
     """'2.1 to 2.16'."""
     numbers = [exercise.number for exercise in skeleton.topic_exercises(topic)]
     return " to ".join(dict.fromkeys(numbers[:1] + numbers[-1:]))
+
+
+def not_python(labs, code):
+    """{topic: what is wrong with its file, in a line} of the files that Python cannot read."""
+    broken = {}
+    for topic in labs:
+        with contextlib.suppress(OSError):  # not there: its checks say so
+            try:
+                skeleton.top_level_functions(skeleton.read(code / f"{topic}.py"))
+            except ValueError as error:
+                broken[topic] = f"{checks.shown_path(code / topic)}.py, {error}"
+    return broken
 
 
 def called_exercises(labs, code):
@@ -179,7 +219,7 @@ def run_checks(labs, numbers, implementation, seed):
     return list((collector.planned | collector.found).values()), collector.problems
 
 
-def entries(labs, needed, called, found):
+def entries(labs, needed, called, found, broken=()):
     """The Entry of each needed exercise, in the course's order."""
     of = {number: [check for check in found if check.exercise == number] for number in needed}
     done = {number for number in needed
@@ -194,7 +234,9 @@ def entries(labs, needed, called, found):
             return f"blocked by {undone[0]}" if undone else "failing"
         return next((text for text in verdicts if text.startswith("blocked")), "not started")
 
-    return [Entry(topic, exercise, verdict(exercise.number), of[exercise.number])
+    return [Entry(topic, exercise,
+                  "not readable" if topic in broken else verdict(exercise.number),
+                  of[exercise.number])
             for topic, exercises in labs.items() for exercise in exercises
             if exercise.number in needed]
 
@@ -253,7 +295,30 @@ def reading(topic, exercise, code):
         line = lines.get(exercise.name, line)
     question = f"{checks.shown_path(code / topic)}.py:{line}, the docstring is the question"
     lecture = places.ROOT / "notebooks" / f"{skeleton.lab_number(topic):02}_{topic}.ipynb"
-    return f"{question}\n{checks.shown_path(lecture)}" if lecture.exists() else question
+    if not lecture.exists():
+        return question
+    section = section_of(lecture, exercise)
+    titled = f", section\n  {section}" if section else ""
+    return f"{question}\n{checks.shown_path(lecture)}{titled}"
+
+
+def section_of(lecture, exercise):
+    """The title of the notebook's section that is about an exercise, or that names it; or none."""
+    sections, title = {}, ""
+    with contextlib.suppress(OSError, ValueError, KeyError):
+        for cell in json.loads(lecture.read_bytes())["cells"]:
+            for line in "".join(cell["source"]).splitlines():
+                heading = re.match("##+ (.*)", line) if cell["cell_type"] == "markdown" else None
+                title = heading[1] if heading else title
+                sections[title] = f"{sections.get(title, '')}{line}\n"
+    sections.pop("", None)
+    last = "Exercises" if sections.pop("Exercises", None) else None
+    number, name = re.escape(exercise.number), re.escape(exercise.name)
+    for pattern in rf"xercises? [^\n]*(?<![\d.]){number}(?!\d)", rf"`{name}`", rf"\b{name}\b":
+        for title, text in sections.items():
+            if re.search(pattern, text):
+                return title
+    return last
 
 
 def all_done(board, labs):

@@ -14,9 +14,11 @@ is short and shows the last call to the code under test; --tb=long gives pytest'
 """
 import copy
 import functools
+import hashlib
 import importlib
 import inspect
 import io
+import json
 import os
 import re
 import sys
@@ -36,6 +38,7 @@ exercise = pytest.mark.exercise
 PACKAGE = "implementation"  # the code under test is imported as a package of this name
 UNFINISHED = re.compile(r"exercise (\d+\.\d+): \w+")  # what an exercise of a skeleton raises
 LAST_CALL = pytest.StashKey()  # of a check, to the code under test: function, args, kwargs
+LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
 
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
@@ -96,7 +99,8 @@ class Implementation:
         def call(*args, **kwargs):
             inputs = copy.deepcopy((args, kwargs))
             self._stash[LAST_CALL] = function, *inputs
-            returned = function(*args, **kwargs)
+            self._stash[LAST_RETURN] = None
+            returned = self._stash[LAST_RETURN] = function(*args, **kwargs)
             require_returned(name, returned)
             require_unchanged(function, inputs, (args, kwargs))
             return returned
@@ -372,6 +376,39 @@ def suspicions(got, expected, picture):
         yield f"everything is {abs(more):.4g} {than} than expected", got - more
 
 
+def known_mistake(nodeid, returned):
+    """"this is what comes out when ...", if a mistake of tests/mistakes/ returns the same there."""
+    if returned is None:
+        return None
+    sentence = known_sentences().get(fingerprint(nodeid, returned))
+    return sentence and f"this is what comes out when {sentence}"
+
+
+@functools.cache
+def known_sentences():
+    """{fingerprint: sentence}: course/data/hints.json, made by python3 -m course mistakes."""
+    try:
+        made = json.loads((places.DATA / "hints.json").read_bytes())
+    except OSError:
+        return {}
+    return {mark: sentence for sentence, marks in made.items() for mark in marks}
+
+
+def fingerprint(nodeid, returned):
+    """Twelve letters for what a check was returned: the same for equal numbers but for rounding."""
+    parts = [nodeid]
+    several = isinstance(returned, tuple) or as_array(returned).dtype == object
+    for output in returned if several and np.iterable(returned) else (returned,):
+        array = as_array(output)
+        if array.dtype.kind in "fc":
+            size = np.abs(array[np.isfinite(array)]).max(initial=1e-3)
+            array = np.round(array, int(6 - np.ceil(np.log10(size)))) + 0.0  # no -0
+        kind = "n" if array.dtype.kind in "iufc" else array.dtype.kind
+        numbers = array.astype(complex) if kind == "n" else array
+        parts += [kind, shape_name(array), str(numbers.tolist())]
+    return hashlib.sha256("|".join(parts).encode("utf-8")).hexdigest()[:12]
+
+
 # --- how things are shown ---------------------------------------------------------------------
 
 
@@ -587,6 +624,9 @@ def explained(error, item):
     if item.function.__doc__ and compared:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
+    known = known_mistake(item.nodeid, item.stash.get(LAST_RETURN, None))
+    if known:
+        rows = [row for row in rows if row[0] != "hint"] + [("hint", known)]
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
 
 

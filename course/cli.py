@@ -9,6 +9,8 @@ to do the labs
 
 to teach, and to work on the course
   skeleton              make labs/ from reference/; labs that were worked on stay as they are
+  mistakes              try the known mistakes, and make the hints that they give
+  mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   test                  check everything: lint, code, labs, notebooks
 
 examples
@@ -16,6 +18,7 @@ examples
   python3 -m course check                    the board of all labs
   python3 -m course check rasterization      one lab, by its topic
   python3 -m course check 2.3                one exercise
+  python3 -m course check 2 --watch          again whenever you save
   python3 -m course check --impl reference   what a finished course looks like
   python3 -m course COMMAND --help           more about one command
 """
@@ -92,12 +95,19 @@ def arguments():
     option("target", nargs="?", metavar="TARGET",
            help="a topic (rasterization), a lab (2) or an exercise (2.3); without, everything")
     option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check")
+    option("--watch", action="store_true", help="check again whenever a file is saved")
     option("--json", metavar="FILE", help="write the board to this file as well")
     option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
 
     option = add(skeleton)
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
     option("--force", action="store_true", help="start afresh the labs that were worked on, too")
+
+    add(mistakes)
+
+    option = add(mutants)
+    option("target", nargs="?", metavar="TARGET",
+           help="a topic, a lab or an exercise, as for check; without, everything: an hour")
 
     option = add(test)
     option("--quick", action="store_true", help="leave the notebooks out")
@@ -123,13 +133,26 @@ def notebooks(asked):
 def check(asked):
     """Check the labs and show the board; status 0 only if all that was asked for passes."""
     import course.board
-    return course.board.check(asked.target, asked.impl, json_file=asked.json, seed=asked.seed)
+    run = course.board.watch if asked.watch else course.board.check
+    return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed)
 
 
 def skeleton(asked):
     """Make labs/ from reference/, each exercise's answer taken out."""
     import course.skeleton
     return course.skeleton.run(check=asked.check, force=asked.force)
+
+
+def mistakes(asked):
+    """Try the mistakes in tests/mistakes/: each must be caught. Makes course/data/hints.json."""
+    import course.mistakes
+    return course.mistakes.run()
+
+
+def mutants(asked):
+    """Put small mistakes into the reference's exercises, and count those that the checks catch."""
+    import course.mutants
+    return course.mutants.run(asked.target)
 
 
 def test(asked):

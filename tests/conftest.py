@@ -22,7 +22,7 @@ def house(tmp_path_factory):
             copy.parent.mkdir(exist_ok=True)
             shutil.copy(path, copy)
         for name, text in files.items():
-            (root / name).parent.mkdir(exist_ok=True)
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text, encoding="utf-8")
         return root
 

@@ -292,12 +292,14 @@ def test_vertices_on_screen_on_paper(impl):
 @exercise("2.9")
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
     """A division by zero; or a least w that does not go with the unit of clip space."""
-    clip = np.array([[1.0, -1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 1e-12], [1.0, -0.2, 0.0, -1e-12]])
+    clip = np.array([[1.0, -1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 1e-12], [1.0, -0.2, 0.0, -1e-12],
+                     [-1.0, 0.3, 0.0, 0.0]])
     for unit in 1e-13, 1.0, 1e5:
         x, y, w = impl.screen_points(unit * clip, 8, 4)
-        assert_close(w / unit, np.array([1e-10, 1e-10, -1e-10]), given=f"clip scaled by {unit}")
-        assert_close(x, np.array([4e10, 2e10, -4e10]), rtol=1e-6)
-        assert_close(y, np.array([-2e10, -2e10, 4e9]), rtol=1e-6)
+        assert_close(w / unit, np.array([1e-10, 1e-10, -1e-10, 1e-10]),
+                     given=f"clip scaled by {unit}")
+        assert_close(x, np.array([4e10, 2e10, -4e10, -4e10]), rtol=1e-6)
+        assert_close(y, np.array([-2e10, -2e10, 4e9, 6e9]), rtol=1e-6)
 
 
 @exercise("2.9")
@@ -576,12 +578,16 @@ def test_faces_that_are_not_finite_leave_no_trace(impl):
 
 @exercise("2.13")
 def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
-    """Width and height are swapped on the way to the bounding box."""
+    """Width and height are swapped on the way to the bounding box, or pixels beyond are drawn."""
     clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
     behind = np.array([[-9.0, -9.0, 0.0, 1.0], [9.0, -9.0, 0.0, 1.0], [0.0, 30.0, 0.0, -1.0]])
-    for corners, width, height in ((clip, 3, 9), (clip, 9, 3), (behind, 3, 9), (behind, 9, 3)):
-        face_index, _ = impl.rasterize_loop(corners, np.array([[0, 1, 2]]), width, height)
+    for corners, width, height in ((clip, 3, 9), (clip, 9, 3), (behind, 3, 9), (behind, 9, 3),
+                                   (behind / 99, 3, 9)):
+        corners = corners + [[0, 0, 0.1, 0]] * corners[:, :1]  # the depth is a tenth of ndc x
+        face_index, depth = impl.rasterize_loop(corners, np.array([[0, 1, 2]]), width, height)
         assert_picture(face_index, np.zeros((height, width), int))
+        expected = 0.1 * ((np.arange(width) + 0.5) * 2 / width - 1)
+        assert_close(depth, np.tile(expected, (height, 1)), atol=1e-9)
 
 
 @exercise("2.13")

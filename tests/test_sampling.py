@@ -447,6 +447,9 @@ def test_a_small_polygon_far_out_keeps_its_digits(impl):
     """The shoelace formula about the origin: ten digits of a pixel's area are lost at 100,000."""
     x, y = 100_000.0, 300_000.0
     assert_close(impl.polygon_area(SQUARE / 8 + [x, y]), 0.25)
+    odd = SQUARE / 7 + [x, y + 0.1]  # no short binary numbers: their products are rounded
+    expected = exact_area([tuple(map(Fraction, map(float, p))) for p in odd])
+    assert_close(impl.polygon_area(odd), float(expected))
 
 
 @exercise("3.14")

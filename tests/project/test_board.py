@@ -1,4 +1,5 @@
 """The progress board: verdicts, points, what comes next, exit status, JSON."""
+import io
 import json
 import signal
 import subprocess
@@ -370,6 +371,82 @@ def entry(number, verdict, *verdicts):
 def test_next_is_what_can_be_worked_on_with_the_check_that_says_why(entries, text):
     """A student is sent to an exercise that is done, or that waits for another."""
     assert board.next_to_do(entries, places.ROOT / "labs", "labs", 0).startswith(text)
+
+
+def test_a_file_that_is_not_python_is_one_line(house, run_module):
+    """Every check of the lab fails, each with the same traceback, and other labs are not run."""
+    root = house(FILES | {"labs/transforms.py": LAB.replace("return 2 * x", "return 2 * (x")})
+    done = run_module(root, "course", "check", "--json", "board.json")
+    assert lines(done.stdout)[:2] == ["Lab 1  transforms     0 of 18   ....................",
+                                      "  1.1  double         2 points  not readable"]
+    assert lines(done.stdout)[-3:] == [
+        "  2.1  twice          3 points  done", "",
+        "labs/transforms.py, line 7: this is not Python ('(' was never closed); mend it first"]
+    assert done.returncode == 1 and done.stderr == ""
+    assert json.loads((root / "board.json").read_text())["points"] == 3
+
+
+LECTURE = {"cells": [
+    {"cell_type": "markdown", "source": ["# Twice\n", "`thrice` comes later.\n"]},
+    {"cell_type": "markdown", "source": ["## 1. Once\n", "Here is 2.1, and `once`.\n"]},
+    {"cell_type": "code", "source": ["# 2.1\n", "half(2.1)\n"]},
+    {"cell_type": "markdown", "source": "*Exercises 2.15 and 2.2.*\n## 2. Twice\n*Exercise 2.1*"},
+    {"cell_type": "markdown", "source": ["## Exercises\n", "| 1 | 2.1 `twice`, 2.4 `fourth` |"]}]}
+
+
+@pytest.mark.parametrize(("number", "name", "section"), [
+    ("2.1", "twice", "2. Twice"), ("2.2", "f", "1. Once"), ("2.5", "once", "1. Once"),
+    ("2.6", "half", "1. Once"), ("2.4", "fourth", "Exercises")])
+def test_the_section_of_an_exercise_is_found(tmp_path, number, name, section):
+    """A student is sent to the section before, to that of 2.15, or to a number that is none."""
+    (tmp_path / "lecture.ipynb").write_text(json.dumps(LECTURE))
+    exercise = skeleton.Exercise(number, name, 1, 1, ())
+    assert board.section_of(tmp_path / "lecture.ipynb", exercise) == section
+
+
+def test_without_color_the_board_has_80_columns(check, monkeypatch):
+    """Verdicts are told by colour alone, or rows are wrapped."""
+    monkeypatch.setenv("COLUMNS", "80")
+    done = check()
+    table = done.stdout.partition("\n\n")[0]
+    assert "\x1b" not in done.stdout and max(map(len, table.splitlines())) <= 80
+
+
+def test_every_row_of_the_course_fits_into_80_columns():
+    """A long name is cut off."""
+    entries = [board.Entry(topic, exercise, "blocked by 16.16", [])
+               for topic in skeleton.topics() for exercise in skeleton.topic_exercises(topic)]
+    console = board.Console(width=80, file=io.StringIO(), force_terminal=False)
+    console.print(board.table(entries))
+    rows = console.file.getvalue().splitlines()
+    assert [row.split()[1] for row in rows if not row.startswith("Lab")] == [
+        entry.exercise.name for entry in entries]
+    assert sum("blocked by 16.16" in row for row in rows) == len(entries)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
+def test_watching_checks_again_when_a_file_is_saved(house):
+    """It checks all the time, once only, or ends with a file that is not Python."""
+    root = house(FILES)
+    lab = root / "labs" / "transforms.py"
+    right = lab.read_text()
+    with subprocess.Popen([sys.executable, "-m", "course", "check", "1.1", "--watch"], cwd=root,
+                          stdout=subprocess.PIPE, encoding="utf-8") as process:
+        boards = []
+        for text in (right.replace("2 * x", "3 * x"), right.replace("2 * x", "2 * (x"), right, ""):
+            said = []
+            while not said or not said[-1].startswith("Watching labs/; Ctrl-C ends this."):
+                said.append(process.stdout.readline())
+                assert said[-1], "it ended"
+            boards.append("".join(said))
+            if text:
+                lab.write_text(text)
+        process.send_signal(signal.SIGINT)
+        rest = process.communicate(timeout=20)[0]
+    assert ["done," in text or "is done" in text for text in boards] == [True, False, False, True]
+    assert "failing in 1 of 1 check" in boards[1]
+    assert "labs/transforms.py, line 7: this is not Python" in boards[2]
+    assert rest == "" and process.returncode == 130
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
