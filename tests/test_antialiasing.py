@@ -735,3 +735,25 @@ def test_without_pairs_the_gradient_passes_through(impl):
     grad_output = np.arange(12.0).reshape(2, 3, 2)
     got = impl.blend_backward(grad_output, COLOUR, none, none, np.zeros(0))
     assert_close(got, (grad_output, np.zeros(0)))
+
+
+@exercise("8.2")
+def test_the_unit_of_w_does_not_matter(impl):
+    """w < 1 is taken for behind the camera; only its sign counts."""
+    x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
+    faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
+    for w in [0.5, 2.0, 0.5, 2.0], [2.0, 0.5, 2.0, 2.0], [0.01, 0.01, 3.0, 5.0]:
+        got = impl.silhouette_edges(x, y, np.array(w), faces, opposite)
+        assert_equal(got, np.array([[False, True, True], [True, True, False]]))
+
+
+@exercise("8.7")
+def test_the_nearer_end_is_found_on_either_side(impl):
+    """y is compared instead of |y|: digits are lost where the far end lies below y = 0."""
+    near, far = np.array([0.3, 0.1]), np.array([3e12, 1e12])
+    c = 0.3 - 0.1 * (3e12 - 0.3) / (1e12 - 0.1)
+    for sign in 1, -1:
+        ends = near[0], sign * near[1], far[0], sign * far[1]
+        for x0, y0, x1, y1 in ends, (*ends[2:], *ends[:2]):
+            got = impl.crossing(*(np.array([number]) for number in (x0, y0, x1, y1)))
+            assert_close(got, np.array([c]), rtol=1e-9, atol=1e-9)
