@@ -268,19 +268,29 @@ def test_a_light_is_found_by_its_shadow(off):
     assert distance[0] > 0.15 and distance[-1] < 0.02
 
 
-@pytest.mark.parametrize("off", [0.0, [0.5, -0.4, 0.3]])
-def test_a_light_that_no_cone_may_follow_stays_before_the_scene(off):
-    """The fit of a low light steps into the ground's plane, and ends in point_light's refusal."""
+@pytest.mark.parametrize("off", [[0.5, -0.4, 0.3], [0.9, -0.9, -0.5]])
+def test_the_fit_of_a_low_light_stays_where_a_cone_sees_the_scene(off):
+    """A step too far, and the fit ends with point_light's refusal."""
     vertices, faces = scene(lift=0.35)
     place = np.array([-3.0, 2.2, 1.0])
     _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 32, 28)
-    target = 1 - ray_casting.ray_cast(points, vertices, faces,
-                                      shadow_mapping.point_light(place, vertices))
-    path = shadow_mapping.fit_position(target, points, vertices, faces, place + off, 64, 12, 1.0, 3,
+    target = ray_casting.ray_cast(points, vertices, faces,
+                                  shadow_mapping.point_light(place, vertices))
+    path = shadow_mapping.fit_position(target, points, vertices, faces, place + off, 64, 12, 0.5, 3,
                                        1e-3)
-    assert path.shape == (13, 3) and np.ptp(path, axis=0).min() > 0
     for position in path:
         shadow_mapping.point_light(position, vertices)
+
+
+def test_a_light_goes_its_whole_way_or_a_half_of_it():
+    """A move that is fine is shortened; one into the scene is refused, or not taken at all."""
+    vertices, _ = scene()
+    light, move = LIGHTS["point"](vertices), np.array([0.3, 0.2, -0.1])
+    np.testing.assert_allclose(shadow_mapping.moved_light(light, move, vertices)[0], PLACE + move)
+    light = shadow_mapping.moved_light(light, -0.9 * PLACE, vertices)
+    np.testing.assert_allclose(light[0], 0.55 * PLACE)
+    light = shadow_mapping.moved_light(light, np.full(3, np.nan), vertices)
+    np.testing.assert_allclose(light[0], 0.55 * PLACE)
 
 
 @each_light
