@@ -13,7 +13,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course import mesh
+from course import mesh, ray_casting
 from reference import shadow_mapping, transforms
 
 SIZE = 512
@@ -53,7 +53,7 @@ def times():
     vertices, faces = scene()
     light = shadow_mapping.point_light(PLACE, vertices)
     _, points, normals = seen(vertices, faces, SIZE)
-    offsets, rows = shadow_mapping.disc_offsets(32), []
+    offsets, rows = ray_casting.disc_offsets(32), []
     given = points, normals, vertices, faces, light
     for size in MAPS:
         variance = points, vertices, faces, light, size, *VARIANCE
@@ -67,7 +67,7 @@ def times():
             "variance": lambda variance=variance: shadow_mapping.variance_shadow(*variance),
             "its backward": lambda lit=lit, buffers=buffers:
                 shadow_mapping.variance_shadow_backward(lit, buffers, points, light, *VARIANCE),
-            "ray casting": lambda: shadow_mapping.ray_cast(points, vertices, faces, light),
+            "ray casting": lambda: ray_casting.ray_cast(points, vertices, faces, light),
         }, runs=5)})
     return rows
 
@@ -82,14 +82,14 @@ def errors():
     for name, light in lights.items():
         toward = light[0] - points if name == "point" else light[1][2]
         facing = (normals * toward).sum(1) > 0
-        truth = shadow_mapping.ray_cast(points, vertices, faces, light)[facing]
+        truth = ray_casting.ray_cast(points, vertices, faces, light)[facing]
         for size in MAPS:
             row = {"light": name, "map": size}
             for bias, given in {"none": (0.0, 0.0), "0.05": (0.05, 0.0),
                                 "slope": (1e-3, 1.0)}.items():
                 lit = shadow_mapping.hard_shadow(points, normals, vertices, faces, light, size,
                                                  *given)[facing]
-                dark, leak = shadow_mapping.error_shares(lit, truth)
+                dark, leak = ray_casting.error_shares(lit, truth)
                 row[f"bias {bias}"] = f"{100 * dark:.2f} + {100 * leak:.2f}"
             rows.append(row)
     return rows
@@ -105,10 +105,10 @@ def soft_errors():
     points, normals = points[facing], normals[facing]
     on_map = shadow_mapping.receivers(points, normals, light, 1024)
     distance_map = shadow_mapping.depth_map(vertices, faces, light, 1024)
-    offsets, rows = shadow_mapping.disc_offsets(64), []
+    offsets, rows = ray_casting.disc_offsets(64), []
     for radius in 0.1, 0.25, 0.5:
-        truth = shadow_mapping.area_light_truth(points, vertices, faces, light, radius,
-                                                shadow_mapping.disc_offsets(256))
+        truth = ray_casting.area_light_truth(points, vertices, faces, light, radius,
+                                                ray_casting.disc_offsets(256))
         soft = {"hard": shadow_mapping.hard_shadow(points, normals, vertices, faces, light, 1024,
                                                    1e-3),
                 "PCF": shadow_mapping.percentage_closer(distance_map, *on_map, 0.02,
@@ -128,7 +128,7 @@ def fits():
     place, rng = np.array([-1.4, 3.4, 0.8]), np.random.default_rng(0)
     face_index, points, _ = seen(vertices, faces, 80, (0.6, 3.6, 2.2))
     points = points[face_index[face_index >= 0] >= len(faces) - 2]
-    target = shadow_mapping.ray_cast(points, vertices, faces,
+    target = ray_casting.ray_cast(points, vertices, faces,
                                      shadow_mapping.point_light(place, vertices))
     size, rows = np.linalg.norm(np.ptp(vertices, axis=0)), []
     for start in range(STARTS):

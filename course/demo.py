@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from . import fits, image, mesh, places, plot
+from . import fits, image, mesh, places, plot, ray_casting
 
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
@@ -207,7 +207,7 @@ def shadow(labs):
     lit = shadow_mapping.hard_shadow(points, normals, vertices, faces, light, 2 * SIZE, 2e-3)
     yield "hard shadow: the light's map, comparison", None
     soft = shadow_mapping.soft_shadow(points, normals, vertices, faces, light, 0.2, 2 * SIZE, 1e-2,
-                                      shadow_mapping.disc_offsets(32))
+                                      ray_casting.disc_offsets(32))
     yield "soft shadow of a disc, PCSS with 32 places", None
 
     seen, corners = face_index >= 0, face_index[face_index >= 0]

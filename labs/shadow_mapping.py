@@ -12,7 +12,7 @@ picture is the map: in each texel the distance of the nearest surface, along the
     PCSS: (6) over a disc of radius R (1/blocker - 1/distance) C_00 width / 2                (7)
     VSM:  E = blur of (stored, stored^2),   variance = E_1 - E_0^2                           (8)
           lit share = variance / (variance + (distance - E_0)^2) beyond E_0, else 1          (9)
-    d moments = what the change of distance makes - (shift of a border) (step across it)    (10)
+    dE = -(1, 2 stored) dq_z - sum over the 4 borders of shift (step of E across it) / 2     (10)
 
 Light from a direction has an orthographic C and w = 1; light from a point, a perspective C and w =
 distance. Its map is a cone: shadows outside are lost, and all is lit there. (Six maps, the sides
@@ -25,13 +25,11 @@ import numpy as np
 
 from course import mesh
 
-from . import interpolation, rasterization, texturing, transforms
+from . import interpolation, inverse_rendering, rasterization, texturing, transforms
 
 GRAZING = 1e-2   # the least |n . ray|: a plane seen edge-on has no slope
-SELF_HIT = 1e-7  # of a distance: a ray that starts on a surface is not stopped by it
 WIDEST = np.radians(75)  # from a cone's axis to its side; beyond, texels are wasted on the border
 NARROWEST = 1e-6         # of a map's width, where all vertices lie on the light's axis
-GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 PAIRS = ((0, np.s_[:, :-1], np.s_[:, 1:]),  # neighbours in x: the left ones, the right ones
          (1, np.s_[:-1], np.s_[1:]))        # in y: the lower ones, the upper ones
 
@@ -60,6 +58,11 @@ def to_light_backward(grad_q, points, position, rotation):  # exercise 14.2 (2 p
            [ 1.,  3.,  0.]]), array([-1., -3.,  2.]))
     """
     raise NotImplementedError("exercise 14.2: to_light_backward")
+
+
+def w_of(q, clip_from_light):
+    """The w of eq. (2): q (N, 3) -> (N,)."""
+    return clip_from_light[3, 2] * q[:, 2] + clip_from_light[3, 3]
 
 
 def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
@@ -94,8 +97,8 @@ def distance_of_depth(depth, clip_from_light):  # exercise 14.5 (2 points)
     where the light sees nothing: there the distance is np.inf, and nothing is raised or warned of.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
-    >>> distance_of_depth(np.array([[-1.0, 1.0, 2.0, np.inf]]), C)
-    array([[ 1.,  2.,  4., inf]])
+    >>> distance_of_depth(np.array([[-1.0, 1.0, 0.5, np.inf]]), C)
+    array([[1. , 2. , 1.6, inf]])
     """
     raise NotImplementedError("exercise 14.5: distance_of_depth")
 
@@ -161,7 +164,7 @@ def on_plane(x, y, distance, slope_x, slope_y, dx, dy):  # exercise 14.10 (2 poi
     x, y, distance, slope_x, slope_y (N,): receivers, as above; dx, dy (N,): steps in texels ->
     x + dx, y + dy, and the distance that the plane has at the *centre* of the texel which holds
     that place, each (N,). The plane recedes by slope_x, slope_y to a texel, as if it were flat on
-    the map (in a cone, 1 / distance would be; over a few texels this is the same).
+    the map. In a cone it lies a little farther: this may let light through, and is never acne.
 
     >>> one = np.ones(1)
     >>> on_plane(2.25 * one, 3.5 * one, 7.0 * one, 0.5 * one, 0.1 * one, one, 2 * one)
@@ -208,8 +211,8 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
     """Eq. (7): how wide the shadow's soft border is on the map, in texels -> (N,), at least 0.
 
     A disc of light_radius R in the plane q_z = 0, seen past a blocker from a point at a distance:
-    the rays to the disc's rim leave the ray to its middle. Where they pass the plane
-    q_z = -blocker, their q_x / blocker is off the middle one's by R (1/blocker - 1/distance).
+    the rays to the disc's rim leave the ray to its middle. The radius is how far from it they lie
+    on the map where they pass the plane q_z = -blocker.
     distance, blocker (N,), > 0; a blocker at np.inf, or behind the point, gives 0.
     clip_from_light C (4, 4) of a cone, width of its map, whose texels are square.
 
@@ -223,8 +226,7 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
 def window_sums(picture, radius):  # exercise 14.14 (2 points)
     """Sums over squares: of the pixels up to radius rows and columns away -> (H, W, C).
 
-    picture (H, W, C); radius a whole number >= 0. Squares end at the picture's border. By running
-    sums along rows, then along columns, the time does not grow with radius.
+    picture (H, W, C); radius a whole number >= 0. Squares end at the picture's border.
 
     >>> window_sums(np.array([[[1.0], [2.0], [4.0], [8.0]]]), 1)[..., 0]
     array([[ 3.,  7., 14., 12.]])
@@ -341,18 +343,20 @@ def axes_of(toward):
 
 def bounds(vertices):
     """The least and the greatest x, y and z of vertices (V, 3), each (3,)."""
-    if not (len(vertices) and np.isfinite(vertices).all() and np.ptp(vertices, axis=0).any()):
-        raise ValueError("a light expects finite vertices that are not all in one place, got "
-                         f"{len(vertices)} of them; give it the vertices of the scene")
+    if not (vertices.shape[1:] == (3,) and len(vertices) and np.isfinite(vertices).all()
+            and np.ptp(vertices, axis=0).any()):
+        raise ValueError("a light expects vertices (V, 3), finite and not all in one place, got "
+                         f"{vertices.shape}; give it the vertices of the scene")
     return vertices.min(0), vertices.max(0)
 
 
 def directional_light(direction, vertices):
     """Light that falls along direction (3,), its map around all vertices (V, 3)."""
-    direction = np.asarray(direction, float)
-    if not 0 < np.linalg.norm(direction) < np.inf:
-        raise ValueError(f"directional_light expects a direction of some length, got {direction}; "
-                         "give the direction in which the light falls")
+    direction, vertices = np.asarray(direction, float), np.asarray(vertices, float)
+    if direction.shape != (3,) or not 0 < np.linalg.norm(direction) < np.inf:
+        raise ValueError("directional_light expects a direction of three numbers and some length, "
+                         f"got {direction}; give the direction in which the light falls")
+    bounds(vertices)
     rotation = axes_of(direction)
     low, high = bounds(to_light(vertices, np.zeros(3), rotation))
     far = np.linalg.norm(high - low)
@@ -377,7 +381,10 @@ def in_a_cone(vertices, position, toward):
 
 def point_light(position, vertices):
     """Light from position (3,), its map a cone around all vertices (V, 3)."""
-    position = np.asarray(position, float)
+    position, vertices = np.asarray(position, float), np.asarray(vertices, float)
+    if position.shape != (3,) or not np.isfinite(position).all():
+        raise ValueError(f"point_light expects a position of three finite numbers, got {position}; "
+                         "give the light's place in the world")
     rotation, q = in_a_cone(vertices, position, sum(bounds(vertices)) / 2 - position)
     # Look at the middle of what is seen from here, so that no side of the map stays empty.
     angle = np.arctan(q[:, :2] / -q[:, 2:])
@@ -390,6 +397,8 @@ def point_light(position, vertices):
 
 def depth_map(vertices, faces, light, size):
     """The light's picture: the distance of the nearest surface, (size, size), np.inf for none."""
+    mesh.check(vertices, faces)
+    vertices, faces = np.asarray(vertices), np.asarray(faces)
     position, rotation, clip_from_light = light
     q = transforms.to_homogeneous(to_light(vertices, position, rotation))
     clip = transforms.transform(q, clip_from_light)
@@ -402,6 +411,7 @@ def visible_points(vertices, faces, clip_from_world, width, height):
     (N, 3) in the world and unit normals (N, 3) of their faces, as the faces are wound.
     """
     mesh.check(vertices, faces)
+    vertices, faces = np.asarray(vertices), np.asarray(faces)
     clip = transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
     face_index, _ = rasterization.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
@@ -412,25 +422,13 @@ def visible_points(vertices, faces, clip_from_world, width, height):
 
 def receivers(points, normals, light, size):
     """Points (N, 3) on the light's map: x, y, distance, slope_x, slope_y, each (N,)."""
+    if not np.isfinite(points).all():
+        raise ValueError("a shadow expects finite points, got some that are not; give the points "
+                         "of pixels that see a face")
     position, rotation, clip_from_light = light
     q = to_light(points, position, rotation)
     x, y = map_position(q, clip_from_light, size, size)
     return x, y, -q[:, 2], *distance_slopes(normals @ rotation.T, q, clip_from_light, size, size)
-
-
-def disc_offsets(count):
-    """Places spread evenly over the unit disc -> (count, 2), by x and y.
-
-    The seeds of a sunflower: number k = 0, 1, ... lies sqrt((k + 1/2) / count) from the middle, in
-    the direction k GOLDEN_ANGLE, counter-clockwise from x.
-
-    >>> disc_offsets(2).round(3)
-    array([[ 0.5  ,  0.   ],
-           [-0.639,  0.585]])
-    """
-    k = np.arange(count)
-    radius, angle = np.sqrt((k + 0.5) / count), k * GOLDEN_ANGLE
-    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], -1)
 
 
 def hard_shadow(points, normals, vertices, faces, light, size, constant, factor=1.0, most=np.inf):
@@ -443,9 +441,13 @@ def hard_shadow(points, normals, vertices, faces, light, size, constant, factor=
 def soft_shadow(points, normals, vertices, faces, light, light_radius, size, bias, offsets):
     """PCSS, eq. (7): the lit share of points (N, 3) under a disc of light_radius -> (N,).
 
-    The light is a cone, the disc faces the scene. One search for blockers, where the nearest of
-    all could be; then (6) over the radius that their mean has.
+    The disc is a point light's, and faces the scene; offsets (K, 2) are places in the unit disc.
+    One search for blockers, where the nearest of all could be; then (6) over the radius that their
+    mean has.
     """
+    if light[2][3, 2] == 0:
+        raise ValueError("soft_shadow expects a point light, got light from a direction; "
+                         "make the light with point_light")
     on_map = receivers(points, normals, light, size)
     distance_map, clip_from_light = depth_map(vertices, faces, light, size), light[2]
     nearest = np.full(len(points), distance_map.min(initial=np.inf))
@@ -455,90 +457,6 @@ def soft_shadow(points, normals, vertices, faces, light, light_radius, size, bia
     return percentage_closer(distance_map, *on_map, bias, offsets, radius)
 
 
-# --- the truth: ray casting -------------------------------------------------------------------
-
-
-def edge_planes(a, b, c):
-    """Corners as columns of M, each (F, 3): the rows of M^-1 times |det M| -> (F, 3, 3).
-
-    Row k is the plane through the eye and the edge opposite to corner k, positive on the face's
-    side: the edge functions of lab 2. All 0 where det M = 0, a face seen edge-on.
-    """
-    rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], 1)
-    return rows * np.sign((rows[:, 0] * a).sum(1))[:, None, None]
-
-
-def faces_in_cells(x, y, cells):
-    """Which faces lie, by their bounds, in each of cells x cells cells of the map? x, y (3, F) ->
-    face (M,), sorted by cell, and start (cells^2 + 1,): cell c has face[start[c]:start[c + 1]].
-    """
-    low_x, low_y, high_x, high_y = (
-        np.clip(np.floor(bound), 0, cells - 1).astype(int)
-        for bound in (x.min(0), y.min(0), x.max(0), y.max(0)))
-    face, row = rasterization.expand(low_y, high_y - low_y + 1)
-    strip, column = rasterization.expand(low_x[face], (high_x - low_x + 1)[face])
-    cell = row[strip] * cells + column
-    order = np.argsort(cell, kind="stable")
-    return face[strip][order], np.searchsorted(cell[order], np.arange(cells**2 + 1))
-
-
-def ray_cast(points, vertices, faces, light, cells=128):
-    """Which points (N, 3) does the light reach, past all faces? -> bool (N,). Exact; no map.
-
-    Rays to one light are points of its picture: a ray p = (q_x, q_y, w) meets a face where
-    c = M^-1 p has no negative number, with (q_x, q_y, w) of the corners as columns of M. The face's
-    distance there is sum c_k distance_k / sum c_k. Each ray is tested with the faces of its cell of
-    the picture alone. Cells, unlike texels, make no difference to the result.
-    """
-    position, rotation, clip_from_light = light
-
-    def seen(points):
-        q = to_light(points, position, rotation)
-        x, y = map_position(q, clip_from_light, cells, cells)
-        w = clip_from_light[3, 2] * q[:, 2] + clip_from_light[3, 3]
-        return np.stack([q[:, 0], q[:, 1], w], 1), -q[:, 2], x, y
-
-    corners, corner_distance, x, y = seen(vertices)
-    face, start = faces_in_cells(x[faces.T], y[faces.T], cells)
-    planes, face_distance = edge_planes(*corners[faces.T])[face], corner_distance[faces][face]
-    rays, distance, x, y = seen(points)
-    column, row = np.clip(np.floor([x, y]), 0, cells - 1).astype(int)
-    cell = row * cells + column
-    first, count, lit = start[cell], np.diff(start)[cell], np.ones(len(rays), bool)
-    for part in rasterization.chunks(count):
-        ray, entry = rasterization.expand(first[part], count[part])
-        c = np.einsum("nki,ni->nk", planes[entry], rays[part][ray])
-        met = np.flatnonzero((c >= 0).all(1) & (c.sum(1) > 0))
-        ray, entry, c = ray[met], entry[met], c[met]
-        at_face = (c * face_distance[entry]).sum(1) / c.sum(1)
-        lit[part][ray[at_face < distance[part][ray] * (1 - SELF_HIT)]] = False
-    return lit
-
-
-def error_shares(lit, truth):
-    """How wrong a shadow is: the shares of all pixels that are wrongly dark and wrongly lit.
-
-    lit, truth: bool (N,), N > 0 -> two numbers from 0 to 1.
-
-    >>> error_shares(np.array([True, True, False, True]), np.array([True, False, True, False]))
-    (np.float64(0.25), np.float64(0.5))
-    """
-    return np.mean(~lit & truth), np.mean(lit & ~truth)
-
-
-def area_light_truth(points, vertices, faces, light, light_radius, offsets):
-    """The mean of `ray_cast` over point lights on a disc that faces the scene -> (N,).
-
-    Their places are light_radius offsets (K, 2) in the light's x and y.
-    """
-    position, rotation, clip_from_light = light
-    total = np.zeros(len(points))
-    for offset in light_radius * offsets:
-        total += ray_cast(points, vertices, faces,
-                          (position + offset @ rotation[:2], rotation, clip_from_light))
-    return total / len(offsets)
-
-
 # --- a shadow with a gradient -----------------------------------------------------------------
 
 
@@ -546,8 +464,12 @@ def variance_shadow(points, vertices, faces, light, size, radius, least_variance
     """Eqs. (8) and (9): the lit share of points (N, 3) -> (N,), and what backward takes again.
 
     The map of moments is blurred over (2 radius + 1)^2 texels, and read bilinearly. Where the light
-    sees nothing, its distance is the far plane's. Points outside the map are lit.
+    sees nothing, its distance is the far plane's. Points outside the map are lit. least_variance
+    is this shadow's bias, in squares of the world's unit: about (a thousandth of the scene)^2.
     """
+    if not (radius == round(radius) and radius >= 0):
+        raise ValueError("variance_shadow expects a blur by a whole number of texels, at least 0, "
+                         f"got {radius}; round it")
     position, rotation, clip_from_light = light
     distance_map = depth_map(vertices, faces, light, size)
     far = distance_of_depth(np.ones(1), clip_from_light)
@@ -568,7 +490,8 @@ def variance_shadow_backward(grad_lit, buffers, points, light, radius, least_var
     of the map jumps when an edge passes its centre; (10) moves the edge evenly instead. So this is
     the slope of sums over many texels, and not of single ones. At a round body's rim, the texels'
     centres are nearer than the rim, and seem to move too far: this error falls with the root
-    of the texel's size.
+    of the texel's size. In parallel light the gradient is 0 up to such errors: the shadow depends
+    on the direction alone, and that is held.
     """
     position, rotation, clip_from_light = light
     distance_map, blurred, q, uv, mean, inside = buffers
@@ -590,29 +513,43 @@ def position_loss(target, points, vertices, faces, light, size, radius, least_va
     position (3,); the others as in `variance_shadow`.
     """
     lit, buffers = variance_shadow(points, vertices, faces, light, size, radius, least_variance)
+    if np.shape(target) != lit.shape:
+        raise ValueError(f"position_loss expects a target {lit.shape}, one number for each point, "
+                         f"got {np.shape(target)}")
     grad_lit = 2 * (lit - target) / len(target)
     grad_position = variance_shadow_backward(grad_lit, buffers, points, light, radius,
                                              least_variance)
     return np.mean((lit - target)**2), grad_position
 
 
+def moved_light(light, move, vertices):
+    """The point light after a move (3,), halved until `point_light` accepts the place."""
+    for part in 0.5 ** np.arange(20):
+        try:
+            return point_light(light[0] + part * move, vertices)
+        except ValueError:
+            continue
+    return light
+
+
 def fit_position(target, points, vertices, faces, guess, size, steps, rate, radius,
                  least_variance):
     """Where does the point light stand that casts this shadow? -> its positions (steps + 1, 3).
 
-    target (N,): the lit shares of points (N, 3); guess (3,): the first position. Adam (Kingma and
-    Ba 2015), in the axes of a light that looks at the scene anew in each step: to go nearer or
-    farther changes a shadow the least, and so has a step size of its own. The rate and the blur's
-    radius fall to a tenth.
+    target (N,): the lit shares of points (N, 3); guess (3,): the first position; rate: the first
+    step's length, in the world's unit. Adam (lab 9), in the axes of a light that looks at the scene
+    anew in each step: to go nearer or farther changes a shadow the least, and so has a step size of
+    its own. The rate and the blur's radius fall to a tenth. Found from within about 20 % of the
+    scene's size and a light well above the ground; from farther it may end elsewhere.
     """
-    path, mean, square = [np.asarray(guess, float)], np.zeros(3), np.zeros(3)
+    light = point_light(guess, vertices)
+    path, mean, square = [light[0]], np.zeros(3), np.zeros(3)
     for step in range(1, steps + 1):
         fall = 0.1 ** ((step - 1) / steps)
-        light = point_light(path[-1], vertices)
         _, grad_position = position_loss(target, points, vertices, faces, light, size,
                                          round(radius * fall), least_variance)
-        grad = light[1] @ grad_position
-        mean, square = 0.9 * mean + 0.1 * grad, 0.99 * square + 0.01 * grad**2
-        move = mean / (1 - 0.9**step) / (np.sqrt(square / (1 - 0.99**step)) + 1e-12)
-        path.append(path[-1] - rate * fall * move @ light[1])
+        move, mean, square = inverse_rendering.adam_step(
+            np.zeros(3), light[1] @ grad_position, mean, square, step, rate * fall, 0.9, 0.99)
+        light = moved_light(light, move @ light[1], vertices)
+        path.append(light[0])
     return np.array(path)

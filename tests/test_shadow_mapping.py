@@ -34,7 +34,7 @@ def projected(q, light, width=WIDTH, height=HEIGHT):
 
 def point_at(x, y, distance, light, width, height):
     """The point of the light's frame that lies at (x, y) of the map, at this distance."""
-    w = distance if light[3, 2] else 1.0
+    w = light[3, 3] - light[3, 2] * distance
     return np.array([(2 * x / width - 1) * w / light[0, 0], (2 * y / height - 1) * w / light[1, 1],
                      -distance])
 
@@ -172,7 +172,7 @@ def test_a_texel_is_found_by_its_square(impl):
 def test_outside_the_map_nothing_is_stored(impl):
     """A negative index reads the other side of the map; or the border belongs to the map."""
     x = np.array([-0.01, 4.0, 1.0, 1.0, -0.5, 99.0, 3.5, 4.0 - 1e-9])
-    y = np.array([1.0, 1.0, -1e-9, 3.0, -0.5, 1.0, 1.5, 3.0 - 1e-9])
+    y = np.array([0.5, 1.0, -1e-9, 3.0, -0.5, 1.0, 1.5, 3.0 - 1e-9])
     expected = np.array([np.inf] * 7 + [12.0])
     assert_equal(impl.stored_distance(MAP, x, y), expected)
 
@@ -198,7 +198,7 @@ def test_the_bias_lights_what_is_just_behind(impl):
 @exercise("14.7")
 def test_outside_the_map_all_is_lit(impl):
     """What the light's picture does not hold is dark, or is looked up elsewhere."""
-    x, y = np.array([-1.0, 9.0, 1.0, 3.5]), np.array([1.0, 1.0, -1.0, 1.5])
+    x, y = np.array([-1.0, 9.0, 1.0, 3.5]), np.array([2.0, 1.0, -1.0, 1.5])
     assert_equal(impl.is_lit(MAP, x, y, np.full(4, 100.0), 0.0), np.ones(4, bool))
 
 
@@ -221,7 +221,8 @@ def test_slopes_on_paper(impl):
 @exercise("14.8")
 @each_light
 def test_slopes_are_those_of_the_plane_on_the_map(impl, rng, light):
-    """The cone's ray is taken for the light's axis, or w is left out."""
+    """The cone's ray is taken for the light's axis, w is left out, or C_33 of it."""
+    light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
     q, normal = before_the_light(rng, 30), rng.normal(size=(30, 3))
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     # The plane's distance at (x, y): along the ray there, n . point = n . q.
@@ -468,7 +469,7 @@ def test_lit_shares_on_paper(impl):
 def test_the_variance_has_a_floor(impl):
     """Rounding makes the variance negative; the floor is added in place of a maximum."""
     got = impl.chebyshev(np.array([5.0, 5.0, 5.0]), np.array([3.0, 3.0, 3.0]),
-                         np.array([9.0, 8.9, 9.5]), 0.5)
+                         np.array([9.0, 8.0, 9.5]), 0.5)
     assert_close(got, np.full(3, 1 / 9))
 
 
@@ -502,16 +503,18 @@ def test_a_floored_variance_has_no_gradient(impl):
     """The floor hands a gradient on, also where the variance just reaches it."""
     got = impl.chebyshev_backward(np.ones(3), np.full(3, 5.0), np.full(3, 3.0),
                                   np.array([9.0, 10.0, 10.5]), 1.0)
+    assert_close(got[0], np.array([-4 / 25, -4 / 25, -6 / 5.5**2]))
     assert_close(got[2], np.array([0.0, 0.0, (2 / 5.5)**2]))
-    assert_close(got[1][:2], -np.asarray(got[0])[:2])
+    assert_close(got[1][:2], np.array([4 / 25, 4 / 25]))
 
 
 @exercise("14.18")
 def test_the_gradients_of_the_share_are_central_differences(impl, rng):
-    """grad_lit is ignored; a sign is lost."""
-    mean = rng.uniform(2, 4, 12)
-    distance = mean + rng.uniform(-1, 2, 12)
-    mean_square = mean**2 + rng.uniform(0, 1.5, 12)
+    """grad_lit is ignored; a sign is lost; a variance under the floor is taken as it is."""
+    mean, variance = rng.uniform(2, 4, 12), rng.uniform(0.4, 1.5, 12)
+    distance, variance[:6] = mean + rng.uniform(-1, 2, 12), rng.uniform(0.0, 0.2, 6)
+    distance[:4] = mean[:4] + rng.uniform(0.5, 2, 4)
+    mean_square = mean**2 + variance
     gradcheck(lambda d, a, b: lit_share(d, a, b),
               lambda grad, d, a, b: impl.chebyshev_backward(grad, d, a, b, 0.3),
               (distance, mean, mean_square),
@@ -536,6 +539,7 @@ def test_the_middle_stays_and_the_border_runs_outwards_on_paper(impl):
 @each_light
 def test_motion_is_the_slope_of_the_place(impl, rng, light):
     """A factor of x in y; the distance of another texel; C_33 is left out of w."""
+    light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
     distance_map, h = rng.uniform(1, 5, (3, 5)), 1e-5
     expected = np.zeros((3, 5, 2, 3))
     for i, j, axis in np.ndindex(3, 5, 3):
