@@ -30,12 +30,14 @@ import numpy as np
 import pytest
 
 from . import places
+from .places import shown_path
 
 exercise = pytest.mark.exercise
 
 PACKAGE = "implementation"  # the code under test is imported as a package of this name
 UNFINISHED = re.compile(r"exercise (\d+\.\d+): \w+")  # what an exercise of a skeleton raises
 LAST_CALL = pytest.StashKey()  # of a check, to the code under test: function, args, kwargs
+FIND = pytest.StashKey()       # of the run: finds functions that run in another process
 
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
@@ -171,6 +173,8 @@ def load_topic(path):
 @pytest.fixture(scope="session")
 def find_function(pytestconfig):
     """(topic, name) -> the function in the code under test. Mismatch: there is none."""
+    if FIND in pytestconfig.stash:
+        return pytestconfig.stash[FIND]
     package = types.ModuleType(PACKAGE)
     package.__path__ = [str(folder(pytestconfig.option.impl))]  # so `from . import x` works there
     for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
@@ -417,13 +421,6 @@ def index_name(index):
     return f"[{', '.join(map(str, index))}]"
 
 
-def shown_path(path):
-    """A path as seen from the course's folder, if it lies there."""
-    path = Path(path).resolve()
-    inside = path.is_relative_to(places.ROOT)
-    return path.relative_to(places.ROOT).as_posix() if inside else str(path)
-
-
 def cut(text):
     lines = text.splitlines()
     return "\n".join(lines[:MOST_LINES] + ["..."] * (len(lines) > MOST_LINES))
@@ -594,16 +591,22 @@ def told(error, code):
     """An error, and the lines in the folder with the code under test that led to it."""
     frames = [frame for frame in traceback.extract_tb(error.__traceback__)
               if Path(frame.filename).resolve().is_relative_to(code)]
-    lines = [f"{shown_path(frame.filename)}:{frame.lineno} in {frame.name}\n    {frame.line}"
-             for frame in frames]
-    if len(lines) > MOST_LINES:
-        lines[4:-4] = [f"... {len(lines) - 8} more calls ..."]
+    lines = shown_frames([(shown_path(frame.filename), frame.lineno, frame.name, frame.line)
+                          for frame in frames])
     if isinstance(error, SyntaxError):
         lines += [f"{shown_path(error.filename)}:{error.lineno}\n    {(error.text or '').strip()}"]
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
     return "\n".join([cut(text), *lines])
+
+
+def shown_frames(frames):
+    """(file, line, function, its text) of each call -> lines; of many, the first and last ones."""
+    lines = [f"{file}:{line} in {function}\n    {text}" for file, line, function, text in frames]
+    if len(lines) > MOST_LINES:
+        lines[4:-4] = [f"... {len(lines) - 8} more calls ..."]
+    return lines
 
 
 def check_line(error, item):
