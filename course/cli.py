@@ -7,7 +7,10 @@ to look and to read
 to do the labs
   check [TARGET]        what is right in labs/, what is not, and what to do next
 
-to teach, and to work on the course
+to teach
+  grade SUBMISSIONS     grade what was handed in, each submission in a sandbox
+
+to work on the course
   skeleton              make labs/ from reference/; labs that were worked on stay as they are
   test                  check everything: lint, code, labs, notebooks
 
@@ -57,7 +60,7 @@ def main(argv=None):
 def can_be_mended(error):
     """Whether the user can: a file that fails him, or a raise statement in course/ or labs/."""
     cause = traceback.extract_tb(error.__traceback__)[-1]
-    ours = Path(cause.filename).resolve().parent in (ROOT / "course", ROOT / "labs")
+    ours = Path(cause.filename).resolve().parent in (ROOT / "course", ROOT / "course" / "grading", ROOT / "labs")
     return isinstance(error, OSError) or (ours and cause.line.startswith("raise "))
 
 
@@ -95,6 +98,18 @@ def arguments():
     option("--json", metavar="FILE", help="write the board to this file as well")
     option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
 
+    option = add(grade)
+    option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files")
+    option("--out", required=True, metavar="DIR", help="where reports and tables are written")
+    option("--labs", metavar="1-4", help="grade these labs; without, all of them")
+    option("--jobs", type=int, metavar="N", help="how many at a time; without, one for each core")
+    option("--resume", action="store_true", help="keep results of the same work and checks")
+    option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+    option("--isolation", choices=("strict", "process"),
+           help="strict needs Linux with bubblewrap; process is for work that you trust")
+    option("--scheduler", metavar="tcp://...", help="run on this Dask cluster")
+    option("--seconds", type=float, default=10.0, metavar="S", help="the most that a call may take")
+
     option = add(skeleton)
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
     option("--force", action="store_true", help="start afresh the labs that were worked on, too")
@@ -124,6 +139,15 @@ def check(asked):
     """Check the labs and show the board; status 0 only if all that was asked for passes."""
     import course.board
     return course.board.check(asked.target, asked.impl, json_file=asked.json, seed=asked.seed)
+
+
+def grade(asked):
+    """Grade submissions: reports, results.json and grades.csv; status 0 if all could be graded."""
+    import course.grading.grade
+    return course.grading.grade.run(
+        asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
+        seed=asked.seed, isolation=asked.isolation, scheduler=asked.scheduler,
+        seconds=asked.seconds)
 
 
 def skeleton(asked):

@@ -19,8 +19,9 @@ import numpy as np
 
 MOST_BYTES = 1 << 26   # of a payload
 MOST_HEADER = 1 << 22
-DTYPES = ("|b1", "|i1", "|u1", "<i2", "<u2", "<f2", "<i4", "<u4", "<f4",
-          "<i8", "<u8", "<f8", "<c8", "<c16")
+DTYPES = {name: np.dtype(name) for name in (
+    "|b1", "|i1", "|u1", "<i2", "<u2", "<f2", "<i4", "<u4", "<f4", "<i8", "<u8", "<f8", "<c8",
+    "<c16")}
 
 
 class Garbled(ValueError):
@@ -82,12 +83,11 @@ def described(value, arrays):
 
 def described_array(value, arrays):
     array = np.asarray(value)
-    array = array.astype(array.dtype.newbyteorder("<"), copy=False)
-    if array.dtype.str not in DTYPES:
+    name = array.dtype.str.replace(">", "<")
+    if name not in DTYPES:
         return {"other": f"{type(value).__name__} of {array.dtype.name}"}
-    arrays.append(array.tobytes())
-    kind = "array" if isinstance(value, np.ndarray) else "number"
-    return {kind: [array.dtype.str, list(array.shape)]}
+    arrays.append(array.astype(name, copy=False).tobytes())
+    return {"array" if isinstance(value, np.ndarray) else "number": [name, array.shape]}
 
 
 def decode(payload):
@@ -129,16 +129,18 @@ def built(header, rest):
     return array if kind == "array" else array[()]
 
 
-def built_array(dtype, shape, rest):
+def built_array(name, shape, rest):
     """The shape is believed only if the bytes are there."""
-    if dtype not in DTYPES or not all(type(n) is int and 0 <= n <= MOST_BYTES for n in shape):
+    dtype = DTYPES.get(name)
+    if dtype is None or not all(type(n) is int and 0 <= n <= MOST_BYTES for n in shape):
         raise Garbled("an array of a wrong type or shape")
-    size = np.dtype(dtype).itemsize * math.prod(shape)
+    size = dtype.itemsize * math.prod(shape)
     if size > len(rest[0]):
         raise Garbled("an array with fewer bytes than its shape says")
     content, rest[0] = rest[0][:size], rest[0][size:]
-    array = np.frombuffer(content, "|u1" if dtype == "|b1" else dtype).reshape(shape)
-    return array.astype(bool if dtype == "|b1" else np.dtype(dtype).newbyteorder("="))
+    if name == "|b1":  # any byte but 0 is True
+        return np.frombuffer(content, np.uint8).astype(bool).reshape(shape)
+    return np.frombuffer(content, dtype).astype(dtype.newbyteorder("=")).reshape(shape)
 
 
 def arrays_in(value):
