@@ -20,7 +20,7 @@ from . import sandbox, wire
 
 MESSAGES = {  # what a worker may say, and the types of what follows
     "opened": (str,), "missing": (str,), "returned": (object, tuple, str),
-    "raised": (str, str, tuple, str), "ended": (int,)}
+    "raised": (str, str, tuple, str)}
 QUESTION = re.compile(rb'.{4}\{"tuple": \["ask", "(\w{1,60})", "(\w{1,60})", ', re.DOTALL)
 PARENT_MEMORY = 1 << 33
 
@@ -156,8 +156,6 @@ class Examination:
     def outcome(self, topic, name, message, inputs):
         """What a call returned, its inputs changed where it changed them; or raise what it did."""
         kind, *answer = message
-        if kind == "ended":
-            raise sandbox.Lost(f"the process ended{sandbox.ended_by(answer[0])}")
         print(printable(answer[-1]), end="")
         if kind == "missing":
             raise checks.Mismatch(("wrong", f"labs/{topic}.py has no function {name}; "
@@ -196,13 +194,11 @@ class Examination:
             modules = tuple((topic, skeleton.read(skeleton.reference(topic))) for topic in names)
             self.reference.exchange(("open", modules, (), ()), 60)
         try:
-            payload = self.timed(self.reference, wire.encode(("relay", topic, name)), question)
-            if payload[4:].startswith(b'{"tuple": ["ended"'):
-                self.reference.lose("the process ended")
+            return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
         except sandbox.Lost as lost:
+            self.reference.close()
             self.reference = None
             raise sandbox.Lost(f"in {topic}.{name}, which it asked for: {lost}") from None
-        return payload
 
     # --- workers
 
@@ -219,9 +215,7 @@ class Examination:
             return
         number, self.opened = self.opened, None
         try:
-            message = self.worker.exchange(("close",), 3)
-            if message != ("ended", 0):
-                raise sandbox.Lost("it sent more than it was asked for")
+            self.worker.finish()
         except sandbox.Lost as lost:
             self.lost[number] = f"at its end: {lost}"
             self.forget()

@@ -9,6 +9,7 @@ import contextlib
 import ctypes
 import itertools
 import os
+import select
 import shutil
 import signal
 import socket
@@ -58,12 +59,13 @@ class Worker:
         os.chmod(self.folder, 0o1777)
         command, settings = (strict if level == "strict" else plain)(self.folder, limits)
         self.socket, theirs = socket.socketpair()
+        self.control, its_control = socket.socketpair()
         self.buffer = bytearray()
-        with theirs:
+        with theirs, its_control:
             self.process = subprocess.Popen(
                 command, stdin=theirs if os.name != "nt" else subprocess.PIPE,
-                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, cwd=self.folder,
-                env=environment(), start_new_session=True)
+                stdout=its_control if os.name != "nt" else subprocess.DEVNULL,
+                stderr=subprocess.PIPE, cwd=self.folder, env=environment(), start_new_session=True)
             WORKERS.add(self.process.pid)
             if os.name == "nt":
                 self.process.stdin.write(theirs.share(self.process.pid))
@@ -110,14 +112,34 @@ class Worker:
     def received(self, end, seconds):
         """Some bytes. Every PATIENCE seconds, a look at the memory. OSError: no more will come."""
         while (left := end - time.monotonic()) > 0:
-            self.socket.settimeout(min(PATIENCE, left))
-            with contextlib.suppress(TimeoutError):
+            ready, _, _ = select.select([self.socket, self.control], [], [], min(PATIENCE, left))
+            if self.socket in ready:
                 if part := self.socket.recv(1 << 18):
                     return part
                 raise ConnectionError
+            if ready:
+                self.lose(f"the process ended{ended_by(self.status())}")
             if memory_of(family(self.process.pid)) > self.limits.memory:
                 self.lose(f"it took more than {self.limits.memory >> 20} MB of memory")
         raise TimeoutError
+
+    def finish(self, seconds=3):
+        """End the exercise: its process must go, and must have said no more than it was asked."""
+        try:
+            self.socket.sendall(wire.framed(wire.encode(("close",))))
+            self.control.settimeout(seconds)
+            if (status := self.status()) != 0:
+                self.lose(f"the process ended{ended_by(status)}")
+        except OSError:
+            self.lose("the process did not end when it should")
+        if self.buffer or select.select([self.socket], [], [], 0)[0]:
+            self.lose("it sent more than it was asked for")
+
+    def status(self):
+        """How the exercise's process has ended, as the worker's first process tells."""
+        with contextlib.suppress(ValueError):
+            return int(self.control.recv(64))
+        return -signal.SIGKILL
 
     def lose(self, why):
         self.close()
@@ -132,6 +154,7 @@ class Worker:
     def close(self):
         """End all of its processes, and remove its folder."""
         self.socket.close()
+        self.control.close()
         with contextlib.suppress(ProcessLookupError, PermissionError):
             for pid in family(self.process.pid):
                 os.kill(pid, signal.SIGKILL if os.name != "nt" else signal.SIGTERM)

@@ -8,7 +8,9 @@ this file protects honest exercises from what else is in their file.
     open       -> opened      the module is loaded for one exercise; or missing, or raised
     call       -> returned    its value, the inputs that it changed, what it printed; or raised
     returned   <- ask         in between: a stand-in wants to know what the reference returns
-    close      -> ended       the exercise's process is gone, and whatever it has left
+    close                     the exercise's process ends, and whatever it has left
+
+The first process tells on a second socket how an exercise's process ended: no exercise can.
 
 Every exercise has a process of its own, forked when NumPy is there already: what one exercise
 breaks, the next one does not see. Where there is no fork (Windows), the worker ends with it.
@@ -93,7 +95,7 @@ class Channel:
 
 
 def main():
-    stream = opened_stream()
+    stream, control = opened_stream(), os.dup(1)
     nowhere = os.open(os.devnull, os.O_RDWR)
     for standard in (0, 1, 2):
         os.dup2(nowhere, standard)
@@ -110,7 +112,7 @@ def main():
             codes = [(topic, text and compiled(topic, text)) for topic, text in modules]
             for name in preloaded:  # the reference imports it: once for all exercises, before fork
                 importlib.import_module(name)
-            serve_apart(channel, codes, stand_ins)
+            serve_apart(channel, control, codes, stand_ins)
 
 
 def opened_stream():
@@ -135,10 +137,11 @@ def file_name(topic):
     return f"{PACKAGE}/{topic}.py"
 
 
-def serve_apart(channel, codes, stand_ins):
+def serve_apart(channel, control, codes, stand_ins):
     """Serve one exercise in a process of its own, and end all that it leaves behind."""
     child = 0 if WITHOUT_FORK else os.fork()
     if child == 0:
+        os.close(control)
         serve(channel, codes, stand_ins)
         os._exit(0)
     _, status = os.waitpid(child, 0)
@@ -148,7 +151,7 @@ def serve_apart(channel, codes, stand_ins):
         with contextlib.suppress(ChildProcessError):
             while True:
                 os.waitpid(-1, 0)
-    channel.send("ended", os.waitstatus_to_exitcode(status))
+    os.write(control, b"%d" % os.waitstatus_to_exitcode(status))
 
 
 def serve(channel, codes, stand_ins):

@@ -105,7 +105,6 @@ POINTS = dict.fromkeys((path.stem for path in HOSTILE.glob("*.py")), 6) | {
     "endless_import": 0,
     "output_flood": 7,
     "imports_the_reference": 0,
-    "breaks_numpy": 7,           # only for itself, and too late
     "thread": 7,
     "daemon": 7,
     "kills_its_parent": 7,       # the first process of a sandbox can't be killed from inside

@@ -1,4 +1,4 @@
-"""Right itself, but it breaks NumPy for all that comes after."""
+"""Right once, but it breaks NumPy for all that comes after: for its own next call."""
 
 
 def double(x):

@@ -3,8 +3,9 @@
 
 def double(x):
     line = "x" * 100_000_000
-    for _ in range(50):
+    content = line.encode()
+    for _ in range(17):
         print(line)
-        os.write(1, line.encode())
-        os.write(2, line.encode())
+        os.write(1, content)
+        os.write(2, content)
     return 2 * x
