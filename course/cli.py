@@ -6,9 +6,12 @@ to look and to read
 
 to do the labs
   check [TARGET]        what is right in labs/, what is not, and what to do next
+  pack [FILE]           put the labs into one zip to hand in
 
 to teach
+  handout DIR           what students get: labs, checks, lectures, and no solutions
   grade SUBMISSIONS     grade what was handed in, each submission in a sandbox
+  autograder KIND PATH  files for Gradescope, GitHub Actions and Classroom 50
 
 to work on the course
   skeleton              make labs/ from reference/; labs that were worked on stay as they are
@@ -60,7 +63,8 @@ def main(argv=None):
 def can_be_mended(error):
     """Whether the user can: a file that fails him, or a raise statement in course/ or labs/."""
     cause = traceback.extract_tb(error.__traceback__)[-1]
-    ours = Path(cause.filename).resolve().parent in (ROOT / "course", ROOT / "course" / "grading", ROOT / "labs")
+    folders = ROOT / "course", ROOT / "course" / "grading", ROOT / "labs"
+    ours = Path(cause.filename).resolve().parent in folders
     return isinstance(error, OSError) or (ours and cause.line.startswith("raise "))
 
 
@@ -97,6 +101,19 @@ def arguments():
     option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check")
     option("--json", metavar="FILE", help="write the board to this file as well")
     option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+
+    option = add(pack)
+    option("file", nargs="?", default="labs.zip", metavar="FILE", help="the zip's name")
+
+    option = add(handout)
+    option("folder", metavar="DIR", help="a new folder")
+    option("--labs", metavar="1-4", help="hand out these labs; without, all of them")
+    option("--solutions", metavar="1-2", help="and the reference of these")
+
+    option = add(autograder)
+    option("kind", choices=("gradescope", "github"))
+    option("path", metavar="PATH", help="the zip for Gradescope, or the repository for GitHub")
+    option("--labs", metavar="1-4", help="grade these labs; without, all of them")
 
     option = add(grade)
     option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files")
@@ -139,6 +156,26 @@ def check(asked):
     """Check the labs and show the board; status 0 only if all that was asked for passes."""
     import course.board
     return course.board.check(asked.target, asked.impl, json_file=asked.json, seed=asked.seed)
+
+
+def pack(asked):
+    """Put the labs into one zip, check what is in it, and print its hash."""
+    import course.grading.pack
+    return course.grading.pack.run(asked.file)
+
+
+def handout(asked):
+    """Write what students get to a folder: no solutions but those released."""
+    import course.grading.handout
+    return course.grading.handout.run(asked.folder, asked.labs, asked.solutions)
+
+
+def autograder(asked):
+    """Write a zip for Gradescope, or a workflow and Classroom 50's autograder for a repository."""
+    import course.grading.autograder
+    if asked.kind == "github":
+        return course.grading.autograder.github(asked.path)
+    return course.grading.autograder.gradescope(asked.path, asked.labs)
 
 
 def grade(asked):

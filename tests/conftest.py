@@ -16,8 +16,8 @@ def house(tmp_path_factory):
     """house({"labs/transforms.py": text, ...}) -> the root of a course with these files alone."""
     def build(files):
         root = tmp_path_factory.mktemp("house")
-        for path in (*ROOT.glob("course/**/*.py"), *ROOT.glob("tests/conftest.py"),
-                     ROOT / "pyproject.toml", ROOT / "requirements.txt"):
+        for path in (*ROOT.glob("course/**/*.py"), *ROOT.glob("course/grading/files/*"),
+                     ROOT / "tests/conftest.py", ROOT / "pyproject.toml", ROOT / "requirements.txt"):
             copy = root / path.relative_to(ROOT)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, copy)

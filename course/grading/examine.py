@@ -96,7 +96,8 @@ class Examination:
                 return wire.decode(self.answer(topic, name, question))[1]
             self.open(topic)
             message = self.exchange(("call", topic, name, args, kwargs))
-            return self.outcome(topic, name, message, list(wire.arrays_in((args, *kwargs.values()))))
+            inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
+            return self.outcome(topic, name, message, inputs)
         except sandbox.Lost as lost:
             self.lose(f"in {name}: {lost}")
             raise checks.Mismatch(("wrong", self.lost[number])) from None
@@ -243,7 +244,7 @@ def exercise_topic(exercises, number):
 def imported(topic):
     """The modules of SciPy that the reference imports: a worker has them ready."""
     text = skeleton.read(skeleton.reference(topic))
-    lines = re.findall(r"^from (scipy) import (\w+)|^(?:from|import) (scipy[.\w]*)", text, re.MULTILINE)
+    lines = re.findall(r"^from (scipy) import (\w+)|^(?:from|import) (scipy[.\w]*)", text, re.M)
     return tuple(".".join(filter(None, names)) for names in lines)
 
 

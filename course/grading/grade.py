@@ -25,7 +25,7 @@ from .examine import Job
 
 
 def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None, scheduler=None,
-        seconds=sandbox.Limits().call):
+        seconds=10.0):
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
     topics = topics_of(labs)
     level, about = level_to_use(isolation)
@@ -37,8 +37,8 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     records, todo = {}, []
     for one in handed_in:
         job = Job(one.texts, one.missing, level, seed, limits)
-        done = done_before(out / "students" / one.student, fingerprint(job, topics)) if resume else None
-        if done:
+        folder_of_one = out / "students" / one.student
+        if resume and (done := done_before(folder_of_one, fingerprint(job, topics))):
             records[one.student] = done
         else:
             todo.append((one, job))
@@ -56,7 +56,8 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     failed = [name for name, record in records.items() if record["problem"]]
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
           f"{len(records) - len(todo)} were done before, {len(failed)} could not be graded")
-    print(*(f"{name}: {records[name]['problem']}" for name in failed), sep="\n", end="")
+    for name in failed:
+        print(f"{name}: {records[name]['problem']}")
     print(f"{out / 'grades.csv'}\n{out / 'index.html'}")
     return int(bool(failed))
 
@@ -195,8 +196,8 @@ def write_tables(out, records, topics, level, about):
     exercises = [exercise for topic in topics for exercise in skeleton.topic_exercises(topic)]
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    table.writerow(["student", *(exercise.number for exercise in exercises), "total", "of",
-                    "isolation", "seconds", "hash", "problem"])
+    names = (f"{exercise.number} {exercise.name}" for exercise in exercises)
+    table.writerow(["student", *names, "total", "of", "isolation", "seconds", "hash", "problem"])
     for name in sorted(records):
         record = records[name]
         got = report.points(record)

@@ -112,7 +112,7 @@ def exercise_part(entry, lost, pictures, seed):
         name = check["picture"] and Path(check["picture"]).name
         if name in pictures:
             data = base64.b64encode(pictures[name]).decode("ascii")
-            parts.append(f'<img alt="expected, got, difference" src="data:image/png;base64,{data}">')
+            parts.append(f'<img alt="the picture" src="data:image/png;base64,{data}">')
     return parts
 
 

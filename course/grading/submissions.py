@@ -7,11 +7,14 @@ Only the texts of labs/<topic>.py are taken out, and nothing is ever unpacked or
     Ada Lovelace_1234_assignsubmission_file_/labs.zip                         Moodle
     submission_1234/ beside submission_metadata.yml                           Gradescope
 """
+import ast
+import functools
 import hashlib
 import io
 import os
 import re
 import stat
+import sys
 import zipfile
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
@@ -193,7 +196,8 @@ def folder_entries(folder):
         folders[:] = sorted(set(folders) - set(OURS))
         for file in files:
             path = Path(parent, file)
-            entries[path.relative_to(folder).as_posix()] = lambda path=path: careful(read_file, path)
+            name = path.relative_to(folder).as_posix()
+            entries[name] = functools.partial(careful, read_file, path)
         if len(entries) > MOST_ENTRIES:
             raise ValueError(f"it holds more than {MOST_ENTRIES} files")
     return entries
@@ -208,7 +212,7 @@ def archive_entries(path):
         raise ValueError(f"it is no zip archive ({error})") from None
     if len(archive.infolist()) > MOST_ENTRIES:
         raise ValueError(f"it holds more than {MOST_ENTRIES} files")
-    return {entry.filename: lambda entry=entry: careful(read_entry, archive, entry)
+    return {entry.filename: functools.partial(careful, read_entry, archive, entry)
             for entry in archive.infolist() if not entry.is_dir()}
 
 
@@ -243,6 +247,20 @@ def read_file(path, most=MOST_TEXT):
     if most != MOST_TEXT and len(content) > most:
         raise ValueError(f"it has more than {most >> 20} MB")
     return content
+
+
+def foreign_imports(text):
+    """[(line, module)] of imports that a worker does not have; none where it is not Python."""
+    try:
+        nodes = list(ast.walk(ast.parse(text)))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
+    found = [(node.lineno, alias.name) for node in nodes if isinstance(node, ast.Import)
+             for alias in node.names]
+    found += [(node.lineno, node.module) for node in nodes
+              if isinstance(node, ast.ImportFrom) and node.level == 0]
+    there = {"numpy", "scipy", *sys.stdlib_module_names}
+    return [(line, module) for line, module in found if module.partition(".")[0] not in there]
 
 
 def digest(texts):

@@ -98,7 +98,8 @@ def decode(payload):
             raise Garbled(f"a header of {start} bytes")
         header, rest = json.loads(payload[4:start]), [memoryview(payload)[start:]]
         value = built(header, rest)
-    except (ValueError, TypeError, AttributeError, RecursionError, MemoryError, OverflowError) as error:
+    except (ValueError, TypeError, AttributeError, RecursionError, MemoryError,
+            OverflowError) as error:
         raise Garbled(f"{type(error).__name__}: {error}") from None
     if rest[0]:
         raise Garbled(f"{len(rest[0])} bytes too many")
