@@ -16,8 +16,9 @@ def house(tmp_path_factory):
     """house({"labs/transforms.py": text, ...}) -> the root of a course with these files alone."""
     def build(files):
         root = tmp_path_factory.mktemp("house")
-        for path in (*ROOT.glob("course/**/*.py"), *ROOT.glob("course/grading/files/*"),
-                     ROOT / "tests/conftest.py", ROOT / "pyproject.toml", ROOT / "requirements.txt"):
+        given = (*ROOT.glob("course/**/*.py"), *ROOT.glob("course/grading/files/*"))
+        for path in (*given, *map(ROOT.joinpath, (
+                "tests/conftest.py", "pyproject.toml", "requirements.txt"))):
             copy = root / path.relative_to(ROOT)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, copy)

@@ -6,6 +6,7 @@
 """
 import concurrent.futures
 import csv
+import functools
 import hashlib
 import io
 import json
@@ -38,7 +39,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     for one in handed_in:
         job = Job(one.texts, one.missing, level, seed, limits)
         folder_of_one = out / "students" / one.student
-        if resume and (done := done_before(folder_of_one, fingerprint(job, topics))):
+        if resume and (done := done_before(folder_of_one, fingerprint(job))):
             records[one.student] = done
         else:
             todo.append((one, job))
@@ -48,7 +49,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
                   disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("submissions", total=len(todo))
         for one, job, (result, pictures) in examined(todo, jobs or os.cpu_count(), scheduler):
-            records[one.student] = finish(one, fingerprint(job, topics), result, pictures)
+            records[one.student] = finish(one, fingerprint(job), result, pictures)
             write_tables(out, records, topics, level, about)
             progress.advance(task)
             progress.refresh()
@@ -95,14 +96,19 @@ def warnings(level):
             "and use the network."] * (level == "process")
 
 
-def fingerprint(job, topics):
-    """Of all that decides a result: what was handed in, the checks, the reference, the options."""
-    whole = hashlib.sha256(json.dumps(job._asdict(), sort_keys=True).encode())
-    for folder in ("course", "tests", "reference"):
-        for path in sorted(places.ROOT.joinpath(folder).rglob("*.py")):
-            if "project" not in path.parts:
-                whole.update(path.read_bytes())
-    whole.update(" ".join(topics).encode())
+def fingerprint(job):
+    """Of all that decides a result: what was handed in, the options, the course."""
+    options = json.dumps([job._asdict(), course_digest()], sort_keys=True)
+    return hashlib.sha256(options.encode()).hexdigest()
+
+
+@functools.cache
+def course_digest():
+    """Of the checks, the reference and the grader."""
+    whole = hashlib.sha256()
+    for pattern in ("course/**/*.py", "reference/*.py", "tests/*.py", "tests/golden/*"):
+        for path in sorted(places.ROOT.glob(pattern)):
+            whole.update(path.read_bytes())
     return whole.hexdigest()
 
 
@@ -140,10 +146,26 @@ def on_cluster(todo, scheduler):
         raise ValueError("--scheduler needs Dask: pip install distributed, here and on the "
                          "cluster's machines") from None
     with distributed.Client(scheduler) as client:
+        require_alike(client.run(there), todo[0][1].level if todo else None)
         futures = {client.submit(examine, job._asdict(), pure=False): (one, job)
                    for one, job in todo}
         for future, result in distributed.as_completed(futures, with_results=True):
             yield *futures[future], result
+
+
+def there():
+    """What a machine of the cluster must have like this one: the course, and its sandbox."""
+    return course_digest(), *sandbox.available()
+
+
+def require_alike(machines, level):
+    """ValueError unless every machine {address: there()} can give the same marks."""
+    for address, (digest, strictest, about) in machines.items():
+        if digest != course_digest():
+            raise ValueError(f"{address} has another course: copy this one there, and start its "
+                             "Dask worker in that folder")
+        if level == "strict" != strictest:
+            raise ValueError(f"{address} has no sandbox: {about}")
 
 
 def examine(job):

@@ -188,15 +188,38 @@ def test_the_workflow_s_script_writes_classroom_50_s_result(course, run_module):
                                   "max-score": 2}
 
 
+CLUSTER = """\
+import sys
+from distributed import LocalCluster
+
+if __name__ == "__main__":
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        print(cluster.scheduler_address, flush=True)
+        sys.stdin.read()
+"""
+
+
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_a_cluster_gives_the_same_marks(graded, course, run_module):
-    """Only the machine that starts the grading can grade."""
-    from distributed import LocalCluster
+    """Only the machine that starts the grading can grade, or the cluster's has another course."""
     out, _, _ = graded
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None,
-                      scheduler_port=0) as cluster:
-        before = rows(out)
-        run_grade(run_module, course, out.parent, "--scheduler", cluster.scheduler_address)
-    same = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "hash"]
+    before = rows(out)
+    (course / "cluster.py").write_text(CLUSTER, encoding="utf-8")
+    with subprocess.Popen([sys.executable, "-m", "cluster"], cwd=course, stdin=subprocess.PIPE,
+                          stdout=subprocess.PIPE, encoding="utf-8") as cluster:
+        address = cluster.stdout.readline().strip()
+        run_grade(run_module, course, out.parent, "--scheduler", address)
+        cluster.stdin.close()
+    same = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "total", "hash"]
     assert {name: [row[column] for column in same] for name, row in rows(out).items()} == {
         name: [row[column] for column in same] for name, row in before.items()}
+
+
+def test_a_cluster_with_another_course_is_refused():
+    """Half of a class is graded by last year's checks."""
+    ours = grade.course_digest()
+    grade.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
+    with pytest.raises(ValueError, match="tcp://b has another course"):
+        grade.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
+    with pytest.raises(ValueError, match="tcp://b has no sandbox: install"):
+        grade.require_alike({"tcp://b": (ours, "process", "install")}, "strict")
