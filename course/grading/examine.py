@@ -41,17 +41,19 @@ class Examination:
     lost {exercise: sentence}: those whose worker died, fell silent, or sent what is no answer.
     """
 
-    def __init__(self, job):
+    def __init__(self, job, labs):
         self.job = job
         self.limits = sandbox.Limits(*job.limits)
-        self.exercises = {topic: skeleton.topic_exercises(topic) for topic in skeleton.topics()}
-        self.order = [exercise.number for found in self.exercises.values() for exercise in found]
+        self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
+        self.earlier = {exercise.number: tuple(before.name for before in found[:k])
+                        for found in labs.values() for k, exercise in enumerate(found)}
         self.worker = self.reference = None
         self.opened = None      # the exercise that the worker serves now
         self.running = None     # the exercise whose check runs now
         self.missing = dict(job.missing)
         self.lost = {}
-        self.spent = dict.fromkeys(self.order, 0.0)
+        self.spent = dict.fromkeys((None, *self.topic), 0.0)  # seconds; None: of all exercises
+        self.pictures = 0       # so many were drawn
         self.problem = None     # why this submission could not be examined at all
 
     # --- hooks
@@ -61,10 +63,19 @@ class Examination:
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items):
-        items.sort(key=lambda item: self.order.index(number_of(item)))
+        order = list(self.topic)
+        items.sort(key=lambda item: order.index(number_of(item)))
 
     def pytest_runtest_setup(self, item):
         self.running = number_of(item)
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtest_logreport(self, report):
+        """Give each picture a name of its own, before the next check draws another one."""
+        if picture := getattr(report, "check", {}).get("picture"):
+            self.pictures += 1
+            kept = Path(picture).with_name(f"{self.pictures}.png")
+            report.check["picture"] = str(Path(picture).rename(kept))
 
     def pytest_sessionfinish(self):
         self.finish()
@@ -91,7 +102,7 @@ class Examination:
         if number in self.lost:
             raise checks.Mismatch(("wrong", self.lost[number]))
         try:
-            if name in self.earlier(topic):
+            if name in self.earlier[number]:
                 question = wire.encode(("ask", topic, name, args, kwargs))
                 return wire.decode(self.answer(topic, name, question))[1]
             self.open(topic)
@@ -108,12 +119,10 @@ class Examination:
             return
         self.finish()
         self.worker = self.worker or self.start()
-        names = tuple(self.exercises)
-        modules = (*((earlier, None) for earlier in names[:names.index(topic)]),
-                   (topic, self.job.texts[topic]))
+        modules = (*((before, None) for before in before_it(topic)), (topic, self.job.texts[topic]))
         self.opened = self.running
         try:
-            message = self.exchange(("open", modules, self.earlier(topic), imported(topic)))
+            message = self.exchange(("open", modules, self.earlier[self.running], imported(topic)))
             self.outcome(topic, None, message, [])
         except (sandbox.Lost, checks.Mismatch, NotImplementedError) as error:
             why = dict(error.rows)["wrong"] if isinstance(error, checks.Mismatch) else error
@@ -121,11 +130,6 @@ class Examination:
             if isinstance(error, sandbox.Lost):
                 self.forget()
             raise checks.Mismatch(("wrong", self.missing[topic])) from None
-
-    def earlier(self, topic):
-        """The names of the topic's exercises before the one that is checked now."""
-        return tuple(exercise.name for exercise in self.exercises[topic]
-                     if self.order.index(exercise.number) < self.order.index(self.running))
 
     def exchange(self, message):
         """A message to the worker, and the one back; what it asks in between is answered."""
@@ -141,18 +145,16 @@ class Examination:
 
     def timed(self, worker, *payloads):
         """Payloads to a worker and one back, in the time that is left."""
-        left = {f"{self.limits.exercise:g} s for this exercise":
-                self.limits.exercise - self.spent[self.running],
-                f"{self.limits.submission:g} s for all exercises":
-                self.limits.submission - sum(self.spent.values())}
-        for what, seconds in left.items():
-            if seconds <= 0:
-                raise sandbox.Lost(f"the {what} are used up")
+        for what, most in ((self.running, self.limits.exercise), (None, self.limits.submission)):
+            if self.spent[what] >= most:
+                each = "all exercises" if what is None else "this exercise"
+                raise sandbox.Lost(f"the {most:g} s for {each} are used up")
         started = time.monotonic()
         try:
-            return worker.relay(min(self.limits.call, *left.values()), *payloads)
+            return worker.relay(min(self.limits.call, self.limits.exercise), *payloads)
         finally:
-            self.spent[self.running] += time.monotonic() - started
+            for what in (self.running, None):
+                self.spent[what] += time.monotonic() - started
 
     def outcome(self, topic, name, message, inputs):
         """What a call returned, its inputs changed where it changed them; or raise what it did."""
@@ -186,13 +188,14 @@ class Examination:
 
         Question and answer are passed on as they came: only the two workers look inside.
         """
-        names = tuple(self.exercises)
-        own = exercise_topic(self.exercises, self.running)
-        if not (topic in names[:names.index(own)] or (topic == own and name in self.earlier(own))):
+        own = self.topic[self.running]
+        allowed = name in self.earlier[self.running] if topic == own else topic in before_it(own)
+        if not allowed:
             raise sandbox.Lost(f"it asked for {topic}.{name}, which is not of an earlier exercise")
         if self.reference is None:
             self.reference = self.start()
-            modules = tuple((topic, skeleton.read(skeleton.reference(topic))) for topic in names)
+            modules = tuple((each, skeleton.read(skeleton.reference(each)))
+                            for each in skeleton.topics())
             self.reference.exchange(("open", modules, (), ()), 60)
         try:
             return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
@@ -235,9 +238,9 @@ def number_of(item):
     return item.get_closest_marker("exercise").args[0]
 
 
-def exercise_topic(exercises, number):
-    return next(topic for topic, found in exercises.items()
-                if number in [exercise.number for exercise in found])
+def before_it(topic):
+    """The topics before this one: those that it may import."""
+    return skeleton.TOPICS[:skeleton.TOPICS.index(topic)]
 
 
 @functools.cache
@@ -271,7 +274,7 @@ def examine(job):
     labs = {topic: skeleton.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
     labs = {topic: labs[topic] for topic in skeleton.topics() if topic in labs}
     numbers = [exercise.number for exercises in labs.values() for exercise in exercises]
-    examination = Examination(job)
+    examination = Examination(job, labs)
     found, problems = board.run_checks(labs, numbers, "labs", job.seed, [examination])
     entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.lost
                else entry for entry in board.entries(labs, numbers, {}, found)]
@@ -288,7 +291,8 @@ def main(folder):
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (PARENT_MEMORY, PARENT_MEMORY))
     job = Job(**json.loads((folder / "job.json").read_text("utf-8")))
-    places.write_whole(folder / "result.json", json.dumps(examine(job)).encode())
+    result = json.dumps(examine(job)).replace(f"{folder}/", "out/")  # as a student would see it
+    places.write_whole(folder / "result.json", result.encode())
 
 
 if __name__ == "__main__":

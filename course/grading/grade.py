@@ -30,7 +30,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
     topics = topics_of(labs)
     level, about = level_to_use(isolation)
-    limits = sandbox.Limits(call=seconds, exercise=3 * seconds)
+    limits = sandbox.Limits(call=seconds, exercise=12 * seconds)
     handed_in = submissions.read(folder, topics)
     out = Path(out)
     print(f"isolation: {level} ({about})", *warnings(level), sep="\n")

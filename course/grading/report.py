@@ -12,7 +12,8 @@ body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto
 h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
 table { border-collapse: collapse; } td, th { padding: .15rem .8rem .15rem 0; text-align: left; }
 td.number, th.number { text-align: right; }
-pre { background: #f6f8fa; padding: .8rem; overflow-x: auto; font-size: 13px; line-height: 1.4; }
+pre { background: #f6f8fa; padding: .8rem; white-space: pre-wrap; font-size: 13px;
+      line-height: 1.4; overflow-wrap: anywhere; }
 img { max-width: 100%; border: 1px solid #d0d7de; }
 .bar { background: #d8dee4; width: 12rem; height: .7rem; } .bar i { display: block; height: 100%;
        background: #1a7f37; }
@@ -72,7 +73,7 @@ def page(record, pictures, about, seed):
     parts = [paragraph(f"{board['points']} of {board['of']} points", "claim"),
              *map(paragraph, record["notes"]), board_table(board)]
     for entry in board["exercises"]:
-        if entry["verdict"] != "done":
+        if entry["verdict"] == "failing":
             parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, seed)
     parts += ["<h2>How this was found</h2>", paragraph(
         f"Isolation {record['level']} ({about}); seed {seed}; {record['seconds']:.1f} s; "
@@ -104,8 +105,6 @@ def exercise_part(entry, lost, pictures, seed):
                        f"To run them again: {checks.rerun(entry['number'], seed=seed)}")]
     if lost:
         parts.append(paragraph(f"The process that ran this exercise was lost {lost}", ""))
-    if entry["verdict"] == "not started":
-        return parts
     for check in failed:
         parts += [paragraph(check["claim"], "claim"),
                   f"<pre>{html.escape(check['message'])}</pre>"]

@@ -40,8 +40,8 @@ class Limits(NamedTuple):
     """Seconds and bytes."""
 
     call: float = 10.0        # one call of a function
-    exercise: float = 30.0    # all calls of an exercise
-    submission: float = 900.0
+    exercise: float = 120.0   # all calls of an exercise; on a busy machine they take long
+    submission: float = 1800.0
     memory: int = 1 << 31     # of a worker's processes, each and together
     processes: int = 16
 

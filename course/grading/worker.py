@@ -253,22 +253,37 @@ class Asking:
         self.known = {}
 
     def __call__(self, topic, name, *args, **kwargs):
-        wire = self.channel.wire
-        question = wire.encode(("ask", topic, name, args, kwargs))
+        question = topic, name, identity(args), identity(tuple(kwargs.items()))
         with self.lock:
             if question not in self.known:
-                self.channel.write(question)
                 if len(self.known) > 1000:
                     self.known.clear()
-                self.known[question] = self.channel.read()
-            kind, *answer = wire.decode(self.known[question])
+                self.channel.send("ask", topic, name, args, kwargs)
+                self.known[question] = self.channel.receive()
+            kind, *answer = self.known[question]
         if kind == "returned":
-            return answer[0]
+            return copied(answer[0])
         if kind == "missing":
             raise AttributeError(f"{PACKAGE}/{topic}.py has no function {name}")
         error = getattr(builtins, answer[0], None)
         known = isinstance(error, type) and issubclass(error, Exception)
         raise (error if known else RuntimeError)(answer[1])
+
+
+def identity(value):
+    """A key that two values share only if they are the same to the bit."""
+    if hasattr(value, "tobytes"):
+        return str(value.dtype), value.shape, value.tobytes()
+    if isinstance(value, tuple | list):
+        return type(value), *map(identity, value)
+    return type(value), repr(value)
+
+
+def copied(value):
+    """So that nobody changes what is kept."""
+    if isinstance(value, tuple):
+        return tuple(map(copied, value))
+    return value.copy() if hasattr(value, "copy") else value
 
 
 # --- limits -----------------------------------------------------------------------------------
