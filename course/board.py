@@ -76,7 +76,7 @@ def watch(target=None, implementation="labs", json_file=None, seed=0):
                     raise
                 print(error)
             seen = files
-            print(f"\nWatching {checks.shown_path(code)}/; Ctrl-C ends this.", flush=True)
+            print(f"\nWatching {places.shown_path(code)}/; Ctrl-C ends this.", flush=True)
         time.sleep(LOOK)
 
 
@@ -117,7 +117,7 @@ def not_python(labs, code):
             try:
                 skeleton.top_level_functions(skeleton.read(code / f"{topic}.py"))
             except ValueError as error:
-                broken[topic] = f"{checks.shown_path(code / topic)}.py, {error}"
+                broken[topic] = f"{places.shown_path(code / topic)}.py, {error}"
     return broken
 
 
@@ -194,7 +194,7 @@ class Collector:
             self.planned[self.running] = self.planned[self.running]._replace(message=where)
 
 
-def run_checks(labs, numbers, implementation, seed):
+def run_checks(labs, numbers, implementation, seed, plugins=()):
     """Run the checks of these exercises in this process -> ([Check], [problem])."""
     topics = [topic for topic, exercises in labs.items()
               if any(exercise.number in numbers for exercise in exercises)]
@@ -213,7 +213,7 @@ def run_checks(labs, numbers, implementation, seed):
         environment.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # they only cost time
         environment.delenv("PYTEST_ADDOPTS", raising=False)
         collector = Collector(numbers, labs, checks.folder(implementation), progress)
-        status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector])
+        status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector, *plugins])
     if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
         collector.problems.append(f"pytest broke off\n{said.getvalue()}".rstrip())
     return list((collector.planned | collector.found).values()), collector.problems
@@ -293,13 +293,13 @@ def reading(topic, exercise, code):
         lines = {function.name: function.lineno for function in
                  skeleton.top_level_functions(skeleton.read(code / f"{topic}.py"))}
         line = lines.get(exercise.name, line)
-    question = f"{checks.shown_path(code / topic)}.py:{line}, the docstring is the question"
+    question = f"{places.shown_path(code / topic)}.py:{line}, the docstring is the question"
     lecture = places.ROOT / "notebooks" / f"{skeleton.lab_number(topic):02}_{topic}.ipynb"
     if not lecture.exists():
         return question
     section = section_of(lecture, exercise)
     titled = f", section\n  {section}" if section else ""
-    return f"{question}\n{checks.shown_path(lecture)}{titled}"
+    return f"{question}\n{places.shown_path(lecture)}{titled}"
 
 
 def section_of(lecture, exercise):

@@ -39,6 +39,7 @@ PACKAGE = "implementation"  # the code under test is imported as a package of th
 UNFINISHED = re.compile(r"exercise (\d+\.\d+): \w+")  # what an exercise of a skeleton raises
 LAST_CALL = pytest.StashKey()  # of a check, to the code under test: function, args, kwargs
 LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
+FIND = pytest.StashKey()       # of the run: finds functions that run in another process
 
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
@@ -160,13 +161,13 @@ def load_topic(path):
     second and kept its length, as with a + made a -.
     """
     if not path.exists():
-        raise Mismatch(("wrong", f"there is no {shown_path(path)}; "
+        raise Mismatch(("wrong", f"there is no {places.shown_path(path)}; "
                                  "python3 -m course skeleton makes the labs"))
     writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:
         return importlib.import_module(f"{PACKAGE}.{path.stem}")
     except (Exception, SystemExit) as error:
-        raise Mismatch(("wrong", f"{shown_path(path)} cannot be imported: "
+        raise Mismatch(("wrong", f"{places.shown_path(path)} cannot be imported: "
                                  f"{told(error, path.parent)}")) from None
     finally:
         sys.dont_write_bytecode = writes
@@ -175,6 +176,8 @@ def load_topic(path):
 @pytest.fixture(scope="session")
 def find_function(pytestconfig):
     """(topic, name) -> the function in the code under test. Mismatch: there is none."""
+    if FIND in pytestconfig.stash:
+        return pytestconfig.stash[FIND]
     package = types.ModuleType(PACKAGE)
     package.__path__ = [str(folder(pytestconfig.option.impl))]  # so `from . import x` works there
     for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
@@ -193,7 +196,7 @@ def find_function(pytestconfig):
         if isinstance(module, Mismatch):
             raise Mismatch(*module.rows)
         if not callable(getattr(module, name, None)):
-            raise Mismatch(("wrong", f"{shown_path(module.__file__)} has no function {name}; "
+            raise Mismatch(("wrong", f"{places.shown_path(module.__file__)} has no function {name}; "
                                      "keep the names that the skeleton gives"))
         return getattr(module, name)
 
@@ -290,7 +293,7 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
         path = draw(got, expected, wrong)
     except OSError as error:  # nowhere to draw, as where students' work is graded
         raise Mismatch(*rows, ("picture", f"none: {error}")) from None
-    raise Mismatch(*rows, ("picture", shown_path(path)), picture=str(path))
+    raise Mismatch(*rows, ("picture", places.shown_path(path)), picture=str(path))
 
 
 def compare_outputs(got, expected, rows, *how):
@@ -452,13 +455,6 @@ def shape_name(array):
 
 def index_name(index):
     return f"[{', '.join(map(str, index))}]"
-
-
-def shown_path(path):
-    """A path as seen from the course's folder, if it lies there."""
-    path = Path(path).resolve()
-    inside = path.is_relative_to(places.ROOT)
-    return path.relative_to(places.ROOT).as_posix() if inside else str(path)
 
 
 def cut(text):
@@ -634,16 +630,22 @@ def told(error, code):
     """An error, and the lines in the folder with the code under test that led to it."""
     frames = [frame for frame in traceback.extract_tb(error.__traceback__)
               if Path(frame.filename).resolve().is_relative_to(code)]
-    lines = [f"{shown_path(frame.filename)}:{frame.lineno} in {frame.name}\n    {frame.line}"
-             for frame in frames]
-    if len(lines) > MOST_LINES:
-        lines[4:-4] = [f"... {len(lines) - 8} more calls ..."]
+    lines = shown_frames([(places.shown_path(frame.filename), frame.lineno, frame.name, frame.line)
+                          for frame in frames])
     if isinstance(error, SyntaxError):
-        lines += [f"{shown_path(error.filename)}:{error.lineno}\n    {(error.text or '').strip()}"]
+        lines += [f"{places.shown_path(error.filename)}:{error.lineno}\n    {(error.text or '').strip()}"]
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
     return "\n".join([cut(text), *lines])
+
+
+def shown_frames(frames):
+    """(file, line, function, its text) of each call -> lines; of many, the first and last ones."""
+    lines = [f"{file}:{line} in {function}\n    {text}" for file, line, function, text in frames]
+    if len(lines) > MOST_LINES:
+        lines[4:-4] = [f"... {len(lines) - 8} more calls ..."]
+    return lines
 
 
 def check_line(error, item):
@@ -651,8 +653,8 @@ def check_line(error, item):
     lines = [frame for frame in traceback.extract_tb(error.__traceback__)
              if Path(frame.filename) == item.path]
     if not lines:
-        return f"{shown_path(item.path)}:{item.location[1] + 1}"
-    return f"{shown_path(item.path)}:{lines[-1].lineno}\n{lines[-1].line}"
+        return f"{places.shown_path(item.path)}:{item.location[1] + 1}"
+    return f"{places.shown_path(item.path)}:{lines[-1].lineno}\n{lines[-1].line}"
 
 
 def claim(item):

@@ -6,8 +6,14 @@ to look and to read
 
 to do the labs
   check [TARGET]        what is right in labs/, what is not, and what to do next
+  pack [FILE]           put the labs into one zip to hand in
 
-to teach, and to work on the course
+to teach
+  handout DIR           what students get: labs, checks, lectures, and no solutions
+  grade SUBMISSIONS     grade what was handed in, each submission in a sandbox
+  autograder KIND PATH  files for Gradescope, GitHub Actions and Classroom 50
+
+to work on the course
   skeleton              make labs/ from reference/; labs that were worked on stay as they are
   mistakes              try the known mistakes, and make the hints that they give
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
@@ -60,7 +66,8 @@ def main(argv=None):
 def can_be_mended(error):
     """Whether the user can: a file that fails him, or a raise statement in course/ or labs/."""
     cause = traceback.extract_tb(error.__traceback__)[-1]
-    ours = Path(cause.filename).resolve().parent in (ROOT / "course", ROOT / "labs")
+    folders = ROOT / "course", ROOT / "course" / "grading", ROOT / "labs"
+    ours = Path(cause.filename).resolve().parent in folders
     return isinstance(error, OSError) or (ours and cause.line.startswith("raise "))
 
 
@@ -99,6 +106,31 @@ def arguments():
     option("--json", metavar="FILE", help="write the board to this file as well")
     option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
 
+    option = add(pack)
+    option("file", nargs="?", default="labs.zip", metavar="FILE", help="the zip's name")
+
+    option = add(handout)
+    option("folder", metavar="DIR", help="a new folder")
+    option("--labs", metavar="1-4", help="hand out these labs; without, all of them")
+    option("--solutions", metavar="1-2", help="and the reference of these")
+
+    option = add(autograder)
+    option("kind", choices=("gradescope", "github"))
+    option("path", metavar="PATH", help="the zip for Gradescope, or the repository for GitHub")
+    option("--labs", metavar="1-4", help="grade these labs; without, all of them")
+
+    option = add(grade)
+    option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files")
+    option("--out", required=True, metavar="DIR", help="where reports and tables are written")
+    option("--labs", metavar="1-4", help="grade these labs; without, all of them")
+    option("--jobs", type=int, metavar="N", help="how many at a time; without, one for each core")
+    option("--resume", action="store_true", help="keep results of the same work and checks")
+    option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+    option("--isolation", choices=("strict", "process"),
+           help="strict needs Linux with bubblewrap; process is for work that you trust")
+    option("--scheduler", metavar="tcp://...", help="run on this Dask cluster")
+    option("--seconds", type=float, default=10.0, metavar="S", help="the most that a call may take")
+
     option = add(skeleton)
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
     option("--force", action="store_true", help="start afresh the labs that were worked on, too")
@@ -135,6 +167,35 @@ def check(asked):
     import course.board
     run = course.board.watch if asked.watch else course.board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed)
+
+
+def pack(asked):
+    """Put the labs into one zip, check what is in it, and print its hash."""
+    import course.grading.pack
+    return course.grading.pack.run(asked.file)
+
+
+def handout(asked):
+    """Write what students get to a folder: no solutions but those released."""
+    import course.grading.handout
+    return course.grading.handout.run(asked.folder, asked.labs, asked.solutions)
+
+
+def autograder(asked):
+    """Write a zip for Gradescope, or a workflow and Classroom 50's autograder for a repository."""
+    import course.grading.autograder
+    if asked.kind == "github":
+        return course.grading.autograder.github(asked.path)
+    return course.grading.autograder.gradescope(asked.path, asked.labs)
+
+
+def grade(asked):
+    """Grade submissions: reports, results.json and grades.csv; status 0 if all could be graded."""
+    import course.grading.grade
+    return course.grading.grade.run(
+        asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
+        seed=asked.seed, isolation=asked.isolation, scheduler=asked.scheduler,
+        seconds=asked.seconds)
 
 
 def skeleton(asked):

@@ -324,7 +324,7 @@ def evidence(lines, part, slope, rtol, name):
         lines += ["  no two steps agree there: forward jumps, bends or is noisy; see decisions="]
     try:
         picture = draw(part, rtol, name, scale * STEPS, D, change)
-        lines += [f"picture: {picture.relative_to(places.ROOT).as_posix()}"]
+        lines += [f"picture: {places.shown_path(picture)}"]
     except OSError as error:  # must not hide the mismatch
         picture, lines = None, [*lines, f"no picture: {error}"]
     return "\n  ".join(lines), picture and str(picture)

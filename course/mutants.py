@@ -239,7 +239,7 @@ def equivalents():
             reasons |= {key: f"{reasons.get(key, '')} {line.strip()}".strip() for key in waiting}
     bare = [key for key in waiting if key not in reasons]
     if bare:
-        raise ValueError(f"{checks.shown_path(path)}: {' '.join(bare[0])} has no reason below it; "
+        raise ValueError(f"{places.shown_path(path)}: {' '.join(bare[0])} has no reason below it; "
                          "say why this mutant is no mistake")
     return reasons
 
@@ -389,7 +389,7 @@ def run(target=None):
     places.write_whole(path, as_json(scores).encode("utf-8"))
     print(row("all", board.plural(len(scores), "exercise"), total),
           *(text for found in scores for text in remarks(found)),
-          checks.shown_path(path), sep="\n")
+          places.shown_path(path), sep="\n")
     return int(share(total) < GOAL_COURSE or any(share(s) < GOAL_EXERCISE for s in scores))
 
 

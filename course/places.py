@@ -5,6 +5,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT / "course" / "data"
+OUT = "out"  # in ROOT, or the path of another folder
 
 
 def out(*parts):
@@ -12,7 +13,7 @@ def out(*parts):
 
     OSError where that folder cannot be written.
     """
-    path = ROOT.joinpath("out", *parts)
+    path = ROOT.joinpath(OUT, *parts)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         writable = os.access(path.parent, os.W_OK)
@@ -22,6 +23,12 @@ def out(*parts):
         raise OSError(f"cannot write into the folder {path.parent}: "
                       "allow writing there, or copy the course to a folder of your own")
     return path
+
+
+def shown_path(path):
+    """A path as seen from the course's folder, if it lies there."""
+    path = Path(path).resolve()
+    return path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else str(path)
 
 
 def read_whole(path):

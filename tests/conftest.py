@@ -16,10 +16,11 @@ def house(tmp_path_factory):
     """house({"labs/transforms.py": text, ...}) -> the root of a course with these files alone."""
     def build(files):
         root = tmp_path_factory.mktemp("house")
-        for path in (*ROOT.glob("course/*.py"), *ROOT.glob("tests/conftest.py"),
-                     ROOT / "pyproject.toml", ROOT / "requirements.txt"):
+        given = (*ROOT.glob("course/**/*.py"), *ROOT.glob("course/grading/files/*"))
+        for path in (*given, *map(ROOT.joinpath, (
+                "tests/conftest.py", "pyproject.toml", "requirements.txt"))):
             copy = root / path.relative_to(ROOT)
-            copy.parent.mkdir(exist_ok=True)
+            copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, copy)
         for name, text in files.items():
             (root / name).parent.mkdir(parents=True, exist_ok=True)
@@ -36,8 +37,8 @@ def run_module():
                 if not name.startswith(("PYTEST_", "PYTHON", "COLUMNS", "FORCE_COLOR", "TTY_"))}
     settings["PYTHONIOENCODING"] = "utf-8"
 
-    def run(root, *command):
+    def run(root, *command, seconds=120):
         return subprocess.run([sys.executable, "-m", *map(str, command)], cwd=root, env=settings,
-                              capture_output=True, encoding="utf-8", timeout=120)
+                              capture_output=True, encoding="utf-8", timeout=seconds)
 
     return run

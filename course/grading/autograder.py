@@ -1,0 +1,66 @@
+"""For graders of others: a zip for Gradescope, files for GitHub Actions and Classroom 50."""
+import io
+import json
+import sys
+import zipfile
+from pathlib import Path
+
+from .. import places
+from . import grade, sandbox, submissions
+
+FILES = Path(__file__).with_name("files")
+NEEDED = ("course/**/*.py", "course/data/*", "course/grading/files/*", "reference/*.py",
+          "labs/*.py", "tests/*.py", "tests/golden/*", "pyproject.toml", "requirements.txt")
+
+
+def gradescope(path, labs=None):
+    """Write the zip that Gradescope's "configure autograder" takes -> 0."""
+    topics = grade.topics_of(labs)
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        for file in sorted({file for pattern in NEEDED for file in places.ROOT.glob(pattern)}):
+            add(archive, file.relative_to(places.ROOT).as_posix(), file.read_bytes())
+        for name in ("setup.sh", "run_autograder"):
+            add(archive, name, (FILES / name).read_bytes(), executable=True)
+        add(archive, "topics.json", json.dumps(topics).encode())
+    places.write_whole(path, content.getvalue())
+    print(f"{path}: upload it in Gradescope as the assignment's autograder ({', '.join(topics)})")
+    return 0
+
+
+def add(archive, name, content, executable=False):
+    entry = zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0))
+    entry.external_attr = (0o100755 if executable else 0o100644) << 16
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    archive.writestr(entry, content)
+
+
+def github(folder):
+    """Write a workflow, and autograder.py for it and for Classroom 50, to a repository -> 0."""
+    folder = Path(folder)
+    for name, place in (("labs.yml", ".github/workflows/labs.yml"),
+                        ("autograder.py", "autograder.py")):
+        (folder / place).parent.mkdir(parents=True, exist_ok=True)
+        places.write_whole(folder / place, (FILES / name).read_bytes())
+        print(folder / place)
+    return 0
+
+
+def main(folder, path):
+    """Inside Gradescope: grade the one submission in a folder, write results.json."""
+    from . import report
+
+    topics = json.loads((places.ROOT / "topics.json").read_bytes())
+    level, about = sandbox.available()
+    found = submissions.Found("submission", (), Path(folder), None)
+    one = submissions.submission("submission", [found], topics)
+    job = grade.Job(one.texts, one.missing, level)
+    result, _ = grade.examine(job._asdict())
+    if result["problem"]:
+        raise SystemExit(f"could not be graded: {result['problem']}")
+    record = {"level": level, "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+    places.write_whole(path, json.dumps(report.gradescope(record, about)).encode())
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

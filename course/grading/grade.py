@@ -1,0 +1,233 @@
+"""Many submissions: each is examined in a process of its own, here or on a cluster.
+
+    DIR/students/ada/   report.html, results.json (Gradescope's format), record.json (for --resume)
+    DIR/grades.csv      points for each exercise
+    DIR/index.html      the overview
+"""
+import concurrent.futures
+import csv
+import functools
+import hashlib
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import Progress
+
+from .. import places, skeleton
+from . import report, sandbox, submissions
+from .examine import Job
+
+
+def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None, scheduler=None,
+        seconds=10.0):
+    """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
+    topics = topics_of(labs)
+    level, about = level_to_use(isolation)
+    limits = sandbox.Limits(call=seconds, exercise=12 * seconds)
+    handed_in = submissions.read(folder, topics)
+    out = Path(out)
+    print(f"isolation: {level} ({about})", *warnings(level), sep="\n")
+
+    records, todo = {}, []
+    for one in handed_in:
+        job = Job(one.texts, one.missing, level, seed, limits)
+        folder_of_one = out / "students" / one.student
+        if resume and (done := done_before(folder_of_one, fingerprint(job))):
+            records[one.student] = done
+        else:
+            todo.append((one, job))
+    started = time.monotonic()
+    finish = finisher(out, topics, level, about, seed)
+    with Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
+                  disable=not sys.stderr.isatty()) as progress:
+        task = progress.add_task("submissions", total=len(todo))
+        for one, job, (result, pictures) in examined(todo, jobs or os.cpu_count(), scheduler):
+            records[one.student] = finish(one, fingerprint(job), result, pictures)
+            write_tables(out, records, topics, level, about)
+            progress.advance(task)
+            progress.refresh()
+    write_tables(out, records, topics, level, about)
+    failed = [name for name, record in records.items() if record["problem"]]
+    print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
+          f"{len(records) - len(todo)} were done before, {len(failed)} could not be graded")
+    for name in failed:
+        print(f"{name}: {records[name]['problem']}")
+    print(f"{out / 'grades.csv'}\n{out / 'index.html'}")
+    return int(bool(failed))
+
+
+def topics_of(labs):
+    """'1-4', '2' or '1,3' -> topics; None: all. ValueError: there is no such lab."""
+    numbers = {skeleton.lab_number(topic): topic for topic in skeleton.topics()}
+    asked = list(numbers) if labs is None else []
+    for part in labs.split(",") if labs else ():
+        first, _, last = part.partition("-")
+        try:
+            asked += range(int(first), int(last or first) + 1)
+        except ValueError:
+            asked.append(part)
+    for number in asked:
+        if number not in numbers:
+            raise ValueError(f"there is no lab {number}; give labs as in 1-4 or 1,3 "
+                             f"({min(numbers)} to {max(numbers)} are there)")
+    return [numbers[number] for number in sorted(set(asked))]
+
+
+def level_to_use(isolation):
+    """-> (level, a sentence on it). ValueError: strict was not given up, and is not to be had."""
+    if isolation == "process":
+        return "process", "as told by --isolation process"
+    level, about = sandbox.available()
+    if level != "strict":
+        raise ValueError(f"submissions are not run without a sandbox, and {about}; to grade work "
+                         "that you trust, give --isolation process")
+    return level, about
+
+
+def warnings(level):
+    return ["This level is no protection against malice: what was handed in can read your files "
+            "and use the network."] * (level == "process")
+
+
+def fingerprint(job):
+    """Of all that decides a result: what was handed in, the options, the course."""
+    options = json.dumps([job._asdict(), course_digest()], sort_keys=True)
+    return hashlib.sha256(options.encode()).hexdigest()
+
+
+@functools.cache
+def course_digest():
+    """Of the checks, the reference and the grader."""
+    whole = hashlib.sha256()
+    for pattern in ("course/**/*.py", "reference/*.py", "tests/*.py", "tests/golden/*"):
+        for path in sorted(places.ROOT.glob(pattern)):
+            whole.update(path.read_bytes())
+    return whole.hexdigest()
+
+
+def done_before(folder, wanted):
+    """The record of an earlier run, if it is of the same submission, checks and options."""
+    try:
+        record = json.loads((folder / "record.json").read_bytes())
+    except (OSError, ValueError):
+        return None
+    return record if record["fingerprint"] == wanted and not record["problem"] else None
+
+
+# --- examinations -----------------------------------------------------------------------------
+
+
+def examined(todo, jobs, scheduler):
+    """Yield (submission, job, what `examine` returns), as they are done."""
+    if scheduler:
+        yield from on_cluster(todo, scheduler)
+        return
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        running = {pool.submit(examine, job._asdict()): (one, job) for one, job in todo}
+        try:
+            for future in concurrent.futures.as_completed(running):
+                yield *running[future], future.result()
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+
+
+def on_cluster(todo, scheduler):
+    try:
+        import distributed
+    except ImportError:
+        raise ValueError("--scheduler needs Dask: pip install distributed, here and on the "
+                         "cluster's machines") from None
+    with distributed.Client(scheduler) as client:
+        require_alike(client.run(there), todo[0][1].level if todo else None)
+        futures = {client.submit(examine, job._asdict(), pure=False): (one, job)
+                   for one, job in todo}
+        for future, result in distributed.as_completed(futures, with_results=True):
+            yield *futures[future], result
+
+
+def there():
+    """What a machine of the cluster must have like this one: the course, and its sandbox."""
+    return course_digest(), *sandbox.available()
+
+
+def require_alike(machines, level):
+    """ValueError unless every machine {address: there()} can give the same marks."""
+    for address, (digest, strictest, about) in machines.items():
+        if digest != course_digest():
+            raise ValueError(f"{address} has another course: copy this one there, and start its "
+                             "Dask worker in that folder")
+        if level == "strict" != strictest:
+            raise ValueError(f"{address} has no sandbox: {about}")
+
+
+def examine(job):
+    """A job, as a dict -> (its result, {name: picture}), from a process of its own."""
+    job = Job(**job)
+    limits = sandbox.Limits(*job.limits)
+    with tempfile.TemporaryDirectory(prefix="examine-") as folder:
+        folder = Path(folder)
+        (folder / "job.json").write_text(json.dumps(job._asdict()), "utf-8")
+        command = [sys.executable, "-m", "course.grading.examine", str(folder)]
+        settings = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+        try:
+            done = subprocess.run(command, cwd=places.ROOT, env=settings, capture_output=True,
+                                  timeout=limits.submission + 300)
+            result = json.loads((folder / "result.json").read_bytes())
+        except subprocess.TimeoutExpired:
+            return failure("the checks themselves took too long"), {}
+        except (OSError, ValueError):
+            said = done.stderr.decode("utf-8", "replace").strip().splitlines()
+            return failure(f"the checks broke off: {said[-1] if said else done.returncode}"), {}
+        return result, {path.name: path.read_bytes() for path in folder.glob("checks/*.png")}
+
+
+def failure(problem):
+    return {"board": None, "lost": {}, "problem": problem, "seconds": 0.0}
+
+
+# --- what is written --------------------------------------------------------------------------
+
+
+def finisher(out, topics, level, about, seed):
+    """-> the function that writes what belongs to one student, and returns the record of it."""
+    def finish(one, mark, result, pictures):
+        folder = out / "students" / one.student
+        folder.mkdir(parents=True, exist_ok=True)
+        record = {"student": one.student, "fingerprint": mark, "level": level,
+                  "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+        if not result["problem"]:
+            page = report.page(record, pictures, about, seed)
+            places.write_whole(folder / "report.html", page.encode("utf-8"))
+            gradescope = json.dumps(report.gradescope(record, about), indent=2)
+            places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
+        places.write_whole(folder / "record.json", json.dumps(record).encode("utf-8"))
+        return record
+
+    return finish
+
+
+def write_tables(out, records, topics, level, about):
+    exercises = [exercise for topic in topics for exercise in skeleton.topic_exercises(topic)]
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    names = (f"{exercise.number} {exercise.name}" for exercise in exercises)
+    table.writerow(["student", *names, "total", "of", "isolation", "seconds", "hash", "problem"])
+    for name in sorted(records):
+        record = records[name]
+        got = report.points(record)
+        table.writerow([name, *(got.get(exercise.number, "") for exercise in exercises),
+                        sum(got.values()) if got else "", sum(e.points for e in exercises),
+                        record["level"], f"{record['seconds']:.1f}", record["digest"],
+                        record["problem"] or ""])
+    out.mkdir(parents=True, exist_ok=True)
+    places.write_whole(out / "grades.csv", text.getvalue().encode("utf-8"))
+    page = report.overview([records[name] for name in sorted(records)], exercises, level, about)
+    places.write_whole(out / "index.html", page.encode("utf-8"))

@@ -1,0 +1,180 @@
+"""The pages: one for each student, one for the class. Whatever comes from students is escaped."""
+import base64
+import html
+from pathlib import Path
+
+from .. import checks
+
+COLOURS = {"done": "#1a7f37", "failing": "#cf222e"}
+STYLE = """
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem;
+       color: #1f2328; background: #fff; }
+h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
+table { border-collapse: collapse; } td, th { padding: .15rem .8rem .15rem 0; text-align: left; }
+td.number, th.number { text-align: right; }
+pre { background: #f6f8fa; padding: .8rem; white-space: pre-wrap; font-size: 13px;
+      line-height: 1.4; overflow-wrap: anywhere; }
+img { max-width: 100%; border: 1px solid #d0d7de; }
+.bar { background: #d8dee4; width: 12rem; height: .7rem; } .bar i { display: block; height: 100%;
+       background: #1a7f37; }
+.note { color: #59636e; } .claim { margin: 1.2rem 0 .3rem; font-weight: 600; }
+"""
+
+
+def points(record):
+    """{exercise: points reached}; empty where nothing could be graded."""
+    board = record["board"]
+    return {entry["number"]: entry["points"] * (entry["verdict"] == "done")
+            for entry in board["exercises"]} if board and not record["problem"] else {}
+
+
+def document(title, *parts):
+    """No script and nothing from elsewhere can be loaded, whatever a student has smuggled in."""
+    policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+    return "\n".join([
+        "<!doctype html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
+        '<meta name="viewport" content="width=device-width">',
+        f"<title>{html.escape(title)}</title>", f"<style>{STYLE}</style>", "</head>", "<body>",
+        f"<h1>{html.escape(title)}</h1>", *parts, "</body>", "</html>", ""])
+
+
+def paragraph(text, kind="note"):
+    return f'<p class="{kind}">{html.escape(text)}</p>'
+
+
+def rows(lines, head=None):
+    """lines: rows of cells; a number is set to the right, what begins with < is HTML."""
+    def cell(content, tag):
+        kind = ' class="number"' if isinstance(content, int | float) else ""
+        text = str(content)
+        return f"<{tag}{kind}>{text if text.startswith('<') else html.escape(text)}</{tag}>"
+
+    table = [[*(cell(content, "td") for content in line)] for line in lines]
+    if head:
+        table.insert(0, [cell(content, "th") for content in head])
+    return "\n".join(["<table>", *(f"<tr>{''.join(line)}</tr>" for line in table), "</table>"])
+
+
+def bar(part, whole):
+    return f'<div class="bar"><i style="width:{100 * part / max(whole, 1):.0f}%"></i></div>'
+
+
+def coloured(verdict):
+    return f'<span style="color:{COLOURS.get(verdict, "#59636e")}">{html.escape(verdict)}</span>'
+
+
+# --- one student ------------------------------------------------------------------------------
+
+
+def page(record, pictures, about, seed):
+    """record: of grade.run; pictures {file name: PNG}."""
+    board = record["board"]
+    parts = [paragraph(f"{board['points']} of {board['of']} points", "claim"),
+             *map(paragraph, record["notes"]), board_table(board)]
+    for entry in board["exercises"]:
+        if entry["verdict"] == "failing":
+            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, seed)
+    parts += ["<h2>How this was found</h2>", paragraph(
+        f"Isolation {record['level']} ({about}); seed {seed}; {record['seconds']:.1f} s; "
+        f"hash of what was handed in {record['digest']}.")]
+    return document(record["student"], *parts)
+
+
+def board_table(board):
+    lines, topic = [], None
+    for entry in board["exercises"]:
+        if entry["topic"] != topic:
+            topic = entry["topic"]
+            lab = [other for other in board["exercises"] if other["topic"] == topic]
+            got = sum(other["points"] for other in lab if other["verdict"] == "done")
+            of = sum(other["points"] for other in lab)
+            lines.append([f"<strong>{html.escape(topic)}</strong>", "", got, of, bar(got, of)])
+        lines.append([entry["number"], entry["name"],
+                      entry["points"] * (entry["verdict"] == "done"), entry["points"],
+                      coloured(entry["verdict"])])
+    return rows(lines, ["", "", "points", "of", ""])
+
+
+def exercise_part(entry, lost, pictures, seed):
+    """What is wrong in an exercise: every claim that failed, its message and its picture."""
+    failed = [check for check in entry["checks"] if check["verdict"] != "passed"]
+    parts = [f"<h2>{entry['number']} {html.escape(entry['name'])}: "
+             f"{coloured(entry['verdict'])}</h2>",
+             paragraph(f"{len(failed)} of {len(entry['checks'])} claims do not hold. "
+                       f"To run them again: {checks.rerun(entry['number'], seed=seed)}")]
+    if lost:
+        parts.append(paragraph(f"The process that ran this exercise was lost {lost}", ""))
+    for check in failed:
+        parts += [paragraph(check["claim"], "claim"),
+                  f"<pre>{html.escape(check['message'])}</pre>"]
+        name = check["picture"] and Path(check["picture"]).name
+        if name in pictures:
+            data = base64.b64encode(pictures[name]).decode("ascii")
+            parts.append(f'<img alt="the picture" src="data:image/png;base64,{data}">')
+    return parts
+
+
+def gradescope(record, about):
+    """Gradescope's results.json."""
+    tests = []
+    for entry in record["board"]["exercises"]:
+        done = entry["verdict"] == "done"
+        wrong = [f"{check['claim']}\n{check['message']}" for check in entry["checks"]
+                 if check["verdict"] != "passed"]
+        tests.append({"number": entry["number"], "name": entry["name"],
+                      "score": entry["points"] * done, "max_score": entry["points"],
+                      "status": "passed" if done else "failed", "output_format": "text",
+                      "output": "" if done else "\n\n".join([entry["verdict"], *wrong])})
+    about = f"isolation {record['level']} ({about}), hash {record['digest']}"
+    return {"score": record["board"]["points"], "output": "\n".join([*record["notes"], about]),
+            "output_format": "text", "execution_time": round(record["seconds"]),
+            "stdout_visibility": "hidden", "tests": tests}
+
+
+# --- the class --------------------------------------------------------------------------------
+
+
+def overview(records, exercises, level, about):
+    """Distribution, exercises by how many solved them, what was lost, everybody."""
+    graded = [record for record in records if points(record)]
+    of = sum(exercise.points for exercise in exercises)
+    totals = [sum(points(record).values()) for record in graded]
+    parts = [paragraph(f"{len(graded)} of {len(records)} submissions graded; isolation {level} "
+                       f"({about})")]
+    if graded:
+        middle = sorted(totals)[len(totals) // 2]
+        parts += ["<h2>Distribution</h2>", paragraph(f"median {middle} of {of} points"),
+                  distribution(totals, of), "<h2>Exercises, the hardest first</h2>",
+                  hardest(graded, exercises)]
+    lost = [[student_link(record["student"]), number, sentence] for record in records
+            for number, sentence in record["lost"].items()]
+    if lost:
+        parts += ["<h2>Crashes, time-outs, and worse</h2>", rows(lost)]
+    parts += ["<h2>Everybody</h2>", rows(
+        [[student_link(record["student"]), sum(points(record).values()),
+          bar(sum(points(record).values()), of), record["problem"] or ""] for record in records])]
+    return document("Grades", *parts)
+
+
+def student_link(name):
+    name = html.escape(name)
+    return f'<a href="students/{name}/report.html">{name}</a>'
+
+
+def distribution(totals, of):
+    """Ten bars: how many reached each tenth of the points."""
+    counts = [0] * 10
+    for total in totals:
+        counts[min(9, 10 * total // max(of, 1))] += 1
+    return rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
+                 for tenth, count in enumerate(counts)])
+
+
+def hardest(graded, exercises):
+    solved = {exercise.number: sum(points(record).get(exercise.number, 0) > 0 for record in graded)
+              for exercise in exercises}
+    order = sorted(exercises, key=lambda exercise: solved[exercise.number])
+    return rows([[exercise.number, exercise.name, solved[exercise.number],
+                  bar(solved[exercise.number], len(graded))] for exercise in order],
+                ["", "", "solved by", f"of {len(graded)}"])

@@ -1,0 +1,153 @@
+"""Values as bytes between the grader and a worker: numbers, strings, arrays, and what holds them.
+
+A frame is the payload's length in 8 bytes, then the payload: the header's length in 4 bytes, the
+header in JSON, then the arrays' numbers one after another, little-endian. Nothing is pickled, and
+`decode` believes nothing: whatever the bytes are, it returns plain values or raises Garbled.
+
+    None, True, 1, 0.5, "a", [...]      as in JSON
+    (...)                               {"tuple": [...]}
+    {"a": 1}                            {"dict": {"a": 1}}
+    1j                                  {"complex": [0.0, 1.0]}
+    array (2, 3) of float64             {"array": ["<f8", [2, 3]]}
+    np.float64(0.5)                     {"number": ["<f8", []]}
+    anything else                       {"other": "generator"}, the name of its type
+"""
+import json
+import math
+
+import numpy as np
+
+MOST_BYTES = 1 << 26   # of a payload
+MOST_HEADER = 1 << 22
+DTYPES = {name: np.dtype(name) for name in (
+    "|b1", "|i1", "|u1", "<i2", "<u2", "<f2", "<i4", "<u4", "<f4", "<i8", "<u8", "<f8", "<c8",
+    "<c16")}
+
+
+class Garbled(ValueError):
+    """Bytes that no honest worker sends."""
+
+
+class Other:
+    """What stands for a value that cannot be sent: all that is known is the name of its type."""
+
+    def __repr__(self):
+        return f"<{type(self).__name__}>"
+
+
+def framed(payload):
+    return len(payload).to_bytes(8, "big") + payload
+
+
+def complete(buffer):
+    """The length of the frame that a buffer begins with, or 0 where it is not all there yet."""
+    length = 8 + int.from_bytes(buffer[:8], "big")
+    if len(buffer) >= 8 and length > MOST_BYTES:
+        raise Garbled(f"a frame of {length} bytes; {MOST_BYTES} are allowed")
+    return length if 8 <= length <= len(buffer) else 0
+
+
+def encode(value):
+    """A value -> its payload. ValueError: it is too large."""
+    arrays = []
+    header = json.dumps(described(value, arrays)).encode("ascii")
+    payload = b"".join([len(header).to_bytes(4, "big"), header, *arrays])
+    if len(header) > MOST_HEADER or len(payload) > MOST_BYTES:
+        raise ValueError(f"the values take {len(payload)} bytes; {MOST_BYTES} are allowed, "
+                         f"{MOST_HEADER} of them outside of arrays")
+    return payload
+
+
+def described(value, arrays):
+    """What stands for a value in the header; its numbers go to the end of arrays."""
+    if isinstance(value, np.ndarray | np.generic):
+        return described_array(value, arrays)
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, int):
+        return int(value)
+    if isinstance(value, float):
+        return float(value)
+    if isinstance(value, str):
+        return str(value)
+    if isinstance(value, complex):
+        return {"complex": [value.real, value.imag]}
+    if isinstance(value, tuple):
+        return {"tuple": [described(part, arrays) for part in value]}
+    if isinstance(value, list | range):
+        return [described(part, arrays) for part in value]
+    if isinstance(value, dict) and all(isinstance(key, str) for key in value):
+        return {"dict": {str(key): described(part, arrays) for key, part in value.items()}}
+    return {"other": type(value).__name__}
+
+
+def described_array(value, arrays):
+    array = np.asarray(value)
+    name = array.dtype.str.replace(">", "<")
+    if name not in DTYPES:
+        return {"other": f"{type(value).__name__} of {array.dtype.name}"}
+    arrays.append(array.astype(name, copy=False).tobytes())
+    return {"array" if isinstance(value, np.ndarray) else "number": [name, array.shape]}
+
+
+def decode(payload):
+    """A payload -> the value, its arrays' numbers copied. Garbled: it is not one."""
+    try:
+        start = 4 + int.from_bytes(payload[:4], "big")
+        if start > 4 + MOST_HEADER:
+            raise Garbled(f"a header of {start} bytes")
+        header, rest = json.loads(payload[4:start]), [memoryview(payload)[start:]]
+        value = built(header, rest)
+    except (ValueError, TypeError, AttributeError, RecursionError, MemoryError,
+            OverflowError) as error:
+        raise Garbled(f"{type(error).__name__}: {error}") from None
+    if rest[0]:
+        raise Garbled(f"{len(rest[0])} bytes too many")
+    return value
+
+
+def built(header, rest):
+    """The value that a header describes; its numbers are taken from the front of rest[0]."""
+    if isinstance(header, str):
+        return header.encode("utf-8", "replace").decode("utf-8")  # no lone surrogates
+    if isinstance(header, list):
+        return [built(part, rest) for part in header]
+    if not isinstance(header, dict):
+        return header
+    (kind, content), = header.items()
+    if kind == "tuple":
+        return tuple(built(list(content), rest))
+    if kind == "dict":
+        return {built(key, rest): built(part, rest) for key, part in content.items()}
+    if kind == "complex":
+        return complex(*map(float, content))
+    if kind == "other":
+        name = "".join(c for c in str(content)[:60] if c.isprintable())
+        return type(name or "object", (Other,), {})()
+    if kind not in ("array", "number"):
+        raise Garbled(f"the unknown kind {kind:.20}")
+    array = built_array(*content, rest)
+    return array if kind == "array" else array[()]
+
+
+def built_array(name, shape, rest):
+    """The shape is believed only if the bytes are there."""
+    dtype = DTYPES.get(name)
+    if dtype is None or not all(type(n) is int and 0 <= n <= MOST_BYTES for n in shape):
+        raise Garbled("an array of a wrong type or shape")
+    size = dtype.itemsize * math.prod(shape)
+    if size > len(rest[0]):
+        raise Garbled("an array with fewer bytes than its shape says")
+    content, rest[0] = rest[0][:size], rest[0][size:]
+    if name == "|b1":  # any byte but 0 is True
+        return np.frombuffer(content, np.uint8).astype(bool).reshape(shape)
+    return np.frombuffer(content, dtype).astype(dtype.newbyteorder("=")).reshape(shape)
+
+
+def arrays_in(value):
+    """The arrays of a value, in order: those that a function could change in place."""
+    if isinstance(value, np.ndarray):
+        yield value
+    elif isinstance(value, tuple | list):
+        for part in value:
+            yield from arrays_in(part)

@@ -1,0 +1,341 @@
+"""The process in the sandbox: runs what a student handed in, one exercise at a time.
+
+It is started as a script, needs NumPy and SciPy alone, and is sent all that it knows: a module's
+text, names of functions, arrays. What it answers is not trusted, so nothing here protects a mark;
+this file protects honest exercises from what else is in their file.
+
+    start      -> ready       limits are in force before a student's code is there
+    open       -> opened      the module is loaded for one exercise; or missing, or raised
+    call       -> returned    its value, the inputs that it changed, what it printed; or raised
+    returned   <- ask         in between: a stand-in wants to know what the reference returns
+    close                     the exercise's process ends, and whatever it has left
+
+The first process tells on a second socket how an exercise's process ended: no exercise can.
+
+Every exercise has a process of its own, forked when NumPy is there already: what one exercise
+breaks, the next one does not see. Where there is no fork (Windows), the worker ends with it.
+"""
+import builtins
+import contextlib
+import ctypes
+import functools
+import importlib
+import importlib.machinery
+import io
+import linecache
+import os
+import signal
+import sys
+import threading
+import traceback
+import types
+import warnings
+
+PACKAGE = "labs"
+MOST_PRINTED = 4000    # characters of an exercise's output that are kept
+MOST_FRAMES = 40       # of a traceback
+WITHOUT_FORK = not hasattr(os, "fork")
+
+
+class Packages:
+    """Finds numpy and scipy in one folder, and nothing else there."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def find_spec(self, name, path=None, target=None):
+        if name in ("numpy", "scipy"):
+            return importlib.machinery.PathFinder.find_spec(name, [self.folder])
+
+
+class Printed(io.TextIOBase):
+    """Keeps the first MOST_PRINTED characters that are written to it."""
+
+    def __init__(self):
+        self.text = ""
+
+    def writable(self):
+        return True
+
+    def write(self, text):
+        self.text += text[:MOST_PRINTED - len(self.text)]
+        return len(text)
+
+    def taken(self):
+        text, self.text = self.text, ""
+        return text
+
+
+class Channel:
+    """To the grader and back."""
+
+    def __init__(self, wire, stream):
+        self.wire = wire
+        self.stream = stream
+
+    def send(self, *message):
+        self.write(self.wire.encode(message))
+
+    def receive(self):
+        return self.wire.decode(self.read())
+
+    def write(self, payload):
+        self.stream.write(self.wire.framed(payload))
+        self.stream.flush()
+
+    def read(self):
+        length = int.from_bytes(self.exactly(8), "big")
+        return self.exactly(length)
+
+    def exactly(self, count):
+        content = self.stream.read(count)
+        if len(content) < count:
+            raise EOFError
+        return content
+
+
+def main():
+    stream, control = opened_stream(), os.dup(1)
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for standard in (0, 1, 2):
+        os.dup2(nowhere, standard)
+    sys.meta_path.append(Packages(sys.argv[1]))
+    sys.path.insert(0, os.path.dirname(__file__))
+    import wire
+    sys.path.pop(0)
+    channel = Channel(wire, stream)
+    with contextlib.suppress(EOFError):
+        _, settings = channel.receive()
+        channel.send("ready", *restrict(**settings))
+        while True:
+            _, modules, stand_ins, preloaded = channel.receive()
+            codes = [(topic, text and compiled(topic, text)) for topic, text in modules]
+            for name in preloaded:  # the reference imports it: once for all exercises, before fork
+                importlib.import_module(name)
+            serve_apart(channel, control, codes, stand_ins)
+
+
+def opened_stream():
+    """The grader's socket: it is standard input, or on Windows, what is written there."""
+    if os.name != "nt":
+        return io.BufferedRWPair(*(open(os.dup(0), mode, 0) for mode in ("rb", "wb")))
+    import socket
+    return socket.fromshare(sys.stdin.buffer.read()).makefile("rwb")
+
+
+@functools.cache
+def compiled(topic, text):
+    """The code of a module's text, or the error that it has."""
+    linecache.cache[file_name(topic)] = len(text), None, text.splitlines(True), file_name(topic)
+    try:
+        return compile(text, file_name(topic), "exec")
+    except (Exception, RecursionError) as error:
+        return error
+
+
+def file_name(topic):
+    return f"{PACKAGE}/{topic}.py"
+
+
+def serve_apart(channel, control, codes, stand_ins):
+    """Serve one exercise in a process of its own, and end all that it leaves behind."""
+    child = 0 if WITHOUT_FORK else os.fork()
+    if child == 0:
+        os.close(control)
+        serve(channel, codes, stand_ins)
+        os._exit(0)
+    _, status = os.waitpid(child, 0)
+    if os.getpid() == 1:  # of a namespace of its own: here this means every process in the sandbox
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(-1, signal.SIGKILL)
+        with contextlib.suppress(ChildProcessError):
+            while True:
+                os.waitpid(-1, 0)
+    os.write(control, b"%d" % os.waitstatus_to_exitcode(status))
+
+
+def serve(channel, codes, stand_ins):
+    """Load the modules, then answer calls to their functions until the grader closes."""
+    sys.stdout = sys.stderr = printed = Printed()
+    warnings.simplefilter("ignore")
+    try:
+        modules = load(channel, codes, stand_ins)
+    except BaseException as error:
+        channel.send("raised", *told(error), printed.taken())
+    else:
+        channel.send("opened", printed.taken())
+    while True:
+        kind, *call = channel.receive()
+        if kind == "close":
+            return
+        if kind == "relay":  # another worker's question follows, as it came
+            call += channel.receive()[3:]
+        channel.write(answer(channel.wire, modules, printed, *call))
+
+
+def answer(wire, modules, printed, topic, name, args, kwargs):
+    """Call a function -> the payload that tells what became of it."""
+    function = getattr(modules[topic], name, None)
+    if not callable(function):
+        return wire.encode(("missing", printed.taken()))
+    inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
+    before = [array.tobytes() for array in inputs]
+    try:
+        returned = function(*args, **kwargs)
+        changed = tuple((k, array) for k, (array, old) in
+                        enumerate(zip(inputs, before, strict=True)) if array.tobytes() != old)
+        return wire.encode(("returned", returned, changed, printed.taken()))
+    except BaseException as error:
+        return wire.encode(("raised", *told(error), printed.taken()))
+
+
+def told(error):
+    """An error's type, its text, and its lines (topic, line, function) in the labs."""
+    try:
+        text = str(error)[:MOST_PRINTED]
+    except BaseException:
+        text = ""
+    frames = [(frame.f_code.co_filename, line, frame.f_code.co_name)
+              for frame, line in traceback.walk_tb(error.__traceback__)
+              if frame.f_code.co_filename.startswith(PACKAGE)]
+    if isinstance(error, SyntaxError) and (error.filename or "").startswith(PACKAGE):
+        text = str(error.msg)[:MOST_PRINTED]
+        frames.append((error.filename, error.lineno or 1, ""))
+    kept = frames[:MOST_FRAMES // 2] + frames[MOST_FRAMES // 2:][-MOST_FRAMES // 2:]
+    return type(error).__name__, text, tuple(kept)
+
+
+# --- modules and stand-ins ---------------------------------------------------------------------
+
+
+def load(channel, codes, stand_ins):
+    """-> {topic: module}. A topic without code is a module of stand-ins.
+
+    In the last module, the functions named in stand_ins are replaced, too.
+    """
+    package = sys.modules[PACKAGE] = types.ModuleType(PACKAGE)
+    package.__path__ = []
+    ask = Asking(channel)
+    modules = {}
+    for topic, code in codes:
+        if isinstance(code, Exception):
+            raise code
+        module = types.ModuleType(f"{PACKAGE}.{topic}") if code else StandIns(ask, topic)
+        module.__package__, module.__file__ = PACKAGE, file_name(topic)
+        modules[topic] = sys.modules[module.__name__] = module
+        setattr(package, topic, module)
+        if code:
+            exec(code, vars(module))
+    for name in stand_ins:
+        setattr(module, name, functools.partial(ask, topic, name))
+    return modules
+
+
+class StandIns(types.ModuleType):
+    """A module whose every function asks the grader, and so the reference."""
+
+    def __init__(self, ask, topic):
+        super().__init__(f"{PACKAGE}.{topic}")
+        self._ask = ask
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return functools.partial(self._ask, self.__name__.rpartition(".")[2], name)
+
+
+class Asking:
+    """What a function of the reference returns. The same question is asked once."""
+
+    def __init__(self, channel):
+        self.channel = channel
+        self.lock = threading.Lock()
+        self.known = {}
+
+    def __call__(self, topic, name, *args, **kwargs):
+        question = topic, name, identity(args), identity(tuple(kwargs.items()))
+        with self.lock:
+            if question not in self.known:
+                if len(self.known) > 1000:
+                    self.known.clear()
+                self.channel.send("ask", topic, name, args, kwargs)
+                self.known[question] = self.channel.receive()
+            kind, *answer = self.known[question]
+        if kind == "returned":
+            return copied(answer[0])
+        if kind == "missing":
+            raise AttributeError(f"{PACKAGE}/{topic}.py has no function {name}")
+        error = getattr(builtins, answer[0], None)
+        known = isinstance(error, type) and issubclass(error, Exception)
+        raise (error if known else RuntimeError)(answer[1])
+
+
+def identity(value):
+    """A key that two values share only if they are the same to the bit."""
+    if hasattr(value, "tobytes"):
+        return str(value.dtype), value.shape, value.tobytes()
+    if isinstance(value, tuple | list):
+        return type(value), *map(identity, value)
+    return type(value), repr(value)
+
+
+def copied(value):
+    """So that nobody changes what is kept."""
+    if isinstance(value, tuple):
+        return tuple(map(copied, value))
+    return value.copy() if hasattr(value, "copy") else value
+
+
+# --- limits -----------------------------------------------------------------------------------
+
+
+def restrict(memory, processes, uid, readable, writable):
+    """Give up what the worker does not need -> (landlock's version or 0, the user's number)."""
+    landlock = 0
+    if sys.platform == "linux":
+        libc = ctypes.CDLL(None, use_errno=True)
+        if uid is not None:
+            os.setgroups([])
+            os.setgid(uid)
+            os.setuid(uid)
+        libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG: end with the parent
+        libc.prctl(38, 1, 0, 0, 0)              # PR_SET_NO_NEW_PRIVS
+        landlock = restrict_files(libc, readable, writable)
+    with contextlib.suppress(ImportError):
+        import resource
+        limits = {"RLIMIT_AS": memory, "RLIMIT_NPROC": processes, "RLIMIT_FSIZE": 1 << 24,
+                  "RLIMIT_CORE": 0, "RLIMIT_NOFILE": 64}
+        for name, most in limits.items():
+            with contextlib.suppress(AttributeError, ValueError, OSError):
+                if most is not None:
+                    resource.setrlimit(getattr(resource, name), (most, most))
+    return landlock, getattr(os, "getuid", lambda: -1)()
+
+
+def restrict_files(libc, readable, writable):
+    """Landlock: nothing but these paths, no TCP, no signals to others -> its version, or 0."""
+    create, add, enforce = 444, 445, 446
+    version = libc.syscall(create, None, ctypes.c_size_t(0), 1)
+    if version < 1:
+        return 0
+    every = (1 << {1: 13, 2: 14, 3: 15, 4: 15}.get(version, 16)) - 1
+    execute_read_list = 0b1101
+    of_files = 0b111 | every & ~((1 << 14) - 1)  # execute, write, read; truncate, ioctl
+    size = 8 if version < 4 else 16 if version < 6 else 24
+    rules = libc.syscall(create, (ctypes.c_uint64 * 3)(every, 0b11, 0b11), ctypes.c_size_t(size), 0)
+    for path, access in [*((path, execute_read_list) for path in readable),
+                         *((path, every) for path in writable)]:
+        if not os.path.exists(path):
+            continue
+        there = os.open(path, os.O_PATH | os.O_CLOEXEC)
+        access &= every if os.path.isdir(path) else of_files
+        rule = access.to_bytes(8, sys.byteorder) + there.to_bytes(4, sys.byteorder)
+        libc.syscall(add, rules, 1, rule, 0)
+        os.close(there)
+    enforced = libc.syscall(enforce, rules, 0) == 0
+    os.close(rules)
+    return version if enforced else 0
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,5 @@
+"""Tells what the environment says."""
+
+
+def double(x):
+    raise ValueError(str(dict(os.environ)))

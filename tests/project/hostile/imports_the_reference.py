@@ -1,0 +1,2 @@
+"""Imports what must not be there."""
+from reference import transforms

