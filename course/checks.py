@@ -196,7 +196,8 @@ def find_function(pytestconfig):
         if isinstance(module, Mismatch):
             raise Mismatch(*module.rows)
         if not callable(getattr(module, name, None)):
-            raise Mismatch(("wrong", f"{places.shown_path(module.__file__)} has no function {name}; "
+            path = places.shown_path(module.__file__)
+            raise Mismatch(("wrong", f"{path} has no function {name}; "
                                      "keep the names that the skeleton gives"))
         return getattr(module, name)
 
@@ -633,7 +634,8 @@ def told(error, code):
     lines = shown_frames([(places.shown_path(frame.filename), frame.lineno, frame.name, frame.line)
                           for frame in frames])
     if isinstance(error, SyntaxError):
-        lines += [f"{places.shown_path(error.filename)}:{error.lineno}\n    {(error.text or '').strip()}"]
+        where = f"{places.shown_path(error.filename)}:{error.lineno}"
+        lines += [f"{where}\n    {(error.text or '').strip()}"]
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")

@@ -57,6 +57,27 @@ def require_texture(faces, uv, uv_faces, image, background):
     require_reals("background", background, _channels("image", image))
 
 
+def require_cubes(vertices, faces, textures, clip_from_world, lights, width, height, background,
+                  samples):
+    """What lab 10's `render` needs: faces with a cube each, a camera, three lights, a screen."""
+    require_reals("vertices", vertices, "V", 3)
+    require_indices("faces", faces, "F", 3, first=0, count=len(vertices), of="rows of vertices")
+    require_reals("textures", textures, len(faces), "T", "T", "T", "C", hint=", a cube per face")
+    size = textures.shape[1]
+    require(size >= 2 and textures.shape[1:4] == (size,) * 3, "textures (F, T, T, T, C) with one "
+            "T, 2 or more", textures.shape)
+    channels = _channels("textures", textures)
+    require_reals("clip_from_world", clip_from_world, 4, 4)
+    require(len(lights) == 3, "lights (ambient, directional, towards)", f"{len(lights)} of them")
+    for name, light, length in zip(("ambient", "directional", "towards"), lights,
+                                   (channels, channels, 3), strict=True):
+        require_reals(name, light, length)
+    require_reals("background", background, channels)
+    for name, count in ("width", width), ("height", height), ("samples", samples):
+        require(isinstance(count, numbers.Integral) and count >= 1, f"{name}, an integer of 1 or "
+                "more", repr(count))
+
+
 def require_gradient(name, gradient, shape):
     """The loss's gradient by something that `render` made, of its shape."""
     require(np.shape(gradient) == shape, f"{name} {shape}, of the shape that it made",

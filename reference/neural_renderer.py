@@ -23,6 +23,8 @@ Sources: a reading of neural_renderer's rasterizer; Kato, Ushiku, Harada 2018; L
 """
 import numpy as np
 
+from course import inputs
+
 from . import msaa, rasterization, texturing, transforms
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
@@ -46,7 +48,7 @@ def front_faces(screen, z):  # exercise 10.1 (1 point)
     """Which faces are drawn: bool (F,). screen (F, 3, 2), z (F, 3).
 
     Those that are counter-clockwise on screen, y up, with all three z > 0. A face without area is
-    not drawn.
+    not drawn. (The original does not ask for z > 0.)
 
     >>> a, b, c = [0.0, 0.0], [4.0, 0.0], [0.0, 3.0]
     >>> front_faces(np.array([[a, b, c], [a, c, b], [a, b, b], [a, b, c]]),
@@ -348,7 +350,8 @@ def texel_weights(size):
 
 def bake(image, uv, faces, size):
     """A photograph image (h, w, C) as texture cubes: textures (F, T, T, T, C), bilinear, by uv
-    (V, 2) of the corners of faces (F, 3). At the border the image's last texels go on.
+    (V, 2) of the corners of faces (F, 3). At the border the image's last texels go on. Two faces at
+    an edge agree exactly only if they make a parallelogram in uv.
     """
     at = texel_weights(size).reshape(-1, 3) @ uv[faces]
     texels = texturing.texture(image, at, boundary="clamp")
@@ -482,7 +485,7 @@ def sweep_backward_loop(grad_colour, colour, face_index, corners, eps=1e-4):
     The paper lets no gradient pass where something hides the edge. The kernel, and so this, asks
     for that on the way out alone. On the way in it lets eps be negative for d_j = 0 on either side,
     which turns the gradient round on one of them; and its bound for that way divides by 0 where the
-    third edge is parallel to the line. Neither is repeated here.
+    third edge is parallel to the line and the line goes through a corner. Neither is repeated here.
     """
     grad_corners = np.zeros(corners.shape)
     height, width = face_index.shape
@@ -611,7 +614,8 @@ def soft_silhouette(screen, width, height, sigma):
     """Eq. (9): S (height, width), from 0 to 1. screen (F, 3, 2), sigma in pixels^2.
 
     Faces of either winding count. Where n faces lie over each other or side by side, a pixel on the
-    border has 1 - 1/2^n. (SoftRas measures in ndc, sigma 1e-5 there; 1 - D there ends at 1e-4.)
+    border has 1 - 1/2^n. (SoftRas measures in ndc, sigma 1e-5 there; which is 0.01
+    pixels^2 at 64 x 64; outside, a face with D below 1e-4 is left out there.)
     """
     pixel, _, _, _, away, sign = soft_fragments(screen, width, height, sigma)
     # log(1 - D) = -log(1 + exp(s)), s = +- d^2 / sigma
@@ -680,8 +684,10 @@ def render(vertices, faces, textures, clip_from_world, lights, width, height, ba
 
     vertices (V, 3), faces (F, 3), textures (F, T, T, T, C), clip_from_world (4, 4); lights: ambient
     (C,), directional (C,), towards (3,) of `face_light`; background (C,). Its antialiasing is
-    samples = 2: 2 x 2 of them in a pixel, and their mean.
+    samples = 2: 2 x 2 of them in a pixel, and their mean. ValueError for what does not fit.
     """
+    inputs.require_cubes(vertices, faces, textures, clip_from_world, lights, width, height,
+                         background, samples)
     clip = transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
     corners, light = corners_of(clip, faces), face_light(vertices[faces], *lights)
     colour, *maps = shade_cubes(corners, textures, light, samples * width, samples * height,

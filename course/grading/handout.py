@@ -6,9 +6,9 @@ from pathlib import Path
 from .. import places, skeleton
 from .grade import topics_of
 
-WHOLE = ("course/**/*.py", "course/**/*.md", "course/data/*.ply", "course/grading/files/*",
-         "tests/conftest.py", "tests/golden/*", "requirements.txt", "pyproject.toml",
-         ".gitattributes", ".gitignore")
+WHOLE = ("course/**/*.py", "course/**/*.md", "course/data/*.ply", "course/data/hints.json",
+         "course/grading/files/*", "tests/conftest.py", "tests/golden/*", "requirements.txt",
+         "pyproject.toml", ".gitattributes", ".gitignore")
 IMPORT = re.compile(r"^from reference import ([\w, ]+?)(  #.*)?$")
 README = """\
 # Differentiable rasterization in plain NumPy: the labs

@@ -367,3 +367,15 @@ def test_an_empty_picture_has_no_gradient(rng):
     grad_vertices, grad_textures, _ = neural_renderer.render_backward(
         rng.normal(size=picture.shape), buffers, away, faces, textures, clip_from_world, LIGHTS)
     assert not grad_vertices.any() and not grad_textures.any()
+
+
+@pytest.mark.parametrize("wrong", [
+    {"textures": np.ones((19, 2, 2, 2, 2))}, {"textures": np.ones((20, 1, 1, 1, 2))},
+    {"samples": 0}, {"background": np.zeros(3)}, {"lights": LIGHTS[:2]}])
+def test_what_does_not_fit_is_told_in_one_sentence(rng, wrong):
+    """19 cubes for 20 faces drew a picture."""
+    names = "vertices", "faces", "textures", "clip_from_world"
+    things = dict(zip(names, scene(rng), strict=True), lights=LIGHTS, width=6, height=4,
+                  background=BACKGROUND)
+    with pytest.raises(ValueError, match="render expects"):
+        neural_renderer.render(**{**things, **wrong})
