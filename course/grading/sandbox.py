@@ -7,8 +7,8 @@
 """
 import contextlib
 import ctypes
-import itertools
 import os
+import secrets
 import select
 import shutil
 import signal
@@ -32,8 +32,7 @@ WORKER = Path(__file__).with_name("worker.py")
 PACKAGES = Path(np.__file__).parent.parent
 PATIENCE = 0.2         # seconds between two looks at a worker's memory
 SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache")
-OTHER_USERS = 60000    # from here on, numbers that belong to nobody
-COUNT = itertools.count(os.getpid())
+OTHER_USERS = 2_000_000_000  # from here on, numbers that belong to nobody
 
 
 class Limits(NamedTuple):
@@ -152,7 +151,9 @@ class Worker:
         return ""
 
     def close(self):
-        """End all of its processes, and remove its folder."""
+        """End all of its processes, and remove its folder. A second time, nothing happens."""
+        if self.process.returncode is not None and not os.path.exists(self.folder):
+            return
         self.socket.close()
         self.control.close()
         with contextlib.suppress(ProcessLookupError, PermissionError):
@@ -204,8 +205,8 @@ def strict(folder, limits):
     user = other_user()
     shut_in = (["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts",
                 "--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
-               if user else ["--unshare-all", "--disable-userns", "--uid", str(OTHER_USERS),
-                             "--gid", str(OTHER_USERS)])
+               if user else
+               ["--unshare-all", "--disable-userns", "--uid", "65534", "--gid", "65534"])
     there = {path: path for path in (*SYSTEM, interpreter(), *map(str, library()))
              if os.path.exists(path)}
     there |= {f"/packages/{name}": path for name, path in packages().items()}
@@ -230,8 +231,13 @@ def shown(place, path):
 
 
 def other_user():
-    """A number that no user has, if this is root; it differs from worker to worker."""
-    return OTHER_USERS + next(COUNT) % 5000 if hasattr(os, "getuid") and os.getuid() == 0 else None
+    """A number that no user has, if this is root; another one for each worker.
+
+    The system counts processes by user: with a number in common, one worker's would be another's.
+    """
+    if getattr(os, "getuid", lambda: None)() != 0:
+        return None
+    return OTHER_USERS + secrets.randbelow(100_000_000)
 
 
 def library():
