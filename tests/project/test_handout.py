@@ -10,13 +10,16 @@ from course.grading import handout
 
 LEAST = 30  # characters of a line that somebody could copy
 # Lines of answers that students may read elsewhere, as they stand in a check's own oracle, in a
-# lecture, or in code that is given.
+# lecture, or in code that is given: `mesh.edges` is for triangles what 11.1 asks for polygons.
 ELSEWHERE = {
     "a, b = triangle[i], triangle[j]", "for k, (i, j) in enumerate(EDGES):",
     "face_index[i, j], depth[i, j] = f, d", "x, y = polygon[..., 0], polygon[..., 1]",
     "return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2",
     "for i, j in np.argwhere(face_index >= 0):", "seen = np.flatnonzero(face_index >= 0)",
     "return output.reshape(colour.shape)", "opposite = np.full(faces.shape, -1)",
+    "edges, face_edges = mesh.edges(faces)",
+    "key = np.minimum(start, end) * vertex_count + np.maximum(start, end)",
+    "face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)",
 }
 
 
