@@ -43,9 +43,7 @@ def sphere(face_count):
 
 
 def machine():
-    """{what: fact} of what the numbers were measured on; from here on, on one core."""
-    if hasattr(os, "sched_setaffinity"):
-        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    """{what: fact} of what the numbers are measured on."""
     info = Path("/proc/cpuinfo")
     lines = info.read_text().splitlines() if info.exists() else []
     names = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
@@ -56,7 +54,9 @@ def machine():
 
 
 def begin():
-    """Print the machine -> its facts, for `save`."""
+    """Stay on one core, print the machine -> its facts, for `save`."""
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     facts = machine()
     print(", ".join(f"{name} {fact}" for name, fact in facts.items()))
     return facts

@@ -13,7 +13,6 @@ from pathlib import Path
 
 import numpy as np
 import scipy.sparse
-import trimesh
 
 from . import places
 
@@ -55,6 +54,7 @@ def write(path, vertices, faces):
     """
     ending = _ending(path)
     check(vertices, faces)
+    import trimesh  # here, for labs are graded where there is no trimesh
     mesh = trimesh.Trimesh(vertices, faces, process=False)
     if ending == "obj":
         content = mesh.export(file_type="obj", digits=17, header=None).encode()
@@ -71,6 +71,7 @@ def _ending(path):
 
 
 def _parse(content, ending):
+    import trimesh
     plain = _positions_and_faces(content) if ending == "obj" else _whole_ply(content)
     try:
         mesh = trimesh.load_mesh(io.BytesIO(plain), file_type=ending, process=False,

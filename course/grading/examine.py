@@ -245,10 +245,11 @@ def before_it(topic):
 
 @functools.cache
 def imported(topic):
-    """The modules of SciPy that the reference imports: a worker has them ready."""
+    """The modules of SciPy and the course that the reference imports: a worker has them ready."""
     text = skeleton.read(skeleton.reference(topic))
-    lines = re.findall(r"^from (scipy) import (\w+)|^(?:from|import) (scipy[.\w]*)", text, re.M)
-    return tuple(".".join(filter(None, names)) for names in lines)
+    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?", text, re.M)
+    return tuple(f"{module}.{name}" if module in ("scipy", "course") else module
+                 for module, name in lines)
 
 
 def frame(told):

@@ -26,7 +26,7 @@ the first start sets up what the course needs. When you are done,
     python3 -m course pack
 
 makes labs.zip, checks what is in it, and prints its hash: hand in that file. Labs are graded with
-NumPy, SciPy and Python's own library: import nothing else in them.
+NumPy, SciPy, Python's own library, and what a lab imports already: import nothing else in them.
 {released}"""
 
 

@@ -20,6 +20,7 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from .. import skeleton
+from . import sandbox
 
 MOST_TEXT = 1 << 18       # bytes of one lab
 MOST_ARCHIVE = 1 << 25    # bytes of one archive
@@ -257,10 +258,12 @@ def foreign_imports(text):
         return []
     found = [(node.lineno, alias.name) for node in nodes if isinstance(node, ast.Import)
              for alias in node.names]
-    found += [(node.lineno, node.module) for node in nodes
-              if isinstance(node, ast.ImportFrom) and node.level == 0]
+    found += [(node.lineno, f"course.{alias.name}" if node.module == "course" else node.module)
+              for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0
+              for alias in node.names]
     there = {"numpy", "scipy", *sys.stdlib_module_names}
-    return [(line, module) for line, module in found if module.partition(".")[0] not in there]
+    return [(line, module) for line, module in dict.fromkeys(found)
+            if module.partition(".")[0] not in there and module not in sandbox.given()]
 
 
 def digest(texts):

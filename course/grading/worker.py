@@ -1,10 +1,10 @@
 """The process in the sandbox: runs what a student handed in, one exercise at a time.
 
-It is started as a script, needs NumPy and SciPy alone, and is sent all that it knows: a module's
-text, names of functions, arrays. What it answers is not trusted, so nothing here protects a mark;
+It is started as a script, needs NumPy and SciPy alone, and is sent all that it knows: modules'
+texts, names of functions, arrays. What it answers is not trusted, so nothing here protects a mark;
 this file protects honest exercises from what else is in their file.
 
-    start      -> ready       limits are in force before a student's code is there
+    start      -> ready       with what of the course labs may import; limits are in force
     open       -> opened      the module is loaded for one exercise; or missing, or raised
     call       -> returned    its value, the inputs that it changed, what it printed; or raised
     returned   <- ask         in between: a stand-in wants to know what the reference returns
@@ -20,7 +20,9 @@ import contextlib
 import ctypes
 import functools
 import importlib
+import importlib.abc
 import importlib.machinery
+import importlib.util
 import io
 import linecache
 import os
@@ -46,6 +48,23 @@ class Packages:
     def find_spec(self, name, path=None, target=None):
         if name in ("numpy", "scipy"):
             return importlib.machinery.PathFinder.find_spec(name, [self.folder])
+
+
+class Given(importlib.abc.MetaPathFinder, importlib.abc.ExecutionLoader):
+    """Finds the modules of the course that labs may import: {name: text}."""
+
+    def __init__(self, texts):
+        self.texts = texts
+
+    def find_spec(self, name, path=None, target=None):
+        if name in self.texts:
+            return importlib.util.spec_from_loader(name, self, is_package=name == "course")
+
+    def get_source(self, name):
+        return self.texts[name]
+
+    def get_filename(self, name):
+        return f"{name.replace('.', '/')}.py"
 
 
 class Printed(io.TextIOBase):
@@ -105,7 +124,8 @@ def main():
     sys.path.pop(0)
     channel = Channel(wire, stream)
     with contextlib.suppress(EOFError):
-        _, settings = channel.receive()
+        _, settings, given = channel.receive()
+        sys.meta_path.append(Given(given))
         channel.send("ready", *restrict(**settings))
         while True:
             _, modules, stand_ins, preloaded = channel.receive()

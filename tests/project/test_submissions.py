@@ -122,7 +122,8 @@ def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
     ("import numpy as np, os", []), ("from . import transforms", []), ("x = (", []),
     ("from scipy.sparse import csr_array", []),
     ("import matplotlib.pyplot as plt", [(1, "matplotlib.pyplot")]),
-    ("def f():\n    from course import mesh", [(2, "course")]),
+    ("from course import mesh", []), ("from course.distances import closest_points", []),
+    ("def f():\n    from course import checks, mesh", [(2, "course.checks")]),
 ])
 def test_imports_that_a_worker_does_not_have(line, found):
     """A student learns only from the mark that matplotlib is not there."""

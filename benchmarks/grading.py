@@ -1,0 +1,93 @@
+"""What grading costs, and whether the marks are right: python3 benchmarks/grading.py [COUNT]
+
+First one complete submission of a few labs: seconds on the clock for the checks in one process, as
+a student runs them, and for `grade`, at each level that this machine has. The bar: 1.5 times the
+plain check, and 2 s. Then COUNT submissions (200) of lab 2, two at a time: each is the reference
+with one of the library's mistakes, and must lose the points of that exercise and no others.
+"""
+import csv
+import itertools
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from benchmarks import measure
+from course import mistakes, places, skeleton
+from course.grading import grade, sandbox
+from course.grading.examine import Job
+
+TOPIC = "rasterization"
+RUNS = 5
+
+
+def main(count=200):
+    facts = measure.machine()
+    strictest, about = sandbox.available()
+    levels = sandbox.LEVELS[sandbox.LEVELS.index(strictest):]
+    print(f"strictest level here: {strictest} ({about})")
+    rows = [one_submission(labs, levels) for labs in ("2", "1-4", "1-15")]
+    measure.show(rows)
+    seconds, wrong = a_class(count, strictest)
+    print(f"\n{count} submissions of lab 2, {strictest}, 2 at a time: {seconds:.0f} s, "
+          f"{seconds / count:.2f} s each; {wrong} with a wrong mark")
+    measure.save("grading", facts, {"seconds": rows, "class": {
+        "submissions": count, "level": strictest, "seconds": seconds, "wrong marks": wrong}})
+
+
+def one_submission(labs, levels):
+    """A row of the table: medians in seconds, of calls in turn."""
+    texts = {topic: skeleton.read(skeleton.reference(topic)) for topic in grade.topics_of(labs)}
+    calls = {"plain check": lambda: plain(texts)} | {
+        level: lambda level=level: complete(grade.examine(Job(texts, {}, level)._asdict()))
+        for level in levels}
+    took = {name: [] for name in calls}
+    for name, call in itertools.chain(*[calls.items()] * RUNS):
+        start = time.perf_counter()
+        call()
+        took[name].append(time.perf_counter() - start)
+    row = {"labs": labs} | {name: statistics.median(times) for name, times in took.items()}
+    return row | {f"{level}, of the bar": row[level] / (1.5 * row["plain check"] + 2)
+                  for level in levels}
+
+
+def plain(texts):
+    """The checks of these labs in one process of pytest."""
+    files = [f"tests/test_{topic}.py" for topic in texts]
+    subprocess.run([sys.executable, "-m", "pytest", "-q", "--impl", "reference", *files],
+                   cwd=places.ROOT, check=True, capture_output=True)
+
+
+def complete(examined):
+    """RuntimeError unless all exercises are done."""
+    result, _ = examined
+    if result["problem"] or {e["verdict"] for e in result["board"]["exercises"]} != {"done"}:
+        raise RuntimeError(f"the reference did not get all points: {result['problem']}")
+
+
+def a_class(count, level):
+    """Grade count submissions -> (seconds, how many of them have a wrong mark)."""
+    text = skeleton.read(skeleton.reference(TOPIC))
+    most = sum(exercise.points for exercise in skeleton.topic_exercises(TOPIC))
+    planted = dict(zip((f"student{n:03}" for n in range(count)),
+                       itertools.cycle(mistakes.library(TOPIC)), strict=False))
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        for name, mistake in planted.items():
+            (folder / "in" / name).mkdir(parents=True)
+            (folder / "in" / name / f"{TOPIC}.py").write_text(
+                f"{text}\n\n{mistake.text}", encoding="utf-8")
+        start = time.perf_counter()
+        grade.run(folder / "in", folder / "out", "2", jobs=2, isolation=level)
+        seconds = time.perf_counter() - start
+        with open(folder / "out" / "grades.csv", encoding="utf-8") as file:
+            got = {row["student"]: row for row in csv.DictReader(file)}
+    return seconds, sum(got[name]["total"] != str(most - mistake.exercise.points)
+                        for name, mistake in planted.items())
+
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:]))
