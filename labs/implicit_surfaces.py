@@ -1,12 +1,12 @@
 """Implicit surfaces: one object as a signed distance, as a volume of density, and as a mesh.
 
     s(p) < 0 inside, > 0 outside, |s(p)| is the distance to the surface     signed distance      (1)
-    |s(p) - s(q)| <= L |p - q|, of a distance L = 1                         Lipschitz condition  (2)
+    |s(p) - s(q)| <= L |p - q|, for a distance L = 1                        Lipschitz condition  (2)
     min(a, b) - k h^2 / 4,   h = max(1 - |a - b| / k, 0)                    smooth union         (3)
     t' = t + s(o + t d) / L                       along a ray o + t d       sphere tracing       (4)
     w_i = T_i (1 - exp(-sigma_i delta_i)),   T_i = exp(-sum_(j<i) sigma_j delta_j)               (5)
     C = sum_i w_i c_i + T_end background          colour of a ray           volume rendering     (6)
-    sigma = exp(-s / beta) / 2 beta outside, (1 - exp(s / beta) / 2) / beta inside               (7)
+    sigma = exp(-s / beta) / (2 beta) outside, (1 - exp(s / beta) / 2) / beta inside             (7)
     p = (p_a s_b - p_b s_a) / (s_b - s_a)         s_a < 0 <= s_b            marching tetrahedra  (8)
 
 sigma is the density of a sample i, delta the length of ray that it stands for, c its colour.
@@ -19,7 +19,7 @@ A shape is a tuple, and may hold other shapes:
 Gradients go to points, densities, colours and distances; a shape's own numbers are given.
 
 Sources: lecture "Differentiable graphics 1"; Hart 1996 (2), (4); Quilez 2013 (3); Max 1995 and
-Mildenhall et al. 2020 (5), (6); Yariv et al. 2021 (7); Shen et al. 2021 (8).
+Mildenhall et al. 2020 (5), (6); Yariv et al. 2021 (7); Doi and Koide 1991, Shen et al. 2021 (8).
 """
 import itertools
 
@@ -102,7 +102,7 @@ def torus_backward(grad_distance, points, radius, tube):  # exercise 15.4 (2 poi
 def union(a, b):
     """What belongs to one shape or the other: distances a, b (...) -> distance (...).
 
-    Outside of both it is exact; inside, it can be nearer to 0 than the surface is.
+    Outside of both it is exact, if a and b are; inside, it can be nearer to 0 than the surface is.
     """
     return np.minimum(a, b)
 
@@ -113,7 +113,10 @@ def union_backward(grad_distance, a, b):
 
 
 def intersection(a, b):
-    """What belongs to both: the complement of the union of the complements. a, b (...) -> (...)."""
+    """What belongs to both: the complement of the union of the complements. a, b (...) -> (...).
+
+    Within both it is exact, if a and b are; outside, it can be nearer to 0 than the surface is.
+    """
     return -union(-a, -b)
 
 
@@ -157,7 +160,10 @@ def ripples_backward(grad_ripples, points, height, frequency):
 
 
 def signed_distance(points, shape):
-    """The distance of points (..., 3) to a shape of the header -> (...); a bound, see `union`."""
+    """The distance of points (..., 3) to a shape of the header -> (...).
+
+    Often only a bound, see `union`; with ripples s / L is one, L = 1 + height * frequency.
+    """
     def of(part):
         return signed_distance(points, part)
 
@@ -251,7 +257,7 @@ def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
     Each ray begins at t = 0. Evaluate s by `signed_distance` at its present t. If s < epsilon, the
     ray has hit, and this t is its t. If not, go on by eq. (4), with L = lipschitz; beyond far, the
     ray has missed. So has a ray that did not hit in `most` evaluations. The t of a miss is np.inf.
-    evaluations, integers: how many times s was evaluated for the ray.
+    evaluations, integers: how many times s was evaluated for the ray. R may be 0.
 
     >>> origins = np.array([[0.0, 0.0, 5.0], [0.0, 3.0, 5.0]])
     >>> directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, -1.0]])
@@ -290,7 +296,7 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 poi
 
     density, colour, spacing, background as in `volume_render`; the last two are given. A sample
     that becomes denser adds more of its own colour, and hides some of all that is behind it, the
-    background included. Right where nothing passes, too, as with a density of 1e9, and where a
+    background included. It must hold where no light passes, as with a density of 1e9, and where a
     density is 0: divide by no weight and no T.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
@@ -304,13 +310,16 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 poi
 
 
 def density_of(distance, beta):
-    """Eq. (7): distance (...) -> density (...), from 1 / beta inside to 0, within some beta."""
+    """Eq. (7): distance (...) -> density (...), from 1 / beta inside to 0, within a few beta."""
     half = np.exp(-np.abs(distance) / beta) / 2
     return np.where(distance > 0, half, 1 - half) / beta
 
 
 def ray_samples(origins, directions, near, far, count):
-    """The middles of count equal pieces of each ray, t from near to far: (R, count, 3); spacing."""
+    """The middles of count equal pieces of each ray, t from near to far.
+
+    -> points (R, count, 3), spacing (R, count).
+    """
     spacing = (far - near) / count
     t = near + spacing * (np.arange(count) + 0.5)
     return (origins[:, None] + t[:, None] * directions[:, None],
@@ -339,7 +348,7 @@ def grid_weights(points, n):
 
 
 def tetrahedral_grid(n):
-    """[-1, 1]^3 in n^3 cubes, each cut into 6 tetrahedra, which fit to those of its neighbours.
+    """[-1, 1]^3 in n^3 cubes, each cut into 6 tetrahedra, which fit those of its neighbours.
 
     -> points ((n + 1)^3, 3), of which z changes fastest; tetrahedra (6 n^3, 4): vertex 3 sees
     vertices 0, 1, 2 counter-clockwise. Each way from a cube's lowest corner to its highest along
@@ -374,7 +383,7 @@ def tetrahedron_triangles(inside):  # exercise 15.10 (4 points)
 
     Of the 16 cases, derive all from 1, 2 or 3 vertices inside: an even permutation of the four
     vertices, as (1, 2, 0, 3) or (1, 0, 3, 2), is a turn of the tetrahedron, and changes nothing
-    else.
+    else; `is_odd` tells which are not even.
 
     >>> tetrahedron_triangles(np.array([True, False, False, False])).tolist()
     [[[0, 1], [0, 2], [0, 3]]]
@@ -383,7 +392,7 @@ def tetrahedron_triangles(inside):  # exercise 15.10 (4 points)
 
 
 def crossing(p_a, p_b, s_a, s_b):  # exercise 15.11 (1 point)
-    """Eq. (8): the point between p_a and p_b where the distance is 0, if it changes evenly.
+    """Eq. (8): the point between p_a and p_b where the distance is 0, if it is linear.
 
     p_a, p_b (E, 3), s_a, s_b (E,), s_a < 0 <= s_b -> p (E, 3).
 
@@ -405,10 +414,12 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
 
 
 def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.13 (3 points)
-    """The surface of all tetrahedra at once, as a mesh: vertices (V, 3), faces (F, 3), ends (V, 2).
+    """The surface of all tetrahedra as a mesh: vertices (V, 3), integers faces (F, 3), ends (V, 2).
 
     points (G, 3), distance (G,); tetrahedra (T, 4) integers, vertex 3 sees 0, 1, 2
-    counter-clockwise. A point is inside where its distance is < 0; so 0 is outside.
+    counter-clockwise. T may be a million: loop over the 16 cases, not over the tetrahedra. A point
+    is inside where its distance is < 0; so 0 is outside. Then vertices may be at one place and
+    faces have no area; they stay.
     Each tetrahedron has its `tetrahedron_triangles`, whose corners are points of eq. (8); where
     tetrahedra share an edge they share its point. ends: the two points of the grid on whose edge
     a vertex lies, the inside one first; each crossed edge once, sorted by the first, then by the
@@ -440,13 +451,19 @@ def marching_tetrahedra_backward(grad_vertices, ends, points, distance):
 
 
 def lit(normals, light, colour):
-    """Normals (..., 3) and the direction to a light (3,) -> colours (..., 3), never quite black."""
+    """Normals (..., 3) and the direction to a light (3,) -> colours (..., 3).
+
+    Full where they agree, a quarter at right angles, black only straight away from the light.
+    """
     return (0.5 + 0.5 * normals @ unit(light))[..., None]**2 * colour
 
 
 def render_distance(shape, clip_from_world, width, height, light, colour, background, far=20.0,
                     lipschitz=1.0):
-    """A shape by sphere tracing: picture (height, width, 3), evaluations (height, width)."""
+    """A shape by sphere tracing: picture (height, width, 3), evaluations (height, width).
+
+    far is along the ray, from the camera's near plane on.
+    """
     origins, directions = camera_rays(clip_from_world, width, height)
     t, evaluations = sphere_trace(origins, directions, shape, far, lipschitz, most=1000)
     picture, seen = np.tile(background, (len(t), 1)), np.isfinite(t)
@@ -459,7 +476,8 @@ def render_volume(shape, clip_from_world, width, height, light, colour, backgrou
                   beta=0.01, count=128):
     """A shape as a volume of eq. (7), count samples on each ray: picture (height, width, 3).
 
-    Samples of a weight up to 1e-6 are seen by nobody, and left black.
+    near and far are along the ray, from the camera's near plane on. Pieces longer than beta fray
+    the edges. Samples of a weight up to 1e-6 are seen by nobody, and left black.
     """
     origins, directions = camera_rays(clip_from_world, width, height)
     picture = np.empty((len(origins), 3))
@@ -473,7 +491,10 @@ def render_volume(shape, clip_from_world, width, height, light, colour, backgrou
 
 
 def render_mesh(shape, clip_from_world, width, height, light, colour, background, n=64):
-    """A shape as a mesh, marched on n^3 cells and drawn by lab 9: picture (height, width, 3)."""
+    """A shape as a mesh, marched on n^3 cells and drawn by lab 9: picture (height, width, 3).
+
+    What reaches beyond [-1, 1]^3 is cut open.
+    """
     points, tetrahedra = tetrahedral_grid(n)
     vertices, faces, _ = marching_tetrahedra(points, signed_distance(points, shape), tetrahedra)
     colours = lit(normals(vertices, shape), light, colour)

@@ -60,6 +60,12 @@ def test_all_around_a_box_it_is_the_distance(impl, rng):
     assert_close(impl.box(points, half), expected)
 
 
+@exercise("15.1")
+def test_one_point_has_one_distance(impl):
+    """One point (3,) is an error: rows are counted."""
+    assert_close(impl.box(np.array([3.5, -5.0, 0.0]), HALF), 5.0)
+
+
 @exercise("15.2")
 def test_gradients_of_a_box_on_paper(impl):
     """The sign of negative coordinates; grad_distance is left out; or its length is not 1."""
@@ -94,6 +100,13 @@ def test_gradients_of_a_box_are_central_differences(impl, rng):
     points, half = rng.uniform(-1, 1, (4, 12, 3)) * [3.0, 1.2, 2.0], np.array([2.0, 0.7, 1.3])
     gradcheck(forward, impl.box_backward, (points, half), differentiable=[0], decisions=decisions,
               name="box")
+
+
+@exercise("15.2")
+def test_one_point_has_one_gradient(impl):
+    """One point (3,) is an error: rows are counted."""
+    got = impl.box_backward(np.array(2.0), np.array([0.1, -0.9, 1.0]), HALF)
+    assert_close(got, np.array([0.0, -2.0, 0.0]))
 
 
 @exercise("15.3")
@@ -280,6 +293,14 @@ def test_the_defaults_are_those_of_the_question(impl, rng):
     assert_equal((t.shape, evaluations.shape), ((0,), (0,)))
 
 
+@exercise("15.7")
+def test_as_many_evaluations_as_are_allowed(impl):
+    """A limit of one's own, or far is cut."""
+    ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
+    _, evaluations = impl.sphere_trace(*ray, 9.0, lipschitz=1e4, most=700)
+    assert_equal(evaluations, np.array([700]))
+
+
 # --- volume rendering --------------------------------------------------------------------------
 
 def composited(density, colour, spacing, background):
@@ -332,6 +353,16 @@ def test_behind_a_wall_is_nothing(impl):
     assert_close(remaining, np.array([0.0, 1.0]))
 
 
+@exercise("15.8")
+def test_thick_and_short_pieces(impl):
+    """T is a sum less its last term, and a wall has taken the digits; or density is cut off."""
+    weights, remaining = impl.ray_weights(np.array([[0.3, 1e17, 3.0], [5e4, 0.0, 1e5]]),
+                                          np.array([[1.0, 1.0, 1.0], [1e-5, 1e-5, 1e-5]]))
+    a, b, c = np.exp([-0.3, -0.5, -1.0])
+    assert_close(weights, np.array([[1 - a, a, 0], [1 - b, 0, b * (1 - c)]]))
+    assert_close(remaining, np.array([0.0, b * c]))
+
+
 @exercise("15.9")
 def test_gradients_of_one_ray_on_paper(impl):
     """What is behind does not count, or the background; or colours get the opacity."""
@@ -372,6 +403,23 @@ def test_walls_and_empty_space_have_gradients(impl):
     # In front of the wall: 1 in place of 3. In empty space: each in place of the background.
     assert_close(grad_density, np.array([[-2.0, 0.0, 0.0], [-4.0, -2.0, 4.0]]))
     assert_close(grad_colour[..., 0], np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]))
+
+
+@exercise("15.9")
+def test_units_of_length_are_free(impl, rng):
+    """Density is cut off: 1,000 times as dense, and a 1,000th as long, is the same picture."""
+    density, spacing = 1000 * rng.gamma(1.0, 1.0, (3, 6)), rng.uniform(0.2, 1.2, (3, 6)) / 1000
+    colour, background = rng.random((3, 6, 2)), rng.random(2)
+    given = density / 1000, colour, spacing * 1000, background
+    grad = rng.normal(size=(3, 2))
+    slow = np.zeros_like(density)
+    for at in np.ndindex(*density.shape):
+        step = np.zeros_like(density)
+        step[at] = 1e-5
+        slow[at] = (grad * (composited(given[0] + step, *given[1:])
+                            - composited(given[0] - step, *given[1:]))).sum() / 2e-5
+    got, _ = impl.volume_render_backward(grad, density, colour, spacing, background)
+    assert_close(got, slow / 1000, rtol=1e-5, atol=1e-10)
 
 
 # --- marching tetrahedra -----------------------------------------------------------------------
@@ -466,6 +514,15 @@ def test_there_the_distance_is_0(impl, rng):
     assert_close((p * normal[keep]).sum(-1) - level[keep], np.zeros(keep.sum()), atol=1e-12)
 
 
+@exercise("15.11")
+def test_the_unit_of_distance_is_free(impl):
+    """A guard is added to s_b - s_a, or small distances are cut off."""
+    p_a, p_b = np.array([[1.0, 2.0, 3.0]]), np.array([[5.0, -2.0, 3.0]])
+    for unit in 1e-9, 1e-3, 1e6:
+        got = impl.crossing(p_a, p_b, np.array([-1.0 * unit]), np.array([3.0 * unit]))
+        assert_close(got, np.array([[2.0, 1.0, 3.0]]))
+
+
 @exercise("15.12")
 def test_gradients_of_a_crossing_on_paper(impl):
     """The weights of both ends are swapped; or the distances' gradients have a sign or a factor."""
@@ -489,6 +546,18 @@ def test_gradients_of_crossings_are_central_differences(impl, rng):
     p_a, p_b = rng.normal(size=(2, 7, 3))
     s_a, s_b = -rng.uniform(0.3, 2, 7), rng.uniform(0.3, 2, 7)
     gradcheck(forward, impl.crossing_backward, (p_a, p_b, s_a, s_b), name="crossing")
+
+
+@exercise("15.12")
+def test_gradients_where_the_surface_meets_a_point_of_the_grid(impl):
+    """s_b = 0 is divided by; or the span is cut off where distances are small."""
+    p_a, p_b, grad_p = np.array([[0.0, 0, 0]]), np.array([[0.0, 8.0, 0]]), np.array([[5.0, 2.0, 0]])
+    for unit in 1.0, 1e-6:
+        got = impl.crossing_backward(grad_p, p_a, p_b, np.array([-4.0 * unit]), np.array([0.0]))
+        assert_close(got[0], 0 * grad_p)
+        assert_close(got[1], grad_p)
+        assert_close(got[2], np.array([0.0]))
+        assert_close(got[3] * unit, np.array([-4.0]))
 
 
 def random_tetrahedra(rng, count=40):
@@ -608,3 +677,17 @@ def test_many_points_do_not_get_mixed_up(impl):
     assert_equal(ends, np.array([[1, 0], [1, 4], [1, 69_997], [69_999, 2], [69_999, 3],
                                  [69_999, 69_998]]))
     assert_equal(sorted(map(sorted, np.asarray(faces).tolist())), [[0, 1, 2], [3, 4, 5]])
+
+
+@exercise("15.13")
+def test_ties_and_tiny_distances_give_closed_surfaces_too(impl, rng):
+    """Points at one place are merged, flat faces are left out, or tiny distances count as 0."""
+    points, tetrahedra = random_tetrahedra(rng)
+    distance = rng.integers(-1, 2, len(points)) * 1e-12
+    distance[-6:] = 1e-12
+    vertices, faces, ends = impl.marching_tetrahedra(points, distance, tetrahedra)
+    assert_equal(ends, np.array(crossed_edges(distance, tetrahedra)))
+    edges = directed_edges(faces)
+    assert_equal(len(set(edges)), len(edges))
+    assert_equal(sorted(edges), sorted((b, a) for a, b in edges))
+    assert_equal(sorted(set(np.ravel(faces).tolist())), list(range(len(vertices))))
