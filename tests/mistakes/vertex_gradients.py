@@ -134,7 +134,8 @@ MISTAKES = {
         (f"(s + {EPSILON})", "s", NO_EPSILON),
         (f"(s + {EPSILON})", "(np.abs(s) + epsilon)", "the sign of s is lost"),
         (EPSILON, "epsilon * np.sign(s)", "epsilon is 0 where s is 0; it stays positive there"),
-        ("e.sum(0)", "e.sum(1, keepdims=True)", "it is the sum over the samples, not over the corners"),
+        ("e.sum(0)", "e.sum(1, keepdims=True)",
+         "the sum is over the samples instead of the corners"),
     ],
     "7.13": [
         (S_CHANGES, "grad_b / s", QUOTIENT),
@@ -177,7 +178,7 @@ MISTAKES = {
     "7.17": [
         (" / det", "", "the planes are not divided by the determinant"),
         ("(z[:, None] * e).sum(0)", "(z * e).sum(1)", TRANSPOSED),
-        ("z[:, None] *", "(z / corners[2])[:, None] *", 
+        ("z[:, None] *", "(z / corners[2])[:, None] *",
          "z is divided by w first; it is that of clip space"),
         ("/ det", "/ np.abs(det)", NO_WINDING),
         ("(e[0] * corners[:, 0]).sum(0)", "e[:, 2].sum(0)",
