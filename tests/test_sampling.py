@@ -254,6 +254,14 @@ def test_convolution_is_the_double_sum(impl, rng):
 
 
 @exercise("3.7")
+def test_a_kernel_may_be_larger_than_the_picture(impl):
+    """Beyond the border the picture is there once more, but not a second time."""
+    picture, kernel = np.array([[1.0, 100.0]]), np.array([[1.0], [2.0], [3.0], [4.0], [5.0]])
+    assert_close(impl.convolve(picture, kernel), np.array([[15.0, 1500.0]]))
+    assert_close(impl.convolve(picture, kernel.T), np.array([[609.0, 906.0]]))
+
+
+@exercise("3.7")
 def test_the_spectrum_of_a_convolution_is_the_product_of_the_spectra(impl, rng):
     """Eq. (4) holds to 1e-12, with the kernel's middle at [0, 0]."""
     picture, kernel = rng.uniform(size=(32, 24)), rng.uniform(size=(5, 3))
@@ -425,7 +433,7 @@ def test_points_on_the_line_are_inside(impl):
 
 
 @exercise("3.12")
-def test_a_point_on_the_line_comes_once_for_itself_and_once_for_each_edge_that_leaves(impl):
+def test_a_vertex_on_the_line_comes_once_more_for_each_neighbour_outside(impl):
     """> for >=: a vertex on the line is found by its edges alone, or not at all."""
     half = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [4.0, 4.0], [0.0, 0.0]])
     assert_close(impl.clip_polygon(SQUARE, 1.0, -1.0, 0.0), half)

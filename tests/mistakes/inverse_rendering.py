@@ -35,7 +35,8 @@ MISTAKES = {
     "9.2": [
         ("* 2 ", "", "the 2 of the square's derivative is missing"),
         (" / picture.size", "", "it is not divided by the number of all pixels and channels"),
-        ("(picture - target)", "(target - picture)", "the sign is wrong: too bright pulls down"),
+        ("(picture - target)", "(target - picture)",
+         "the sign is wrong: it is positive where the picture is too bright"),
         ("grad_loss * ", "", NO_GRAD_LOSS),
         ("picture.size", "len(picture)", "it is divided by the number of rows, not of all numbers"),
     ],
@@ -99,7 +100,7 @@ MISTAKES = {
          "it is the overlap itself; the loss is 1 less that"),
         ("target - coverage * target)", "target)", "the union counts the overlap twice"),
         (RATIO, "np.minimum(coverage, target).sum() / np.maximum(coverage, target).sum()",
-         "least and greatest are taken for the product and for what eq. (5) has below the line"),
+         "minimum and maximum take the place of c t and of c + t - c t"),
         (RATIO, RATIO.replace("sum()", "sum((-2, -1))").join(["(", ").mean()"]),
          "it is the mean of the losses of several pictures; all pixels are summed first"),
         (RATIO, "2 * (coverage * target).sum() / (coverage + target).sum()",

@@ -82,8 +82,10 @@ MISTAKES = {
         (STEP, "-jacobian.T @ residuals", "it is a step along the gradient"),
         (STEP, LEAST, "only as many residuals as unknowns are looked at"),
         (STEP, "np.linalg.solve(jacobian.T @ jacobian + 0.001 * np.eye(jacobian.shape[1]), "
-         "-jacobian.T @ residuals)", "something is added to the diagonal of J^T J: that damps it"),
-        (STEP, f"{STEP} / 2", "the step is half as long: the 1/2 belongs to no residual here"),
+         "-jacobian.T @ residuals)",
+         "something is added to the diagonal of J^T J: that damps the step"),
+        (STEP, f"{STEP} / 2",
+         "the step is half as long: a factor 2 is in J^T J and in J^T f alike, and cancels"),
     ],
     "7.8": [
         ("c / c.sum()", "c", "c is not divided by its sum"),
