@@ -363,10 +363,10 @@ def test_a_wave_folds_to_its_alias(impl):
 @exercise("3.11")
 def test_only_what_is_too_fast_folds(impl):
     """The energy that is kept is returned; or a wave is told apart from its other half."""
-    spectrum = np.fft.fft2(np.tile(3 + wave(32, 2) + 2 * wave(32, 11), (8, 1)))
-    assert_close(impl.folded_energy(spectrum, 2), 2.0)       # 2 cos^2 on average, times 2
+    spectrum = np.fft.fft2(np.tile(3 + wave(32, 3) + 2 * wave(32, 11), (8, 1)))
+    assert_close(impl.folded_energy(spectrum, 8), 2.5)       # cos^2 is 1/2 on average: 1/2 + 4/2
+    assert_close(impl.folded_energy(spectrum, 2), 2.0)
     assert_close(impl.folded_energy(spectrum.T.copy(), 2), 2.0)
-    assert_close(impl.folded_energy(spectrum, 8), 2.5)
     assert_close(impl.folded_energy(np.fft.fft2(np.ones((6, 6))), 3), 0.0)
 
 

@@ -85,10 +85,10 @@ MISTAKES = {
         ("2 / (q @ q)", "2.0", "q is taken to have length 1"),
     ],
     "9.7": [
-        ("4 *", "2 *", "it is half of the angle"),
-        ("np.sort(", "np.stack(", "q and -q are taken for two rotations: angles go beyond pi"),
         (ARC, "2 * np.arccos(np.minimum(np.abs((p * q).sum(-1)), 1))",
          "an arccos loses the digits of small angles"),
+        ("4 *", "2 *", "it is half of the angle"),
+        ("np.sort(", "np.stack(", "q and -q are taken for two rotations: angles go beyond pi"),
         (ARC, "2 * np.arcsin(np.minimum(np.linalg.norm(quaternion_product("
          "p * [1, -1, -1, -1], q)[..., 1:], axis=-1), 1))",
          "an arcsin loses the digits of angles near pi"),

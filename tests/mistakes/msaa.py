@@ -96,13 +96,13 @@ MISTAKES = {
          "a pixel counts as mixed only if no sample is like the first; one other is enough"),
     ],
     "4.10": [
+        (MIX, "picture[mixed] = sum(colour.take(sample, 0) for sample in used[:, mixed])"
+         " / len(request)",
+         "colours are summed and divided: equal ones do not come out to the last bit"),
         ("background[None]", "0 * background[None]", "the background counts as black"),
         (MIX, "seen = (used[:, mixed] >= 0)[..., None]\n    picture[mixed] = (colour.take(used"
          "[:, mixed], 0) * seen).sum(0) / np.maximum(seen.sum(0), 1)",
          "samples of the background are left out of the mean"),
-        (MIX, "picture[mixed] = sum(colour.take(sample, 0) for sample in used[:, mixed])"
-         " / len(request)",
-         "colours are summed and divided: equal ones do not come out to the last bit"),
         (MIX, "pass", "the first sample's colour is that of the pixel"),
         ("/ len(request)", "/ 4", "it is divided by 4, whatever the number of samples"),
         (MIX, "picture[mixed] = np.reshape([np.mean([colour[r] for r in set(used[:, m].tolist())],"

@@ -67,14 +67,14 @@ MISTAKES = {
         (LOOK, "texels[index[:, 0]]", "only the first texel of each row is looked at"),
     ],
     "6.6": [
-        ("matrix.T @", "(matrix != 0).T @", "each texel gets the whole gradient, not its weight's"),
-        (SCATTERED, "grad_texels = np.zeros(texels.shape)\n    grad_texels[index] = "
-         "weight[..., None] * grad_colour[:, None]\n    return grad_texels, grad_weight",
-         "a texel keeps the gradient of its last point alone; they add up"),
         (SCATTERED, "grad_texels = np.zeros(texels.shape)\n    for at, w, g in zip(index, weight, "
          "grad_colour, strict=True):\n        grad_texels[at] += w[:, None] * g\n"
          "    return grad_texels, grad_weight",
          "a texel that a row names twice gets one of its gradients; they add up"),
+        ("matrix.T @", "(matrix != 0).T @", "each texel gets the whole gradient, not its weight's"),
+        (SCATTERED, "grad_texels = np.zeros(texels.shape)\n    grad_texels[index] = "
+         "weight[..., None] * grad_colour[:, None]\n    return grad_texels, grad_weight",
+         "a texel keeps the gradient of its last point alone; they add up"),
         ("texels.take(texel, 0))", "texels.take(texel, 0) / texels.shape[1])",
          "the weights' gradient is the mean over the channels instead of the sum"),
         ('"nc,nkc->nk", grad, texels', '"nkc->nk", texels',
@@ -171,10 +171,10 @@ MISTAKES = {
          "a whole level is its own upper one; that is the next"),
     ],
     "6.15": [
-        ("np.where((level > 0) & (level < top), grad_fraction, 0)", "1 * grad_fraction",
-         "levels that are clamped have a gradient"),
         ("(level > 0) & (level < top)", "(level >= 0) & (level <= top)",
          "levels 0 and top have a gradient; they count as clamped"),
+        ("np.where((level > 0) & (level < top), grad_fraction, 0)", "1 * grad_fraction",
+         "levels that are clamped have a gradient"),
         ("(level < top)", "(level < top) & (np.floor(level) != level)",
          "a whole level has no gradient; between 0 and top it has"),
         ("(level > 0) & (level < top)", "level < top", "only the upper end is looked at"),
