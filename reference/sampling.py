@@ -95,7 +95,8 @@ def band_pass(picture, low, high):  # exercise 3.6 (2 points)
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
-    h and w are odd; the kernel's middle is its number (0, 0). Rows and columns go round.
+    h and w are odd, and may be larger than H and W; the kernel's middle is its number (0, 0). Rows
+    and columns go round.
 
     >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
     array([[3., 0., 1., 2.]])
@@ -176,8 +177,8 @@ def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
 
     Sutherland and Hodgman: walk once round, from the first vertex. A vertex inside (or on the line)
     stays; then, if the edge to the next vertex has one end inside and one outside, the point where
-    it crosses the line follows. (So a vertex on the line comes twice if its neighbour is outside.)
-    N may be 0; if nothing is left, (0, 2).
+    it crosses the line follows. (So a vertex on the line comes once more for each neighbour that is
+    outside.) N may be 0; if nothing is left, (0, 2).
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],

@@ -53,7 +53,7 @@ def averaging(count):
 @exercise("9.1")
 def test_the_error_of_four_numbers_on_paper(impl):
     """Differences are summed and not averaged, or not squared, or their squares are halved."""
-    got = impl.squared_error(np.array([1.0, 2.0, 3.0, -4.0]), np.array([1.0, 0.0, 3.0, 2.0]))
+    got = impl.squared_error(np.array([[1.0, 2.0], [3.0, -4.0]]), np.array([[1.0, 0], [3, 2]]))
     assert_close(got, 10.0)
 
 
@@ -69,8 +69,9 @@ def test_the_mean_is_over_rows_columns_and_channels(impl, rng):
 @exercise("9.2")
 def test_every_difference_pulls_by_twice_its_share(impl):
     """The 2, the number of numbers, the sign or grad_loss is missing."""
-    got = impl.squared_error_backward(6.0, np.array([[1.0, 2.0, 3.0]]), np.array([[1.0, 5.0, 1.0]]))
-    assert_close(got, np.array([[0.0, -12.0, 8.0]]))
+    picture, target = np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([[1.0, 5.0], [1.0, 4.0]])
+    got = impl.squared_error_backward(6.0, picture, target)
+    assert_close(got, np.array([[0.0, -9.0], [6.0, 0.0]]))
 
 
 @exercise("9.2")
@@ -141,6 +142,14 @@ def test_many_steps_are_sums_over_all_gradients(impl, rng):
 # --- rotations ---------------------------------------------------------------------------------
 
 @exercise("9.4")
+def test_a_product_on_paper(impl):
+    """A term is left out, or its sign is wrong, or elements are multiplied one by one."""
+    got = impl.quaternion_product(np.array([1.0, 2.0, 3.0, 4.0]), np.array([5.0, 6.0, 7.0, 8.0]))
+    # 5 - 12 - 21 - 32; 6 + 10 + 24 - 28; 7 + 15 + 24 - 16; 8 + 20 + 14 - 18.
+    assert_close(got, np.array([-60.0, 12.0, 30.0, 24.0]))
+
+
+@exercise("9.4")
 def test_the_table_of_products(impl):
     """A sign, or the order of the two: i j = k and j i = -k."""
     for row, p in zip(PRODUCTS, "1ijk", strict=True):
@@ -179,9 +188,9 @@ def test_quarter_rotations_on_paper(impl):
 
 
 @exercise("9.5")
-@pytest.mark.parametrize("length", [1.0, 0.01, 300.0, -1.0])
+@pytest.mark.parametrize("length", [1.0, 0.01, 300.0, -1.0, 1e-100, 1e100])
 def test_rotations_are_scipys_for_any_length(impl, rng, length):
-    """q is taken to have length 1; or the matrix is scaled, too."""
+    """q is taken to have length 1; or the matrix is scaled, too; or fourth powers overflow."""
     q = rng.normal(size=4)
     expected = np.eye(4)
     expected[:3, :3] = rotation(q).as_matrix()
@@ -279,8 +288,8 @@ def test_angles_near_pi_keep_their_digits(impl, rng, short):
 def test_silhouettes_on_paper(impl):
     """It is the overlap and not the loss; or the union counts the overlap twice."""
     coverage, target = np.array([[1.0, 1.0, 1.0, 0.0]]), np.array([[0.0, 1.0, 1.0, 1.0]])
-    assert_close(impl.silhouette_loss(coverage, target), 0.5)
     assert_close(impl.silhouette_loss(coverage, np.array([[0.0, 0.0, 1.0, 0.0]])), 2 / 3)
+    assert_close(impl.silhouette_loss(coverage, target), 0.5)
 
 
 @exercise("9.8")
@@ -369,11 +378,11 @@ def test_where_the_mesh_lies_makes_no_difference(impl, rng):
 @exercise("9.11")
 def test_a_path_backward_on_paper(impl):
     """The forward again: the share is divided by the other end's valence."""
-    grad = np.array([[8.0], [0.0], [0.0]])
-    got = impl.laplacian_backward(grad, np.zeros((3, 1)), np.array([[0, 1], [1, 2]]))
-    assert_close(got, np.array([[8.0], [-8.0], [0.0]]))
-    got = impl.laplacian_backward(grad[[1, 0, 2]], np.zeros((3, 1)), np.array([[0, 1], [1, 2]]))
-    assert_close(got, np.array([[-4.0], [8.0], [-4.0]]))
+    path = np.array([[0, 1], [1, 2]])
+    for grad, expected in (([8, 4, 0], [6, -4, -2]), ([8, 0, 0], [8, -8, 0]),
+                           ([0, 8, 0], [-4, 8, -4])):
+        got = impl.laplacian_backward(np.array(grad, float)[:, None], np.zeros((3, 1)), path)
+        assert_close(got, np.array(expected, float)[:, None])
 
 
 @exercise("9.11")

@@ -312,10 +312,19 @@ def test_a_shade_that_nobody_uses_has_no_gradient(impl):
 
 
 @exercise("4.11")
+def test_without_shades_the_background_has_all_of_the_gradient(impl):
+    """A picture without faces ends in an error."""
+    got = impl.resolve_backward(np.ones((2, 3, 2)), np.zeros((0, 2)), np.full((4, 2, 3), -1),
+                                np.zeros(2))
+    assert_close(got, (np.zeros((0, 2)), np.array([6.0, 6.0])))
+
+
+@exercise("4.11")
 @pytest.mark.parametrize("count", [1, 3, 4])
 def test_the_gradient_of_shades_is_a_central_difference(impl, rng, count):
     """One channel for all, the two gradients swapped, or grad_picture summed up before."""
     request = rng.integers(-1, 5, (count, 3, 4))
+    request[0, 0, :2] = -1, 0  # whatever the seed: some see the background, some a shade
 
     def forward(shade, background):
         colour = np.concatenate([shade, background[None]])

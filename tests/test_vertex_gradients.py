@@ -108,8 +108,9 @@ def test_the_product_with_m_stays_one(impl, m, rng):
 @exercise("7.4")
 def test_nine_slopes_on_paper(impl):
     """i and j are swapped, or the sign: moving a vertex right brings colour from its left."""
-    got = [[impl.residual_slope(VALUES, PAPER, A, i, j) for j in range(3)] for i in range(3)]
-    assert_close(np.array(got), np.array([[0.5, 0.5, 1.0], [0.5, 0.5, 1.0], [-2.0, -2.0, -4.0]]))
+    a = np.array([2.0, 0.5, 1.0])  # c = (1, 2, 1) / 4, and df/da = (-2, -2, 8)
+    got = [[impl.residual_slope(VALUES, PAPER, a, i, j) for j in range(3)] for i in range(3)]
+    assert_close(np.array(got), np.array([[0.5, 1.0, 0.5], [0.5, 1.0, 0.5], [-2.0, -4.0, -2.0]]))
 
 
 @exercise("7.4")
