@@ -6,6 +6,9 @@ CENTRE = "the corners of the middle triangle begin elsewhere: they are AB, BC, C
 NOT_BOUNDARY = "a vertex on the boundary is pulled inwards, too"
 OWN_INSIDE = "(1 - len(ring) * u[v]) * vertices[v]"
 ON_BOUNDARY = "points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0))"
+IN_PLACE = """vertices = vertices.copy()
+            vertices[v] = 3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0)
+            points.append(vertices[v])"""
 INSIDE_RULE = "the inside's rule is used on the boundary, too"
 
 MISTAKES = {
@@ -58,7 +61,8 @@ MISTAKES = {
         ("vertices[ring].sum(0)", "vertices[ring].mean(0)", "the ring's mean is weighted with u; "
          "each neighbour has u for itself"),
         (OWN_INSIDE, "(1 - u[v]) * vertices[v]", "v keeps 1 - u instead of 1 - n u"),
-        (ON_BOUNDARY, ON_BOUNDARY.replace("beside", "ring"), NOT_BOUNDARY + ", by all its neighbours"),
+        (ON_BOUNDARY, ON_BOUNDARY.replace("beside", "ring"),
+         NOT_BOUNDARY + ", by all its neighbours"),
         ("        if beside:\n", "        if False:\n", INSIDE_RULE),
         (ON_BOUNDARY, "points.append(vertices[v])", "vertices on the boundary stay"),
         ("3 / 8 * ends + 1 / 8 *", "1 / 8 * ends + 3 / 8 *", "3/8 and 1/8 are swapped at an edge"),
@@ -66,8 +70,7 @@ MISTAKES = {
          "the inside's rule is used for edges on the boundary, too"),
         ("3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0)", "ends / 2",
          "every edge gets its middle; inside, the opposite vertices pull, too"),
-        (ON_BOUNDARY, "vertices = vertices.copy()\n            vertices[v] = 3 / 4 * vertices[v] + 1 / 8 * "
-         "vertices[beside].sum(0)\n            points.append(vertices[v])",
+        (ON_BOUNDARY, IN_PLACE,
          "points that have moved already pull at the next ones; all rules are about old points"),
     ],
     "11.6": [
