@@ -196,7 +196,8 @@ MISTAKES = {
         ("window_sums(np.ones((*picture.shape[:2], 1)), radius)", "(2 * radius + 1)",
          "it is divided by the pixels of a row instead of those of the square"),
         ("window_sums(np.ones((*picture.shape[:2], 1)), radius)",
-         "(picture.shape[0] * picture.shape[1])", "it is divided by the pixels of the whole picture"),
+         "(picture.shape[0] * picture.shape[1])",
+         "it is divided by the pixels of the whole picture"),
     ],
     "14.16": [
         (BLUR_BACK, "return box_blur(grad_output, radius)",
