@@ -20,7 +20,7 @@ MISTAKES = {
         ("mesh.face_normals(vertices, faces)", "np.cross(vertices[faces[:, 1]] - "
          "vertices[faces[:, 0]], vertices[faces[:, 2]] - vertices[faces[:, 0]])",
          "n is not brought to length 1"),
-        ("vertices[faces[:, 0]]", "vertices[:len(faces)][np.arange(len(faces)) % len(vertices)]",
+        ("vertices[faces[:, 0]]", "vertices[np.arange(len(faces)) % len(vertices)]",
          "d is measured from vertex f of the mesh, instead of a corner of face f"),
         ("-(n * vertices[faces[:, 0]]).sum(1)", "-np.linalg.norm(n * vertices[faces[:, 0]], "
          "axis=1)", "the length of the products is taken instead of their sum"),
