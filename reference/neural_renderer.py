@@ -433,7 +433,7 @@ def edge_lines(a, b, height):  # exercise 10.12 (2 points)
     row = np.arange(max(np.ceil(low - 0.5), 0), min(np.floor(high + 0.5), height)).astype(int)
     if a[1] == b[1]:
         row = row[:0]
-    toward_b = (row + 0.5 - a[1]) / (b[1] - a[1]) if len(row) else row + 0.0
+    toward_b = (row + 0.5 - a[1]) / (b[1] - a[1])
     return row, a[0] + toward_b * (b[0] - a[0]), np.stack([1 - toward_b, toward_b], -1)
 
 

@@ -172,7 +172,7 @@ def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     """NO_AREA is compared with something that has a unit; or with another side than the longest."""
     given, expected = [], []
     for size, turn in itertools.product((1e-5, 1.0, 1e4), range(3)):
-        for height, flat in (0.95e-12, True), (0.0, True), (1.05e-12, False):
+        for height, flat in (0.95e-12, True), (0.03e-12, True), (0.0, True), (1.05e-12, False):
             triangle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.25, 0.0, height]])
             given.append(size * np.roll(triangle, turn, 0))
             steep = np.zeros(3) if flat else np.array([0.25, 0.75, -0.1875]) / height

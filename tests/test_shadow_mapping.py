@@ -189,7 +189,7 @@ def test_what_lies_behind_is_dark(impl):
 def test_the_bias_lights_what_is_just_behind(impl):
     """The bias is subtracted, or one for all; or < for <=."""
     x, y = np.full(4, 0.5), np.full(4, 1.5)
-    got = impl.is_lit(MAP, x, y, np.array([5.25, 5.25, 4.9, 5.5]), np.array([0.25, 0.0, 0.0, 0.75]))
+    got = impl.is_lit(MAP, x, y, np.array([5.25, 5.25, 4.9, 5.5]), np.array([0.25, 0.0, 0.5, 0.75]))
     assert_equal(got, np.array([True, False, True, True]))
     assert_equal(impl.is_lit(MAP, x, y, np.full(4, 5.5), 0.5), np.ones(4, bool))
     assert_equal(impl.is_lit(MAP, x, y, np.full(4, 4.5), -0.75), np.zeros(4, bool))

@@ -206,13 +206,14 @@ def test_without_a_distance_the_pairs_are_the_edges(impl):
 
 @exercise("12.7")
 def test_near_vertices_are_pairs_too(impl):
-    """<= for <; long edges are left out; vertices of no face come in."""
-    x = np.array([0.0, 10.0, 10.5, 20.0, 30.0, 10.25, 40.0])
-    vertices = np.stack([x, np.array([0.0, 1, 1, 0, 1, 1, 0]), 0 * x], 1)
-    faces = np.array([[0, 1, 3], [4, 2, 6]])
-    edges = [[0, 1], [0, 3], [1, 3], [2, 4], [2, 6], [4, 6]]
+    """<= for <; long edges are left out; vertices of no face, here 0, come in, or are skipped when
+    the others are numbered."""
+    x = np.array([10.25, 0.0, 10.0, 10.5, 20.0, 30.0, 40.0])
+    vertices = np.stack([x, np.array([1.0, 0, 1, 1, 0, 1, 0]), 0 * x], 1)
+    faces = np.array([[1, 2, 4], [5, 3, 6]])
+    edges = [[1, 2], [1, 4], [2, 4], [3, 5], [3, 6], [5, 6]]
     assert_equal(impl.valid_pairs(vertices, faces, 0.5), np.array(edges))
-    assert_equal(impl.valid_pairs(vertices, faces, 0.51), np.array(sorted([*edges, [1, 2]])))
+    assert_equal(impl.valid_pairs(vertices, faces, 0.51), np.array(sorted([*edges, [2, 3]])))
 
 
 @exercise("12.7")
@@ -230,11 +231,11 @@ def test_pairs_are_those_of_all_distances(impl, rng):
 @exercise("12.8")
 def test_the_best_place_on_a_segment_on_paper(impl):
     """b of the quadric is left out; or the place is not clipped to the segment."""
-    q = np.repeat(planes_of([1, 0, 0, -2]), 3, 0)
-    a = np.array([[0.0, 0.0, 1.0], [3.0, 0.0, 0.0], [-5.0, 1.0, 0.0]])
-    b = np.array([[8.0, 4.0, 1.0], [9.0, 9.0, 0.0], [1.0, 7.0, 3.0]])
-    expected = np.array([[2.0, 1.0, 1.0], [3.0, 0.0, 0.0], [1.0, 7.0, 3.0]])
-    assert_close(impl.best_on_segment(q, a, b), (expected, np.ones(3, bool)))
+    q = np.repeat(planes_of([1, 0, 0, -2]), 4, 0)
+    a = np.array([[0.0, 0.0, 1.0], [3.0, 0.0, 0.0], [-5.0, 1.0, 0.0], [1.995, 0.0, 0.0]])
+    b = np.array([[8.0, 4.0, 1.0], [9.0, 9.0, 0.0], [1.0, 7.0, 3.0], [2.015, 0.0, 0.0]])
+    expected = np.array([[2.0, 1.0, 1.0], [3.0, 0.0, 0.0], [1.0, 7.0, 3.0], [2.0, 0.0, 0.0]])
+    assert_close(impl.best_on_segment(q, a, b), (expected, np.ones(4, bool)))
 
 
 @exercise("12.8")
@@ -302,7 +303,9 @@ def test_a_corner_is_found_from_anywhere(impl):
 @exercise("12.10")
 def test_at_the_best_place_the_gradient_is_zero(impl, rng):
     """Quadrics of several pairs are mixed."""
-    q = np.array([sum(outer(p) for p in rng.normal(size=(6, 4))) for _ in range(7)])
+    axes = np.linalg.qr(rng.normal(size=(7, 3, 3)))[0] * rng.uniform(0.3, 1.5, (7, 3, 1))
+    planes = np.concatenate([axes, rng.normal(size=(7, 3, 1))], -1)
+    q = np.array([sum(map(outer, rows)) for rows in planes])
     a, b = rng.normal(size=(2, 7, 3))
     x = np.asarray(impl.best_position(q, a, b))
     gradient = np.array([[error(q[k], x[k] + d) - error(q[k], x[k] - d) for d in 1e-3 * np.eye(3)]
@@ -331,16 +334,26 @@ def test_without_any_plane_a_stays(impl):
 
 
 @exercise("12.10")
+def test_where_the_segment_is_nearly_flat_one_of_three_is_taken(impl):
+    """Eq. (7) is left out: a, or the best place of a segment along which the error hardly changes.
+    """
+    q = np.repeat(planes_of([0.02, 0, 1, 0]), 3, 0)     # A = 0.0004 along x, its trace is 1.0004
+    a = np.array([[5.0, 0.0, 0.0], [5.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    b = np.array([[-4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [6.0, 0.0, 0.0]])
+    assert_close(impl.best_position(q, a, b), np.array([[0.5, 0, 0], [1, 0, 0], [1, 0, 0]]))
+
+
+@exercise("12.10")
 def test_the_least_eigenvalue_decides(impl):
     """The determinant, another threshold, or one that depends on the scale."""
     turn = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
     for ratio, curved in (0.93 * LEAST_CURVATURE, False), (1.08 * LEAST_CURVATURE, True):
-        for scale in 1e-6, 1.0, 1e6:
+        for scale, z in (1e-6, 4.0), (1.0, 3.5), (1e6, 3.0):
             q = np.zeros((1, 4, 4))
             q[0, :3, :3] = scale * turn @ np.diag([ratio, 1.0, 0.5]) @ turn.T
-            q[0, :3, 3] = q[0, 3, :3] = -q[0, :3, :3] @ [2.0, 3.0, 4.0]
+            q[0, :3, 3] = q[0, 3, :3] = -q[0, :3, :3] @ [2.0, 3.0, z]
             a, b = np.array([[2.0, 3.0, 9.0]]), np.array([[2.0, 3.0, 5.0]])
-            expected = np.array([[2.0, 3.0, 4.0]]) if curved else b
+            expected = np.array([[2.0, 3.0, z]]) if curved else b
             assert_close(impl.best_position(q, a, b), expected, rtol=1e-6)
 
 
@@ -402,9 +415,18 @@ def test_three_faces_at_an_edge_have_three_thirds(impl):
 @exercise("12.13")
 def test_twins_have_the_same_vertices_in_any_order(impl):
     """Rows are compared as they stand, or faces that share two vertices count."""
+    assert_equal(impl.has_twins(np.array([[1, 5, 9], [9, 7, 1], [1, 9, 3]])), False)
     assert_equal(impl.has_twins(np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1]])), False)
     for twin in itertools.permutations((1, 7, 9)):
         assert_equal(impl.has_twins(np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1], twin])), True)
+
+
+@exercise("12.13")
+def test_a_twin_may_begin_with_another_vertex(impl):
+    """Right for faces that are wound the other way, but rows are compared as they stand."""
+    for k in 1, 2:
+        faces = np.array([[5, 8, 6], np.roll([5, 8, 6], k), [5, 6, 7]])
+        assert_equal(impl.has_twins(faces), True)
 
 
 @exercise("12.13")
@@ -596,6 +618,27 @@ def test_all_collapses_are_those_of_the_slow_way(impl, rng, way):
             assert_close(np.asarray(got)[used], slow[face_count][0][used], rtol=1e-6, atol=1e-6)
 
 
+@exercise("12.15")
+def test_of_equal_costs_the_first_pair_counts(impl, rng):
+    """The last one, any one, or pairs that do not ascend any more after a collapse. Here errors are
+    small whole numbers, the same everywhere, so that vertices stay in their places, too."""
+    vertices, faces = bumpy(80, rng, 0.02)
+    error_of = rng.integers(0, 2, len(vertices))
+    q = np.zeros((len(vertices), 4, 4))
+    q[:, 3, 3] = error_of
+    got, left = impl.simplify_loop(vertices, faces, q, edges_of(faces), 40)
+    expected = faces.tolist()
+    while len(expected) > 40:
+        pairs = sorted(edges_of(np.array(expected)).tolist(), key=lambda pair: error_of[pair].sum())
+        a, b = next((a, b) for a, b in pairs
+                    if is_allowed(vertices, expected, a, b, vertices[a]))
+        expected = [[a if v == b else v for v in face] for face in expected
+                    if not {a, b} <= {*face}]
+        error_of[a] += error_of[b]
+    assert_equal(rows(left), rows(expected))
+    assert_equal(got, vertices)
+
+
 @each_way
 def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng, way):
     """A torus becomes a sphere, an edge gets four faces or one, or a face comes twice."""
@@ -652,6 +695,24 @@ def test_a_pair_that_is_refused_again_counts_again(impl, rng):
 
 
 @exercise("12.16")
+def test_a_refused_pair_has_its_turn_when_an_end_has_changed(impl, rng):
+    """What was refused never comes back, not even where its own vertex has become another one."""
+    vertices, faces = mesh.icosphere(80)
+    vertices = vertices + 0.02 * rng.normal(size=vertices.shape)
+    pairs, q = edges_of(faces), quadrics_of(vertices, faces)
+    a, b = pairs[0].tolist()
+    around = {*pairs[(pairs == a).any(1)].ravel().tolist()}
+    c = next(v for pair in pairs.tolist() if b in pair for v in pair if v not in around)
+    x, y, z = 9 * vertices[a]      # a and b would like to be on the other side, at no cost,
+    q[[a, b]] = planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])
+    x, y, z = -vertices[c]         # and c to stay, at any cost
+    q[c] = 1e4 * planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])[0]
+    asked = np.array(sorted([[a, b], sorted([b, c])]))
+    _, left, refused = impl.simplify_heap(vertices, faces, q, asked, 0)
+    assert_equal((len(left), refused), (76, np.array([0, 0, 1])))
+
+
+@exercise("12.16")
 def test_an_open_surface_keeps_its_boundary(impl, rng):
     """A flat disc loses a corner; an ear is torn off; a hole is sewn up; the two sides of a ring
     touch."""
@@ -677,7 +738,9 @@ def test_an_open_surface_keeps_its_boundary(impl, rng):
         ends = np.bincount(pairs[numbers == 1].ravel())
         assert_equal(np.unique(ends[ends > 0]), [2])    # two boundary edges at a boundary vertex
         if face_count:
-            assert_equal(len(left), face_count)
+            # A collapse takes two faces, at the boundary one: the last may take one too many.
+            enough = face_count - 1 <= len(left) <= face_count
+            assert_equal("40 or 39 faces" if enough else f"{len(left)} faces", "40 or 39 faces")
             corners = np.asarray(place)[np.unique(left), :2]
             for corner in itertools.product((0, 6), (0, 6)):
                 near = (np.abs(corners - corner).max(1) < 0.1).any()
