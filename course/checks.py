@@ -389,6 +389,14 @@ def known_mistake(nodeid, returned):
     return sentence and f"this is what comes out when {sentence}"
 
 
+def list_for_array(last, returned):
+    """A list passes where its numbers are compared; a check that does more with it breaks down."""
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    if any(isinstance(output, list) for output in outputs):
+        return f"{last[0].__name__} returned a list; np.array makes it an array"
+    return None
+
+
 @functools.cache
 def known_sentences():
     """{fingerprint: sentence}: course/data/hints.json, made by python3 -m course mistakes."""
@@ -629,7 +637,8 @@ def explained(error, item):
     if item.function.__doc__ and compared:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
-    known = known_mistake(item.nodeid, item.stash.get(LAST_RETURN, None))
+    returned = item.stash.get(LAST_RETURN, None)
+    known = known_mistake(item.nodeid, returned) or list_for_array(last, returned)
     if known:
         rows = [row for row in rows if row[0] != "hint"] + [("hint", known)]
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]

@@ -308,6 +308,10 @@ def other(x):  # exercise 1.7 (1 point)
     raise NotImplementedError("not yet")
 
 
+def rows(x):  # exercise 1.9 (1 point)
+    return [x, x]
+
+
 def strict(x):  # exercise 1.8 (1 point)
     assert x > 0, "too small"
     return x
@@ -442,6 +446,12 @@ class Told(AssertionError):
     pass
 
 
+@exercise("1.9")
+def test_rows_are_two(impl):
+    """One."""
+    assert impl.rows(1.0)[:, None].shape == (2, 1)
+
+
 @exercise("1.8")
 def test_strict_is_not_strict(impl):
     """It is."""
@@ -513,9 +523,15 @@ seed      0
 """)
 
 
+def test_a_list_for_an_array_is_told(output):
+    """The check breaks down, and the student reads of list indices in a line of ours."""
+    assert "hint      rows returned a list; np.array makes it an array\n" in (
+        output["test_rows_are_two"])
+
+
 def test_an_assertion_of_the_students_own_is_told_as_an_error(output):
     """It is taken for one of the check's."""
-    assert "wrong     AssertionError: too small\n          labs/transforms.py:39 in strict\n" in (
+    assert "wrong     AssertionError: too small\n          labs/transforms.py:43 in strict\n" in (
         output["test_strict_is_not_strict"])
 
 
