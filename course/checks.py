@@ -633,11 +633,13 @@ def explained(error, item):
     if last and "given" not in dict(rows) and (
             not other_kind or last[0].__name__.endswith("_backward")):
         rows.insert(0, ("given", shown_call(*last)))
+    returned = item.stash.get(LAST_RETURN, None)
+    if returned is not None and "got" not in dict(rows) and not other_kind:
+        rows.append(("got", shown(returned)))
     compared = other_kind or "expected" in dict(rows)
     if item.function.__doc__ and compared:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
-    returned = item.stash.get(LAST_RETURN, None)
     known = known_mistake(item.nodeid, returned) or list_for_array(last, returned)
     if known:
         rows = [row for row in rows if row[0] != "hint"] + [("hint", known)]

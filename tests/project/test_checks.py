@@ -525,7 +525,7 @@ seed      0
 
 def test_a_list_for_an_array_is_told(output):
     """The check breaks down, and the student reads of list indices in a line of ours."""
-    assert "hint      rows returned a list; np.array makes it an array\n" in (
+    assert "\ngot       [1., 1.]\nhint      rows returned a list; np.array makes it an array\n" in (
         output["test_rows_are_two"])
 
 
