@@ -7,6 +7,8 @@ import re
 import subprocess
 import sys
 import time
+import webbrowser
+from pathlib import Path
 from typing import NamedTuple
 
 import pytest
@@ -15,6 +17,7 @@ from rich.progress import Progress
 from rich.table import Table
 
 from . import checks, places, skeleton
+from .grading import report
 
 BAR = 20  # characters of a whole lab's bar
 LOOK = 0.3  # seconds between two looks at the files that are watched
@@ -30,11 +33,12 @@ class Entry(NamedTuple):
     checks: list
 
 
-def check(target=None, implementation="labs", json_file=None, seed=0):
+def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False):
     """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all; show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
-    json_file: the board is written there, too. -> 0 if all that was asked for is done, else 1.
+    json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
+    -> 0 if all that was asked for is done, else 1.
     ValueError: there is no such target or folder.
     """
     labs, asked = asked_for(target)
@@ -54,12 +58,14 @@ def check(target=None, implementation="labs", json_file=None, seed=0):
         print(all_done(board, labs))
     elif not broken:
         print(next_to_do(everything, code, implementation, seed))
+    if pictures:
+        open_pictures(board, seed)
     if json_file:
         places.write_whole(json_file, as_json(board).encode("utf-8"))
     return int(bool(problems) or not all_is_done)
 
 
-def watch(target=None, implementation="labs", json_file=None, seed=0):
+def watch(target=None, implementation="labs", **options):
     """`check`, and again whenever a file of the code under test is saved. Ends with Ctrl-C.
 
     While checks run, Ctrl-C stops these alone, as where a loop has no end.
@@ -70,7 +76,7 @@ def watch(target=None, implementation="labs", json_file=None, seed=0):
         if files != seen:
             Console().clear()
             try:
-                check(target, implementation, json_file, seed)
+                check(target, implementation, **options)
             except ValueError as error:
                 if seen is None:  # what was asked for is not there
                     raise
@@ -319,6 +325,26 @@ def section_of(lecture, exercise):
             if re.search(pattern, text):
                 return title
     return last
+
+
+def open_pictures(board, seed):
+    """Print where the pictures of failed checks are; open a page with all that failed, if any did.
+
+    Where there is no browser to open it with, its path is all.
+    """
+    paths = {Path(check.picture) for entry in board for check in entry.checks if check.picture}
+    failing = [entry for entry in json.loads(as_json(board))["exercises"]
+               if entry["verdict"] == "failing"]
+    if not failing:
+        return
+    pictures = {path.name: path.read_bytes() for path in paths}
+    page = places.out("checks", "failed.html")
+    places.write_whole(page, report.document("What failed", *(
+        part for entry in failing
+        for part in report.exercise_part(entry, None, pictures, seed))).encode("utf-8"))
+    print("", "Pictures, all of them in the last:",
+          *map(places.shown_path, [*sorted(paths), page]), sep="\n")
+    webbrowser.open(page.as_uri())
 
 
 def all_done(board, labs):

@@ -19,9 +19,9 @@ import importlib
 import inspect
 import io
 import json
-import os
 import re
 import sys
+import textwrap
 import traceback
 import types
 import zlib
@@ -47,6 +47,7 @@ EQUAL_KINDS = {"b": "b", "i": "iu", "u": "iu", "f": "iuf", "c": "iufc", "U": "U"
 KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
               "c": "complex numbers", "U": "strings"}
 
+COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
 MOST_NUMBERS = 24    # shown of an array; a larger one is shortened
 MOST_LINES = 12      # shown of an error's text, of frames, of printed output
 MAP_SHAPE = 20, 40   # rows and columns of the largest raster that is printed
@@ -388,6 +389,14 @@ def known_mistake(nodeid, returned):
     return sentence and f"this is what comes out when {sentence}"
 
 
+def list_for_array(last, returned):
+    """A list passes where its numbers are compared; a check that does more with it breaks down."""
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    if any(isinstance(output, list) for output in outputs):
+        return f"{last[0].__name__} returned a list; np.array makes it an array"
+    return None
+
+
 @functools.cache
 def known_sentences():
     """{fingerprint: sentence}: course/data/hints.json, made by python3 -m course mistakes."""
@@ -416,32 +425,33 @@ def fingerprint(nodeid, returned):
 # --- how things are shown ---------------------------------------------------------------------
 
 
-def shown(value):
-    """A value as one would type it; a large array is shortened."""
+def shown(value, name=""):
+    """A value as one would type it, after name=; a large array is shortened."""
+    name = f"{name}=" if name else ""
     if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
-        return shown_array(np.asarray(value))
+        return shown_array(np.asarray(value), name)
     if isinstance(value, tuple):
-        return f"({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
-    return cut(repr(value.item() if isinstance(value, np.generic) else value))
+        return f"{name}({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
+    return name + cut(repr(value.item() if isinstance(value, np.generic) else value))
 
 
-def shown_array(array):
+def shown_array(array, name):
     """All of a small array; the first and last numbers of a large one, after its type and shape."""
     small = 0 < array.size <= MOST_NUMBERS
-    text = np.array2string(array if small else array.ravel(), separator=", ", max_line_width=70,
-                           threshold=MOST_NUMBERS, edgeitems=3, precision=8 if small else 5)
-    text = re.sub(r"\n\s*\n", "\n", text)  # no empty lines between the parts of three dimensions
-    return text if small else f"{array.dtype} {shape_name(array)}: {text}"
+    before = name if small else f"{name}{array.dtype} {shape_name(array)}: "
+    text = np.array2string(array if small else array.ravel(), separator=", ", prefix=before,
+                           max_line_width=COLUMNS - LABEL - 3, threshold=MOST_NUMBERS, edgeitems=3,
+                           precision=8 if small else 4)
+    return before + re.sub(r"\n\s*\n", "\n", text)  # no empty lines between parts of 3 dimensions
 
 
 def shown_call(function, args, kwargs):
     """edge_function(p=[0.5, 0.5], a=...), on several lines where one is not enough."""
-    named = [(f"{name}=" if name else "", shown(value))
-             for name, value in arguments(function, args, kwargs)]
-    line = f"{function.__name__}({', '.join(name + text for name, text in named)})"
-    if len(line) <= 70 and "\n" not in line:
+    named = [shown(value, name) for name, value in arguments(function, args, kwargs)]
+    line = f"{function.__name__}({', '.join(named)})"
+    if len(line) <= COLUMNS - LABEL and "\n" not in line:
         return line
-    lines = [name + text.replace("\n", "\n  " + " " * len(name)) + "," for name, text in named]
+    lines = [text.replace("\n", "\n  ") + "," for text in named]
     return "\n  ".join([f"{function.__name__}(", *lines]) + "\n)"
 
 
@@ -464,8 +474,18 @@ def cut(text):
 
 
 def layout(rows):
-    """Rows (label, text) in two columns."""
-    return "\n".join(f"{label:10}" + text.replace("\n", "\n" + " " * 10) for label, text in rows)
+    """Rows (label, text) in two columns, long lines broken; not in commands, which are copied."""
+    lines = ((label if number == 0 else "", line) for label, text in rows
+             for number, line in enumerate(text.splitlines() if label == "again" else broken(text)))
+    return "\n".join(f"{label:{LABEL}}{line}".rstrip() for label, line in lines)
+
+
+def broken(text):
+    """The lines of a text, none too long: what is over goes on below, indented alike."""
+    for line in text.splitlines() or [""]:
+        indent = line[:len(line) - len(line.lstrip())]
+        yield from textwrap.wrap(line, COLUMNS - LABEL, subsequent_indent=indent,
+                                 break_long_words=False, break_on_hyphens=False) or [""]
 
 
 # --- pictures of a mismatch -------------------------------------------------------------------
@@ -478,11 +498,11 @@ def text_map(got, expected):
     there, wanted = (raster if raster.dtype == bool else raster >= 0 for raster in (got, expected))
     letters = np.select([wanted & ~there, there & ~wanted, got != expected, there],
                         ["?", "!", "x", "#"], ".")
-    meanings = {"#": "right", "?": "missing", "!": "extra", "x": "another number",
+    meanings = {"#": "right", "?": "missing", "!": "extra", "x": "other",
                 ".": "background"}
     legend = ", ".join(f"{letter} {meaning}" for letter, meaning in meanings.items()
                        if letter in letters)
-    return [("map", "\n".join([*map("".join, letters[::-1]), f"({legend}; the top row first)"]))]
+    return [("map", "\n".join([*map("".join, letters[::-1]), f"({legend}; top row first)"]))]
 
 
 def draw(got, expected, wrong):
@@ -508,7 +528,7 @@ def draw(got, expected, wrong):
                       outline="orange", width=2)
     content = io.BytesIO()
     sheet.save(content, "PNG")
-    path = places.out("checks", f"{picture_name()}.png")
+    path = places.check_picture("mismatch")
     places.write_whole(path, content.getvalue())
     return path
 
@@ -538,12 +558,6 @@ def difference_colours(distance):
     farthest = distance[np.isfinite(distance)].max(initial=0) or 1
     level = np.where(distance > 0, 0.3 + 0.7 * np.minimum(distance / farthest, 1), 0)
     return level[..., None] * [1, 0.2, 0]
-
-
-def picture_name():
-    """Of the check that runs now, as pytest tells it."""
-    running = os.environ.get("PYTEST_CURRENT_TEST", "mismatch").removesuffix(" (call)")
-    return re.sub(r"\W+", "_", running.rpartition("::")[2]).strip("_")[:100]
 
 
 # --- verdict and report -----------------------------------------------------------------------
@@ -615,13 +629,18 @@ def explained(error, item):
     rows = list(error.rows) if isinstance(error, Mismatch) else [
         ("wrong", told(error, folder(item.config.option.impl)))]
     other_kind = isinstance(error, AssertionError) and type(error) not in (AssertionError, Mismatch)
-    if LAST_CALL in item.stash and "given" not in dict(rows) and not other_kind:
-        rows.insert(0, ("given", shown_call(*item.stash[LAST_CALL])))
+    last = item.stash.get(LAST_CALL, None)
+    if last and "given" not in dict(rows) and (
+            not other_kind or last[0].__name__.endswith("_backward")):
+        rows.insert(0, ("given", shown_call(*last)))
+    returned = item.stash.get(LAST_RETURN, None)
+    if returned is not None and "got" not in dict(rows) and not other_kind:
+        rows.append(("got", shown(returned)))
     compared = other_kind or "expected" in dict(rows)
     if item.function.__doc__ and compared:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
-    known = known_mistake(item.nodeid, item.stash.get(LAST_RETURN, None))
+    known = known_mistake(item.nodeid, returned) or list_for_array(last, returned)
     if known:
         rows = [row for row in rows if row[0] != "hint"] + [("hint", known)]
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]

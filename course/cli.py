@@ -25,6 +25,7 @@ examples
   python3 -m course check rasterization      one lab, by its topic
   python3 -m course check 2.3                one exercise
   python3 -m course check 2 --watch          again whenever you save
+  python3 -m course check 2 --pictures       expected, got and difference as pictures
   python3 -m course check --impl reference   what a finished course looks like
   python3 -m course COMMAND --help           more about one command
 """
@@ -103,6 +104,7 @@ def arguments():
            help="a topic (rasterization), a lab (2) or an exercise (2.3); without, everything")
     option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check")
     option("--watch", action="store_true", help="check again whenever a file is saved")
+    option("--pictures", action="store_true", help="open a page with all that failed, and pictures")
     option("--json", metavar="FILE", help="write the board to this file as well")
     option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
 
@@ -166,7 +168,8 @@ def check(asked):
     """Check the labs and show the board; status 0 only if all that was asked for passes."""
     import course.board
     run = course.board.watch if asked.watch else course.board.check
-    return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed)
+    return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
+               pictures=asked.pictures)
 
 
 def pack(asked):

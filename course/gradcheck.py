@@ -77,7 +77,7 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
         face, which texel). The loss may jump or bend where a decision changes, so a step that
         changes one is not used. What has no three usable steps in a row is left out and counted.
     rtol: the largest error (3) that passes.
-    name: what is checked. It opens every message and names the picture, out/checks/<name>.png.
+    name: what is checked. It opens every message, and outside of pytest it names the picture.
 
     -> GradReport. Raises GradientMismatch where a gradient is wrong, zero everywhere, not
     finite, of the wrong shape or missing, where forward or backward changes its arguments, and
@@ -359,7 +359,7 @@ def draw(part, rtol, name, steps, D, change):
     curve.minorticks_off()
     curve.legend()
 
-    png, path = io.BytesIO(), places.out("checks", f"{name}.png")
+    png, path = io.BytesIO(), places.check_picture(name)
     figure.savefig(png)
     places.write_whole(path, png.getvalue())
     return path

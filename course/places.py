@@ -1,6 +1,7 @@
 """Where things lie: the course's folder, its data, its output; files read and written whole."""
 import contextlib
 import os
+import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -23,6 +24,17 @@ def out(*parts):
         raise OSError(f"cannot write into the folder {path.parent}: "
                       "allow writing there, or copy the course to a folder of your own")
     return path
+
+
+def check_picture(name):
+    """The path of the picture of the check that runs now, as pytest tells it: of a file of its own
+
+    such as out/checks/rasterization_one_triangle_on_paper.png; where none runs, of the name.
+    """
+    running = os.environ.get("PYTEST_CURRENT_TEST", "").removesuffix(" (call)")
+    file, _, test = running.rpartition("::")
+    words = f"{Path(file).stem}_{test}".replace("test_", "", 2) if running else name
+    return out("checks", f"{re.sub(r'[^0-9A-Za-z]+', '_', words).strip('_')[:120]}.png")
 
 
 def shown_path(path):

@@ -373,6 +373,24 @@ def test_next_is_what_can_be_worked_on_with_the_check_that_says_why(entries, tex
     assert board.next_to_do(entries, places.ROOT / "labs", "labs", 0).startswith(text)
 
 
+def test_pictures_of_what_failed_are_listed_and_opened(tmp_path, monkeypatch, capsys):
+    """A picture that is there is not found, or a browser is opened where all is done."""
+    opened = []
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    monkeypatch.setattr(board.webbrowser, "open", opened.append)
+    board.open_pictures([entry("1.1", "done", "passed"), entry("1.2", "not started")], 0)
+    assert not opened and capsys.readouterr().out == ""
+    picture = places.out("checks", "x.png")
+    picture.write_bytes(b"a picture")
+    failing = entry("1.3", "failing", "failed", "passed")
+    failing.checks[0] = failing.checks[0]._replace(picture=str(picture))
+    board.open_pictures([failing], 0)
+    page = tmp_path / "out" / "checks" / "failed.html"
+    assert opened == [page.as_uri()]
+    assert lines(capsys.readouterr().out)[2:] == ["out/checks/x.png", "out/checks/failed.html"]
+    assert "for it is failed" in page.read_text() and "image/png;base64,YSBwaWN" in page.read_text()
+
+
 def test_a_file_that_is_not_python_is_one_line(house, run_module):
     """Every check of the lab fails, each with the same traceback, and other labs are not run."""
     root = house(FILES | {"labs/transforms.py": LAB.replace("return 2 * x", "return 2 * (x")})

@@ -60,7 +60,7 @@ def test_close_accepts(got, expected):
 ], ids=repr)
 def test_close_refuses_and_says_in_what_it_differs(got, expected, row):
     """A wrong kind, shape or number passes, or the sentence is about something else."""
-    assert f"differs   {row}" in text_of(assert_close, got, expected)
+    assert f"differs {row}" in " ".join(text_of(assert_close, got, expected).split())
 
 
 def test_the_output_of_several_that_differs_is_named():
@@ -136,8 +136,8 @@ def test_a_small_raster_is_printed_with_its_top_row_first(pictures):
     expected = np.array([[-1, 0, 2, -1], [0, -1, -1, 3]])
     assert ("map       ?.!#\n"
             "          .#x.\n"
-            "          (# right, ? missing, ! extra, x another number, . background; "
-            "the top row first)") in text_of(assert_picture, got, expected)
+            "          (# right, ? missing, ! extra, x other, . background; "
+            "top row first)") in text_of(assert_picture, got, expected)
     assert "map       ?!\n" in text_of(assert_picture, np.array([[False, True]]),
                                        np.array([[True, False]]))
 
@@ -150,8 +150,8 @@ def test_a_picture_shows_expected_got_and_difference_upright(pictures, monkeypat
     got = expected.copy()
     got[3, 7], got[3, 0] = 1, 0.5
     text = text_of(assert_picture, got, expected)
-    assert "picture   out/checks/test_it_a_b.png" in text
-    with Image.open(pictures / "test_it_a_b.png") as picture:
+    assert "picture   out/checks/x_it_a_b.png" in text
+    with Image.open(pictures / "x_it_a_b.png") as picture:
         pixels = np.asarray(picture)
     side, step, top = 32, 8 * 32 + checks.GAP, checks.GAP + 4
 
@@ -210,6 +210,21 @@ def test_a_picture_is_compared_within_atol_and_infinity_with_infinity():
 def test_values_are_shown_as_one_would_type_them(value, text):
     """np.float64(0.1), or a thousand numbers."""
     assert checks.shown(value).replace("int32", "int64") == text
+
+
+def test_a_report_has_80_columns_and_a_command_stays_whole():
+    """The terminal breaks lines in the middle of a number, or a command cannot be copied."""
+    def look(weights, longer_name, picture):
+        return weights
+
+    rng = np.random.default_rng(0)
+    arrays = -rng.random((5, 4)), rng.random((9, 3, 2)) * 1e6, rng.random(20) + 1j
+    prose = "one more word " * 20
+    text = checks.layout([("catches", prose), ("given", checks.shown_call(look, arrays, {})),
+                          ("wrong", f"It\n    x = {prose}"), ("again", prose.strip())])
+    *lines, command = text.splitlines()
+    assert max(map(len, lines)) <= 80 and command == f"again     {prose.strip()}"
+    assert "\n              x = one more" in text and "\n              more word" in text
 
 
 # --- the code under test ----------------------------------------------------------------------
@@ -291,6 +306,10 @@ def deep(x):  # exercise 1.6 (1 point)
 
 def other(x):  # exercise 1.7 (1 point)
     raise NotImplementedError("not yet")
+
+
+def rows(x):  # exercise 1.9 (1 point)
+    return [x, x]
 
 
 def strict(x):  # exercise 1.8 (1 point)
@@ -427,6 +446,12 @@ class Told(AssertionError):
     pass
 
 
+@exercise("1.9")
+def test_rows_are_two(impl):
+    """One."""
+    assert impl.rows(1.0)[:, None].shape == (2, 1)
+
+
 @exercise("1.8")
 def test_strict_is_not_strict(impl):
     """It is."""
@@ -470,8 +495,8 @@ expected  [[1., 1.],
            [1., 1.]]
 got       [[-1., -1.],
            [-1., -1.]]
-differs   in 4 of 4, first at [0, 0]: -1.0 came, 1.0 was expected; by 2 at most, at [0, 0]; \
-allowed 1e-12 + 1e-09 |expected|
+differs   in 4 of 4, first at [0, 0]: -1.0 came, 1.0 was expected; by 2 at most,
+          at [0, 0]; allowed 1e-12 + 1e-09 |expected|
 hint      the sign is flipped
 check     tests/test_transforms.py:32
           assert_close(
@@ -498,9 +523,15 @@ seed      0
 """)
 
 
+def test_a_list_for_an_array_is_told(output):
+    """The check breaks down, and the student reads of list indices in a line of ours."""
+    assert "\ngot       [1., 1.]\nhint      rows returned a list; np.array makes it an array\n" in (
+        output["test_rows_are_two"])
+
+
 def test_an_assertion_of_the_students_own_is_told_as_an_error(output):
     """It is taken for one of the check's."""
-    assert "wrong     AssertionError: too small\n          labs/transforms.py:39 in strict\n" in (
+    assert "wrong     AssertionError: too small\n          labs/transforms.py:43 in strict\n" in (
         output["test_strict_is_not_strict"])
 
 

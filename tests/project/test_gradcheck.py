@@ -514,18 +514,18 @@ def test_a_failure_of_any_shape_is_drawn(drawing, root, rng, shape):
     with pytest.raises(GradientMismatch) as caught:
         gradcheck(np.sin, lambda g, x: g * (np.cos(x) + x), (rng.uniform(1, 2, shape),),
                   name="sine")
-    assert caught.value.picture == str(root / "out" / "checks" / "sine.png")
-    assert str(caught.value).endswith("picture: out/checks/sine.png")
+    [picture] = (root / "out" / "checks").iterdir()
+    assert caught.value.picture == str(picture)
+    assert str(caught.value).endswith(f"picture: out/checks/{picture.name}")
     with Image.open(caught.value.picture) as picture:
         assert picture.size == (1600, 380) and len(np.unique(np.asarray(picture))) > 50
-    assert len(list((root / "out" / "checks").iterdir())) == 1
 
 
 def test_the_first_row_is_drawn_at_the_bottom(drawing, root, rng):
     """The picture of a gradient stands on its head beside all other pictures of the course."""
     failure(np.sin, lambda g, x: g * np.cos(x) * np.array([[2], [1], [1]]),
             (rng.normal(size=(3, 4)),), name="sine")
-    with Image.open(root / "out" / "checks" / "sine.png") as picture:
+    with Image.open(next((root / "out" / "checks").iterdir())) as picture:
         pixels = np.asarray(picture)[:, 940:1200, :3].astype(int)  # the panel of what is off
     rows = np.flatnonzero((pixels @ [1, -1, -1] > 50).any(axis=1))
     assert rows.size and rows.min() > 200

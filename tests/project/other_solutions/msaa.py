@@ -1,0 +1,93 @@
+"""Lab 4 once more: pixel by pixel, sample by sample, with dictionaries and sets."""
+import math
+
+import numpy as np
+
+
+def regular_grid(n):
+    return [((j + 0.5) / n, (i + 0.5) / n) for i in range(n) for j in range(n)]
+
+
+def lattice(count, step):
+    pattern, row = [], 0
+    for s in range(count):
+        row = (row + step) % (count + 1)
+        pattern.append(((2 * s + 1) / (2 * count), (2 * row - 1) / (2 * count)))
+    return pattern
+
+
+def centre_sample(clip, offset, width, height):
+    moved = np.array(clip, order="F")
+    for k, size in enumerate((width, height)):
+        moved[:, k] += moved[:, 3] * ((1 - 2 * offset[k]) / size)
+    return moved
+
+
+def coverage(face_index):
+    return sum(np.where(sample < 0, 0, 1) for sample in face_index) / len(face_index)
+
+
+def observed_order(n, error):
+    x, y = np.log2(n), np.log2(error)
+    x, y = x - sum(x) / len(x), y - sum(y) / len(y)
+    return -sum(x * y) / sum(x * x)
+
+
+def box_resolve(picture, n):
+    return sum(picture[i::n, j::n] for i in range(n) for j in range(n)) / n**2
+
+
+def box_resolve_backward(grad_output, picture, n):
+    return np.kron(grad_output, np.full((n, n, 1), 1 / n**2))
+
+
+def shading_requests_loop(face_index):
+    numbers, request = {}, np.full(face_index.shape, -1)
+    width = face_index.shape[2]
+    for s, i, j in np.ndindex(face_index.shape):
+        if face_index[s, i, j] >= 0:
+            pair = i * width + j, int(face_index[s, i, j])
+            request[s, i, j] = numbers.setdefault(pair, len(numbers))
+    pixel, face = np.array(list(numbers), int).reshape(-1, 2).T
+    return pixel, face, request
+
+
+def shading_requests(face_index):
+    pixels = np.broadcast_to(np.arange(face_index[0].size).reshape(face_index.shape[1:]),
+                             face_index.shape)
+    seen = face_index >= 0
+    pairs, number = np.unique(np.stack([face_index[seen], pixels[seen]]), axis=1,
+                              return_inverse=True)
+    request = np.full(face_index.shape, -1)
+    request[seen] = number.ravel()
+    return pairs[1], pairs[0], request
+
+
+def resolve(shade, request, background):
+    count, height, width = request.shape
+    picture = np.empty((height, width, len(background)))
+    for i, j in np.ndindex(height, width):
+        colours = [background if r < 0 else shade[r] for r in request[:, i, j]]
+        if all(np.array_equal(colour, colours[0]) for colour in colours):
+            picture[i, j] = colours[0]
+        else:
+            picture[i, j] = [math.fsum(channel) / count for channel in zip(*colours, strict=True)]
+    return picture
+
+
+def resolve_backward(grad_picture, shade, request, background):
+    grad_shade, grad_background = np.zeros(np.shape(shade)), np.zeros(np.shape(background))
+    for s, i, j in np.ndindex(request.shape):
+        share = grad_picture[i, j] / len(request)
+        if request[s, i, j] < 0:
+            grad_background += share
+        else:
+            grad_shade[request[s, i, j]] += share
+    return grad_shade, grad_background
+
+
+def cost(face_index, sample_bytes):
+    count, height, width = face_index.shape
+    shades = sum(len(set(face_index[:, i, j].tolist()) - {-1})
+                 for i in range(height) for j in range(width))
+    return count * height * width, shades, count * height * width * sample_bytes

@@ -1,0 +1,179 @@
+"""Lab 2 once more: bisection, brute force, complex numbers, and linear systems for areas."""
+import bisect
+
+import numpy as np
+
+from reference.rasterization import CAMERA_PLANE, EDGES, MARGIN, can_be_seen, farthest_first
+
+
+def edge_function(p, a, b):
+    # From the higher end; of equally high ones, from the right one.
+    p, a, b = np.broadcast_arrays(p, a, b)
+    e = np.empty(p.shape[:-1])
+    for index in np.ndindex(e.shape):
+        x, y = max(a[index].tolist(), b[index].tolist(), key=lambda end: (end[1], end[0]))
+        n_x, n_y = a[index][1] - b[index][1], b[index][0] - a[index][0]
+        e[index] = n_x * (p[index][0] - x) + n_y * (p[index][1] - y)
+    return e[()]
+
+
+def edge_function_backward(grad_e, p, a, b):
+    # The determinant stays the same when p, a, b are rotated: one rule for all three.
+    def slope(after, before):
+        return np.stack([grad_e * (after[..., 1] - before[..., 1]),
+                         grad_e * (before[..., 0] - after[..., 0])], -1)
+
+    return [slope(a, b), slope(b, p), slope(p, a)]
+
+
+def signed_area(triangle):
+    x, y = np.moveaxis(triangle, -1, 0)
+    return sum(x[..., k - 1] * y[..., k] - x[..., k] * y[..., k - 1] for k in range(3)) / 2
+
+
+def is_inside(p, triangle):
+    # As complex numbers: the imaginary part of conj(b - a) (p - a) is the cross product.
+    corners = [complex(*corner) for corner in triangle]
+    points = p[..., 0] + 1j * p[..., 1]
+    crosses = np.array([((end - start).conjugate() * (points - start)).imag
+                        for start, end in zip(corners, corners[1:] + corners[:1], strict=True)])
+    return (crosses.min(0) >= 0) | (crosses.max(0) <= 0)
+
+
+def is_top_left(n_x, n_y):
+    return np.where(np.equal(n_x, 0), np.greater(n_y, 0), np.greater(n_x, 0))
+
+
+def is_covered(p, triangle):
+    covered = np.zeros(np.shape(p)[:-1], bool)
+    for index in np.ndindex(covered.shape):
+        owned = []
+        for first, second in EDGES:
+            a, b = triangle[first], triangle[second]
+            e = edge_function(p[index], a, b)
+            owned.append(e > 0 or (e == 0 and is_top_left(a[1] - b[1], b[0] - a[0])))
+        covered[index] = all(owned)
+    return covered
+
+
+def barycentric_coordinates(p, triangle):
+    system = np.vstack([np.transpose(triangle), np.ones(3)])
+    right = np.concatenate([p, np.ones((*np.shape(p)[:-1], 1))], -1)
+    return np.linalg.solve(system, right[..., None])[..., 0]
+
+
+def bounding_box(triangle, width, height):
+    def inside(low, high, size):
+        found = [k for k in range(size) if low - MARGIN <= k + 0.5 <= high + MARGIN]
+        return (found[0], found[-1] + 1) if found else (size, 0)
+
+    (x0, x1), (y0, y1) = (inside(min(column), max(column), size)
+                          for column, size in zip(np.transpose(triangle), (width, height),
+                                                  strict=True))
+    return x0, y0, x1, y1
+
+
+def screen_points(clip, width, height):
+    points = np.full((3, len(clip)), np.nan)
+    for k, (x, y, _, w) in enumerate(np.asarray(clip, float).tolist()):
+        least = CAMERA_PLANE * max(abs(x), abs(y))
+        if abs(w) < least:
+            w = -least if w < 0 else least
+        points[2, k] = w
+        if w != 0:
+            points[:2, k] = width / 2 * (x / w) + width / 2, height / 2 * (y / w) + height / 2
+    return tuple(points)
+
+
+def cull_back_faces(x, y, w, faces):
+    kept = []
+    for face in faces:
+        behind = sum(w[k] < 0 for k in face)
+        area = signed_area(np.array([[x[k], y[k]] for k in face]))
+        if (area > 0 and behind % 2 == 0) or (area < 0 and behind % 2 == 1):
+            kept.append(face)
+    return np.array(kept, int).reshape(-1, 3)
+
+
+def half_planes(x, y, w):
+    planes = np.zeros((4, 3, np.shape(x)[1]))
+    for f in range(np.shape(x)[1]):
+        area = ((x[1, f] - x[0, f]) * (y[2, f] - y[0, f])
+                - (x[2, f] - x[0, f]) * (y[1, f] - y[0, f]))
+        for k, (a, b) in enumerate(EDGES):
+            turned = np.sign(area) * np.sign(w[k, f])
+            end = min(a, b, key=lambda j: (-abs(w[j, f]), x[j, f], y[j, f]))
+            planes[:, k, f] = (turned * (y[a, f] - y[b, f]), turned * (x[b, f] - x[a, f]),
+                               x[end, f], y[end, f])
+    return tuple(planes)
+
+
+def depth_slopes(x, y, z):
+    # The normal of the plane through three points in space.
+    corners = np.stack([x, y, z], -1)
+    with np.errstate(all="ignore"):
+        n_x, n_y, n_z = np.cross(corners[1] - corners[0], corners[2] - corners[0]).T
+        return -n_x / n_z, -n_y / n_z
+
+
+def rasterize_loop(clip, faces, width, height):
+    # Face by face, but all pixels at once.
+    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    with np.errstate(all="ignore"):
+        z = np.asarray(clip)[:, 2] / w
+    column, row = np.meshgrid(np.arange(width), np.arange(height))
+    for f in np.flatnonzero(can_be_seen(clip, x, y, faces)):
+        corners = farthest_first(np.array(faces[f])[:, None], w)
+        cx, cy, cz = x[corners], y[corners], z[corners]
+        covered = np.ones((height, width), bool)
+        if (w[corners] > 0).all():
+            x0, y0, x1, y1 = bounding_box(np.hstack([cx, cy]), width, height)
+            covered = (column >= x0) & (column < x1) & (row >= y0) & (row < y1)
+        for n_x, n_y, from_x, from_y in zip(*half_planes(cx, cy, w[corners]), strict=True):
+            with np.errstate(all="ignore"):
+                e = n_x * (column + 0.5 - from_x) + n_y * (row + 0.5 - from_y)
+            covered &= (e > 0) | ((e == 0) & is_top_left(n_x, n_y))
+        dz_dx, dz_dy = depth_slopes(cx, cy, cz)
+        with np.errstate(all="ignore"):
+            deep = dz_dx * (column + 0.5 - cx[0]) + (dz_dy * (row + 0.5 - cy[0]) + cz[0])
+            nearer = covered & (deep >= -1) & (deep <= 1) & (deep < depth)
+        face_index[nearer], depth[nearer] = f, deep[nearer]
+    return face_index, depth
+
+
+def first_column(slope, from_x, offset, width):
+    return np.array([
+        float(bisect.bisect_left(range(width), True, key=lambda j: m * (j + 0.5 - x) + c >= 0))
+        for m, x, c in zip(slope, from_x, offset, strict=True)])
+
+
+def row_interval(planes, face, y, width):
+    intervals = np.empty((2, len(face)))
+    for r in range(len(face)):
+        opening, closing = [0], [width]
+        for n_x, n_y, from_x, from_y in zip(*(part[:, face[r]] for part in planes), strict=True):
+            opens = is_top_left(n_x, n_y)
+            sign = 1 if opens else -1
+            offset = n_y * (y[r] - from_y)
+            (opening if opens else closing).append(bisect.bisect_left(
+                range(width), True,
+                key=lambda j: sign * (n_x * (j + 0.5 - from_x) + offset) >= 0))
+        intervals[:, r] = max(opening), min(closing)
+    return tuple(intervals)
+
+
+def barycentric_on_face(px, py, x, y, w):
+    return system(px, py, x, y, w)[:, :, 2].T
+
+
+def barycentric_derivatives(px, py, x, y, w):
+    # M b = (0, 0, 1). The sample is in the first two rows of M, times -w.
+    inverse = system(px, py, x, y, w)
+    mean_w = (w.T * inverse[:, :, 2]).sum(-1)
+    return tuple((inverse[:, :, k] * mean_w[:, None]).T for k in range(2))
+
+
+def system(px, py, x, y, w):
+    """sum b_k w_k (x_k - px) = 0, the same in y, and sum b_k = 1: the inverses (N, 3, 3)."""
+    return np.linalg.inv(np.moveaxis([w * (x - px), w * (y - py), np.ones_like(w)], -1, 0))
