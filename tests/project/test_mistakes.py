@@ -50,8 +50,8 @@ def test_a_student_reads_the_sentence(run_module, pytestconfig, tmp_path):
     (tmp_path / "transforms.py").write_text(
         reference.replace("    return points @ matrix.T", own, 1), encoding="utf-8")
     done = run_module(pytestconfig.rootpath, "course", "check", "1.2", "--impl", tmp_path)
-    assert ("hint      this is what comes out when the transposed matrix is applied: points are "
-            "rows here, but the matrix acts on columns\n") in done.stdout
+    assert ("hint this is what comes out when the transposed matrix is applied: points are "
+            "rows here, but the matrix acts on columns") in " ".join(done.stdout.split())
     done = run_module(pytestconfig.rootpath, "course", "check", "1.2", "--impl", tmp_path,
                       "--seed", "3")
     assert done.returncode == 1
