@@ -802,7 +802,7 @@ def test_without_perspective_the_weights_change_at_one_rate(impl):
 def test_the_derivatives_are_central_differences(impl, rng):
     """The quotient rule's second term, - b ds, is missing: right only without perspective."""
     h = 1e-5
-    x, y = rng.uniform(0, 8, (2, 3, 20))
+    x, y = rng.uniform(-1, 1, (2, 3, 20)) + [[[0], [8], [2]], [[0], [1], [7]]]  # none is thin
     w = rng.uniform(0.5, 2, (3, 20)) * np.where(np.arange(20) < 10, 1, [[1], [1], [-3]])
     px, py = x.mean(0), y.mean(0)
     db_dx, db_dy = impl.barycentric_derivatives(px, py, x, y, w)

@@ -260,7 +260,7 @@ def test_with_cotangents_the_energy_is_the_area(impl, rng):
     edges, face_edges = mesh.edges(faces)
     given = np.array([[1 / np.tan(angle(t[k], t[k - 1], t[k - 2])) for k in range(3)]
                       for t in vertices[faces]])
-    weights = impl.cotangent_weights(given, face_edges, len(edges))
+    weights = np.asarray(impl.cotangent_weights(given, face_edges, len(edges)))
     a, b, c = vertices[faces.T]
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
     energy = (weights[:, None] * (vertices[edges[:, 0]] - vertices[edges[:, 1]])**2).sum() / 2
