@@ -38,8 +38,8 @@ REASONS = "the link condition", "a repeated face", "a flipped face"
 def face_planes(vertices, faces):  # exercise 12.1 (2 points)
     """Eq. (1): vertices (V, 3), faces (F, 3) -> p (F, 4), the rows (n, d).
 
-    n points to the side that sees the face counter-clockwise. A face without area, whose
-    `mesh.face_normals` is 0, has p = 0.
+    n points to the side that sees the face counter-clockwise. A face without area, also one that is
+    flat up to rounding, has p = 0: take n from `mesh.face_normals`, which decides that.
 
     >>> face_planes(np.array([[0.0, 0.0, 2.0], [3.0, 0.0, 2.0], [0.0, 1.0, 2.0]]),
     ...             np.array([[0, 1, 2]]))
