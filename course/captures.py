@@ -224,7 +224,7 @@ def run(labs, folder):
     stages = fits.FINE_STAGES
     path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
     fit = labs.reconstruction.fit(pictures, cameras, fits.WHITE, stages)
-    for _, loss, x in watched(labs, fit, sum(stage[3] for stage in stages), path):  # noqa: B007
+    for _, loss, x in watched(labs, fit, fits.steps_of(stages), path):  # noqa: B007
         pass
     _, faces, *_ = labs.reconstruction.surface(x)
     pieces, genus = labs.reconstruction.genus(faces)

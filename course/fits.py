@@ -666,6 +666,11 @@ def reconstruction(labs, name, stages, size=128, count=24, **settings):
     return labs.reconstruction.fit(pictures, cameras, WHITE, stages, **settings)
 
 
+def steps_of(stages):
+    """How many steps `fit` takes."""
+    return sum(steps for _, _, _, steps, _ in stages)
+
+
 def decibels(pictures, truth):
     """Colours of pictures (H, W, 4), as seen on a screen, against the truth: mean PSNR in dB."""
     errors = [((image.to_srgb(np.clip(a, 0, 1)) - image.to_srgb(np.clip(b, 0, 1)))[..., :3]**2)
@@ -695,3 +700,33 @@ def judged(labs, x, name, size=128):
             "new views": decibels(*pictures[:2]), "relit": decibels(*pictures[2:]),
             "light": np.linalg.norm(x[3] / scale - light) / np.linalg.norm(light),
             "scale": scale, "pictures": pictures}
+
+
+def without_edges(labs):
+    """Lab 9's `render` and its backward pass without antialiasing, for lab 16's `fit`."""
+    lab9 = labs.inverse_rendering
+
+    def render(positions, faces, colours, clip_from_model, width, height, background, opposite):
+        clip = lab9.to_clip(positions, clip_from_model)
+        colour, *seen = lab9.shade(clip, faces, colours, width, height, background)
+        return colour, (clip, *seen, colour)
+
+    def render_backward(grad_picture, buffers, positions, faces, colours, clip_from_model,
+                        opposite):
+        clip, face_index, _, barycentric, _ = buffers
+        grad_clip, grad_colours = lab9.shade_backward(grad_picture, clip, faces, colours,
+                                                      face_index, barycentric)
+        grad_positions, grad_clip_from_model = lab9.geometry_backward(
+            grad_clip, None, face_index, clip, positions, faces, clip_from_model)
+        return grad_positions, grad_colours, grad_clip_from_model
+
+    return render, render_backward
+
+
+def portrait(labs, x, camera, size, samples=2):
+    """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
+    vertices, faces, _, _, albedo = labs.reconstruction.surface(x)
+    clay = np.full(albedo.shape, 0.8)
+    seen = [photographs(labs, vertices, faces, *paint, [camera], size, samples)[0][..., :3]
+            for paint in ((albedo, x[3]), (clay, daylight(labs)))]
+    return image.to_srgb(np.clip(np.hstack(seen), 0, 1))
