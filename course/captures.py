@@ -31,8 +31,9 @@ EVERY = 20          # steps from one mesh on disk to the next
 
 
 def read(labs, folder):
-    """A folder -> pictures, a list of (H, W, 4), linear colours on white and coverage; cameras
-    (N, 4, 4), clip_from_grid: the grid is [-1, 1]^3, and the ball around the object fits in it.
+    """A folder -> pictures, a list of (H, W, 4), linear colours and coverage; cameras (N, 4, 4),
+    clip_from_grid; background (3,), linear; world_from_grid (4, 4): the grid is [-1, 1]^3, and the
+    ball around the object just fits in it.
 
     FileNotFoundError, OSError or ValueError, one sentence for each thing that can be wrong.
     """
@@ -40,16 +41,17 @@ def read(labs, folder):
     scene = described(folder / "cameras.json")
     fov_y, radius = number(scene, "fov_y", 1, 170), number(scene, "radius", 1e-9, 1e9, 1.0)
     centre = numbers(scene.get("centre", [0, 0, 0]), (3,), "centre")
-    background = scene.get("background")
-    if background is not None:
-        background = numbers(background, (3,), "background") / 255
-    found = [silhouette(folder / view["picture"], background) for view in scene["views"]]
-    sizes = {picture.shape for picture in found}
-    require(len(sizes) == 1, f"all pictures must have one size, but there are {sorted(sizes)}")
-    height, width, _ = found[0].shape
+    behind = scene.get("background")
+    behind = behind if behind is None else numbers(behind, (3,), "background") / 255
+    found = [silhouette(folder / view["picture"], behind) for view in scene["views"]]
+    sizes = sorted({picture.shape[1::-1] for picture in found})
+    require(len(sizes) == 1, f"all pictures must have one size, but here are {sizes}")
+    (width, height), = sizes
+    world_from_grid = labs.transforms.translate(centre) @ np.diag([radius, radius, radius, 1.0])
     cameras = [camera(labs, view, np.radians(fov_y), width / height, centre, radius)
                for view in scene["views"]]
-    return [smaller(picture) for picture in found], np.array(cameras)
+    return ([smaller(picture) for picture in found], np.array(cameras) @ world_from_grid,
+            np.ones(3) if behind is None else image.to_linear(behind), world_from_grid)
 
 
 def described(path):
@@ -93,19 +95,20 @@ def number(scene, name, low, high, default=None):
     return float(value)
 
 
-def silhouette(path, background):
-    """A picture (H, W, 4): linear colours on white, and coverage."""
+def silhouette(path, behind):
+    """A picture (H, W, 4): linear colours on the background, else white; coverage."""
     picture = image.read(path)
-    if picture.shape[2] == 3:
-        require(background is not None, f"{path.name} has no transparency: give the colour behind "
-                'the object in cameras.json, such as "background": [255, 255, 255]')
-        covered = (np.abs(picture - background) > DIFFERENT).any(2, keepdims=True)
-        picture = np.concatenate([picture, covered], 2)
-    require(picture[..., 3].any(), f"{path.name} shows no object: everywhere it is background")
-    require((picture[..., 3] == 0).any(), f"{path.name} shows no background: without silhouettes "
-            "nothing says where the object ends")
-    covered = picture[..., 3:]
-    return np.concatenate([image.to_linear(picture[..., :3]) * covered + 1 - covered, covered], 2)
+    colour, alpha = image.to_linear(picture[..., :3]), picture[..., 3:]
+    if alpha.size:
+        colour = colour * alpha + (1 - alpha) * (1 if behind is None else image.to_linear(behind))
+    else:
+        require(behind is not None, f"{path.name} has no transparency: give the colour behind the "
+                'object in cameras.json, such as "background": [255, 255, 255]')
+        alpha = (np.abs(picture - behind) > DIFFERENT).any(2, keepdims=True)
+    require(alpha.any(), f"{path.name} shows no object: everywhere it is background")
+    require((alpha == 0).any(), f"{path.name} shows no background: without silhouettes nothing "
+            "says where the object ends")
+    return np.concatenate([colour, alpha], 2)
 
 
 def smaller(picture):
@@ -119,7 +122,7 @@ def smaller(picture):
 
 
 def camera(labs, view, fov_y, aspect, centre, radius):
-    """clip_from_grid (4, 4) of a view."""
+    """clip_from_world (4, 4) of a view, which must see the ball of centre and radius."""
     name = f"world_from_camera of {view['picture']}"
     pose = numbers(view["world_from_camera"], (4, 4), name)
     turn = pose[:3, :3]
@@ -135,18 +138,18 @@ def camera(labs, view, fov_y, aspect, centre, radius):
     high = np.tan(fov_y / 2) * -seen[2]
     require(seen[2] < 0 and abs(seen[0]) < aspect * high and abs(seen[1]) < high,
             f"the camera of {view['picture']} does not see the object's centre: it looks along -z")
-    world_from_grid = labs.transforms.translate(centre) @ np.diag([radius, radius, radius, 1.0])
     near = max(-seen[2] - 2 * radius, 0.01 * radius)
     clip_from_camera = labs.transforms.perspective(fov_y, aspect, near, -seen[2] + 2 * radius)
-    return clip_from_camera @ np.linalg.inv(pose) @ world_from_grid
+    return clip_from_camera @ np.linalg.inv(pose)
 
 
 # --- what goes out -----------------------------------------------------------------------------
 
 
-def save(labs, x, path):
-    """The mesh of x with its albedo as vertex colours, as path.glb and path.obj."""
+def save(labs, x, path, world_from_grid):
+    """The mesh of x in the world, its albedo as vertex colours, as path.glb and path.obj."""
     vertices, faces, _, normals, albedo = labs.reconstruction.surface(x)
+    vertices = vertices @ world_from_grid[:3, :3].T + world_from_grid[:3, 3]
     places.write_whole(path.with_suffix(".glb"), glb(vertices, faces, normals, albedo))
     places.write_whole(path.with_suffix(".obj"), obj(vertices, faces, albedo))
 
@@ -188,7 +191,7 @@ def glb(vertices, faces, normals, albedo):
 # --- the run -----------------------------------------------------------------------------------
 
 
-def watched(labs, fit, steps, path):
+def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
     """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
     on disk, at path, every EVERY steps, and at the end, however it comes: also by Ctrl-C.
     """
@@ -206,7 +209,7 @@ def watched(labs, fit, steps, path):
                     faces = labs.reconstruction.surface(x)[1]
                     _, genus = labs.reconstruction.genus(faces)
                     told = f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
-                    save(labs, x, path)
+                    save(labs, x, path, world_from_grid)
                     progress.update(task, told=told)
                 progress.update(task, completed=step)
                 yield n, loss, x
@@ -215,17 +218,16 @@ def watched(labs, fit, steps, path):
             raise
         finally:
             if good is not None:
-                save(labs, good, path)
+                save(labs, good, path, world_from_grid)
 
 
 def run(labs, folder):
     """Reconstruct what a folder's pictures show; says where the mesh is. -> 0"""
-    pictures, cameras = read(labs, folder)
-    stages = fits.FINE_STAGES
-    path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
-    fit = labs.reconstruction.fit(pictures, cameras, fits.WHITE, stages)
-    for _, loss, x in watched(labs, fit, fits.steps_of(stages), path):  # noqa: B007
-        pass
+    pictures, cameras, background, world_from_grid = read(labs, folder)
+    stages, name = fits.FINE_STAGES, Path(folder).resolve().name
+    path = places.out("demo", "reconstruct", f"{name}.glb")
+    fit = labs.reconstruction.fit(pictures, cameras, background, stages)
+    *_, (_, loss, x) = watched(labs, fit, fits.steps_of(stages), path, world_from_grid)
     _, faces, *_ = labs.reconstruction.surface(x)
     pieces, genus = labs.reconstruction.genus(faces)
     print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"
