@@ -38,7 +38,7 @@ from . import (
 C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
 
-SILHOUETTE, CARVE, CHANGES, BUMPS = WEIGHTS = 1.0, 1.0, 1e-3, 1e-2  # of the loss's parts
+SILHOUETTE, CARVE, CHANGES, BUMPS = WEIGHTS = 1.0, 4.0, 1e-3, 1e-2  # of the loss's parts
 RATES = 1.0, 0.02, 0.1, 0.05  # of distance and offsets, in cells of the grid, of albedo and light
 FREE = 1 / 6.01  # of a cell: up to 1 / 6, points that are moved turn no tetrahedron over
 SPREAD = 1.0     # the amount of eq. (8)
@@ -110,12 +110,12 @@ def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 poi
 
 
 def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 points)
-    """Backward of eq. (4), of `course.mesh.vertex_normals`: grad_normals (V, 3) ->
+    """Backward of eq. (4), which is `course.mesh.vertex_normals`: grad_normals (V, 3) ->
     grad_vertices (V, 3).
 
-    vertices (V, 3); faces (F, 3), each with an area. A vertex whose m is 0 (it has no face) has
-    the normal 0, and hands nothing back. A longer m is no other normal: grad_m is at right angles
-    to it.
+    vertices (V, 3); faces (F, 3), each with an area. Of a vertex whose m is 0 (it has no face, or
+    they cancel), the normal is 0, and hands nothing back. A longer m is no other normal: grad_m is
+    at right angles to it.
 
     >>> vertices = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     >>> grad_normals = np.array([[8.0, 4.0, 7.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])

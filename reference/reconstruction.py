@@ -118,12 +118,12 @@ def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 poi
 
 
 def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 points)
-    """Backward of eq. (4), of `course.mesh.vertex_normals`: grad_normals (V, 3) ->
+    """Backward of eq. (4), which is `course.mesh.vertex_normals`: grad_normals (V, 3) ->
     grad_vertices (V, 3).
 
-    vertices (V, 3); faces (F, 3), each with an area. A vertex whose m is 0 (it has no face) has
-    the normal 0, and hands nothing back. A longer m is no other normal: grad_m is at right angles
-    to it.
+    vertices (V, 3); faces (F, 3), each with an area. Of a vertex whose m is 0 (it has no face, or
+    they cancel), the normal is 0, and hands nothing back. A longer m is no other normal: grad_m is
+    at right angles to it.
 
     >>> vertices = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     >>> grad_normals = np.array([[8.0, 4.0, 7.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])

@@ -182,6 +182,25 @@ def test_a_vertex_of_no_face_stays_quiet(impl):
 
 
 @exercise("16.6")
+def test_faces_that_cancel_hand_nothing_back(impl):
+    """0 / 0 where two faces lie back to back."""
+    vertices = np.array([[0.0, 0, 0], [2.0, 0, 0], [0.0, 2.0, 0], [0.0, 0.0, 2.0]])
+    faces = np.array([[0, 1, 2], [0, 2, 1]])
+    with np.errstate(all="raise"):
+        got = impl.vertex_normals_backward(np.ones((4, 3)), vertices, faces)
+    assert_close(got, np.zeros((4, 3)))
+
+
+@exercise("16.6")
+def test_small_faces_turn_faster(impl):
+    """Lengths that are taken for 0; a face of a tenth of the size turns ten times as fast."""
+    vertices, faces = 0.1 * np.array([[0.0, 0, 0], [1.0, 0, 0], [0, 1.0, 0]]), np.array([[0, 1, 2]])
+    got = impl.vertex_normals_backward(np.array([[3.0, 0, 0], [0, 0, 0], [0, 0, 0]]), vertices,
+                                       faces)
+    assert_close(got, np.array([[0, 0, 30.0], [0, 0, -30.0], [0, 0, 0]]))
+
+
+@exercise("16.6")
 def test_gradients_of_normals_are_central_differences(impl, rng):
     """Faces at a vertex are averaged by number, not by area; or only one corner moves them."""
     vertices, faces = mesh.icosphere(20)
