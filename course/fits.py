@@ -622,21 +622,21 @@ def paint(points):
     x, y, z = points.T
     band = 0.5 + 0.5 * np.tanh(3 * np.sin(9 * y + 2 * np.sin(4 * x) + 1))[:, None]
     spot = 0.5 + 0.5 * np.tanh(4 * np.sin(7 * x + 1) * np.sin(7 * z) - 1)[:, None]
-    cream, teal, coral = np.array([[0.9, 0.8, 0.6], [0.12, 0.4, 0.5], [0.85, 0.3, 0.2]])
+    cream, teal, coral = np.array([[0.85, 0.72, 0.45], [0.06, 0.35, 0.5], [0.8, 0.2, 0.12]])
     return (1 - spot) * (band * cream + (1 - band) * teal) + spot * coral
 
 
 def daylight(labs):
     """Sun, sky, and some light from the ground (9, 3)."""
     towards = np.array([[0.5, 0.7, 0.5], [-0.8, 0.3, 0.3], [0.0, -1.0, 0.0], [0.0, 0.4, -0.9]])
-    return lamps(labs, towards, [[0.75, 0.7, 0.6], [0.2, 0.25, 0.35], [0.15, 0.1, 0.1],
-                                 [0.2, 0.25, 0.3]], 0.25)
+    return lamps(labs, towards, [[0.97, 0.88, 0.75], [0.2, 0.3, 0.45], [0.2, 0.12, 0.1],
+                                 [0.25, 0.3, 0.4]], 0.12)
 
 
 def evening(labs):
     """A red sun from the other side, and a blue lamp (9, 3)."""
     towards = np.array([[-0.8, 0.3, -0.5], [0.9, 0.1, 0.4]])
-    return lamps(labs, towards, [[0.8, 0.5, 0.3], [0.2, 0.35, 0.6]], 0.25)
+    return lamps(labs, towards, [[1.0, 0.6, 0.35], [0.25, 0.4, 0.75]], 0.15)
 
 
 def lamps(labs, towards, strength, even):

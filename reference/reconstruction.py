@@ -39,7 +39,7 @@ C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
 
 SILHOUETTE, CARVE, CHANGES, BUMPS = WEIGHTS = 1.0, 4.0, 1e-3, 1e-2  # of the loss's parts
-RATES = 1.0, 0.02, 0.1, 0.05  # of distance and offsets, in cells of the grid, of albedo and light
+RATES = 1.0, 0.02, 0.05, 0.1  # of distance and offsets, in cells of the grid, of albedo and light
 FREE = 1 / 6.01  # of a cell: up to 1 / 6, points that are moved turn no tetrahedron over
 SPREAD = 1.0     # the amount of eq. (8)
 
