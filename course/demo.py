@@ -494,11 +494,11 @@ def fit_outlines(labs):
 
 
 def reconstruct(labs):
-    """Shape, albedo and light from 24 pictures; or from your own: reconstruct FOLDER (lab 16)."""
+    """Shape, albedo and light from 24 pictures, or from FOLDER (lab 16)."""
     for name, stages, seconds, genus, percent in (("ring", fits.BALL_STAGES, 180, 1, 1.0),
                                                   ("two rings", fits.BALL_STAGES, 180, 2, 1.0),
                                                   ("bunny", fits.FINE_STAGES, 360, 0, 1.2)):
-        path = places.out("demo", "reconstruct", f"{name}.glb")
+        path = places.out("demo", "reconstruct", f"{name.replace(' ', '_')}.glb")
         camera, frames = fits.cameras_around(labs, 8, longitude=1.1)[4], []
         start, steps = time.process_time(), fits.steps_of(stages)
         fit = fits.reconstruction(labs, name, stages)
@@ -507,7 +507,7 @@ def reconstruct(labs):
                 frames.append(fits.portrait(labs, x, camera, 128))
         spent = time.process_time() - start
         yield f"{name}: {spent:.0f} s", path, (f"{seconds} s", spent <= seconds)
-        animation = places.out("demo", "reconstruct", f"{name} on its way.png")
+        animation = path.with_name(f"{path.stem}_on_its_way.png")
         image.write_animation(animation, frames + 12 * frames[-1:], 0.12)
         yield "  on its way", animation
         yield from compared(labs, x, name, genus, percent)
@@ -528,7 +528,7 @@ def compared(labs, x, name, genus, percent):
     sheet = np.hstack([np.vstack([picture[..., :3] for picture in pictures[::2]])
                        for pictures in judged["pictures"]])
     yield ("  fit, truth; relit, truth",
-           save("reconstruct", name, image.to_srgb(np.clip(sheet, 0, 1))))
+           save("reconstruct", name.replace(" ", "_"), image.to_srgb(np.clip(sheet, 0, 1))))
 
 
 def ablations(labs):

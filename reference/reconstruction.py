@@ -5,7 +5,7 @@
     c = albedo * E(n),   albedo = albedo(p)        what leaves the surface, alike to all sides   (3)
     n_v = m / |m|,   m = sum of (b - a) x (c - a)  over the faces a, b, c at the vertex v        (4)
     L = mean (c - C)^2 + weight mean (o - O)^2     picture c, o; target C, O; coverage o, O      (5)
-    - mean of s over pixels that see what is not   carving: s = (1 - t) s_a + t s_b, t held      (6)
+    - sum of s / pixels, where one sees what isn't carving: s = (1 - t) s_a + t s_b, t held      (6)
     H(s_a, s_b) + H(s_b, s_a) per crossed edge,    H(s, other) = log(1 + exp(-s sign(other)))    (7)
     (I + amount Laplacian)^-1 g                    a gradient spread over the grid               (8)
     genus = pieces - (V - E + F) / 2               holes through a closed surface                (9)
@@ -38,10 +38,10 @@ from . import (
 C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
 
-SILHOUETTE, CARVE, CHANGES, BUMPS = WEIGHTS = 1.0, 4.0, 1e-3, 1e-2  # of the loss's parts
-RATES = 1.0, 0.02, 0.05, 0.1  # of distance and offsets, in cells of the grid, of albedo and light
-FREE = 1 / 6.01  # of a cell: up to 1 / 6, points that are moved turn no tetrahedron over
-SPREAD = 1.0     # the amount of eq. (8)
+WEIGHTS = 1.0, 4.0, 1e-3, 1e-2  # in the loss: of coverage, carving, sign changes, bumps
+RATES = 1.0, 0.02, 0.05, 0.1    # of distance and offsets (in cells of the grid), albedo, light
+FREE = 1 / 6.01                 # of a cell: offsets of less than 1/6 turn no tetrahedron over
+SPREAD = 1.0                    # the amount of eq. (8)
 
 # --- light and shading: eq. (1) to (3) ----------------------------------------------------------
 
@@ -375,11 +375,11 @@ def look(shape, colours, view, samples, background, weights, eye):
 def loss_and_gradients(x, views, samples, background, weights, eye):
     """The mean loss of views, and the gradient of it with all regularizers -> loss, four arrays.
 
-    weights: of silhouette, carving, sign changes and bumps. eye: a way to `render`, and back.
+    weights: as WEIGHTS. eye: a way to `render`, and back.
     """
     distance, _, _, light = x
     vertices, faces, ends, normals, albedo = surface(x)
-    n = round(len(distance)**(1 / 3)) - 1
+    cell = 2 / (round(len(distance)**(1 / 3)) - 1)  # regularizers count in cells: alike on any grid
     colours = np.hstack([shade(albedo, normals, light), np.ones((len(vertices), 1))])
     shape = vertices, faces, antialiasing.opposite_vertices(faces)
     seen = [look(shape, colours, view, samples, background, weights, eye) for view in views]
@@ -389,13 +389,11 @@ def loss_and_gradients(x, views, samples, background, weights, eye):
     grad_albedo, grad_normals, grad_light = shade_backward(grad_colours[:, :3], albedo, normals,
                                                            light)
     grad_vertices = (grad_vertices + vertex_normals_backward(grad_normals, vertices, faces)
-                     + bumps_backward(weights[3] * n**2 / 4, vertices, normals,
+                     + bumps_backward(weights[3] / cell**2, vertices, normals,
                                       mesh.edges(faces)[0]))
     grad_distance, *grads = surface_backward(grad_vertices, grad_albedo, ends, x)
     grad_distance += level_backward(grad_level, ends, distance)
-    # In cells, of 2 / n each.
-    grad_distance += n / 2 * sign_changes_backward(weights[2] / len(vertices), distance * n / 2,
-                                                   ends)
+    grad_distance += sign_changes_backward(weights[2] / len(vertices), distance / cell, ends) / cell
     return loss, (grad_distance, *grads, grad_light)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from course import captures, demo, fits, image, mesh
+from course import captures, cli, demo, fits, image, mesh
 from course.gradcheck import gradcheck
 from reference import antialiasing, implicit_surfaces, reconstruction
 
@@ -367,3 +367,14 @@ def test_a_folder_without_cameras_and_a_broken_file(folder):
     (folder / "cameras.json").unlink()
     with pytest.raises(FileNotFoundError, match=r"there is no file .*cameras.json"):
         captures.read(LABS, folder)
+
+
+def test_the_command_takes_a_folder(folder, capsys):
+    """A folder's name is taken for a scene's, or a scene's for a folder's; or a traceback."""
+    (folder / "cameras.json").write_text("{}")
+    assert cli.main(["demo", "reconstruct", str(folder)]) == 2
+    assert capsys.readouterr().err.startswith("course: cameras.json must be ")
+    assert cli.main(["demo", "reconstruct", str(folder / "none")]) == 2
+    assert "there is no file" in capsys.readouterr().err
+    assert cli.main(["demo", "reconstruct", "bunny", "nonsense"]) == 2
+    assert "there is no scene nonsense" in capsys.readouterr().err
