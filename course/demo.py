@@ -540,7 +540,7 @@ def ablations(labs):
         *_, (_, _, x) = fits.reconstruction(labs, "bunny", stages, **setting)
         judged = fits.judged(labs, x, "bunny")
         yield (f"{name}: {judged['new views']:.1f} dB, {judged['distance']:.2%} off",
-               save("ablations", name, fits.portrait(labs, x, camera, 256)))
+               save("ablations", name.replace(" ", "_"), fits.portrait(labs, x, camera, 256)))
 
 
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
