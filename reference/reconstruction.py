@@ -248,14 +248,14 @@ def bumps_backward(grad_bumps, vertices, normals, edges):
 
 
 def spread(x, amount):  # exercise 16.12 (4 points)
-    """Eq. (8): the y with y + amount * Laplacian(y) = x; of a grid, sums stay as they are.
+    """Eq. (8): the y with y + amount * Laplacian(y) = x, on a grid; its sum is that of x.
 
     x (G,) or (G, C): numbers on a grid of m^3 = G points, in the order of `tetrahedral_grid`;
     amount >= 0 -> y, of the shape of x. Laplacian(y) at a point is the sum of y - y' over its
-    neighbours y' along the three axes: 6 of them, fewer at the border. For m = 49 a sparse solve
-    takes minutes; but cosines diagonalise it, so that `scipy.fft.dctn` (norm="ortho") and `idctn`
-    take a few milliseconds: of m numbers in a row, the Laplacian multiplies the k-th coefficient,
-    k = 0 ... m - 1, by 2 - 2 cos(pi k / m).
+    neighbours y' along the three axes: 6 of them, fewer at the border. A sparse solve is slow for
+    m = 49. But cosines diagonalise the Laplacian: of m numbers in a row, it multiplies coefficient
+    k = 0 ... m - 1 by 2 - 2 cos(pi k / m). `scipy.fft.dctn` and `idctn` with norm="ortho" go there
+    and back, along the axes that they are given.
 
     >>> spread(np.array([105.0, 0, 0, 0, 0, 0, 0, 0]), 1.0).round(6)
     array([36., 13., 13.,  8., 13.,  8.,  8.,  6.])
@@ -288,8 +288,8 @@ def genus(faces):  # exercise 16.13 (2 points)
 def best_scale(found, truth):  # exercise 16.14 (1 point)
     """By what factors (C,) does found come nearest to truth? Both (V, C); least squares.
 
-    Half the albedo and twice the light are the same picture. So one factor for each colour is what
-    nobody can know.
+    No column of found is 0 throughout. (Half the albedo and twice the light are the same picture:
+    one factor for each colour is what nobody can know.)
 
     >>> best_scale(np.array([[1.0, 2.0], [3.0, 0.0]]), np.array([[2.0, 1.0], [6.0, 5.0]]))
     array([2. , 0.5])
