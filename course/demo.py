@@ -499,7 +499,7 @@ def reconstruct(labs):
                                                   ("two rings", fits.BALL_STAGES, 180, 2, 1.0),
                                                   ("bunny", fits.FINE_STAGES, 360, 0, 1.2)):
         path = places.out("demo", "reconstruct", f"{name.replace(' ', '_')}.glb")
-        camera, frames = fits.cameras_around(labs, 8, longitude=1.1)[4], []
+        camera, frames = fits.cameras_around(labs, 8, longitude=1.1)[5], []
         start, steps = time.process_time(), fits.steps_of(stages)
         fit = fits.reconstruction(labs, name, stages)
         for step, (_, _, x) in enumerate(captures.watched(labs, fit, steps, path), 1):
@@ -533,7 +533,7 @@ def compared(labs, x, name, genus, percent):
 
 def ablations(labs):
     """What lab 16's search is without one of its parts."""
-    stages, camera = fits.FINE_STAGES[:2], fits.cameras_around(labs, 8, longitude=1.1)[4]
+    stages, camera = fits.FINE_STAGES[:2], fits.cameras_around(labs, 8, longitude=1.1)[5]
     weights = *labs.reconstruction.WEIGHTS[:2], 0.0, 0.0
     for name, setting in (("all of it", {}), ("no antialiasing", {"eye": fits.without_edges(labs)}),
                           ("no regularizers", {"weights": weights}), ("4 views", {"count": 4})):
