@@ -18,7 +18,7 @@ each colour, and no shadows: it comes from far away, and reaches all.
 The caller guarantees cameras that are right, and an object within [-1, 1]^3.
 
 Sources: lecture "Differentiable graphics 1" (its last part); Ramamoorthi and Hanrahan 2001 (1),
-(2); Shen et al. 2021 and Munkberg et al. 2022 (7), and the plan of it all; Neuberger 1985 (8).
+(2); Shen et al. 2021 and Munkberg et al. 2022 (7), and the plan of it all; Nicolet et al. 2021 (8).
 """
 import numpy as np
 import scipy.fft
