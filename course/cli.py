@@ -91,7 +91,8 @@ def arguments():
         return made.add_argument
 
     option = add(demo)
-    option("names", nargs="*", metavar="NAME", help="a scene; without a name, all quick ones")
+    option("names", nargs="*", metavar="NAME",
+           help="a scene, or: reconstruct FOLDER; without a name, all quick scenes")
     option("--list", action="store_true", help="say which scenes there are")
     option("--impl", choices=("reference", "labs"), default="reference",
            help="whose code renders: the reference's, or yours in labs/")
@@ -151,6 +152,9 @@ def arguments():
 def demo(asked):
     """Render the course's scenes and say where the pictures are."""
     import course.demo
+    first, *more = asked.names or [None]
+    if first == "reconstruct" and len(more) == 1 and more[0] not in course.demo.SCENES:
+        return course.demo.captures.run(course.demo.Labs(asked.impl), more[0])
     if not asked.list:
         return course.demo.run(asked.names, implementation=asked.impl)
     for name, title in course.demo.scenes().items():

@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from . import fits, image, mesh, places, plot, ray_casting
+from . import captures, fits, image, mesh, places, plot, ray_casting
 
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
@@ -60,7 +60,7 @@ def run(names, implementation="reference"):
         console.print(table)
     console.print(f"The pictures are in {places.out('demo')}", soft_wrap=True)
     if not names:
-        console.print("Half a minute to two minutes each, asked for by name: "
+        console.print("Half a minute to five minutes each, asked for by name: "
                       f"python3 -m course demo {' '.join(SLOW)}", soft_wrap=True)
     return 1 if missed else 0
 
@@ -493,6 +493,56 @@ def fit_outlines(labs):
                save("fit_outlines", f"teapot {title}", np.hstack(seen)))
 
 
+def reconstruct(labs):
+    """Shape, albedo and light from 24 pictures, or from FOLDER (lab 16)."""
+    for name, stages, seconds, genus, percent in (("ring", fits.BALL_STAGES, 180, 1, 1.0),
+                                                  ("two rings", fits.BALL_STAGES, 180, 2, 1.0),
+                                                  ("bunny", fits.FINE_STAGES, 360, 0, 1.2)):
+        path = places.out("demo", "reconstruct", f"{name.replace(' ', '_')}.glb")
+        camera, frames = fits.cameras_around(labs, 8, longitude=1.1)[5], []
+        start, steps = time.process_time(), fits.steps_of(stages)
+        fit = fits.reconstruction(labs, name, stages)
+        for step, (_, _, x) in enumerate(captures.watched(labs, fit, steps, path), 1):
+            if step % 5 == 1 or step == steps:
+                frames.append(fits.portrait(labs, x, camera, 128))
+        spent = time.process_time() - start
+        yield f"{name}: {spent:.0f} s", path, (f"{seconds} s", spent <= seconds)
+        animation = path.with_name(f"{path.stem}_on_its_way.png")
+        image.write_animation(animation, frames + 12 * frames[-1:], 0.12)
+        yield "  on its way", animation
+        yield from compared(labs, x, name, genus, percent)
+
+
+def compared(labs, x, name, genus, percent):
+    """What was found, beside the truth and lab 16's goals."""
+    judged = fits.judged(labs, x, name)
+    (pieces, found), off = judged["pieces, genus"], 100 * judged["distance"]
+    right = (pieces, found) == (1, genus)
+    yield f"  pieces {pieces}, genus {found}", None, (f"1, {genus}", right)
+    yield f"  {off:.2f} % of the diagonal off", None, (f"{percent} %", off <= percent)
+    for title, least in ("new views", 27), ("relit", 24):
+        decibels = judged[title]
+        yield f"  {title}: {decibels:.1f} dB", None, (f"{least} dB", decibels >= least)
+    scale = " ".join(f"{factor:.2f}" for factor in judged["scale"])
+    yield f"  light {judged['light']:.0%} off, up to factors {scale}", None
+    sheet = np.hstack([np.vstack([picture[..., :3] for picture in pictures[::2]])
+                       for pictures in judged["pictures"]])
+    yield ("  fit, truth; relit, truth",
+           save("reconstruct", name.replace(" ", "_"), image.to_srgb(np.clip(sheet, 0, 1))))
+
+
+def ablations(labs):
+    """What lab 16's search is without one of its parts."""
+    stages, camera = fits.FINE_STAGES[:2], fits.cameras_around(labs, 8, longitude=1.1)[5]
+    weights = *labs.reconstruction.WEIGHTS[:2], 0.0, 0.0
+    for name, setting in (("all of it", {}), ("no antialiasing", {"eye": fits.without_edges(labs)}),
+                          ("no regularizers", {"weights": weights}), ("4 views", {"count": 4})):
+        *_, (_, _, x) = fits.reconstruction(labs, "bunny", stages, **setting)
+        judged = fits.judged(labs, x, "bunny")
+        yield (f"{name}: {judged['new views']:.1f} dB, {judged['distance']:.2%} off",
+               save("ablations", name.replace(" ", "_"), fits.portrait(labs, x, camera, 256)))
+
+
 def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
     """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
     points = labs.transforms.to_homogeneous(vertices)
@@ -549,6 +599,7 @@ def save(scene, name, picture):
 
 SCENES = {scene.__name__: scene for scene in (
     bunny, teapot, flight, aliasing, msaa, fit_triangle, fit_cube, fit_pose, fit_texture, fit_bunny,
-    fit_outlines, relaxation, large_steps, shadow, representations, fit_volume)}
+    fit_outlines, relaxation, large_steps, shadow, representations, fit_volume, reconstruct,
+    ablations)}
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
-        "fit_volume")
+        "fit_volume", "reconstruct", "ablations")

@@ -1,12 +1,14 @@
-"""Scenes found from their pictures: what the demo prints and notebooks 09, 10, 13 and 15 plot.
+"""Scenes found from their pictures: what the demo prints and notebooks 09, 10, 13, 15 and 16 plot.
 
 Each fit is a function of the labs' modules. It takes what was known, a seed or a start, and a
 number of steps; it gives back arrays: the course of the fit, step by step, and where it ended.
 Fits of random things are reproducible: the same seed gives the same numbers.
 """
+import itertools
+
 import numpy as np
 
-from . import mesh
+from . import distances, image, mesh
 
 # A triangle, in pixels of a picture of SIDE x SIDE; its colour is 1, the background's is 0.
 
@@ -589,3 +591,142 @@ def teapot_iou(labs, vertices, faces, size=256):
     a = seen_mask(labs, vertices, faces, teapot_camera(labs), size)
     b = teapot_mask(labs, size)
     return (a & b).sum() / (a | b).sum()
+
+
+# Shape, albedo and light of objects that the code has never seen, from 24 pictures (lab 16).
+
+BALL_STAGES = (16, 2, 1, 80, 1.0), (24, 2, 1, 60, 0.5), (32, 1, 1, 60, 0.3)  # see lab 16's `fit`
+FINE_STAGES = (24, 1, 1, 100, 1.0), (32, 1, 1, 80, 0.5), (48, 1, 2, 120, 0.3)
+TWO_RINGS = ("smooth union", 0.1, *(("moved", np.array([x, 0.0, 0.0]), ("torus", 0.34, 0.15))
+                                    for x in (-0.4, 0.4)))
+RABBIT_SIZE = 0.85
+
+
+def unseen(labs, name):
+    """An object to reconstruct, "ring", "two rings" or "bunny": vertices, faces, albedo (V, 3)."""
+    if name == "ring":
+        vertices, faces = mesh.torus(60_000, 0.6, 0.25)
+    elif name == "two rings":
+        points, tetrahedra = labs.implicit_surfaces.tetrahedral_grid(72)
+        distance = labs.implicit_surfaces.signed_distance(points, TWO_RINGS)
+        vertices, faces, _ = labs.implicit_surfaces.marching_tetrahedra(points, distance,
+                                                                        tetrahedra)
+    else:
+        vertices, faces = mesh.split_longest(*rabbit(), 60_000)
+        vertices = RABBIT_SIZE * vertices
+    return vertices, faces, paint(vertices)
+
+
+def paint(points):
+    """Soft bands and spots in three colours: points (P, 3) -> albedo (P, 3)."""
+    x, y, z = points.T
+    band = 0.5 + 0.5 * np.tanh(3 * np.sin(9 * y + 2 * np.sin(4 * x) + 1))[:, None]
+    spot = 0.5 + 0.5 * np.tanh(4 * np.sin(7 * x + 1) * np.sin(7 * z) - 1)[:, None]
+    cream, teal, coral = np.array([[0.85, 0.72, 0.45], [0.06, 0.35, 0.5], [0.8, 0.2, 0.12]])
+    return (1 - spot) * (band * cream + (1 - band) * teal) + spot * coral
+
+
+def daylight(labs):
+    """Sun, sky, and some light from the ground (9, 3)."""
+    towards = np.array([[0.5, 0.7, 0.5], [-0.8, 0.3, 0.3], [0.0, -1.0, 0.0], [0.0, 0.4, -0.9]])
+    return lamps(labs, towards, [[0.97, 0.88, 0.75], [0.2, 0.3, 0.45], [0.2, 0.12, 0.1],
+                                 [0.25, 0.3, 0.4]], 0.12)
+
+
+def evening(labs):
+    """A red sun from the other side, and a blue lamp (9, 3)."""
+    towards = np.array([[-0.8, 0.3, -0.5], [0.9, 0.1, 0.4]])
+    return lamps(labs, towards, [[1.0, 0.6, 0.35], [0.25, 0.4, 0.75]], 0.15)
+
+
+def lamps(labs, towards, strength, even):
+    """The light (9, 3) of lamps in these directions (N, 3), and of an even sky."""
+    lab16 = labs.reconstruction
+    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+    light = lab16.distant_light(towards, np.array(strength))
+    light[0] += even / lab16.C0
+    return light
+
+
+def photographs(labs, vertices, faces, albedo, light, cameras, size, samples=4):
+    """Pictures (size, size, 4) of a mesh on white: colour, and coverage; samples^2 to a pixel."""
+    lab9, lab16 = labs.inverse_rendering, labs.reconstruction
+    colours = lab16.shade(albedo, mesh.vertex_normals(vertices, faces), light)
+    colours = np.hstack([colours, np.ones((len(vertices), 1))])
+    opposite, background = labs.antialiasing.opposite_vertices(faces), np.array([1.0, 1, 1, 0])
+    return [labs.msaa.box_resolve(lab9.render(vertices, faces, colours, camera, samples * size,
+                                              samples * size, background, opposite)[0], samples)
+            for camera in cameras]
+
+
+def reconstruction(labs, name, stages, size=128, count=24, **settings):
+    """What lab 16's `fit` yields, for pictures of one of the `unseen` objects by daylight."""
+    cameras = cameras_around(labs, count)
+    pictures = photographs(labs, *unseen(labs, name), daylight(labs), cameras, size)
+    return labs.reconstruction.fit(pictures, cameras, WHITE, stages, **settings)
+
+
+def steps_of(stages):
+    """How many steps `fit` takes."""
+    return sum(steps for _, _, _, steps, _ in stages)
+
+
+def decibels(pictures, truth):
+    """Colours of pictures (H, W, 4), as seen on a screen, against the truth: mean PSNR in dB."""
+    errors = [((image.to_srgb(np.clip(a, 0, 1)) - image.to_srgb(np.clip(b, 0, 1)))[..., :3]**2)
+              .mean() for a, b in zip(pictures, truth, strict=True)]
+    return -10 * np.log10(np.mean(errors))
+
+
+def judged(labs, x, name, size=128):
+    """How good x is: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of
+    these in the evening's light, relative error of the light; and the two times two kinds of
+    pictures, as found and as they are.
+    """
+    vertices, faces, albedo = unseen(labs, name)
+    found = labs.reconstruction.surface(x)
+    mean = [distances.surface_distances(*a, *b)[0] for a, b in
+            itertools.permutations([found[:2], (vertices, faces)])]
+    diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
+    at_truth = distances.closest_points(found[0], vertices, faces)
+    scale = labs.reconstruction.best_scale(found[4], paint(at_truth))
+    cameras, light = cameras_around(labs, 8, longitude=1.1), daylight(labs)
+    pictures = [photographs(labs, *shape, lamp, cameras, size) for shape, lamp in (
+        ((*found[:2], found[4]), x[3]), ((vertices, faces, albedo), light),
+        ((*found[:2], scale * found[4]), evening(labs)),
+        ((vertices, faces, albedo), evening(labs)))]
+    return {"pieces, genus": labs.reconstruction.genus(found[1]),
+            "distance": np.mean(mean) / diagonal,
+            "new views": decibels(*pictures[:2]), "relit": decibels(*pictures[2:]),
+            "light": np.linalg.norm(x[3] / scale - light) / np.linalg.norm(light),
+            "scale": scale, "pictures": pictures}
+
+
+def without_edges(labs):
+    """Lab 9's `render` and its backward pass without antialiasing, for lab 16's `fit`."""
+    lab9 = labs.inverse_rendering
+
+    def render(positions, faces, colours, clip_from_model, width, height, background, opposite):
+        clip = lab9.to_clip(positions, clip_from_model)
+        colour, *seen = lab9.shade(clip, faces, colours, width, height, background)
+        return colour, (clip, *seen, colour)
+
+    def render_backward(grad_picture, buffers, positions, faces, colours, clip_from_model,
+                        opposite):
+        clip, face_index, _, barycentric, _ = buffers
+        grad_clip, grad_colours = lab9.shade_backward(grad_picture, clip, faces, colours,
+                                                      face_index, barycentric)
+        grad_positions, grad_clip_from_model = lab9.geometry_backward(
+            grad_clip, None, face_index, clip, positions, faces, clip_from_model)
+        return grad_positions, grad_colours, grad_clip_from_model
+
+    return render, render_backward
+
+
+def portrait(labs, x, camera, size, samples=2):
+    """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
+    vertices, faces, _, _, albedo = labs.reconstruction.surface(x)
+    clay = np.full(albedo.shape, 0.8)
+    seen = [photographs(labs, vertices, faces, *paint, [camera], size, samples)[0][..., :3]
+            for paint in ((albedo, x[3]), (clay, daylight(labs)))]
+    return image.to_srgb(np.clip(np.hstack(seen), 0, 1))

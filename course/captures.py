@@ -1,0 +1,235 @@
+"""Pictures of an object, with the cameras that took them, and the mesh that is found from them.
+
+`python3 -m course demo reconstruct FOLDER` reads a folder of pictures and a file cameras.json:
+
+    {"fov_y": 40.0,                        degrees from the lower to the upper border of a picture
+     "centre": [0, 0, 0], "radius": 1.0,   a ball around the object, in the world
+     "background": [255, 255, 255],        only for opaque pictures: what is behind the object
+     "views": [{"picture": "00.png",
+                "world_from_camera": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]}
+
+A camera looks along its own -z, y is up: as OpenGL's, Blender's and NeRF's. Pictures are PNG or
+JPEG, all of one size, without distortion. Where they have alpha, that is the silhouette; else it is
+what differs from the background.
+"""
+import json
+import struct
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+from . import fits, image, places
+
+LONGEST = 128       # pixels of a picture's longer side, to which it is made smaller
+DIFFERENT = 6 / 255  # what differs more than this from the background, in a channel, is object
+EVERY = 20          # steps from one mesh on disk to the next
+
+# --- what comes in -----------------------------------------------------------------------------
+
+
+def read(labs, folder):
+    """A folder -> pictures, a list of (H, W, 4), linear colours and coverage; cameras (N, 4, 4),
+    clip_from_grid; background (3,), linear; world_from_grid (4, 4): the grid is [-1, 1]^3, and the
+    ball around the object just fits in it.
+
+    FileNotFoundError, OSError or ValueError, one sentence for each thing that can be wrong.
+    """
+    folder = Path(folder)
+    scene = described(folder / "cameras.json")
+    fov_y, radius = number(scene, "fov_y", 1, 170), number(scene, "radius", 1e-9, 1e9, 1.0)
+    centre = numbers(scene.get("centre", [0, 0, 0]), (3,), "centre")
+    behind = scene.get("background")
+    behind = behind if behind is None else numbers(behind, (3,), "background") / 255
+    found = [silhouette(folder / view["picture"], behind) for view in scene["views"]]
+    sizes = sorted({picture.shape[1::-1] for picture in found})
+    require(len(sizes) == 1, f"all pictures must have one size, but here are {sizes}")
+    (width, height), = sizes
+    world_from_grid = labs.transforms.translate(centre) @ np.diag([radius, radius, radius, 1.0])
+    cameras = [camera(labs, view, np.radians(fov_y), width / height, centre, radius)
+               for view in scene["views"]]
+    return ([smaller(picture) for picture in found], np.array(cameras) @ world_from_grid,
+            np.ones(3) if behind is None else image.to_linear(behind), world_from_grid)
+
+
+def described(path):
+    """cameras.json, with the views that it must have."""
+    try:
+        scene = json.loads(places.read_whole(path))
+    except ValueError as error:
+        raise ValueError(f"{path} is no JSON: {error}") from None
+    require(isinstance(scene, dict) and isinstance(scene.get("views"), list),
+            'cameras.json must be {"fov_y": ..., "views": [...]}; course/captures.py shows it all')
+    require(len(scene["views"]) >= 2, f"at least 2 views are needed, 20 are better, and "
+            f"cameras.json has {len(scene['views'])}")
+    for k, view in enumerate(scene["views"]):
+        require(isinstance(view, dict) and isinstance(view.get("picture"), str),
+                f'view {k} in cameras.json needs a "picture", the name of a file')
+        require("world_from_camera" in view, f'view {k} ({view["picture"]}) in cameras.json needs '
+                'a "world_from_camera", four rows of four numbers')
+    return scene
+
+
+def require(fits, sentence):
+    if not fits:
+        raise ValueError(sentence)
+
+
+def numbers(given, shape, name):
+    """A list, or lists of lists, as an array of this shape."""
+    try:
+        array = np.array(given, float)
+    except (TypeError, ValueError):
+        array = np.array(np.nan)
+    require(array.shape == shape and np.isfinite(array).all(), f"{name} in cameras.json must be "
+            f"{' x '.join(map(str, shape)) or 'one'} finite numbers, and is {str(given)[:60]}")
+    return array
+
+
+def number(scene, name, low, high, default=None):
+    value = numbers(scene.get(name, default), (), name)
+    require(low <= value <= high,
+            f"{name} in cameras.json must be from {low:g} to {high:g}, and is {value:g}")
+    return float(value)
+
+
+def silhouette(path, behind):
+    """A picture (H, W, 4): linear colours on the background, else white; coverage."""
+    picture = image.read(path)
+    colour, alpha = image.to_linear(picture[..., :3]), picture[..., 3:]
+    if alpha.size:
+        colour = colour * alpha + (1 - alpha) * (1 if behind is None else image.to_linear(behind))
+    else:
+        require(behind is not None, f"{path.name} has no transparency: give the colour behind the "
+                'object in cameras.json, such as "background": [255, 255, 255]')
+        alpha = (np.abs(picture - behind) > DIFFERENT).any(2, keepdims=True)
+    require(alpha.any(), f"{path.name} shows no object: everywhere it is background")
+    require((alpha == 0).any(), f"{path.name} shows no background: without silhouettes nothing "
+            "says where the object ends")
+    return np.concatenate([colour, alpha], 2)
+
+
+def smaller(picture):
+    """A picture (H, W, C) of at most LONGEST pixels a side, an even number; means of its pixels."""
+    height, width, _ = picture.shape
+    part = min(1, LONGEST / max(height, width))
+    size = [max(2, 2 * round(part * side / 2)) for side in (width, height)]
+    channels = [Image.fromarray(np.float32(channel)).resize(size, Image.Resampling.BOX)
+                for channel in np.moveaxis(picture, 2, 0)]
+    return np.stack([np.asarray(channel, float) for channel in channels], 2)
+
+
+def camera(labs, view, fov_y, aspect, centre, radius):
+    """clip_from_world (4, 4) of a view, which must see the ball of centre and radius."""
+    name = f"world_from_camera of {view['picture']}"
+    pose = numbers(view["world_from_camera"], (4, 4), name)
+    turn = pose[:3, :3]
+    require(np.allclose(pose[3], [0, 0, 0, 1]), f"{name} must have 0, 0, 0, 1 as its last row: is "
+            "it transposed?")
+    require(np.allclose(turn.T @ turn, np.eye(3), atol=1e-3), f"{name} must be a rotation and a "
+            "shift: its three columns have length 1 and are at right angles")
+    require(np.linalg.det(turn) > 0, f"{name} is mirrored: x is right, y is up, and the camera "
+            "looks along -z")
+    seen = np.linalg.inv(pose) @ np.append(centre, 1)
+    require(np.linalg.norm(seen[:3]) > radius, f"the camera of {view['picture']} stands within "
+            "the ball around the object: centre and radius say where that is")
+    high = np.tan(fov_y / 2) * -seen[2]
+    require(seen[2] < 0 and abs(seen[0]) < aspect * high and abs(seen[1]) < high,
+            f"the camera of {view['picture']} does not see the object's centre: it looks along -z")
+    near = max(-seen[2] - 2 * radius, 0.01 * radius)
+    clip_from_camera = labs.transforms.perspective(fov_y, aspect, near, -seen[2] + 2 * radius)
+    return clip_from_camera @ np.linalg.inv(pose)
+
+
+# --- what goes out -----------------------------------------------------------------------------
+
+
+def save(labs, x, path, world_from_grid):
+    """The mesh of x in the world, its albedo as vertex colours, as path.glb and path.obj."""
+    vertices, faces, _, normals, albedo = labs.reconstruction.surface(x)
+    vertices = vertices @ world_from_grid[:3, :3].T + world_from_grid[:3, 3]
+    places.write_whole(path.with_suffix(".glb"), glb(vertices, faces, normals, albedo))
+    places.write_whole(path.with_suffix(".obj"), obj(vertices, faces, albedo))
+
+
+def obj(vertices, faces, albedo):
+    """An OBJ file's bytes; colours follow a vertex's position, as most viewers read them: sRGB."""
+    rows = np.hstack([vertices, image.to_srgb(np.clip(albedo, 0, 1))])
+    lines = ["v {:.7g} {:.7g} {:.7g} {:.4f} {:.4f} {:.4f}".format(*row) for row in rows.tolist()]
+    lines += ["f {} {} {}".format(*face) for face in (faces + 1).tolist()]
+    return ("\n".join(lines) + "\n").encode()
+
+
+def glb(vertices, faces, normals, albedo):
+    """A binary glTF 2.0 file's bytes: one mesh, y up, linear vertex colours, a dull material."""
+    colours = np.rint(255 * np.clip(np.pad(albedo, ((0, 0), (0, 1)), constant_values=1), 0, 1))
+    arrays = [(vertices.astype("<f4"), 5126, "VEC3", {}), (normals.astype("<f4"), 5126, "VEC3", {}),
+              (colours.astype("u1"), 5121, "VEC4", {"normalized": True}),
+              (faces.astype("<u4").reshape(-1, 1), 5125, "SCALAR", {})]
+    arrays[0][3].update(min=arrays[0][0].min(0).tolist(), max=arrays[0][0].max(0).tolist())
+    starts = np.cumsum([0] + [array.nbytes for array, *_ in arrays]).tolist()
+    content = b"".join(array.tobytes() for array, *_ in arrays)
+    scene = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "COLOR_0": 2},
+                                    "indices": 3, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}],
+        "buffers": [{"byteLength": len(content)}],
+        "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": array.nbytes}
+                        for start, (array, *_) in zip(starts, arrays, strict=False)],
+        "accessors": [{"bufferView": k, "componentType": kind, "count": len(array), "type": shape,
+                       **more} for k, (array, kind, shape, more) in enumerate(arrays)]}
+    text = json.dumps(scene).encode()
+    text += b" " * (-len(text) % 4)
+    return b"".join([struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(content)),
+                     struct.pack("<I4s", len(text), b"JSON"), text,
+                     struct.pack("<I4s", len(content), b"BIN\0"), content])
+
+
+# --- the run -----------------------------------------------------------------------------------
+
+
+def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
+    """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
+    on disk, at path, every EVERY steps, and at the end, however it comes: also by Ctrl-C.
+    """
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
+               TextColumn("{task.fields[told]}"))
+    good = None
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(path.stem, total=steps, told="")
+        try:
+            for step, (n, loss, x) in enumerate(fit, 1):
+                require(np.isfinite(loss) and (x[0] < 0).any(), f"the search came to nothing at "
+                        f"step {step}: are the cameras right, and is the object in the ball?")
+                good = x
+                if step % EVERY == 0 or step == steps:
+                    faces = labs.reconstruction.surface(x)[1]
+                    _, genus = labs.reconstruction.genus(faces)
+                    told = f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
+                    save(labs, x, path, world_from_grid)
+                    progress.update(task, told=told)
+                progress.update(task, completed=step)
+                yield n, loss, x
+        except KeyboardInterrupt:
+            progress.print(f"stopped; the last good mesh is in {places.shown_path(path)}")
+            raise
+        finally:
+            if good is not None:
+                save(labs, good, path, world_from_grid)
+
+
+def run(labs, folder):
+    """Reconstruct what a folder's pictures show; says where the mesh is. -> 0"""
+    pictures, cameras, background, world_from_grid = read(labs, folder)
+    stages, name = fits.FINE_STAGES, Path(folder).resolve().name
+    path = places.out("demo", "reconstruct", f"{name}.glb")
+    fit = labs.reconstruction.fit(pictures, cameras, background, stages)
+    *_, (_, loss, x) = watched(labs, fit, fits.steps_of(stages), path, world_from_grid)
+    _, faces, *_ = labs.reconstruction.surface(x)
+    pieces, genus = labs.reconstruction.genus(faces)
+    print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"
+          f"{path} and .obj")
+    return 0

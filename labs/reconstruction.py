@@ -1,0 +1,415 @@
+"""Reconstruction: shape, albedo and light of an object, found from pictures of it.
+
+    E(n) = sum_k Y_k(n) l_k,   k = 0 ... 8         light on a unit normal, order 2               (1)
+    l_k = A_k Y_k(d) strength                      of a distant light in the direction d         (2)
+    c = albedo * E(n),   albedo = albedo(p)        what leaves the surface, alike to all sides   (3)
+    n_v = m / |m|,   m = sum of (b - a) x (c - a)  over the faces a, b, c at the vertex v        (4)
+    L = mean (c - C)^2 + weight mean (o - O)^2     picture c, o; target C, O; coverage o, O      (5)
+    - sum of s / pixels, where one sees what isn't carving: s = (1 - t) s_a + t s_b, t held      (6)
+    H(s_a, s_b) + H(s_b, s_a) per crossed edge,    H(s, other) = log(1 + exp(-s sign(other)))    (7)
+    (I + amount Laplacian)^-1 g                    a gradient spread over the grid               (8)
+    genus = pieces - (V - E + F) / 2               holes through a closed surface                (9)
+
+The unknowns x are four arrays: distance s (G,), offsets of the grid's points (G, 3), albedo (G, 3),
+all on lab 15's grid of G = (n + 1)^3 points, and light l (9, 3). Where the surface crosses an edge
+of the grid, the albedo is mixed as the position is, lab 15's eq. (8). The light has a number for
+each colour, and no shadows: it comes from far away, and reaches all.
+
+The caller guarantees cameras that are right, and an object within [-1, 1]^3.
+
+Sources: lecture "Differentiable graphics 1" (its last part); Ramamoorthi and Hanrahan 2001 (1),
+(2); Shen et al. 2021 and Munkberg et al. 2022 (7), and the plan of it all; Nicolet et al. 2021 (8).
+"""
+import numpy as np
+import scipy.fft
+import scipy.sparse.csgraph
+
+from course import mesh
+
+from . import (
+    antialiasing,
+    implicit_surfaces,
+    interpolation,
+    inverse_rendering,
+    msaa,
+    regularization,
+)
+
+C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
+A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
+
+WEIGHTS = 1.0, 4.0, 1e-3, 1e-2  # in the loss: of coverage, carving, sign changes, bumps
+RATES = 1.0, 0.02, 0.05, 0.1    # of distance and offsets (in cells of the grid), albedo, light
+FREE = 1 / 6.01                 # of a cell: offsets of less than 1/6 turn no tetrahedron over
+SPREAD = 1.0                    # the amount of eq. (8)
+
+# --- light and shading: eq. (1) to (3) ----------------------------------------------------------
+
+
+def sh_basis(normals):  # exercise 16.1 (2 points)
+    """Y_0 ... Y_8 of eq. (1), spherical harmonics: normals (..., 3), n = (x, y, z) -> (..., 9).
+
+    C0;  C1 y, C1 z, C1 x;  C2 x y, C2 y z, C3 (3 z^2 - 1), C2 x z, C4 (x^2 - y^2). These nine
+    polynomials are meant also where n is not of unit length.
+
+    >>> (sh_basis(np.array([0.0, 0.6, 0.8])) / [C0, C1, C1, C1, C2, C2, C3, C2, C4]).round(9)
+    array([ 1.  ,  0.6 ,  0.8 ,  0.  ,  0.  ,  0.48,  0.92,  0.  , -0.36])
+    """
+    raise NotImplementedError("exercise 16.1: sh_basis")
+
+
+def sh_basis_backward(grad_basis, normals):  # exercise 16.2 (2 points)
+    """Backward of `sh_basis`: grad_basis (..., 9) -> grad_normals (..., 3).
+
+    x, y and z count as free; so the gradient need not be at right angles to n.
+
+    >>> grad_basis = np.array([5.0, 0, 0, 0, 0, 1 / C2, 10 / C3, 0, 0])
+    >>> sh_basis_backward(grad_basis, np.array([0.0, 0.6, 0.8])).round(9)
+    array([ 0. ,  0.8, 48.6])
+    """
+    raise NotImplementedError("exercise 16.2: sh_basis_backward")
+
+
+def distant_light(towards, strength):  # exercise 16.3 (2 points)
+    """Eq. (2): the light of distant lamps together, as nine numbers for each colour.
+
+    towards (N, 3): unit directions to N lamps; strength (N, C) -> light (9, C). A is given above.
+    With it, a surface that faces a lamp of strength 1 gets not 1, but 17/16: order 2 comes near the
+    lamp's true max(n . d, 0) for all n in the mean of squares, and goes a little below 0 behind.
+
+    >>> light = distant_light(np.array([[0.0, 0.0, 1.0]]), np.array([[16.0]]))
+    >>> (sh_basis(np.array([[0, 0, 1.0], [0, 1.0, 0], [0, 0, -1.0]])) @ light).round(9)[:, 0]
+    array([17. ,  1.5,  1. ])
+    """
+    raise NotImplementedError("exercise 16.3: distant_light")
+
+
+def shade(albedo, normals, light):  # exercise 16.4 (1 point)
+    """Eq. (3) with (1): albedo (V, C), normals (V, 3) of unit length, light (9, C) -> (V, C).
+
+    >>> light = np.zeros((9, 2))
+    >>> light[0], light[2] = [3 / C0, 2 / C0], [0.0, 1 / C1]
+    >>> shade(np.array([[0.5, 0.5]]), np.array([[0.0, 0.6, 0.8]]), light).round(9)
+    array([[1.5, 1.4]])
+    """
+    raise NotImplementedError("exercise 16.4: shade")
+
+
+def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 points)
+    """Backward of `shade`: grad_colour (V, C) -> grad_albedo (V, C), grad_normals (V, 3),
+    grad_light (9, C). The normals count as free.
+
+    >>> light = np.zeros((9, 1))
+    >>> light[0], light[2] = 3 / C0, 2 / C1
+    >>> given = np.array([[0.5]]), np.array([[0.0, 0.6, 0.8]]), light
+    >>> grad_albedo, grad_normals, grad_light = shade_backward(np.array([[10.0]]), *given)
+    >>> grad_albedo.round(9), grad_normals.round(9), (grad_light[:3, 0] / [C0, C1, C1]).round(9)
+    (array([[46.]]), array([[ 0.,  0., 10.]]), array([5., 3., 4.]))
+    """
+    raise NotImplementedError("exercise 16.5: shade_backward")
+
+
+def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 points)
+    """Backward of eq. (4), which is `course.mesh.vertex_normals`: grad_normals (V, 3) ->
+    grad_vertices (V, 3).
+
+    vertices (V, 3); faces (F, 3), each with an area. Of a vertex whose m is 0 (it has no face, or
+    they cancel), the normal is 0, and hands nothing back. A longer m is no other normal: grad_m is
+    at right angles to it.
+
+    >>> vertices = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    >>> grad_normals = np.array([[8.0, 4.0, 7.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    >>> vertex_normals_backward(grad_normals, vertices, np.array([[0, 1, 2]]))
+    array([[ 0.,  0.,  8.],
+           [ 0.,  0., -4.],
+           [ 0.,  0., -4.]])
+    """
+    raise NotImplementedError("exercise 16.6: vertex_normals_backward")
+
+
+def to_vertices(corners, faces, vertex_count):
+    """What comes to the corners of faces (F, 3, C), summed up for each vertex: (V, C)."""
+    at = faces.ravel()
+    return np.stack([np.bincount(at, g, vertex_count) for g in corners.reshape(len(at), -1).T], -1)
+
+
+# --- what the pictures say: eq. (5) and (6) -----------------------------------------------------
+
+
+def picture_loss(picture, target, weight):  # exercise 16.7 (1 point)
+    """Eq. (5): the mean of squared differences of colour, and weight times that of coverage.
+
+    picture, target (H, W, 4): red, green, blue, and how much of the pixel is covered -> a number.
+    Each of the two is a mean over its own numbers, 3 H W of colour and H W of coverage.
+
+    >>> picture, target = np.array([[[1.0, 2, 3, 1.0]]]), np.array([[[1.0, 2, 0, 0.5]]])
+    >>> float(picture_loss(picture, target, 4.0))
+    4.0
+    """
+    raise NotImplementedError("exercise 16.7: picture_loss")
+
+
+def picture_loss_backward(grad_loss, picture, target, weight):  # exercise 16.8 (1 point)
+    """Backward of eq. (5): grad_loss, a number -> grad_picture (H, W, 4).
+
+    >>> picture, target = np.array([[[1.0, 2, 3, 1.0]]]), np.array([[[1.0, 2, 0, 0.5]]])
+    >>> picture_loss_backward(10.0, picture, target, 4.0)
+    array([[[ 0.,  0., 20., 40.]]])
+    """
+    raise NotImplementedError("exercise 16.8: picture_loss_backward")
+
+
+def level_backward(grad_level, ends, distance):  # exercise 16.9 (2 points)
+    """Backward of s at the vertices, eq. (6): grad_level (V,) -> grad_distance (G,).
+
+    ends (V, 2), distance (G,): vertex v lies between the points a, b = ends[v] of the grid, where
+    s = 0. Its place p = (1 - t) p_a + t p_b is held, and with it t; s there changes, as the
+    distances of a and b do. (Were p not held, s would stay 0.)
+
+    >>> level_backward(np.array([10.0, 1.0]), np.array([[0, 1], [0, 2]]), np.array([-1.0, 4, 1]))
+    array([8.5, 2. , 0.5])
+    """
+    raise NotImplementedError("exercise 16.9: level_backward")
+
+
+# --- what is asked of every surface: eq. (7), and no bumps --------------------------------------
+
+
+def sign_changes(distance, edges):  # exercise 16.10 (2 points)
+    """Eq. (7), summed over all edges that are crossed: the less surface, the less it is.
+
+    distance (G,), here in cells of the grid; edges (E, 2), pairs of points -> a number. An edge is
+    crossed if one of its ends is inside, s < 0, and the other is not; 0 has the sign +. Large
+    numbers, such as 1000, are no trouble.
+
+    >>> round(sign_changes(np.array([-1.0, 2.0, 0.5]), np.array([[0, 1], [1, 2], [2, 0]])), 6)
+    np.float64(5.727528)
+    """
+    raise NotImplementedError("exercise 16.10: sign_changes")
+
+
+def sign_changes_backward(grad_changes, distance, edges):  # exercise 16.11 (3 points)
+    """Backward of eq. (7): grad_changes, a number -> grad_distance (G,). Which are crossed is held.
+
+    A distance of 0 changes as a small positive one would.
+
+    >>> sign_changes_backward(2.0, np.array([-np.log(3), np.log(3), 0.0]),
+    ...                       np.array([[0, 1], [1, 2], [2, 0]])).round(9)
+    array([-3. ,  1.5,  1. ])
+    """
+    raise NotImplementedError("exercise 16.11: sign_changes_backward")
+
+
+def bumps(vertices, normals, edges):
+    """How far vertices stand out from the mean of their neighbours: a mean of squares.
+
+    normals (V, 3); edges (E, 2). Only the part along the normal counts: the rest is how marching
+    spreads the vertices over the surface, and no matter of shape.
+    """
+    return ((inverse_rendering.laplacian(vertices, edges) * normals).sum(1)**2).mean()
+
+
+def bumps_backward(grad_bumps, vertices, normals, edges):
+    """Backward of `bumps`, normals held: grad_bumps, a number -> grad_vertices (V, 3)."""
+    out = (inverse_rendering.laplacian(vertices, edges) * normals).sum(1, keepdims=True)
+    grad_laplacian = 2 * grad_bumps / len(vertices) * out * normals
+    return inverse_rendering.laplacian_backward(grad_laplacian, vertices, edges)
+
+
+# --- the step: eq. (8) --------------------------------------------------------------------------
+
+
+def spread(x, amount):  # exercise 16.12 (4 points)
+    """Eq. (8): the y with y + amount * Laplacian(y) = x, on a grid; its sum is that of x.
+
+    x (G,) or (G, C): numbers on a grid of m^3 = G points, in the order of `tetrahedral_grid`;
+    amount >= 0 -> y, of the shape of x. Laplacian(y) at a point is the sum of y - y' over its
+    neighbours y' along the three axes: 6 of them, fewer at the border. A sparse solve is slow for
+    m = 49. But cosines diagonalise the Laplacian: of m numbers in a row, it multiplies coefficient
+    k = 0 ... m - 1 by 2 - 2 cos(pi k / m). `scipy.fft.dctn` and `idctn` with norm="ortho" go there
+    and back, along the axes that they are given.
+
+    >>> spread(np.array([105.0, 0, 0, 0, 0, 0, 0, 0]), 1.0).round(6)
+    array([36., 13., 13.,  8., 13.,  8.,  8.,  6.])
+    """
+    raise NotImplementedError("exercise 16.12: spread")
+
+
+def genus(faces):  # exercise 16.13 (2 points)
+    """Eq. (9) of a closed mesh: faces (F, 3) -> pieces, genus, two integers.
+
+    Every edge has two faces, and every vertex one fan of them. pieces: how many parts hang together
+    by vertices that they share; V counts those that some face names, E each edge once. A ball has
+    genus 0, a ring 1; of several pieces it is the sum.
+
+    >>> genus(np.array([[0, 2, 1], [0, 1, 4], [1, 2, 4], [2, 0, 4]]))
+    (1, 0)
+    """
+    raise NotImplementedError("exercise 16.13: genus")
+
+
+def best_scale(found, truth):  # exercise 16.14 (1 point)
+    """By what factors (C,) does found come nearest to truth? Both (V, C); least squares.
+
+    No column of found is 0 throughout. (Half the albedo and twice the light are the same picture:
+    one factor for each colour is what nobody can know.)
+
+    >>> best_scale(np.array([[1.0, 2.0], [3.0, 0.0]]), np.array([[2.0, 1.0], [6.0, 5.0]]))
+    array([2. , 0.5])
+    """
+    raise NotImplementedError("exercise 16.14: best_scale")
+
+
+# --- the loop: from the unknowns to pictures, and back ------------------------------------------
+
+
+def start(n):
+    """Where every search begins: a ball, grey, in even light. -> x on a grid of n^3 cells."""
+    points, _ = implicit_surfaces.tetrahedral_grid(n)
+    light = np.zeros((9, 3))
+    light[0] = 1 / C0
+    return (np.linalg.norm(points, axis=1) - 0.85, np.zeros((len(points), 3)),
+            np.full((len(points), 3), 0.5), light)
+
+
+def refine(x, n):
+    """x on a grid of n^3 cells, read from its own grid; the points go back to their places."""
+    distance, _, albedo, light = x
+    points, _ = implicit_surfaces.tetrahedral_grid(n)
+    weights = implicit_surfaces.grid_weights(points, round(len(distance)**(1 / 3)) - 1)
+    return weights @ distance, np.zeros((len(points), 3)), weights @ albedo, light
+
+
+def crossed_cubes(distance):
+    """Which cubes of the grid have corners of both signs: bool (n^3,), in their order."""
+    m = round(len(distance)**(1 / 3))
+    corners = np.lib.stride_tricks.sliding_window_view((distance < 0).reshape(m, m, m), (2, 2, 2))
+    inside = corners.sum((3, 4, 5)).ravel()
+    return (0 < inside) & (inside < 8)
+
+
+def surface(x):
+    """The mesh of x, its normals and its albedo: vertices, faces, ends, normals, albedo (V, 3)."""
+    distance, offsets, albedo, _ = x
+    points, tetrahedra = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
+    near = tetrahedra.reshape(-1, 6, 4)[crossed_cubes(distance)].reshape(-1, 4)
+    vertices, faces, ends = implicit_surfaces.marching_tetrahedra(points + offsets, distance, near)
+    a, b = ends.T
+    mixed = implicit_surfaces.crossing(albedo[a], albedo[b], distance[a], distance[b])
+    return vertices, faces, ends, mesh.vertex_normals(vertices, faces), mixed
+
+
+def surface_backward(grad_vertices, grad_albedo, ends, x):
+    """`surface` read upwards: grad_vertices, grad_albedo (V, 3) -> gradients like x, but light's.
+
+    A normal's gradient has come to grad_vertices before (`vertex_normals_backward`).
+    """
+    distance, offsets, albedo, _ = x
+    points, _ = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
+    back = implicit_surfaces.marching_tetrahedra_backward
+    grad_offsets, by_place = back(grad_vertices, ends, points + offsets, distance)
+    grad_field, by_colour = back(grad_albedo, ends, albedo, distance)
+    return by_place + by_colour, grad_offsets, grad_field
+
+
+def look(shape, colours, view, samples, background, weights, eye):
+    """One view, forward and back: loss, grad_vertices (V, 3), grad_colours (V, 4), grad_level (V,).
+
+    shape: vertices, faces, opposite; colours (V, 4), the last one 1; view: clip_from_world, target
+    (H, W, 4), outside (H, W), where nothing is to be seen. Each pixel is the mean of samples^2.
+    """
+    (vertices, faces, opposite), (camera, target, outside) = shape, view
+    (render, render_backward), (height, width) = eye, outside.shape
+    fine, buffers = render(vertices, faces, colours, camera, samples * width, samples * height,
+                           background, opposite)
+    picture = msaa.box_resolve(fine, samples)
+    grad_picture = picture_loss_backward(1.0, picture, target, weights[0])
+    grad_fine = msaa.box_resolve_backward(grad_picture, fine, samples)
+    grad_vertices, grad_colours, _ = render_backward(grad_fine, buffers, vertices, faces, colours,
+                                                     camera, opposite)
+    _, face_index, _, barycentric, _ = buffers
+    grad_seen = msaa.box_resolve_backward(-weights[1] / outside.size * outside[..., None],
+                                          fine[..., :1], samples)
+    grad_level, _ = interpolation.interpolate_backward(
+        grad_seen, np.zeros((len(vertices), 1)), faces, face_index, barycentric)
+    return picture_loss(picture, target, weights[0]), grad_vertices, grad_colours, grad_level[:, 0]
+
+
+def loss_and_gradients(x, views, samples, background, weights, eye):
+    """The mean loss of views, and the gradient of it with all regularizers -> loss, four arrays.
+
+    weights: as WEIGHTS. eye: a way to `render`, and back.
+    """
+    distance, _, _, light = x
+    vertices, faces, ends, normals, albedo = surface(x)
+    cell = 2 / (round(len(distance)**(1 / 3)) - 1)  # regularizers count in cells: alike on any grid
+    colours = np.hstack([shade(albedo, normals, light), np.ones((len(vertices), 1))])
+    shape = vertices, faces, antialiasing.opposite_vertices(faces)
+    seen = [look(shape, colours, view, samples, background, weights, eye) for view in views]
+    loss, grad_vertices, grad_colours, grad_level = (
+        sum(parts) / len(views) for parts in zip(*seen, strict=True))
+
+    grad_albedo, grad_normals, grad_light = shade_backward(grad_colours[:, :3], albedo, normals,
+                                                           light)
+    grad_vertices = (grad_vertices + vertex_normals_backward(grad_normals, vertices, faces)
+                     + bumps_backward(weights[3] / cell**2, vertices, normals,
+                                      mesh.edges(faces)[0]))
+    grad_distance, *grads = surface_backward(grad_vertices, grad_albedo, ends, x)
+    grad_distance += level_backward(grad_level, ends, distance)
+    grad_distance += sign_changes_backward(weights[2] / len(vertices), distance / cell, ends) / cell
+    return loss, (grad_distance, *grads, grad_light)
+
+
+def descend(x, grads, means, squares, step, rates):
+    """A step downhill -> x, means, squares. Gradients in space are spread by eq. (8), but for the
+    offsets; lab 13's `uniform_adam_step` keeps their direction. The light goes by lab 9's Adam.
+    """
+    ways = [regularization.uniform_adam_step] * 3 + [inverse_rendering.adam_step]
+    grads = [spread(grads[0], SPREAD), grads[1], spread(grads[2], SPREAD), grads[3]]
+    moved = [way(*each, step, rate, beta_2=0.99) for way, *each, rate in
+             zip(ways, x, grads, means, squares, rates, strict=True)]
+    x, means, squares = zip(*moved, strict=True)
+    return bounded(x), means, squares
+
+
+def bounded(x):
+    """x with all that is not allowed put right: a surface that leaves the grid, colours beyond 0 to
+    1, and offsets that could turn a tetrahedron over.
+    """
+    distance, offsets, albedo, light = x
+    points, _ = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
+    cell = points[1, 2] - points[0, 2]
+    at_border = (np.abs(points) == 1).any(1)
+    return (np.where(at_border, np.maximum(distance, cell / 100), distance),
+            np.clip(offsets, -FREE * cell, FREE * cell), np.clip(albedo, 0, 1), light)
+
+
+def fit(pictures, cameras, background, stages, seed=0, weights=WEIGHTS, per_step=4,
+        eye=(inverse_rendering.render, inverse_rendering.render_backward)):
+    """Reconstruction, from coarse to fine: yields n, loss, x after each step.
+
+    pictures: (H, W, 4) each, colours and coverage; cameras: clip_from_world (4, 4) each; background
+    (3,). stages: (n, shrink, samples, steps, rate): cells along an axis, how often smaller the
+    pictures are, samples^2 a pixel, how many steps, and the factor of RATES, of which a third is
+    left at the end of the stage. Each step looks at per_step of the views, drawn by the seed.
+    """
+    rng, x = np.random.default_rng(seed), None
+    for n, shrink, samples, steps, rate in stages:
+        x = start(n) if x is None else refine(x, n)
+        small = [msaa.box_resolve(picture, shrink) for picture in pictures]
+        views = [(camera, target, is_outside(target))
+                 for camera, target in zip(cameras, small, strict=True)]
+        means = squares = tuple(0 * each for each in x)
+        for step in range(1, steps + 1):
+            chosen = [views[k] for k in rng.permutation(len(views))[:per_step]]
+            loss, grads = loss_and_gradients(x, chosen, samples, np.append(background, 0.0),
+                                             weights, eye)
+            rates = rate * 3**-(step / steps) * np.array(RATES) * [2 / n, 2 / n, 1, 1]
+            x, means, squares = descend(x, grads, means, squares, step, rates)
+            yield n, loss, x
+
+
+def is_outside(target):
+    """Which pixels, and all around them, show nothing of the object: bool (H, W)."""
+    around = np.pad(target[..., 3] > 0, 1, mode="edge")
+    return ~np.lib.stride_tricks.sliding_window_view(around, (3, 3)).any((2, 3))
