@@ -13,10 +13,10 @@ JPEG, all of one size, without distortion. Where they have alpha, that is the si
 what differs from the background.
 """
 import json
-import struct
 from pathlib import Path
 
 import numpy as np
+import trimesh
 from PIL import Image
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
@@ -156,36 +156,24 @@ def save(labs, x, path, world_from_grid):
 
 def obj(vertices, faces, albedo):
     """An OBJ file's bytes; colours follow a vertex's position, as most viewers read them: sRGB."""
-    rows = np.hstack([vertices, image.to_srgb(np.clip(albedo, 0, 1))])
-    lines = ["v {:.7g} {:.7g} {:.7g} {:.4f} {:.4f} {:.4f}".format(*row) for row in rows.tolist()]
-    lines += ["f {} {} {}".format(*face) for face in (faces + 1).tolist()]
-    return ("\n".join(lines) + "\n").encode()
+    coloured = trimesh.Trimesh(vertices, faces, vertex_colors=eight_bits(image.to_srgb(albedo)),
+                               process=False)
+    return coloured.export(file_type="obj", digits=7, header=None).encode()
 
 
 def glb(vertices, faces, normals, albedo):
     """A binary glTF 2.0 file's bytes: one mesh, y up, linear vertex colours, a dull material."""
-    colours = np.rint(255 * np.clip(np.pad(albedo, ((0, 0), (0, 1)), constant_values=1), 0, 1))
-    arrays = [(vertices.astype("<f4"), 5126, "VEC3", {}), (normals.astype("<f4"), 5126, "VEC3", {}),
-              (colours.astype("u1"), 5121, "VEC4", {"normalized": True}),
-              (faces.astype("<u4").reshape(-1, 1), 5125, "SCALAR", {})]
-    arrays[0][3].update(min=arrays[0][0].min(0).tolist(), max=arrays[0][0].max(0).tolist())
-    starts = np.cumsum([0] + [array.nbytes for array, *_ in arrays]).tolist()
-    content = b"".join(array.tobytes() for array, *_ in arrays)
-    scene = {
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "COLOR_0": 2},
-                                    "indices": 3, "material": 0}]}],
-        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 1}}],
-        "buffers": [{"byteLength": len(content)}],
-        "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": array.nbytes}
-                        for start, (array, *_) in zip(starts, arrays, strict=False)],
-        "accessors": [{"bufferView": k, "componentType": kind, "count": len(array), "type": shape,
-                       **more} for k, (array, kind, shape, more) in enumerate(arrays)]}
-    text = json.dumps(scene).encode()
-    text += b" " * (-len(text) % 4)
-    return b"".join([struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(content)),
-                     struct.pack("<I4s", len(text), b"JSON"), text,
-                     struct.pack("<I4s", len(content), b"BIN\0"), content])
+    dull = trimesh.visual.TextureVisuals(material=trimesh.visual.material.PBRMaterial(
+        metallicFactor=0.0, roughnessFactor=1.0))
+    coloured = trimesh.Trimesh(vertices, faces, vertex_normals=normals, visual=dull, process=False)
+    coloured.visual.vertex_attributes["color"] = eight_bits(albedo)
+    return coloured.export(file_type="glb", include_normals=True)
+
+
+def eight_bits(colours):
+    """Colours (V, 3) of 0 to 1 -> (V, 4) bytes, opaque."""
+    return np.rint(255 * np.pad(np.clip(colours, 0, 1), ((0, 0), (0, 1)), constant_values=1)
+                   ).astype(np.uint8)
 
 
 # --- the run -----------------------------------------------------------------------------------
