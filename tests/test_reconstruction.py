@@ -194,6 +194,18 @@ def test_faces_that_cancel_hand_nothing_back(impl):
 
 
 @exercise("16.6")
+def test_faces_that_cancel_side_by_side_hand_nothing_back(impl):
+    """Where m is 0, the gradient goes on to the faces, as if m had the length 1."""
+    vertices = np.array([[0.0, 0, 0], [2.0, 0, 0], [0.0, 2.0, 0], [-2.0, 0, 0], [0.0, 2.0, 0]])
+    faces = np.array([[0, 1, 2], [0, 3, 4]])  # m of vertex 0 is (0, 0, 4) - (0, 0, 4)
+    grad = np.zeros((5, 3))
+    grad[0] = 8.0, 4.0, 7.0
+    with np.errstate(all="raise"):
+        got = impl.vertex_normals_backward(grad, vertices, faces)
+    assert_close(got, np.zeros((5, 3)))
+
+
+@exercise("16.6")
 def test_small_faces_turn_faster(impl):
     """Lengths that are taken for 0; a face of a tenth of the size turns ten times as fast."""
     vertices, faces = 0.1 * np.array([[0.0, 0, 0], [1.0, 0, 0], [0, 1.0, 0]]), np.array([[0, 1, 2]])
