@@ -9,6 +9,19 @@ STACK = """np.stack([C1 * g[3] + C2 * (y * g[4] + z * g[7]) + 2 * C4 * x * g[8],
 FREE = "the part along the normal is taken away; x, y and z count as free"
 E_N = "(sh_basis(normals) @ light)"
 BY_NORMALS = "sh_basis_backward(grad_irradiance @ light.T, normals)"
+BY_AREA = """m = to_vertices(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
+    length = np.linalg.norm(m, axis=1, keepdims=True)
+    length = np.where(length > 0, length, np.inf)
+    n = m / length
+    grad_m = (grad_normals - (grad_normals * n).sum(1, keepdims=True) * n) / length
+    # (b - a) x (c - a) = b x c + c x a + a x b, so g . that is a . (b x g - c x g) + ...
+    g = grad_m[faces].sum(1)
+"""
+BY_NUMBER = f"""size = np.linalg.norm(np.cross(b - a, c - a), axis=1, keepdims=True)
+    unit = np.cross(b - a, c - a) / size
+    {BY_AREA.replace("np.cross(b - a, c - a)", "unit")}\
+    g = (g - (g * unit).sum(1, keepdims=True) * unit) / size
+"""
 RIGHT_ANGLE = "grad_normals - (grad_normals * n).sum(1, keepdims=True) * n"
 LENGTH = "length = np.where(length > 0, length, np.inf)"
 CORNERS = "[np.cross(b - c, g), np.cross(c - a, g), np.cross(a - b, g)]"
@@ -97,9 +110,7 @@ MISTAKES = {
          "the cross product's sides are swapped: all has the wrong sign"),
         ("grad_m[faces].sum(1)", "grad_m[faces[:, 0]]",
          "a face turns the normal of its first corner alone"),
-        ("np.repeat(np.cross(b - a, c - a)[:, None], 3, 1)",
-         "np.repeat((np.cross(b - a, c - a) / np.linalg.norm(np.cross(b - a, c - a), axis=1)"
-         "[:, None])[:, None], 3, 1)", "all faces count alike in m; each counts by its area"),
+        (BY_AREA, BY_NUMBER, "all faces count alike in m; each counts by its area"),
         (SUM_FACES, "grad_vertices = np.zeros(vertices.shape)\n"
          "    grad_vertices[faces] = corners\n    return grad_vertices",
          "a vertex keeps what its last face gives; the faces' shares add up"),
@@ -183,7 +194,6 @@ MISTAKES = {
          "vertices"),
         (EULER, "len(named) - 2 * len(faces)", "each edge counts twice, once for either face"),
         ("int(pieces - (", "int(1 - (", "there is taken to be one piece"),
-        ("int(pieces - (", "int(pieces + (", "V - E + F has the wrong sign"),
         (GENUS, f"int(2 * pieces - ({EULER}))", "the 2 is missing: twice the genus comes out"),
         (f"int(pieces), {GENUS}", f"{GENUS}, int(pieces)", "pieces and genus are swapped"),
         (GENUS, f"int({EULER})", "V - E + F is taken for the genus"),
