@@ -194,6 +194,20 @@ def test_faces_that_cancel_hand_nothing_back(impl):
 
 
 @exercise("16.6")
+def test_faces_that_cancel_side_by_side_hand_nothing_back(impl):
+    """Where m is 0, the gradient goes on to the faces, as if m had the length 1."""
+    vertices = np.array([[0.0, 0, 0], [2.0, 0, 0], [0.0, 2.0, 0], [-2.0, 0, 0], [0.0, 2.0, 0]])
+    faces = np.array([[0, 3, 4], [0, 1, 2]])  # m of vertex 0 is (0, 0, -4) + (0, 0, 4)
+    grad = np.zeros((5, 3))
+    grad[:2] = [8.0, 4.0, 7.0], [8.0, 0.0, 5.0]
+    with np.errstate(all="raise"):
+        got = impl.vertex_normals_backward(grad, vertices, faces)
+    expected = np.zeros((5, 3))  # x of vertex 1's normal: raise it by 1, it falls by 1/2
+    expected[:2, 2] = 4.0, -4.0
+    assert_close(got, expected)
+
+
+@exercise("16.6")
 def test_small_faces_turn_faster(impl):
     """Lengths that are taken for 0; a face of a tenth of the size turns ten times as fast."""
     vertices, faces = 0.1 * np.array([[0.0, 0, 0], [1.0, 0, 0], [0, 1.0, 0]]), np.array([[0, 1, 2]])
@@ -431,6 +445,11 @@ def test_genus_on_paper(impl):
     """V - E + F is taken for the genus; or a sign."""
     tetrahedron = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
     assert_equal(impl.genus(tetrahedron), (1, 0))
+
+
+@exercise("16.13")
+def test_genus_of_a_ring(impl):
+    """V - E + F is not halved; a ball is right all the same."""
     assert_equal(impl.genus(mesh.torus(100)[1]), (1, 1))
 
 
@@ -439,8 +458,8 @@ def test_genus_of_several_pieces(impl):
     """Each piece adds 2 to V - E + F; or vertices of no face count."""
     ball, ring = mesh.icosphere(20)[1], mesh.torus(36)[1]
     far = 5 + ball.max()
-    assert_equal(impl.genus(np.concatenate([ball, ring + far])), (2, 1))
     assert_equal(impl.genus(np.concatenate([ring + 3, ring + 100])), (2, 2))
+    assert_equal(impl.genus(np.concatenate([ball, ring + far])), (2, 1))
     assert_equal(impl.genus(np.concatenate([ball, ball + 20, ball + 40])), (3, 0))
 
 
