@@ -9,8 +9,9 @@
                 "world_from_camera": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]}
 
 A camera looks along its own -z, y is up: as OpenGL's, Blender's and NeRF's. Pictures are PNG or
-JPEG, all of one size, without distortion. Where they have alpha, that is the silhouette; else it is
-what differs from the background.
+JPEG, all of one size, without distortion, as they are stored: a rotation in EXIF is not looked at.
+Where they have alpha, that is the silhouette; else it is what differs from the background. PNG is
+better: JPEG blurs the outline.
 """
 import json
 from pathlib import Path
@@ -24,7 +25,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from . import fits, image, places
 
 LONGEST = 128       # pixels of a picture's longer side, to which it is made smaller
-DIFFERENT = 6 / 255  # what differs more than this from the background, in a channel, is object
+DIFFERENT = 20 / 255  # more than this from the background, in a channel, is object; less, JPEG's
 EVERY = 20          # steps from one mesh on disk to the next
 
 # --- what comes in -----------------------------------------------------------------------------
@@ -43,6 +44,8 @@ def read(labs, folder):
     centre = numbers(scene.get("centre", [0, 0, 0]), (3,), "centre")
     behind = scene.get("background")
     behind = behind if behind is None else numbers(behind, (3,), "background") / 255
+    require(behind is None or ((behind >= 0) & (behind <= 1)).all(),
+            "background in cameras.json must be three numbers from 0 to 255")
     found = [silhouette(folder / view["picture"], behind) for view in scene["views"]]
     sizes = sorted({picture.shape[1::-1] for picture in found})
     require(len(sizes) == 1, f"all pictures must have one size, but here are {sizes}")
@@ -58,7 +61,7 @@ def described(path):
     """cameras.json, with the views that it must have."""
     try:
         scene = json.loads(places.read_whole(path))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError(f"{path} is no JSON: {error}") from None
     require(isinstance(scene, dict) and isinstance(scene.get("views"), list),
             'cameras.json must be {"fov_y": ..., "views": [...]}; course/captures.py shows it all')
@@ -80,11 +83,13 @@ def require(fits, sentence):
 def numbers(given, shape, name):
     """A list, or lists of lists, as an array of this shape."""
     try:
-        array = np.array(given, float)
-    except (TypeError, ValueError):
+        array = np.array(given)
+        array = array.astype(float) if array.dtype.kind in "iuf" else np.array(np.nan)
+    except (TypeError, ValueError, OverflowError):
         array = np.array(np.nan)
+    expected = f"{' x '.join(map(str, shape))} finite numbers" if shape else "a finite number"
     require(array.shape == shape and np.isfinite(array).all(), f"{name} in cameras.json must be "
-            f"{' x '.join(map(str, shape)) or 'one'} finite numbers, and is {str(given)[:60]}")
+            f"{expected}, and is {'missing' if given is None else str(given)[:60]}")
     return array
 
 
@@ -106,8 +111,9 @@ def silhouette(path, behind):
                 'object in cameras.json, such as "background": [255, 255, 255]')
         alpha = (np.abs(picture - behind) > DIFFERENT).any(2, keepdims=True)
     require(alpha.any(), f"{path.name} shows no object: everywhere it is background")
-    require((alpha == 0).any(), f"{path.name} shows no background: without silhouettes nothing "
-            "says where the object ends")
+    given = "" if behind is None else f" of the colour {np.rint(255 * behind).astype(int).tolist()}"
+    require((alpha == 0).any(), f"{path.name} shows no background{given}: without silhouettes "
+            "nothing says where the object ends")
     return np.concatenate([colour, alpha], 2)
 
 
@@ -137,7 +143,8 @@ def camera(labs, view, fov_y, aspect, centre, radius):
             "the ball around the object: centre and radius say where that is")
     high = np.tan(fov_y / 2) * -seen[2]
     require(seen[2] < 0 and abs(seen[0]) < aspect * high and abs(seen[1]) < high,
-            f"the camera of {view['picture']} does not see the object's centre: it looks along -z")
+            f"the camera of {view['picture']} does not see the object's centre: it looks along its "
+            "own -z (OpenCV's and COLMAP's along +z), and the matrix leads from it to the world")
     near = max(-seen[2] - 2 * radius, 0.01 * radius)
     clip_from_camera = labs.transforms.perspective(fov_y, aspect, near, -seen[2] + 2 * radius)
     return clip_from_camera @ np.linalg.inv(pose)
@@ -190,8 +197,9 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
         task = progress.add_task(path.stem, total=steps, told="")
         try:
             for step, (n, loss, x) in enumerate(fit, 1):
-                require(np.isfinite(loss) and (x[0] < 0).any(), f"the search came to nothing at "
-                        f"step {step}: are the cameras right, and is the object in the ball?")
+                require(np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
+                        and (x[0] < 0).any(), f"the search came to nothing at step {step}: are the "
+                        "cameras right, and is the object in the ball?")
                 good = x
                 if step % EVERY == 0 or step == steps:
                     faces = labs.reconstruction.surface(x)[1]
@@ -202,7 +210,8 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
                 progress.update(task, completed=step)
                 yield n, loss, x
         except KeyboardInterrupt:
-            progress.print(f"stopped; the last good mesh is in {places.shown_path(path)}")
+            progress.print("stopped before the first mesh" if good is None else
+                           f"stopped; the last good mesh is in {places.shown_path(path)}")
             raise
         finally:
             if good is not None:
@@ -215,7 +224,8 @@ def run(labs, folder):
     stages, name = fits.FINE_STAGES, Path(folder).resolve().name
     path = places.out("demo", "reconstruct", f"{name}.glb")
     fit = labs.reconstruction.fit(pictures, cameras, background, stages)
-    *_, (_, loss, x) = watched(labs, fit, fits.steps_of(stages), path, world_from_grid)
+    for _, loss, x in watched(labs, fit, fits.steps_of(stages), path, world_from_grid):  # noqa: B007
+        pass  # an x is 7 MB: only the last one is kept
     _, faces, *_ = labs.reconstruction.surface(x)
     pieces, genus = labs.reconstruction.genus(faces)
     print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"

@@ -47,6 +47,8 @@ def read_whole(path):
     """The file's bytes; FileNotFoundError or OSError, in one sentence."""
     try:
         return Path(path).read_bytes()
+    except ValueError:
+        raise OSError(f"cannot read {str(path)!r}: no file can have such a name") from None
     except FileNotFoundError:
         raise FileNotFoundError(f"there is no file {path}: check its name, and the folder "
                                 f"you are in ({Path.cwd()})") from None

@@ -5,7 +5,7 @@
     c = albedo * E(n),   albedo = albedo(p)        what leaves the surface, alike to all sides   (3)
     n_v = m / |m|,   m = sum of (b - a) x (c - a)  over the faces a, b, c at the vertex v        (4)
     L = mean (c - C)^2 + weight mean (o - O)^2     picture c, o; target C, O; coverage o, O      (5)
-    - sum of s / pixels, where one sees what isn't carving: s = (1 - t) s_a + t s_b, t held      (6)
+    - sum of s / pixels, s = (1 - t) s_a + t s_b   carving: where the object is seen, and is not (6)
     H(s_a, s_b) + H(s_b, s_a) per crossed edge,    H(s, other) = log(1 + exp(-s sign(other)))    (7)
     (I + amount Laplacian)^-1 g                    a gradient spread over the grid               (8)
     genus = pieces - (V - E + F) / 2               holes through a closed surface                (9)
@@ -81,7 +81,8 @@ def distant_light(towards, strength):  # exercise 16.3 (2 points)
 
     towards (N, 3): unit directions to N lamps; strength (N, C) -> light (9, C). A is given above.
     With it, a surface that faces a lamp of strength 1 gets not 1, but 17/16: order 2 comes near the
-    lamp's true max(n . d, 0) for all n in the mean of squares, and goes a little below 0 behind.
+    lamp's true max(n . d, 0) for all n in the mean of squares, and goes a little below 0 about 120
+    degrees from the lamp.
 
     >>> light = distant_light(np.array([[0.0, 0.0, 1.0]]), np.array([[16.0]]))
     >>> (sh_basis(np.array([[0, 0, 1.0], [0, 1.0, 0], [0, 0, -1.0]])) @ light).round(9)[:, 0]
@@ -121,7 +122,7 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 
     """Backward of eq. (4), which is `course.mesh.vertex_normals`: grad_normals (V, 3) ->
     grad_vertices (V, 3).
 
-    vertices (V, 3); faces (F, 3), each with an area. Of a vertex whose m is 0 (it has no face, or
+    vertices (V, 3); faces (F, 3). Of a vertex whose m is 0 (it has no face, or
     they cancel), the normal is 0, and hands nothing back. A longer m is no other normal: grad_m is
     at right angles to it.
 
@@ -147,7 +148,8 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 
 def to_vertices(corners, faces, vertex_count):
     """What comes to the corners of faces (F, 3, C), summed up for each vertex: (V, C)."""
     at = faces.ravel()
-    return np.stack([np.bincount(at, g, vertex_count) for g in corners.reshape(len(at), -1).T], -1)
+    corners = corners.reshape(len(at), corners.shape[-1])
+    return np.stack([np.bincount(at, g, vertex_count) for g in corners.T], -1)
 
 
 # --- what the pictures say: eq. (5) and (6) -----------------------------------------------------
@@ -310,7 +312,9 @@ def start(n):
 
 
 def refine(x, n):
-    """x on a grid of n^3 cells, read from its own grid; the points go back to their places."""
+    """x on a grid of n^3 cells, read from its own grid. The offsets go back to 0, and the surface
+    moves a little by that.
+    """
     distance, _, albedo, light = x
     points, _ = implicit_surfaces.tetrahedral_grid(n)
     weights = implicit_surfaces.grid_weights(points, round(len(distance)**(1 / 3)) - 1)
@@ -373,12 +377,15 @@ def look(shape, colours, view, samples, background, weights, eye):
 
 
 def loss_and_gradients(x, views, samples, background, weights, eye):
-    """The mean loss of views, and the gradient of it with all regularizers -> loss, four arrays.
+    """The mean loss (5) of views; and the gradients of it, of carving and of all regularizers
+    together, which the loss does not count -> loss, four arrays.
 
     weights: as WEIGHTS. eye: a way to `render`, and back.
     """
     distance, _, _, light = x
     vertices, faces, ends, normals, albedo = surface(x)
+    if not len(faces):
+        raise ValueError("no surface is left, for nothing is inside: are the cameras right?")
     cell = 2 / (round(len(distance)**(1 / 3)) - 1)  # regularizers count in cells: alike on any grid
     colours = np.hstack([shade(albedo, normals, light), np.ones((len(vertices), 1))])
     shape = vertices, faces, antialiasing.opposite_vertices(faces)
@@ -423,7 +430,8 @@ def bounded(x):
 
 def fit(pictures, cameras, background, stages, seed=0, weights=WEIGHTS, per_step=4,
         eye=(inverse_rendering.render, inverse_rendering.render_backward)):
-    """Reconstruction, from coarse to fine: yields n, loss, x after each step.
+    """Reconstruction, from coarse to fine: yields n, loss, x for each step; the loss is that before
+    it, eq. (5) of the views drawn, and x that after it.
 
     pictures: (H, W, 4) each, colours and coverage; cameras: clip_from_world (4, 4) each; background
     (3,). stages: (n, shrink, samples, steps, rate): cells along an axis, how often smaller the

@@ -322,7 +322,7 @@ def one_view(matrix):
 
 
 @pytest.mark.parametrize("changes, sentence", [
-    ({"fov_y": "wide"}, "fov_y in cameras.json must be one finite numbers, and is wide"),
+    ({"fov_y": "wide"}, "fov_y in cameras.json must be a finite number, and is wide"),
     ({"fov_y": 190}, "fov_y in cameras.json must be from 1 to 170, and is 190"),
     ({"radius": -1}, "radius in cameras.json must be from 1e-09 to 1e"),
     ({"centre": [1, 2]}, "centre in cameras.json must be 3 finite numbers"),
@@ -337,6 +337,12 @@ def one_view(matrix):
     ({"centre": [0, 0, 4.5], "views": one_view(MATRIX)}, "stands within the ball"),
     ({"centre": [0, 0, 9], "views": one_view(MATRIX)}, "does not see the object's centre"),
     ({"centre": [0, 3, 0], "views": one_view(MATRIX)}, "does not see the object's centre"),
+    ({"fov_y": None}, "must be a finite number, and is missing"),
+    ({"fov_y": True}, "must be a finite number, and is True"),
+    ({"fov_y": 10**400}, "must be a finite number, and is 1000"),
+    ({"background": [300, 0, 0]}, "three numbers from 0 to 255"),
+    ({"views": [{"picture": "a\0.png", "world_from_camera": MATRIX.tolist()}] * 2},
+     "no file can have such a name"),
     ({"views": [{"picture": "9.png", "world_from_camera": MATRIX.tolist()}] * 2}, "there is no"),
 ])
 def test_what_is_wrong_with_cameras_is_told_in_one_sentence(folder, changes, sentence):
