@@ -192,21 +192,21 @@ def test_clockwise_and_flat_triangles_cover_nothing(impl):
 @exercise("2.6")
 def test_a_shared_edge_is_covered_once(impl, rng):
     """Two faces compute the same edge with different rounding: samples are lost or drawn twice."""
-    for _ in range(300):
+    for _ in range(60):
         a, b = rng.uniform(0, 100, (2, 2))
         across = np.array([a[1] - b[1], b[0] - a[0]])
         left, right = a + across, b - across
-        on_edge = a + (b - a) * rng.uniform(0.1, 0.9, (20, 1))
+        on_edge = a + (b - a) * rng.uniform(0.1, 0.9, (100, 1))
         count = np.asarray(impl.is_covered(on_edge, np.stack([a, b, left]))).astype(int) \
             + impl.is_covered(on_edge, np.stack([b, a, right]))
-        assert_equal(count, np.ones(20, int))
+        assert_equal(count, np.ones(100, int))
 
 
 @exercise("2.6")
 def test_a_fan_covers_its_hub_once(impl, rng):
     """The hub of a fan is covered by no face or by several."""
     hub = np.array([4.5, 4.5])
-    for _ in range(100):
+    for _ in range(40):
         angles = rng.uniform(0, np.pi / 3, 3) + np.arange(3) * 2 * np.pi / 3
         rim = hub + 4 * np.stack([np.cos(angles), np.sin(angles)], -1)
         faces = [np.stack([hub, rim[k], rim[(k + 1) % 3]]) for k in range(3)]
