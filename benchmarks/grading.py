@@ -16,9 +16,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course import mistakes, places, skeleton
+from course.given import places
 from course.grading import grade, sandbox
 from course.grading.examine import Job
+from course.upkeep import mistakes, skeleton
 
 TOPIC = "rasterization"
 RUNS = {"2": 3, "1-4": 3, "1-16": 1}  # labs: how often each is measured
@@ -56,7 +57,7 @@ def one_submission(labs, levels):
 
 def plain(texts):
     """The checks of these labs in one process of pytest."""
-    files = [f"tests/test_{topic}.py" for topic in texts]
+    files = [f"tests/labs/test_{topic}.py" for topic in texts]
     subprocess.run([sys.executable, "-m", "pytest", "-q", "--impl", "reference", *files],
                    cwd=places.ROOT, check=True, capture_output=True)
 

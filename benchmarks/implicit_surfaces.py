@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course import demo
+from course.experiments import demo
 from reference import implicit_surfaces
 
 CELLS = 16, 32, 64, 96

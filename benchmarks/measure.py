@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from course import mesh, places
+from course.given import mesh, places
 from reference import transforms
 
 FACES = 1_000, 10_000, 100_000

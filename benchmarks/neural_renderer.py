@@ -11,7 +11,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course import demo, fits, mesh
+from course.experiments import demo, fits
+from course.given import mesh
 from reference import neural_renderer, transforms
 
 SIZE, TEXELS = 256, 4

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from course import distances, mesh, places
+from course.given import distances, mesh, places
 from reference import simplification
 
 GROWTH = 1_000, 5_000, 20_000, 50_000

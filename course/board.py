@@ -16,8 +16,10 @@ from rich.console import Console
 from rich.progress import Progress
 from rich.table import Table
 
-from . import checks, places, skeleton
+from . import checks
+from .given import places
 from .grading import report
+from .upkeep import skeleton
 
 BAR = 20  # characters of a whole lab's bar
 LOOK = 0.3  # seconds between two looks at the files that are watched
@@ -205,7 +207,7 @@ def run_checks(labs, numbers, implementation, seed, plugins=()):
     topics = [topic for topic, exercises in labs.items()
               if any(exercise.number in numbers for exercise in exercises)]
     tests = [path for topic in topics
-             if (path := places.ROOT / "tests" / f"test_{topic}.py").exists()]
+             if (path := places.ROOT / "tests" / "labs" / f"test_{topic}.py").exists()]
     if not tests:
         return [], []
     options = ["--rootdir", places.ROOT, "-c", places.ROOT / "pyproject.toml",
@@ -282,7 +284,7 @@ def next_to_do(entries, code, implementation, seed):
     if verdict == "failing" and found:
         lines = [f"{lines[0]} in {len(wrong)} of {plural(len(found), 'check')}"]
     if not found:
-        lines += [checks.layout([("wrong", f"it has no check in tests/test_{topic}.py")])]
+        lines += [checks.layout([("wrong", f"it has no check in tests/labs/test_{topic}.py")])]
     if wrong:
         lines += [checks.layout([("claim", wrong[0].claim)])]
         lines += [wrong[0].message] * (verdict != "not started")

@@ -37,7 +37,7 @@ import sys
 import traceback
 from pathlib import Path
 
-from course.places import ROOT
+from course.given.places import ROOT
 
 
 def main(argv=None):
@@ -67,8 +67,8 @@ def main(argv=None):
 def can_be_mended(error):
     """Whether the user can: a file that fails him, or a raise statement in course/ or labs/."""
     cause = traceback.extract_tb(error.__traceback__)[-1]
-    folders = ROOT / "course", ROOT / "course" / "grading", ROOT / "labs"
-    ours = Path(cause.filename).resolve().parent in folders
+    file = Path(cause.filename).resolve()
+    ours = file.is_relative_to(ROOT / "course") or file.is_relative_to(ROOT / "labs")
     return isinstance(error, OSError) or (ours and cause.line.startswith("raise "))
 
 
@@ -151,21 +151,21 @@ def arguments():
 
 def demo(asked):
     """Render the course's scenes and say where the pictures are."""
-    import course.demo
+    from course.experiments import captures, demo
     first, *more = asked.names or [None]
-    if first == "reconstruct" and len(more) == 1 and more[0] not in course.demo.SCENES:
-        return course.demo.captures.run(course.demo.Labs(asked.impl), more[0])
+    if first == "reconstruct" and len(more) == 1 and more[0] not in demo.SCENES:
+        return captures.run(demo.Labs(asked.impl), more[0])
     if not asked.list:
-        return course.demo.run(asked.names, implementation=asked.impl)
-    for name, title in course.demo.scenes().items():
+        return demo.run(asked.names, implementation=asked.impl)
+    for name, title in demo.scenes().items():
         print(f"{name:12} {title}")
     return 0
 
 
 def notebooks(asked):
     """Run notebooks from a clean kernel and save them with their figures."""
-    import course.notebooks
-    return course.notebooks.run(asked.names)
+    import course.upkeep.notebooks
+    return course.upkeep.notebooks.run(asked.names)
 
 
 def check(asked):
@@ -207,20 +207,20 @@ def grade(asked):
 
 def skeleton(asked):
     """Make labs/ from reference/, each exercise's answer taken out."""
-    import course.skeleton
-    return course.skeleton.run(check=asked.check, force=asked.force)
+    import course.upkeep.skeleton
+    return course.upkeep.skeleton.run(check=asked.check, force=asked.force)
 
 
 def mistakes(asked):
-    """Try the mistakes in tests/mistakes/: each must be caught. Makes course/data/hints.json."""
-    import course.mistakes
-    return course.mistakes.run()
+    """Try the mistakes in tests/mistakes/: each must be caught. Makes course/checks/hints.json."""
+    import course.upkeep.mistakes
+    return course.upkeep.mistakes.run()
 
 
 def mutants(asked):
     """Put small mistakes into the reference's exercises, and count those that the checks catch."""
-    import course.mutants
-    return course.mutants.run(asked.target)
+    import course.upkeep.mutants
+    return course.upkeep.mutants.run(asked.target)
 
 
 def test(asked):

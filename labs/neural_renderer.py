@@ -23,7 +23,7 @@ Sources: a reading of neural_renderer's rasterizer; Kato, Ushiku, Harada 2018; L
 """
 import numpy as np
 
-from course import inputs
+from course.given import inputs
 
 from . import msaa, rasterization, texturing, transforms
 

@@ -24,7 +24,7 @@ import numpy as np
 import scipy.fft
 import scipy.sparse.csgraph
 
-from course import mesh
+from course.given import mesh
 
 from . import (
     antialiasing,
@@ -111,7 +111,7 @@ def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 poi
 
 
 def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 points)
-    """Backward of eq. (4), which is `course.mesh.vertex_normals`: grad_normals (V, 3) ->
+    """Backward of eq. (4), which is `course.given.mesh.vertex_normals`: grad_normals (V, 3) ->
     grad_vertices (V, 3).
 
     vertices (V, 3); faces (F, 3). Of a vertex whose m is 0 (it has no face, or

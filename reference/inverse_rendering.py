@@ -21,7 +21,7 @@ Sources: lecture "Differentiable graphics 1"; Kingma and Ba 2015 (3); Shoemake 1
 """
 import numpy as np
 
-from course import inputs
+from course.given import inputs
 
 from . import antialiasing, interpolation, rasterization, texturing, transforms, vertex_gradients
 

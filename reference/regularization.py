@@ -29,8 +29,8 @@ import numpy as np
 import scipy.sparse
 from scipy.sparse.linalg import spsolve
 
-from course import mesh
-from course.distances import closest_points
+from course.given import mesh
+from course.given.distances import closest_points
 
 NO_AREA = 1e-12       # twice a face's area over its longest side squared: up to this it has none
 STRAIGHT = 0.9        # cosine of the largest angle between normals over which an edge may flip

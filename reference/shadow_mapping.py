@@ -23,7 +23,7 @@ Sources: GAMES101 lecture 12 (its map holds the greatest depth; the nearest is r
 """
 import numpy as np
 
-from course import mesh
+from course.given import mesh
 
 from . import interpolation, inverse_rendering, rasterization, texturing, transforms
 

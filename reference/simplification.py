@@ -28,7 +28,7 @@ import warnings
 import numpy as np
 from scipy.spatial import cKDTree
 
-from course import mesh
+from course.given import mesh
 
 LEAST_CURVATURE = 1e-3  # of the greatest eigenvalue of A: less is rounding, or nearly flat
 BOUNDARY_WEIGHT = 100   # of a plane through a boundary edge; that of a face has 1

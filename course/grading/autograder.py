@@ -5,12 +5,14 @@ import sys
 import zipfile
 from pathlib import Path
 
-from .. import places
+from ..given import places
 from . import grade, sandbox, submissions
 
 FILES = Path(__file__).with_name("files")
-NEEDED = ("course/**/*.py", "course/data/*", "course/grading/files/*", "reference/*.py",
-          "labs/*.py", "tests/*.py", "tests/golden/*", "pyproject.toml", "requirements.txt")
+NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
+          "course/grading/files/*", "reference/*.py", "labs/*.py",
+          "tests/conftest.py", "tests/labs/*.py", "tests/golden/*", "pyproject.toml",
+          "requirements.txt")
 
 
 def gradescope(path, labs=None):

@@ -15,7 +15,9 @@ from typing import NamedTuple
 
 import pytest
 
-from .. import board, checks, places, skeleton
+from .. import board, checks
+from ..given import places
+from ..upkeep import skeleton
 from . import sandbox, wire
 
 MESSAGES = {  # what a worker may say, and the types of what follows
@@ -248,7 +250,7 @@ def imported(topic):
     """The modules of SciPy and the course that the reference imports: a worker has them ready."""
     text = skeleton.read(skeleton.reference(topic))
     lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?", text, re.M)
-    return tuple(f"{module}.{name}" if module in ("scipy", "course") else module
+    return tuple(f"{module}.{name}" if module in ("scipy", "course.given") else module
                  for module, name in lines)
 
 

@@ -3,10 +3,11 @@ import json
 import re
 from pathlib import Path
 
-from .. import places, skeleton
+from ..given import places
+from ..upkeep import skeleton
 from .grade import topics_of
 
-WHOLE = ("course/**/*.py", "course/**/*.md", "course/data/*.ply", "course/data/hints.json",
+WHOLE = ("course/**/*.py", "course/**/*.md", "course/given/data/*.ply", "course/checks/hints.json",
          "course/grading/files/*", "tests/conftest.py", "tests/golden/*", "requirements.txt",
          "pyproject.toml", ".gitattributes", ".gitignore")
 IMPORT = re.compile(r"^from reference import ([\w, ]+?)(  #.*)?$")
@@ -67,7 +68,8 @@ def files(topics, released):
     for topic in topics:
         text = skeleton.read(skeleton.reference(topic))
         yield f"labs/{topic}.py", skeleton.skeleton(text).encode("utf-8")
-        yield f"tests/test_{topic}.py", (places.ROOT / f"tests/test_{topic}.py").read_bytes()
+        check = f"tests/labs/test_{topic}.py"
+        yield check, (places.ROOT / check).read_bytes()
         if topic in released:
             yield f"reference/{topic}.py", text.encode("utf-8")
     for path in sorted(places.ROOT.glob("notebooks/*.ipynb")):

@@ -4,7 +4,9 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from .. import board, places, skeleton
+from .. import board
+from ..given import places
+from ..upkeep import skeleton
 from . import submissions
 
 

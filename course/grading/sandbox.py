@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from .. import places
+from ..given import places
 from . import wire
 
 LEVELS = ("strict", "process")
@@ -192,8 +192,9 @@ def interpreter():
 @functools.cache
 def given():
     """{module of the course that labs may import: its text}."""
-    return {"course": ""} | {f"course.{name}": (places.ROOT / "course" / f"{name}.py").read_text(
-        "utf-8") for name in GIVEN}
+    folder = places.ROOT / "course" / "given"
+    return {"course": "", "course.given": ""} | {
+        f"course.given.{name}": (folder / f"{name}.py").read_text("utf-8") for name in GIVEN}
 
 
 def python(worker, packages):

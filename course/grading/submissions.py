@@ -19,7 +19,7 @@ import zipfile
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
-from .. import skeleton
+from ..upkeep import skeleton
 from . import sandbox
 
 MOST_TEXT = 1 << 18       # bytes of one lab
@@ -258,7 +258,9 @@ def foreign_imports(text):
         return []
     found = [(node.lineno, alias.name) for node in nodes if isinstance(node, ast.Import)
              for alias in node.names]
-    found += [(node.lineno, f"course.{alias.name}" if node.module == "course" else node.module)
+    packages = "course", "course.given"
+    found += [(node.lineno, f"{node.module}.{alias.name}" if node.module in packages
+               else node.module)
               for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0
               for alias in node.names]
     there = {"numpy", "scipy", *sys.stdlib_module_names}

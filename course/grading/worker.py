@@ -58,7 +58,7 @@ class Given(importlib.abc.MetaPathFinder, importlib.abc.ExecutionLoader):
 
     def find_spec(self, name, path=None, target=None):
         if name in self.texts:
-            return importlib.util.spec_from_loader(name, self, is_package=name == "course")
+            return importlib.util.spec_from_loader(name, self, is_package=not self.texts[name])
 
     def get_source(self, name):
         return self.texts[name]

@@ -1,0 +1,430 @@
+"""Mutants: small mistakes made by machine, which an exercise's own checks must catch.
+
+A mutant is an exercise of the reference with one change in its body: an operator, a number, an
+index, a comparison, a call, or a term that is dropped. Each one takes the place of the right
+function, and the exercise's checks run until one fails. Then the mutant is caught, also if it
+raised an error or did not end. A mutant that lives shows what no check looks at.
+
+A change that changes nothing (or nothing that the question settles) is no mistake. Such mutants
+stand with their reason in tests/mistakes/equivalent_mutants.txt, and do not count:
+
+    3.12  a < b -> a <= b
+          At a = b both branches give the same point.
+"""
+import ast
+import contextlib
+import io
+import itertools
+import json
+import multiprocessing
+import os
+import sys
+import time
+import warnings
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+
+import pytest
+from _pytest.runner import runtestprotocol
+
+from .. import board, checks
+from ..given import places
+from . import skeleton
+
+GOAL_EXERCISE, GOAL_COURSE = 0.95, 0.98  # shares of the mutants that are caught
+SLOWER, AT_LEAST = 20, 8.0  # a mutant may take so many times what the right answer takes; seconds
+CONTEXT, WIDEST = 24, 80     # characters shown to each side of a change, and of all of it
+
+SWAPPED = {ast.Add: (ast.Sub,), ast.Sub: (ast.Add,), ast.Mult: (ast.Div,), ast.Div: (ast.Mult,),
+           ast.FloorDiv: (ast.Div,), ast.Mod: (ast.FloorDiv,), ast.Pow: (ast.Mult,),
+           ast.BitAnd: (ast.BitOr,), ast.BitOr: (ast.BitAnd,), ast.BitXor: (ast.BitOr,),
+           ast.And: (ast.Or,), ast.Or: (ast.And,),
+           ast.Lt: (ast.LtE, ast.Gt), ast.LtE: (ast.Lt, ast.GtE), ast.Gt: (ast.GtE, ast.Lt),
+           ast.GtE: (ast.Gt, ast.LtE), ast.Eq: (ast.NotEq,), ast.NotEq: (ast.Eq,),
+           ast.In: (ast.NotIn,), ast.NotIn: (ast.In,), ast.Is: (ast.IsNot,), ast.IsNot: (ast.Is,)}
+TWINS = ("sin cos", "floor ceil", "sum mean", "any all", "min max", "minimum maximum",
+         "argmin argmax", "zeros ones", "less less_equal", "greater greater_equal",
+         "zeros_like ones_like", "logical_and logical_or", "rows columns", "width height")
+SYMMETRIC = ("min", "max", "minimum", "maximum", "hypot", "clip")  # clip: min(max(a, b), c)
+MAKERS = ("array", "asarray", "stack")  # without them a list is left, which checks take as well
+TWIN = {name: twin for pair in map(str.split, TWINS)
+        for name, twin in (pair, pair[::-1])}
+
+
+class Mutant(NamedTuple):
+    """A change of an exercise: its line in the reference, what it reads, the function with it."""
+
+    line: int
+    change: str
+    text: str
+
+
+class Score(NamedTuple):
+    """What became of an exercise's mutants. survivors: [Mutant]; known: equivalent ones."""
+
+    topic: str
+    exercise: skeleton.Exercise
+    mutants: int
+    caught: int
+    survivors: list
+    known: int
+    stale: list
+    seconds: float
+
+
+# --- the changes ------------------------------------------------------------------------------
+
+
+def changes(node):
+    """Yield what may stand in a node's place: the same with one mistake."""
+    match node:
+        case ast.BinOp(left, op, right):
+            yield from (altered(node, op=other()) for other in SWAPPED.get(type(op), ()))
+            yield left
+            yield ast.UnaryOp(ast.USub(), right) if isinstance(op, ast.Sub) else right
+            if isinstance(op, ast.MatMult):
+                yield altered(node, left=right, right=left)
+        case ast.UnaryOp(_, operand):
+            yield operand
+            if is_negative(node):  # and not -2 for -1, as reshape takes any negative number
+                yield altered(node, operand=ast.Constant(operand.value - 1))
+        case ast.BoolOp(op, values):
+            yield altered(node, op=SWAPPED[type(op)][0]())
+            yield from values
+        case ast.Compare(_, ops, _):
+            for k, op in enumerate(ops):
+                yield from (altered(node, ops=put(ops, k, other())) for other in SWAPPED[type(op)])
+        case ast.IfExp(_, body, other):
+            yield from (body, other)
+        case ast.Constant(value):
+            yield from map(ast.Constant, other_numbers(value))
+        case ast.Call(function, arguments, keywords):
+            yield from changed_calls(node, function, arguments, keywords)
+        case ast.Attribute(value, "T"):
+            yield value
+        case ast.Attribute(_, name) if name in TWIN:
+            yield altered(node, attr=TWIN[name])
+        case ast.Name(name) if name in TWIN:
+            yield altered(node, id=TWIN[name])
+        case ast.Tuple([first, second, *rest]):
+            yield altered(node, elts=[second, first, *rest])
+        case ast.Slice():
+            yield from (altered(node, **{end: None}) for end in ("lower", "upper", "step")
+                        if getattr(node, end))
+        case ast.comprehension(ifs=[_, *_]):
+            yield altered(node, ifs=[])
+        case ast.If():
+            yield from (altered(node, test=ast.Constant(always)) for always in (True, False))
+        case ast.AugAssign(_, op):
+            yield from (altered(node, op=other()) for other in SWAPPED.get(type(op), ()))
+            yield ast.Pass()
+        case ast.Assign([ast.Subscript()]) | ast.Expr() | ast.Raise() | ast.Continue():
+            yield ast.Pass()
+
+
+def changed_calls(node, function, arguments, keywords):
+    name = getattr(function, "attr", getattr(function, "id", ""))
+    if len(arguments) > 1 and name not in SYMMETRIC:
+        yield altered(node, args=[arguments[1], arguments[0], *arguments[2:]])
+    if len(arguments) == 1 and name not in MAKERS:
+        yield arguments[0]
+    if isinstance(function, ast.Attribute) and not isinstance(function.value, ast.Name):
+        yield function.value
+    for k in range(len(keywords) if name != "zip" else 0):
+        yield altered(node, keywords=keywords[:k] + keywords[k + 1:])
+
+
+def other_numbers(value):
+    """Of a truth value its opposite, of an integer its neighbours, of a float 10 % more."""
+    if isinstance(value, bool):
+        return [not value]
+    if isinstance(value, int):
+        return [value + 1, value - 1]
+    return [float(f"{1.1 * value:.12g}") or 0.1] if isinstance(value, float) else []
+
+
+def altered(node, **fields):
+    return ast.copy_location(type(node)(**{**dict(ast.iter_fields(node)), **fields}), node)
+
+
+def put(items, k, item):
+    return [*items[:k], item, *items[k + 1:]]
+
+
+def is_negative(node):
+    """Whether this is a number like -1."""
+    match node:
+        case ast.UnaryOp(ast.USub(), ast.Constant(int())):
+            return True
+    return False
+
+
+def variants(node):
+    """Yield (the part that is changed, what it becomes, the whole node with it), top left first."""
+    yield from ((node, other, other) for other in changes(node))
+    if isinstance(node, ast.Raise) or getattr(node, "arg", "") == "strict" or is_negative(node):
+        return  # what an error says is not judged; strict=True is there for the author
+    for field, value in ast.iter_fields(node):
+        if isinstance(value, ast.AST):
+            for old, new, child in variants(value):
+                yield old, new, altered(node, **{field: child})
+        for k, item in enumerate(value if isinstance(value, list) else ()):
+            if isinstance(item, ast.AST):
+                for old, new, child in variants(item):
+                    yield old, new, altered(node, **{field: put(value, k, child)})
+
+
+def mutants(function):
+    """The Mutants of a function's node, always in the same order; none is like another."""
+    found, texts, names = [], {ast.unparse(function)}, {}
+    for k, statement in enumerate(function.body[1:], 1):
+        for old, new, changed in variants(statement):
+            text = ast.unparse(altered(function, body=put(function.body, k, changed)))
+            if text in texts or not is_python(text):
+                continue
+            texts.add(text)
+            name = told(ast.unparse(old), ast.unparse(new))
+            names[name] = names.get(name, 0) + 1
+            name += f" (#{names[name]})" if names[name] > 1 else ""
+            found.append(Mutant(getattr(old, "lineno", statement.lineno), name, text))
+    return found
+
+
+def is_python(text):
+    try:
+        with warnings.catch_warnings(action="ignore"):  # such as indices that are no numbers
+            compile(text, "mutant", "exec")
+    except SyntaxError:
+        return False
+    return True
+
+
+def alike(old, new):
+    """How many characters at their beginning are the same."""
+    differ = (k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1])
+    return next(differ, min(len(old), len(new)))
+
+
+def told(old, new):
+    """'a + b -> a - b'; of long texts the place where they differ."""
+    start = alike(old, new)
+    end = alike(old[start:][::-1], new[start:][::-1])
+    cut = max(0, start - CONTEXT)
+    left = "..." * (cut > 3)
+    cut = cut if left else 0
+
+    def part(text):
+        stop = len(text) - end + CONTEXT
+        piece = text[cut:stop] + "..." if stop + 3 < len(text) else text[cut:]
+        piece = " ".join(f"{left}{piece}".split())
+        return piece if len(piece) <= WIDEST else f"{piece[:WIDEST]}..."
+
+    return f"{part(old)} -> {part(new)}"
+
+
+# --- those that are no mistakes ---------------------------------------------------------------
+
+
+def equivalents():
+    """{(number, change): reason} from tests/mistakes/equivalent_mutants.txt.
+
+    Lines "3.12  change", one below the other, then their reason, indented. ValueError: no reason.
+    """
+    path = places.ROOT / "tests" / "mistakes" / "equivalent_mutants.txt"
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    reasons, waiting = {}, []
+    for line in text.splitlines():
+        if line[:1].isdigit():
+            waiting = [key for key in waiting if key not in reasons]
+            waiting.append(tuple(part.strip() for part in line.split(maxsplit=1)))
+        elif line.strip() and not line.startswith("#"):
+            reasons |= {key: f"{reasons.get(key, '')} {line.strip()}".strip() for key in waiting}
+    bare = [key for key in waiting if key not in reasons]
+    if bare:
+        raise ValueError(f"{places.shown_path(path)}: {' '.join(bare[0])} has no reason below it; "
+                         "say why this mutant is no mistake")
+    return reasons
+
+
+# --- in a process of its own ------------------------------------------------------------------
+
+
+class Trials:
+    """A pytest plugin: collects checks once, then runs them on one wrong answer after another.
+
+    trials: [(exercise, text of the function)]. tell(seconds) once for the right answers, then for
+    each trial [(nodeid, fingerprint of what the check was returned)] of the checks that caught it:
+    of the first one, or of all.
+    """
+
+    def __init__(self, topic, trials, only_first, tell):
+        self.topic, self.trials, self.only_first, self.tell = topic, trials, only_first, tell
+        self.of = {exercise.number: [] for exercise, _ in trials}  # its checks
+
+    def pytest_collection_modifyitems(self, items):
+        for item in items:
+            mark = item.get_closest_marker("exercise")
+            if mark and mark.args[0] in self.of:
+                self.of[mark.args[0]].append(item)
+
+    def pytest_runtestloop(self, session):
+        start = time.perf_counter()
+        for number, items in self.of.items():
+            if not items or list(failures(items)):
+                raise ValueError(f"exercise {number} has no check, or the reference fails")
+        self.tell(time.perf_counter() - start)
+        module = sys.modules[f"{checks.PACKAGE}.{self.topic}"]
+        for exercise, text in self.trials:
+            right = getattr(module, exercise.name)
+            exec(compile(text, "mutant", "exec"), vars(module))
+            failed = failures(self.of[exercise.number])
+            self.tell(list(itertools.islice(failed, 1 if self.only_first else None)))
+            setattr(module, exercise.name, right)
+        return True
+
+
+def failures(items):
+    """Run checks; yield (nodeid, fingerprint or None) of each that fails."""
+    for item in items:
+        item.stash[checks.LAST_RETURN] = None
+        if any(report.failed for report in
+               runtestprotocol(item, log=False, nextitem=item.parent)):  # keeps what is of the file
+            returned = item.stash[checks.LAST_RETURN]
+            yield item.nodeid, returned is not None and checks.fingerprint(item.nodeid, returned)
+
+
+def work(topic, trials, only_first, pipe):
+    """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
+    with contextlib.suppress(ImportError):  # not on Windows
+        import resource
+        resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # a mutant may ask for all
+
+    def nowhere(*parts):
+        raise OSError("mutants are not drawn")
+
+    places.out = nowhere
+    os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
+    os.environ.pop("PYTEST_ADDOPTS", None)
+    options = ["--rootdir", places.ROOT, "-c", places.ROOT / "pyproject.toml", "--impl=reference",
+               "-p", "no:cacheprovider", places.ROOT / "tests" / "labs" / f"test_{topic}.py"]
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        pytest.main([*map(str, options)], plugins=[Trials(topic, trials, only_first, pipe.send)])
+    pipe.send(said.getvalue())
+
+
+# --- in the main process ----------------------------------------------------------------------
+
+
+def caught_by(topic, trials, only_first=True):
+    """Who caught each of the trials (exercise, text): see Trials; [] for one that lives.
+
+    A mutant that does not end is ended with its process; the next process goes on behind it.
+    ValueError: the reference itself does not pass.
+    """
+    verdicts = []
+    while len(verdicts) < len(trials):
+        here, there = multiprocessing.Pipe()
+        process = multiprocessing.get_context("spawn").Process(
+            target=work, args=(topic, trials[len(verdicts):], only_first, there), daemon=True)
+        process.start()
+        there.close()
+        try:
+            limit = max(AT_LEAST, SLOWER * seconds_of_the_right_ones(here, topic))
+            while len(verdicts) < len(trials) and here.poll(limit):
+                verdicts.append(here.recv())
+            if len(verdicts) < len(trials):
+                verdicts.append([(f"no end in {limit:.0f} s", None)])
+        except EOFError:
+            verdicts.append([("it broke off", None)])
+        finally:
+            process.kill()
+            process.join()
+    return verdicts
+
+
+def seconds_of_the_right_ones(pipe, topic):
+    first = pipe.recv()
+    if isinstance(first, str):
+        raise ValueError(f"the checks of {topic} do not pass on the reference: "
+                         f"mend them first\n{first.strip()[-500:]}")
+    return first
+
+
+def mutants_of(topic, exercise):
+    functions = skeleton.top_level_functions(skeleton.read(skeleton.reference(topic)))
+    return mutants(next(node for node in functions if node.name == exercise.name))
+
+
+def score(topic, exercise, tried, reasons):
+    """Let the checks of an exercise judge its mutants -> Score."""
+    start = time.perf_counter()
+    verdicts = caught_by(topic, [(exercise, mutant.text) for mutant in tried])
+    alive = [mutant for mutant, verdict in zip(tried, verdicts, strict=True) if not verdict]
+    known = [mutant for mutant in alive if (exercise.number, mutant.change) in reasons]
+    survivors = [mutant for mutant in alive if mutant not in known]
+    stale = [change for number, change in reasons if number == exercise.number
+             and change not in [mutant.change for mutant in known]]
+    counted = len(tried) - len(known)
+    return Score(topic, exercise, counted, counted - len(survivors), survivors, len(known), stale,
+                 time.perf_counter() - start)
+
+
+def run(target=None):
+    """Try the mutants of a lab (2 or rasterization), of an exercise (2.3), or of all.
+
+    Prints a table, then every mutant that lives with its line; the same goes to out/mutants/ as
+    JSON. -> 0 if 95 % of each exercise's mutants and 98 % of all are caught, else 1.
+    """
+    labs, asked = board.asked_for(target)
+    reasons = equivalents()
+    wanted = [(topic, exercise, mutants_of(topic, exercise))
+              for topic, exercises in labs.items() for exercise in exercises
+              if exercise.number in asked]
+    scores = []
+    with ThreadPoolExecutor(os.cpu_count()) as pool:  # each thread waits for a process of its own
+        for found in pool.map(lambda one: score(*one, reasons), wanted):
+            scores.append(found)
+            print(row(found.exercise.number, found.exercise.name, found), flush=True)
+    total = all_together(scores)
+    path = places.out("mutants", f"{target or 'all'}.json")
+    places.write_whole(path, as_json(scores).encode("utf-8"))
+    print(row("all", board.plural(len(scores), "exercise"), total),
+          *(text for found in scores for text in remarks(found)),
+          places.shown_path(path), sep="\n")
+    return int(share(total) < GOAL_COURSE or any(share(s) < GOAL_EXERCISE for s in scores))
+
+
+def all_together(scores):
+    return Score("", None, sum(s.mutants for s in scores), sum(s.caught for s in scores), [],
+                 sum(s.known for s in scores), [], sum(s.seconds for s in scores))
+
+
+def share(found):
+    return found.caught / found.mutants if found.mutants else 1.0
+
+
+def row(number, name, found):
+    known = f", and {found.known} equivalent" if found.known else ""
+    return (f"{number:>5}  {name:30} {found.caught:4} of {found.mutants:4} caught  "
+            f"{100 * share(found):5.1f} %{known}")
+
+
+def remarks(found):
+    """Of an exercise, what lives, and what is said to be equivalent in vain."""
+    number, file = found.exercise.number, f"reference/{found.topic}.py"
+    return [*(f"{number}  {mutant.change}\n      lives, {file}:{mutant.line}"
+              for mutant in found.survivors),
+            *(f"{number}  {change}\n      is listed as equivalent, but is caught, or is no mutant"
+              for change in found.stale)]
+
+
+def as_json(scores):
+    """{"mutants", "caught", "exercises": [{number, name, mutants, caught, equivalent, alive}]}."""
+    total = all_together(scores)
+    exercises = [{"number": s.exercise.number, "name": s.exercise.name, "mutants": s.mutants,
+                  "caught": s.caught, "equivalent": s.known, "seconds": round(s.seconds, 1),
+                  "alive": [{"line": mutant.line, "change": mutant.change}
+                            for mutant in s.survivors]} for s in scores]
+    return json.dumps({"mutants": total.mutants, "caught": total.caught, "exercises": exercises},
+                      indent=2) + "\n"

@@ -1,0 +1,407 @@
+"""Runs the lectures from a clean kernel and writes them back: the same code, the same bytes.
+
+An author edits a notebook in Jupyter and then runs `python3 -m course notebooks 02`. What is
+written holds no times, addresses, widgets or settings of the author. Pictures and last digits
+depend on the versions listed under "written_with"; where these agree, so do the bytes.
+
+A lecture begins with these lines, which work in Jupyter and in the command alike:
+
+    import sys; sys.path.append("..")  # finds the course from the folder notebooks/
+    from reference import rasterization, transforms  # "labs" for "reference": your own work
+    from course.given import mesh, plot
+
+    plot.style()
+
+A code cell that begins with `# live` (a slider, say) is left for the reader to run.
+"""
+import asyncio
+import base64
+import contextlib
+import functools
+import io
+import itertools
+import json
+import os
+import platform
+import re
+import tempfile
+import time
+import zlib
+from importlib.metadata import version
+from pathlib import Path
+
+import matplotlib.font_manager  # noqa: F401  finds the fonts now: no kernel has to, and says so
+import nbformat
+import numpy as np
+from ipykernel.kernelspec import RESOURCES, get_kernel_dict
+from jupyter_client import AsyncKernelManager
+from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from PIL import Image, ImageSequence
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from course.given.places import ROOT, read_whole, write_whole
+
+FOLDER = ROOT / "notebooks"
+AT_A_TIME = 2
+TIME_LIMIT = 180                                   # seconds for a notebook
+SIZE_LIMIT = 500_000                               # bytes of a notebook, its pictures included
+PICTURE_LIMIT = 2.0                                # between two pictures, of 255; see `compare`
+NUMBER_LIMIT = 0.01                                # between two printed numbers
+ROUNDING = 1e-9                                    # numbers below it are rounding errors
+
+KERNEL_ENVIRONMENT = {
+    "PYTHONHASHSEED": "0",                         # one order of sets
+    "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1",
+    "VECLIB_MAXIMUM_THREADS": "1",                 # one order of sums
+    "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+    "PYTHONWARNINGS": "", "PYDEVD_DISABLE_FILE_VALIDATION": "1",
+}
+
+NUMBER = re.compile(r"[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?")
+
+# What the text of a lecture must not hold: a pattern, and what to say.
+UNWANTED = [
+    (r" at 0x[0-9a-fA-F]{4,}", "prints a memory address: print a name instead"),
+    (r"\x1b\[", "prints terminal colours: print plain text"),
+    (r"\r", "draws a progress bar: print a line at the end instead"),
+    (re.escape(str(ROOT)), "prints the folder of this copy of the course: print a relative path"),
+]
+
+
+# The command
+
+def run(names):
+    """Execute notebooks and write them back -> exit status. names, ValueError: those of `find`.
+
+    0: all are written; 1: at least one was refused, with a sentence, and stays as it was.
+    """
+    paths, console = find(names), Console(soft_wrap=True, highlight=False)
+    columns = (TextColumn("{task.description}"), BarColumn(20), MofNCompleteColumn(),
+               TextColumn("cells"), TimeElapsedColumn(), TextColumn("{task.fields[verdict]}"))
+    with Progress(*columns, console=console) as progress:
+        refusals = _wait_for(_run_all(paths, progress))
+    for refusal in refusals:
+        console.print(refusal, markup=False)
+    return 1 if refusals else 0
+
+
+def find(names):
+    """Numbers ("2", "02"), topics or paths -> paths; all lectures for none. ValueError if none."""
+    lectures = sorted(FOLDER.glob("*.ipynb"))
+    if not lectures and not names:
+        raise ValueError(f"there are no notebooks in {FOLDER}: get a whole copy of the course")
+    return list(dict.fromkeys(_find(str(name), lectures) for name in names)) or lectures
+
+
+def _find(name, lectures):
+    if name.endswith(".ipynb") and Path(name).is_file():
+        return Path(name).resolve()
+    for path in lectures:
+        number, _, topic = path.stem.partition("_")
+        if name in (path.name, path.stem, topic) or name.zfill(2) == number:
+            return path
+    known = ", ".join(path.stem for path in lectures) or "none"
+    raise ValueError(f"there is no notebook {name}: name one by its number, its topic or its path; "
+                     f"there are {known}")
+
+
+async def _run_all(paths, progress):
+    free = asyncio.Semaphore(AT_A_TIME)
+    refusals = await asyncio.gather(*[_run_one(path, progress, free) for path in paths])
+    return [refusal for refusal in refusals if refusal]
+
+
+async def _run_one(path, progress, free):
+    """Execute and write one notebook -> None, or the sentence that says why it was refused."""
+    task = progress.add_task(path.stem, start=False, total=None, verdict="")
+    async with free:
+        progress.start_task(task)
+        try:
+            before = read_whole(path)
+            content = await execute(path, functools.partial(progress.update, task))
+            if read_whole(path) != before:
+                raise ValueError(f"{path.name} was saved while it ran: run the command again")
+            if content != before:
+                write_whole(path, content)
+        except (ValueError, OSError) as error:
+            progress.update(task, verdict="refused")
+            return str(error)
+        finally:
+            progress.stop_task(task)
+    size = f"{len(content) / 1000:.0f} kB"
+    progress.update(task, verdict=("unchanged, " if content == before else "written, ") + size)
+
+
+def _wait_for(work):
+    # The selector's loop, because the one that Windows prefers does not serve Jupyter's sockets.
+    with asyncio.Runner(loop_factory=asyncio.SelectorEventLoop) as runner:
+        return runner.run(work)
+
+
+# From a notebook to its bytes
+
+async def execute(path, progress=lambda **cells: None):
+    """The notebook, run from a clean kernel in the course's folder -> the bytes to write.
+
+    `progress` is called with total= and completed=, in cells. ValueError where a cell fails or
+    leaves something that a lecture must not show, OSError where the file cannot be read.
+    """
+    notebook = _read(path)
+    cells = [(index, cell) for index, cell in enumerate(notebook.cells) if _is_run(cell)]
+    progress(completed=0, total=len(cells))
+    async with _kernel(notebook) as client:
+        for number, (index, cell) in enumerate(cells, start=1):
+            objection = await _run_cell(client, cell, index) or _objection(cell)
+            if objection:
+                raise ValueError(f"{path.name}, code cell [{number}] {objection}")
+            _join_streams(cell)
+            _pack_pictures(cell)
+            progress(completed=number)
+    return _content(notebook, path)
+
+
+def _read(path):
+    """A notebook without outputs, its cells named cell-00, cell-01, ..., as it goes to a kernel."""
+    try:
+        notebook = nbformat.from_dict(json.loads(read_whole(path)))
+        if notebook.nbformat != 4:
+            raise ValueError
+        for index, cell in enumerate(notebook.cells):
+            cell.id, cell.metadata, cell.source = f"cell-{index:02}", {}, "".join(cell.source)
+            if cell.cell_type == "code":
+                cell.outputs, cell.execution_count = [], None
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise ValueError(f"{path} is not a notebook of format 4: open it in Jupyter and save it, "
+                         "or get it again") from None
+    notebook.nbformat_minor = 5                    # the first one whose cells have names
+    notebook.metadata = nbformat.from_dict({
+        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "language_info": {"name": "python"},
+        "written_with": _written_with(),
+    })
+    return notebook
+
+
+def _written_with():
+    """What the bytes of numbers and pictures depend on, apart from the code.
+
+    Two processors round differently with the same versions: "rounding" is a sum of such results.
+    """
+    versions = {name: version(name) for name in ("numpy", "scipy", "matplotlib", "pillow")}
+    numbers = np.random.default_rng(0).normal(size=(40, 40))
+    results = numbers @ numbers, np.linalg.inv(numbers), np.exp(numbers), np.fft.fft2(numbers)
+    return {**versions, "platform": f"{platform.system()} {platform.machine()}",
+            "rounding": f"{zlib.crc32(b''.join(result.tobytes() for result in results)):08x}"}
+
+
+def _is_run(cell):
+    source = cell.source.strip()
+    return cell.cell_type == "code" and source and not source.startswith("# live")
+
+
+class ThisInterpreter(KernelSpecManager):
+    """Finds one kernel: the Python that runs this, whatever kernels the reader has installed."""
+
+    def get_kernel_spec(self, kernel_name):
+        return KernelSpec(resource_dir=RESOURCES, **get_kernel_dict(["--log-level=40"]))
+
+
+@contextlib.asynccontextmanager
+async def _kernel(notebook):
+    """A client of a new kernel that knows no settings of the reader, and ends with the block."""
+    manager = AsyncKernelManager(kernel_spec_manager=ThisInterpreter())
+    end = time.monotonic() + TIME_LIMIT
+    client = NotebookClient(notebook, km=manager, record_timing=False,
+                            timeout_func=lambda cell: max(end - time.monotonic(), 0.1))
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as settings:
+        environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": settings}
+        try:
+            await client.async_start_new_kernel(cwd=str(ROOT), env=environment)
+            await client.async_start_new_kernel_client()
+            yield client
+        finally:
+            if client.kc is not None:
+                client.kc.stop_channels()
+            if manager.has_kernel:
+                await manager.shutdown_kernel(now=True)
+
+
+async def _run_cell(client, cell, index):
+    """Fill the cell's outputs -> None, or what kept it from coming to its end."""
+    try:
+        await client.async_execute_cell(cell, index)
+    except CellExecutionError:
+        error = next(output for output in cell.outputs if output.output_type == "error")
+        message = f"{error.ename}: {error.evalue}".splitlines()[0]
+        return f"failed with {message}"
+    except CellTimeoutError:
+        return f"was running when the {TIME_LIMIT} seconds of a notebook ended: let it do less"
+    except DeadKernelError:
+        return "ended the kernel: look for too much memory, or an exit()"
+
+
+def _join_streams(cell):
+    """Printed text arrives in pieces, by chance: make neighbouring pieces one output."""
+    outputs = []
+    for output in cell.outputs:
+        if outputs and output.output_type == outputs[-1].output_type == "stream":
+            outputs[-1].text += output.text
+        else:
+            outputs.append(output)
+    cell.outputs = outputs
+
+
+def _pack_pictures(cell):
+    """The same pixels in fewer bytes: PNGs without an alpha that says nothing, best compression."""
+    for output in cell.outputs:
+        if "image/png" in output.get("data", {}):
+            with Image.open(io.BytesIO(base64.b64decode(output.data["image/png"]))) as picture:
+                opaque = picture.mode == "RGBA" and picture.getextrema()[3] == (255, 255)
+                if opaque and getattr(picture, "n_frames", 1) == 1:
+                    packed = io.BytesIO()
+                    picture.convert("RGB").save(packed, "PNG", optimize=True)
+                    output.data["image/png"] = base64.b64encode(packed.getvalue()).decode()
+
+
+# What a lecture must not show
+
+def _objection(cell):
+    """The first thing in the cell's outputs that must not be written, as a clause, or None."""
+    pictures = []
+    for output in cell.outputs:
+        contents = _contents(output)
+        text = "\n".join(contents[kind] for kind in contents if kind.startswith("text/"))
+        if output.get("name") == "stderr":
+            line = text.strip().split("\n")[0]
+            return f"warns on stderr ({line}): mend the cause, a lecture shows no warnings"
+        for kind in contents:
+            if not kind.startswith(("text/", "image/")):
+                return f'shows {kind}, which a page cannot: begin the cell with "# live"'
+        for pattern, clause in UNWANTED:
+            if re.search(pattern, text):
+                return clause
+        pictures += [contents[kind] for kind in contents if kind.startswith("image/")]
+    if len(set(pictures)) < len(pictures):
+        return "shows one picture twice: end its last line with a semicolon"
+
+
+def _contents(output):
+    """What an output shows, by its kind: {"text/plain": ..., "image/png": in base64, ...}."""
+    contents = output.get("data", {"text/plain": output.get("text", "")})
+    return {kind: "".join(content) for kind, content in contents.items()}
+
+
+def _content(notebook, path):
+    content = (nbformat.writes(notebook) + "\n").encode()
+    if len(content) > SIZE_LIMIT:
+        sizes = [len(json.dumps(cell.get("outputs", []))) for cell in notebook.cells]
+        largest = notebook.cells[np.argmax(sizes)]
+        raise ValueError(
+            f"{path.name} would be {len(content) / 1000:.0f} kB, and {SIZE_LIMIT / 1000:.0f} kB is "
+            f"the limit: draw fewer or smaller pictures, first in code cell "
+            f"[{largest.get('execution_count')}], whose outputs are {max(sizes) / 1000:.0f} kB")
+    return content
+
+
+# Is a committed notebook what the command would write?
+
+def compare(path):
+    """Run the notebook again and hold it against the file -> list of differences, in sentences.
+
+    Sources and structure must be equal. Text and pictures must be equal byte for byte where the
+    file was written with the versions and the rounding of this environment. Elsewhere fonts and
+    roundings differ a little: there a number may be off by NUMBER_LIMIT of itself or by one in its
+    last digit, and below ROUNDING all numbers are the same; a picture may be two pixels larger or
+    smaller, and the means of its blocks of 32 x 32 pixels may differ by PICTURE_LIMIT in the mean.
+    (matplotlib 3.9 and 3.11 differ by up to 1; the course's figures upside down, mirrored or empty
+    differ by 4 and more.)
+    """
+    path = Path(path)
+    try:
+        content = _wait_for(execute(path)).decode()
+    except (ValueError, OSError) as error:
+        return [str(error)]
+    committed = path.read_text(encoding="utf-8")   # with "\n", however git has checked it out
+    was, now = json.loads(committed), json.loads(content)
+    here = was["metadata"].get("written_with") == now["metadata"].pop("written_with")
+    was["metadata"].pop("written_with", None)
+    differences = [difference for pair in zip(was.pop("cells"), now.pop("cells"), strict=True)
+                   for difference in _cell_differences(*pair, here)]
+    if was != now:
+        differences.append("the notebook's metadata are not those that the command writes")
+    if committed != nbformat.writes(nbformat.from_dict(json.loads(committed))) + "\n":
+        differences.append("the file's layout is not the one that the command writes")
+    return [f"{path.name}: {difference}" for difference in differences]
+
+
+def _cell_differences(was, now, here):
+    before, after = was.pop("outputs", []), now.pop("outputs", [])
+    if was != now:
+        yield f"{now['id']} has a name, count, source or metadata that the command does not write"
+    if [_form(output) for output in before] != [_form(output) for output in after]:
+        yield f"{now['id']} has {len(after)} outputs, and in the file {len(before)} or other ones"
+        return
+    for old, new in zip(map(_contents, before), map(_contents, after), strict=True):
+        for kind in old:
+            difference = (_picture_difference(old[kind], new[kind], here) if kind == "image/png"
+                          else _text_difference(old[kind], new[kind], here))
+            if difference:
+                yield f"{now['id']} {difference}"
+
+
+def _form(output):
+    """All of an output but what it shows."""
+    return {**output, "text": None, "data": sorted(_contents(output))}
+
+
+def _text_difference(was, now, here):
+    for old, new in itertools.zip_longest(was.splitlines(), now.splitlines(), fillvalue=""):
+        if old != new and (here or not _says_the_same(old, new)):
+            return f"prints {new!r}, and the file says {old!r}"
+
+
+def _says_the_same(old, new):
+    """Are two lines equal but for spaces and for numbers that another rounding explains?"""
+    words = [re.sub(r"\s+", "", NUMBER.sub("#", line)) for line in (old, new)]
+    return words[0] == words[1] and all(
+        abs(float(one) - float(other)) <= max(ROUNDING, NUMBER_LIMIT * abs(float(one)),
+                                              _last_digit(one), _last_digit(other))
+        for one, other in zip(NUMBER.findall(old), NUMBER.findall(new), strict=True))
+
+
+def _last_digit(number):
+    """A little more than one in the last digit of a printed number: "1.25e-3" -> 1.1e-05."""
+    digits, _, exponent = number.lower().partition("e")
+    return 1.1 * 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2]))
+
+
+def _picture_difference(was, now, here):
+    """How two pictures in base64 differ, as a clause, or None where that is as it may be."""
+    if was == now:
+        return None
+    if here:
+        return "draws a picture with other bytes, with the same versions: find what is not seeded"
+    old, new = _frames(was), _frames(now)
+    if len(old) != len(new) or np.abs(np.subtract(old[0].size, new[0].size)).max() > 2:
+        return (f"draws {len(new)} pictures of {new[0].size} pixels, "
+                f"and the file has {len(old)} of {old[0].size}")
+    size = np.minimum(old[0].size, new[0].size)
+    difference = max(np.abs(_small(one, size) - _small(other, size)).mean()
+                     for one, other in zip(old, new, strict=True))
+    if difference > PICTURE_LIMIT:
+        return (f"draws a picture that differs from the file's by {difference:.1f} of 255 "
+                f"in the mean: {PICTURE_LIMIT} is what other fonts may explain")
+
+
+def _frames(picture):
+    """A PNG or APNG in base64 -> its frames, in RGB."""
+    with Image.open(io.BytesIO(base64.b64decode(picture))) as opened:
+        return [frame.convert("RGB") for frame in ImageSequence.Iterator(opened)]
+
+
+def _small(frame, size):
+    """The means of 32 x 32 pixels, so that a line moved by a pixel or two counts for little."""
+    return np.asarray(frame.crop((0, 0, *size)).reduce(32), float)

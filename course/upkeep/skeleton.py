@@ -1,0 +1,262 @@
+"""The exercises of a topic's module, and the lab that is made of it.
+
+An exercise is a whole function with a mark on its def line, and nowhere else:
+
+    def edge_function(p, a, b):  # exercise 2.1 (2 points)
+
+Its docstring is the question, its body is the answer. The lab is the reference's text with one
+raise in place of every answer; everything else stays, byte for byte.
+
+labs/.generated.json keeps a hash of every lab as it was made. A lab with another hash was worked
+on, and is not made anew without --force.
+"""
+import ast
+import functools
+import hashlib
+import io
+import json
+import re
+import tokenize
+from pathlib import Path
+from typing import NamedTuple
+
+from ..given import places
+
+TOPICS = ("transforms", "rasterization", "sampling", "msaa", "interpolation", "texturing",
+          "vertex_gradients", "antialiasing", "inverse_rendering", "neural_renderer",
+          "subdivision", "simplification", "regularization", "shadow_mapping",
+          "implicit_surfaces", "reconstruction")
+
+MARK = re.compile(r"# exercise ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)")
+MEANT_AS_MARK = re.compile(r"\W*exercise\b", re.IGNORECASE)
+
+
+class Exercise(NamedTuple):
+    """A marked function. calls: names of the exercises that its body needs, see `calls`."""
+
+    number: str
+    name: str
+    points: int
+    line: int
+    calls: tuple
+
+
+class Lab(NamedTuple):
+    """A lab's path, the text that the reference makes, and the state of the text that is there."""
+
+    path: Path
+    text: str
+    state: str  # in step, stale (or not there), worked on
+
+
+def topics():
+    """The topics that there are, in the course's order."""
+    return tuple(topic for topic in TOPICS if questions(topic).exists())
+
+
+def lab_number(topic):
+    """A topic's place in the course; the first is 1."""
+    return TOPICS.index(topic) + 1
+
+
+def reference(topic):
+    return places.ROOT / "reference" / f"{topic}.py"
+
+
+def questions(topic):
+    """Where a topic's exercises are listed: its reference, or in a hand-out without, its lab."""
+    path = reference(topic)
+    return path if path.exists() else places.ROOT / "labs" / f"{topic}.py"
+
+
+def read(path):
+    """A module's text, its line ends as they are."""
+    return places.read_whole(path).decode("utf-8")
+
+
+def topic_exercises(topic):
+    """The exercises of a topic of the course. ValueError: a mark is wrong, or of another lab."""
+    path = questions(topic)
+    place = f"{path.parent.name}/{path.name}"
+    try:
+        found = exercises(read(path))
+    except ValueError as error:
+        raise ValueError(f"{place}, {error}") from None
+    for number, name, _, line, _ in found:
+        if number.split(".")[0] != str(lab_number(topic)):
+            raise ValueError(f"{place}, line {line}: {name} is marked as exercise "
+                             f"{number}, but {topic} is lab {lab_number(topic)}; "
+                             f"number it {lab_number(topic)}.{number.split('.')[1]}")
+    return found
+
+
+def exercises(text):
+    """The exercises of a module's text, from top to bottom. ValueError: a mark is wrong."""
+    lines = text_lines(text)
+    functions = {function.lineno: function for function in top_level_functions(text)}
+    found = {}
+    for line, number, points in marks(text):
+        if line not in functions:
+            raise ValueError(f"line {line}: the mark of exercise {number} is on no def; move it to "
+                             "the line with the def of a function that stands in no other")
+        if number in found:
+            raise ValueError(f"line {line}: exercise {number} is there already, on line "
+                             f"{found[number].line}; give every exercise its own number")
+        if points < 1:
+            raise ValueError(f"line {line}: exercise {number} has {points} points; "
+                             "give it 1 or more")
+        require_question_and_answer(lines, functions[line], number)
+        found[number] = Exercise(number, functions[line].name, points, line, ())
+    needs = calls(text, [exercise.name for exercise in found.values()])
+    return [exercise._replace(calls=needs[exercise.name]) for exercise in found.values()]
+
+
+@functools.cache
+def top_level_functions(text):
+    """The nodes of a module's functions. ValueError: the text is not Python."""
+    try:
+        module = ast.parse(text)
+    except SyntaxError as error:
+        raise ValueError(f"line {error.lineno}: this is not Python ({error.msg}); "
+                         "mend it first") from None
+    return tuple(node for node in module.body if isinstance(node, ast.FunctionDef))
+
+
+def marks(text):
+    """Yield line, number, points of every mark. ValueError: a comment that is almost a mark."""
+    for token in tokenize.generate_tokens(io.StringIO(text, newline="").readline):
+        if token.type == tokenize.COMMENT and MEANT_AS_MARK.match(token.string):
+            mark, line = MARK.fullmatch(token.string), token.start[0]
+            if not mark:
+                raise ValueError(f'line {line}: the comment "{token.string}" is not a mark; '
+                                 'write it like "# exercise 2.1 (2 points)", or in other words')
+            yield line, mark[1], int(mark[2])
+
+
+def require_question_and_answer(lines, function, number):
+    """ValueError unless the docstring stands on lines of its own, and the answer below."""
+    title = f"line {function.lineno}: exercise {number}, {function.name},"
+    if not ast.get_docstring(function):
+        raise ValueError(f"{title} has no docstring; write the question there")
+    question, *answer = function.body
+    if lines[question.lineno - 1][:question.col_offset].strip():
+        raise ValueError(f"{title} has its docstring beside the def; move it to the next line")
+    if not answer or answer[0].lineno == question.end_lineno:
+        raise ValueError(f"{title} has no answer on the lines below its docstring; write it there")
+
+
+def calls(text, names):
+    """The exercises, out of names, that each one calls, itself or through other functions.
+
+    -> {name: names}. The way ends at an exercise: what that one calls is its own affair.
+    """
+    called = {function.name: {node.func.id for node in ast.walk(function)
+                              if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
+              for function in top_level_functions(text)}
+
+    def reached(name):
+        seen, ends = {name}, [name]
+        while ends:
+            new = called.get(ends.pop(), set()) - seen
+            seen |= new
+            ends += new.difference(names)
+        return tuple(other for other in names if other in seen and other != name)
+
+    return {name: reached(name) for name in names}
+
+
+def skeleton(text):
+    """The lab's text, from the reference's. ValueError: a mark is wrong."""
+    lines = text_lines(text)
+    functions = {function.lineno: function for function in top_level_functions(text)}
+    for number, name, _, line, _ in reversed(exercises(text)):  # upwards: lines above stay put
+        question, end = functions[line].body[0], answer_end(lines, functions[line])
+        indent = lines[question.lineno - 1][:question.col_offset]
+        newline = lines[end - 1].removeprefix(lines[end - 1].rstrip("\r\n"))
+        lines[question.end_lineno:end] = [
+            f'{indent}raise NotImplementedError("exercise {number}: {name}"){newline}']
+    return "".join(lines)
+
+
+def answer_end(lines, function):
+    """The last line of an answer; an indented comment below the last statement belongs to it."""
+    end = function.end_lineno
+    for number, line in enumerate(lines[end:], end + 1):
+        if re.match(r"[ \t]+#", line):
+            end = number
+        elif line.strip():
+            break
+    return end
+
+
+def text_lines(text):
+    """The lines as Python counts them, each with its line end."""
+    return list(io.StringIO(text, newline=""))
+
+
+def run(check=False, force=False):
+    """Make labs/ from reference/; with check, only say how the labs stand. -> exit status.
+
+    A lab that was worked on stays as it is. With force it is made anew, its text kept beside it.
+    """
+    standing = labs()
+    if check:
+        for path, _, state in standing:
+            advice = ": run python3 -m course skeleton" if state == "stale" else ""
+            print(f"labs/{path.name}: {state}{advice}")
+        return int(any(state != "in step" for _, _, state in standing))
+
+    made, refused = manifest(), False
+    for path, text, state in standing:
+        if state == "worked on" and not force:
+            refused = True
+            print(f"labs/{path.name} was worked on and stays as it is; to start it anew, run "
+                  "python3 -m course skeleton --force, which keeps your text beside it")
+            continue
+        if state == "worked on":
+            print(f"labs/{path.name} is made anew; your text is in labs/{keep(path).name}")
+        if state != "in step":
+            places.write_whole(path, text.encode("utf-8"))
+        made[path.name] = digest(text)
+    places.write_whole(manifest_path(), f"{json.dumps(made, indent=2, sort_keys=True)}\n".encode())
+    return int(refused)
+
+
+def labs():
+    """Every topic's Lab. ValueError: a reference has a wrong mark."""
+    made = manifest()
+
+    def lab(topic):
+        topic_exercises(topic)  # its errors name the file
+        path, text = places.ROOT / "labs" / f"{topic}.py", skeleton(read(reference(topic)))
+        there = digest(read(path)) if path.exists() else None
+        if there == digest(text):
+            return Lab(path, text, "in step")
+        return Lab(path, text, "stale" if there in (None, made.get(path.name)) else "worked on")
+
+    return [lab(topic) for topic in topics()]
+
+
+def keep(path):
+    """Copy a file to .bak, or .bak2, ... where that is taken; the copy's path."""
+    copies = (path.with_name(f"{path.name}.bak{number}") for number in ("", *range(2, 1000)))
+    copy = next(copy for copy in copies if not copy.exists())
+    places.write_whole(copy, path.read_bytes())
+    return copy
+
+
+def digest(text):
+    """Of the text, whatever its line ends."""
+    return hashlib.sha256(text.replace("\r\n", "\n").encode("utf-8")).hexdigest()
+
+
+def manifest_path():
+    return places.ROOT / "labs" / ".generated.json"
+
+
+def manifest():
+    """{file: its digest when it was made}; empty where it cannot be read: no lab is overwritten."""
+    try:
+        return json.loads(manifest_path().read_bytes())
+    except (OSError, ValueError):
+        return {}

@@ -1,0 +1,759 @@
+"""What the exercises of lab 8 must do."""
+import itertools
+
+import numpy as np
+import pytest
+
+from course.checks import assert_close, assert_equal, exercise
+from course.given.gradcheck import gradcheck
+
+EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
+TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+
+
+# --- topology ----------------------------------------------------------------------------------
+
+def opposite_by_search(faces):
+    """For each edge, the list of the different third vertices at it, face by face."""
+    sound = [len(set(face)) == 3 for face in faces.tolist()]
+    opposite = np.full(faces.shape, -1)
+    for f, k in itertools.product(range(len(faces)), range(3)):
+        ends, thirds = {faces[f, i] for i in EDGES[k]}, []
+        for g, m in itertools.product(range(len(faces)), range(3)):
+            if sound[g] and {faces[g, i] for i in EDGES[m]} == ends and faces[g, m] not in thirds:
+                thirds.append(faces[g, m])
+        if sound[f] and faces[f, k] in thirds[:2] and len(thirds) > 1:
+            opposite[f, k] = thirds[1 - thirds.index(faces[f, k])]
+    return opposite
+
+
+@exercise("8.1")
+def test_two_faces_see_each_other_across_their_edge(impl):
+    """The vertex across is the face's own one, or edge k is that after vertex k."""
+    opposite = impl.opposite_vertices(np.array([[0, 1, 2], [3, 2, 1]]))
+    assert_equal(opposite, np.array([[3, -1, -1], [0, -1, -1]]))
+    opposite = impl.opposite_vertices(np.array([[5, 0, 7], [7, 5, 2]]))
+    assert_equal(opposite, np.array([[-1, 2, -1], [-1, -1, 0]]))
+
+
+@exercise("8.1")
+def test_in_a_tetrahedron_every_edge_has_the_fourth_vertex_across(impl):
+    """An edge is found in one direction only, or a closed surface has a boundary."""
+    faces = TETRAHEDRON
+    fourth = 6 - faces.sum(1)
+    assert_equal(impl.opposite_vertices(faces), np.repeat(fourth[:, None], 3, 1))
+
+
+@exercise("8.1")
+def test_the_winding_does_not_matter(impl):
+    """Two faces that run along an edge in the same direction are not taken for neighbours."""
+    assert_equal(impl.opposite_vertices(np.array([[0, 1, 2], [0, 1, 3]])),
+                 np.array([[-1, -1, 3], [-1, -1, 2]]))
+
+
+@exercise("8.1")
+def test_a_single_face_has_three_boundary_edges(impl):
+    """A boundary is not -1; or no faces at all are an error."""
+    assert_equal(impl.opposite_vertices(np.array([[4, 2, 9]])), np.full((1, 3), -1))
+    assert_equal(impl.opposite_vertices(np.zeros((0, 3), int)), np.zeros((0, 3), int))
+
+
+@exercise("8.1")
+def test_of_three_faces_at_an_edge_the_first_two_count(impl):
+    """The last two count, or the third one is given the first one's vertex."""
+    faces = np.array([[0, 1, 7], [1, 0, 3], [0, 1, 5]])
+    assert_equal(impl.opposite_vertices(faces)[:, 2], np.array([3, 7, -1]))
+
+
+@exercise("8.1")
+def test_a_face_that_comes_twice_is_no_neighbour_of_itself(impl):
+    """The second copy takes the place of the true neighbour, or a face is across from itself."""
+    faces = np.array([[0, 1, 2], [1, 2, 0], [1, 0, 3]])
+    assert_equal(impl.opposite_vertices(faces),
+                 np.array([[-1, -1, 3], [-1, 3, -1], [-1, -1, 2]]))
+
+
+@exercise("8.1")
+def test_faces_that_name_a_vertex_twice_do_not_count(impl):
+    """A face without area stands between two others."""
+    faces = np.array([[0, 0, 1], [0, 1, 2], [1, 0, 3], [4, 1, 4], [5, 5, 5]])
+    assert_equal(impl.opposite_vertices(faces),
+                 np.array([[-1, -1, -1], [-1, -1, 3], [-1, -1, 2], [-1, -1, -1], [-1, -1, -1]]))
+
+
+@exercise("8.1")
+@pytest.mark.parametrize("vertex_count", [4, 9, 40])
+def test_topology_is_that_of_a_search(impl, rng, vertex_count):
+    """Meshes with many faces at an edge, repeated and degenerate faces, and loose ones."""
+    faces = rng.integers(0, vertex_count, (40, 3))
+    assert_equal(impl.opposite_vertices(faces), opposite_by_search(faces))
+
+
+@exercise("8.1")
+def test_large_meshes_and_large_numbers(impl):
+    """Two edges get one key, as with low * 1000 + high; or every pair of faces is compared."""
+    n = 10_000
+    low = 3 * np.arange(n) + 1_000_000
+    strip = np.concatenate([np.stack([low, low + 1, low + 2], 1),
+                            np.stack([low + 2, low + 1, low + 3_000_000], 1)])
+    expected = np.full((2 * n, 3), -1)
+    expected[:n, 0], expected[n:, 2] = low + 3_000_000, low
+    assert_equal(impl.opposite_vertices(strip), expected)
+
+
+@exercise("8.1")
+def test_small_integers_do_not_overflow(impl):
+    """Keys of edges are computed in the faces' own 32 or 8 bits, and wrap around."""
+    k = np.arange(60_000)
+    strip = np.stack([k, k + 1, k + 2], 1)
+    expected = np.stack([np.append(k[1:] + 2, -1), np.full(len(k), -1), np.append(-1, k[:-1])], 1)
+    assert_equal(impl.opposite_vertices(strip.astype(np.int32)), expected)
+    expected[199] = -1, -1, 198
+    assert_equal(impl.opposite_vertices(strip[:200].astype(np.uint8)), expected[:200])
+
+
+# --- silhouettes -------------------------------------------------------------------------------
+
+SQUARE = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])
+HALVES, ACROSS = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[-1, 3, -1], [-1, -1, 1]])
+
+
+@exercise("8.2")
+def test_a_flat_surface_has_its_border_as_its_silhouette(impl):
+    """An edge inside is a silhouette, or the border is none."""
+    expected = np.array([[True, False, True], [True, True, False]])
+    assert_equal(impl.silhouette_edges(*SQUARE.T, np.ones(4), HALVES, ACROSS), expected)
+
+
+@exercise("8.2")
+def test_a_surface_seen_from_behind_is_no_fold(impl):
+    """Clockwise faces: the sign of the triangle across is not compared with the face's own."""
+    expected = np.array([[True, False, True], [True, True, False]])
+    assert_equal(impl.silhouette_edges(*SQUARE.T[::-1], np.ones(4), HALVES, ACROSS), expected)
+
+
+@exercise("8.2")
+def test_a_fold_is_a_silhouette_of_both_its_faces(impl):
+    """Erratum: only faces without a common edge are thought to hide each other."""
+    folded = SQUARE.copy()
+    folded[3] = 1.5, 0.2  # over the diagonal from 0 to 2, to the side of vertex 1
+    expected = np.ones((2, 3), bool)
+    assert_equal(impl.silhouette_edges(*folded.T, np.ones(4), HALVES, ACROSS), expected)
+
+
+@exercise("8.2")
+def test_each_edge_has_its_own_vertex_across(impl):
+    """Edge k is taken for edge k + 1, or one wing stands for all three."""
+    x, y = np.array([0.0, 4.0, 0.0, 3.0, -2.0, 1.0]), np.array([0.0, 0.0, 4.0, 3.0, 1.0, 1.0])
+    faces = np.array([[0, 1, 2], [1, 2, 0], [2, 0, 1]])
+    # Vertex 3 lies beyond edge (1, 2), 4 beyond (2, 0), and 5 inside of the face.
+    opposite = np.array([[3, 4, 5], [4, 5, 3], [5, 3, 4]])
+    expected = np.array([[False, False, True], [False, True, False], [True, False, False]])
+    assert_equal(impl.silhouette_edges(x, y, np.ones(6), faces, opposite), expected)
+
+
+@exercise("8.2")
+def test_an_area_of_zero_counts_as_positive(impl):
+    """<= for <: a face across that is seen edge-on."""
+    x, y = np.array([0.0, 2.0, 0.0, 1.0]), np.array([0.0, 0.0, 1.0, 0.0])
+    opposite = np.array([[-1, -1, 3]])  # vertex 3 lies on the edge from 0 to 1
+    assert_equal(impl.silhouette_edges(x, y, np.ones(4), np.array([[0, 1, 2]]), opposite),
+                 np.array([[True, True, True]]))
+    assert_equal(impl.silhouette_edges(x, y, np.ones(4), np.array([[1, 0, 2]]), opposite),
+                 np.array([[True, True, False]]))
+    flat = np.array([[0, 1, 3]])  # the face itself has no area
+    x, y, w = np.array([[0.0, 1.0, 0.0, 2.0], [0.0, 0.0, 1.0, -1.0], [1.0, 1.0, 1.0, -1.0]])
+    opposite = np.array([[3, -1, -1]])  # on the line of edge 0, and behind the camera
+    assert_equal(impl.silhouette_edges(x, y, w, np.array([[0, 1, 2]]), opposite),
+                 np.array([[True, True, True]]))
+    x, y = np.array([0.0, 2.0, 0.0, 1.0]), np.array([0.0, 0.0, 1.0, 0.0])
+    assert_equal(impl.silhouette_edges(x, y, np.ones(4), flat, np.array([[2, 2, 2]])),
+                 np.array([[False, False, True]]))
+
+
+@exercise("8.2")
+def test_behind_the_camera_an_area_has_the_other_sign(impl):
+    """A vertex behind the camera is mirrored on screen: of the face itself, or across an edge."""
+    flat, fold = np.array([[True, False, True], [True, True, False]]), np.ones((2, 3), bool)
+    folded = SQUARE.copy()
+    folded[3] = 1.5, 0.2
+    for behind, turned in ([3], True), ([1], True), ([0], False), ([1, 3], False), ([0, 3], True):
+        w = np.ones(4)
+        w[behind] = -3.0  # one of the two triangles is turned over, or both are
+        assert_equal(impl.silhouette_edges(*SQUARE.T, w, HALVES, ACROSS), fold if turned else flat)
+        assert_equal(impl.silhouette_edges(*folded.T, w, HALVES, ACROSS), flat if turned else fold)
+
+
+@exercise("8.2")
+def test_neither_size_nor_distance_matters(impl):
+    """A threshold for areas or for w: what is small, or near the camera, is lost."""
+    folded = SQUARE.copy()
+    folded[3] = 1.5, 0.2
+    flat = np.array([[True, False, True], [True, True, False]])
+    for size, w in (1e-6, np.ones(4)), (1e4, np.array([1e-9, 1.0, 1e-9, 5.0])):
+        for turned in slice(None), slice(None, None, -1):
+            x, y = size * SQUARE.T[turned]
+            assert_equal(impl.silhouette_edges(x, y, w, HALVES, ACROSS), flat)
+            x, y = size * folded.T[turned]
+            assert_equal(impl.silhouette_edges(x, y, w, HALVES, ACROSS), np.ones((2, 3), bool))
+    w = np.array([1.0, 1.0, 1.0, -1e-9])
+    assert_equal(impl.silhouette_edges(*SQUARE.T, w, HALVES, ACROSS), np.ones((2, 3), bool))
+
+
+@exercise("8.2")
+def test_both_faces_at_an_edge_agree_on_the_silhouette(impl, rng):
+    """The area across is measured from another edge; or the number of faces is taken for V."""
+    points = rng.normal(size=(2, 50, 4))
+    for x, y in points.transpose(1, 0, 2):
+        opposite = np.repeat(6 - TETRAHEDRON.sum(1)[:, None], 3, 1)
+        got = np.asarray(impl.silhouette_edges(x, y, np.full(4, 2.0), TETRAHEDRON, opposite))
+        edges = {}
+        for f, k in itertools.product(range(4), range(3)):
+            ends = tuple(sorted(TETRAHEDRON[f, list(EDGES[k])]))
+            edges.setdefault(ends, []).append(bool(got[f, k]))
+        # Of four points, the hull has three edges or four; one on it has the rest on one side.
+        for (a, b), both in edges.items():
+            c, d = {0, 1, 2, 3} - {a, b}
+            sides = [(x[b] - x[a]) * (y[p] - y[a]) - (x[p] - x[a]) * (y[b] - y[a]) for p in (c, d)]
+            assert_equal(both, [sides[0] * sides[1] > 0] * 2, given=f"x={x}, y={y}, edge {a} {b}")
+
+
+# --- pairs -------------------------------------------------------------------------------------
+
+def everywhere(shape):
+    return np.ones(shape, bool)
+
+
+@exercise("8.3")
+def test_pairs_of_six_pixels(impl):
+    """Rows and columns are swapped, a pair is found twice or in another order, or pairs with the
+    background are left out, or pairs that see one face are not.
+    """
+    face_index = np.array([[-1, 3, 3], [-1, -1, 3]])
+    first, second = impl.neighbour_pairs(face_index, everywhere((2, 3)))
+    assert_equal((first, second), (np.array([0, 4, 1]), np.array([1, 5, 4])))
+
+
+@exercise("8.3")
+def test_the_end_of_a_row_has_no_neighbour_in_the_next(impl):
+    """Pixels are compared in a row that goes through the whole picture."""
+    face_index = np.array([[0, 0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 1]])
+    first, second = impl.neighbour_pairs(face_index, everywhere((3, 4)))
+    assert_equal((first, second), (np.array([2, 6, 10]), np.array([3, 7, 11])))
+
+
+@exercise("8.3")
+def test_a_pair_needs_an_outlined_pixel(impl):
+    """Both must be outlined, or it is not looked at; or only one of the two is asked."""
+    face_index = np.array([[0, 1, 2, 3, 4]])
+    outlined = np.array([[True, False, False, True, True]])
+    first, second = impl.neighbour_pairs(face_index, outlined)
+    assert_equal((first, second), (np.array([0, 2, 3]), np.array([1, 3, 4])))
+    first, second = impl.neighbour_pairs(face_index.T.copy(), outlined.T.copy())
+    assert_equal((first, second), (np.array([0, 2, 3]), np.array([1, 3, 4])))
+
+
+@exercise("8.3")
+def test_pictures_without_jumps_have_no_pairs(impl):
+    """An error, or pairs out of nothing, in pictures without neighbours or without jumps."""
+    none = np.zeros(0, int)
+    for picture in np.zeros((3, 4), int), np.full((1, 1), 7), np.full((5, 1), -1):
+        first, second = impl.neighbour_pairs(picture, everywhere(picture.shape))
+        assert_equal((first, second), (none, none))
+
+
+@exercise("8.3")
+def test_pairs_are_those_of_a_search(impl, rng):
+    """Their order, or pictures that are not square."""
+    for height, width in (5, 8), (7, 3), (1, 9), (9, 1), (2, 2):
+        face_index = rng.integers(-1, 3, (height, width))
+        outlined = rng.uniform(size=(height, width)) < 0.4
+        pairs = []
+        for dy, dx in (0, 1), (1, 0):
+            for i, j in np.ndindex(height - dy, width - dx):
+                near, far = (i, j), (i + dy, j + dx)
+                if face_index[near] != face_index[far] and (outlined[near] or outlined[far]):
+                    pairs.append((i * width + j, (i + dy) * width + j + dx))
+        expected = np.array(pairs, int).reshape(-1, 2).T
+        assert_equal(impl.neighbour_pairs(face_index, outlined), tuple(expected))
+
+
+@exercise("8.4")
+def test_the_nearer_face_owns_the_edge(impl):
+    """The farther one does, or always the first; or the depth of the wrong pixels is read."""
+    depth = np.array([[0.1, 0.7, 0.3], [-0.5, np.inf, 0.2]])
+    first, second = np.array([0, 1, 0, 4, 2]), np.array([1, 2, 3, 5, 5])
+    owner, other = impl.owner_and_other(first, second, depth)
+    assert_equal((owner, other), (np.array([0, 2, 3, 5, 5]), np.array([1, 1, 0, 4, 2])))
+
+
+@exercise("8.4")
+def test_the_smallest_difference_in_depth_decides(impl):
+    """A threshold: faces that are nearly as deep count as equally deep."""
+    depth = np.array([[0.5, 0.5 - 1e-12], [0.5 + 1e-12, 0.5]])
+    owner, other = impl.owner_and_other(np.array([0, 0]), np.array([1, 2]), depth)
+    assert_equal((owner, other), (np.array([1, 0]), np.array([0, 2])))
+
+
+@exercise("8.4")
+def test_of_equally_deep_faces_the_second_is_the_owner(impl):
+    """<= for <."""
+    owner, other = impl.owner_and_other(np.array([0, 1]), np.array([1, 2]), np.full((1, 3), 0.5))
+    assert_equal((owner, other), (np.array([1, 2]), np.array([0, 1])))
+
+
+FRAME = np.array([27, 27, 27, 27]), np.array([28, 26, 37, 17])  # row 2, column 7 of a width of 10
+
+
+@exercise("8.5")
+def test_the_frame_of_four_neighbours(impl):
+    """The other's centre is at x = 1, whichever side it lies on; half a pixel is missing."""
+    screen_x = np.array([[8.5, 6.5, 7.5, 7.5], [7.5, 7.5, 7.5, 7.5]])
+    screen_y = np.array([[2.5, 2.5, 3.5, 1.5], [2.5, 2.5, 2.5, 2.5]])
+    x, y = impl.pair_frame(screen_x, screen_y, *FRAME, 10)
+    assert_close((x, y), (np.array([[1.0] * 4, [0.0] * 4]), np.zeros((2, 4))))
+
+
+@exercise("8.5")
+def test_y_is_across_the_pair_and_never_mirrored(impl):
+    """A turn by 90 degrees in place of the swap, or y changes its sign with x."""
+    screen_x, screen_y = np.full((1, 4), 9.0), np.full((1, 4), 2.75)  # 1.5 right, 0.25 above
+    x, y = impl.pair_frame(screen_x, screen_y, *FRAME, 10)
+    assert_close(x, np.array([[1.5, -1.5, 0.25, -0.25]]))
+    assert_close(y, np.array([[0.25, 0.25, 1.5, 1.5]]))
+
+
+@exercise("8.5")
+def test_in_a_picture_of_one_column_neighbours_lie_above(impl):
+    """A difference of 1 is taken for a neighbour in the row."""
+    x, y = impl.pair_frame(np.array([[0.75, 0.75]]), np.array([[4.0, 4.0]]),
+                           np.array([2, 2]), np.array([3, 1]), 1)
+    assert_close((x, y), (np.array([[1.5, -1.5]]), np.array([[0.25, 0.25]])))
+
+
+@exercise("8.5")
+def test_many_points_for_each_pair(impl, rng):
+    """Three points are taken for granted, or each pair gets all pairs' points."""
+    owner, dx, dy = np.array([4, 7, 12, 16, 10]), [1, -1, 0, 0, 1], [0, 0, 1, -1, 0]
+    other = owner + np.array(dx) + 6 * np.array(dy)
+    points = rng.normal(size=(2, 4, 5)) * 9
+    x, y = impl.pair_frame(*points, owner, other, 6)
+    for n in range(5):
+        right, up = points[0, :, n] - owner[n] % 6 - 0.5, points[1, :, n] - owner[n] // 6 - 0.5
+        along, across = (dx[n] * right, up) if dx[n] else (dy[n] * up, right)
+        assert_close((np.asarray(x)[:, n], np.asarray(y)[:, n]), (along, across))
+
+
+@exercise("8.6")
+def test_gradients_turn_back_with_the_frame(impl):
+    """x and y stay swapped, or the sign is lost."""
+    grad_x, grad_y = np.full((1, 4), 3.0), np.full((1, 4), 5.0)
+    got = impl.pair_frame_backward(grad_x, grad_y, *FRAME, 10)
+    assert_close(got, (np.array([[3.0, -3.0, 5.0, 5.0]]), np.array([[5.0, 5.0, 3.0, -3.0]])))
+
+
+@exercise("8.6")
+def test_the_frames_gradients_are_central_differences(impl, rng):
+    """Gradients of one point go to another one, or are summed over the points."""
+    def forward(screen_x, screen_y):
+        x, y = screen_x - 7.5, screen_y - 2.5
+        return (np.stack([x[:, 0], -x[:, 1], y[:, 2], -y[:, 3]], 1),
+                np.stack([y[:, 0], y[:, 1], x[:, 2], x[:, 3]], 1))
+
+    def backward(grad_x, grad_y, screen_x, screen_y):
+        return impl.pair_frame_backward(grad_x, grad_y, *FRAME, 10)
+
+    gradcheck(forward, backward, tuple(rng.normal(size=(2, 3, 4))), name="pair_frame")
+
+
+@exercise("8.6")
+def test_in_a_picture_of_one_column_gradients_are_swapped_too(impl):
+    """A difference of 1 is taken for a neighbour in the row."""
+    got = impl.pair_frame_backward(np.array([[3.0, 3.0]]), np.array([[5.0, 5.0]]),
+                                   np.array([2, 2]), np.array([3, 1]), 1)
+    assert_close(got, (np.array([[5.0, 5.0]]), np.array([[3.0, -3.0]])))
+
+
+# --- the crossing ------------------------------------------------------------------------------
+
+@exercise("8.7")
+def test_crossings_on_paper(impl):
+    """x and y are swapped, or the place is counted from the other end."""
+    x0, y0 = np.array([0.25, 0.0, 3.0, 1.0]), np.array([-4.0, -1.0, 1.0, 0.0])
+    x1, y1 = np.array([0.25, 1.0, 7.0, 9.0]), np.array([2.0, 3.0, -1.0, 2.0])
+    assert_close(impl.crossing(x0, y0, x1, y1), np.array([0.25, 0.25, 5.0, 1.0]))
+
+
+@exercise("8.7")
+def test_the_crossing_lies_on_the_line_and_on_the_axis(impl, rng):
+    """The lecture's sign is lost in (x1 - x0) / (y1 - y0)."""
+    x0, y0, x1, y1 = rng.normal(size=(4, 2, 30))
+    c = np.asarray(impl.crossing(x0, y0, x1, y1))
+    assert_close((x1 - x0) * (0 - y0) - (c - x0) * (y1 - y0), np.zeros((2, 30)), atol=1e-9)
+
+
+def crossing_of_lines(x0, y0, x1, y1):
+    return (x0 * y1 - x1 * y0) / (y1 - y0)
+
+
+@exercise("8.7")
+def test_an_end_near_infinity_costs_no_digits(impl):
+    """Measured from the far end: x0 - y0 (x1 - x0) / (y1 - y0) is a difference of huge numbers."""
+    near, far = np.array([0.25, -1.0]), np.array([3e9, 4e9])
+    expected = 0.25 + 2999999999.75 / 4000000001
+    one, other = (np.array([[*a, *b]]).T for a, b in ((near, far), (far, near)))
+    assert_close(impl.crossing(*one), np.array([expected]), rtol=1e-14)
+    assert_close(impl.crossing(*other), np.array([expected]), rtol=1e-14)
+
+
+@exercise("8.8")
+def test_the_gradient_of_a_crossing_on_paper(impl):
+    """A vertical edge, a quarter of it below: the upper end pulls by 1/4, the lower by 3/4."""
+    got = impl.crossing_backward(np.array([4.0]), np.array([0.5]), np.array([-1.0]),
+                                 np.array([0.5]), np.array([3.0]))
+    assert_close(got, tuple(np.array([value]) for value in (3.0, 0.0, 1.0, 0.0)))
+    got = impl.crossing_backward(np.array([16.0]), np.array([1.0]), np.array([-1.0]),
+                                 np.array([5.0]), np.array([3.0]))
+    assert_close(got, tuple(np.array([value]) for value in (12.0, -12.0, 4.0, -4.0)))
+
+
+@exercise("8.8")
+def test_the_gradients_of_crossings_are_central_differences(impl, rng):
+    """The edge's slope is taken as constant, or the sign of one of the four is wrong."""
+    x0, x1 = rng.normal(size=(2, 3, 8))
+    y0, length = rng.normal(size=(3, 8)), rng.uniform(0.5, 3, (3, 8)) * rng.choice([-1, 1], (3, 8))
+    gradcheck(crossing_of_lines, impl.crossing_backward, (x0, y0, x1, y0 + length),
+              name="crossing")
+
+
+@exercise("8.8")
+def test_the_two_ends_are_alike(impl, rng):
+    """One end's gradient is another formula: exchanging the ends must exchange the gradients."""
+    grad_c, x0, y0, x1, y1 = rng.normal(size=(5, 12))
+    for epsilon in 0.0, 0.25:
+        one = impl.crossing_backward(grad_c, x0, y0, x1, y1, epsilon)
+        swapped = impl.crossing_backward(grad_c, x1, y1, x0, y0, epsilon)
+        assert_close(swapped, (*one[2:], *one[:2]))
+
+
+@exercise("8.8")
+def test_epsilon_makes_the_edge_longer(impl):
+    """It is added to a negative length, or left out of c or of one of the four gradients."""
+    arguments = [np.array([value, value]) for value in (8.0, 1.0, -1.0, 4.0, 3.0)]
+    for sign in 1.0, -1.0:  # with y upside down, the same edge: y's gradients change their sign
+        arguments[2], arguments[4] = sign * np.full(2, -1.0), sign * np.full(2, 3.0)
+        got = impl.crossing_backward(*arguments, epsilon=4.0)
+        expected = 3.0, sign * -3.125, 1.0, sign * 0.125
+        assert_close(got, tuple(np.full(2, value) for value in expected))
+
+
+@exercise("8.8")
+def test_without_an_epsilon_there_is_none(impl):
+    """Its default is not 0: the gradient is near, and never right."""
+    got = impl.crossing_backward(1.0, 0.0, -0.001, 0.0, 0.001)
+    assert_close(tuple(map(np.asarray, got)), tuple(map(np.array, (0.5, 0.0, 0.5, 0.0))))
+
+
+def column(*points):
+    """Points (x, y) of a face's corners -> x, y, each (3, 1)."""
+    return np.array(points).T[..., None]
+
+
+@exercise("8.9")
+def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
+    """The edge by which it comes in, behind the owner, or the first that crosses."""
+    x, y = column((-2.0, -1.0), (4.0, -1.0), (1.0, 2.0))  # edges 0 and 1 cross, at 3 and -1
+    assert_close(impl.last_crossing(x, y, np.ones(x.shape))[1], np.array([3.0]))
+    for turn in range(3):  # whichever vertex comes first
+        x_, y_ = np.roll(x, turn, 0), np.roll(y, turn, 0)
+        edge, c = impl.last_crossing(x_, y_, np.ones(x.shape))
+        assert_equal(edge, np.array([turn]))
+        assert_close(c, np.array([3.0]))
+
+
+@exercise("8.9")
+def test_a_vertex_on_the_line_counts_as_above(impl):
+    """> for >=: an edge that only touches the line crosses it, or one that ends there does not."""
+    x, y = column((0.25, 0.0), (-1.0, -2.0), (-1.0, 2.0))  # only edges 0 (at -1) and 2 (at 0.25)
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+    assert_equal(edge, np.array([2]))
+    assert_close(c, np.array([0.25]))
+    x, y = column((0.25, 0.0), (-1.0, 0.5), (-1.0, 2.0))  # no end below: nothing crosses
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+    assert_equal(edge, np.array([0]))
+    assert_close(c, np.array([-np.inf]))
+    for first, second, last in (0.5, 2.0, 1), (2.0, 0.5, 2):  # a little below: edges 1 and 2 cross
+        x, y = column((0.25, -1e-9), (-1.0, first), (-1.0, second))
+        edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+        assert_equal(edge, np.array([last]))
+        assert_close(c, np.array([0.25]), atol=1e-6)
+    x, y = column((2.0, 0.0), (0.5, 0.0), (1.0, -1.0))  # edges 0 and 1 end on it, edge 2 lies on it
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+    assert_equal(edge, np.array([1]))
+    assert_close(c, np.array([2.0]))
+
+
+@exercise("8.9")
+def test_of_equal_crossings_the_first_edge_is_taken(impl):
+    """>= for >: two edges meet in a vertex on the line."""
+    x, y = column((1.0, 0.0), (0.0, -1.0), (2.0, -1.0))  # edges 1 and 2 meet at 1
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+    assert_equal(edge, np.array([1]))
+    assert_close(c, np.array([1.0]))
+
+
+@exercise("8.9")
+def test_edges_along_the_line_are_not_divided_by(impl):
+    """A division by zero: a warning now, and NaN later."""
+    x, y = np.stack([column((0.0, 1.0), (1.0, 1.0), (0.5, 1.0)),
+                     column((0.0, 0.0), (1.0, 0.0), (0.5, -1.0)),
+                     column((0.0, 0.0), (1.0, 0.0), (2.0, 0.0))], 2)[..., 0]
+    with np.errstate(all="raise"):
+        edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+    assert_equal(edge, np.array([0, 0, 0]))
+    assert_close(c, np.array([-np.inf, 1.0, -np.inf]))
+
+
+@exercise("8.9")
+def test_edges_to_behind_the_camera_cross_where_they_are_in_front(impl, rng):
+    """An end behind the camera is mirrored, so the part of the edge on screen lies elsewhere."""
+    q = rng.normal(size=(3, 3, 200))  # corner, (x w, y w, w), face
+    x, y, w = q[:, 0] / q[:, 2], q[:, 1] / q[:, 2], q[:, 2]
+    edges, crossings = [], []
+    for n in range(200):
+        best = 0, -np.inf
+        for k, (i, j) in enumerate(EDGES):
+            if (q[i, 1, n] < 0) != (q[j, 1, n] < 0):
+                t = q[i, 1, n] / (q[i, 1, n] - q[j, 1, n])
+                at_x, _, at_w = (1 - t) * q[i, :, n] + t * q[j, :, n]
+                if at_w > 0:
+                    best = max(best, (k, at_x / at_w), key=lambda found: found[1])
+        edges.append(best[0])
+        crossings.append(best[1])
+    edge, c = impl.last_crossing(x, y, w)
+    assert_equal(edge, np.array(edges))
+    assert_close(c, np.array(crossings), rtol=1e-6, atol=1e-6)
+
+
+@exercise("8.9")
+def test_last_crossings_are_those_of_a_search(impl, rng):
+    """Columns are mixed up, or only crossings within the pair are looked at."""
+    x, y = 3 * rng.normal(size=(2, 3, 60))
+    y[:, ::3] = np.round(y[:, ::3]) + 0.5  # some edges along the line, none on it
+    edges, crossings = [], []
+    for n in range(60):
+        best = 0, -np.inf
+        for k, (i, j) in enumerate(EDGES):
+            if (y[i, n] < 0) != (y[j, n] < 0):
+                c = (x[i, n] * y[j, n] - x[j, n] * y[i, n]) / (y[j, n] - y[i, n])
+                best = max(best, (k, c), key=lambda found: found[1])
+        edges.append(best[0])
+        crossings.append(best[1])
+    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
+    assert_equal(edge, np.array(edges))
+    assert_close(c, np.array(crossings))
+
+
+# --- the blend ---------------------------------------------------------------------------------
+
+def is_blended(impl, c, x1=0.0, y1=1.0, is_silhouette=True):
+    """impl.is_blended of edges from (0, -1) to (x1, y1); what is one number goes for all."""
+    c, x1, y1, is_silhouette = np.broadcast_arrays(*np.atleast_1d(c, x1, y1, is_silhouette))
+    ends = np.zeros(len(c)), np.full(len(c), -1.0), x1.astype(float), y1.astype(float)
+    return impl.is_blended(c.astype(float), is_silhouette.copy(), *(end.copy() for end in ends))
+
+
+@exercise("8.10")
+def test_only_silhouettes_between_the_centres_blend(impl):
+    """Inner edges blend, or edges in front of or behind the pair."""
+    assert_equal(is_blended(impl, [0.0, 0.5, 1.0]), np.array([True, True, True]))
+    assert_equal(is_blended(impl, [0.5, 0.5], is_silhouette=[True, False]), np.array([True, False]))
+    assert_equal(is_blended(impl, [-0.2, 1.2, -np.inf, 40.0]), np.zeros(4, bool))
+
+
+@exercise("8.10")
+def test_the_window_is_open(impl):
+    """>= for >, another window, or one on one side only."""
+    c = [-1 / 16, 1 + 1 / 16, -0.0624, 1.0624, -0.0626, 1.0626]
+    assert_equal(is_blended(impl, c), np.array([False, False, True, True, False, False]))
+    c = [-1 / 16 + 1e-12, 1 + 1 / 16 - 1e-12]
+    assert_equal(is_blended(impl, c), np.array([True, True]))
+
+
+@exercise("8.10")
+def test_an_edge_at_45_degrees_is_steep(impl):
+    """> for >=, the two lengths are swapped, or a falling edge is flat."""
+    x1 = [2.0, -2.0, 2 + 1e-9, -2 - 1e-9, 2 - 1e-9, 0.0, 9.0]
+    expected = np.array([True, True, False, False, True, True, False])
+    assert_equal(is_blended(impl, np.full(7, 0.5), x1), expected)
+    c, x0, y0 = np.full(3, 0.5), np.full(3, 4.0), np.full(3, 1.0)  # downwards, x0 not at 0
+    got = impl.is_blended(c, c > 0, x0, y0, np.array([5.0, 6.5, 1.5]), np.full(3, -1.0))
+    assert_equal(got, np.array([True, False, False]))
+
+
+@exercise("8.11")
+def test_weights_on_paper(impl):
+    """c is not clamped, or the sign is flipped: with the edge at the owner, half is the other's."""
+    c = np.array([-0.06, 0.0, 0.125, 0.5, 0.75, 1.0, 1.05])
+    assert_close(impl.blend_weight(c), np.array([0.5, 0.5, 0.375, 0.0, -0.25, -0.5, -0.5]))
+
+
+@exercise("8.12")
+def test_a_saturated_weight_has_no_gradient(impl):
+    """The gradient goes on where the weight does not; or its sign is lost."""
+    c = np.array([-0.06, 0.0, 1e-9, 0.125, 0.5, 0.75, 1 - 1e-9, 1.0, 1.05])
+    grad_alpha = np.arange(1.0, 10.0)
+    expected = np.array([0.0, 0.0, -3.0, -4.0, -5.0, -6.0, -7.0, 0.0, 0.0])
+    assert_close(impl.blend_weight_backward(grad_alpha, c), expected)
+
+
+COLOUR = np.array([[[0.0, 8.0], [1.0, 0.0], [4.0, 2.0]],
+                   [[2.0, 2.0], [6.0, 4.0], [0.0, 0.0]]])
+
+
+@exercise("8.13")
+def test_either_pixel_moves_towards_the_other(impl):
+    """The wrong one of the two moves, or away from the other, or both move."""
+    expected = COLOUR.copy()
+    expected[0, 0] = 0.25, 6.0     # 1/4 of the way from (0, 8) to (1, 0)
+    expected[1, 2] = 3.0, 2.0      # half of the way from (0, 0) to (6, 4)
+    got = impl.blend(COLOUR, np.array([0, 4]), np.array([1, 5]), np.array([0.25, -0.5]))
+    assert_close(got, expected)
+
+
+@exercise("8.13")
+def test_pairs_may_point_to_any_side(impl):
+    """The owner is taken for the left or lower pixel."""
+    expected = COLOUR.copy()
+    expected[0, 2] = 2.5, 1.0      # half of the way from (4, 2) to (1, 0)
+    expected[0, 0] = 0.5, 6.5      # 1/4 of the way from (0, 8) to (2, 2)
+    got = impl.blend(COLOUR, np.array([2, 3]), np.array([1, 0]), np.array([0.5, -0.25]))
+    assert_close(got, expected)
+
+
+@exercise("8.13")
+def test_changes_of_one_pixel_add_up(impl):
+    """The last pair wins, or a pair reads what another one has written."""
+    owner, other = np.array([4, 4, 4, 1]), np.array([1, 3, 5, 4])
+    alpha = np.array([0.5, 0.25, 0.125, -0.125])
+    expected = COLOUR.copy()
+    expected[1, 1] += [0.5 * -5 + 0.25 * -4 + 0.125 * -6 - 0.125 * 5,
+                       0.5 * -4 + 0.25 * -2 + 0.125 * -4 - 0.125 * 4]
+    assert_close(impl.blend(COLOUR, owner, other, alpha), expected)
+
+
+@exercise("8.13")
+def test_without_weight_or_pairs_nothing_changes(impl):
+    """An error without pairs, or alpha = 0 is taken for 1/2."""
+    none = np.zeros(0, int)
+    assert_close(impl.blend(COLOUR, none, none, np.zeros(0)), COLOUR)
+    assert_close(impl.blend(COLOUR, np.array([1]), np.array([4]), np.zeros(1)), COLOUR)
+
+
+@exercise("8.13")
+def test_the_sign_of_the_smallest_weight_decides(impl):
+    """A threshold: a weight of little less than 0 changes the owner."""
+    expected = COLOUR.copy()
+    expected[0, 1] += [1e-8 * -1, 1e-8 * 8]
+    got = impl.blend(COLOUR, np.array([0]), np.array([1]), np.array([-1e-8]))
+    assert_close(got, expected, rtol=0)
+
+
+def many_pairs(rng, count=40, height=4, width=5):
+    """owner, other (N,) of neighbours, alpha (N,) of both signs, each pixel in several pairs."""
+    owner = rng.integers(0, height * width, count)
+    step = rng.choice([1, -1, width, -width], count)
+    return owner, (owner + step) % (height * width), rng.uniform(-0.5, 0.5, count)
+
+
+def blended(colour, owner, other, alpha):
+    """Eq. (5), pair by pair."""
+    output = colour.copy().reshape(-1, colour.shape[2])
+    before = output.copy()
+    for p, q, a in zip(owner, other, alpha, strict=True):
+        target = p if a > 0 else q
+        output[target] += a * (before[q] - before[p])
+    return output.reshape(colour.shape)
+
+
+@exercise("8.13")
+def test_a_blend_is_the_sum_over_its_pairs(impl, rng):
+    """Pictures that are not square, or of one channel."""
+    for channels in 1, 3:
+        pairs = many_pairs(rng)
+        colour = rng.normal(size=(4, 5, channels))
+        assert_close(impl.blend(colour, *pairs), blended(colour, *pairs))
+
+
+@exercise("8.13")
+def test_colours_of_integers_are_blended_like_others(impl):
+    """The output takes the colours' type, and what is added is cut to whole numbers."""
+    colour = np.array([[[0], [1]]])
+    output = impl.blend(colour, np.array([0]), np.array([1]), np.array([0.25]))
+    assert_close(output, np.array([[[0.25], [1.0]]]))
+
+
+@exercise("8.14")
+def test_the_gradient_of_one_pair_on_paper(impl):
+    """The gradient of the pixel that stays is used, or the two pixels are exchanged."""
+    grad_output = np.zeros((2, 3, 2))
+    grad_output[0, 0], grad_output[0, 1] = (1.0, 2.0), (100.0, 200.0)
+    got = impl.blend_backward(grad_output, COLOUR, np.array([0]), np.array([1]), np.array([0.25]))
+    grad_colour = grad_output.copy()
+    grad_colour[0, :2] = [[0.75, 1.5], [100.25, 200.5]]
+    assert_close(got, (grad_colour, np.array([1.0 * (1 - 0) + 2.0 * (0 - 8)])))
+    got = impl.blend_backward(grad_output, COLOUR, np.array([0]), np.array([1]), np.array([-0.25]))
+    grad_colour[0, :2] = [[26.0, 52.0], [75.0, 150.0]]
+    assert_close(got, (grad_colour, np.array([100.0 * (1 - 0) + 200.0 * (0 - 8)])))
+
+
+@exercise("8.14")
+def test_at_zero_the_owners_side_counts(impl):
+    """> for >=: the gradient of the other's change."""
+    grad_output = np.zeros((2, 3, 2))
+    grad_output[0, 0], grad_output[0, 1] = (1.0, 2.0), (100.0, 200.0)
+    got = impl.blend_backward(grad_output, COLOUR, np.array([0]), np.array([1]), np.array([0.0]))
+    assert_close(got, (grad_output, np.array([-15.0])))
+    got = impl.blend_backward(grad_output, COLOUR, np.array([0]), np.array([1]), np.array([-1e-9]))
+    assert_close(got[1], np.array([-1500.0]))
+
+
+@exercise("8.14")
+def test_the_gradients_of_a_blend_are_central_differences(impl, rng):
+    """A pixel in several pairs gets the gradient of one of them; or alpha's leaves out channels."""
+    owner, other, alpha = many_pairs(rng)
+    colour = rng.normal(size=(4, 5, 3))
+    gradcheck(lambda colour, alpha: blended(colour, owner, other, alpha),
+              lambda grad, colour, alpha: impl.blend_backward(grad, colour, owner, other, alpha),
+              (colour, alpha), decisions=lambda colour, alpha: alpha > 0, name="blend")
+
+
+@exercise("8.14")
+def test_without_pairs_the_gradient_passes_through(impl):
+    """An error, or a gradient of zero, where nothing is blended."""
+    none = np.zeros(0, int)
+    grad_output = np.arange(12.0).reshape(2, 3, 2)
+    got = impl.blend_backward(grad_output, COLOUR, none, none, np.zeros(0))
+    assert_close(got, (grad_output, np.zeros(0)))
+
+
+@exercise("8.2")
+def test_the_unit_of_w_does_not_matter(impl):
+    """w < 1 is taken for behind the camera; only its sign counts."""
+    x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
+    faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
+    for w in [0.5, 2.0, 0.5, 2.0], [2.0, 0.5, 2.0, 2.0], [0.01, 0.01, 3.0, 5.0]:
+        got = impl.silhouette_edges(x, y, np.array(w), faces, opposite)
+        assert_equal(got, np.array([[False, True, True], [True, True, False]]))
+
+
+@exercise("8.7")
+def test_the_nearer_end_is_found_on_either_side(impl):
+    """y is compared instead of |y|: digits are lost where the far end lies below y = 0."""
+    near, far = np.array([0.3, 0.1]), np.array([3e12, 1e12])
+    c = 0.3 - 0.1 * (3e12 - 0.3) / (1e12 - 0.1)
+    for sign in 1, -1:
+        ends = near[0], sign * near[1], far[0], sign * far[1]
+        for x0, y0, x1, y1 in ends, (*ends[2:], *ends[:2]):
+            got = impl.crossing(*(np.array([number]) for number in (x0, y0, x1, y1)))
+            assert_close(got, np.array([c]), rtol=1e-9, atol=1e-9)

@@ -1,0 +1,555 @@
+"""What the exercises of lab 5 must do."""
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from course.checks import assert_close, assert_equal, assert_picture, exercise
+from course.given.gradcheck import gradcheck
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "interpolate.npz"
+each_golden = pytest.mark.parametrize(
+    "scene", ["soup_64x64", "two_cubes_80x48", "cube_with_seams_64x64"])
+
+# A picture of two rows and three columns, with four faces of six vertices:
+#   row 1:  face 2, none, face 0
+#   row 0:  face 0, face 2, face 1        vertex 5 and face 3, the last one, are not seen
+FACES = np.array([[0, 1, 2], [2, 1, 3], [4, 2, 0], [5, 5, 5]])
+FACE_INDEX = np.array([[0, 2, 1], [2, -1, 0]])
+WEIGHTS = np.array([[[0.50, 0.25, 0.25], [1.00, 0.00, 0.00], [0.00, 0.50, 0.50]],
+                    [[0.25, 0.50, 0.25], [7.00, 8.00, 9.00], [0.00, 0.00, 1.00]]])
+ATTRIBUTES = np.array([[8.0, 0.0], [4.0, 1.0], [0.0, 2.0], [16.0, -1.0], [-8.0, 4.0], [99.0, 99.0]])
+
+
+def buffers(rng, channels, trailing=()):
+    """attributes, faces, face_index and weights of a picture 7 high and 5 wide, some of it empty.
+
+    Nothing may be read where no face is seen: NaN is there. Faces repeat a vertex here and there.
+    """
+    faces, face_index = rng.integers(0, 11, (13, 3)), rng.integers(-4, 12, (7, 5))
+    face_index = np.maximum(face_index, -1)
+    weights = rng.normal(size=(7, 5, 3, *trailing))
+    weights[face_index < 0] = np.nan
+    return rng.normal(size=(11, channels)), faces, face_index, weights
+
+
+def mixed(attributes, faces, face_index, weights):
+    """Eq. (5), from its definition. weights (H, W, 3) or, of derivatives, (H, W, 3, 2)."""
+    output = np.zeros((*face_index.shape, attributes.shape[1], *weights.shape[3:]))
+    for i, j in np.ndindex(face_index.shape):
+        if face_index[i, j] >= 0:
+            corners = attributes[faces[face_index[i, j]]]
+            output[i, j] = np.tensordot(corners, weights[i, j], (0, 0))
+    return output
+
+
+def unmixed(grad_output, attributes, faces, face_index, weights):
+    """The gradients of `mixed` by attributes and weights, as the definition says."""
+    grad_attributes, grad_weights = np.zeros(attributes.shape), np.zeros(weights.shape)
+    for i, j in np.ndindex(face_index.shape):
+        for k in range(3 if face_index[i, j] >= 0 else 0):
+            vertex = faces[face_index[i, j], k]
+            grad_weights[i, j, k] = np.tensordot(attributes[vertex], grad_output[i, j], (0, 0))
+            grad_attributes[vertex] += (grad_output[i, j] * weights[i, j, k]).reshape(
+                attributes.shape[1], -1).sum(1)
+    return grad_attributes, grad_weights
+
+
+def golden(scene):
+    """{name: array} of a scene in 64 bits, and the weights and derivatives of all three corners."""
+    arrays = np.load(GOLDEN)
+    of = {key.split("/")[1]: arrays[key] for key in arrays if key.startswith(f"{scene}/")}
+    of = {key: array.astype(int if array.dtype.kind == "i" else float)
+          for key, array in of.items()}
+    of["weights"] = np.append(of["uv"], 1 - of["uv"].sum(-1, keepdims=True), -1)
+    of["all_derivatives"] = np.append(of["derivatives"],
+                                      -of["derivatives"].sum(2, keepdims=True), 2)
+    return of
+
+
+def by_uv(grad_weights):
+    """The weights are u, v and 1 - u - v: the gradient by u and v."""
+    return grad_weights[:, :, :2] - grad_weights[:, :, 2:]
+
+
+# --- along a segment ---------------------------------------------------------------------------
+
+@exercise("5.1")
+def test_a_quarter_of_the_way(impl):
+    """a and b are swapped, or t is clamped to 0 ... 1."""
+    t = np.array([0.0, 0.25, 0.5, 1.0, 2.0, -1.0])
+    assert_close(impl.lerp(2.0, 4.0, t), np.array([2.0, 2.5, 3.0, 4.0, 6.0, 0.0]))
+
+
+@exercise("5.1")
+def test_the_ends_are_met_to_the_bit(impl):
+    """a + t (b - a) misses b: b - a has been rounded."""
+    a, b = np.array([1e16, 0.1, -7.3]), np.array([1.0, -0.7, 1e-9])
+    assert_equal(impl.lerp(a, b, 0.0), a)
+    assert_equal(impl.lerp(a, b, 1.0), b)
+
+
+@exercise("5.1")
+def test_ends_and_fractions_broadcast(impl):
+    """Numbers only, or one t for each end."""
+    t, a, b = np.array([[0.0], [0.5]]), np.array([1.0, 2.0, 3.0]), np.array([3.0, 2.0, -3.0])
+    assert_close(impl.lerp(a, b, t), np.array([[1.0, 2.0, 3.0], [2.0, 2.0, 0.0]]))
+
+
+@exercise("5.2")
+def test_halfway_on_the_screen_is_a_quarter_of_the_way(impl):
+    """q = t (the screen's fraction is taken for that in space), or w_0 and w_1 are swapped."""
+    got = impl.fraction_in_space(np.array([0.0, 0.5, 0.75, 1.0]), 1.0, 3.0)
+    assert_close(got, np.array([0.0, 0.25, 0.5, 1.0]))
+
+
+@exercise("5.2")
+def test_of_equal_w_nothing_is_corrected(impl):
+    """A factor w too many."""
+    t = np.linspace(0, 1, 7)
+    assert_close(impl.fraction_in_space(t, 2.5, 2.5), t)
+
+
+@exercise("5.2")
+def test_a_point_of_the_segment_is_found_again(impl, rng):
+    """The point at fraction q in space, projected to the screen, is not found at q."""
+    q = rng.uniform(0, 1, 30)
+    x, w = rng.uniform(-3, 3, (2, 30)), rng.uniform(0.2, 5, (2, 30))
+    s_0, s_1 = x / w  # a pinhole at the origin, its screen at w = 1
+    s = (x[0] + q * (x[1] - x[0])) / (w[0] + q * (w[1] - w[0]))
+    t = (s - s_0) / (s_1 - s_0)
+    for sign in 1, -1:
+        assert_close(impl.fraction_in_space(t, sign * w[0], sign * w[1]), q, rtol=1e-6, atol=1e-8)
+
+
+def fraction(t, w_0, w_1):
+    """Eq. (1), by way of 1/w."""
+    return t / w_1 / ((1 - t) / w_0 + t / w_1)
+
+
+@exercise("5.3")
+def test_gradients_of_the_fraction_on_paper(impl):
+    """A sign, or dv is forgotten: w_0 is in the numerator and in the denominator."""
+    got = impl.fraction_in_space_backward(np.array([16.0]), np.array([0.5]), np.array([1.0]),
+                                          np.array([3.0]))
+    assert_close(got, (np.array([12.0]), np.array([3.0]), np.array([-1.0])))
+
+
+@exercise("5.3")
+def test_both_w_grow_alike_and_nothing_happens(impl, rng):
+    """w_0 dq/dw_0 + w_1 dq/dw_1 = 0, for eq. (1) holds the ratio of the two alone."""
+    grad_q, t, w_0, w_1 = rng.normal(size=9), *rng.uniform(0.1, 0.9, (3, 9))
+    _, grad_w_0, grad_w_1 = impl.fraction_in_space_backward(grad_q, t, w_0, w_1)
+    assert_close(w_0 * grad_w_0, -w_1 * grad_w_1)
+
+
+@exercise("5.3")
+def test_gradients_of_the_fraction_are_central_differences(impl, rng):
+    """The gradient of t is missing a w, or grad_q is not multiplied in."""
+    inputs = rng.uniform(0.05, 0.95, (2, 4)), *rng.uniform(0.5, 4, (2, 2, 4))
+    gradcheck(fraction, impl.fraction_in_space_backward, inputs, name="fraction_in_space")
+
+
+@exercise("5.4")
+def test_attributes_along_a_segment_on_paper(impl):
+    """A/w is interpolated and not divided by the interpolated 1/w, or multiplied by it."""
+    t, a_0, a_1 = np.array([0.0, 0.5, 0.75, 1.0]), np.array([8.0, 0.0]), np.array([0.0, 4.0])
+    expected = np.array([[8.0, 0.0], [6.0, 1.0], [4.0, 2.0], [0.0, 4.0]])
+    assert_close(impl.attribute_on_segment(t, a_0, a_1, 1.0, 3.0), expected)
+
+
+@exercise("5.4")
+def test_equal_ends_stay_equal(impl, rng):
+    """The sum of the weights is not 1: a colour that both ends have gets lighter between them."""
+    a = rng.normal(size=4)
+    got = impl.attribute_on_segment(rng.uniform(0, 1, 6), a, a, 0.3, 2.0)
+    assert_close(got, np.tile(a, (6, 1)))
+
+
+@exercise("5.4")
+def test_an_attribute_is_what_stands_at_the_point_in_space(impl, rng):
+    """The ends' w are swapped: the corrected attribute bends the wrong way."""
+    q, x, w, a = rng.uniform(0, 1, 20), rng.uniform(-3, 3, 2), np.array([0.7, 4.1]), \
+        rng.normal(size=(2, 3))
+    s = (x[0] + q * (x[1] - x[0])) / (w[0] + q * (w[1] - w[0]))
+    t = (s - x[0] / w[0]) / (x[1] / w[1] - x[0] / w[0])
+    expected = a[0] + q[:, None] * (a[1] - a[0])
+    assert_close(impl.attribute_on_segment(t, *a, *w), expected, rtol=1e-6, atol=1e-8)
+    assert_close(impl.attribute_on_segment(t, *a, *-w), expected, rtol=1e-6, atol=1e-8)
+
+
+# --- corrected barycentrics --------------------------------------------------------------------
+
+@exercise("5.5")
+def test_corrected_weights_on_paper(impl):
+    """Multiplied by w instead of divided, or not divided by the sum."""
+    e = np.array([[0.5, 0.5, 0.0], [0.25, 0.25, 0.5], [0.0, 0.0, 1.0]])
+    w = np.array([[1.0, 3.0, 1.0], [1.0, 1.0, 2.0], [5.0, 6.0, 7.0]])
+    expected = np.array([[0.75, 0.25, 0.0], [1 / 3, 1 / 3, 1 / 3], [0.0, 0.0, 1.0]])
+    assert_close(impl.corrected_barycentrics(e, w), expected)
+
+
+@exercise("5.5")
+def test_any_multiple_of_the_weights_gives_the_same(impl, rng):
+    """e is taken to have the sum 1, or to be positive; or the sum runs over the points."""
+    e, w = rng.uniform(0.1, 1, (2, 4, 5, 3))
+    n = e / w
+    expected = n / (n[..., :1] + n[..., 1:2] + n[..., 2:])
+    for factor in 1.0, -7.0, 1e-9:
+        assert_close(impl.corrected_barycentrics(factor * e, w), expected)
+        assert_close(impl.corrected_barycentrics(e, factor * w), expected)
+
+
+def matrix_and_edges(rng, count):
+    """Corners x, y of either winding and w, one of them behind the camera now and then:
+    M (count, 3, 3) with columns w (x, y, 1); samples (count, 3); edge functions e and w (count, 3).
+    """
+    x, y, px, py = rng.uniform(0, 8, (4, count, 3))
+    w = rng.uniform(0.5, 3, (count, 3)) * rng.choice([1, 1, 1, -1], (count, 3))
+    sample = np.stack([px[:, 0], py[:, 0], np.ones(count)], -1)
+    m = np.stack([w * x, w * y, w], 1)
+    e = np.stack([(y[:, i] - y[:, j]) * (sample[:, 0] - x[:, i])
+                  + (x[:, j] - x[:, i]) * (sample[:, 1] - y[:, i])
+                  for i, j in ((1, 2), (2, 0), (0, 1))], -1)
+    return m, sample, e, w
+
+
+@exercise("5.5")
+def test_edge_functions_are_the_rows_of_the_inverse(impl, rng):
+    """b is not M^-1 (x, y, 1) divided by its sum: the ray through the pixel meets another point."""
+    m, sample, e, w = matrix_and_edges(rng, 60)
+    c = np.linalg.solve(m, sample[..., None])[..., 0]
+    got = impl.corrected_barycentrics(e, w)
+    assert_close(got, c / c.sum(-1, keepdims=True), rtol=1e-6, atol=1e-6)
+
+
+@exercise("5.6")
+def test_gradients_of_corrected_weights_on_paper(impl):
+    """The sum's part is missing (corner 2 has no weight here, and yet it would take some away); or
+    w is not squared in grad_w, or has the wrong sign.
+    """
+    e, w = np.array([[0.5, 0.5, 0.0]]), np.array([[1.0, 3.0, 1.0]])
+    got = impl.corrected_barycentrics_backward(np.array([[16.0, 0.0, 0.0]]), e, w)
+    assert_close(got, (np.array([[6.0, -6.0, -18.0]]), np.array([[-3.0, 1.0, 0.0]])))
+
+
+@exercise("5.6")
+def test_more_of_all_weights_is_nothing(impl, rng):
+    """A multiple of e gives the same b, so e . grad_e = 0; likewise w . grad_w = 0."""
+    grad_b, (e, w) = rng.normal(size=(5, 3)), rng.uniform(0.5, 2, (2, 5, 3))
+    grad_e, grad_w = impl.corrected_barycentrics_backward(grad_b, e, w)
+    assert_close((e * grad_e).sum(-1), np.zeros(5), atol=1e-10)
+    assert_close((w * grad_w).sum(-1), np.zeros(5), atol=1e-10)
+
+
+@exercise("5.6")
+def test_gradients_of_corrected_weights_are_central_differences(impl, rng):
+    """e and w are taken for each other, a w is missing, or sums run over the wrong axis."""
+    def forward(e, w):
+        return np.stack([e[..., k] / w[..., k] / (e / w).sum(-1) for k in range(3)], -1)
+
+    inputs = rng.uniform(0.2, 1, (2, 4, 3)), rng.uniform(0.5, 3, (2, 4, 3))
+    gradcheck(forward, impl.corrected_barycentrics_backward, inputs, name="corrected_barycentrics")
+    inputs = -inputs[0], inputs[1] * [1, 1, 9]
+    gradcheck(forward, impl.corrected_barycentrics_backward, inputs, name="corrected_barycentrics")
+
+
+@exercise("5.7")
+def test_derivatives_of_corrected_weights_on_paper(impl):
+    """The quotient rule's second term is missing (the weights would not keep their sum of 1); or de
+    is not divided by w, or the sum runs over the derivatives.
+    """
+    e, w = np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0])
+    de = np.array([[-4.0, 0.0], [4.0, -3.0], [0.0, 3.0]])
+    expected = np.array([[-3.0, -2.25], [3.0, -2.25], [0.0, 4.5]])
+    assert_close(impl.corrected_barycentrics_derivatives(de, e, w), expected)
+
+
+@exercise("5.7")
+def test_of_equal_w_the_derivatives_are_those_of_the_screen(impl, rng):
+    """A factor w or a sum is left over."""
+    de = rng.normal(size=(4, 3, 2))
+    de -= de.mean(1, keepdims=True)  # the sum of e is the same everywhere
+    e = rng.uniform(0.1, 1, (4, 3))
+    got = impl.corrected_barycentrics_derivatives(de, e, np.full((4, 3), 1.7))
+    assert_close(got, de / e.sum(-1)[:, None, None])
+
+
+@exercise("5.7")
+def test_derivatives_of_corrected_weights_are_central_differences(impl, rng):
+    """The sum runs over the directions, or right only if all e sum up to a constant."""
+    de, e, w = rng.normal(size=(4, 5, 3, 4)), *rng.uniform(0.5, 2, (2, 4, 5, 3))
+
+    def moved(step):
+        n = (e[..., None] + step * de) / w[..., None]
+        return n / n.sum(-2, keepdims=True)
+
+    expected = (8 * (moved(1e-3) - moved(-1e-3)) - moved(2e-3) + moved(-2e-3)) / 12e-3
+    got = impl.corrected_barycentrics_derivatives(de, e, w)
+    assert_close(got, expected, rtol=1e-7, atol=1e-7)
+
+
+@exercise("5.7")
+def test_by_x_and_y_they_are_the_rows_of_the_inverse(impl, rng):
+    """The derivatives by x and by y come in each other's place, or of a clockwise face negated."""
+    m, sample, e, w = matrix_and_edges(rng, 40)
+    inverse = np.linalg.inv(m)
+    c, dc = (inverse @ sample[..., None])[..., 0], inverse[:, :, :2]
+    s = c.sum(-1)[:, None, None]
+    expected = dc / s - c[..., None] * dc.sum(1, keepdims=True) / s**2
+    double_area = e.sum(-1)[:, None, None]
+    de = dc * double_area * w[..., None]  # rows of M^-1: edge functions / (2A w)
+    got = impl.corrected_barycentrics_derivatives(de, e, w)
+    scale = np.abs(expected).max((1, 2), keepdims=True)
+    assert_close(got / scale, expected / scale, rtol=1e-6, atol=1e-6)
+
+
+# --- pictures, pixel by pixel ------------------------------------------------------------------
+
+PICTURE = np.array([[[5.0, 0.75], [-8.0, 4.0], [10.0, 0.0]],
+                    [[0.0, 2.0], [0.0, 0.0], [0.0, 2.0]]])
+GRAD_OUTPUT = np.array([[[4.0, 8.0], [1.0, 0.0], [2.0, -2.0]],
+                        [[8.0, 4.0], [99.0, 99.0], [0.0, 1.0]]])
+GRAD_ATTRIBUTES = np.array([[4.0, 5.0], [2.0, 1.0], [5.0, 5.0], [1.0, -1.0], [3.0, 1.0],
+                            [0.0, 0.0]])
+GRAD_WEIGHTS = np.array([[[32.0, 24.0, 16.0], [-8.0, 0.0, 8.0], [-4.0, 6.0, 34.0]],
+                         [[-48.0, 8.0, 64.0], [0.0, 0.0, 0.0], [0.0, 1.0, 2.0]]])
+
+
+@exercise("5.8")
+def test_a_picture_of_six_pixels(impl):
+    """Corners are taken in another order, or row i and column j are swapped."""
+    got = impl.interpolate_loop(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
+    assert_picture(got, PICTURE, atol=1e-12)
+
+
+@exercise("5.8")
+def test_an_empty_pixel_is_zero(impl):
+    """-1 is taken for a face: NumPy counts it from the end, and draws the last one."""
+    seen = np.full((2, 3), -1)
+    got = impl.interpolate_loop(ATTRIBUTES, FACES, seen, np.full((2, 3, 3), np.nan))
+    assert_picture(got, np.zeros((2, 3, 2)))
+
+
+@exercise("5.8")
+@pytest.mark.parametrize("channels", [1, 4])
+def test_any_number_of_attributes(impl, rng, channels):
+    """Three channels only, or the weights are mixed with the channels."""
+    given = buffers(rng, channels)
+    assert_picture(impl.interpolate_loop(*given), mixed(*given), atol=1e-12)
+
+
+@exercise("5.9")
+def test_the_gradients_of_six_pixels(impl):
+    """A pixel's gradient replaces that of another pixel at the same vertex instead of adding up."""
+    got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
+    assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
+
+
+@exercise("5.9")
+def test_an_empty_pixel_pulls_at_nothing(impl):
+    """The gradient at the background flows to the last face."""
+    nothing = np.full((2, 3, 3), np.nan)
+    got = impl.interpolate_backward_loop(nothing[..., :2], ATTRIBUTES, FACES, np.full((2, 3), -1),
+                                         nothing)
+    assert_close(got, (np.zeros((6, 2)), np.zeros((2, 3, 3))))
+
+
+@exercise("5.9")
+@pytest.mark.parametrize("channels", [1, 4])
+def test_every_channel_adds_to_the_weights(impl, rng, channels):
+    """grad_barycentric is the mean of the channels, or of the first channel alone."""
+    given = rng.normal(size=(7, 5, channels)), *buffers(rng, channels)
+    assert_close(impl.interpolate_backward_loop(*given), unmixed(*given))
+
+
+# --- whole pictures ----------------------------------------------------------------------------
+
+@exercise("5.10")
+def test_the_rows_of_six_pixels(impl):
+    """A pixel without a face leaves out its row, or has entries; start counts rows, not entries."""
+    start, vertex, weight = impl.weight_rows(FACES, FACE_INDEX, WEIGHTS)
+    assert_equal(start, np.array([0, 3, 6, 9, 12, 12, 15]))
+    assert_equal(vertex, np.array([0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2]))
+    assert_close(weight, np.array([0.5, 0.25, 0.25,  1, 0, 0,  0, 0.5, 0.5,
+                                   0.25, 0.5, 0.25,  0, 0, 1]))
+
+
+@exercise("5.10")
+def test_the_rows_of_an_empty_picture(impl):
+    """start has one number for each pixel, not one more."""
+    start, vertex, weight = impl.weight_rows(FACES, np.full((2, 3), -1), WEIGHTS)
+    assert_equal(start, np.zeros(7, int))
+    assert_equal((len(vertex), len(weight)), (0, 0))
+
+
+@exercise("5.10")
+def test_the_rows_make_the_matrix(impl, rng):
+    """Pixels are numbered column by column, or entries are in another order than the corners."""
+    _, faces, face_index, weights = buffers(rng, 1)
+    start, vertex, weight = impl.weight_rows(faces, face_index, weights)
+    for row, face in enumerate(face_index.ravel()):
+        entries = slice(start[row], start[row + 1])
+        expected = faces[face] if face >= 0 else np.zeros(0, int)
+        assert_equal(np.asarray(vertex)[entries], expected)
+        expected = weights.reshape(-1, 3)[row] if face >= 0 else np.zeros(0)
+        assert_close(np.asarray(weight)[entries], expected)
+
+
+@exercise("5.11")
+def test_a_whole_picture_of_six_pixels(impl):
+    """The pixels come out in another order, or -1 is taken for the last face."""
+    assert_picture(impl.interpolate(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS), PICTURE, atol=1e-12)
+
+
+@exercise("5.11")
+@pytest.mark.parametrize("channels", [1, 3, 6])
+def test_a_whole_picture_is_that_of_the_definition(impl, rng, channels):
+    """Where no face is seen the weights may be NaN, and NaN times 0 is NaN."""
+    given = buffers(rng, channels)
+    assert_picture(impl.interpolate(*given), mixed(*given), atol=1e-12)
+
+
+@exercise("5.11")
+def test_empty_pictures(impl):
+    """No pixel sees a face, or there is no pixel at all: an error, or another shape."""
+    for shape in (2, 3), (0, 4):
+        weights = np.full((*shape, 3), np.nan)
+        got = impl.interpolate(ATTRIBUTES, FACES, np.full(shape, -1), weights)
+        assert_close(got, np.zeros((*shape, 2)))
+
+
+@exercise("5.11")
+@each_golden
+def test_attributes_are_those_of_nvdiffrast(impl, scene):
+    """uv of their own faces, many attributes, slivers: within what 32 bits allow."""
+    of = golden(scene)
+    got = impl.interpolate(of["attributes"], of["faces"], of["face_index"], of["weights"])
+    assert_picture(got, of["output"], atol=2e-6,
+                   given=f"scene {scene} of tests/golden/interpolate.npz")
+
+
+@exercise("5.12")
+def test_the_gradients_of_a_whole_picture_of_six_pixels(impl):
+    """grad[index] += ... adds a vertex once, however many pixels see it: np.add.at adds all."""
+    got = impl.interpolate_backward(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
+    assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
+
+
+@exercise("5.12")
+@pytest.mark.parametrize("channels", [1, 3, 6])
+def test_the_gradients_are_those_of_the_definition(impl, rng, channels):
+    """The background's grad_output flows somewhere: it is NaN here."""
+    attributes, faces, face_index, weights = buffers(rng, channels)
+    grad_output = np.where(face_index[..., None] < 0, np.nan, rng.normal(size=(7, 5, channels)))
+    given = grad_output, attributes, faces, face_index, weights
+    assert_close(impl.interpolate_backward(*given), unmixed(*given))
+
+
+@exercise("5.12")
+def test_the_gradients_are_central_differences(impl, rng):
+    """B for B^T, or the attributes of another corner."""
+    attributes, faces, face_index, weights = buffers(rng, 4)
+    weights = np.nan_to_num(weights)
+
+    gradcheck(lambda attributes, weights: mixed(attributes, faces, face_index, weights),
+              lambda grad, attributes, weights: impl.interpolate_backward(
+                  grad, attributes, faces, face_index, weights),
+              (attributes, weights), name="interpolate")
+
+
+@exercise("5.12")
+@each_golden
+def test_gradients_are_those_of_nvdiffrast(impl, scene):
+    """Sums over many pixels, by u and v of the weights u, v, 1 - u - v."""
+    of = golden(scene)
+    grad_attributes, grad_weights = impl.interpolate_backward(
+        of["grad_output"], of["attributes"], of["faces"], of["face_index"], of["weights"])
+    given = f"scene {scene} of tests/golden/interpolate.npz"
+    assert_close(grad_attributes, of["grad_attributes"], given, rtol=0, atol=3e-5)
+    assert_close(by_uv(np.asarray(grad_weights)), of["grad_uv"], given, rtol=0, atol=3e-6)
+
+
+# --- footprints --------------------------------------------------------------------------------
+
+@exercise("5.13")
+def test_the_footprint_of_one_pixel(impl):
+    """d/dx and d/dy are swapped, or stand before the attributes."""
+    db = np.full((2, 3, 3, 2), np.nan)
+    db[1, 2] = [[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]
+    seen = np.array([[-1, -1, -1], [-1, -1, 1]])
+    expected = np.zeros((2, 3, 2, 2))
+    expected[1, 2] = [[2.0, -4.0], [-0.5, 0.75]]
+    assert_close(impl.interpolate_derivatives(ATTRIBUTES, FACES, seen, db), expected)
+
+
+@exercise("5.13")
+@pytest.mark.parametrize("channels", [1, 2, 5])
+def test_derivatives_are_mixed_as_the_weights_are(impl, rng, channels):
+    """Attributes and directions are taken for each other where both are two."""
+    given = buffers(rng, channels, trailing=(2,))
+    assert_close(impl.interpolate_derivatives(*given), mixed(*given))
+
+
+@exercise("5.13")
+@each_golden
+def test_derivatives_are_those_of_nvdiffrast(impl, scene):
+    """dA/dx, dA/dy of some of the attributes."""
+    of = golden(scene)
+    got = impl.interpolate_derivatives(of["attributes"][:, of["chosen"]], of["faces"],
+                                       of["face_index"], of["all_derivatives"])
+    assert_close(got, of["output_derivatives"], rtol=0, atol=2e-6,
+                 given=f"scene {scene} of tests/golden/interpolate.npz")
+
+
+@exercise("5.14")
+def test_the_gradients_of_one_footprint(impl):
+    """The derivative by y is left out, or by x and by y are kept apart in grad_attributes."""
+    db, grad_output = np.full((1, 2, 3, 2), np.nan), np.full((1, 2, 2, 2), np.nan)
+    db[0, 1] = [[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]
+    grad_output[0, 1] = [[2.0, 4.0], [8.0, 0.0]]
+    got = impl.interpolate_derivatives_backward(grad_output, ATTRIBUTES, FACES,
+                                                np.array([[-1, 1]]), db)
+    grad_attributes = np.array([[0.0, 0.0], [1.0, 4.0], [0.0, -4.0], [-1.0, 0.0], [0.0, 0.0],
+                                [0.0, 0.0]])
+    grad_derivatives = np.array([[[16.0, 0.0], [16.0, 16.0], [24.0, 64.0]]])
+    assert_close(got, (grad_attributes, np.stack([0 * grad_derivatives, grad_derivatives], 1)))
+
+
+@exercise("5.14")
+@pytest.mark.parametrize("channels", [1, 2, 5])
+def test_the_gradients_of_footprints_are_those_of_the_definition(impl, rng, channels):
+    """Attributes and directions are taken for each other, or NaN of the background spreads."""
+    attributes, faces, face_index, weights = buffers(rng, channels, trailing=(2,))
+    grad_output = rng.normal(size=(7, 5, channels, 2))
+    grad_output[face_index < 0] = np.nan
+    given = grad_output, attributes, faces, face_index, weights
+    assert_close(impl.interpolate_derivatives_backward(*given), unmixed(*given))
+
+
+@exercise("5.14")
+def test_the_gradients_of_footprints_are_central_differences(impl, rng):
+    """A mean for a sum, or a sign."""
+    attributes, faces, face_index, weights = buffers(rng, 3, trailing=(2,))
+    weights = np.nan_to_num(weights)
+
+    gradcheck(lambda attributes, weights: mixed(attributes, faces, face_index, weights),
+              lambda grad, attributes, weights: impl.interpolate_derivatives_backward(
+                  grad, attributes, faces, face_index, weights),
+              (attributes, weights), name="interpolate_derivatives")
+
+
+@exercise("5.14")
+@each_golden
+def test_gradients_of_derivatives_are_those_of_nvdiffrast(impl, scene):
+    """What nvdiffrast adds where the derivatives have a gradient, too."""
+    of = golden(scene)
+    chosen = of["chosen"]
+    grad_attributes, grad_derivatives = impl.interpolate_derivatives_backward(
+        of["grad_output_derivatives"], of["attributes"][:, chosen], of["faces"], of["face_index"],
+        of["all_derivatives"])
+    given = f"scene {scene} of tests/golden/interpolate.npz"
+    added = of["grad_attributes_both"] - of["grad_attributes"]
+    assert_close(grad_attributes, added[:, chosen], given, rtol=0, atol=3e-5)
+    assert_close(by_uv(np.asarray(grad_derivatives)), of["grad_derivatives"], given, rtol=0,
+                 atol=3e-6)

@@ -1,0 +1,815 @@
+"""What the exercises of lab 2 must do."""
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from course.checks import assert_close, assert_equal, assert_picture, exercise
+from course.given.gradcheck import gradcheck
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "rasterize.npz"
+TRIANGLE = np.array([[1.0, 1.0], [7.0, 2.0], [3.0, 6.0]])  # counter-clockwise
+
+
+def centres(width, height):
+    """The sample points (height, width, 2) of a picture."""
+    return np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), -1)
+
+
+def exact_edge(p, a, b):
+    """Eq. (1) without rounding."""
+    (x, y), (x0, y0), (x1, y1) = ([Fraction(float(c)) for c in point] for point in (p, a, b))
+    return (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)
+
+
+def exact_inside(p, triangle):
+    """The samples in a triangle of either winding, border included, without rounding."""
+    e = [[exact_edge(q, triangle[i], triangle[j]) for i, j in ((0, 1), (1, 2), (2, 0))]
+         for q in p.reshape(-1, 2)]
+    inside = [min(row) >= 0 or max(row) <= 0 for row in e]
+    return np.array(inside).reshape(p.shape[:-1])
+
+
+def clip_triangles(rng, count, behind=True):
+    """Random faces (count, 3) in clip space (3 count, 4), some with vertices behind the camera."""
+    clip = rng.uniform([-2, -2, -1, -0.5 if behind else 0.5], [2, 2, 1, 2], (3 * count, 4))
+    return clip, np.arange(3 * count).reshape(-1, 3)
+
+
+# --- screen space ------------------------------------------------------------------------------
+
+@exercise("2.1")
+def test_an_edge_is_positive_on_its_left(impl):
+    """a and b are swapped, x and y are swapped, or the screen's y points down."""
+    a, b = np.array([1.0, 1.0]), np.array([4.0, 2.0])
+    assert_close(impl.edge_function(np.array([2.0, 3.0]), a, b), 5.0)
+    assert_close(impl.edge_function(np.array([2.0, -1.0]), a, b), -7.0)
+    assert_close(impl.edge_function(np.array([7.0, 3.0]), a, b), 0.0)
+
+
+@exercise("2.1")
+def test_it_is_the_determinant_of_the_three_points(impl, rng):
+    """A coefficient is wrong, or the value is halved to the area."""
+    for p, a, b in rng.normal(size=(20, 3, 2)):
+        expected = np.linalg.det([[*p, 1], [*a, 1], [*b, 1]])
+        assert_close(impl.edge_function(p, a, b), expected, atol=1e-12)
+
+
+@exercise("2.1")
+def test_a_grid_of_points_and_one_edge(impl):
+    """The code works for one point alone, or does not broadcast."""
+    a, b = np.array([0.0, 0.0]), np.array([2.0, 1.0])
+    p = centres(4, 3)
+    assert_close(impl.edge_function(p, a, b), 2 * p[..., 1] - p[..., 0])
+
+
+@exercise("2.1")
+def test_swapping_the_ends_negates_every_bit(impl, rng):
+    """n . (p - a), whichever end a is: two faces round their common edge differently."""
+    p, a, b = rng.normal(size=(3, 2000, 2)) * 10.0 ** rng.integers(-3, 6, (3, 2000, 1))
+    assert_equal(impl.edge_function(p, b, a), -np.asarray(impl.edge_function(p, a, b)))
+
+
+@exercise("2.1")
+def test_an_edge_is_exactly_zero_at_both_ends(impl, rng):
+    """A x + B y + C with a rounded C: a vertex on a pixel's centre falls between its faces."""
+    a, b = rng.normal(size=(2, 2000, 2)) * 10.0 ** rng.integers(-3, 6, (2, 2000, 1))
+    assert_equal(impl.edge_function(a, a, b), np.zeros(2000))
+    assert_equal(impl.edge_function(b, a, b), np.zeros(2000))
+
+
+@exercise("2.2")
+def test_the_gradients_of_one_edge_on_paper(impl):
+    """A sign, x for y, or the gradients in another order than p, a, b."""
+    p, a, b = np.array([1.0, 4.0]), np.array([0.0, 0.0]), np.array([2.0, 1.0])
+    grad_p, grad_a, grad_b = impl.edge_function_backward(np.array(10.0), p, a, b)
+    assert_close(grad_p, np.array([-10.0, 20.0]))
+    assert_close(grad_a, np.array([-30.0, -10.0]))
+    assert_close(grad_b, np.array([40.0, -10.0]))
+
+
+@exercise("2.2")
+def test_the_gradients_of_edges_are_central_differences(impl, rng):
+    """grad_e is ignored or summed up before it reaches the points."""
+    def forward(p, a, b):
+        return (a[..., 1] - b[..., 1]) * (p[..., 0] - a[..., 0]) \
+            + (b[..., 0] - a[..., 0]) * (p[..., 1] - a[..., 1])
+
+    gradcheck(forward, impl.edge_function_backward, tuple(rng.normal(size=(3, 2, 5, 2))),
+              name="edge_function")
+
+
+@exercise("2.3")
+def test_half_a_rectangle(impl):
+    """Twice the area, or no sign for the winding."""
+    triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]])
+    assert_close(impl.signed_area(triangle), 1.0)
+    assert_close(impl.signed_area(triangle[::-1]), -1.0)
+
+
+@exercise("2.3")
+def test_areas_are_those_of_the_shoelace_formula(impl, rng):
+    """Right only for triangles with a vertex at the origin, or for one triangle alone."""
+    triangles = rng.normal(size=(4, 5, 3, 2))
+    x, y = np.moveaxis(triangles, -1, 0)
+    shoelace = (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
+    assert_close(impl.signed_area(triangles), shoelace)
+
+
+@exercise("2.4")
+def test_inside_border_and_outside(impl):
+    """Only two of the three edges are asked, the border does not count, or an edge's line does."""
+    p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0],
+                  [5.0, 11.0], [13.0, 3.0], [11.0, -2.0],  # on the edges' lines
+                  [4.0, 1.5 - 1e-6]])
+    inside = np.array([True, True, True, False, False, False, False, False, False, False])
+    assert_equal(impl.is_inside(p, TRIANGLE), inside)
+
+
+@exercise("2.4")
+def test_inside_does_not_depend_on_the_winding(impl):
+    """Clockwise triangles have no inside, because only positive values count."""
+    p = centres(8, 8)
+    assert_picture(impl.is_inside(p, TRIANGLE), exact_inside(p, TRIANGLE))
+    assert_picture(impl.is_inside(p, TRIANGLE[::-1]), exact_inside(p, TRIANGLE))
+
+
+@exercise("2.5")
+def test_left_and_lower_edges_own_their_samples(impl):
+    """Right for left, upper for lower (y is up here), or a horizontal edge is decided by n_x."""
+    n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0, 0.0, -1e-9])
+    n_y = np.array([0.0,  0.0, 1.0, -1.0, 9.0, -9.0,  9.0, -9.0, 0.0,  1.0])
+    owns = np.array([True, False, True, False, True, True, False, False, False, False])
+    assert_equal(impl.is_top_left(n_x, n_y), owns)
+
+
+@exercise("2.5")
+def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
+    """>= for >: both own a vertical edge, or neither owns a horizontal one."""
+    n_x, n_y = rng.integers(-2, 3, (2, 200)).astype(float)
+    edge = (n_x != 0) | (n_y != 0)
+    one, other = impl.is_top_left(n_x, n_y), impl.is_top_left(-n_x, -n_y)
+    assert_equal((np.asarray(one) ^ np.asarray(other))[edge], np.ones(edge.sum(), bool))
+
+
+@exercise("2.6")
+def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
+    """Samples on an edge count on every side, on none, or on its right: n_x and n_y are swapped."""
+    for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
+        p = centres(5, 4) + moved
+        lower = impl.is_covered(p, np.array([[0.5, 0.5], [3.5, 0.5], [3.5, 3.5]]) + moved)
+        assert_picture(lower, np.array([[1, 1, 1, 0, 0],
+                                        [0, 1, 1, 0, 0],
+                                        [0, 0, 1, 0, 0],
+                                        [0, 0, 0, 0, 0]], bool))
+        upper = impl.is_covered(p, np.array([[0.5, 0.5], [3.5, 3.5], [0.5, 3.5]]) + moved)
+        assert_picture(upper, np.array([[0, 0, 0, 0, 0],
+                                        [1, 0, 0, 0, 0],
+                                        [1, 1, 0, 0, 0],
+                                        [0, 0, 0, 0, 0]], bool))
+
+
+@exercise("2.6")
+def test_pixels_are_sampled_where_the_points_say(impl, rng):
+    """The points are cut to whole numbers, as homework 2 of GAMES101 does with (int x, int y)."""
+    p = rng.uniform(0, 8, (300, 2))
+    assert_equal(impl.is_covered(p, TRIANGLE), exact_inside(p, TRIANGLE))
+    small = 2.0**-20  # exact, so that only an absolute tolerance can tell the difference
+    assert_equal(impl.is_covered(small * p, small * TRIANGLE), exact_inside(p, TRIANGLE))
+
+
+@exercise("2.6")
+def test_clockwise_and_flat_triangles_cover_nothing(impl):
+    """The sign of the area is not asked, or a flat triangle owns the samples on it."""
+    p = centres(9, 9)
+    nothing = np.zeros((9, 9), bool)
+    assert_picture(impl.is_covered(p, TRIANGLE[::-1]), nothing)
+    assert_picture(impl.is_covered(p, np.array([[0.5, 0.5], [6.5, 6.5], [2.5, 2.5]])), nothing)
+    assert_picture(impl.is_covered(p, np.array([[0.5, 2.5], [6.5, 2.5], [2.5, 2.5]])), nothing)
+
+
+@exercise("2.6")
+def test_a_shared_edge_is_covered_once(impl, rng):
+    """Two faces compute the same edge with different rounding: samples are lost or drawn twice."""
+    for _ in range(60):
+        a, b = rng.uniform(0, 100, (2, 2))
+        across = np.array([a[1] - b[1], b[0] - a[0]])
+        left, right = a + across, b - across
+        on_edge = a + (b - a) * rng.uniform(0.1, 0.9, (100, 1))
+        count = np.asarray(impl.is_covered(on_edge, np.stack([a, b, left]))).astype(int) \
+            + impl.is_covered(on_edge, np.stack([b, a, right]))
+        assert_equal(count, np.ones(100, int))
+
+
+@exercise("2.6")
+def test_a_fan_covers_its_hub_once(impl, rng):
+    """The hub of a fan is covered by no face or by several."""
+    hub = np.array([4.5, 4.5])
+    for _ in range(40):
+        angles = rng.uniform(0, np.pi / 3, 3) + np.arange(3) * 2 * np.pi / 3
+        rim = hub + 4 * np.stack([np.cos(angles), np.sin(angles)], -1)
+        faces = [np.stack([hub, rim[k], rim[(k + 1) % 3]]) for k in range(3)]
+        assert_equal(sum(int(impl.is_covered(hub[None], face)[0]) for face in faces), 1)
+
+
+@exercise("2.7")
+def test_weights_on_paper(impl):
+    """e_0 and e_1 are the first two edges of the list, not those opposite to vertices 0 and 1."""
+    triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
+    p = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 2.0], [2.0, 0.0]])
+    expected = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0],
+                         [0.25, 0.25, 0.5], [0.5, 0.5, 0.0]])
+    assert_close(impl.barycentric_coordinates(p, triangle), expected)
+
+
+@exercise("2.7")
+def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
+    """The weights are divided by the wrong area, or made positive."""
+    for size in 1.0, 1e-6:
+        triangle, p = size * rng.normal(size=(3, 2)), size * rng.normal(size=(4, 6, 2))
+        b = impl.barycentric_coordinates(p, triangle)
+        assert_close(b @ triangle / size, p / size, rtol=1e-7, atol=1e-9)
+        assert_close(b.sum(-1), np.ones((4, 6)), rtol=1e-7)
+
+
+@exercise("2.8")
+def test_the_box_of_a_triangle_on_paper(impl):
+    """The end is not one past the last pixel, or x and y are swapped."""
+    triangle = np.array([[1.5, 2.5], [4.2, 3.0], [2.0, 6.9]])
+    assert_equal(impl.bounding_box(triangle, 8, 9), (1, 2, 4, 7))
+    triangle = np.array([[0.5, -9.0], [3.0, 1.2], [2.5, 1.0]])
+    assert_equal(impl.bounding_box(triangle, 8, 8), (0, 0, 3, 1))
+    assert_equal(impl.bounding_box(triangle + [0.0, 12.0], 8, 9), (0, 3, 3, 9))
+
+
+@exercise("2.8")
+def test_the_box_is_a_sixteenth_of_a_pixel_wider(impl):
+    """The margin is missing, on one side only, or taken away; or a centre on the border is out."""
+    low, high = 1.5 + 1 / 16, 4.5 - 1 / 16  # the box ends at the centres 1.5 and 4.5
+    for shift, first, end in ((0.0, 1, 5), (1e-9, 2, 5), (-1e-9, 1, 4)):
+        triangle = np.array([[low, high], [high, low], [3.0, 3.0]]) + shift
+        assert_equal(impl.bounding_box(triangle, 9, 9), (first, first, end, end))
+
+
+@exercise("2.8")
+def test_the_box_stays_in_the_picture(impl):
+    """The box is not clipped, is clipped after it became integers, or -0.5 is cut to 0."""
+    x0, y0, x1, y1 = impl.bounding_box(np.array([[-3.0, 2.0], [99.0, 3.0], [5.0, 77.0]]), 10, 20)
+    assert_equal((x0, y0, x1, y1), (0, 2, 10, 20))
+    triangle = np.array([[-1e300, 2.0], [1e300, 3.0], [5.0, 1e300]])
+    assert_equal(impl.bounding_box(triangle, 10, 20), (0, 2, 10, 20))
+    for outside in ([-3.0, -0.5, -1.5], [-3.0, -2.5, -1.5], [12.0, 10.0, 11.0], [14.0, 12.5, 13.0]):
+        x0, y0, x1, y1 = impl.bounding_box(np.stack([outside, [2.0, 3.0, 5.0]], -1), 10, 20)
+        assert_equal((x1 <= x0 <= 10, 0 <= x1, y0, y1), (True, True, 2, 5))
+        x0, y0, x1, y1 = impl.bounding_box(np.stack([[2.0, 3.0, 5.0], outside], -1), 20, 10)
+        assert_equal((y1 <= y0 <= 10, 0 <= y1, x0, x1), (True, True, 2, 5))
+
+
+@exercise("2.8")
+def test_no_covered_sample_lies_outside_the_box(impl, rng):
+    """The box is cut to whole numbers before the comparison: the last column or row is missing."""
+    p = centres(12, 10)
+    for triangle in rng.uniform(-4, 16, (12, 3, 2)):
+        x0, y0, x1, y1 = impl.bounding_box(triangle, 12, 10)
+        boxed = np.zeros((10, 12), bool)
+        boxed[y0:y1, x0:x1] = True
+        assert_picture(boxed & exact_inside(p, triangle), exact_inside(p, triangle))
+
+
+# --- with perspective --------------------------------------------------------------------------
+
+@exercise("2.9")
+def test_vertices_on_screen_on_paper(impl):
+    """y is flipped, width and height are swapped, or |w| stands for w."""
+    clip = np.array([[0.0, 2.0, 9.0, 2.0], [-1.0, -1.0, 9.0, 1.0], [3.0, 0.5, 9.0, -1.0]])
+    x, y, w = impl.screen_points(clip, 9, 5)
+    assert_close(x, np.array([4.5, 0.0, -9.0]))
+    assert_close(y, np.array([5.0, 0.0, 1.25]))
+    assert_close(w, np.array([2.0, 1.0, -1.0]))
+
+
+@exercise("2.9")
+def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
+    """A division by zero; or a least w that does not go with the unit of clip space."""
+    clip = np.array([[1.0, -1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 1e-12], [1.0, -0.2, 0.0, -1e-12],
+                     [-1.0, 0.3, 0.0, 0.0]])
+    for unit in 1e-13, 1.0, 1e5:
+        x, y, w = impl.screen_points(unit * clip, 8, 4)
+        assert_close(w / unit, np.array([1e-10, 1e-10, -1e-10, 1e-10]),
+                     given=f"clip scaled by {unit}")
+        assert_close(x, np.array([4e10, 2e10, -4e10, -4e10]), rtol=1e-6)
+        assert_close(y, np.array([-2e10, -2e10, 4e9, 6e9]), rtol=1e-6)
+
+
+@exercise("2.9")
+def test_a_small_w_is_not_yet_the_camera_plane(impl):
+    """A vertex near the camera, or in small units, is moved."""
+    clip = np.array([[1.0, 0.5, 0.0, 1.01e-10], [1e-9, 0.0, 0.0, 1e-12], [0.0, 0.0, 1.0, 1e-30]])
+    _, _, w = impl.screen_points(clip, 8, 4)
+    assert_equal(w, clip[:, 3])
+
+
+@exercise("2.10")
+def test_clockwise_faces_are_culled(impl):
+    """Clockwise faces are kept instead of counter-clockwise ones, or the order changes."""
+    x, y, w = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 3.0], [1.0, 2.0, 3.0]])
+    faces = np.array([[0, 1, 2], [0, 2, 1], [2, 0, 1], [1, 0, 2]])
+    assert_equal(impl.cull_back_faces(x, y, w, faces), faces[[0, 2]])
+
+
+@exercise("2.10")
+def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
+    """The winding on screen alone, or right for one vertex behind the camera but not for three."""
+    clip, faces = clip_triangles(rng, 80)
+    face, corner = np.divmod(np.arange(240), 3)
+    behind = (face >> corner) & 1  # all eight cases in turn
+    clip[:, 3] = rng.uniform(0.5, 2, 240) * (1 - 2 * behind)
+    clip *= 10.0 ** rng.integers(-3, 3, (240, 1))  # which moves nothing on screen
+    # (x, y, w) are the corners as the camera sees them: its distance to the face has this sign.
+    facing = np.linalg.det(clip[faces][..., [0, 1, 3]]) > 0
+    x, y, _, w = clip.T
+    for size in 1.0, 1e-9:
+        kept = impl.cull_back_faces(size * x / w, size * y / w, w, faces)
+        assert_equal(kept, faces[facing], given=f"corners scaled by {size}")
+
+
+@exercise("2.10")
+def test_faces_without_area_are_culled(impl):
+    """>= for >."""
+    x, y, w = np.array([[0.0, 2.0, 4.0], [0.0, 2.0, 4.0], [1.0, 1.0, 1.0]])
+    faces = np.array([[0, 1, 2], [0, 0, 1]])
+    assert_equal(impl.cull_back_faces(x, y, w, faces), faces[:0])
+
+
+def sides(planes, x, y):
+    """e of planes (4, 3, F) at (x, y)."""
+    n_x, n_y, from_x, from_y = planes
+    return n_x * (x - from_x) + n_y * (y - from_y)
+
+
+@exercise("2.11")
+def test_the_planes_of_a_face_on_paper(impl):
+    """Row k is the edge that starts at vertex k instead of the one opposite to it."""
+    x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, 1.0]])[..., None]
+    for flip in (1, -1):  # counter-clockwise, clockwise
+        n_x, n_y, from_x, from_y = impl.half_planes(x[::flip], y[::flip], w)
+        assert_close(n_x, np.array([[-4.0], [5.0], [-1.0]])[::flip])
+        assert_close(n_y, np.array([[-4.0], [-2.0], [6.0]])[::flip])
+        assert_close(from_x, np.array([[3.0], [1.0], [1.0]])[::flip])
+        assert_close(from_y, np.array([[6.0], [1.0], [1.0]])[::flip])
+
+
+@exercise("2.11")
+def test_the_planes_hold_what_the_inverse_of_m_says(impl, rng):
+    """The sign of w is forgotten: faces that cross the camera plane appear where they are not."""
+    p = rng.uniform(-5, 5, 2)
+    for _ in range(100):
+        x, y = rng.uniform(-10, 10, (2, 3, 1))
+        w = rng.uniform(0.5, 2, (3, 1)) * rng.choice([-1, 1], (3, 1))
+        c = np.linalg.solve(np.concatenate([w * x, w * y, w], 1).T, [*p, 1])
+        side = sides(np.array(impl.half_planes(x, y, w)), *p)[:, 0]
+        assert_equal(side > 0, c > 0)
+
+
+@exercise("2.11")
+def test_the_two_faces_at_an_edge_agree_in_every_bit(impl, rng):
+    """The edge is measured from another end, or scaled, in one of the two faces."""
+    x, y, w = rng.normal(size=(3, 4, 500)) * 10.0 ** rng.integers(-2, 3, (3, 4, 500))
+    w[:, :250] = 1.0
+    one = np.array(impl.half_planes(x[[0, 1, 2]], y[[0, 1, 2]], w[[0, 1, 2]]))[:, 0]
+    other = np.array(impl.half_planes(x[[3, 2, 1]], y[[3, 2, 1]], w[[3, 2, 1]]))[:, 0]
+    p = rng.normal(size=2)
+    assert_equal(np.abs(sides(one, *p)), np.abs(sides(other, *p)))
+
+
+@exercise("2.11")
+def test_an_edge_is_exactly_zero_at_its_ends(impl, rng):
+    """a x + (b y + c): a vertex on a pixel's centre is lost between the faces around it."""
+    x, y = rng.normal(size=(2, 3, 200)) * 100
+    planes = np.array(impl.half_planes(x, y, np.ones((3, 200))))
+    for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
+        for end in (i, j):
+            assert_equal(sides(planes[:, k], x[end], y[end]), np.zeros(200))
+
+
+@exercise("2.11")
+def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
+    """The smaller |w|, w for |w|, or the smaller x, although |w| differs."""
+    x, y, w = np.array([[0.0, 9.0, 4.0], [1.0, 2.0, 7.0], [1.0, -3.0, 2.0]])[..., None]
+    _, _, from_x, from_y = impl.half_planes(x, y, w)
+    assert_close(from_x, np.array([[9.0], [4.0], [9.0]]))
+    assert_close(from_y, np.array([[2.0], [7.0], [2.0]]))
+    w = np.array([[1.0], [1.0 + 1e-12], [1.0 + 2e-12]])  # not equal, if only just
+    _, _, from_x, _ = impl.half_planes(x, y, w)
+    assert_close(from_x, np.array([[4.0], [4.0], [9.0]]))
+
+
+@exercise("2.11")
+def test_at_equal_w_and_x_the_lower_end_decides(impl):
+    """Each of the two faces at a vertical edge takes its own end."""
+    x, y, w = np.array([[3.0, 3.0, 5.0], [8.0, 1.0, 4.0], [1.0, -1.0, 1.0]])[..., None]
+    for order in ([0, 1, 2], [1, 0, 2]):
+        _, _, _, from_y = impl.half_planes(x[order], y[order], w[order])
+        assert_close(from_y[2], np.array([1.0]))
+
+
+@exercise("2.11")
+@pytest.mark.parametrize("x, y, w, dead", [
+    ([0, 4, 2], [0, 4, 2], [1, 1, 1], [True, True, True]),          # without area
+    ([0, 1e-9, 0], [0, 0, 1e-9], [1, 1, 1], [False, False, False]),  # tiny, and alive
+    ([-9e13, 0, 9e13], [-9e13, 9e13, 0], [1, 1, 1], [False, False, False]),  # large, and alive
+], ids=["flat", "tiny", "large"])
+def test_which_edges_have_n_0(impl, x, y, w, dead):
+    """The sign of 0 was taken for 1, or a tolerance for 0."""
+    x, y, w = (np.array(values, float)[:, None] for values in (x, y, w))
+    n_x, n_y, _, _ = impl.half_planes(x, y, w)
+    assert_equal((np.asarray(n_x) == 0) & (np.asarray(n_y) == 0), np.array(dead)[:, None])
+
+
+@exercise("2.12")
+def test_a_tilted_plane_on_paper(impl):
+    """a and b are swapped, or the slope is per area instead of per pixel."""
+    x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None]
+    dz_dx, dz_dy = impl.depth_slopes(x, y, z)
+    assert_close(dz_dx, np.array([0.1]))
+    assert_close(dz_dy, np.array([-0.2]))
+
+
+@exercise("2.12")
+def test_the_depth_plane_goes_through_its_corners(impl, rng):
+    """Right for one winding only, or for one face alone."""
+    for size in 1.0, 1e-9:
+        x, y, z = rng.normal(size=(3, 3, 50)) * np.reshape([size, size, 1], (3, 1, 1))
+        dz_dx, dz_dy = impl.depth_slopes(x, y, z)
+        assert_close(z[0] + dz_dx * (x - x[0]) + dz_dy * (y - y[0]), z, rtol=1e-6, atol=1e-8)
+
+
+@exercise("2.12")
+def test_a_face_without_area_stops_nothing(impl):
+    """A solver that raises for one face of many."""
+    x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None] * [1.0, 0.0]
+    with np.errstate(all="ignore"):
+        dz_dx, dz_dy = impl.depth_slopes(x, y, z)
+    assert_close(np.stack([dz_dx, dz_dy])[:, 0], np.array([0.1, -0.2]))
+
+
+@exercise("2.12")
+def test_a_face_parallel_to_the_screen_is_exactly_flat(impl, rng):
+    """Rounding tilts it: a face in the near plane itself gets holes."""
+    x, y = rng.normal(size=(2, 3, 50))
+    dz_dx, dz_dy = impl.depth_slopes(x, y, np.full((3, 50), -1.0))
+    assert_equal(np.stack([dz_dx, dz_dy]), np.zeros((2, 50)))
+
+
+# --- pictures ----------------------------------------------------------------------------------
+
+@exercise("2.13")
+def test_one_triangle_on_paper(impl):
+    """Rows are upside down, columns and rows are swapped, or pixels are tested at their corners."""
+    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    face_index, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 7, 2)
+    # The hypotenuse is x / 7 + y / 2 = 1: x < 5.25 in row 0 (y = 0.5), x < 1.75 in row 1.
+    seen = np.arange(7) < np.array([[5], [2]])
+    assert_picture(face_index, np.where(seen, 0, -1))
+    assert_close(depth, np.where(seen, 0.0, np.inf))
+
+
+@exercise("2.13")
+def test_the_nearer_face_is_seen_whatever_the_order(impl):
+    """No z-buffer (the last face wins), or the greater depth counts as nearer."""
+    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
+    clip = np.concatenate([triangle + [0, 0, z, 0] for z in (0.5, 1e-9 - 0.5, -0.5, 0.0)])
+    faces = np.arange(12).reshape(4, 3)
+    for order in ([0, 1, 2, 3], [2, 0, 1, 3], [3, 1, 0, 2]):
+        face_index, depth = impl.rasterize_loop(clip, faces[order], 4, 4)
+        seen = face_index >= 0
+        assert_picture(face_index, np.where(seen, order.index(2), -1))
+        assert_close(depth[seen], np.full(seen.sum(), -0.5))
+
+
+@exercise("2.13")
+def test_of_equally_deep_faces_the_first_is_seen(impl):
+    """<= for < in the depth test."""
+    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
+    clip, faces = np.concatenate([triangle] * 3), np.arange(9).reshape(3, 3)
+    face_index, _ = impl.rasterize_loop(clip, faces, 4, 4)
+    assert_picture(face_index, np.where(face_index >= 0, 0, -1))
+
+
+@exercise("2.13")
+def test_depth_is_linear_on_the_screen(impl):
+    """z is interpolated and then divided by w: both must be done, or z/w be taken as linear."""
+    clip = np.array([[-1.0, -1.0, -1.0, 1.0], [3.0, -3.0, 2.4, 3.0], [-1.0, 3.0, -1.0, 1.0]])
+    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 8, 8)
+    x = np.arange(8) + 0.5
+    assert_close(depth[0, :7], -1 + 1.8 * x[:7] / 8)  # from z/w = -1 at x = 0 to 0.8 at x = 8
+
+
+@exercise("2.13")
+@pytest.mark.parametrize("scene", ["single_tri_64x64", "cube_64x64", "clipscene_64x64"])
+def test_the_picture_is_that_of_nvdiffrast(impl, scene):
+    """A face that crosses the camera plane is smeared or lost, or near and far do not cut."""
+    golden = np.load(GOLDEN)
+    clip, faces = golden[f"{scene}/clip"].astype(float), golden[f"{scene}/faces"].astype(int)
+    expected = golden[f"{scene}/face_index"].astype(int)
+    height, width = expected.shape
+    face_index, depth = impl.rasterize_loop(clip, faces, width, height)
+    assert_picture(face_index, expected, given=f"scene {scene} of tests/golden/rasterize.npz")
+    seen = expected >= 0
+    assert_close(np.asarray(depth)[seen], golden[f"{scene}/depth"][seen], rtol=0, atol=2e-5,
+                 given=f"scene {scene}: its depth is of 32-bit floats")
+
+
+@exercise("2.13")
+def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
+    """Samples on an edge are left out, or go to the face on the other side."""
+    x, y = np.array([0.5, 3.5, 3.5, 0.5]), np.array([0.5, 0.5, 3.5, 3.5])
+    clip = np.stack([x / 2 - 1, y / 2 - 1, np.zeros(4), np.ones(4)], -1)
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2], [0, 2, 3]]), 4, 4)
+    assert_picture(face_index, np.array([[ 0,  0,  0, -1],
+                                         [ 1,  0,  0, -1],
+                                         [ 1,  1,  0, -1],
+                                         [-1, -1, -1, -1]]))
+
+
+@exercise("2.13")
+@pytest.mark.parametrize("z", [-1.0, 1.0])
+def test_a_face_in_the_near_or_far_plane_is_seen(impl, z):
+    """< for <=, or a depth that rounding has moved beyond the plane."""
+    clip = np.array([[-1.0, -1.0, z, 1.0], [1.1, -1.3, z, 1.0], [-1.2, 1.7, z, 1.0]])
+    clip *= np.array([[1.0], [3.0], [0.7]])
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
+    assert_equal(face_index[0, 0], 0)
+    clip[:, 2] *= 1.0 + 1e-9
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
+    assert_picture(face_index, np.full((4, 4), -1))
+
+
+@exercise("2.13")
+def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
+    """z is mixed by weights of the screen and divided by w a second time, or not at all."""
+    clip = np.append(rng.uniform(-1, 1, (3, 3)), rng.uniform(0.8, 1.2, (3, 1)), 1)
+    clip[:, :2] *= 3
+    clip[:, 2] /= 3
+    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 6, 6)
+    x, y = (clip[:, 0] / clip[:, 3] + 1) * 3, (clip[:, 1] / clip[:, 3] + 1) * 3
+    z = clip[:, 2] / clip[:, 3]
+    plane = np.linalg.solve(np.stack([x, y, np.ones(3)], -1), z)
+    expected = np.append(centres(6, 6), np.ones((6, 6, 1)), -1) @ plane
+    seen = np.isfinite(depth)
+    assert_close(np.asarray(depth)[seen], expected[seen], rtol=1e-9, atol=1e-9)
+
+
+@exercise("2.13")
+def test_faces_that_are_not_finite_leave_no_trace(impl):
+    """NaN, infinity or a face without an area draws something, or stops the program."""
+    good = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    broken = [good.copy() for _ in range(4)]
+    broken[0][1, 0], broken[1][2, 3], broken[2][0, 2] = np.nan, np.inf, np.nan
+    broken[3][2] = good[1]
+    clip = np.concatenate([*broken, good])
+    with np.errstate(all="ignore"):
+        face_index, depth = impl.rasterize_loop(clip, np.arange(15).reshape(5, 3), 4, 4)
+    seen = np.add.outer(np.arange(4), np.arange(4)) < 3  # the hypotenuse passes through centres
+    assert_picture(face_index, np.where(seen, 4, -1))
+    assert_close(depth, np.where(seen, 0.0, np.inf))
+
+
+@exercise("2.13")
+def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
+    """Width and height are swapped on the way to the bounding box, or pixels beyond are drawn."""
+    clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
+    behind = np.array([[-9.0, -9.0, 0.0, 1.0], [9.0, -9.0, 0.0, 1.0], [0.0, 30.0, 0.0, -1.0]])
+    for corners, width, height in ((clip, 3, 9), (clip, 9, 3), (behind, 3, 9), (behind, 9, 3),
+                                   (behind / 99, 3, 9)):
+        corners = corners + [[0, 0, 0.1, 0]] * corners[:, :1]  # the depth is a tenth of ndc x
+        face_index, depth = impl.rasterize_loop(corners, np.array([[0, 1, 2]]), width, height)
+        assert_picture(face_index, np.zeros((height, width), int))
+        expected = 0.1 * ((np.arange(width) + 0.5) * 2 / width - 1)
+        assert_close(depth, np.tile(expected, (height, 1)), atol=1e-9)
+
+
+@exercise("2.13")
+def test_near_and_far_cut_a_face_in_its_middle(impl):
+    """Depths beyond -1 or 1 are drawn where the face crosses a plane."""
+    clip = np.array([[-1.0, -1, -2, 1], [1, -1, 2, 1], [1, 1, 2, 1], [-1, 1, -2, 1]])  # z = 2 x
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2], [0, 2, 3]]), 8, 2)
+    assert_picture(np.asarray(face_index) >= 0, np.tile(np.abs(np.arange(8) - 3.5) < 2, (2, 1)))
+
+
+@exercise("2.13")
+def test_clip_space_has_no_unit(impl):
+    """A small w is taken for 0: faces far smaller than one are lost, although nothing changed."""
+    clip = 1e-13 * np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 3)
+    seen = np.array([[1, 1, 1, 0], [1, 1, 0, 0], [1, 0, 0, 0]], bool)
+    assert_picture(face_index, np.where(seen, 0, -1))
+
+
+@exercise("2.13")
+@pytest.mark.parametrize("turn", range(3))
+def test_a_floor_that_begins_below_the_camera(impl, turn):
+    """Depth is measured from a corner with w near 0, which lies almost infinitely far away."""
+    # y = -1, from x = -4.9 to 4.9 and z = 0 to -10, fov 90 degrees, near 0.01, far 100.
+    floor = np.array([[-4.9, -1.0, 0.0], [4.9, -1.0, 0.0], [4.9, -1.0, -10.0], [-4.9, -1.0, -10.0]])
+    x, y, z = floor.T
+    clip = np.stack([x, y, -(100.01 * z + 2) / 99.99, -z], -1)
+    faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
+    face_index, depth = impl.rasterize_loop(clip, faces, 16, 16)
+    px, py = np.moveaxis(centres(16, 16), -1, 0) / 8 - 1
+    w = -1 / np.where(py < 0, py, -1e-9)  # where the ray through the pixel meets y = -1
+    seen = (w < 10) & (np.abs(px * w) < 4.9)
+    assert_picture(np.asarray(face_index) >= 0, seen)
+    assert_close(np.asarray(depth)[seen], ((100.01 * w - 2) / 99.99 / w)[seen], rtol=1e-8)
+
+
+# --- whole rows --------------------------------------------------------------------------------
+
+def first_column_loop(a, x0, offset, width):
+    edges = zip(a, x0, offset, strict=True)
+    return np.array([next((j for j in range(width) if k * (j + 0.5 - s) + m >= 0), width)
+                     for k, s, m in edges], float)
+
+
+@exercise("2.14")
+def test_the_first_column_on_paper(impl):
+    """ceil instead of the centre's half pixel, > for >=, or a value outside of 0 ... width."""
+    a      = np.array([ 2.0,  2.0,  2.0,   2.0, 2.0,  2.0])
+    x0     = np.array([ 0.0,  0.0,  0.0,   0.0, 0.0,  3.0])
+    offset = np.array([-3.0, -3.1, -2.9, -99.0, 5.0, -1.0])  # x = 1.5, 1.55, 1.45, 49.5, -2.5, 3.5
+    assert_close(impl.first_column(a, x0, offset, 8), np.array([1.0, 2.0, 1.0, 8.0, 0.0, 3.0]))
+
+
+@exercise("2.14")
+def test_the_sum_decides_and_not_the_quotient(impl, rng):
+    """The column where -offset / a says so: one off where the edge passes through a centre."""
+    a, x0 = 10.0 ** rng.uniform(-30, 6, 3000), rng.uniform(-5, 5, 3000)
+    offset = -a * (rng.integers(-3, 20, 3000) + 0.5 - x0)
+    offset *= 1 + rng.choice([0, 1, -1, 2, -2], 3000) * 2.0 ** -52
+    column = impl.first_column(a, x0, offset, 16)
+    assert_close(column, first_column_loop(a, x0, offset, 16))
+
+
+@exercise("2.14")
+def test_any_slope_and_any_offset(impl, rng):
+    """Steep or nearly horizontal edges overflow."""
+    a, x0 = 10.0 ** rng.uniform(-30, 30, 2000), rng.normal(size=2000) * 100
+    offset = rng.normal(size=2000) * 10.0 ** rng.uniform(-9, 9, 2000)
+    with np.errstate(all="ignore"):
+        column = impl.first_column(a, x0, offset, 16)
+    assert_close(column, first_column_loop(a, x0, offset, 16))
+
+
+def covered_loop(planes, y, width):
+    """The columns of a row that lie on the right side of all planes (4, P)."""
+    def covers(a, b, x0, y0, x):
+        e = a * (x - x0) + b * (y - y0)
+        return e > 0 or (e == 0 and (a > 0 or (a == 0 and b > 0)))
+
+    return [j for j in range(width) if all(covers(*plane, j + 0.5) for plane in planes.T)]
+
+
+@exercise("2.15")
+def test_the_intervals_of_a_triangle_on_paper(impl):
+    """start and end are swapped, or the end is the last column instead of one past it."""
+    # The triangle (0, 0), (6, 0), (0, 3): 18 - 3 x - 6 y >= 0, x >= 0, y >= 0.
+    a, b  = np.array([[-3.0], [1.0], [0.0]]), np.array([[-6.0], [0.0], [1.0]])
+    x0, y0 = np.array([[0.0], [0.0], [0.0]]), np.array([[3.0], [0.0], [0.0]])
+    y = np.array([0.5, 1.5, 2.5])
+    start, end = impl.row_interval((a, b, x0, y0), np.zeros(3, int), y, 8)
+    assert_close(start, np.array([0.0, 0.0, 0.0]))
+    assert_close(end, np.array([5.0, 3.0, 1.0]))  # the slanted edge is at x = 5, 3, 1
+
+
+@exercise("2.15")
+def test_a_row_of_pixels_is_half_open(impl):
+    """Closed intervals: the sample at x = 3.5 lies on a right edge and belongs to the neighbour."""
+    planes = np.array([[[1.0], [-1.0]], [[0.0], [0.0]], [[1.5], [3.5]], [[0.0], [0.0]]])
+    start, end = impl.row_interval(tuple(planes), np.zeros(1, int), np.array([0.5]), 8)
+    assert_close(np.stack([start, end]), np.array([[1.0], [3.0]]))
+
+
+@exercise("2.15")
+def test_horizontal_edges_take_all_or_nothing(impl):
+    """0 / 0, or a slope of 0 that is turned into NaN."""
+    # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
+    n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])
+    n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])
+    from_x, from_y = np.array([[3.0, 3.0], [-9.0, -9.0], [99.0, 99.0]]), np.full((3, 2), 1.5)
+    face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
+    start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
+    assert_close(np.maximum(np.asarray(end) - start, 0), np.array([0.0, 8.0, 8.0, 8.0, 0.0, 0.0]))
+
+
+@exercise("2.15")
+def test_intervals_hold_what_the_planes_say(impl, rng):
+    """Planes of another face or another row are used, or a horizontal edge on its own row."""
+    planes = rng.integers(-3, 4, (4, 3, 60)).astype(float)
+    planes[2:] += 0.5  # so that many samples lie exactly on an edge
+    face, y = rng.integers(0, 60, 400), rng.integers(-2, 3, 400) + 0.5
+    start, end = impl.row_interval(tuple(planes), face, y, 9)
+    for n in range(400):
+        got = np.arange(int(start[n]), int(end[n]))
+        assert_equal(got, np.array(covered_loop(planes[..., face[n]], y[n], 9), int),
+                     given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
+
+
+def planes_loop(clip, faces, width, height):
+    """What `rasterize` must draw: every face at every pixel, by the definition of its planes."""
+    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
+    w = clip[:, 3]
+    x, y, z = (clip[:, 0] / w + 1) * width / 2, (clip[:, 1] / w + 1) * height / 2, clip[:, 2] / w
+    for f, corners in enumerate(faces):
+        p, q, r = np.roll(corners, -np.argmax(np.abs(w[corners])))
+        x1, y1, z1, x2, y2, z2 = (v[k] - v[p] for k in (q, r) for v in (x, y, z))
+        area = x1 * y2 - x2 * y1
+        for i, j in np.ndindex(height, width):
+            px, py = j + 0.5, i + 0.5
+            sides = [agreed_side(x, y, w, s, t, px, py) for s, t in ((q, r), (r, p), (p, q))]
+            signs = np.sign(area) * np.sign(w[[p, q, r]])
+            if area and all(m * e > 0 or (e == 0 and (m * n_x > 0 or (n_x == 0 and m * n_y > 0)))
+                            for m, (e, n_x, n_y) in zip(signs, sides, strict=True)):
+                d = (z1 * y2 - z2 * y1) / area * (px - x[p]) \
+                    + ((x1 * z2 - x2 * z1) / area * (py - y[p]) + z[p])
+                if abs(d) <= 1 and d < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, d
+    return face_index, depth
+
+
+def agreed_side(x, y, w, s, t, px, py):
+    """e and n of the edge from vertex s to t at (px, py), from the end that both its faces take."""
+    base = max((s, t), key=lambda v: (abs(w[v]), -x[v], -y[v]))
+    n_x, n_y = y[s] - y[t], x[t] - x[s]
+    return n_x * (px - x[base]) + n_y * (py - y[base]), n_x, n_y
+
+
+@pytest.mark.parametrize("scene", range(4))
+def test_whole_meshes_are_drawn_to_the_bit(impl, rng, scene):
+    """The given `rasterize`, made of exercises 2.9 to 2.15: one bit differs in one of them."""
+    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (24, 4))
+    if scene % 2:  # vertices on pixel centres and corners
+        clip = np.round(clip * 8) / 8
+        clip[:, 3] = 1
+    faces = rng.integers(0, 24, (10, 3))
+    with np.errstate(all="ignore"):
+        got = impl.rasterize(clip, faces, 8, 12)
+        expected = planes_loop(clip, faces, 8, 12)
+    assert_picture(got[0], expected[0])
+    assert_equal(got[1], expected[1])
+
+
+# --- where on the face -------------------------------------------------------------------------
+
+def ray_weights(x, y, w, px, py):
+    """b of the sample (px, py) on the face with corners x, y, w (3,): M c = (px, py, 1), solved."""
+    c = np.linalg.solve(np.stack([x, y, np.ones(3)]) * w, [px, py, 1])
+    return c / c.sum()
+
+
+@exercise("2.16")
+def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
+    """The weights are linear on the screen: perspective is forgotten."""
+    # An edge from w = 1 at x = 0 to w = 3 at x = 8: its middle on screen has weights 3/4 and 1/4.
+    x, y, w = np.array([[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1.0, 3.0, 1.0]])[..., None]
+    b = impl.barycentric_on_face(np.array([4.0]), np.array([0.0]), x, y, w)
+    assert_close(b, np.array([[0.75], [0.25], [0.0]]))
+
+
+@exercise("2.16")
+def test_weights_are_those_of_the_ray_through_the_pixel(impl, rng):
+    """Multiplied by w instead of divided, or the sum is taken over samples instead of vertices."""
+    size = 10.0 ** rng.integers(-5, 2, 40)
+    x, y = size * rng.uniform(0, 8, (2, 3, 40))
+    w = rng.uniform(0.5, 2, (3, 40)) * rng.choice([1, 1, -1], (3, 40))
+    px, py = size * rng.uniform(0, 8, (2, 40))
+    expected = [ray_weights(x[:, n], y[:, n], w[:, n], px[n], py[n]) for n in range(40)]
+    b = impl.barycentric_on_face(px, py, x, y, w)
+    assert_close(b, np.transpose(expected), rtol=1e-6, atol=1e-9)
+
+
+@exercise("2.17")
+def test_without_perspective_the_weights_change_at_one_rate(impl):
+    """db/dx and db/dy are swapped, or are given per picture instead of per pixel."""
+    # The triangle (0, 0), (4, 0), (0, 2): b_1 = x / 4, b_2 = y / 2.
+    x, y, w = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])[..., None]
+    db_dx, db_dy = impl.barycentric_derivatives(np.array([1.0]), np.array([0.5]), x, y, w)
+    assert_close(db_dx, np.array([[-0.25], [0.25], [0.0]]))
+    assert_close(db_dy, np.array([[-0.5], [0.0], [0.5]]))
+
+
+@exercise("2.17")
+def test_the_derivatives_are_central_differences(impl, rng):
+    """The quotient rule's second term, - b ds, is missing: right only without perspective."""
+    h = 1e-5
+    x, y = rng.uniform(-1, 1, (2, 3, 20)) + [[[0], [8], [2]], [[0], [1], [7]]]  # none is thin
+    w = rng.uniform(0.5, 2, (3, 20)) * np.where(np.arange(20) < 10, 1, [[1], [1], [-3]])
+    px, py = x.mean(0), y.mean(0)
+    db_dx, db_dy = impl.barycentric_derivatives(px, py, x, y, w)
+    for n in range(20):
+        corners, p, q = (x[:, n], y[:, n], w[:, n]), px[n], py[n]
+        by_x = (ray_weights(*corners, p + h, q) - ray_weights(*corners, p - h, q)) / (2 * h)
+        by_y = (ray_weights(*corners, p, q + h) - ray_weights(*corners, p, q - h)) / (2 * h)
+        largest = np.abs([by_x, by_y]).max()
+        assert_close(db_dx[:, n], by_x, rtol=1e-5, atol=1e-5 * largest)
+        assert_close(db_dy[:, n], by_y, rtol=1e-5, atol=1e-5 * largest)

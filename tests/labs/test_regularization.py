@@ -1,0 +1,631 @@
+"""What the exercises of lab 13 must do."""
+import itertools
+
+import numpy as np
+import scipy.spatial
+
+from course.checks import assert_close, assert_equal, exercise
+from course.given import mesh
+from course.given.gradcheck import gradcheck
+
+RIGHT = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])
+EQUILATERAL = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, np.sqrt(3)]])
+RING = np.array([[k, (k + 1) % 8] for k in range(8)])  # edges of a closed polygon
+
+
+def triangles(rng, *shape):
+    """Random triangles in space; none is nearly flat."""
+    triangles = rng.normal(size=(*shape, 3, 3))
+    triangles[..., 2, :] += 2 * np.cross(triangles[..., 0, :], triangles[..., 1, :])
+    return triangles
+
+
+def angle(corner, b, c):
+    """The angle at a corner between two other points, by the law of cosines."""
+    p, q, r = np.linalg.norm(b - corner), np.linalg.norm(c - corner), np.linalg.norm(b - c)
+    return np.arccos((p**2 + q**2 - r**2) / (2 * p * q))
+
+
+def graph(rng, vertex_count=7):
+    """Edges (E, 2), each once, weights (E,); the last vertex has no edge."""
+    pairs = np.array(list(itertools.combinations(range(vertex_count - 1), 2)))
+    edges = rng.permutation(pairs)[:2 * vertex_count - 4]
+    return edges, rng.uniform(0.5, 2.0, len(edges))
+
+
+def dense(edges, weights, vertex_count):
+    """Eq. (2) as a full matrix, edge by edge."""
+    L = np.zeros((vertex_count, vertex_count))
+    for (i, j), weight in zip(edges, weights, strict=True):
+        L[[i, j], [i, j]] += weight
+        L[[i, j], [j, i]] -= weight
+    return L
+
+
+def bumpy_sphere(rng):
+    """A closed mesh, counter-clockwise seen from outside: vertices (42, 3), faces (80, 3)."""
+    vertices, faces = mesh.icosphere(80)
+    return vertices * rng.uniform(0.8, 1.2, (len(vertices), 1)), faces
+
+
+def plane_mesh(rng, count=24):
+    """Random points of a slanted plane, triangulated: vertices (V, 3), faces, inner (V,)."""
+    points = rng.uniform(-1, 1, (count, 2))
+    triangulation = scipy.spatial.Delaunay(points)
+    x, y = points.T
+    inner = np.ones(count, bool)
+    inner[triangulation.convex_hull] = False
+    return np.stack([x, 0.5 * x - 2 * y + 1, y], 1), triangulation.simplices.astype(int), inner
+
+
+# --- quality -----------------------------------------------------------------------------------
+
+@exercise("13.1")
+def test_angles_on_paper(impl):
+    """In degrees, of the neighbouring corner, or of one triangle only."""
+    small, large = np.arctan2(3, 4), np.arctan2(4, 3)
+    expected = np.array([[[np.pi / 2, small, large]], [[np.pi / 3] * 3]])
+    assert_close(impl.corner_angles(np.stack([RIGHT, EQUILATERAL])[:, None]), expected)
+
+
+@exercise("13.1")
+def test_an_obtuse_angle_is_more_than_a_right_one(impl):
+    """arcsin of the cross product, which cannot tell 60 degrees from 120."""
+    triangle = np.array([[-3.0, 1.0, 0.0], [0.0, 0.0, 0.0], [5.0, 0.0, 0.0]])
+    at_1 = np.pi - np.arctan2(1, 3)
+    at_2 = np.arctan2(1, 8)
+    assert_close(impl.corner_angles(triangle), np.array([np.pi - at_1 - at_2, at_1, at_2]))
+
+
+@exercise("13.1")
+def test_angles_are_those_of_the_law_of_cosines(impl, rng):
+    """Wrong in space: only x and y are looked at."""
+    given = triangles(rng, 5, 2)
+    expected = [[[angle(t[k], t[k - 1], t[k - 2]) for k in range(3)] for t in row] for row in given]
+    assert_close(impl.corner_angles(given), np.array(expected), atol=1e-9)
+
+
+@exercise("13.1")
+def test_tiny_angles_keep_their_digits(impl):
+    """arccos: near 0 it loses half of the digits, and 1e-9 comes out as 0."""
+    triangle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1e-9]])
+    got = np.asarray(impl.corner_angles(triangle))[..., 0]
+    assert_close(got, np.arctan(1e-9), rtol=1e-9, atol=0)
+
+
+@exercise("13.1")
+def test_angles_without_area(impl):
+    """0/0 where two corners coincide; of three points on a line, the middle one has pi."""
+    a, b, c = np.array([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [3.0, 0.0, 1.0]])
+    given = np.array([[a, b, c], [b, a, c], [a, a, b], [a, b, b], [a, a, a]])
+    expected = np.zeros((5, 3))
+    expected[0, 1] = expected[1, 0] = np.pi
+    assert_close(impl.corner_angles(given), expected)
+
+
+@exercise("13.2")
+def test_radius_ratios_on_paper(impl):
+    """The factor 2, or R / r."""
+    # 3, 4, 5: r = 1 and R = 5/2. Half of an equilateral one, 1, sqrt 3, 2: r = (sqrt 3 - 1) / 2.
+    half = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, np.sqrt(3)]])
+    expected = np.array([0.8, 1.0, np.sqrt(3) - 1])
+    assert_close(impl.radius_ratio(np.stack([RIGHT, EQUILATERAL, half])), expected)
+    assert_close(impl.radius_ratio(RIGHT[None, None]), np.array([[0.8]]))
+
+
+@exercise("13.2")
+def test_it_is_twice_the_ratio_of_the_radii(impl, rng):
+    """Another measure that is also 1 for an equilateral triangle."""
+    given, expected = triangles(rng, 20), []
+    for a, b, c in given:
+        # The centre a + s (b - a) + t (c - a) of the outer circle is as far from a as from b and c.
+        u, v = b - a, c - a
+        s, t = np.linalg.solve([[u @ u, u @ v], [u @ v, v @ v]], [u @ u / 2, v @ v / 2])
+        outer = np.linalg.norm(s * u + t * v)
+        # The centre of the inner circle is the mean of the corners, weighted by opposite sides.
+        weights = [np.linalg.norm(b - c), np.linalg.norm(c - a), np.linalg.norm(a - b)]
+        to_centre = np.average([a, b, c], axis=0, weights=weights) - a
+        inner = np.linalg.norm(np.cross(u, to_centre)) / np.linalg.norm(u)
+        expected.append(2 * inner / outer)
+    assert_close(impl.radius_ratio(given), np.array(expected), rtol=1e-8)
+
+
+@exercise("13.2")
+def test_radius_ratio_has_no_unit(impl, rng):
+    """An area that is not divided by one: large triangles seem better."""
+    given = triangles(rng, 6)
+    sizes = np.array([1e-6, 1e-3, 1.0, 10.0, 1e4, 1e8])[:, None, None]
+    turned = np.roll(given * sizes, 1, axis=1)
+    assert_close(impl.radius_ratio(turned), np.asarray(impl.radius_ratio(given)))
+
+
+@exercise("13.2")
+def test_radius_ratio_without_area(impl):
+    """NaN, where two or three corners coincide."""
+    a, b, c = np.array([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [3.0, 0.0, 1.0]])
+    given = np.array([[a, b, c], [a, a, b], [a, b, b], [b, a, b], [a, a, a]])
+    assert_close(impl.radius_ratio(given), np.zeros(5))
+
+
+# --- Laplacians --------------------------------------------------------------------------------
+
+@exercise("13.3")
+def test_cotangents_on_paper(impl):
+    """Tangents, or of the neighbouring corner."""
+    expected = np.array([[0.0, 4 / 3, 3 / 4], [1 / np.sqrt(3)] * 3])
+    assert_close(impl.cotangents(np.stack([RIGHT, EQUILATERAL])), expected)
+
+
+@exercise("13.3")
+def test_cotangents_of_obtuse_angles_are_negative(impl, rng):
+    """The sign is lost, or only x and y are looked at."""
+    obtuse = np.array([[-1.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    assert_close(np.asarray(impl.cotangents(obtuse))[1], -1.0)
+    given = triangles(rng, 4, 3)
+    expected = [[[1 / np.tan(angle(t[k], t[k - 1], t[k - 2])) for k in range(3)] for t in row]
+                for row in given]
+    assert_close(impl.cotangents(given), np.array(expected), rtol=1e-7, atol=1e-9)
+
+
+@exercise("13.3")
+def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
+    """NO_AREA is compared with something that has a unit; or with another side than the longest."""
+    given, expected = [], []
+    for size, turn in itertools.product((1e-5, 1.0, 1e4), range(3)):
+        for height, flat in (0.95e-12, True), (0.03e-12, True), (0.0, True), (1.05e-12, False):
+            triangle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.25, 0.0, height]])
+            given.append(size * np.roll(triangle, turn, 0))
+            steep = np.zeros(3) if flat else np.array([0.25, 0.75, -0.1875]) / height
+            expected.append(np.roll(steep, turn))
+    assert_close(impl.cotangents(np.array(given)), np.array(expected), rtol=1e-3)
+
+
+@exercise("13.3")
+def test_cotangents_without_area(impl):
+    """NaN, where corners coincide."""
+    a, b = np.array([[0.0, 1.0, 1.0], [2.0, 0.0, 1.0]])
+    given = np.array([[a, a, b], [a, b, b], [b, a, b], [a, a, a]])
+    assert_close(impl.cotangents(given), np.zeros((4, 3)))
+
+
+@exercise("13.4")
+def test_gradients_of_cotangents_on_paper(impl):
+    """A corner's cotangent is taken for another one's; or the area is held fixed."""
+    triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
+    by_1 = np.array([[0.0, 1.25, 0.0], [0.5, -0.25, 0.0], [-0.5, -1.0, 0.0]])
+    assert_close(impl.cotangents_backward(np.array([0.0, 1.0, 0.0]), triangle), by_1)
+    # The right angle closes by dy_1 / 4 and dx_2 / 2, and its cotangent grows by as much.
+    by_0 = np.array([[-0.5, -0.25, 0.0], [0.0, 0.25, 0.0], [0.5, 0.0, 0.0]])
+    assert_close(impl.cotangents_backward(np.array([1.0, 0.0, 0.0]), triangle), by_0)
+
+
+@exercise("13.4")
+def test_gradients_of_cotangents_are_central_differences(impl, rng):
+    """A term is missing: that of the area, or that of one of the two sides at a corner."""
+    def forward(triangles):
+        p, q = np.roll(triangles, -1, -2) - triangles, np.roll(triangles, -2, -2) - triangles
+        return (p * q).sum(-1) / np.linalg.norm(np.cross(p, q), axis=-1)
+
+    gradcheck(forward, impl.cotangents_backward, (triangles(rng, 4, 2),), name="cotangents")
+
+
+@exercise("13.4")
+def test_flat_triangles_have_no_gradient(impl, rng):
+    """NaN, or a huge gradient, where the cotangents are set to 0."""
+    a, b, c = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.5, 0.95e-12, 1.0]])
+    given = np.array([[a, b, c], [a, a, b], [a, a, a]])
+    assert_close(impl.cotangents_backward(rng.normal(size=(3, 3)), given), np.zeros((3, 3, 3)))
+    sizes, upstream = np.array([1e-5, 1.0, 1e4]), np.tile([1.0, 0.0, 0.0], (3, 1))
+    for turn in range(3):
+        higher = np.roll([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 1.05e-12, 0.0]], turn, 0)
+        got = impl.cotangents_backward(np.roll(upstream, turn, 1), sizes[:, None, None] * higher)
+        assert_close(np.asarray(got)[:, (2 + turn) % 3, 1], -0.5 / 1.05e-12**2 / sizes, rtol=1e-2)
+        lower = higher * [1.0, 0.9, 1.0]
+        got = impl.cotangents_backward(np.roll(upstream, turn, 1), sizes[:, None, None] * lower)
+        assert_close(got, np.zeros((3, 3, 3)))
+
+
+@exercise("13.5")
+def test_weights_on_paper(impl):
+    """The half is forgotten, or an edge keeps the last of its two faces only."""
+    given = np.array([[1.0, 2.0, 3.0], [5.0, 7.0, 9.0]])
+    expected = np.array([0.5, 1.0, 5.0, 2.5, 4.5])
+    assert_close(impl.cotangent_weights(given, np.array([[0, 1, 2], [3, 2, 4]]), 5), expected)
+
+
+@exercise("13.5")
+def test_an_edge_may_have_three_faces_or_none(impl):
+    """Two faces are expected at each edge; or the last edges are lost."""
+    given = np.array([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-4.0, 0.0, 6.0]])
+    face_edges = np.array([[3, 0, 1], [3, 0, 1], [3, 2, 4]])
+    expected = np.array([0.0, 0.0, 0.0, -0.5, 3.0, 0.0, 0.0])
+    assert_close(impl.cotangent_weights(given, face_edges, 7), expected)
+
+
+@exercise("13.5")
+def test_with_cotangents_a_plane_keeps_its_linear_functions(impl, rng):
+    """An edge gets the cotangents of its own ends, not those of the corners opposite to it."""
+    vertices, faces, inner = plane_mesh(rng)
+    edges, face_edges = mesh.edges(faces)
+    given = np.array([[1 / np.tan(angle(t[k], t[k - 1], t[k - 2])) for k in range(3)]
+                      for t in vertices[faces]])
+    L = dense(edges, impl.cotangent_weights(given, face_edges, len(edges)), len(vertices))
+    assert_close((L @ vertices)[inner], np.zeros((inner.sum(), 3)), atol=1e-6)
+
+
+@exercise("13.5")
+def test_with_cotangents_the_energy_is_the_area(impl, rng):
+    """Twice the area: half of x . L x is the area of any mesh, as Pinkall and Polthier have it."""
+    vertices, faces = bumpy_sphere(rng)
+    edges, face_edges = mesh.edges(faces)
+    given = np.array([[1 / np.tan(angle(t[k], t[k - 1], t[k - 2])) for k in range(3)]
+                      for t in vertices[faces]])
+    weights = np.asarray(impl.cotangent_weights(given, face_edges, len(edges)))
+    a, b, c = vertices[faces.T]
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+    energy = (weights[:, None] * (vertices[edges[:, 0]] - vertices[edges[:, 1]])**2).sum() / 2
+    assert_close(energy, area)
+
+
+def matrix(entries, vertex_count):
+    """Rows, columns and values of entries as a full matrix."""
+    rows, columns, values = map(np.asarray, entries)
+    assert_equal((rows.dtype.kind, columns.dtype.kind), ("i", "i"))
+    assert_equal((rows.shape, columns.shape), (values.shape, values.shape))
+    full = np.zeros((vertex_count, vertex_count))
+    np.add.at(full, (rows, columns), values)
+    return full
+
+
+@exercise("13.6")
+def test_the_matrix_of_two_edges(impl):
+    """The signs are swapped: L is not -L; or the diagonal holds 1."""
+    got = matrix(impl.laplacian_entries(np.array([[0, 2], [2, 3]]), np.array([5.0, 0.5]), 5), 5)
+    expected = np.array([[ 5.0, 0.0, -5.0,  0.0, 0.0],
+                         [ 0.0, 0.0,  0.0,  0.0, 0.0],
+                         [-5.0, 0.0,  5.5, -0.5, 0.0],
+                         [ 0.0, 0.0, -0.5,  0.5, 0.0],
+                         [ 0.0, 0.0,  0.0,  0.0, 0.0]])
+    assert_close(got, expected)
+
+
+@exercise("13.6")
+def test_it_is_symmetric_and_its_rows_sum_to_zero(impl, rng):
+    """One half of the matrix is missing, or its diagonal is the valence."""
+    edges, weights = graph(rng)
+    got = matrix(impl.laplacian_entries(edges, weights, 7), 7)
+    assert_close(got, dense(edges, weights, 7))
+    assert_close(got - got.T, np.zeros((7, 7)))
+    assert_close(got.sum(1), np.zeros(7))
+
+
+@exercise("13.6")
+def test_a_matrix_without_edges(impl):
+    """An error where there is nothing."""
+    got = matrix(impl.laplacian_entries(np.zeros((0, 2), int), np.zeros(0), 3), 3)
+    assert_close(got, np.zeros((3, 3)))
+
+
+@exercise("13.7")
+def test_energies_on_paper(impl):
+    """A mean instead of a sum, a half, or the sum over edges of squared lengths."""
+    edges = np.array([[0, 1], [1, 2]])
+    x, mass = np.array([[1.0], [2.0], [4.0]]), np.array([1.0, 2.0, 4.0])
+    assert_close(impl.laplacian_energy(x, edges, np.ones(2), np.ones(3)), 6.0)
+    assert_close(impl.laplacian_energy(x, edges, np.ones(2), mass), 2.5)
+    x = np.array([[1.0, 0.0], [2.0, 1.0], [4.0, 0.0]])  # L x is (-2, -2), (-4, 5), (6, -3)
+    assert_close(impl.laplacian_energy(x, edges, np.array([2.0, 3.0]), mass),
+                 (4.0 + 4.0) / 1 + (16.0 + 25.0) / 2 + (36.0 + 9.0) / 4)
+
+
+@exercise("13.7")
+def test_energy_is_of_the_laplacian(impl, rng):
+    """Weights are left out, the mass is squared; 0/0 where it is 0."""
+    edges, weights = graph(rng)
+    x, mass = rng.normal(size=(7, 3)), rng.uniform(0.5, 2.0, 7)
+    pull = (dense(edges, weights, 7) @ x)**2
+    assert_close(impl.laplacian_energy(x, edges, weights, mass), (pull / mass[:, None]).sum())
+    without = mass * (np.arange(7) != 2)
+    assert_close(impl.laplacian_energy(x, edges, weights, without),
+                 np.delete(pull / mass[:, None], 2, 0).sum())
+
+
+@exercise("13.8")
+def test_gradients_of_the_energy_on_paper(impl):
+    """L is applied once, not twice; the factor 2; the sign by the mass; or grad_energy."""
+    x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
+    got = impl.laplacian_energy_backward(0.5, x, edges, np.ones(2), np.ones(3))
+    expected = np.array([[0.0], [-3.0], [3.0]]), np.array([0.0, 6.0]), np.array([-0.5, -0.5, -2.0])
+    assert_close(got, expected)
+
+
+@exercise("13.8")
+def test_gradients_of_the_energy_are_central_differences(impl, rng):
+    """The gradient by the weights or by the mass; or channels are mixed up."""
+    edges, weights = graph(rng)
+
+    def forward(x, weights, mass):
+        return ((dense(edges, weights, 7) @ x)**2 / mass[:, None]).sum()
+
+    def backward(grad_energy, x, weights, mass):
+        return impl.laplacian_energy_backward(float(grad_energy), x, edges, weights, mass)
+
+    gradcheck(forward, backward, (rng.normal(size=(7, 2)), weights, rng.uniform(0.5, 2.0, 7)),
+              name="laplacian_energy")
+
+
+@exercise("13.8")
+def test_what_has_no_mass_has_no_part_in_the_gradient(impl):
+    """0/0 where the mass is 0; or its neighbours' part is lost as well."""
+    x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
+    got = impl.laplacian_energy_backward(1.0, x, edges, np.ones(2), np.array([0.0, 0.5, 0.0]))
+    expected = np.array([[4.0], [-8.0], [4.0]]), np.array([-4.0, 8.0]), np.array([0.0, -4.0, 0.0])
+    assert_close(got, expected)
+
+
+# --- smoothing ---------------------------------------------------------------------------------
+
+def waves(k, channels=2):
+    """A cosine and a sine with k periods around RING: (8, channels), eigenvectors of L."""
+    phase = 2 * np.pi * k * np.arange(8) / 8
+    return np.stack([np.cos(phase), np.sin(phase)], 1)[:, :channels]
+
+
+@exercise("13.9")
+def test_explicit_smoothing_on_paper(impl):
+    """The sign: the surface gets rougher; or it is not divided by the mass."""
+    x, edges = np.array([[0.0], [4.0], [10.0], [7.0]]), np.array([[0, 1], [1, 2]])
+    mass = np.array([1.0, 2.0, 1.0, 0.0])
+    expected = np.array([[2.0], [4.5], [7.0], [7.0]])
+    assert_close(impl.smooth_explicit(x, edges, np.ones(2), mass, 0.5), expected)
+
+
+@exercise("13.9")
+def test_a_step_of_1_goes_to_the_mean_of_the_neighbours(impl, rng):
+    """The mean is weighted, or includes the vertex itself."""
+    edges, _ = graph(rng)
+    x = rng.normal(size=(7, 3))
+    adjacent = np.zeros((7, 7))
+    adjacent[tuple(edges.T)] = adjacent[tuple(edges[:, ::-1].T)] = 1
+    mass = adjacent.sum(1)
+    expected = np.where(mass[:, None] > 0, adjacent @ x / np.maximum(mass, 1)[:, None], x)
+    assert_close(impl.smooth_explicit(x, edges, np.ones(len(edges)), mass, 1.0), expected)
+
+
+@exercise("13.9")
+def test_waves_decay_by_their_frequency(impl):
+    """A wave is multiplied by 1 - s (2 - 2 cos) / 3 here, whichever it is."""
+    for k in range(5):
+        factor = 1 - 0.4 * (2 - 2 * np.cos(2 * np.pi * k / 8)) * 1.5 / 3.0
+        got = impl.smooth_explicit(waves(k), RING, np.full(8, 1.5), np.full(8, 3.0), 0.4)
+        assert_close(got, factor * waves(k))
+
+
+@exercise("13.9")
+def test_without_mass_a_vertex_stays(impl):
+    """0/0, or a vertex of mass 0 that moves although it has an edge."""
+    x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
+    got = impl.smooth_explicit(x, edges, np.ones(2), np.array([2.0, 0.0, 0.5]), 0.25)
+    assert_close(got, np.array([[0.5], [4.0], [7.0]]))
+
+
+@exercise("13.10")
+def test_implicit_smoothing_on_paper(impl):
+    """x is not multiplied by the mass, or the step is left out."""
+    x = np.array([[0.0], [3.0], [7.0]])
+    expected = np.array([[1.5], [2.25], [7.0]])
+    got = impl.smooth_implicit(x, np.array([[0, 1]]), np.ones(1), np.array([1.0, 2.0, 0.0]), 2.0)
+    assert_close(got, expected)
+
+
+@exercise("13.10")
+def test_implicit_smoothing_solves_the_system(impl, rng):
+    """Vertices without an edge; one channel, or several."""
+    edges, weights = graph(rng)
+    mass = np.append(rng.uniform(0.1, 0.9, 6), 0.0)
+    system = np.diag(np.append(mass[:6], 1.0)) + 0.7 * dense(edges, weights, 7)
+    for channels in 1, 2, 3:
+        x = rng.normal(size=(7, channels))
+        expected = np.linalg.solve(system, np.append(mass[:6], 1.0)[:, None] * x)
+        assert_close(impl.smooth_implicit(x, edges, weights, mass, 0.7), expected)
+
+
+@exercise("13.10")
+def test_a_huge_step_goes_to_the_centre_of_mass_and_no_farther(impl, rng):
+    """The explicit step: beyond a small s it explodes."""
+    x, mass = rng.normal(size=(8, 3)), rng.uniform(1, 2, 8)
+    centre = np.average(x, axis=0, weights=mass)
+    got = impl.smooth_implicit(x, RING, np.ones(8), mass, 1e9)
+    assert_close(got, np.tile(centre, (8, 1)), rtol=1e-5, atol=1e-5)
+
+
+@exercise("13.11")
+def test_a_round_on_paper(impl):
+    """Both steps go the same way, or the second one starts from the first x."""
+    x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
+    got = impl.smooth_taubin(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5, 1.0, 1)
+    assert_close(got, np.array([[-0.5], [4.5], [9.5]]))
+
+
+@exercise("13.11")
+def test_each_wave_has_its_factor(impl):
+    """The number of rounds; or shrink and grow are swapped."""
+    shrink, grow = 0.5, 0.53
+    for k, rounds in itertools.product(range(5), (0, 1, 7)):
+        eigenvalue = 1 - np.cos(2 * np.pi * k / 8)  # of M^-1 L
+        factor = ((1 - shrink * eigenvalue) * (1 + grow * eigenvalue))**rounds
+        got = impl.smooth_taubin(waves(k), RING, np.ones(8), np.full(8, 2.0), shrink, grow, rounds)
+        assert_close(got, factor * waves(k))
+
+
+@exercise("13.11")
+def test_vertices_without_an_edge_stay(impl):
+    """0/0."""
+    x = np.array([[1.0, 2.0], [3.0, 5.0], [4.0, 6.0]])
+    got = impl.smooth_taubin(x, np.array([[0, 1]]), np.ones(1), np.array([1.0, 1, 0]), 0.5, 0.6, 3)
+    factor = (0.0 * 2.2)**3
+    middle = x[:2].mean(0)
+    assert_close(got, np.stack([*(middle + factor * (x[:2] - middle)), x[2]]))
+
+
+@exercise("13.12")
+def test_volumes_on_paper(impl):
+    """The 1/6, or the sign."""
+    x, y, z = np.diag([3.0, 2.0, 1.0])
+    zero = np.zeros(3)
+    tetrahedron = np.array([[x, y, z], [zero, y, x], [zero, z, y], [zero, x, z]])
+    assert_close(impl.enclosed_volume(tetrahedron), 1.0)
+    assert_close(impl.enclosed_volume(tetrahedron[:, ::-1]), -1.0)
+    vertices, faces = mesh.cube(48)
+    assert_close(impl.enclosed_volume(vertices[faces]), 8.0)
+
+
+@exercise("13.12")
+def test_a_closed_surface_may_be_anywhere(impl, rng):
+    """Absolute values are summed: faces that look at the origin must count as negative."""
+    vertices, faces = bumpy_sphere(rng)
+    moved, sphere = vertices + [3.0, -5.0, 2.0], mesh.icosphere(80)[0]
+    hull = scipy.spatial.ConvexHull(sphere).volume
+    assert_close(impl.enclosed_volume(sphere[faces] + [3.0, -5.0, 2.0]), hull)
+    here = np.asarray(impl.enclosed_volume(vertices[faces]))
+    assert_close(impl.enclosed_volume(moved[faces]), here)
+
+
+@exercise("13.13")
+def test_gradients_of_the_volume_on_paper(impl):
+    """The cross product is turned round, or belongs to the neighbouring corner."""
+    triangle = np.array([[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]])
+    expected = np.array([[[2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 6.0]]])
+    assert_close(impl.enclosed_volume_backward(6.0, triangle), expected)
+
+
+@exercise("13.13")
+def test_gradients_of_the_volume_are_central_differences(impl, rng):
+    """grad_volume is left out, or one corner's gradient is that of another."""
+    def forward(triangles):
+        return sum(np.linalg.det(triangle) for triangle in triangles) / 6
+
+    def backward(grad_volume, triangles):
+        return impl.enclosed_volume_backward(float(grad_volume), triangles)
+
+    gradcheck(forward, backward, (triangles(rng, 5),), name="enclosed_volume")
+
+
+# --- edge flips --------------------------------------------------------------------------------
+
+@exercise("13.14")
+def test_gains_of_a_square_and_a_kite(impl):
+    """Degrees, the sign, or half of it; or it is the angle at a and b."""
+    square = [[-3.0, 0.0, 1.0], [3.0, 0.0, 1.0], [0.0, 3.0, 1.0], [0.0, -3.0, 1.0]]
+    kite = [[0.0, 0.0, -3.0], [0.0, 0.0, 3.0], [0.0, np.sqrt(27.0), 0.0], [0.0, -np.sqrt(3.0), 0.0]]
+    bent = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
+    expected = np.array([0.0, np.pi / 3 + 2 * np.pi / 3 - np.pi, np.pi / 2])
+    assert_close(impl.delaunay_gain(np.array([square, kite, bent])), expected)
+
+
+@exercise("13.14")
+def test_an_edge_is_delaunay_if_no_circle_holds_the_fourth_point(impl, rng):
+    """In the plane the sign is that of the determinant that asks if d lies in the circle abc."""
+    angles = (np.arange(4) + rng.uniform(0.1, 0.9, (60, 4))) * np.pi / 2
+    around = np.stack([np.cos(angles), np.sin(angles), 0 * angles], -1)
+    around *= rng.uniform(0.95, 1.05, (60, 4, 1))
+    corners = np.empty((60, 4, 3))
+    corners[:, [0, 2, 1, 3]] = around                               # a, c, b, d go round
+    lifted = np.concatenate([corners[..., :2], (corners[..., :2]**2).sum(-1, keepdims=True),
+                             np.ones((60, 4, 1))], -1)
+    inside = np.linalg.det(lifted)
+    a, b, c, _ = corners.swapaxes(0, 1)
+    winding = np.cross(b - a, c - a)[:, 2]
+    clear = np.abs(inside) > 1e-6
+    gain = np.asarray(impl.delaunay_gain(corners))
+    assert_equal(gain[clear] > 0, (inside * winding > 0)[clear])
+
+
+@exercise("13.14")
+def test_gains_are_sums_of_two_angles(impl, rng):
+    """In space; the four corners come in another order."""
+    corners = rng.normal(size=(9, 4, 3))
+    expected = [angle(c, a, b) + angle(d, a, b) - np.pi for a, b, c, d in corners]
+    assert_close(impl.delaunay_gain(corners), np.array(expected), atol=1e-7)
+
+
+@exercise("13.14")
+def test_gains_of_tiny_angles_and_of_none(impl):
+    """arccos: 1e-9 comes out as 0, and NaN where two corners coincide."""
+    a, b = [0.0, 0.0, 2.0], [0.0, 1e-9, 2.0]
+    c, d = [-1.0, 0.0, 2.0], [1e-9, 0.0, 2.0]
+    got = impl.delaunay_gain(np.array([[a, b, c, d], [a, b, a, d], [a, b, c, b]]))
+    expected = np.array([1e-9 + np.pi / 4 - np.pi, np.pi / 4 - np.pi, 1e-9 - np.pi])
+    assert_close(got, expected, rtol=1e-12)
+
+
+# --- tangential relaxation ---------------------------------------------------------------------
+
+@exercise("13.15")
+def test_a_slide_on_paper(impl):
+    """Vertices leave the plane at right angles to n, or overshoot the rate."""
+    vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 2.0], [0.0, 8.0, 2.0], [9.0, 9.0, 9.0]])
+    expected = np.array([[1.0, 2.0, 0.0], [2.0, 0.0, 2.0], [0.0, 4.0, 2.0], [9.0, 9.0, 9.0]])
+    normals = np.tile([0.0, 0.0, 1.0], (4, 1))
+    assert_close(impl.relax_step(vertices, normals, np.array([[0, 1], [0, 2]]), 0.5), expected)
+
+
+@exercise("13.15")
+def test_slides_are_at_right_angles_to_each_normal(impl, rng):
+    """One normal for all; or the mean is weighted."""
+    edges, _ = graph(rng)
+    vertices, normals = rng.normal(size=(7, 3)), rng.normal(size=(7, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    expected = vertices.copy()
+    for i in range(6):
+        neighbours = [j for edge in edges.tolist() if i in edge for j in edge if j != i]
+        move = vertices[neighbours].mean(0) - vertices[i]
+        expected[i] += 0.3 * (move - (move @ normals[i]) * normals[i])
+    assert_close(impl.relax_step(vertices, normals, edges, 0.3), expected)
+
+
+@exercise("13.15")
+def test_without_a_normal_the_whole_move_counts(impl, rng):
+    """NaN, where the normal is 0."""
+    edges, _ = graph(rng)
+    vertices = rng.normal(size=(7, 3))
+    L = dense(edges, np.ones(len(edges)), 7)
+    valence = np.maximum(np.diag(L), 1)[:, None]
+    got = impl.relax_step(vertices, np.zeros((7, 3)), edges, 1.0)
+    assert_close(got, vertices - L @ vertices / valence)
+
+
+# --- large steps -------------------------------------------------------------------------------
+
+@exercise("13.16")
+def test_a_large_step_on_paper(impl):
+    """The gradient is spread once, and x not; or u is taken for x."""
+    x, grad_x, zero = np.zeros((2, 1)), np.array([[0.0], [3.0]]), np.zeros((2, 1))
+    got = impl.large_step(x, grad_x, zero, zero, 1, 2.0, np.array([[0, 1]]), np.ones(1), 1.0)
+    mean, square = np.array([[0.1], [0.2]]), np.array([[0.001], [0.004]])
+    expected = -np.array([[4.0], [5.0]]) / 3, mean, square
+    assert_close(got, expected, rtol=1e-7)
+
+
+@exercise("13.16")
+def test_a_large_step_is_a_step_in_u(impl, rng):
+    """mean and square are those of the gradients by x, or the weights are left out."""
+    edges, weights = graph(rng)
+    x, grad_x, mean = rng.normal(size=(3, 7, 3))
+    square = rng.uniform(0.1, 2.0, (7, 3))
+    system = np.eye(7) + 3.0 * dense(edges, weights, 7)
+    grad_u = np.linalg.solve(system, grad_x)
+    m, s = 0.9 * mean + 0.1 * grad_u, 0.999 * square + 0.001 * grad_u**2
+    root = np.sqrt(s.max() / (1 - 0.999**5))
+    u = system @ x - 0.2 * m / (1 - 0.9**5) / (root + 1e-8)
+    got = impl.large_step(x, grad_x, mean, square, 5, 0.2, edges, weights, 3.0)
+    assert_close(got, (np.linalg.solve(system, u), m, s), rtol=1e-8)
+
+
+@exercise("13.16")
+def test_a_large_step_keeps_what_has_no_gradient(impl, rng):
+    """x itself is smoothed: without a gradient it must stay."""
+    edges, weights = graph(rng)
+    x, zero = rng.normal(size=(7, 2)), np.zeros((7, 2))
+    got = impl.large_step(x, zero, zero, zero, 1, 1.0, edges, weights, 9.0)
+    assert_close(got, (x, zero, zero))

@@ -1,0 +1,644 @@
+"""What the exercises of lab 3 must do."""
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from course.checks import assert_close, assert_equal, assert_picture, exercise
+from course.given.gradcheck import gradcheck
+
+SQUARE = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])
+TRIANGLE = np.array([[1.2, 0.7], [6.3, 2.1], [2.9, 5.8]])  # counter-clockwise
+
+# Eq. (7) is easy to get right for an ordinary triangle. Each fits a picture 6 wide and 5 high.
+TRIANGLES = {
+    "ordinary": TRIANGLE,
+    "clockwise": TRIANGLE[::-1].copy(),
+    "smaller than a pixel": np.array([[3.2, 2.3], [3.7, 2.4], [3.3, 2.9]]),
+    "thinner than a pixel": np.array([[0.3, 0.2], [5.8, 4.1], [5.7, 4.11]]),
+    "far larger than the picture": np.array([[-900.0, -700.0], [950.0, 0.3], [-13.0, 800.0]]),
+    "an edge of it crosses the picture": np.array([[-800.0, -300.0], [905.0, 340.0], [0.0, 700.0]]),
+    "on the pixels' borders": np.array([[1.0, 1.0], [5.0, 1.0], [1.0, 4.0]]),
+    "its corners on the pixels' corners": np.array([[0.0, 3.0], [2.0, 0.0], [6.0, 5.0]]),
+    "partly outside": np.array([[-2.5, 1.5], [3.5, -1.25], [8.0, 6.5]]),
+    "outside": np.array([[7.0, 1.0], [9.0, 2.0], [8.0, 4.0]]),
+    "outside, behind its edge": np.array([[5.0, -9.0], [9.0, -1.0], [9.0, -9.0]]),
+    "one pixel, its lower half": np.array([[2.0, 2.0], [3.0, 2.0], [3.0, 3.0]]),
+    "no area": np.array([[0.5, 0.5], [4.5, 3.5], [2.5, 2.0]]),
+}
+each_triangle = pytest.mark.parametrize("triangle", TRIANGLES.values(), ids=TRIANGLES)
+
+
+def part_in_pixel(polygon, i, j, number=Fraction):
+    """The part of a polygon in pixel [i, j], as pairs of fractions: nothing is rounded."""
+    part = [tuple(number(float(c)) for c in p) for p in polygon]
+    for axis, side, sign in (0, j, 1), (0, j + 1, -1), (1, i, 1), (1, i + 1, -1):
+        kept = []
+        for p, q in zip(part, part[1:] + part[:1], strict=True):
+            at_p, at_q = sign * (p[axis] - side), sign * (q[axis] - side)
+            if at_p >= 0:
+                kept.append(p)
+            if at_p * at_q < 0:
+                t = at_p / (at_p - at_q)
+                kept.append(tuple(a + t * (b - a) for a, b in zip(p, q, strict=True)))
+        part = kept
+    return part
+
+
+def exact_area(part):
+    """Shoelace formula of pairs of numbers -> float, positive if counter-clockwise."""
+    following = part[1:] + part[:1]
+    return float(sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(part, following, strict=True)) / 2)
+
+
+def exact_areas(polygon, width, height, number=Fraction):
+    """The signed area of a polygon in each pixel (height, width)."""
+    return np.array([[exact_area(part_in_pixel(polygon, i, j, number)) for j in range(width)]
+                     for i in range(height)])
+
+
+def corners(width, height):
+    """x, y (P,): the lower left corners of a picture's pixels, row by row."""
+    y, x = np.indices((height, width)).reshape(2, -1).astype(float)
+    return x, y
+
+
+def wave(n, k):
+    """n samples of a cosine with k periods."""
+    return np.cos(2 * np.pi * k * np.arange(n) / n)
+
+
+# --- frequencies -------------------------------------------------------------------------------
+
+@exercise("3.1")
+def test_aliases_on_paper(impl):
+    """The rest of the division by the rate: 9 of 10 turns forwards look like 1 turn backwards."""
+    frequency = np.array([0.0, 1.0, 4.0, 6.0, 9.0, 10.0, 11.0, 24.0, -3.0, -8.0])
+    expected = np.array([0.0, 1.0, 4.0, -4.0, -1.0, 0.0, 1.0, 4.0, -3.0, 2.0])
+    assert_close(impl.alias_frequency(frequency, 10.0), expected)
+    assert_close(impl.alias_frequency(1.75, 0.5), -0.25)
+
+
+@exercise("3.1")
+def test_half_the_rate_counts_as_negative(impl):
+    """The interval is closed above and open below, or a half is rounded to the even number."""
+    frequency = np.array([2.0, -2.0, 6.0, 10.0, -6.0])
+    assert_close(impl.alias_frequency(frequency, 4.0), np.full(5, -2.0))
+
+
+@exercise("3.1")
+def test_an_alias_has_the_same_samples(impl, rng):
+    """A frequency that is slow, but another: its samples differ."""
+    rate, frequency = 8.0, rng.uniform(-50, 50, 40)
+    alias = np.asarray(impl.alias_frequency(frequency, rate))
+    t = np.arange(12)[:, None] / rate
+    assert_close(np.exp(2j * np.pi * alias * t), np.exp(2j * np.pi * frequency * t), atol=1e-9)
+    assert_equal((np.abs(alias) <= rate / 2).all(), True)
+
+
+@exercise("3.1")
+def test_the_peak_of_the_measured_spectrum_is_at_the_alias(impl):
+    """The prediction is off by a bin or more."""
+    n = 64
+    for k in range(0, 400, 7):
+        peak = np.abs(np.fft.fft(np.exp(2j * np.pi * k * np.arange(n) / n))).argmax()
+        assert_close(impl.alias_frequency(float(k), float(n)) % n, float(peak))
+
+
+@exercise("3.2")
+def test_the_matrix_of_four_samples(impl):
+    """The sign of the exponent: the spectrum comes out mirrored."""
+    expected = np.array([[1, 1, 1, 1], [1, -1j, -1, 1j], [1, -1, 1, -1], [1, 1j, -1, -1j]])
+    assert_close(impl.dft_matrix(4), expected)
+
+
+@exercise("3.2")
+def test_a_wave_of_three_periods_is_one_peak(impl):
+    """A factor 1/n or 1/sqrt(n), or 2 pi is forgotten."""
+    spectrum = impl.dft_matrix(8) @ np.exp(2j * np.pi * 3 * np.arange(8) / 8)
+    assert_close(spectrum, 8 * (np.arange(8) == 3) + 0j, atol=1e-12)
+
+
+@exercise("3.2")
+def test_it_is_the_fourier_transform_of_numpy(impl, rng):
+    """Wrong for sizes that are odd, prime or 1."""
+    for n in (1, 2, 3, 7, 16, 45):
+        f = rng.normal(size=n)
+        assert_close(impl.dft_matrix(n) @ f, np.fft.fft(f), atol=1e-12)
+
+
+@exercise("3.2")
+def test_large_matrices_are_exact_to_a_few_bits(impl):
+    """Angles of many turns in single precision, or with a pi of few digits."""
+    n = 400
+    turns = np.array([[k * m % n for m in range(n)] for k in (1, 137, n - 1)])
+    expected = np.exp(-2j * np.pi * turns / n)
+    assert_close(impl.dft_matrix(n)[[1, 137, n - 1]], expected, rtol=0, atol=1e-11)
+
+
+@exercise("3.3")
+def test_the_spectrum_of_four_pixels(impl):
+    """One axis is left out, or the numbers are divided by their count."""
+    expected = np.array([[10.0, -2.0], [-4.0, 0.0]])
+    assert_close(impl.spectrum_of(np.array([[1.0, 2.0], [3.0, 4.0]])) + 0j, expected + 0j)
+
+
+@exercise("3.3")
+def test_stripes_are_two_peaks_on_the_axis_of_their_frequency(impl):
+    """k_x comes first: vertical stripes have a spectrum along y."""
+    spectrum = impl.spectrum_of(np.tile(wave(8, 3), (4, 1)))
+    expected = np.zeros((4, 8), complex)
+    expected[0, 3] = expected[0, 5] = 16
+    assert_close(spectrum, expected)
+
+
+@exercise("3.3")
+def test_pictures_need_not_be_square(impl, rng):
+    """The matrix of the width acts on the columns; or the picture is conjugated on one side."""
+    for shape in (5, 8), (6, 3), (1, 7):
+        picture = rng.normal(size=shape)
+        assert_close(impl.spectrum_of(picture), np.fft.fft2(picture), atol=1e-12)
+
+
+@exercise("3.4")
+def test_one_entry_is_one_wave(impl):
+    """The sign of the exponent: waves run the other way; or the factor 1 / (H W) is missing."""
+    spectrum = np.zeros((4, 6), complex)
+    spectrum[1, 2] = 24.0
+    y, x = np.indices((4, 6))
+    assert_close(impl.picture_of(spectrum), np.cos(2 * np.pi * (y / 4 + x / 3)))
+    spectrum[1, 2] = -24.0j
+    assert_close(impl.picture_of(spectrum), np.sin(2 * np.pi * (y / 4 + x / 3)))
+
+
+@exercise("3.4")
+def test_a_picture_comes_back_from_its_spectrum(impl, rng):
+    """An inverse of square pictures only, or of the absolute values; or the result is complex."""
+    for shape in (5, 8), (6, 3), (1, 7):
+        picture = rng.normal(size=shape)
+        assert_close(impl.picture_of(np.fft.fft2(picture)), picture)
+
+
+@exercise("3.5")
+def test_frequencies_on_paper(impl):
+    """The upper half stays above 1/2, or 1/2 itself counts as positive."""
+    assert_close(impl.frequencies(4), np.array([0.0, 0.25, -0.5, -0.25]))
+    assert_close(impl.frequencies(5), np.array([0.0, 0.2, 0.4, -0.4, -0.2]))
+    assert_close(impl.frequencies(1), np.array([0.0]))
+
+
+@exercise("3.5")
+def test_they_are_those_of_numpy(impl):
+    """The middle of an odd number is one too low."""
+    for n in (2, 3, 8, 9, 100):
+        assert_close(impl.frequencies(n), np.fft.fftfreq(n))
+
+
+# --- filters -----------------------------------------------------------------------------------
+
+@exercise("3.6")
+def test_low_high_and_band_pass_of_three_waves(impl):
+    """The kept and the removed frequencies are swapped, or only one sign of them is kept."""
+    low, middle, high = (np.tile(wave(32, k), (8, 1)) for k in (2, 6, 13))
+    picture = 5 + low + middle + high
+    assert_close(impl.band_pass(picture, 0, 4 / 32), 5 + low, atol=1e-9)
+    assert_close(impl.band_pass(picture, 4 / 32, 10 / 32), middle, atol=1e-9)
+    assert_close(impl.band_pass(picture, 10 / 32, np.inf), high, atol=1e-9)
+
+
+@exercise("3.6")
+def test_a_band_has_its_lower_and_not_its_upper_end(impl):
+    """< for <=: a frequency on the border of two bands is in both of them, or in neither."""
+    picture = np.tile(wave(8, 2), (8, 1)).T
+    assert_close(impl.band_pass(picture, 0.25, 0.5), picture)
+    assert_close(impl.band_pass(picture, 0.0, 0.25), np.zeros((8, 8)))
+
+
+@exercise("3.6")
+def test_the_band_is_a_ring_in_cycles_per_pixel(impl):
+    """A square band, |f_x| + |f_y|, or frequencies counted in periods per picture."""
+    y, x = np.indices((16, 32))
+    diagonal = np.cos(2 * np.pi * (3 * y / 16 + 8 * x / 32))  # of length 0.3125
+    assert_close(impl.band_pass(diagonal, 0.0, 0.31), 0 * diagonal, atol=1e-9)
+    assert_close(impl.band_pass(diagonal, 0.31, 0.315), diagonal, atol=1e-9)
+    assert_close(impl.band_pass(diagonal, 0.315, np.inf), 0 * diagonal, atol=1e-9)
+
+
+@exercise("3.7")
+def test_a_point_becomes_the_kernel(impl):
+    """The kernel is turned round (that is correlation), or starts at the point."""
+    picture = np.zeros((5, 6))
+    picture[2, 3] = 10.0
+    kernel = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
+    expected = np.zeros((5, 6))
+    expected[1:4, 2:5] = 10 * kernel
+    assert_close(impl.convolve(picture, kernel), expected)
+
+
+@exercise("3.7")
+def test_borders_go_round(impl):
+    """Beyond the border is zero, or the last pixel once more."""
+    picture, kernel = np.array([[1.0, 0.0, 0.0, 10.0]]), np.array([[1.0, 2.0, 3.0]])
+    assert_close(impl.convolve(picture, kernel), np.array([[32.0, 3.0, 10.0, 21.0]]))
+    assert_close(impl.convolve(picture.T, kernel.T), np.array([[32.0, 3.0, 10.0, 21.0]]).T)
+
+
+@exercise("3.7")
+def test_convolution_is_the_double_sum(impl, rng):
+    """A kernel whose height and width differ."""
+    picture, kernel = rng.normal(size=(6, 5)), rng.normal(size=(3, 5))
+    expected = np.zeros((6, 5))
+    for y, x, i, j in np.ndindex(6, 5, 3, 5):
+        expected[y, x] += kernel[i, j] * picture[(y - i + 1) % 6, (x - j + 2) % 5]
+    assert_close(impl.convolve(picture, kernel), expected)
+
+
+@exercise("3.7")
+def test_a_kernel_may_be_larger_than_the_picture(impl):
+    """Beyond the border the picture is there once more, but not a second time."""
+    picture, kernel = np.array([[1.0, 100.0]]), np.array([[1.0], [2.0], [3.0], [4.0], [5.0]])
+    assert_close(impl.convolve(picture, kernel), np.array([[15.0, 1500.0]]))
+    assert_close(impl.convolve(picture, kernel.T), np.array([[609.0, 906.0]]))
+
+
+@exercise("3.7")
+def test_the_spectrum_of_a_convolution_is_the_product_of_the_spectra(impl, rng):
+    """Eq. (4) holds to 1e-12, with the kernel's middle at [0, 0]."""
+    picture, kernel = rng.uniform(size=(32, 24)), rng.uniform(size=(5, 3))
+    around = np.zeros((32, 24))
+    for i, j in np.ndindex(5, 3):
+        around[i - 2, j - 1] = kernel[i, j] / kernel.sum()
+    got = np.fft.fft2(impl.convolve(picture, kernel / kernel.sum()))
+    assert_close(got, np.fft.fft2(picture) * np.fft.fft2(around), rtol=1e-12, atol=1e-12)
+
+
+@exercise("3.8")
+def test_by_spectrum_a_point_becomes_the_kernel(impl):
+    """The kernel's corner, not its middle, is put at [0, 0]: the picture moves."""
+    picture = np.zeros((5, 6))
+    picture[0, 3] = 10.0
+    kernel = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
+    expected = np.zeros((5, 6))
+    expected[[-1, 0, 1], 2:5] = 10 * kernel
+    assert_close(impl.convolve_by_spectrum(picture, kernel), expected)
+
+
+@exercise("3.8")
+def test_both_ways_of_convolving_agree_to_rounding(impl, rng):
+    """A kernel whose sides differ, or as large as the picture; h and w swapped."""
+    for kernel_shape in (3, 5), (1, 7), (7, 1), (7, 9):
+        picture, kernel = rng.uniform(size=(7, 9)), rng.uniform(size=kernel_shape)
+        h, w = kernel_shape
+        expected = sum(kernel[i, j] * np.roll(picture, (i - h // 2, j - w // 2), (0, 1))
+                       for i, j in np.ndindex(h, w))
+        assert_close(impl.convolve_by_spectrum(picture, kernel), expected, rtol=0, atol=1e-12)
+
+
+@exercise("3.9")
+def test_the_spectrum_of_a_box_on_paper(impl):
+    """Not divided by the width, or 0/0 at frequency 0."""
+    assert_close(impl.box_spectrum(3, 4), np.array([1.0, 1 / 3, -1 / 3, 1 / 3]))
+    assert_close(impl.box_spectrum(1, 3), np.ones(3))
+    assert_close(impl.box_spectrum(5, 5), np.array([1.0, 0.0, 0.0, 0.0, 0.0]))
+
+
+@exercise("3.9")
+def test_it_is_the_fourier_transform_of_a_centred_box(impl):
+    """The continuous sinc: close for low frequencies, and off by a third at 1/2."""
+    for width, n in (3, 16), (5, 16), (9, 9), (7, 50), (41, 128):
+        box = np.zeros(n)
+        box[np.arange(-(width // 2), width // 2 + 1)] = 1 / width
+        assert_close(impl.box_spectrum(width, n), np.fft.fft(box).real, rtol=0, atol=1e-12)
+
+
+@exercise("3.9")
+def test_a_box_of_many_samples_is_a_sinc(impl):
+    """The zeros are in the wrong places: those of a box of width w are at multiples of 1 / w."""
+    width, n = 1001, 16016
+    f = np.arange(100) / n
+    assert_close(impl.box_spectrum(width, n)[:100], np.sinc(width * f), rtol=0, atol=1e-4)
+
+
+# --- sampling ----------------------------------------------------------------------------------
+
+@exercise("3.10")
+def test_two_copies_on_paper(impl):
+    """The copies are not summed but cut off, or neighbours are summed instead of copies."""
+    spectrum = np.array([[1.0, 20.0, 300.0, 4000.0]], complex)
+    spectrum = np.concatenate([spectrum, 10000 * spectrum])
+    expected = np.array([[10001 * 301 / 4, 10001 * 4020 / 4]], complex)
+    assert_close(impl.sampled_spectrum(spectrum, 2), expected)
+
+
+@exercise("3.10")
+def test_it_is_the_spectrum_of_every_third_pixel(impl, rng):
+    """The factor is 1/s for each axis; or rows and columns are taken for each other."""
+    for shape, step in ((12, 18), 3), ((8, 4), 4), ((5, 7), 1):
+        picture = rng.normal(size=shape)
+        expected = np.fft.fft2(picture[::step, ::step])
+        got = impl.sampled_spectrum(np.fft.fft2(picture), step)
+        assert_close(got, expected, rtol=0, atol=1e-12)
+
+
+@exercise("3.10")
+def test_a_comb_repeats_the_spectrum(impl, rng):
+    """Pixels off the comb are set to 0: the spectrum must repeat at the sampling rate."""
+    picture = rng.normal(size=(12, 12))
+    comb = np.zeros((12, 12))
+    comb[::4, ::4] = 1
+    copies = np.tile(impl.sampled_spectrum(np.fft.fft2(picture), 4), (4, 4))
+    assert_close(copies, np.fft.fft2(picture * comb), rtol=0, atol=1e-12)
+
+
+@exercise("3.10")
+def test_a_wave_folds_to_its_alias(impl):
+    """13 periods in 32 pixels, every 4th of them: 3 periods, backwards, not 5."""
+    spectrum = np.zeros((4, 32), complex)
+    spectrum[0, 13] = 128.0
+    expected = np.zeros((1, 8), complex)
+    expected[0, 5] = 8.0
+    assert_close(impl.sampled_spectrum(spectrum, 4), expected)
+
+
+@exercise("3.11")
+def test_only_what_is_too_fast_folds(impl):
+    """The energy that is kept is returned; or a wave is told apart from its other half."""
+    spectrum = np.fft.fft2(np.tile(3 + wave(32, 3) + 2 * wave(32, 11), (8, 1)))
+    assert_close(impl.folded_energy(spectrum, 8), 2.5)       # cos^2 is 1/2 on average: 1/2 + 4/2
+    assert_close(impl.folded_energy(spectrum, 2), 2.0)
+    assert_close(impl.folded_energy(spectrum.T.copy(), 2), 2.0)
+    assert_close(impl.folded_energy(np.fft.fft2(np.ones((6, 6))), 3), 0.0)
+
+
+@exercise("3.11")
+def test_a_wave_at_half_the_rate_folds(impl):
+    """> for >=: two samples to a period do not tell where the wave begins."""
+    spectrum = np.fft.fft2(np.tile(wave(32, 4), (8, 1)))
+    assert_close(impl.folded_energy(spectrum, 4), 0.5)
+    assert_close(impl.folded_energy(spectrum, 2), 0.0)
+
+
+@exercise("3.11")
+def test_folded_energy_is_a_mean_square(impl, rng):
+    """Parseval's factor; one of |f_y| and |f_x| is enough to fold; a ring in place of a square."""
+    for shape, step in ((12, 30), 2), ((30, 24), 3):
+        picture = rng.normal(size=shape)
+        spectrum = np.fft.fft2(picture)
+        f_y, f_x = (np.abs(np.fft.fftfreq(n)) for n in shape)
+        kept = np.maximum(f_y[:, None], f_x) < 0.5 / step
+        lost = picture - np.fft.ifft2(np.where(kept, spectrum, 0)).real
+        assert_close(impl.folded_energy(spectrum, step), (lost**2).mean())
+
+
+# --- exact coverage ----------------------------------------------------------------------------
+
+@exercise("3.12")
+def test_a_triangle_is_cut_on_paper(impl):
+    """The wrong side is kept, or the order of the points is lost."""
+    triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
+    assert_close(impl.clip_polygon(triangle, -1.0, 0.0, 1.0),
+                 np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 3.0], [0.0, 4.0]]))
+    assert_close(impl.clip_polygon(triangle, 1.0, 0.0, -1.0),
+                 np.array([[1.0, 0.0], [4.0, 0.0], [1.0, 3.0]]))
+
+
+@exercise("3.12")
+def test_crossings_lie_on_edge_and_line(impl, rng):
+    """The middle of the edge, or the crossing measured from its other end."""
+    for a, b, c in rng.normal(size=(40, 3)):
+        got = np.asarray(impl.clip_polygon(SQUARE - 1.5, a, b, c))
+        expected = []
+        for p, q in zip(SQUARE - 1.5, np.roll(SQUARE - 1.5, -1, axis=0), strict=True):
+            at_p, at_q = np.array([p, q]) @ [a, b] + c
+            if at_p >= 0:
+                expected.append(p)
+            if at_p * at_q < 0:
+                expected.append((at_p * q - at_q * p) / (at_p - at_q))
+        assert_close(got, np.array(expected).reshape(-1, 2), atol=1e-9)
+
+
+@exercise("3.12")
+def test_all_or_nothing_stays(impl):
+    """A polygon that is not cut changes; nothing is not (0, 2); an empty one is an error."""
+    assert_close(impl.clip_polygon(SQUARE, 1.0, 0.0, 1.0), SQUARE)
+    assert_close(impl.clip_polygon(SQUARE, 1.0, 0.0, -9.0), np.zeros((0, 2)))
+    assert_close(impl.clip_polygon(np.zeros((0, 2)), 1.0, 0.0, 1.0), np.zeros((0, 2)))
+
+
+@exercise("3.12")
+def test_points_on_the_line_are_inside(impl):
+    """> for >=: a side that lies on the line is lost, or comes twice."""
+    assert_close(impl.clip_polygon(SQUARE, 1.0, 0.0, 0.0), SQUARE)
+    assert_close(impl.clip_polygon(SQUARE, 0.0, -1.0, 4.0), SQUARE)
+
+
+@exercise("3.12")
+def test_a_vertex_on_the_line_comes_once_more_for_each_neighbour_outside(impl):
+    """> for >=: a vertex on the line is found by its edges alone, or not at all."""
+    half = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [4.0, 4.0], [0.0, 0.0]])
+    assert_close(impl.clip_polygon(SQUARE, 1.0, -1.0, 0.0), half)
+    assert_close(impl.clip_polygon(SQUARE, -1.0, -1.0, 0.0), np.zeros((3, 2)))
+
+
+@exercise("3.13")
+def test_areas_on_paper(impl):
+    """Twice the area, or no sign."""
+    assert_close(impl.polygon_area(SQUARE), 16.0)
+    assert_close(impl.polygon_area(SQUARE[::-1].copy()), -16.0)
+    assert_close(impl.polygon_area(SQUARE[:3]), 8.0)
+    assert_close(impl.polygon_area(np.zeros((0, 2))), 0.0)
+
+
+@exercise("3.13")
+def test_many_polygons_at_once(impl, rng):
+    """The code works for one polygon alone, or for polygons around the origin."""
+    polygons = rng.normal(size=(2, 3, 7, 2)) + 2
+    expected = [[exact_area([tuple(map(Fraction, map(float, p))) for p in polygon])
+                 for polygon in row] for row in polygons]
+    assert_close(impl.polygon_area(polygons), np.array(expected))
+
+
+@exercise("3.13")
+def test_a_small_polygon_far_out_keeps_its_digits(impl):
+    """The shoelace formula about the origin: ten digits of a pixel's area are lost at 100,000."""
+    x, y = 100_000.0, 300_000.0
+    assert_close(impl.polygon_area(SQUARE / 8 + [x, y]), 0.25)
+    odd = SQUARE / 7 + [x, y + 0.1]  # no short binary numbers: their products are rounded
+    expected = exact_area([tuple(map(Fraction, map(float, p))) for p in odd])
+    assert_close(impl.polygon_area(odd), float(expected))
+
+
+@exercise("3.14")
+def test_the_gradient_of_a_square_points_outwards(impl):
+    """Inwards, or x and y are swapped: to grow, a square's corners move away from its middle."""
+    expected = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])
+    assert_close(impl.polygon_area_backward(np.array(1.0), SQUARE), expected)
+    assert_close(impl.polygon_area_backward(np.array(-3.0), SQUARE), -3 * expected)
+
+
+@exercise("3.14")
+def test_the_gradients_of_areas_are_central_differences(impl, rng):
+    """grad_area is ignored, or summed over the polygons; the first point is an exception."""
+    def forward(polygon):
+        x, y = polygon[..., 0], polygon[..., 1]
+        return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
+
+    gradcheck(forward, impl.polygon_area_backward, (rng.normal(size=(2, 3, 5, 2)),),
+              name="polygon_area")
+
+
+@exercise("3.15")
+def test_half_and_quarter_pixels(impl):
+    """Rows and columns are swapped, or a pixel is centred at whole numbers."""
+    triangle = np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]])
+    expected = np.array([[0.0, 0.375, 0.5, 0.0],
+                         [0.0, 0.125, 0.875, 0.0],
+                         [0.0, 0.0, 0.125, 0.0]])
+    assert_picture(impl.pixel_coverage_loop(triangle, 4, 3), expected, atol=1e-12)
+
+
+@exercise("3.15")
+@each_triangle
+def test_coverage_is_the_exact_area(impl, triangle):
+    """A clockwise triangle, a small, thin or large one, or one on the pixels' borders."""
+    got = impl.pixel_coverage_loop(triangle, 6, 5)
+    assert_picture(got, np.abs(exact_areas(triangle, 6, 5)), atol=1e-12)
+
+
+@exercise("3.15")
+def test_coverages_sum_to_the_area(impl, rng):
+    """A part of the triangle is lost between two pixels, or is counted in both."""
+    for triangle in rng.uniform(0, 8, (6, 3, 2)):
+        area = abs(exact_area([tuple(map(Fraction, map(float, p))) for p in triangle]))
+        assert_close(np.sum(impl.pixel_coverage_loop(triangle, 8, 8)), area, rtol=0, atol=1e-12)
+
+
+@exercise("3.16")
+def test_cuts_on_paper(impl):
+    """The lines of another square; or t is not sorted, or leaves [0, 1]."""
+    line = np.array([[0.0, -2.0], [5.0, 3.0]])  # there, and back
+    t = impl.cuts(line, np.array([1.0]), np.array([0.0]))
+    assert_close(t, np.array([[[0.0, 0.2, 0.4, 0.4, 0.6, 1.0], [0.0, 0.4, 0.6, 0.6, 0.8, 1.0]]]))
+
+
+@exercise("3.16")
+def test_an_edge_along_a_line_has_cuts_too(impl):
+    """0 / 0 where an edge runs along a side of the square."""
+    triangle = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
+    t = np.asarray(impl.cuts(triangle, np.array([1.0]), np.array([1.0])))
+    assert_equal(bool(np.isfinite(t).all() and (t >= 0).all() and (t <= 1).all()), True)
+
+
+@exercise("3.16")
+def test_every_crossing_is_among_the_cuts(impl, rng):
+    """One of the four lines is left out, or all squares get the cuts of the first one."""
+    polygon = rng.uniform(0, 6, (4, 2))
+    polygon[1, 0] = polygon[0, 0]  # an edge along the columns
+    polygon[2, 1] = polygon[1, 1]  # one along the rows
+    x, y = corners(6, 5)
+    t = np.asarray(impl.cuts(polygon, x, y))
+    assert_equal(t.shape, (30, 4, 6))
+    assert_equal(bool((np.diff(t) >= 0).all()), True)
+    assert_equal(t[..., [0, -1]], np.tile([0.0, 1.0], (30, 4, 1)))
+    for square, n in np.ndindex(30, 4):
+        p, q = polygon[n], polygon[(n + 1) % 4]
+        lower = np.array([x[square], y[square]])
+        for side, axis in ((side, axis) for side in (lower, lower + 1) for axis in (0, 1)):
+            if (p[axis] - side[axis]) * (q[axis] - side[axis]) < 0:
+                crossing = (side[axis] - p[axis]) / (q[axis] - p[axis])
+                nearest = t[square, n, np.abs(t[square, n] - crossing).argmin()]
+                assert_close(nearest, crossing, given=f"square {lower}, edge from {p} to {q}")
+
+
+@exercise("3.17")
+def test_areas_in_four_squares_on_paper(impl):
+    """The squares are centred at x and y, or the sign of the winding is lost."""
+    triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])
+    x, y = np.array([0.0, 1.0, 0.0, 1.0]), np.array([0.0, 0.0, 1.0, 1.0])
+    assert_close(impl.clamped_area(triangle, x, y), np.array([1.0, 0.5, 0.5, 0.0]))
+    assert_close(impl.clamped_area(triangle[::-1].copy(), x, y), np.array([-1.0, -0.5, -0.5, 0.0]))
+
+
+@exercise("3.17")
+def test_squares_need_not_lie_on_the_grid(impl):
+    """x and y are cut to whole numbers."""
+    got = impl.clamped_area(SQUARE, np.array([3.25, -0.5, 9.5]), np.array([-0.25, 3.75, 1.0]))
+    assert_close(got, np.array([0.5625, 0.125, 0.0]))
+
+
+@exercise("3.17")
+@each_triangle
+def test_clamping_gives_the_area_of_clipping(impl, triangle):
+    """Points are clamped without the cuts: where an edge passes a corner, area appears."""
+    got = np.reshape(impl.clamped_area(triangle, *corners(6, 5)), (5, 6))
+    assert_picture(got, exact_areas(triangle, 6, 5), atol=1e-12)
+
+
+@exercise("3.17")
+def test_it_holds_for_polygons_that_are_not_convex(impl):
+    """Three corners are taken for granted."""
+    star = np.array([[0.3, 0.2], [2.6, 1.7], [5.5, 0.4], [3.8, 2.3], [4.9, 4.6], [2.4, 3.1],
+                     [0.9, 4.7], [1.6, 2.2]])
+    got = np.reshape(impl.clamped_area(star, *corners(6, 5)), (5, 6))
+    assert_picture(got, exact_areas(star, 6, 5), atol=1e-12)  # parts joined by edges of no width
+
+
+@exercise("3.17")
+def test_areas_are_those_of_supersampling(impl):
+    """A pixel of 1024 x 1024 samples tells another area."""
+    step = (np.arange(1024) + 0.5) / 1024
+    x, y = np.meshgrid(step, step)
+    for triangle in TRIANGLES["ordinary"] - [3, 1], TRIANGLES["smaller than a pixel"] - [3, 2]:
+        inside = np.ones((1024, 1024), bool)
+        for p, q in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
+            inside &= (q[0] - p[0]) * (y - p[1]) > (q[1] - p[1]) * (x - p[0])
+        got = impl.clamped_area(triangle, np.zeros(1), np.zeros(1))
+        assert_close(got, np.array([inside.mean()]), rtol=0, atol=0.25 / 1024)
+
+
+@exercise("3.18")
+def test_only_the_edge_inside_the_square_pulls(impl):
+    """The whole edge counts, or its two ends get the same share."""
+    triangle = np.array([[0.5, -1.0], [0.5, 3.0], [-3.0, 1.0]])  # its right edge: x = 1/2
+    got = impl.clamped_area_backward(np.array([2.0]), triangle, np.zeros(1), np.zeros(1))
+    # Of the edge's length 4, t runs from 1/4 to 1/2: t^2 / 2 gains 3/32, and the rest is 5/32.
+    assert_close(got, 2 * 4 * np.array([[5 / 32, 0.0], [3 / 32, 0.0], [0.0, 0.0]]))
+
+
+@exercise("3.18")
+def test_a_square_around_everything_sees_the_polygons_area(impl):
+    """The gradient points inwards, x and y are swapped, or a vertex gets another one's."""
+    triangle = np.array([[0.2, 0.1], [0.9, 0.3], [0.4, 0.7]])
+    got = impl.clamped_area_backward(np.array([4.0]), triangle, np.zeros(1), np.zeros(1))
+    assert_close(got, np.array([[-0.8, -1.0], [1.2, -0.4], [-0.4, 1.4]]))
+
+
+@exercise("3.18")
+def test_all_squares_together_pull_like_the_area(impl):
+    """A part of an edge is lost between two squares, or pulls in both."""
+    got = impl.clamped_area_backward(np.ones(56), TRIANGLE, *corners(8, 7))
+    x, y = TRIANGLE.T
+    expected = np.stack([np.roll(y, -1) - np.roll(y, 1), np.roll(x, 1) - np.roll(x, -1)], -1) / 2
+    assert_close(got, expected)
+
+
+@exercise("3.18")
+def test_an_edge_along_a_side_pulls_once(impl):
+    """It counts in both of the squares that share the side, or in none."""
+    triangle = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
+    got = impl.clamped_area_backward(np.ones(16), triangle, *corners(4, 4))
+    assert_close(got, np.array([[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]]))
+
+
+@exercise("3.18")
+@pytest.mark.parametrize("name", ["ordinary", "clockwise", "smaller than a pixel",
+                                  "thinner than a pixel", "partly outside"])
+def test_the_gradients_of_clamped_areas_are_central_differences(impl, name):
+    """grad_area is ignored or given to another square."""
+    x, y = corners(6, 5)
+
+    def forward(polygon):
+        return exact_areas(polygon, 6, 5, float).ravel()
+
+    gradcheck(forward, lambda grad_area, polygon: impl.clamped_area_backward(
+        grad_area, polygon, x, y), (TRIANGLES[name],), name="clamped_area")

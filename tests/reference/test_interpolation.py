@@ -1,0 +1,145 @@
+"""Whole pictures of lab 5: what the reference's interpolation does after lab 2's rasterizer."""
+import numpy as np
+import pytest
+
+from course.given import mesh
+from course.given.gradcheck import gradcheck
+from reference import interpolation, rasterization, transforms
+
+
+def floor(width, height, eye=(0.3, 1.0, 2.0), face_count=2):
+    """A square floor: positions (V, 3), faces, clip (V, 4), the eye and clip_from_world."""
+    eye = np.array(eye)
+    positions, faces = mesh.plane(face_count)
+    view = transforms.look_at(eye, np.array([0.1, 0.0, -0.2]), np.array([0.0, 1.0, 0.0]))
+    clip_from_world = transforms.perspective(1.1, width / height, 0.05, 10.0) @ view
+    clip = transforms.transform(transforms.to_homogeneous(positions), clip_from_world)
+    return positions, faces, clip, eye, clip_from_world
+
+
+def on_the_floor(x, y, eye, clip_from_world, width, height):
+    """Where the rays through screen points (N,) meet the plane y = 0: (N, 3), without any mesh."""
+    ndc = np.stack([2 * x / width - 1, 2 * y / height - 1, 0 * x, 1 + 0 * x], -1)
+    point = ndc @ np.linalg.inv(clip_from_world).T
+    ray = point[:, :3] / point[:, 3:] - eye
+    return eye - ray * (eye[1] / ray[:, 1])[:, None]
+
+
+@pytest.mark.parametrize("eye", [(0.3, 1.0, 2.0), (0.3, 0.4, 0.5)], ids=["before it", "above it"])
+def test_a_pixel_gets_the_point_that_its_ray_meets(eye):
+    """Perspective is forgotten, or wrong for a floor that reaches behind the camera."""
+    width, height = 40, 30
+    positions, faces, clip, eye, clip_from_world = floor(width, height, eye)
+    assert (clip[:, 3] < 0).any() == (eye[2] < 1)
+    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    barycentric = rasterization.barycentrics(face_index, clip, faces)
+    got = interpolation.interpolate(positions, faces, face_index, barycentric)
+    i, j = np.nonzero(face_index >= 0)
+    expected = on_the_floor(j + 0.5, i + 0.5, eye, clip_from_world, width, height)
+    assert len(i) > 300
+    np.testing.assert_allclose(got[i, j], expected, rtol=0, atol=1e-12)
+
+
+def test_footprints_are_differences_between_neighbouring_rays():
+    """dA/dx is per picture and not per pixel, or belongs to another place in the pixel."""
+    width, height, h = 40, 30, 1e-4
+    positions, faces, clip, eye, clip_from_world = floor(width, height)
+    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    derivatives = rasterization.barycentrics_derivatives(face_index, clip, faces)
+    got = interpolation.interpolate_derivatives(positions, faces, face_index, derivatives)
+    i, j = np.nonzero(face_index >= 0)
+
+    def point(dx, dy):
+        return on_the_floor(j + 0.5 + dx, i + 0.5 + dy, eye, clip_from_world, width, height)
+
+    expected = np.stack([point(h, 0) - point(-h, 0), point(0, h) - point(0, -h)], -1) / (2 * h)
+    np.testing.assert_allclose(got[i, j], expected, rtol=1e-6, atol=1e-8)
+
+
+def test_screen_weights_corrected_are_the_rasterizers():
+    """Lab 2's b of eq. (5) is not eq. (3) of its screen weights and the corners' w."""
+    width, height = 40, 30
+    _, faces, clip, *_ = floor(width, height, face_count=18)
+    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    seen = face_index >= 0
+    on_screen = rasterization.barycentrics(face_index, clip / clip[:, 3:], faces)[seen]
+    w = clip[faces[face_index[seen]], 3]
+    expected = rasterization.barycentrics(face_index, clip, faces)[seen]
+    assert np.abs(on_screen - expected).max() > 0.05
+    got = interpolation.corrected_barycentrics(on_screen, w)
+    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
+
+
+def test_the_derivatives_are_the_rasterizers():
+    """Eq. (4) of the edge functions' normals is not lab 2's db/dx, db/dy."""
+    rng = np.random.default_rng(4)
+    px, py, x, y, w = *rng.uniform(0, 8, (2, 20)), *rng.uniform(1, 8, (3, 3, 20))
+    e = np.stack([(y[i] - y[j]) * (px - x[i]) + (x[j] - x[i]) * (py - y[i])
+                  for i, j in rasterization.EDGES], -1)
+    de = np.stack([[y[i] - y[j], x[j] - x[i]] for i, j in rasterization.EDGES]).transpose(2, 0, 1)
+    got = interpolation.corrected_barycentrics_derivatives(de, e, w.T)
+    expected = np.stack(rasterization.barycentric_derivatives(px, py, x, y, w)).T
+    scale = np.abs(expected).max((1, 2), keepdims=True)
+    np.testing.assert_allclose(got / scale, expected / scale, rtol=0, atol=1e-12)
+
+
+def test_forward_and_backward_derivatives_are_each_others_transpose():
+    """grad_b . (J de) and (J^T grad_b) . de differ: eqs. (4) and 5.6 are of different functions."""
+    rng = np.random.default_rng(5)
+    grad_b, de, (e, w) = *rng.normal(size=(2, 9, 3)), rng.uniform(0.3, 2, (2, 9, 3))
+    db = interpolation.corrected_barycentrics_derivatives(de[..., None], e, w)[..., 0]
+    grad_e, _ = interpolation.corrected_barycentrics_backward(grad_b, e, w)
+    np.testing.assert_allclose((grad_b * db).sum(-1), (grad_e * de).sum(-1), rtol=1e-10, atol=1e-12)
+
+
+def bunny(width, height):
+    """Vertices, faces, face_index and barycentrics of the bunny."""
+    vertices, faces = mesh.bunny()
+    vertices = mesh.normalize(vertices)
+    view = transforms.look_at(np.array([-1.3, 0.7, 2.2]), np.zeros(3), np.array([0.0, 1.0, 0.0]))
+    camera = transforms.perspective(0.8, width / height, 0.1, 10.0) @ view
+    clip = transforms.transform(transforms.to_homogeneous(vertices), camera)
+    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    return vertices, faces, face_index, rasterization.barycentrics(face_index, clip, faces)
+
+
+def test_whole_pictures_and_the_loops_agree():
+    """The matrix and the loop sum in the same order: they differ by a fused multiply at most."""
+    given = bunny(64, 48)
+    grad_output = np.random.default_rng(6).normal(size=(48, 64, 3))
+    assert (given[2] >= 0).sum() > 500
+    loop, fast = (function(*given) for function in
+                  (interpolation.interpolate_loop, interpolation.interpolate))
+    np.testing.assert_allclose(fast, loop, rtol=1e-14, atol=1e-15)
+    loop, fast = (function(grad_output, *given) for function in
+                  (interpolation.interpolate_backward_loop, interpolation.interpolate_backward))
+    np.testing.assert_allclose(fast[0], loop[0], rtol=1e-13, atol=1e-13)
+    np.testing.assert_allclose(fast[1], loop[1], rtol=1e-13, atol=1e-14)
+
+
+def test_the_backward_pass_of_a_mesh():
+    """A picture of a mesh, all the way: its gradients by attributes and weights."""
+    attributes, faces, face_index, barycentric = bunny(20, 15)
+
+    gradcheck(lambda attributes, barycentric: interpolation.interpolate(
+                  attributes, faces, face_index, barycentric),
+              lambda grad, attributes, barycentric: interpolation.interpolate_backward(
+                  grad, attributes, faces, face_index, barycentric),
+              (attributes, barycentric), name="interpolate_bunny")
+
+
+@pytest.mark.parametrize("row", [-1, 4, 10**8])
+def test_a_face_that_names_no_vertex_is_told(row):
+    """SciPy trusts the column numbers: garbage from beside the array, or the end of the process."""
+    attributes, faces = np.arange(8.0).reshape(4, 2), np.array([[0, 1, 2], [2, 1, row]])
+    face_index, barycentric = np.array([[-1, 1, 0]]), np.full((1, 3, 3), 1 / 3)
+    derivatives = np.zeros((1, 3, 3, 2))
+    upstream = np.ones((1, 3, 2))
+    for call in (lambda seen: interpolation.interpolate(attributes, faces, seen, barycentric),
+                 lambda seen: interpolation.interpolate_backward(upstream, attributes, faces, seen,
+                                                                 barycentric),
+                 lambda seen: interpolation.interpolate_derivatives(attributes, faces, seen,
+                                                                    derivatives)):
+        with pytest.raises(IndexError, match="which have 4: give the faces"):
+            call(face_index)
+        call(np.minimum(face_index, 0))  # a face that nobody sees does no harm

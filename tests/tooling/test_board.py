@@ -1,0 +1,489 @@
+"""The progress board: verdicts, points, what comes next, exit status, JSON."""
+import io
+import json
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from course import board, checks
+from course.given import places
+from course.upkeep import skeleton
+
+REFERENCE = '''\
+"""Made up."""
+
+
+def double(x):  # exercise 1.1 (2 points)
+    """Twice x."""
+    return 2 * x
+
+
+def half(x):  # exercise 1.2 (3 points)
+    """Half of x."""
+    return x / 2
+
+
+def between(x):
+    return half(x)
+
+
+def quarter(x):  # exercise 1.3 (1 point)
+    """Half of the half."""
+    return half(between(x))
+
+
+def mask(n):  # exercise 1.4 (4 points)
+    """Not started."""
+    return n
+
+
+def area(n):  # exercise 1.5 (2 points)
+    """Calls mask."""
+    return mask(n)
+
+
+def unchecked(x):  # exercise 1.6 (5 points)
+    """Without a check."""
+    return x
+
+
+def skipped(x):  # exercise 1.7 (1 point)
+    """Its only check is skipped."""
+    return x
+'''
+
+LAB = "# Mine.\n" + REFERENCE.replace("return x / 2", "return x / 3").replace(
+    "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
+
+CHECKS = '''\
+import pytest
+
+from course.checks import assert_close, exercise
+
+
+@exercise("1.1")
+def test_twice(impl):
+    """Once."""
+    assert_close(impl.double(2.0), 4.0)
+
+
+@exercise("1.2")
+def test_half_of_nothing(impl):
+    """Something."""
+    print("nothing")
+    assert_close(impl.half(0.0), 0.0)
+
+
+@exercise("1.2")
+def test_half_of_three(impl):
+    """A third."""
+    print("three")
+    assert_close(impl.half(3.0), 1.5)
+
+
+@exercise("1.3")
+def test_quarter_of_one(impl):
+    """A third of the third."""
+    assert_close(impl.quarter(1.0), 0.25)
+
+
+@exercise("1.4")
+def test_mask_is_masked(impl):
+    """It is not."""
+    assert_close(impl.mask(2), 2)
+
+
+@exercise("1.5")
+def test_area_is_counted(impl):
+    """It is not."""
+    assert_close(impl.area(2), 2)
+
+
+@exercise("1.7")
+@pytest.mark.skip
+def test_skipped(impl):
+    """Left out."""
+
+
+def test_of_given_code(impl):
+    assert impl.between(2.0) == 1.0
+'''
+
+SECOND = '''\
+def twice(x):  # exercise 2.1 (3 points)
+    """Twice x."""
+    return 2 * x
+'''
+
+SECOND_CHECKS = '''\
+from course.checks import assert_close, exercise
+
+
+@exercise("2.1")
+def test_twice_is_more(impl, rng):
+    """Less."""
+    x = rng.random()
+    assert_close(impl.twice(x), x + x)
+'''
+
+FILES = {
+    "reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
+    "reference/rasterization.py": SECOND, "labs/rasterization.py": SECOND,
+    "tests/labs/test_transforms.py": CHECKS, "tests/labs/test_rasterization.py": SECOND_CHECKS,
+    "notebooks/01_transforms.ipynb": "",
+}
+
+
+@pytest.fixture(scope="module")
+def course(house):
+    return house(FILES)
+
+
+@pytest.fixture(scope="module")
+def check(course, run_module):
+    return lambda *asked: run_module(course, "course", "check", *asked)
+
+
+@pytest.fixture(scope="module")
+def whole(course, check):
+    """The board of all labs: (the process, its JSON)."""
+    done = check("--json", "board.json")
+    return done, json.loads((course / "board.json").read_text(encoding="utf-8"))
+
+
+def lines(text):
+    return [line.rstrip() for line in text.splitlines()]
+
+
+def test_the_board_shows_points_and_verdicts_of_every_lab(whole):
+    """Points for a part of the checks, a blocked exercise that seems wrong, a lab left out."""
+    done, _ = whole
+    assert done.stderr == ""
+    assert lines(done.stdout)[:10] == [
+        "Lab 1  transforms     2 of 18   ##..................",
+        "  1.1  double         2 points  done",
+        "  1.2  half           3 points  failing",
+        "  1.3  quarter        1 point   blocked by 1.2",
+        "  1.4  mask           4 points  not started",
+        "  1.5  area           2 points  blocked by 1.4",
+        "  1.6  unchecked      5 points  failing",
+        "  1.7  skipped        1 point   failing",
+        "Lab 2  rasterization  3 of 3    ####################",
+        "  2.1  twice          3 points  done",
+    ]
+
+
+def test_below_stands_what_to_do_next_and_why_it_fails(whole):
+    """The first exercise that fails is passed over, or its first check shown, which passes."""
+    done, _ = whole
+    assert lines(done.stdout)[10:] == [
+        "",
+        "Next: 1.2 half, failing in 1 of 2 checks",
+        "claim     Half of three",
+        "catches   A third.",
+        "given     half(x=3.0)",
+        "expected  1.5",
+        "got       1.0",
+        "differs   by 0.5; allowed 1e-12 + 1e-09 |expected|",
+        "check     tests/labs/test_transforms.py:23",
+        "          assert_close(impl.half(3.0), 1.5)",
+        "seed      0",
+        "printed   three",
+        "again     python3 -m course check 1.2",
+        "read      labs/transforms.py:10, the docstring is the question",
+        "          notebooks/01_transforms.ipynb",
+    ]
+    assert done.returncode == 1
+
+
+def test_the_json_holds_the_board_and_every_check(whole):
+    """A key is missing, or points of an exercise that is not done are counted."""
+    _, found = whole
+    assert (found["points"], found["of"]) == (5, 21)
+    verdicts = {entry["number"]: entry["verdict"] for entry in found["exercises"]}
+    assert verdicts == {"1.1": "done", "1.2": "failing", "1.3": "blocked by 1.2",
+                        "1.4": "not started", "1.5": "blocked by 1.4", "1.6": "failing",
+                        "1.7": "failing", "2.1": "done"}
+    half = found["exercises"][1]
+    assert half | {"checks": []} == {"number": "1.2", "name": "half", "topic": "transforms",
+                                     "points": 3, "verdict": "failing", "checks": []}
+    passed, failed = half["checks"]
+    assert passed["verdict"] == "passed" and passed["message"] == ""
+    assert failed["seconds"] >= 0 and failed["picture"] is None
+    assert failed["message"].startswith("catches   A third.\ngiven     half(x=3.0)\n")
+    assert failed | {"seconds": 0, "message": ""} == {
+        "exercise": "1.2", "nodeid": "tests/labs/test_transforms.py::test_half_of_three",
+        "claim": "Half of three", "verdict": "failed", "message": "", "picture": None, "seconds": 0}
+    assert found["exercises"][5]["checks"] == []
+
+
+@pytest.mark.parametrize(("asked", "status", "numbers", "next_line"), [
+    (["1.1"], 0, ["1.1"], "All that was asked for is done, 2 of 2 points. Next: 1.2 half."),
+    (["rasterization"], 0, ["2.1"],
+     "All that was asked for is done, 3 of 3 points. "
+     "Next: python3 -m course check, for the rest."),
+    (["1.3"], 1, ["1.3"], "Next: 1.2 half, failing in 1 of 2 checks"),
+    (["1.4"], 1, ["1.4"], "Next: 1.4 mask, not started"),
+    (["1.6"], 1, ["1.6"], "Next: 1.6 unchecked, failing"),
+    (["2", "--impl", "reference"], 0, ["2.1"],
+     "All that was asked for is done, 3 of 3 points. "
+     "Next: python3 -m course check, for the rest."),
+    (["1.2", "--impl", "reference"], 0, ["1.2"],
+     "All that was asked for is done, 3 of 3 points. Next: 1.3 quarter."),
+], ids=lambda value: " ".join(value) if isinstance(value, list) else "")
+def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, status, numbers,
+                                                               next_line):
+    """More is judged than was asked for, or a lab passes because nothing was run."""
+    done = check(*asked)
+    table, _, below = done.stdout.partition("\n\n")
+    assert [line.split()[0] for line in lines(table) if not line.startswith("Lab")] == numbers
+    assert lines(below)[0] == next_line
+    assert done.returncode == status
+
+
+def test_an_exercise_without_a_check_says_so(check):
+    """It is done, as nothing fails."""
+    assert "wrong     it has no check in tests/labs/test_transforms.py" in check("1.6").stdout
+
+
+@pytest.mark.parametrize("target", ["1.8", "3", "sampling", "tests", ""])
+def test_an_unknown_target_is_told_with_what_there_is(course, monkeypatch, target):
+    """Nothing is checked, and that counts as passed."""
+    monkeypatch.setattr(places, "ROOT", course)
+    with pytest.raises(ValueError) as error:
+        board.check(target)
+    assert str(error.value) == (
+        f'there is no lab or exercise "{target}"; give a lab (1 or transforms, 2 or rasterization) '
+        "or an exercise (1.1 to 1.7, 2.1)")
+
+
+def test_other_settings_reach_the_checks_and_the_command_that_repeats_them(check):
+    """The numbers that failed cannot be drawn again."""
+    done = check("1.2", "--seed", "7", "--impl", "labs/../labs")
+    assert "seed      7\n" in done.stdout
+    assert "again     python3 -m course check 1.2 --impl labs/../labs --seed 7\n" in done.stdout
+
+
+BREAKS_AFTERWARDS = '''
+@pytest.fixture
+def breaks():
+    yield
+    raise OSError("broken")
+'''
+
+
+def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_module):
+    """A file that cannot be read, a check of no exercise or a broken fixture pass in silence."""
+    root = house(FILES | {
+        "tests/labs/test_rasterization.py": "import nothing\n",
+        "tests/labs/test_transforms.py": CHECKS.replace('"1.7"', '"1.9"').replace(
+            "half_of_nothing(impl)", "half_of_nothing(impl, breaks)") + BREAKS_AFTERWARDS})
+    done = run_module(root, "course", "check", "--impl", "reference")
+    assert ("tests/labs/test_rasterization.py cannot be collected: "
+            "ModuleNotFoundError: No module named 'nothing'") in done.stdout
+    assert ("tests/labs/test_transforms.py::test_skipped names exercise 1.9, "
+            "and there is none") in done.stdout
+    assert "  2.1  twice          3 points  failing" in done.stdout
+    assert "  1.2  half           3 points  failing" in done.stdout
+    assert "wrong     OSError: broken" in done.stdout
+    done = run_module(root, "course", "check", "1.1")
+    assert "All that was asked for is done" in done.stdout
+    assert done.returncode == 1
+
+
+def test_a_test_run_that_breaks_off_spoils_the_board(house, run_module):
+    """No check has failed, as none has run."""
+    settings = '[tool.pytest.ini_options]\npythonpath = ["."]\naddopts = "--nonsense"\n'
+    done = run_module(house(FILES | {"pyproject.toml": settings}), "course", "check", "2")
+    assert done.returncode == 1
+    assert "pytest broke off" in done.stdout
+    assert "--nonsense" in done.stderr
+
+
+TWICE = '''\
+import os
+from pathlib import Path
+
+from course import board
+
+os.environ["PYTEST_ADDOPTS"] = "--collect-only"
+lab = Path("labs/rasterization.py")
+right = lab.read_text()
+lab.write_text(right.replace("2 *", "3 *"))
+print("status", board.check("2"))
+lab.write_text(right)
+print("status", board.check("2"))
+'''
+
+
+HANDED_OUT = """\
+def twice(x):  # exercise 1.1 (2 points)
+    \"\"\"2 x.\"\"\"
+    {body}
+"""
+ITS_CHECK = """\
+from course.checks import assert_close, exercise
+
+
+@exercise("1.1")
+def test_two(impl):
+    assert_close(impl.twice(1.0), 2.0)
+"""
+
+
+def test_a_hand_out_without_reference_has_its_board(house, run_module):
+    """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
+    right = HANDED_OUT.format(body="return 2 * x")
+    files = {"tests/labs/test_transforms.py": ITS_CHECK, "labs/transforms.py": right}
+    done = run_module(house(files), "course", "check", "1")
+    assert done.returncode == 0 and "2 of 2" in done.stdout
+    files["labs/transforms.py"] = HANDED_OUT.format(body="return 2 *")
+    broken = run_module(house(files), "course", "check", "1")
+    assert broken.returncode == 2
+    assert broken.stderr.startswith("course: labs/transforms.py, line 3: this is not Python")
+
+
+def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):
+    """In a notebook, a mended exercise keeps failing; a user's own settings change the verdict."""
+    done = run_module(house(FILES | {"twice.py": TWICE}), "twice")
+    assert [line for line in lines(done.stdout) if line.startswith("status")] == [
+        "status 1", "status 0"], done.stdout + done.stderr
+
+
+def entry(number, verdict, *verdicts):
+    found = [checks.Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0)
+             for k, text in enumerate(verdicts)]
+    return board.Entry("transforms", skeleton.Exercise(number, "f", 2, 4, ()), verdict, found)
+
+
+@pytest.mark.parametrize(("entries", "text"), [
+    ([entry("1.1", "failing", "passed", "blocked by 2.1", "failed")],
+     "Next: 1.1 f, failing in 2 of 3 checks\nclaim     claim 2\nfor it is failed\n"
+     "again     python3 -m course check 1.1\n"),
+    ([entry("1.1", "done", "passed"), entry("1.2", "blocked by 1.3", "failed"),
+      entry("1.3", "not started", "not started")],
+     "Next: 1.3 f, not started\nclaim     claim 0\nagain     python3 -m course check 1.3\n"),
+    ([entry("1.1", "done", "passed"), entry("1.2", "blocked by 2.1", "blocked by 2.1")],
+     "Next: 1.2 f, blocked by 2.1\nclaim     claim 0\nfor it is blocked by 2.1\n"
+     "again     python3 -m course check 2.1\n"),
+], ids=["failing", "blocked by a later one", "blocked by another lab"])
+def test_next_is_what_can_be_worked_on_with_the_check_that_says_why(entries, text):
+    """A student is sent to an exercise that is done, or that waits for another."""
+    assert board.next_to_do(entries, places.ROOT / "labs", "labs", 0).startswith(text)
+
+
+def test_pictures_of_what_failed_are_listed_and_opened(tmp_path, monkeypatch, capsys):
+    """A picture that is there is not found, or a browser is opened where all is done."""
+    opened = []
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    monkeypatch.setattr(board.webbrowser, "open", opened.append)
+    board.open_pictures([entry("1.1", "done", "passed"), entry("1.2", "not started")], 0)
+    assert not opened and capsys.readouterr().out == ""
+    picture = places.out("checks", "x.png")
+    picture.write_bytes(b"a picture")
+    failing = entry("1.3", "failing", "failed", "passed")
+    failing.checks[0] = failing.checks[0]._replace(picture=str(picture))
+    board.open_pictures([failing], 0)
+    page = tmp_path / "out" / "checks" / "failed.html"
+    assert opened == [page.as_uri()]
+    assert lines(capsys.readouterr().out)[2:] == ["out/checks/x.png", "out/checks/failed.html"]
+    assert "for it is failed" in page.read_text() and "image/png;base64,YSBwaWN" in page.read_text()
+
+
+def test_a_file_that_is_not_python_is_one_line(house, run_module):
+    """Every check of the lab fails, each with the same traceback, and other labs are not run."""
+    root = house(FILES | {"labs/transforms.py": LAB.replace("return 2 * x", "return 2 * (x")})
+    done = run_module(root, "course", "check", "--json", "board.json")
+    assert lines(done.stdout)[:2] == ["Lab 1  transforms     0 of 18   ....................",
+                                      "  1.1  double         2 points  not readable"]
+    assert lines(done.stdout)[-3:] == [
+        "  2.1  twice          3 points  done", "",
+        "labs/transforms.py, line 7: this is not Python ('(' was never closed); mend it first"]
+    assert done.returncode == 1 and done.stderr == ""
+    assert json.loads((root / "board.json").read_text())["points"] == 3
+
+
+LECTURE = {"cells": [
+    {"cell_type": "markdown", "source": ["# Twice\n", "`thrice` comes later.\n"]},
+    {"cell_type": "markdown", "source": ["## 1. Once\n", "Here is 2.1, and `once`.\n"]},
+    {"cell_type": "code", "source": ["# 2.1\n", "half(2.1)\n"]},
+    {"cell_type": "markdown", "source": "*Exercises 2.15 and 2.2.*\n## 2. Twice\n*Exercise 2.1*"},
+    {"cell_type": "markdown", "source": ["## Exercises\n", "| 1 | 2.1 `twice`, 2.4 `fourth` |"]}]}
+
+
+@pytest.mark.parametrize(("number", "name", "section"), [
+    ("2.1", "twice", "2. Twice"), ("2.2", "f", "1. Once"), ("2.5", "once", "1. Once"),
+    ("2.6", "half", "1. Once"), ("2.4", "fourth", "Exercises")])
+def test_the_section_of_an_exercise_is_found(tmp_path, number, name, section):
+    """A student is sent to the section before, to that of 2.15, or to a number that is none."""
+    (tmp_path / "lecture.ipynb").write_text(json.dumps(LECTURE))
+    exercise = skeleton.Exercise(number, name, 1, 1, ())
+    assert board.section_of(tmp_path / "lecture.ipynb", exercise) == section
+
+
+def test_without_color_the_board_has_80_columns(check, monkeypatch):
+    """Verdicts are told by colour alone, or rows are wrapped."""
+    monkeypatch.setenv("COLUMNS", "80")
+    done = check()
+    table = done.stdout.partition("\n\n")[0]
+    assert "\x1b" not in done.stdout and max(map(len, table.splitlines())) <= 80
+
+
+def test_every_row_of_the_course_fits_into_80_columns():
+    """A long name is cut off."""
+    entries = [board.Entry(topic, exercise, "blocked by 16.16", [])
+               for topic in skeleton.topics() for exercise in skeleton.topic_exercises(topic)]
+    console = board.Console(width=80, file=io.StringIO(), force_terminal=False)
+    console.print(board.table(entries))
+    rows = console.file.getvalue().splitlines()
+    assert [row.split()[1] for row in rows if not row.startswith("Lab")] == [
+        entry.exercise.name for entry in entries]
+    assert sum("blocked by 16.16" in row for row in rows) == len(entries)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
+def test_watching_checks_again_when_a_file_is_saved(house):
+    """It checks all the time, once only, or ends with a file that is not Python."""
+    root = house(FILES)
+    lab = root / "labs" / "transforms.py"
+    right = lab.read_text()
+    with subprocess.Popen([sys.executable, "-m", "course", "check", "1.1", "--watch"], cwd=root,
+                          stdout=subprocess.PIPE, encoding="utf-8") as process:
+        boards = []
+        for text in (right.replace("2 * x", "3 * x"), right.replace("2 * x", "2 * (x"), right, ""):
+            said = []
+            while not said or not said[-1].startswith("Watching labs/; Ctrl-C ends this."):
+                said.append(process.stdout.readline())
+                assert said[-1], "it ended"
+            boards.append("".join(said))
+            if text:
+                lab.write_text(text)
+        process.send_signal(signal.SIGINT)
+        rest = process.communicate(timeout=20)[0]
+    assert ["done," in text or "is done" in text for text in boards] == [True, False, False, True]
+    assert "failing in 1 of 1 check" in boards[1]
+    assert "labs/transforms.py, line 7: this is not Python" in boards[2]
+    assert rest == "" and process.returncode == 130
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
+def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_module):
+    """Ctrl-C loses the board, and nobody knows where the loop is."""
+    root = house(FILES | {"labs/transforms.py": LAB.replace(
+        "return x / 3", 'while not open("started", "w").close():\n        pass')})
+    alone = run_module(root, "course", "check", "1.1")
+    assert alone.returncode == 0, "more was run than was asked for"
+    with subprocess.Popen([sys.executable, "-m", "course", "check", "1"], cwd=root,
+                          stdout=subprocess.PIPE, encoding="utf-8") as process:
+        while not (root / "started").exists() and process.poll() is None:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        output = process.communicate(timeout=20)[0]
+    assert "  1.1  double      2 points  done" in output
+    assert "\nIt was stopped. Checks that did not run count as failed.\n" in output
+    assert "Next: 1.2 half, failing in 2 of 2 checks\nclaim     Half of nothing\n" in output
+    assert "wrong     KeyboardInterrupt\n          labs/transforms.py:" in output
+    assert process.returncode == 1

@@ -1,0 +1,55 @@
+"""The checks of the whole course, both ways: every one fails on the skeleton, as not started.
+
+That every one passes on the reference is the rest of the test run.
+"""
+import json
+
+import pytest
+
+from course.upkeep import skeleton
+
+EXERCISES = {exercise.number: (topic, exercise.name)
+             for topic in skeleton.topics() for exercise in skeleton.topic_exercises(topic)}
+
+
+@pytest.fixture(scope="module")
+def board(tmp_path_factory, run_module, pytestconfig):
+    """The board of the reference's own skeleton: (what was printed, {number: its entry})."""
+    folder = tmp_path_factory.mktemp("skeleton")
+    for topic in skeleton.topics():
+        text = skeleton.skeleton(skeleton.read(skeleton.reference(topic)))
+        (folder / f"{topic}.py").write_bytes(text.encode("utf-8"))
+    done = run_module(pytestconfig.rootpath, "course", "check", "--impl", folder,
+                      "--json", folder / "board.json")
+    assert done.returncode == 1, done.stdout + done.stderr
+    entries = json.loads((folder / "board.json").read_text(encoding="utf-8"))["exercises"]
+    return done.stdout, {entry["number"]: entry for entry in entries}
+
+
+def test_every_exercise_of_the_reference_has_a_check(board):
+    """An exercise whose points nobody can get, or everybody does."""
+    assert list(board[1]) == list(EXERCISES)
+    assert [number for number, entry in board[1].items() if not entry["checks"]] == []
+
+
+def test_every_check_is_of_an_exercise_that_exists(board):
+    """A check that no board ever runs, for its number is mistyped or its file cannot be read."""
+    assert "there is none" not in board[0]
+    assert "cannot be collected" not in board[0]
+
+
+def test_every_check_stands_in_its_topics_file(board):
+    """A check whose impl is another topic's module."""
+    for number, (topic, _) in EXERCISES.items():
+        for check in board[1][number]["checks"]:
+            assert check["nodeid"].startswith(f"tests/labs/test_{topic}.py::")
+
+
+def test_on_the_skeleton_every_check_fails_as_not_started(board):
+    """A check that an empty exercise passes, or that needs another exercise than its own."""
+    expected = {number: f"verdict   not started (exercise {number}: {name})"
+                for number, (_, name) in EXERCISES.items()}
+    wrong = {check["nodeid"]: check["message"] for number, entry in board[1].items()
+             for check in entry["checks"] if check["message"] != expected[number]}
+    assert wrong == {}
+    assert {entry["verdict"] for entry in board[1].values()} == {"not started"}

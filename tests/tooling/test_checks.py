@@ -1,0 +1,675 @@
+"""What a failed check tells a student, and what counts as passed."""
+import inspect
+import math
+import re
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from course import checks
+from course.checks import Mismatch, assert_close, assert_equal, assert_picture
+from course.given import places
+
+# --- assertions -------------------------------------------------------------------------------
+
+
+def text_of(assertion, *args, **options):
+    with pytest.raises(Mismatch) as error:
+        assertion(*args, **options)
+    return str(error.value)
+
+
+@pytest.fixture
+def pictures(tmp_path, monkeypatch):
+    """The folder in which pictures of mismatches land."""
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    return tmp_path / "out" / "checks"
+
+
+@pytest.mark.parametrize(("got", "expected"), [
+    (1, 1.0), (1.0, 1), (np.float64(1), 1.0), (1 + 1e-10, 1.0), (1e-13, 0.0),
+    ([1, 2], np.array([1.0, 2.0])), (np.array([1, 2], np.float32), np.array([1.0, 2.0])),
+    (math.inf, math.inf), (np.array([math.nan, 1]), np.array([math.nan, 1])),
+    ((1.0, [2, 3]), (1, np.array([2.0, 3.0]))), ([1.0, 2.0], (1.0, 2.0)),
+    (np.zeros((0, 3)), np.zeros((0, 3))), (1 + 2j, 1 + 2j), (1, 1 + 0j), (True, True),
+    ((1, (2, 3)), (1, (2, 3))),
+], ids=repr)
+def test_close_accepts(got, expected):
+    """A right answer is refused because it came as a list, an integer or a float32."""
+    assert_close(got, expected)
+
+
+@pytest.mark.parametrize(("got", "expected", "row"), [
+    (1 + 1e-8, 1.0, "by 1e-08; allowed 1e-12 + 1e-09 |expected|"),
+    (math.nan, 1.0, "by inf; allowed"),
+    (-math.inf, math.inf, "by inf; allowed"),
+    (1.0, math.nan, "by inf; allowed"),
+    (np.ones(3), np.ones((1, 3)), "in shape: (3,) came, (1, 3) was expected"),
+    (np.ones(1), 1.0, "in shape: (1,) came, () was expected"),
+    (1 + 0j, 1.0, "in kind: complex numbers came, floats were expected"),
+    (True, 1.0, "in kind: booleans came, floats were expected"),
+    ("1.0", 1.0, "in kind: strings came, floats were expected"),
+    (None, 1.0, "in kind: a NoneType that is no array of numbers came, floats were expected"),
+    ([[1, 2], [3]], np.ones((2, 2)),
+     "in kind: a list that is no array of numbers came, floats were expected"),
+    ({1: 2}, 1.0, "in kind: a dict that is no array of numbers came, floats were expected"),
+    (1.0, (1.0, 2.0), "a tuple of 2 was expected"),
+    ((1.0,), (1.0, 2.0), "a tuple of 2 was expected"),
+    (np.array([0.0, 1, 5, 2]), np.arange(4.0),
+     "in 2 of 4, first at [2]: 5.0 came, 2.0 was expected; by 3 at most, at [2]; allowed"),
+], ids=repr)
+def test_close_refuses_and_says_in_what_it_differs(got, expected, row):
+    """A wrong kind, shape or number passes, or the sentence is about something else."""
+    assert f"differs {row}" in " ".join(text_of(assert_close, got, expected).split())
+
+
+def test_the_output_of_several_that_differs_is_named():
+    """Of three gradients, the student does not know which one is wrong."""
+    text = text_of(assert_close, (1.0, np.ones(2), 3.0), (1.0, np.zeros(2), 4.0))
+    assert "output    2 of 3\nexpected  [0., 0.]\ngot       [1., 1.]" in text
+
+
+def test_tolerances_are_those_that_were_given():
+    """rtol and atol are swapped, or not used."""
+    assert_close(101.0, 100.0, rtol=0.02, atol=0)
+    assert_close(0.01, 0.0, rtol=0, atol=0.02)
+    text_of(assert_close, 101.0, 100.0, rtol=0, atol=0.02)
+    text_of(assert_close, 0.01, 0.0, rtol=0.02, atol=0)
+
+
+@pytest.mark.parametrize(("got", "expected"), [
+    (1, 1), (np.int32(1), 1), (True, True), ("nearest", "nearest"), ((1, "a"), (1, "a")),
+    (np.array([1, -1]), [1, -1]), (0.1, 0.1), (np.array([math.nan, 1.0]), [math.nan, 1.0]),
+], ids=repr)
+def test_equal_accepts(got, expected):
+    """A right answer is refused."""
+    assert_equal(got, expected)
+
+
+@pytest.mark.parametrize(("got", "expected"), [
+    (2, 1), (1.0, 1), (True, 1), (1, True), (False, True), ("linear", "nearest"), (0.1 + 0.2, 0.3),
+    ((1, 2), (1, 3)), (np.array([1, 2]), [1, 3]), (np.array([1, 2]), [1]), (None, 1),
+], ids=repr)
+def test_equal_refuses(got, expected):
+    """Equal means close, or kinds are mixed: a mask of 0 and 1, face indices that are floats."""
+    assert text_of(assert_equal, got, expected)
+
+
+CORNER = np.array([[1.0, 2.0, 4.0], [-3.0, 5.0, 9.0]])
+FACE_INDEX = np.array([[-1, -1, -1, -1, -1, -1],
+                       [-1, -1,  0,  0,  2, -1],
+                       [-1, -1,  0, -1, -1, -1],
+                       [-1, -1, -1, -1, -1, -1],
+                       [-1, -1, -1, -1, -1, -1]])
+
+
+@pytest.mark.parametrize(("assertion", "got", "expected", "hint"), [
+    (assert_close, -CORNER, CORNER, "the sign is flipped"),
+    (assert_close, CORNER.T, CORNER, "rows and columns are swapped"),
+    (assert_close, CORNER[::-1], CORNER, "the order along axis 0 is reversed"),
+    (assert_close, CORNER[:, ::-1], CORNER, "the order along axis 1 is reversed"),
+    (assert_close, CORNER * 2, CORNER, "everything is 2 times what was expected"),
+    (assert_close, CORNER + 0.5, CORNER, "everything is 0.5 more than expected"),
+    (assert_close, np.float32(CORNER / 3), CORNER / 3, "float32 is not precise enough"),
+    (assert_equal, CORNER < 3, CORNER >= 3, "true and false are swapped"),
+    (assert_picture, FACE_INDEX[::-1], FACE_INDEX, "it is upside down; row 0 is at the bottom"),
+    (assert_picture, FACE_INDEX[:, ::-1], FACE_INDEX, "left and right are swapped"),
+    (assert_picture, FACE_INDEX + 1, FACE_INDEX, "everything is 1 more than expected"),
+    (assert_picture, np.roll(FACE_INDEX, 1, 0), FACE_INDEX, "it is one pixel too high"),
+    (assert_picture, np.roll(FACE_INDEX, -1, 0), FACE_INDEX, "it is one pixel too low"),
+    (assert_picture, np.roll(FACE_INDEX, 1, 1), FACE_INDEX, "it is one pixel too far right"),
+    (assert_picture, np.roll(FACE_INDEX, -1, 1), FACE_INDEX, "it is one pixel too far left"),
+], ids=lambda value: value if isinstance(value, str) else "")
+def test_a_common_mistake_is_named(pictures, assertion, got, expected, hint):
+    """The hint names another mistake, or the opposite direction."""
+    assert f"hint      {hint}" in text_of(assertion, got, expected)
+
+
+def test_no_mistake_is_named_where_none_explains_the_numbers():
+    """A hint that is only a guess."""
+    assert "hint" not in text_of(assert_close, CORNER + CORNER ** 2, CORNER)
+
+
+def test_a_small_raster_is_printed_with_its_top_row_first(pictures):
+    """The map is upside down, or missing and extra are swapped."""
+    got = np.array([[-1, 0, 1, -1], [-1, -1, 3, 3]])
+    expected = np.array([[-1, 0, 2, -1], [0, -1, -1, 3]])
+    assert ("map       ?.!#\n"
+            "          .#x.\n"
+            "          (# right, ? missing, ! extra, x other, . background; "
+            "top row first)") in text_of(assert_picture, got, expected)
+    assert "map       ?!\n" in text_of(assert_picture, np.array([[False, True]]),
+                                       np.array([[True, False]]))
+
+
+def test_a_picture_shows_expected_got_and_difference_upright(pictures, monkeypatch):
+    """The panels are swapped, upside down, or the box is around another pixel."""
+    monkeypatch.setenv("PYTEST_CURRENT_TEST", "tests/labs/test_x.py::test_it[a/b] (call)")
+    expected = np.zeros((4, 8))
+    expected[0, 0] = 1
+    got = expected.copy()
+    got[3, 7], got[3, 0] = 1, 0.5
+    text = text_of(assert_picture, got, expected)
+    assert "picture   out/checks/x_it_a_b.png" in text
+    with Image.open(pictures / "x_it_a_b.png") as picture:
+        pixels = np.asarray(picture)
+    side, step, top = 32, 8 * 32 + checks.GAP, checks.GAP + 4
+
+    def shade(panel, row, column):
+        return pixels[top + row * side + side // 2,
+                      checks.GAP + panel * step + column * side + side // 2].tolist()
+
+    black, white, red = [0, 0, 0], [255, 255, 255], [255, 51, 0]
+    assert [shade(0, 3, 0), shade(0, 0, 7)] == [white, black]
+    assert [shade(1, 3, 0), shade(1, 0, 7)] == [white, white]
+    assert [shade(2, 3, 0), shade(2, 0, 7)] == [black, red]
+    assert shade(2, 0, 0)[0] < 255
+    boxed = np.argwhere((pixels == (255, 165, 0)).all(-1)) - (top, checks.GAP)
+    assert boxed.min(0).tolist() == [-2, 7 * side - 2]
+    assert boxed.max(0).tolist() == [side + 1, 2 * step + 8 * side + 1]
+
+
+@pytest.mark.parametrize("shape", [(3, 4), (3, 4, 1), (3, 4, 2), (3, 4, 3), (3, 4, 5), (1, 600)])
+@pytest.mark.parametrize("kind", [bool, int, float])
+def test_any_raster_can_be_drawn(pictures, shape, kind):
+    """A raster of one channel, of booleans, of NaN and infinity crashes the report."""
+    expected = np.zeros(shape, kind)
+    got = expected.copy()
+    got[0, 1], got[0, 2] = (math.nan, math.inf) if kind is float else (1, 1)
+    assert "picture " in text_of(assert_picture, got, expected)
+
+
+def test_a_raster_of_another_shape_or_kind_is_not_drawn(pictures):
+    """The report itself crashes."""
+    assert "in shape" in text_of(assert_picture, np.zeros((2, 3)), np.zeros((3, 3)))
+    assert "in shape" in text_of(assert_picture, np.zeros(3), np.zeros((3, 3)))
+    assert "in kind" in text_of(assert_picture, np.zeros((3, 3)), np.zeros((3, 3), int))
+    assert "in kind" in text_of(assert_picture, None, np.zeros((3, 3)))
+    assert not pictures.exists()
+
+
+def test_without_a_place_for_the_picture_the_text_remains(pictures):
+    """Where out/ cannot be written, the student is told about folders and not about pixels."""
+    pictures.parent.write_text("a file, not a folder")
+    text = text_of(assert_picture, FACE_INDEX + 1, FACE_INDEX)
+    assert "first at [0, 0]: 0 came, -1 was expected" in text
+    assert "picture   none: " in text
+
+
+def test_a_picture_is_compared_within_atol_and_infinity_with_infinity():
+    """Background depth is infinite, and infinity minus infinity is not zero."""
+    expected = np.array([[math.inf, 0.5], [math.nan, 0.25]])
+    assert_picture(expected + 1e-4, expected, atol=1e-3)
+
+
+@pytest.mark.parametrize(("value", "text"), [
+    (np.eye(2), "[[1., 0.],\n [0., 1.]]"), (np.float64(0.1), "0.1"), ((1, "a"), "(1, 'a')"),
+    ((1,), "(1,)"), ([1, 2], "[1, 2]"), (np.zeros((0, 3)), "float64 (0, 3): []"),
+    (np.arange(100).reshape(4, 25), "int64 (4, 25): [ 0,  1,  2, ..., 97, 98, 99]"),
+], ids=repr)
+def test_values_are_shown_as_one_would_type_them(value, text):
+    """np.float64(0.1), or a thousand numbers."""
+    assert checks.shown(value).replace("int32", "int64") == text
+
+
+def test_a_report_has_80_columns_and_a_command_stays_whole():
+    """The terminal breaks lines in the middle of a number, or a command cannot be copied."""
+    def look(weights, longer_name, picture):
+        return weights
+
+    rng = np.random.default_rng(0)
+    arrays = -rng.random((5, 4)), rng.random((9, 3, 2)) * 1e6, rng.random(20) + 1j
+    prose = "one more word " * 20
+    text = checks.layout([("catches", prose), ("given", checks.shown_call(look, arrays, {})),
+                          ("wrong", f"It\n    x = {prose}"), ("again", prose.strip())])
+    *lines, command = text.splitlines()
+    assert max(map(len, lines)) <= 80 and command == f"again     {prose.strip()}"
+    assert "\n              x = one more" in text and "\n              more word" in text
+
+
+# --- the code under test ----------------------------------------------------------------------
+
+
+def implementation(function):
+    return checks.Implementation(lambda name: function, {})
+
+
+@pytest.mark.parametrize(("returned", "sentence"), [
+    (None, "f returned None: is a return missing?"),
+    ((1, None), "f returned None as output 2 of 2"),
+])
+def test_a_missing_return_is_told(returned, sentence):
+    """None runs on into the check and gives a TypeError there."""
+    with pytest.raises(Mismatch, match=sentence.replace("?", r"\?")):
+        implementation(lambda: returned).f()
+
+
+def test_a_changed_input_is_told_by_its_name():
+    """The student's function changes the check's arrays, and a later assertion is to blame."""
+    def spoil(a, b, arrays):
+        arrays[1][...] = 2
+        return 1
+
+    def spoil_b(a, b, arrays):
+        b[0] = math.nan
+        return 1
+
+    inputs = np.zeros(2), np.array([math.nan, 1]), (np.zeros(1), np.zeros(1))
+    with pytest.raises(Mismatch, match="spoil changed its input arrays: let it work on a copy"):
+        implementation(spoil).f(*inputs)
+    inputs[1][0] = 0
+    with pytest.raises(Mismatch, match="spoil_b changed its input b"):
+        implementation(spoil_b).f(inputs[0], arrays=inputs[2], b=inputs[1])
+    assert implementation(lambda a, b: 1).f(*inputs[:2]) == 1, "NaN is not NaN"
+
+
+def test_a_call_keeps_the_functions_signature():
+    """The gradient check cannot name the inputs."""
+    assert str(inspect.signature(implementation(lambda p, a, b: 1).f)) == "(p, a, b)"
+
+
+# --- verdict and report -----------------------------------------------------------------------
+
+LAB = '''\
+"""Made up."""
+from . import sampling
+
+
+def double(x):  # exercise 1.1 (1 point)
+    return 2 * x
+
+
+def half(x):  # exercise 1.2 (1 point)
+    return quotient(x, 0)
+
+
+def quotient(x, y):
+    return x / y
+
+
+def shifted(x, by):  # exercise 1.3 (1 point)
+    print("shifting by", by)
+    return x - by
+
+
+def mask(n):  # exercise 1.4 (1 point)
+    raise NotImplementedError("exercise 1.4: mask")
+
+
+def area(n):  # exercise 1.5 (1 point)
+    return mask(n).sum()
+
+
+def deep(x):  # exercise 1.6 (1 point)
+    return deep(x + 1)
+
+
+def other(x):  # exercise 1.7 (1 point)
+    raise NotImplementedError("not yet")
+
+
+def rows(x):  # exercise 1.9 (1 point)
+    return [x, x]
+
+
+def strict(x):  # exercise 1.8 (1 point)
+    assert x > 0, "too small"
+    return x
+'''
+
+CHECKS = '''\
+import numpy as np
+import pytest
+
+from course.checks import assert_close, exercise
+
+
+@pytest.fixture
+def spoilt():
+    yield
+    raise OSError("spoilt")
+
+
+@exercise("1.1")
+def test_double_is_twice(impl):
+    """Half."""
+    assert_close(impl.double(3.0), 6.0)
+
+
+@exercise("1.2")
+def test_half_of_one(impl):
+    """Division by zero.
+
+    More about it.
+    """
+    assert_close(impl.half(1.0), 0.5)
+
+
+@exercise("1.3")
+@pytest.mark.parametrize("by", [1.0, 2.0], ids=["one", "two"])
+def test_shifted_adds(impl, by):
+    """The sign."""
+    assert_close(
+        impl.shifted(np.zeros((2, 2)), by=by), np.full((2, 2), by))
+
+
+@exercise("1.3")
+def test_shifted_of_other_things(impl):
+    assert_close(impl.shifted(1.0, 0.0), 2.0, given={"told": "so"})
+
+
+@exercise("1.3")
+def test_shifted_by_nothing(impl):
+    """It does something."""
+    assert impl.shifted(1.0, 0.0) == 2.0, "it moved"
+
+
+@exercise("1.3")
+def test_shifted_refuses_text(impl):
+    """It takes everything."""
+    with pytest.raises(ValueError):
+        impl.shifted(1.0, 2.0)
+
+
+@exercise("1.4")
+def test_mask_is_square(impl):
+    """It is not."""
+    assert impl.mask(3).shape == (3, 3)
+
+
+@exercise("1.5")
+def test_area_counts(impl):
+    """It does not."""
+    assert impl.area(3) == 6
+
+
+@exercise("1.6")
+def test_deep_ends(impl):
+    """Recursion without an end."""
+    impl.deep(0)
+
+
+@exercise("1.7")
+def test_other(impl):
+    """Nothing."""
+    impl.other(0)
+
+
+@exercise("1.1")
+@pytest.mark.skip
+def test_skipped(impl):
+    """Left out."""
+
+
+@exercise("1.1")
+def test_skips_itself(impl):
+    """Left out."""
+    pytest.skip("not today")
+
+
+@exercise("1.1")
+@pytest.mark.xfail
+def test_expected_to_fail(impl):
+    """A failure that nobody minds."""
+    assert impl.double(3.0) == 7.0
+
+
+@exercise("1.1")
+@pytest.mark.xfail(strict=False)
+def test_expected_to_fail_and_passing(impl):
+    """A failure that nobody minds."""
+    assert impl.double(3.0) == 6.0
+
+
+@exercise("1.1")
+def test_passes_and_breaks_after(impl, spoilt):
+    """Its fixture."""
+
+
+@exercise("1.1")
+def test_numbers_are_this_checks_own(impl, rng, request):
+    """They are always the same."""
+    print("drew", request.node.name, rng.random())
+
+
+@exercise("1.1")
+def test_numbers_are_not_those_of_another(impl, rng, request):
+    """They are always the same."""
+    print("drew", request.node.name, rng.random())
+
+
+def test_of_no_exercise():
+    assert 1 == 2
+
+
+class Told(AssertionError):
+    pass
+
+
+@exercise("1.9")
+def test_rows_are_two(impl):
+    """One."""
+    assert impl.rows(1.0)[:, None].shape == (2, 1)
+
+
+@exercise("1.8")
+def test_strict_is_not_strict(impl):
+    """It is."""
+    impl.strict(0)
+
+
+@exercise("1.8")
+def test_strict_tells_all(impl):
+    """It keeps silent."""
+    impl.strict(1)
+    raise Told("it was given 1")
+'''
+
+
+@pytest.fixture(scope="module")
+def course(house):
+    return house({"labs/transforms.py": LAB, "labs/sampling.py": "", "reference/__init__.py": "",
+                  "tests/labs/test_transforms.py": CHECKS})
+
+
+@pytest.fixture(scope="module")
+def output(course, run_module):
+    """What pytest prints about the made-up lab, in parts: {test: its text}."""
+    done = run_module(course, "pytest", "--impl=labs", "tests/labs/test_transforms.py")
+    assert done.returncode == 1, done.stdout + done.stderr
+    parts = re.split(r"\n_* ?(?:ERROR at \w+ of )?(test_[^ ]*) _*\n", done.stdout)
+    return dict(zip(parts[1::2], parts[2::2], strict=True)) | {"all": done.stdout}
+
+
+def test_a_failed_check_shows_claim_mistake_call_numbers_seed_and_command(output):
+    """A student has to read the check to learn what was asked, or a traceback of ours."""
+    assert output["test_shifted_adds[one]"].startswith("""\
+claim     Shifted adds [one]
+catches   The sign.
+given     shifted(
+            x=[[0., 0.],
+               [0., 0.]],
+            by=1.0,
+          )
+expected  [[1., 1.],
+           [1., 1.]]
+got       [[-1., -1.],
+           [-1., -1.]]
+differs   in 4 of 4, first at [0, 0]: -1.0 came, 1.0 was expected; by 2 at most,
+          at [0, 0]; allowed 1e-12 + 1e-09 |expected|
+hint      the sign is flipped
+check     tests/labs/test_transforms.py:32
+          assert_close(
+seed      0
+again     python3 -m course check 1.3
+          pytest --impl=labs "tests/labs/test_transforms.py::test_shifted_adds[one]"
+""")
+    assert "shifting by 1.0" in output["test_shifted_adds[one]"], "the student's print is lost"
+
+
+def test_an_error_in_the_students_code_shows_the_students_lines_alone(output):
+    """Frames of pytest or of the course, or not the line that went wrong."""
+    assert output["test_half_of_one"].startswith("""\
+claim     Half of one
+given     half(x=1.0)
+wrong     ZeroDivisionError: float division by zero
+          labs/transforms.py:10 in half
+              return quotient(x, 0)
+          labs/transforms.py:14 in quotient
+              return x / y
+check     tests/labs/test_transforms.py:25
+          assert_close(impl.half(1.0), 0.5)
+seed      0
+""")
+
+
+def test_a_list_for_an_array_is_told(output):
+    """The check breaks down, and the student reads of list indices in a line of ours."""
+    assert "\ngot       [1., 1.]\nhint      rows returned a list; np.array makes it an array\n" in (
+        output["test_rows_are_two"])
+
+
+def test_an_assertion_of_the_students_own_is_told_as_an_error(output):
+    """It is taken for one of the check's."""
+    assert "wrong     AssertionError: too small\n          labs/transforms.py:43 in strict\n" in (
+        output["test_strict_is_not_strict"])
+
+
+def test_an_assertion_of_another_kind_tells_what_it_was_given(output):
+    """The gradient check's report shows the last of a thousand calls."""
+    assert "catches   It keeps silent.\nwrong     it was given 1\n" in (
+        output["test_strict_tells_all"])
+
+
+def test_endless_recursion_is_cut(output):
+    """A thousand lines that say the same."""
+    text = output["test_deep_ends"]
+    assert "wrong     RecursionError: maximum recursion depth exceeded" in text
+    assert re.search(r"\.\.\. \d+ more calls \.\.\.", text)
+    assert text.count("labs/transforms.py:31 in deep") == 8
+
+
+def test_what_the_check_tells_itself_stands_in_place_of_the_call(output):
+    """given= is not used; a check without docstring has an empty row."""
+    assert output["test_shifted_of_other_things"].startswith("""\
+claim     Shifted of other things
+given     {'told': 'so'}
+expected  2.0
+got       1.0
+differs   by 1; allowed""")
+
+
+def test_a_plain_assertion_is_reported_alike(output):
+    """Only the course's own assertions show the last call."""
+    text = output["test_shifted_by_nothing"]
+    assert "given     shifted(x=1.0, by=0.0)\nwrong     it moved\n" in text
+    assert "check     tests/labs/test_transforms.py:44" in text
+    assert "wrong     DID NOT RAISE" in output["test_shifted_refuses_text"]
+
+
+def test_an_exercise_that_is_not_started_says_so_and_no_more(output):
+    """Its own NotImplementedError counts as a wrong answer; another's as its own."""
+    assert output["test_mask_is_square"].startswith("""\
+claim     Mask is square
+verdict   not started (exercise 1.4: mask)
+again     python3 -m course check 1.4
+""")
+    assert "verdict   blocked by 1.4 (exercise 1.4: mask)\n" in output["test_area_counts"]
+    assert "wrong     NotImplementedError: not yet\n" in output["test_other"]
+
+
+@pytest.mark.parametrize("name", ["test_skipped", "test_skips_itself", "test_expected_to_fail",
+                                  "test_expected_to_fail_and_passing"])
+def test_a_check_that_does_not_count_has_failed(output, name):
+    """An exercise is passed by leaving its checks out."""
+    assert "a check has to run and pass; this one is skipped or expected to fail" in output[name]
+
+
+def test_a_check_whose_fixture_breaks_afterwards_has_failed(output):
+    """Only what happens in the check itself counts."""
+    assert "wrong     OSError: spoilt" in output["test_passes_and_breaks_after"]
+
+
+def test_tests_without_a_mark_are_left_to_pytest(output):
+    """Tests of the course itself lose their tracebacks."""
+    assert ">       assert 1 == 2" in output["test_of_no_exercise"]
+    assert "again  " not in output["test_of_no_exercise"]
+
+
+def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_module):
+    """All checks draw the same numbers, or other ones in every run or order."""
+    def drawn(*options):
+        done = run_module(course, "pytest", "--impl=labs", "-s", *options)
+        return sorted(re.findall(r"drew (\w+) ([\d.]+)", done.stdout))
+
+    first, second = drawn("-k", "numbers_are")
+    assert first[1] != second[1]
+    assert drawn("-k", "not_those") == [first]
+    assert drawn("-k", "not_those", "--seed", "1") != [first]
+
+
+def test_verdicts_are_the_same_in_another_process(course, run_module, output):
+    """The record of a check does not survive the way to the main process."""
+    done = run_module(course, "pytest", "--impl=labs", "-n", "1")
+    assert done.stdout.splitlines()[-1].split(" in ")[0] == (
+        output["all"].splitlines()[-1].split(" in ")[0])
+    assert "verdict   not started (exercise 1.4: mask)" in done.stdout
+
+
+def test_authors_of_checks_can_have_the_traceback(course, run_module):
+    """The report cannot be switched off, and a defect of the check cannot be found."""
+    done = run_module(course, "pytest", "--impl=labs", "-k", "half", "--tb", "long")
+    assert "def test_half_of_one(impl):" in done.stdout
+    assert "claim " not in done.stdout
+
+
+UNUSABLE = {
+    "transforms": ("x = 1\ndef double(x:\n",
+                   "wrong     labs/transforms.py cannot be imported: SyntaxError: ",
+                   "          labs/transforms.py:2\n              def double(x:\n"),
+    "rasterization": ("import sys\nsys.exit(1)\n",
+                      "wrong     labs/rasterization.py cannot be imported: SystemExit: 1\n"
+                      "          labs/rasterization.py:2 in <module>\n"),
+    "sampling": ("from . import nothing\n",
+                 "wrong     labs/sampling.py cannot be imported: ImportError: cannot import name",
+                 "          labs/sampling.py:1 in <module>\n"),
+    "msaa": (None,
+             "wrong     there is no labs/msaa.py; python3 -m course skeleton makes the labs\n"),
+    "interpolation": ("def twice(x):\n    return 2 * x\n",
+                      "wrong     labs/interpolation.py has no function double; keep the names"),
+    "texturing": ("double = 2\n", "wrong     labs/texturing.py has no function double"),
+    "antialiasing": ("def double(x, y):\n    return 2 * x\n",
+                     "given     double(3.0)\nwrong     TypeError: double() missing 1 required"),
+}
+
+
+def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run_module):
+    """pytest breaks off, other labs fail with it, or the course's own lines are shown."""
+    check = CHECKS[:CHECKS.index('@exercise("1.2")')]
+    root = house({f"tests/labs/test_{topic}.py": check for topic in UNUSABLE}
+                 | {f"labs/{topic}.py": lab for topic, (lab, *_) in UNUSABLE.items() if lab}
+                 | {"labs/subdivision.py": "def double(x):\n    return 2 * x\n",
+                    "tests/labs/test_subdivision.py": check})
+    done = run_module(root, "pytest", "--impl=labs")
+    assert "7 failed, 1 passed" in done.stdout
+    for _, *sentences in UNUSABLE.values():
+        for sentence in sentences:
+            assert sentence in done.stdout
+    assert "course/checks/__init__.py" not in done.stdout
+
+
+def test_any_folder_with_a_topics_file_can_be_checked(course, run_module, tmp_path):
+    """A folder beside the course is not found, or its files cannot import each other."""
+    (tmp_path / "transforms.py").write_text("from . import sampling\n\ndouble = sampling.double\n")
+    (tmp_path / "sampling.py").write_text("def double(x):\n    return x + x\n")
+    done = run_module(course, "pytest", f"--impl={tmp_path}", "-k", "twice")
+    assert done.returncode == 0, done.stdout
+    assert not list(tmp_path.glob("__pycache__")), "a quick edit would meet stale bytecode"
+
+
+def test_a_folder_that_is_not_there_is_told(course, run_module):
+    """Every check fails with an import error."""
+    done = run_module(course, "pytest", "--impl=nowhere")
+    assert done.returncode == 4
+    assert "there is no folder nowhere to check; give labs, reference" in done.stderr

@@ -1,0 +1,162 @@
+"""The command line: what it passes on, what it tells, and with which exit status."""
+import io
+import re
+import runpy
+import sys
+from types import SimpleNamespace
+
+import pytest
+
+from course import cli
+
+
+@pytest.fixture
+def stand_in(monkeypatch):
+    """stand_in("experiments.demo", run=function) puts it in that module's place."""
+    def put(module, **functions):
+        monkeypatch.setitem(sys.modules, f"course.{module}", SimpleNamespace(**functions))
+        monkeypatch.setattr(f"course.{module}", sys.modules[f"course.{module}"], raising=False)
+    return put
+
+
+@pytest.mark.parametrize(("line", "function", "arguments", "named"), [
+    ("demo", "experiments.demo.run", ([],), {"implementation": "reference"}),
+    ("demo bunny teapot --impl labs", "experiments.demo.run", (["bunny", "teapot"],),
+     {"implementation": "labs"}),
+    ("check", "board.check", (None, "labs"), {"json_file": None, "seed": 0, "pictures": False}),
+    ("check 2.3 --impl handed/in --json board.json --seed 7", "board.check",
+     ("2.3", "handed/in"), {"json_file": "board.json", "seed": 7, "pictures": False}),
+    ("check 2 --watch", "board.watch", ("2", "labs"),
+     {"json_file": None, "seed": 0, "pictures": False}),
+    ("mistakes", "upkeep.mistakes.run", (), {}),
+    ("mutants", "upkeep.mutants.run", (None,), {}),
+    ("mutants 2.3", "upkeep.mutants.run", ("2.3",), {}),
+    ("skeleton", "upkeep.skeleton.run", (), {"check": False, "force": False}),
+    ("skeleton --check", "upkeep.skeleton.run", (), {"check": True, "force": False}),
+    ("skeleton --force", "upkeep.skeleton.run", (), {"check": False, "force": True}),
+    ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],), {}),
+    ("pack", "grading.pack.run", ("labs.zip",), {}),
+    ("handout new --labs 1-4 --solutions 1", "grading.handout.run", ("new", "1-4", "1"), {}),
+    ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
+    ("autograder github .", "grading.autograder.github", (".",), {}),
+    ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
+     "--scheduler tcp://a --seconds 3", "grading.grade.run", ("in", "out"),
+     {"labs": "1", "jobs": 2, "resume": True, "seed": 7, "isolation": "process",
+      "scheduler": "tcp://a", "seconds": 3.0}),
+])
+def test_a_command_calls_its_function_and_passes_its_status_on(
+        stand_in, line, function, arguments, named):
+    """An option is forgotten, two are swapped, or the status is lost."""
+    calls = []
+    module, _, name = function.rpartition(".")
+    stand_in(module, **{name: lambda *args, **kwargs: calls.append((args, kwargs)) or 5})
+    assert cli.main(line.split()) == 5
+    assert calls == [(arguments, named)]
+
+
+def test_the_list_of_scenes_is_printed(stand_in, capsys):
+    """--list renders everything, or shows nothing."""
+    stand_in("experiments.demo", scenes=lambda: {"cow": "A cow.", "moon": "The moon."})
+    assert cli.main(["demo", "--list"]) == 0
+    assert [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()] == [
+        ["cow", "A cow."], ["moon", "The moon."]]
+
+
+def test_without_a_command_the_page_is_shown_with_all_commands_and_no_others(capsys):
+    """The page, which is written by hand, announces what is not there, or leaves something out."""
+    assert cli.main([]) == 0
+    page = capsys.readouterr().out
+    on_the_page = re.findall(r"^  (\w+)(?:  +\S| [\[A-Z])", page, re.MULTILINE)
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["bake"])
+    assert ended.value.code == 2
+    told = capsys.readouterr().err
+    choices = re.findall(r"\w+", re.search(r"choose from ([^)]*)\)", told)[1])
+    assert sorted(on_the_page) == sorted(choices)
+    assert told.startswith("course: ") and told.count("\n") == 1
+
+
+@pytest.mark.parametrize("line", ["check --sed 1 2 3", "demo --impl mine", "skeleton --chek"])
+def test_a_mistake_in_the_options_is_one_line(line, capsys):
+    """argparse prints its usage, and the sentence is lost below it."""
+    with pytest.raises(SystemExit) as ended:
+        cli.main(line.split())
+    told = capsys.readouterr().err
+    assert ended.value.code == 2
+    assert told.startswith("course: ") and told.count("\n") == 1
+
+
+@pytest.fixture
+def demo_runs(stand_in, monkeypatch, tmp_path):
+    """demo_runs("labs", text): demo runs this text from a file in the folder labs."""
+    def put(folder, text):
+        (tmp_path / folder).mkdir()
+        path = tmp_path / folder / "part.py"
+        path.write_text(text)
+        monkeypatch.setattr(cli, "ROOT", tmp_path.resolve())
+        stand_in("experiments.demo", run=lambda *_, **__: runpy.run_path(str(path)))
+    return put
+
+
+@pytest.mark.parametrize(("folder", "text", "sentence"), [
+    ("course", "raise ValueError('there is no scene cow')", "there is no scene cow"),
+    ("course", "raise OSError(\n    'the disk is full')", "the disk is full"),
+    ("elsewhere", "open('no such folder/picture.png')", "picture.png"),
+    ("labs", "raise NotImplementedError('exercise 1.2: transform')",
+     "exercise 1.2: transform is not written yet"),
+])
+def test_what_the_user_can_mend_is_one_line_and_status_2(demo_runs, capsys, folder, text, sentence):
+    """A wrong name or a full disk shows a traceback."""
+    demo_runs(folder, text)
+    assert cli.main(["demo"]) == 2
+    told = capsys.readouterr().err
+    assert told.startswith("course: ") and told.count("\n") == 1 and sentence in told
+
+
+@pytest.mark.parametrize(("folder", "text"), [
+    ("course", "int('x')"),
+    ("labs", "int('x')"),
+    ("elsewhere", "raise ValueError('operands could not be broadcast')"),
+    ("course", "raise TypeError('a defect')"),
+])
+def test_a_defect_shows_its_traceback(demo_runs, folder, text):
+    """Every ValueError is told in one line, and nobody finds the line that is wrong."""
+    demo_runs(folder, text)
+    with pytest.raises((ValueError, TypeError)):
+        cli.main(["demo"])
+
+
+def test_ctrl_c_is_quiet_and_exits_with_130(demo_runs, capsys):
+    """A traceback for a key that was pressed on purpose."""
+    demo_runs("course", "raise KeyboardInterrupt")
+    assert cli.main(["demo"]) == 130
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):
+    """A Windows console of old crashes on the first tick."""
+    stand_in("experiments.demo", scenes=lambda: {"cow": "50 \u2713 faces"})
+    console = io.TextIOWrapper(io.BytesIO(), encoding="cp1252")
+    monkeypatch.setattr(sys, "stdout", console)
+    assert cli.main(["demo", "--list"]) == 0
+    console.flush()
+    assert b"50 ? faces" in console.buffer.getvalue()
+
+
+@pytest.mark.parametrize(("lint", "tests", "status"), [(0, 0, 0), (1, 0, 1), (0, 5, 5), (1, 2, 2)])
+def test_the_test_command_fails_with_either_lint_or_tests(monkeypatch, lint, tests, status):
+    """One of the two statuses is forgotten; or after bad lint no test is run."""
+    ran = {}
+    monkeypatch.setattr(cli, "run_module", lambda module, *arguments: ran.update(
+        {module: arguments}) or {"ruff": lint, "pytest": tests}[module])
+    assert cli.main(["test"]) == status
+    assert list(ran) == ["ruff", "pytest"] and "not notebook" not in ran["pytest"]
+    assert cli.main(["test", "--quick"]) == status
+    assert ran["pytest"][-2:] == ("-m", "not notebook")
+
+
+def test_nobody_s_own_settings_for_pytest_take_part(monkeypatch):
+    """A PYTEST_ADDOPTS in the user's shell leaves tests out."""
+    monkeypatch.setenv("PYTEST_ADDOPTS", "--no-such-option")
+    monkeypatch.setattr(cli.signal, "signal", lambda *_: None)  # this process keeps its own
+    assert cli.run_module("pytest", "--markers") == 0

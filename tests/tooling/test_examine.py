@@ -1,0 +1,24 @@
+"""The course's own labs, graded."""
+import pytest
+
+from course.grading import grade, sandbox, submissions
+from course.grading.examine import Job
+from course.upkeep import skeleton
+
+
+@pytest.fixture(scope="module")
+def level():
+    """The strictest that this machine has."""
+    return sandbox.available()[0]
+
+
+@pytest.mark.parametrize("topic", skeleton.topics())
+def test_the_reference_gets_all_points(topic, level):
+    """A check that a worker cannot serve; a lab that needs what is not there."""
+    assert submissions.foreign_imports(skeleton.read(skeleton.reference(topic))) == []
+    texts = {topic: skeleton.read(skeleton.reference(topic))}
+    result, _ = grade.examine(Job(texts, {}, level)._asdict())
+    assert (result["problem"], result["lost"]) == (None, {})
+    failing = {entry["number"]: entry["checks"] for entry in result["board"]["exercises"]
+               if entry["verdict"] != "done"}
+    assert failing == {}

@@ -1,0 +1,227 @@
+"""Grading a class: tables and reports, what is kept, what a student is told, other runners."""
+import csv
+import importlib.util
+import json
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import pytest
+from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
+
+from course import checks
+from course.grading import grade, report, sandbox
+from course.upkeep import skeleton
+
+
+@pytest.fixture(scope="module")
+def course(house):
+    return house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
+                  "tests/labs/test_transforms.py": CHECKS, "reference/rasterization.py": SECOND,
+                  "labs/rasterization.py": SECOND,
+                  "tests/labs/test_rasterization.py": SECOND_CHECKS})
+
+
+@pytest.fixture(scope="module")
+def graded(course, run_module, tmp_path_factory):
+    """(the folder with the results, the one handed in, what was printed)."""
+    folder = tmp_path_factory.mktemp("class")
+    for name, text in {"ada/labs/transforms.py": LAB, "ada/labs/rasterization.py": SECOND,
+                       "bob/transforms.py": LAB.replace("2 * x", "3 * x"),
+                       "bob/rasterization.py": SECOND,
+                       "eve/rasterization.py": SECOND.replace("2 * x", "x"),
+                       "eve/transforms.py": LAB.replace("return x / 2, x > 0", "while True: x"),
+                       "ann/transforms.py": skeleton.skeleton(LAB)}.items():
+        path = folder / "in" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    done = run_grade(run_module, course, folder)
+    return folder / "out", folder / "in", done
+
+
+def run_grade(run_module, course, folder, *options):
+    done = run_module(course, "course", "grade", folder / "in", "--out", folder / "out",
+                      "--isolation", "process", "--seconds", 4, *options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def rows(out):
+    with open(out / "grades.csv", encoding="utf-8") as file:
+        return {row["student"]: row for row in csv.DictReader(file)}
+
+
+def test_the_table_has_points_of_each_exercise(graded):
+    """A mistake costs the points of exercises that build on it."""
+    table = rows(graded[0])
+    names = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "total", "of"]
+    assert {name: [int(row[column]) for column in names] for name, row in table.items()} == {
+        "ada": [1, 2, 4, 3, 10, 10], "bob": [0, 2, 4, 3, 9, 10], "eve": [1, 2, 0, 0, 3, 10],
+        "ann": [0, 0, 0, 0, 0, 10]}
+    assert {row["isolation"] for row in table.values()} == {"process"}
+    assert len({row["hash"] for row in table.values()}) == 4
+
+
+def test_the_level_is_stated_wherever_marks_are(graded):
+    """Marks from an open worker look like those from a sandbox."""
+    out, _, printed = graded
+    assert "no protection against malice" in printed
+    for page in (out / "index.html", out / "students" / "ada" / "report.html"):
+        assert "solation process (as told by --isolation process)" in page.read_text("utf-8")
+
+
+def test_a_student_reads_which_claim_failed_and_how_to_run_it(graded):
+    """A report without the reason, or of a check that passed."""
+    text = (graded[0] / "students" / "eve" / "report.html").read_text("utf-8")
+    assert "3 of 10 points" in text and "1 of 1 claims do not hold" in text
+    assert "Half and sign" in text and "no answer within 4 s" in text
+    assert "python3 -m course check 1.3" in text and "Twice" not in text
+
+
+def test_gradescope_s_results(graded):
+    """A score that is no sum, a status that Gradescope does not know."""
+    results = json.loads((graded[0] / "students" / "bob" / "results.json").read_text("utf-8"))
+    assert results["score"] == sum(test["score"] for test in results["tests"]) == 9
+    assert sum(test["max_score"] for test in results["tests"]) == 10
+    failed, = [test for test in results["tests"] if test["status"] == "failed"]
+    assert failed["number"] == "1.1" and "differs" in failed["output"]
+
+
+def test_the_overview_shows_crashes_and_the_hardest(graded):
+    """A crash is only in one student's report."""
+    text = (graded[0] / "index.html").read_text("utf-8")
+    crashes = text.partition("Crashes")[2].partition("Everybody")[0]
+    assert "eve" in crashes and "in split: no answer within 4 s" in crashes
+    hardest = text.partition("hardest")[2]
+    assert hardest.index("2.1") < hardest.index("1.2")
+
+
+def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, run_module, tmp_path):
+    """Everything again, or an old mark for new work."""
+    out, handed_in = (shutil.copytree(folder, tmp_path / folder.name) for folder in graded[:2])
+    before = {path: path.stat().st_mtime_ns for path in out.glob("students/*/record.json")}
+    lab = handed_in / "bob" / "transforms.py"
+    lab.write_text(LAB, encoding="utf-8")
+    assert "1 submissions graded" in run_grade(run_module, course, out.parent, "--resume")
+    changed = {path.parent.name for path, old in before.items() if path.stat().st_mtime_ns != old}
+    assert changed == {"bob"} and rows(out)["bob"]["total"] == "10"
+
+
+def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):
+    """A machine without bubblewrap grades all the same, and nobody notices."""
+    monkeypatch.setattr(sandbox, "available", lambda: ("process", "strict needs bubblewrap"))
+    with pytest.raises(ValueError, match="needs bubblewrap; to grade work that you trust"):
+        grade.level_to_use(None)
+    assert grade.level_to_use("process")[0] == "process"
+
+
+def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
+    """A bwrap that leaves the network open counts as strict."""
+    if sys.platform != "linux":
+        pytest.skip("strict needs Linux")
+    monkeypatch.setattr(sandbox.shutil, "which", lambda name: name)
+    monkeypatch.setattr(sandbox, "open_ways", lambda level: (("the network",), 0))
+    assert sandbox.available() == ("process", "bubblewrap leaves open: the network")
+
+
+@pytest.mark.parametrize(("labs", "topics"), [
+    (None, ["transforms", "rasterization", "sampling"]), ("1", ["transforms"]),
+    ("2-3", ["rasterization", "sampling"]), ("3,1", ["transforms", "sampling"])])
+def test_labs_are_chosen_by_number(labs, topics, monkeypatch):
+    monkeypatch.setattr(skeleton, "topics", lambda: skeleton.TOPICS[:3])
+    assert grade.topics_of(labs) == topics
+    for wrong in ("4", "0-1", "x"):
+        with pytest.raises(ValueError, match="there is no lab"):
+            grade.topics_of(wrong)
+
+
+def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, run_module):
+    """A student cannot show what was handed in."""
+    done = run_module(course, "course", "pack", graded[0].parent / "packed.zip")
+    assert done.returncode == 0 and "10 of 10 points" in done.stdout, done.stdout + done.stderr
+    assert rows(graded[0])["ada"]["hash"] in done.stdout
+    assert zipfile.ZipFile(graded[0].parent / "packed.zip").namelist() == [
+        "labs/transforms.py", "labs/rasterization.py"]
+
+
+def test_pages_escape_what_students_write():
+    """A script in a message runs in the instructor's browser."""
+    check = checks.Check("1.1", "", "Claim", "failed", "<script>", "x/pic.png", 0.0)._asdict()
+    entry = {"number": "1.1", "name": "f", "topic": "t", "points": 1, "verdict": "failing",
+             "checks": [check]}
+    record = {"student": "ada", "level": "strict", "digest": "0", "notes": ["<b>"], "seconds": 1.0,
+              "lost": {"1.1": "in f: <i>"}, "problem": None,
+              "board": {"points": 0, "of": 1, "exercises": [entry]}}
+    page = report.page(record, {"pic.png": b"png"}, "<u>", 0)
+    assert not any(tag in page for tag in ("<script>", "<b>", "<i>&", "<u>"))
+    assert 'src="data:image/png;base64,cG5n"' in page and "default-src 'none'" in page
+
+
+def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
+    """A file is missing in the zip, or the result is written elsewhere."""
+    if sys.platform == "win32":
+        pytest.skip("Gradescope's machines run Linux")
+    done = run_module(course, "course", "autograder", "gradescope", tmp_path / "a.zip")
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        archive.extractall(tmp_path / "source")
+    for name in ("submission", "results"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "submission" / "transforms.py").write_text(LAB.replace("2 * x", "3 * x"))
+    settings = {"AUTOGRADER": str(tmp_path), "PATH": "/usr/bin:/bin", "PYTHON": sys.executable}
+    run = subprocess.run(["bash", str(tmp_path / "source" / "run_autograder")], env=settings,
+                         capture_output=True, encoding="utf-8")
+    assert run.returncode == 0, run.stderr
+    results = json.loads((tmp_path / "results" / "results.json").read_text())
+    assert results["score"] == 6 and len(results["tests"]) == 4
+
+
+def test_the_workflow_s_script_writes_classroom_50_s_result(course, run_module):
+    """A repository shows no board, or a result that Classroom 50 refuses."""
+    run_module(course, "course", "autograder", "github", course / "repo")
+    assert "python autograder.py" in (course / "repo/.github/workflows/labs.yml").read_text()
+    (course / "autograder.py").write_bytes((course / "repo/autograder.py").read_bytes())
+    done = run_module(course, "autograder")
+    result = json.loads((course / "result.json").read_text())
+    assert (result["schema"], result["score"], result["max-score"]) == (
+        "classroom50/result/v1", 10, 10), done.stderr
+    assert result["tests"][1] == {"test-name": "1.2 quadruple", "passed": True, "score": 2,
+                                  "max-score": 2}
+
+
+CLUSTER = """\
+import sys
+from distributed import LocalCluster
+
+if __name__ == "__main__":
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        print(cluster.scheduler_address, flush=True)
+        sys.stdin.read()
+"""
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
+def test_a_cluster_gives_the_same_marks(graded, course, run_module):
+    """Only the machine that starts the grading can grade, or the cluster's has another course."""
+    out, _, _ = graded
+    before = rows(out)
+    (course / "cluster.py").write_text(CLUSTER, encoding="utf-8")
+    with subprocess.Popen([sys.executable, "-m", "cluster"], cwd=course, stdin=subprocess.PIPE,
+                          stdout=subprocess.PIPE, encoding="utf-8") as cluster:
+        address = cluster.stdout.readline().strip()
+        run_grade(run_module, course, out.parent, "--scheduler", address)
+        cluster.stdin.close()
+    same = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "total", "hash"]
+    assert {name: [row[column] for column in same] for name, row in rows(out).items()} == {
+        name: [row[column] for column in same] for name, row in before.items()}
+
+
+def test_a_cluster_with_another_course_is_refused():
+    """Half of a class is graded by last year's checks."""
+    ours = grade.course_digest()
+    grade.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
+    with pytest.raises(ValueError, match="tcp://b has another course"):
+        grade.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
+    with pytest.raises(ValueError, match="tcp://b has no sandbox: install"):
+        grade.require_alike({"tcp://b": (ours, "process", "install")}, "strict")

@@ -1,0 +1,459 @@
+"""course.given.mesh: files, shapes, normals and edges."""
+import re
+import time
+
+import numpy as np
+import pytest
+
+from course.given import mesh, places
+
+SHAPES = {  # name: faces per n^2, smallest n, V - E + F, boundary edges for n
+    "cube":      (12, 1, 2, lambda n: 0),
+    "icosphere": (20, 1, 2, lambda n: 0),
+    "torus":     (4, 3, 0, lambda n: 0),
+    "plane":     (2, 1, 1, lambda n: 4 * n),
+    "grid":      (2, 1, 1, lambda n: 4 * n),
+}
+CLOSED = ("cube", "icosphere", "torus")
+TRIANGLE = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]])
+SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 7 7 7\n"
+PLY = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+       "property float z\nelement face {}\nproperty list uchar int vertex_indices\n{}end_header\n"
+       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n")
+
+
+def signed_volume(vertices, faces):
+    a, b, c = vertices[faces.T]
+    return np.linalg.det(np.stack([a, b, c], axis=1)).sum() / 6
+
+
+def all_shapes(face_count):
+    return [getattr(mesh, name)(face_count) for name in SHAPES]
+
+
+def read_text(tmp_path, name, text):
+    path = tmp_path / name
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return mesh.read(path)
+
+
+# The given meshes
+
+
+def test_the_bunny_is_closed_and_the_teapot_open():
+    """A vertex lost, merged or split on the way into the repository or out of the file."""
+    vertices, faces = mesh.bunny()
+    assert (len(vertices), len(faces), len(mesh.edges(faces)[0])) == (1839, 3674, 5511)
+    assert len(mesh.boundary_edges(faces)) == 0
+    vertices, faces = mesh.teapot()
+    assert (len(vertices), len(faces), len(mesh.edges(faces)[0])) == (792, 992, 1752)
+    assert len(mesh.boundary_edges(faces)) == 528
+
+
+@pytest.mark.parametrize("given", [mesh.bunny, mesh.teapot])
+def test_a_given_mesh_is_wound_outwards_with_y_up(given):
+    """Faces clockwise, or axes exchanged."""
+    vertices, faces = given()
+    assert signed_volume(*given()) > 0
+    normals = mesh.face_normals(vertices, faces)
+    highest, lowest = (vertices[faces, 1].sum(axis=1).argsort()[k] for k in (-1, 0))
+    assert normals[highest, 1] > 0.2 and normals[lowest, 1] < -0.2
+
+
+# Files
+
+
+@pytest.mark.parametrize("ending", ["obj", "ply", "PLY"])
+@pytest.mark.parametrize("case", range(6))
+def test_a_mesh_comes_back_from_a_file(case, ending, tmp_path):
+    """Vertices merged, reordered or rounded more than the format rounds; faces turned."""
+    vertices, faces = [mesh.bunny(), *all_shapes(100)][case]
+    path = tmp_path / f"mesh.{ending}"
+    mesh.write(path, vertices, faces)
+    again, faces_again = mesh.read(path)
+    assert again.dtype == np.float64 and faces_again.dtype == np.int64
+    assert type(again) is np.ndarray and type(faces_again) is np.ndarray
+    np.testing.assert_array_equal(faces_again, faces)
+    exact = vertices if ending == "obj" else vertices.astype(np.float32)
+    np.testing.assert_allclose(again, exact, rtol=0, atol=1e-17 if ending == "obj" else 0)
+
+
+@pytest.mark.parametrize("ending", ["obj", "ply"])
+def test_repeated_and_unused_vertices_survive_a_file(ending, tmp_path):
+    """A library that tidies up: it would shift every index."""
+    vertices = np.array([[9.0, 9, 9], [0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0], [8, 8, 8]])
+    faces = np.array([[1, 2, 4], [2, 3, 4], [2, 2, 4]])
+    mesh.write(tmp_path / f"mesh.{ending}", vertices, faces)
+    again, faces_again = mesh.read(tmp_path / f"mesh.{ending}")
+    np.testing.assert_array_equal(again, vertices)
+    np.testing.assert_array_equal(faces_again, faces)
+
+
+def test_writing_twice_gives_the_same_bytes_and_no_other_file(tmp_path):
+    """A date in the file, a neighbour left behind."""
+    for ending in ("obj", "ply"):
+        mesh.write(tmp_path / f"a.{ending}", *mesh.cube(12))
+        mesh.write(tmp_path / f"b.{ending}", *mesh.cube(12))
+        assert (tmp_path / f"a.{ending}").read_bytes() == (tmp_path / f"b.{ending}").read_bytes()
+    assert len(list(tmp_path.iterdir())) == 4
+
+
+@pytest.mark.parametrize("lines", [
+    "f 1 2 3\nf 1 3 4\n",
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/4 3/2 4/1\n",
+    "vn 0 0 1\nvn 0 1 0\nf 1//1 2//1 3//2\nf 1//2 3//1 4//2\n",
+    "vt 0 0\nvn 0 0 1\nvn 0 1 0\nf 1/1/1 2/1/1 3/1/2\nf 1/1/2 3/1/1 4/1/2\n",
+    "mtllib a.mtl\no left\nusemtl red\nf 1 2 3\no right\ng side\nusemtl blue\ns 1\nf 1 3 4\n",
+    "# two faces, one/two\nf 1 2 \\\n 3 # corner\n\tf\t1  3 4 \n",
+    "f 1 2 \\\r\n3\r\nf 1 3 4",
+    "f 1 2 3 4\n",
+])
+def test_an_obj_gives_its_positions_whatever_else_it_holds(lines, tmp_path):
+    """Vertices split at seams of uv or normals, faces reordered by material, one object lost."""
+    vertices, faces = read_text(tmp_path, "square.obj", SQUARE + lines)
+    np.testing.assert_array_equal(vertices[:, 0], [0, 1, 1, 0, 7])
+    assert faces[0].tolist() == [0, 1, 2]
+    assert faces[1].tolist() in ([0, 2, 3], [2, 3, 0])
+    assert len(faces) == 2
+
+
+def test_a_ply_gives_its_positions_whatever_else_it_holds(tmp_path):
+    """Vertices split at seams of uv, quads dropped."""
+    uv = PLY.format(2, "property list uchar float texcoord\n")
+    uv += "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 1 0 1 1 0 1\n"
+    quad = PLY.format(1, "") + "4 0 1 2 3\n"
+    for text in (uv, quad):
+        vertices, faces = read_text(tmp_path, "square.ply", text)
+        np.testing.assert_array_equal(vertices[:, 0], [0, 1, 1, 0])
+        assert len(faces) == 2 and mesh.face_normals(vertices, faces)[:, 2].tolist() == [1, 1]
+
+
+@pytest.mark.parametrize(("name", "text", "sentence"), [
+    ("a.obj", "", "a mesh needs at least one face, got none"),
+    ("a.ply", "", "export it again"),
+    ("a.obj", SQUARE, "a mesh needs at least one face, got none"),
+    ("a.ply", PLY.format(0, ""), "a mesh needs at least one face, got none"),
+    ("a.obj", bytes(range(256)) * 9, "a mesh needs at least one face, got none"),
+    ("a.ply", bytes(range(256)) * 9, "export it again"),
+    ("a.obj", SQUARE + "f 1 2 9\n", "a face names vertex 9, but the file has 5"),
+    ("a.obj", SQUARE + "f 0 1 2\n", "the line 'f 0 1 2' is neither v and three coordinates"),
+    ("a.obj", SQUARE + "f -3 -2 -1\n", "which must count from 1 up"),
+    ("a.obj", SQUARE + "f 1 2 3\nf 1 2", "the line 'f 1 2' is neither"),
+    ("a.obj", SQUARE + "f 1 2 3\nv 1 2", "the line 'v 1 2' is neither"),
+    ("a.obj", SQUARE + "v 1 2 nan\nf 1 2 3\n", "finite, vertex 5 is [1.0, 2.0, nan]"),
+    ("a.obj", SQUARE + "v 1 2 x\nf 1 2 3\n", "export it again"),
+    ("a.ply", PLY.format(1, "") + "3 0 1 4\n", "face 0 names vertex 4, but there are 4 vertices"),
+    ("a.ply", PLY.format(1, "") + "3 0 1 -1\n", "face 0 names vertex -1, but there are 4 vertices"),
+    ("a.ply", PLY.format(9, "") + "3 0 1 2\n", "it is cut short, 5 rows where its header says 13"),
+    ("a.ply", PLY.format(2, "") + "3 0 1 2\n4 0 1 2", "it is cut short, the last row is '4 0 1 2'"),
+])
+def test_a_broken_file_gets_one_sentence_with_its_name(name, text, sentence, tmp_path):
+    """A traceback out of the library, or a mesh that is not in the file."""
+    with pytest.raises(ValueError, match=re.escape(sentence)) as error:
+        read_text(tmp_path, name, text)
+    assert str(error.value).startswith(f"cannot read {tmp_path / name} as a mesh: ")
+    assert "\n" not in str(error.value) and error.value.__cause__ is None
+
+
+@pytest.mark.parametrize("ending", ["obj", "ply"])
+def test_a_file_cut_anywhere_is_refused(ending, tmp_path):
+    """A truncated download that is read as a mesh with a piece missing, or ends in a traceback."""
+    mesh.write(tmp_path / f"whole.{ending}", *mesh.cube(12))
+    content = (tmp_path / f"whole.{ending}").read_bytes()
+    for length in range(0, len(content) - 1, 7):
+        try:
+            vertices, _ = read_text(tmp_path, f"cut.{ending}", content[:length])
+        except ValueError:
+            continue
+        # An OBJ does not say how many faces follow: cut behind a face it is a whole file.
+        assert ending == "obj" and len(vertices) == 8
+
+
+def test_a_file_that_cannot_be_opened_gets_one_sentence(tmp_path):
+    """A bare FileNotFoundError, or the loader's complaint about a type."""
+    with pytest.raises(FileNotFoundError, match=r"^there is no file .*no\.obj: check its name"):
+        mesh.read(tmp_path / "no.obj")
+    (tmp_path / "folder.ply").mkdir()
+    with pytest.raises(OSError, match=r"^cannot read .*folder\.ply .*: give the name of a file"):
+        mesh.read(tmp_path / "folder.ply")
+    with pytest.raises(ValueError, match=r"^meshes are read and written as \.obj or \.ply, got 'a"):
+        mesh.read("a.stl")
+    with pytest.raises(ValueError, match=r"^meshes are read and written as \.obj or \.ply, got 'a"):
+        mesh.write("a.stl", *TRIANGLE)
+    with pytest.raises(OSError, match=r"^cannot write .*a\.obj .*: name a file in a folder that"):
+        mesh.write(tmp_path / "nowhere" / "a.obj", *TRIANGLE)
+
+
+def test_a_broken_mesh_leaves_the_old_file(tmp_path):
+    """A file opened for writing before the mesh was looked at."""
+    path = tmp_path / "a.ply"
+    mesh.write(path, *TRIANGLE)
+    before = path.read_bytes()
+    with pytest.raises(ValueError, match="face 0 names vertex 3"):
+        mesh.write(path, TRIANGLE[0], TRIANGLE[1] + 1)
+    assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize(("vertices", "faces", "sentence"), [
+    (np.zeros((3, 2)), TRIANGLE[1], "vertices must be an array (V, 3) of floating point numbers, "
+                                    "got (3, 2) of float64"),
+    (np.zeros(9), TRIANGLE[1], "got (9,) of float64"),
+    (np.zeros((3, 3), int), TRIANGLE[1], "got (3, 3) of int64"),
+    (TRIANGLE[0], np.zeros((1, 4), int), "faces must be an array (F, 3) of integers, "
+                                         "got (1, 4) of int64"),
+    (TRIANGLE[0], np.zeros((1, 3)), "got (1, 3) of float64"),
+    (TRIANGLE[0], TRIANGLE[1][:0], "a mesh needs at least one face, got none"),
+    (TRIANGLE[0][:0], TRIANGLE[1], "face 0 names vertex 0, but there are 0 vertices"),
+    (TRIANGLE[0] + [[0], [np.inf], [0]], TRIANGLE[1], "vertex 1 is [inf, inf, inf]"),
+    (TRIANGLE[0], np.array([[0, 1, 2], [0, 3, 1]]), "face 1 names vertex 3, but there are "
+                                                    "3 vertices, counted from 0"),
+    (TRIANGLE[0], np.array([[0, 1, -1]]), "face 0 names vertex -1"),
+])
+def test_check_says_what_is_wrong(vertices, faces, sentence):
+    """Negative indices count from the end in NumPy, NaN spreads: both without a word."""
+    with pytest.raises(ValueError, match=re.escape(sentence)):
+        mesh.check(vertices, faces)
+
+
+# Shapes
+
+
+@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize("n", [3, 4, 7])
+def test_a_shape_has_the_fewest_faces_that_are_enough(name, n):
+    """One step too many or too few at the exact count and next to it."""
+    per_square = SHAPES[name][0]
+    for face_count, expected in ((per_square * n * n, n), (per_square * n * n + 1, n + 1)):
+        vertices, faces = getattr(mesh, name)(face_count)
+        assert len(faces) == per_square * expected ** 2
+        mesh.check(vertices, faces)
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_one_face_asked_for_gives_the_smallest_shape(name):
+    """A shape that falls together: a torus of two steps is flat."""
+    per_square, smallest, _, _ = SHAPES[name]
+    vertices, faces = getattr(mesh, name)(1)
+    assert len(faces) == per_square * smallest ** 2
+    assert np.linalg.norm(mesh.face_normals(vertices, faces), axis=1) == pytest.approx(1)
+
+
+@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize("face_count", [1, 200])
+def test_a_shape_shares_its_vertices(name, face_count):
+    """Seams left open, points doubled or unused, poles pinched."""
+    per_square, _, euler, boundary = SHAPES[name]
+    vertices, faces = getattr(mesh, name)(face_count)
+    n = round((len(faces) / per_square) ** 0.5)
+    edges, _ = mesh.edges(faces)
+    assert len(vertices) - len(edges) + len(faces) == euler
+    assert len(mesh.boundary_edges(faces)) == boundary(n)
+    assert len(np.unique(vertices.round(9), axis=0)) == len(vertices) == len(np.unique(faces))
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_neighbouring_faces_run_along_their_edge_in_opposite_directions(name):
+    """One face, or one side of the cube, turned inside out."""
+    _, faces = getattr(mesh, name)(200)
+    directed = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    assert len(np.unique(directed, axis=0)) == len(directed)
+
+
+@pytest.mark.parametrize(("name", "volume"), [
+    ("cube", 8), ("icosphere", 4 / 3 * np.pi), ("torus", 2 * np.pi ** 2 * 0.4 ** 2)])
+def test_a_closed_shape_has_its_positive_volume(name, volume):
+    """Everything inside out, or the wrong size."""
+    assert signed_volume(*getattr(mesh, name)(20_000)) == pytest.approx(volume, rel=2e-3)
+
+
+def test_shapes_lie_where_their_surface_is():
+    """A sphere that is not round, a torus around another axis, a plane that faces down."""
+    vertices, _ = mesh.cube(108)
+    np.testing.assert_array_equal(np.abs(vertices).max(axis=1), 1)
+    vertices, _ = mesh.icosphere(500)
+    np.testing.assert_allclose(np.linalg.norm(vertices, axis=1), 1, rtol=1e-15)
+    x, y, z = mesh.torus(500, radius=2.0, tube=0.5)[0].T
+    np.testing.assert_allclose((np.hypot(x, z) - 2) ** 2 + y ** 2, 0.25, rtol=1e-12)
+    vertices, faces = mesh.plane(18)
+    assert vertices.min(axis=0).tolist() == [-1, 0, -1]
+    assert vertices.max(axis=0).tolist() == [1, 0, 1]
+    np.testing.assert_array_equal(mesh.face_normals(vertices, faces), [[0, 1, 0]] * 18)
+    vertices, faces = mesh.grid(18)
+    assert {tuple(v) for v in vertices} == {(x, y, 0) for x in range(4) for y in range(4)}
+    np.testing.assert_array_equal(mesh.face_normals(vertices, faces), [[0, 0, 1]] * 18)
+
+
+def test_the_smallest_icosphere_is_a_regular_icosahedron():
+    """A wrong corner, or corners joined that are not neighbours."""
+    vertices, faces = mesh.icosphere(20)
+    low, high = mesh.edges(faces)[0].T
+    edge = 1 / np.sin(2 * np.pi / 5)  # of the icosahedron in the unit sphere
+    assert np.linalg.norm(vertices[low] - vertices[high], axis=1) == pytest.approx(edge)
+
+
+@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize("face_count", [0, -5, np.nan, np.inf])
+def test_fewer_than_one_face_is_refused(name, face_count):
+    """An empty mesh that fails far from its cause."""
+    with pytest.raises(ValueError, match=r"^face_count must be at least 1, got (0|-5|nan|inf)$"):
+        getattr(mesh, name)(face_count)
+
+
+@pytest.mark.parametrize(("radius", "tube"), [(1, 1), (1, 0), (-1, 0.5), (np.nan, 0.5)])
+def test_a_torus_that_meets_itself_is_refused(radius, tube):
+    """A surface through its own axis."""
+    with pytest.raises(ValueError, match=r"^a torus needs 0 < tube < radius, got tube"):
+        mesh.torus(100, radius, tube)
+
+
+def test_normalize_fits_any_mesh_into_the_unit_sphere():
+    """Axes scaled apart, the mean for the box's centre, the box's side for the distance."""
+    vertices = np.array([[2.0, 0, 0], [4, 0, 0], [2, 6, 0], [2, 0, 3], [2, 0, 0]])
+    moved = mesh.normalize(vertices)
+    half = 3.5  # of the box's diagonal, 2 x 6 x 3
+    np.testing.assert_allclose(moved[1] - moved[0], [2 / half, 0, 0])
+    assert np.linalg.norm(moved, axis=1).max() == pytest.approx(1)
+    np.testing.assert_allclose(moved.min(axis=0) + moved.max(axis=0), 0, atol=1e-15)
+    np.testing.assert_allclose(moved[0], np.array([-1, -3, -1.5]) / half)
+    with pytest.raises(ValueError, match=r"^all vertices are in one place: "):
+        mesh.normalize(np.ones((4, 3)))
+
+
+# Normals
+
+
+def test_face_normals_of_the_cube_are_its_axes():
+    """A normal to the inside, not of unit length, or of the wrong corner."""
+    vertices, faces = mesh.cube(48)
+    normals = mesh.face_normals(vertices, faces)
+    centres = vertices[faces].mean(axis=1)
+    expected = np.where(np.abs(centres) == 1, centres, 0)
+    np.testing.assert_array_equal(normals, expected)
+
+
+def test_vertex_normals_of_the_sphere_are_its_positions():
+    """Normals to the inside, or a sum where the length is to be 1."""
+    vertices, faces = mesh.icosphere(5000)
+    normals = mesh.vertex_normals(vertices, faces)
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, rtol=1e-14)
+    assert np.abs(normals - vertices).max() < 5e-3
+
+
+def test_vertex_normals_weigh_faces_by_area():
+    """All faces with the same weight: a sliver would turn the normal as much as a wall."""
+    vertices = np.array([[0.0, 0, 0], [4, 0, 0], [0, 1, 0], [0, 0, 3], [9, 9, 9]])
+    faces = np.array([[0, 1, 2], [0, 2, 3]])  # areas 2 and 1.5, normals +z and +x
+    normals = mesh.vertex_normals(vertices, faces)
+    np.testing.assert_allclose(normals[[0, 2]], [[0.6, 0, 0.8]] * 2)
+    np.testing.assert_array_equal(normals[[1, 3, 4]], [[0, 0, 1], [1, 0, 0], [0, 0, 0]])
+
+
+def test_a_degenerate_face_has_no_normal():
+    """NaN from 0 / 0, or the direction of a rounding error."""
+    line = np.array([[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9]])
+    assert np.cross(line[1] - line[0], line[2] - line[0]).any()  # rounded, it is not 0
+    faces = np.array([[0, 1, 2], [0, 0, 1], [1, 1, 1]])
+    np.testing.assert_array_equal(mesh.face_normals(line, faces), np.zeros((3, 3)))
+    np.testing.assert_array_equal(mesh.vertex_normals(line, faces), np.zeros((3, 3)))
+
+
+def test_a_tiny_or_thin_face_has_a_normal():
+    """A guard with an absolute size: the mesh in metres would lose what it has in millimetres."""
+    for size in (1e-60, 1e60):
+        vertices = np.array([[0.0, 0, 0], [1, 0, 0], [0.5, 1e-12, 0]]) * size
+        np.testing.assert_array_equal(mesh.face_normals(vertices, TRIANGLE[1]), [[0, 0, 1]])
+
+
+# Edges
+
+
+def test_edges_of_two_faces_on_paper():
+    """An edge numbered by the wrong corner."""
+    edges, face_edges = mesh.edges(np.array([[0, 1, 2], [3, 2, 1]]))
+    assert edges.tolist() == [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]]
+    assert face_edges.tolist() == [[2, 1, 0], [2, 3, 4]]
+
+
+def test_face_edges_lie_opposite_to_their_vertex():
+    """The same on a real mesh: edge k of a face holds its other two vertices."""
+    _, faces = mesh.bunny()
+    edges, face_edges = mesh.edges(faces.astype(np.uint16))
+    assert (edges[:, 0] < edges[:, 1]).all()
+    pairs = [tuple(pair) for pair in edges.tolist()]
+    assert pairs == sorted(set(pairs))
+    for k in range(3):
+        others = np.sort(np.delete(faces, k, axis=1), axis=1)
+        np.testing.assert_array_equal(edges[face_edges[:, k]], others)
+
+
+def test_edge_faces_are_the_faces_that_hold_the_edge():
+    """A neighbour missed, doubled, or taken from another edge."""
+    for _, faces in (mesh.teapot(), mesh.cube(48), TRIANGLE):
+        edges, _ = mesh.edges(faces)
+        slow = {tuple(edge): [] for edge in edges.tolist()}
+        for face, (a, b, c) in enumerate(faces.tolist()):
+            for edge in ((a, b), (b, c), (c, a)):
+                slow[min(edge), max(edge)].append(face)
+        expected = [faces_here + [-1] * (2 - len(faces_here)) for faces_here in slow.values()]
+        assert mesh.edge_faces(faces).tolist() == expected
+
+
+def test_boundary_edges_of_a_grid_run_around_it():
+    """Inner edges counted in, or the rim with a gap."""
+    vertices, faces = mesh.grid(18)
+    middle = vertices[mesh.boundary_edges(faces)].mean(axis=1)[:, :2]
+    assert len(middle) == 12
+    assert (np.isin(middle, [0, 3]).sum(axis=1) == 1).all()
+
+
+def test_an_edge_of_three_faces_is_named():
+    """A third face dropped without a word."""
+    fan = np.array([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    with pytest.raises(ValueError, match=r"^the edge between vertices 0 and 1 has 3 faces: at"):
+        mesh.edge_faces(fan)
+    assert len(mesh.edges(fan)[0]) == 7 and len(mesh.boundary_edges(fan)) == 6
+
+
+def test_a_face_that_names_a_vertex_twice_has_no_edges():
+    """An edge from a vertex to itself."""
+    with pytest.raises(ValueError, match=r"^face 1 names a vertex twice \(\[3, 2, 3\]\): leave"):
+        mesh.edges(np.array([[0, 1, 2], [3, 2, 3]]))
+
+
+def test_adjacency_joins_neighbours_both_ways():
+    """One direction only, an edge counted once for each of its faces, a vertex left out."""
+    matrix = mesh.adjacency(np.array([[0, 1, 2], [3, 2, 1]]), 5).toarray()
+    expected = [[0, 1, 1, 0, 0], [1, 0, 1, 1, 0], [1, 1, 0, 1, 0], [0, 1, 1, 0, 0], [0] * 5]
+    np.testing.assert_array_equal(matrix, expected)
+
+
+def test_no_faces_have_no_edges():
+    """The largest index of an empty array."""
+    none = np.zeros((0, 3), dtype=np.int64)
+    edges, face_edges = mesh.edges(none)
+    assert edges.shape == (0, 2) and face_edges.shape == (0, 3)
+    assert mesh.edge_faces(none).shape == mesh.boundary_edges(none).shape == (0, 2)
+    assert mesh.adjacency(none, 4).nnz == 0
+
+
+def test_a_hundred_thousand_faces_take_no_time():
+    """A loop over faces in Python, or a sort of rows: seconds instead of fractions."""
+    start = time.perf_counter()
+    vertices, faces = mesh.torus(100_000)
+    mesh.vertex_normals(vertices, faces)
+    mesh.edge_faces(faces)
+    mesh.adjacency(faces, len(vertices))
+    assert time.perf_counter() - start < 2.5
+
+
+def test_the_data_readme_states_the_facts():
+    """Numbers in the README that are no longer those of the files."""
+    text = (places.DATA / "README.md").read_text(encoding="utf-8")
+    counts = []
+    for vertices, faces in (mesh.bunny(), mesh.teapot()):
+        counts.append(f"{len(vertices)}, {len(faces)}, {len(mesh.edges(faces)[0])}")
+    assert f"| {counts[0]} | {counts[1]} |" in text
+    vertices, faces = mesh.teapot()
+    points, index = np.unique(vertices, axis=0, return_inverse=True)
+    assert f"at {len(points)} places" in text
+    assert f"0 and 1 | {len(mesh.boundary_edges(index.reshape(-1)[faces]))} and 3" in text

@@ -1,0 +1,198 @@
+"""Mutants: which changes are made, and what counts as caught."""
+import ast
+import json
+
+import pytest
+
+from course.given import places
+from course.upkeep import mutants
+
+FUNCTION = '''\
+def f(x, y, n):
+    """The question, with 1 + 1 in it."""
+    z = x[:, 0] + 2 * y
+    for k in range(n):
+        if x[k] < y:
+            z += np.sin(k)
+    return z.T, np.sum(z, axis=1)
+'''
+
+CHANGES = """\
+x[:, 0] + 2 * y -> x[:, 0] - 2 * y
+x[:, 0] + 2 * y -> x[:, 0]
+x[:, 0] + 2 * y -> 2 * y
+(:, 0) -> (0, :)
+0 -> 1
+0 -> -1
+2 * y -> 2 / y
+2 * y -> 2
+2 * y -> y
+2 -> 3
+2 -> 1
+range(n) -> n
+if x[k] < y: z += np.sin(k) -> if True: z += np.sin(k)
+if x[k] < y: z += np.sin(k) -> if False: z += np.sin(k)
+x[k] < y -> x[k] <= y
+x[k] < y -> x[k] > y
+z += np.sin(k) -> z -= np.sin(k)
+z += np.sin(k) -> pass
+np.sin(k) -> k
+np.sin -> np.cos
+(z.T, np.sum(z, axis=1)) -> (np.sum(z, axis=1), z.T)
+z.T -> z
+np.sum(z, axis=1) -> z
+np.sum(z, axis=1) -> np.sum(z)
+np.sum -> np.mean
+1 -> 2
+1 -> 0
+"""
+
+
+def made(text):
+    return mutants.mutants(ast.parse(text).body[0])
+
+
+def test_every_change_is_made_once_in_the_order_of_the_text():
+    """An operator is forgotten, the docstring is changed, or two runs give two lists."""
+    assert [mutant.change for mutant in made(FUNCTION)] == CHANGES.splitlines()
+    assert [mutant.text for mutant in made(FUNCTION)] == [mutant.text for mutant in made(FUNCTION)]
+    assert [mutant.line for mutant in made(FUNCTION)] == (
+        [3] * 11 + [4] + [5] * 4 + [6] * 4 + [7] * 7)
+
+
+def test_every_mutant_is_another_function_and_only_one_place_is_changed():
+    """A mutant is the function itself, or keeps the change of the one before."""
+    texts = [mutant.text for mutant in made(FUNCTION)]
+    right = ast.unparse(ast.parse(FUNCTION)).splitlines()
+    assert len({*texts}) == len(texts) and "\n".join(right) not in texts
+    for text in texts:
+        lines = text.splitlines()
+        assert len(lines) == len(right)
+        assert sum(a != b for a, b in zip(lines, right, strict=True)) == 1
+
+
+def test_a_change_of_a_long_text_is_shown_where_it_is():
+    """A matrix of four lines twice, and the reader looks for the difference."""
+    left, right = " + ".join("abcdefghijkl"), " * ".join("mnopqrstuvwxyz")
+    told = mutants.told(f"{left} + {right}", f"{left} - {right}")
+    old, new = told.split(" -> ")
+    assert old.replace("l + m", "l - m") == new
+    assert len(told) < 130 and old.startswith("...") and old.endswith("...")
+
+
+def test_the_same_change_in_two_places_has_two_names():
+    """A reason for one of them excuses the other."""
+    assert [mutant.change for mutant in made('def f(x):\n    "?"\n    return g(x + 1) * x + 1\n')
+            if mutant.change.startswith("1 -> 2")] == ["1 -> 2", "1 -> 2 (#2)"]
+
+
+REFERENCE = '''\
+def double(x):  # exercise 1.1 (2 points)
+    """Twice x."""
+    return 2 * x
+
+
+def count(n):  # exercise 1.2 (2 points)
+    """n."""
+    k = 0
+    while k < n:
+        k += 1
+    return k
+
+
+def unseen(x):  # exercise 1.3 (1 point)
+    """x, or nothing below 0."""
+    return x if x > 0 else 0.0
+'''
+
+CHECKS = '''\
+import pytest
+
+from course.checks import assert_close, exercise
+
+
+@pytest.fixture(scope="module")
+def two():
+    return 2.0
+
+
+@exercise("1.1")
+@pytest.mark.parametrize("x", [0.0, 1.0])
+def test_twice(impl, two, x):
+    """Once."""
+    assert_close(impl.double(x), two * x)
+
+
+@exercise("1.2")
+def test_counted(impl):
+    """Too many."""
+    assert_close(impl.count(3), 3)
+
+
+@exercise("1.3")
+def test_it_is_there(impl):
+    """No return."""
+    impl.unseen(1.0)
+'''
+
+FILES = {"reference/transforms.py": REFERENCE, "tests/labs/test_transforms.py": CHECKS,
+         "tests/mistakes/equivalent_mutants.txt":
+         "# a comment\n1.3  x > 0 -> x >= 0\n      At 0 both give 0,\n      as numbers.\n"
+         "1.3  no such change\n      For no reason.\n"}
+
+
+@pytest.fixture(scope="module")
+def course(house):
+    return house(FILES)
+
+
+@pytest.fixture(scope="module")
+def tried(course, run_module):
+    return run_module(course, "course", "mutants", "1")
+
+
+def test_what_lives_is_shown_with_its_line(course, tried):
+    """A check that looks at nothing has a full score; an error is not caught, or an endless loop
+    goes on; an equivalent mutant counts."""
+    assert tried.stderr == ""
+    rows = [line.split() for line in tried.stdout.splitlines()[:4]]
+    assert rows[0] == "1.1 double 5 of 5 caught 100.0 %".split()
+    assert rows[1][:2] == ["1.2", "count"] and rows[1][2:5] == ["6", "of", "8"]
+    assert rows[2] == "1.3 unseen 0 of 6 caught 0.0 %, and 1 equivalent".split()
+    assert rows[3][:3] == ["all", "3", "exercises"]
+    assert "1.3  x > 0 -> x >= 0\n" not in tried.stdout
+    assert "1.3  0.0 -> 0.1\n      lives, reference/transforms.py:16\n" in tried.stdout
+    assert "1.3  no such change\n      is listed as equivalent, but is caught, or is no mutant" in (
+        tried.stdout)
+    assert tried.returncode == 1
+
+
+def test_the_same_stands_in_a_file(course, tried):
+    """Scores cannot be compared by machine."""
+    found = json.loads((course / "out" / "mutants" / "1.json").read_text())
+    double, _, unseen = found["exercises"]
+    assert double["caught"] == double["mutants"] == 5 and double["alive"] == []
+    assert unseen["equivalent"] == 1
+    assert {"line": 16, "change": "0.0 -> 0.1"} in unseen["alive"]
+
+
+def test_a_reference_that_fails_is_told(house, run_module):
+    """All mutants of an exercise are caught, for nothing passes."""
+    root = house(FILES | {"reference/transforms.py": REFERENCE.replace("2 * x", "3 * x")})
+    done = run_module(root, "course", "mutants", "1.1")
+    assert done.returncode == 2
+    assert done.stderr.startswith(
+        "course: the checks of transforms do not pass on the reference: mend them first\n")
+
+
+def test_an_equivalent_mutant_has_a_reason(monkeypatch, tmp_path):
+    """Survivors are excused by a list of names."""
+    path = tmp_path / "tests" / "mistakes" / "equivalent_mutants.txt"
+    path.parent.mkdir(parents=True)
+    path.write_text("1.1  a -> b\n1.2  c -> d\n      Both.\n      Of them.\n1.3  e -> f\n")
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    with pytest.raises(ValueError, match="e -> f has no reason below it"):
+        mutants.equivalents()
+    path.write_text(path.read_text() + "      Why.\n")
+    assert mutants.equivalents() == {("1.1", "a -> b"): "Both. Of them.",
+                                     ("1.2", "c -> d"): "Both. Of them.", ("1.3", "e -> f"): "Why."}

@@ -1,0 +1,344 @@
+"""The lectures are what the command writes, and the command writes nothing that it should not."""
+import base64
+import contextlib
+import io
+import json
+import time
+
+import nbformat
+import numpy as np
+import pytest
+from PIL import Image
+
+from course.given.places import ROOT
+from course.upkeep import notebooks
+
+LECTURES = sorted(notebooks.FOLDER.glob("*.ipynb"))
+FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
+
+
+@pytest.mark.notebook
+@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
+def test_a_lecture_is_what_its_code_draws_and_prints(path):
+    """Figures and numbers of an older version of the code; an edit that was not executed."""
+    assert notebooks.compare(path) == []
+
+
+@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
+def test_a_lecture_finds_the_course_from_its_own_folder(path):
+    """A notebook that runs through the command, and fails when it is opened in Jupyter."""
+    cells = nbformat.read(path, as_version=4).cells
+    first = next(cell for cell in cells if cell.cell_type == "code")
+    assert first.source.startswith(FIRST_LINE + "\n")
+
+
+# The command, on notebooks of a few cells
+
+def save(path, *sources):
+    """A notebook as Jupyter saves one: with random names, times, versions and outputs."""
+    cells = [nbformat.v4.new_code_cell(source) for source in sources]
+    for number, cell in enumerate(cells):
+        cell.execution_count = 7 + number
+        cell.metadata = {"execution": {"iopub.execute_input": "2001-01-01T00:00:00Z"}}
+        cell.outputs = [nbformat.v4.new_output("stream", text="old\n")]
+    cells.insert(0, nbformat.v4.new_markdown_cell("# A lecture"))
+    notebook = nbformat.v4.new_notebook(cells=cells)
+    notebook.metadata = {"kernelspec": {"name": "another", "display_name": "Another"},
+                         "language_info": {"name": "python", "version": "2.7"}}
+    nbformat.write(notebook, path)
+    return path
+
+
+LECTURE = (
+    "from course.given import plot\n"
+    "import numpy as np, os\n"
+    "import matplotlib.pyplot as plt\n"
+    "plot.style()",
+    "for word in {'a', 'set', 'has', 'no', 'order'}:\n"
+    "    print(word, flush=True)\n"
+    "print(os.path.samefile('course/given/plot.py', plot.__file__))",
+    "# live\nimport ipywidgets\nipywidgets.IntSlider()",
+    "figure, axes = plt.subplots()\n"
+    "axes.plot(np.arange(5) ** 2)\n"
+    "plt.show()\n"
+    "plot.strip([np.eye(8)], ['eye']);",
+    "1 + 1",
+)
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """A lecture that the command has written."""
+    path = save(tmp_path_factory.mktemp("lecture") / "03_lecture.ipynb", *LECTURE)
+    assert notebooks.run([str(path)]) == 0
+    return path
+
+
+@pytest.fixture
+def cells(written):
+    return json.loads(written.read_text(encoding="utf-8"))["cells"]
+
+
+def test_a_second_run_writes_the_same_bytes(written, monkeypatch, capsys):
+    """Times, random names, sets in another order, settings of the shell that change a picture."""
+    before = written.read_bytes()
+    monkeypatch.setenv("PYTHONHASHSEED", "5")
+    monkeypatch.setenv("MPLBACKEND", "svg")
+    monkeypatch.chdir(written.parent)
+    assert notebooks.run([written.name]) == 0
+    assert written.read_bytes() == before
+    assert "unchanged" in capsys.readouterr().out
+
+
+def test_names_counts_and_metadata_depend_on_the_order_of_cells_only(written, cells):
+    """Jupyter's random cell names, counts of a long session, the author's Python version."""
+    assert [cell["id"] for cell in cells] == [f"cell-{index:02}" for index in range(6)]
+    assert [cell.get("execution_count") for cell in cells] == [None, 1, 2, None, 3, 4]
+    assert all(cell["metadata"] == {} for cell in cells)
+    metadata = json.loads(written.read_text(encoding="utf-8"))["metadata"]
+    assert metadata.pop("written_with")["numpy"] == np.__version__
+    assert metadata == {
+        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "language_info": {"name": "python"}}
+
+
+def test_the_file_ends_with_one_line_feed_and_has_no_carriage_return(written):
+    """The line ends of the system that wrote it."""
+    content = written.read_bytes()
+    assert content.endswith(b"}\n") and b"\r" not in content
+
+
+def test_printed_text_is_one_output_from_the_courses_folder(cells):
+    """Text in pieces that depend on the kernel's timing; a run from the caller's folder."""
+    output, = cells[2]["outputs"]
+    assert sorted(output["text"]) == ["True\n", "a\n", "has\n", "no\n", "order\n", "set\n"]
+
+
+def test_a_live_cell_is_left_to_the_reader(cells):
+    """A slider, which a page cannot show, saved dead."""
+    assert cells[3]["outputs"] == [] and cells[3]["source"][0] == "# live\n"
+
+
+def test_figures_are_whole_pages_and_tell_no_version(cells):
+    """Trimmed margins, which give each figure a width of its own; matplotlib's name in the PNG."""
+    pictures = [base64.b64decode(output["data"]["image/png"]) for output in cells[4]["outputs"]]
+    assert len(pictures) == 2
+    for picture in pictures:
+        assert int.from_bytes(picture[16:20], "big") == 900
+        assert b"matplotlib" not in picture.lower()
+
+
+REFUSED = {
+    "fails": (["1", "2\n1 / 0", "3"], "code cell [2] failed with ZeroDivisionError: division by"),
+    "warns": (["import warnings; warnings.warn('old name')"], "UserWarning: old name): mend"),
+    "address": (["object()"], "code cell [1] prints a memory address"),
+    "twice": (["import matplotlib.pyplot as plt\nfigure, _ = plt.subplots()\nfigure"],
+              "code cell [1] shows one picture twice: end its last line with a semicolon"),
+    "large": (["0", f"print('x' * {notebooks.SIZE_LIMIT})"],
+              "would be 501 kB, and 500 kB is the limit: draw fewer or smaller pictures, first in "
+              "code cell [2], whose outputs are 500 kB"),
+    "dies": (["import os; os._exit(1)"], "code cell [1] ended the kernel"),
+}
+
+
+@pytest.fixture(scope="module")
+def refusals(tmp_path_factory):
+    """Name -> the refused notebook's bytes before and after, and the sentence that was printed."""
+    folder = tmp_path_factory.mktemp("refused")
+    paths = [save(folder / f"{name}.ipynb", *sources) for name, (sources, _) in REFUSED.items()]
+    before = {path.stem: path.read_bytes() for path in paths}
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        assert notebooks.run(paths) == 1
+    said = {line.split(".ipynb")[0]: line for line in printed.getvalue().splitlines()}
+    return {path.stem: (before[path.stem], path.read_bytes(), said[path.stem]) for path in paths}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_a_notebook_with_a_defect_is_refused_in_one_sentence(refusals, name):
+    """A defect that is saved; a file that a failed run has changed; a sentence without the cell."""
+    before, after, sentence = refusals[name]
+    assert after == before
+    assert sentence.startswith(f"{name}.ipynb") and REFUSED[name][1] in sentence
+
+
+@pytest.mark.parametrize("kind, content, clause", [
+    ("text/plain", "\x1b[31mred", "prints terminal colours"),
+    ("text/plain", "10 %\r20 %", "draws a progress bar"),
+    ("text/html", f"<b>{ROOT}</b>", "prints the folder of this copy of the course"),
+    ("application/vnd.jupyter.widget-view+json", {}, "shows application/vnd.jupyter.widget"),
+    ("image/png", "iVBO", None),
+])
+def test_what_a_page_must_not_show_is_named(kind, content, clause):
+    """Colours as garbage, a bar for each step, a path of the author's, a slider that is dead."""
+    output = nbformat.v4.new_output("display_data", {kind: content})
+    objection = notebooks._objection(nbformat.v4.new_code_cell(outputs=[output]))
+    assert objection.startswith(clause) if clause else objection is None
+
+
+def test_a_notebook_that_does_not_end_is_ended(tmp_path, monkeypatch):
+    """An endless loop that holds the whole run."""
+    path = save(tmp_path / "endless.ipynb", "1", "while True: pass")
+    monkeypatch.setattr(notebooks, "TIME_LIMIT", 2)
+    start = time.monotonic()
+    assert notebooks.compare(path) == [
+        "endless.ipynb, code cell [2] was running when the 2 seconds of a notebook ended: "
+        "let it do less"]
+    assert time.monotonic() - start < 20
+
+
+def test_what_the_author_saves_meanwhile_is_kept(tmp_path, monkeypatch, capsys):
+    """An edit made in Jupyter while the notebook ran, overwritten by the older text."""
+    async def execute(path, progress):
+        path.write_text("edited")
+        return b"executed"
+    monkeypatch.setattr(notebooks, "execute", execute)
+    path = save(tmp_path / "open.ipynb", "1")
+    assert notebooks.run([path]) == 1
+    assert path.read_text() == "edited"
+    assert "open.ipynb was saved while it ran: run the command again" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("content", ["", "[]", "{}", '{"nbformat": 3, "worksheets": []}',
+                                     '{"nbformat": 4, "cells": [{}]}'])
+def test_a_file_that_is_no_notebook_is_told_in_one_sentence(tmp_path, content, capsys):
+    """A traceback for a file that was cut off, or of an old format."""
+    path = tmp_path / "broken.ipynb"
+    path.write_text(content)
+    assert notebooks.run([path]) == 1
+    assert f"{path} is not a notebook of format 4" in capsys.readouterr().out
+
+
+def test_notebooks_are_found_by_number_topic_and_path(tmp_path, monkeypatch):
+    """A number that finds every notebook with that digit; one notebook run twice at a time."""
+    for name in ("00_start.ipynb", "01_transforms.ipynb", "10_ten.ipynb", "12_one.ipynb"):
+        (tmp_path / name).touch()
+    monkeypatch.setattr(notebooks, "FOLDER", tmp_path)
+    monkeypatch.chdir(tmp_path)
+
+    def found(*names):
+        return [path.name for path in notebooks.find(names)]
+
+    assert found("1") == found("01") == found("transforms") == ["01_transforms.ipynb"]
+    assert found("one", "0") == ["12_one.ipynb", "00_start.ipynb"]
+    assert found("10", "ten", "10_ten", tmp_path / "10_ten.ipynb") == ["10_ten.ipynb"]
+    assert len(found()) == 4
+    with pytest.raises(ValueError, match="there is no notebook 2: name one by its number"):
+        notebooks.find(["2"])
+
+
+# The comparison, without a kernel: what a run gives is the written file
+
+def edited(written, tmp_path, monkeypatch, edit, layout=lambda text: text):
+    """What `compare` says of the written lecture after `edit(notebook)` and `layout(text)`."""
+    async def execute(path):
+        return written.read_bytes()
+    monkeypatch.setattr(notebooks, "execute", execute)
+    notebook = nbformat.from_dict(json.loads(written.read_text(encoding="utf-8")))
+    edit(notebook)
+    path = tmp_path / "copy.ipynb"
+    path.write_bytes(layout(nbformat.writes(notebook) + "\n").encode())
+    return notebooks.compare(path)
+
+
+def set_count(notebook):
+    notebook.cells[1].execution_count = 9
+
+
+def set_name(notebook):
+    notebook.cells[0].id = "welcome"
+
+
+def set_text(notebook):
+    notebook.cells[5].outputs[0].data["text/plain"] = "3"
+
+
+def drop_output(notebook):
+    notebook.cells[4].outputs.pop()
+
+
+def set_metadata(notebook):
+    notebook.metadata.authors = ["somebody"]
+
+
+def set_picture(notebook, picture=lambda pixels: pixels):
+    """Draw the lecture's curve again, its pixels (H, W, 3) changed by `picture`."""
+    data = notebook.cells[4].outputs[0].data
+    pixels = np.asarray(notebooks._frames(data["image/png"])[0])
+    content = io.BytesIO()
+    Image.fromarray(picture(pixels)).save(content, "PNG")
+    data["image/png"] = base64.b64encode(content.getvalue()).decode()
+
+
+@pytest.mark.parametrize("edit, difference", [
+    (set_count, "cell-01 has a name, count, source or metadata that the command does not write"),
+    (set_name, "cell-00 has a name, count, source or metadata that the command does not write"),
+    (set_text, "cell-05 prints '2', and the file says '3'"),
+    (drop_output, "cell-04 has 2 outputs, and in the file 1 or other ones"),
+    (set_metadata, "the notebook's metadata are not those that the command writes"),
+    (set_picture, "cell-04 draws a picture with other bytes, with the same versions: find what is "
+                  "not seeded"),
+])
+def test_an_edit_by_hand_is_one_difference(written, tmp_path, monkeypatch, edit, difference):
+    """A comparison that looks at the text only, or at the pictures only."""
+    assert edited(written, tmp_path, monkeypatch, edit) == [f"copy.ipynb: {difference}"]
+
+
+def test_another_layout_is_a_difference_and_other_line_ends_are_not(written, tmp_path, monkeypatch):
+    """A file saved by another editor; a checkout with the line ends of Windows."""
+    def nothing(notebook):
+        pass
+    assert edited(written, tmp_path, monkeypatch, nothing) == []
+    assert edited(written, tmp_path, monkeypatch, nothing, lambda text: text[:-1]) == [
+        "copy.ipynb: the file's layout is not the one that the command writes"]
+    assert edited(written, tmp_path, monkeypatch, nothing,
+                  lambda text: text.replace("\n", "\r\n")) == []
+
+
+SAME = [("off by 3e-15 at most", "off by  2e-14 at most"), ("0.25 px", "0.26 px"),
+        ("-1e-16", "0.0"), ("100 faces", "101 faces"), ("x = 1234.5", "x = 1245.5")]
+OTHER = [("off by 3e-15", "off by 3e-05"), ("0.25 px", "0.27 px"), ("100 faces", "102 faces"),
+         ("0.25 px", "0.25 m"), ("x = 1234.5", "x = -1234.5"), ("1 2", "1 2 3"), ("a b", "a c")]
+
+
+@pytest.mark.parametrize("old, new", SAME + OTHER)
+def test_a_number_written_elsewhere_may_be_rounded_otherwise(old, new):
+    """A lecture that is wrong on every other processor; a stale number that nobody sees."""
+    same = (old, new) in SAME
+    assert (notebooks._text_difference(old, new, here=False) is None) == same
+    assert notebooks._text_difference(old, new, here=True) is not None
+
+
+def from_elsewhere(picture):
+    def edit(notebook):
+        notebook.metadata.written_with.matplotlib = "3.0"
+        set_picture(notebook, picture)
+    return edit
+
+
+@pytest.mark.parametrize("picture", [
+    lambda pixels: pixels,
+    lambda pixels: np.roll(pixels, 1, axis=1),
+    lambda pixels: pixels[1:, :-2],
+    lambda pixels: pixels ^ 1,
+], ids=["other bytes", "a pixel aside", "smaller by two", "rounded"])
+def test_a_picture_written_elsewhere_may_differ_a_little(written, tmp_path, monkeypatch, picture):
+    """A test that fails wherever a font is drawn otherwise."""
+    assert edited(written, tmp_path, monkeypatch, from_elsewhere(picture)) == []
+
+
+@pytest.mark.parametrize("picture, difference", [
+    (lambda pixels: pixels[::-1], "differs from the file's by"),
+    (lambda pixels: pixels[:, ::-1], "differs from the file's by"),
+    (lambda pixels: pixels * 0 + 255, "differs from the file's by"),
+    (lambda pixels: pixels[:-3], "draws 1 pictures of"),
+], ids=["upside down", "mirrored", "empty", "smaller by three"])
+def test_a_picture_written_elsewhere_may_not_show_something_else(
+        written, tmp_path, monkeypatch, picture, difference):
+    """A limit so wide that another figure passes."""
+    found, = edited(written, tmp_path, monkeypatch, from_elsewhere(picture))
+    assert difference in found
+
+
+def test_the_commands_own_folder_is_the_courses():
+    """A command that writes beside the notebooks that are read."""
+    assert notebooks.FOLDER == ROOT / "notebooks"

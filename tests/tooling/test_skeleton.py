@@ -1,0 +1,298 @@
+"""The exercises of a module, and the labs made from the reference."""
+import json
+import os
+
+import pytest
+
+from course.given import places
+from course.upkeep import skeleton
+
+MODULE = '''\
+"""Made up.   """
+import numpy as np
+import os  # of no use in the lab, and kept
+
+LIMIT = 3   # a constant
+
+
+def given(x):
+    """Calls an exercise and is none."""
+    return first(x) + LIMIT
+
+
+def first(  x ):  # exercise 1.1 (2 points)
+    """One line."""
+
+    # A step of the derivation.
+    def inner(z):
+        """Not an exercise."""
+        return z
+
+    return inner(x)
+    # The last step.
+
+# A remark between two functions.
+
+
+@np.vectorize
+@undecided(lambda x: x)
+def second(x,  # exercise 1.2 (1 point)
+           y=(1,
+              2)) -> float:
+    """Several lines,
+
+        one indented.
+    """
+    return given(x) if x else second(y)
+
+
+class Thing:
+    def method(self):
+        """Not an exercise."""
+        return first(2) + third(2)
+
+
+def third(x):  # exercise 1.10 (12 points)
+    \'\'\'Calls the others.\'\'\'
+    return (first(x)
+            + second(x))  # the end'''
+
+LAB = '''\
+"""Made up.   """
+import numpy as np
+import os  # of no use in the lab, and kept
+
+LIMIT = 3   # a constant
+
+
+def given(x):
+    """Calls an exercise and is none."""
+    return first(x) + LIMIT
+
+
+def first(  x ):  # exercise 1.1 (2 points)
+    """One line."""
+    raise NotImplementedError("exercise 1.1: first")
+
+# A remark between two functions.
+
+
+@np.vectorize
+@undecided(lambda x: x)
+def second(x,  # exercise 1.2 (1 point)
+           y=(1,
+              2)) -> float:
+    """Several lines,
+
+        one indented.
+    """
+    raise NotImplementedError("exercise 1.2: second")
+
+
+class Thing:
+    def method(self):
+        """Not an exercise."""
+        return first(2) + third(2)
+
+
+def third(x):  # exercise 1.10 (12 points)
+    \'\'\'Calls the others.\'\'\'
+    raise NotImplementedError("exercise 1.10: third")'''
+
+
+def test_an_exercise_has_number_name_points_line_and_calls():
+    """The line is a decorator's, 1.10 becomes 1.1, or calls through given functions are missed."""
+    assert skeleton.exercises(MODULE) == [
+        ("1.1", "first", 2, 13, ()),
+        ("1.2", "second", 1, 29, ("first",)),
+        ("1.10", "third", 12, 45, ("first", "second")),
+    ]
+
+
+def test_what_a_called_exercise_calls_is_its_own_affair():
+    """An exercise counts as waiting for all that stands before it."""
+    text = "def a():\n    b()\ndef b():\n    c()\ndef c():\n    a()\n"
+    assert skeleton.calls(text, ["a", "b", "c"]) == {"a": ("b",), "b": ("c",), "c": ("a",)}
+    assert skeleton.calls(text, ["a", "c"]) == {"a": ("c",), "c": ("a",)}
+
+
+@pytest.mark.parametrize("newline", ["\n", "\r\n"], ids=["LF", "CRLF"])
+def test_only_the_answers_are_replaced(newline):
+    """Comments, decorators, blank lines, line ends or a last line without an end get lost."""
+    assert skeleton.skeleton(MODULE.replace("\n", newline)) == LAB.replace("\n", newline)
+
+
+def test_a_lab_is_the_lab_of_itself():
+    """The generator cannot read what it has written."""
+    assert skeleton.skeleton(LAB) == LAB
+    assert [found[:4] for found in skeleton.exercises(LAB)] == [
+        ("1.1", "first", 2, 13), ("1.2", "second", 1, 22), ("1.10", "third", 12, 38)]
+
+
+def test_a_module_without_exercises_stays_as_it_is():
+    """Functions without a mark lose their bodies."""
+    text = MODULE.replace("# exercise", "# not an exercise")
+    assert skeleton.exercises(text) == []
+    assert skeleton.skeleton(text) == text
+
+
+QUESTION = '    """A question."""\n    return 1\n'
+
+
+@pytest.mark.parametrize(("text", "sentence"), [
+    ("x = 1  # exercise 1.1 (2 points)\n",
+     "line 1: the mark of exercise 1.1 is on no def"),
+    ("# exercise 1.1 (2 points)\ndef f():\n" + QUESTION,
+     "line 1: the mark of exercise 1.1 is on no def"),
+    ("class C:\n    def f(self):  # exercise 1.1 (2 points)\n        return 1\n",
+     "line 2: the mark of exercise 1.1 is on no def"),
+    ("@decorated  # exercise 1.1 (2 points)\ndef f():\n" + QUESTION,
+     "line 1: the mark of exercise 1.1 is on no def"),
+    ("def f():  # exercise 1.1 (2 points)\n    return 1\n",
+     "line 1: exercise 1.1, f, has no docstring"),
+    ("def f():  # exercise 1.1 (2 points)\n    ''\n    return 1\n",
+     "line 1: exercise 1.1, f, has no docstring"),
+    ('def f(): "A question."  # exercise 1.1 (2 points)\n',
+     "line 1: exercise 1.1, f, has its docstring beside the def"),
+    ("def f():  # exercise 1.1 (2 points)\n    '''A question.'''\n",
+     "line 1: exercise 1.1, f, has no answer on the lines below its docstring"),
+    ("def f():  # exercise 1.1 (2 points)\n    '''A question.'''; return 1\n",
+     "line 1: exercise 1.1, f, has no answer on the lines below its docstring"),
+    ("def f():  # exercise 1.1 (2 points)\n" + QUESTION
+     + "def g():  # exercise 1.1 (2 points)\n" + QUESTION,
+     "line 4: exercise 1.1 is there already, on line 1"),
+    ("def f():  # exercise 1.1 (0 points)\n" + QUESTION,
+     "line 1: exercise 1.1 has 0 points"),
+    *[(f"def f():  {mark}\n" + QUESTION, f'line 1: the comment "{mark}" is not a mark')
+      for mark in ("# exercise 1.1 2 points", "# exercise 1.1", "#exercise 1.1 (2 points)",
+                   "# Exercise 1.1 (2 points)", "# exercise 11 (2 points)",
+                   "# exercise 1.1 (-2 points)", "# exercise 1.1 (2 points) of lab 1")],
+    ("def f(:\n", "line 1: this is not Python"),
+])
+def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
+    """A mark is overlooked, and its answer stays in the lab."""
+    for read in skeleton.exercises, skeleton.skeleton:
+        with pytest.raises(ValueError) as error:
+            read(text)
+        assert str(error.value).startswith(sentence)
+        assert "\n" not in str(error.value)
+
+
+def test_what_only_looks_like_a_mark_in_a_string_is_none():
+    """Marks are looked for in the text, not among the comments."""
+    assert skeleton.exercises('x = """\ndef f():  # exercise 1.1 (2 points)\n"""\n') == []
+
+
+@pytest.fixture
+def course(tmp_path, monkeypatch):
+    """A course with one topic, its lab not yet made."""
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    (tmp_path / "reference").mkdir()
+    (tmp_path / "labs").mkdir()
+    (tmp_path / "reference" / "transforms.py").write_bytes(MODULE.encode())
+    return tmp_path
+
+
+def test_topics_are_those_of_the_reference_in_the_courses_order(course):
+    """Topics come in the order of the alphabet, or one is listed that is not there."""
+    (course / "reference" / "sampling.py").write_text("")
+    (course / "reference" / "rasterization.py").write_text("")
+    assert skeleton.topics() == ("transforms", "rasterization", "sampling")
+    assert skeleton.lab_number("rasterization") == 2
+
+
+def test_an_exercise_bears_its_labs_number(course):
+    """A lab copied from another keeps the other's numbers."""
+    (course / "reference" / "rasterization.py").write_text(MODULE)
+    with pytest.raises(ValueError, match=r"^reference/rasterization\.py, line 13: first is marked "
+                                         r"as exercise 1\.1, but rasterization is lab 2; number"):
+        skeleton.run()
+    assert not list((course / "labs").iterdir())
+
+
+def test_a_wrong_mark_is_told_with_its_file(course):
+    """The sentence says the line, but of which of sixteen files?"""
+    (course / "reference" / "transforms.py").write_text(MODULE + "\n# exercise 2\n")
+    with pytest.raises(ValueError, match=r"^reference/transforms\.py, line 49: the comment"):
+        skeleton.run(check=True)
+
+
+def test_labs_are_made_and_then_in_step(course, capsys):
+    """A run leaves something that the next run, or --check, finds fault with."""
+    assert skeleton.run(check=True) == 1
+    assert capsys.readouterr().out == (
+        "labs/transforms.py: stale: run python3 -m course skeleton\n")
+    assert skeleton.run() == 0
+    assert (course / "labs" / "transforms.py").read_bytes() == LAB.encode()
+    first = {path: path.read_bytes() for path in course.rglob("*.*")}
+    assert skeleton.run() == 0
+    assert {path: path.read_bytes() for path in course.rglob("*.*")} == first
+    assert skeleton.run(check=True) == 0
+    assert capsys.readouterr().out == "labs/transforms.py: in step\n"
+
+
+def test_a_lab_that_nobody_touched_follows_the_reference(course, capsys):
+    """A lab as it was made is taken for one that was worked on, or for one in step."""
+    skeleton.run()
+    reference, lab = course / "reference" / "transforms.py", course / "labs" / "transforms.py"
+    lab.write_bytes(lab.read_bytes().replace(b"\n", b"\r\n"))  # as git does on Windows
+    reference.write_bytes(MODULE.replace("LIMIT = 3", "LIMIT = 4").encode())
+    assert skeleton.run(check=True) == 1
+    assert "stale" in capsys.readouterr().out
+    assert skeleton.run() == 0
+    assert lab.read_bytes() == LAB.replace("LIMIT = 3", "LIMIT = 4").encode()
+
+
+def test_a_lab_that_was_worked_on_is_refused_and_the_others_are_made(course, capsys):
+    """A student's work is overwritten, or stands in the way of all other labs."""
+    (course / "reference" / "rasterization.py").write_text('"""Nothing yet."""\n')
+    work = course / "labs" / "transforms.py"
+    work.write_text("mine\n")
+    assert skeleton.run(check=True) == 1
+    assert "labs/transforms.py: worked on\n" in capsys.readouterr().out
+    assert skeleton.run() == 1
+    assert capsys.readouterr().out == (
+        "labs/transforms.py was worked on and stays as it is; to start it anew, run "
+        "python3 -m course skeleton --force, which keeps your text beside it\n")
+    assert work.read_text() == "mine\n"
+    assert (course / "labs" / "rasterization.py").read_text() == '"""Nothing yet."""\n'
+    assert skeleton.run() == 1, "the refusal was forgotten"
+
+
+def test_force_keeps_every_text_that_it_replaces(course, capsys):
+    """The second --force overwrites what the first one kept."""
+    work = course / "labs" / "transforms.py"
+    for text, kept in ("mine\n", "transforms.py.bak"), ("mine again\r\n", "transforms.py.bak2"):
+        work.write_bytes(text.encode())
+        assert skeleton.run(force=True) == 0
+        assert work.read_bytes() == LAB.encode()
+        assert (course / "labs" / kept).read_bytes() == text.encode()
+        assert f"labs/{kept}" in capsys.readouterr().out
+    assert skeleton.run(force=True) == 0, "there is nothing left to force"
+    assert not (course / "labs" / "transforms.py.bak3").exists()
+
+
+@pytest.mark.parametrize("spoilt", ["", "<<<<<<< ours", "{}"])
+def test_without_its_record_no_lab_is_overwritten(course, spoilt):
+    """A lost or broken .generated.json makes all labs look as if nobody had touched them."""
+    skeleton.run()
+    (course / "labs" / "transforms.py").write_text("mine\n")
+    (course / "labs" / ".generated.json").write_text(spoilt)
+    assert skeleton.run() == 1
+    assert (course / "labs" / "transforms.py").read_text() == "mine\n"
+
+
+def test_the_record_holds_one_hash_for_each_lab(course):
+    """The record keeps what it should not, a time or a path, and changes from run to run."""
+    skeleton.run()
+    record = json.loads((course / "labs" / ".generated.json").read_text())
+    assert record == {"transforms.py": skeleton.digest(LAB)}
+    assert skeleton.digest(LAB.replace("\n", "\r\n")) == skeleton.digest(LAB)
+
+
+def test_the_courses_labs_are_in_step_with_its_reference():
+    """The reference was changed, and python3 -m course skeleton not run."""
+    states = {lab.path.name: lab.state for lab in skeleton.labs()}
+    assert "stale" not in states.values(), states
+    if "CI" in os.environ:
+        assert "worked on" not in states.values(), states
