@@ -302,7 +302,7 @@ def reading(topic, exercise, code):
                  skeleton.top_level_functions(skeleton.read(code / f"{topic}.py"))}
         line = lines.get(exercise.name, line)
     question = f"{places.shown_path(code / topic)}.py:{line}, the docstring is the question"
-    lecture = places.ROOT / "notebooks" / f"{skeleton.lab_number(topic):02}_{topic}.ipynb"
+    lecture = skeleton.lecture(topic)
     if not lecture.exists():
         return question
     section = section_of(lecture, exercise)

@@ -66,7 +66,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
 
 def topics_of(labs):
     """'1-4', '2' or '1,3' -> topics; None: all. ValueError: there is no such lab."""
-    numbers = {skeleton.lab_number(topic): topic for topic in skeleton.topics()}
+    numbers = {skeleton.lab_number(topic) for topic in skeleton.topics()}
     asked = list(numbers) if labs is None else []
     for part in labs.split(",") if labs else ():
         first, _, last = part.partition("-")
@@ -78,7 +78,7 @@ def topics_of(labs):
         if number not in numbers:
             raise ValueError(f"there is no lab {number}; give labs as in 1-4 or 1,3 "
                              f"({min(numbers)} to {max(numbers)} are there)")
-    return [numbers[number] for number in sorted(set(asked))]
+    return [topic for topic in skeleton.topics() if skeleton.lab_number(topic) in asked]
 
 
 def level_to_use(isolation):

@@ -1,4 +1,5 @@
 """What students get: the labs, their checks and lectures, and no solution but those released."""
+import ast
 import json
 import re
 from pathlib import Path
@@ -54,7 +55,8 @@ def with_siblings(topics):
     needed, ends = set(topics), list(topics)
     while ends:
         text = skeleton.read(skeleton.reference(ends.pop()))
-        found = set(re.findall(r"\w+", " ".join(re.findall(r"^from \. import (.+)", text, re.M))))
+        found = {node.module or alias.name for node in ast.walk(ast.parse(text))
+                 if isinstance(node, ast.ImportFrom) and node.level == 1 for alias in node.names}
         ends += found - needed
         needed |= found
     return [topic for topic in skeleton.topics() if topic in needed]

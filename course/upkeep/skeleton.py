@@ -14,6 +14,7 @@ import ast
 import functools
 import hashlib
 import io
+import itertools
 import json
 import re
 import tokenize
@@ -22,10 +23,25 @@ from typing import NamedTuple
 
 from ..given import places
 
-TOPICS = ("transforms", "rasterization", "sampling", "msaa", "interpolation", "texturing",
-          "vertex_gradients", "antialiasing", "inverse_rendering", "neural_renderer",
-          "subdivision", "simplification", "regularization", "shadow_mapping",
-          "implicit_surfaces", "reconstruction")
+LABS = (  # the topics of each lab, one module each: its lecture's own first, then deeper ones
+    ("transforms",),
+    ("rasterization", "scanline"),
+    ("sampling",),
+    ("msaa",),
+    ("interpolation",),
+    ("texturing", "mipmapping"),
+    ("vertex_gradients", "rasterizer_gradients"),
+    ("antialiasing", "diagnosis"),
+    ("inverse_rendering", "pipeline"),
+    ("neural_renderer", "sweep_gradient", "soft_rasterizer"),
+    ("subdivision", "loop_subdivision", "catmull_clark"),
+    ("simplification", "collapse_heap"),
+    ("regularization", "remeshing"),
+    ("shadow_mapping", "variance_shadows"),
+    ("implicit_surfaces", "marching_tetrahedra"),
+    ("reconstruction", "multi_view_fit"),
+)
+TOPICS = tuple(itertools.chain(*LABS))
 
 MARK = re.compile(r"# exercise ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)")
 MEANT_AS_MARK = re.compile(r"\W*exercise\b", re.IGNORECASE)
@@ -55,8 +71,14 @@ def topics():
 
 
 def lab_number(topic):
-    """A topic's place in the course; the first is 1."""
-    return TOPICS.index(topic) + 1
+    """The number of the lab that a topic belongs to; the first is 1."""
+    return next(number for number, topics in enumerate(LABS, 1) if topic in topics)
+
+
+def lecture(topic):
+    """The path of the notebook that a topic belongs to."""
+    number = lab_number(topic)
+    return places.ROOT / "notebooks" / f"{number:02}_{LABS[number - 1][0]}.ipynb"
 
 
 def reference(topic):
