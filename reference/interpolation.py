@@ -22,10 +22,26 @@ face_index (H, W), -1 for no face, and barycentric (H, W, 3) are as lab 2 makes 
 
 Source: lecture "Differentiable graphics 1".
 """
+import math
+
 import numpy as np
 import scipy.sparse
 
-CHUNK = 1 << 14  # pixels in flight at once: they stay in the cache
+from .rasterization import seen_pixels
+
+
+def scatter(values, index, count):
+    """The transpose of the gather x[index]: row index[n] of the result sums the values[n].
+
+    values (*index.shape, ...), index of integers below count -> (count, ...).
+
+    >>> scatter(np.array([1.0, 10.0, 100.0]), np.array([2, 0, 2]), 3)
+    array([ 10.,   0., 101.])
+    """
+    shape = values.shape[index.ndim:]
+    columns = values.reshape(index.size, math.prod(shape)).T
+    sums = [np.bincount(index.ravel(), column, count) for column in columns]
+    return np.stack(sums, -1).reshape(count, *shape)
 
 
 def lerp(a, b, t):  # exercise 5.1 (1 point)
@@ -212,8 +228,7 @@ def seen_corners(face_index, faces):
     """The pixels that see a face, in chunks that stay in the cache: yields pixel (N,) = row * width
     + column, and corners (3, N): the vertices of the face that each one sees.
     """
-    seen = np.flatnonzero(face_index >= 0)
-    for pixel in (seen[start:start + CHUNK] for start in range(0, len(seen), CHUNK)):
+    for pixel in seen_pixels(face_index):
         yield pixel, faces.take(face_index.reshape(-1)[pixel], 0).T
 
 

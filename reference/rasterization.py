@@ -470,14 +470,24 @@ def barycentric_derivatives(px, py, x, y, w):  # exercise 2.17 (3 points)
     return (dc_dx - c / s * dc_dx.sum(0)) / s, (dc_dy - c / s * dc_dy.sum(0)) / s
 
 
+def in_chunks(items):
+    """The items, at most CHUNK of them at a time: so many rows stay in the cache."""
+    for start in range(0, len(items), CHUNK):
+        yield items[start:start + CHUNK]
+
+
+def seen_pixels(face_index):
+    """The pixels that see a face: yields row * width + column (N,), in chunks."""
+    yield from in_chunks(np.flatnonzero(face_index >= 0))
+
+
 def seen_corners(face_index, clip, faces):
     """The pixels that see a face: yields in chunks pixel (N,) = row * width + column, px, py (N,)
     of its centre, and the corners x, y, w (3, N) of its face.
     """
     height, width = face_index.shape
     x, y, w = screen_points(clip, width, height)
-    seen = np.flatnonzero(face_index >= 0)
-    for pixel in (seen[start:start + CHUNK] for start in range(0, len(seen), CHUNK)):
+    for pixel in seen_pixels(face_index):
         corners = faces.take(face_index.reshape(-1)[pixel], 0).T.copy()  # rows side by side
         row = pixel // width
         yield pixel, pixel - row * width + 0.5, row + 0.5, x[corners], y[corners], w[corners]
