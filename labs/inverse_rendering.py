@@ -23,7 +23,7 @@ import numpy as np
 
 from course.given import inputs
 
-from . import antialiasing, interpolation, rasterization, texturing, transforms, vertex_gradients
+from . import antialiasing, interpolation, mipmapping, rasterization, transforms, vertex_gradients
 
 
 def squared_error(picture, target):  # exercise 9.1 (1 point)
@@ -285,7 +285,7 @@ def shade_textured(clip, faces, uv, uv_faces, image, width, height, background, 
     at, footprint = footprints(uv, uv_faces, face_index, barycentric, derivatives)
     colour = np.empty((height, width, image.shape[2]))
     colour[face_index < 0] = background
-    colour[face_index >= 0] = texturing.texture(image, at, footprint, filter=filter)
+    colour[face_index >= 0] = mipmapping.texture(image, at, footprint, filter=filter)
     return colour, face_index, depth, barycentric, derivatives
 
 
@@ -294,8 +294,8 @@ def shade_textured_backward(grad_colour, clip, faces, uv, uv_faces, image, filte
     """`shade_textured` read upwards -> grad_clip (V, 4), grad_uv (T, 2), grad_image (h, w, C)."""
     seen, at_uv = face_index >= 0, (uv, uv_faces, face_index)
     at, footprint = footprints(*at_uv, barycentric, derivatives)
-    grad_image, *by_footprint, _ = texturing.texture_backward(grad_colour[seen], image, at,
-                                                              footprint, filter=filter)
+    grad_image, *by_footprint, _ = mipmapping.texture_backward(grad_colour[seen], image, at,
+                                                               footprint, filter=filter)
     grad_at, grad_footprint = np.zeros((*seen.shape, 2)), np.zeros((*seen.shape, 2, 2))
     grad_at[seen], grad_footprint[seen] = by_footprint
     grad_uv, grad_barycentric = interpolation.interpolate_backward(grad_at, *at_uv, barycentric)

@@ -251,7 +251,7 @@ def globe_views(labs, texture, count, seed=0, size=64):
         fine, *where = globe_footprints(labs, clip_from_model, 4 * size)
         samples = np.zeros((4 * size, 4 * size, 4))
         samples[fine, 3] = 1
-        samples[fine, :3] = labs.texturing.texture(texture, *where, filter="linear-mipmap-linear")
+        samples[fine, :3] = labs.mipmapping.texture(texture, *where, filter="linear-mipmap-linear")
         samples = samples.reshape(size, 4, size, 4, 4).mean((1, 3))
         seen, at, footprint = globe_footprints(labs, clip_from_model, size)
         known = samples[seen, 3] > 0
@@ -280,9 +280,9 @@ def texture(labs, truth, views, filter, size=64, first_rate=1e-2):
     x = np.full(truth.shape, 0.5)
     mean, square, psnr = 0 * x, 0 * x, []
     for step, (at, footprint, colour) in enumerate(views, 1):
-        seen = labs.texturing.texture(x, at, footprint, filter=filter)
+        seen = labs.mipmapping.texture(x, at, footprint, filter=filter)
         grad_seen = 2 * (seen - colour) / (3 * size**2)  # squared error, the rest of it is black
-        grad_x, *_ = labs.texturing.texture_backward(grad_seen, x, at, footprint, filter=filter)
+        grad_x, *_ = labs.mipmapping.texture_backward(grad_seen, x, at, footprint, filter=filter)
         rate = first_rate * 0.1**((step - 1) / len(views))
         x, mean, square = labs.inverse_rendering.adam_step(x, grad_x, mean, square, step, rate)
         psnr.append(globe_psnr(x, truth))

@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import antialiasing, rasterization, texturing, transforms
+from reference import antialiasing, mipmapping, rasterization, transforms
 from reference import inverse_rendering as inverse
 
 WIDTH, HEIGHT = 26, 19
@@ -139,7 +139,7 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
     def decisions(buffers, positions, uv, *_):
         clip, face_index, depth, *at, _ = buffers
         at, footprint = inverse.footprints(uv, uv_faces, face_index, *at)
-        level = texturing.mip_level(footprint, 8, 16) if "mipmap" in filter else np.zeros(len(at))
+        level = mipmapping.mip_level(footprint, 8, 16) if "mipmap" in filter else np.zeros(len(at))
         level = np.floor(np.clip(level, 0, 4))[:, None]
         texels = [np.floor(at * [8, 16] / 2**above - 0.5) for above in (level, level + 1)]
         return *decided(clip, face_index, depth, faces, opposite), level, *texels
