@@ -25,6 +25,7 @@ from .texturing import (
     in_parts,
     look_up,
     look_up_backward,
+    near_texture,
     require,
     require_footprint,
     texels_at,
@@ -225,13 +226,14 @@ def taps_backward(grad_weight, uv, level, mipmap, sampler):
     if sampler.filter == "nearest":
         return grad_uv, grad_level
     top = len(mipmap.start) - 1
+    uv = near_texture(uv, sampler.boundary)
     looks = mixture(level, sampler.filter, top)
     grads = np.split(np.asfortranarray(grad_weight), len(looks), 1)  # laid out as the weights are
     grad_share = []
     for (at, share), grad in zip(looks, grads, strict=True):
         width, height = mipmap.width[at], mipmap.height[at]
         _, weight, inside = texels_at(uv, width, height, sampler.filter, sampler.boundary)
-        # A tap weighs share * weight, and weight is 0 * (row weight) (column weight) outside.
+        # A tap's weight is share * inside * (row weight) (column weight).
         grad_share.append(np.einsum("nk,nk->n", grad, weight))
         grad_uv += bilinear_backward(share * grad * inside, uv, width, height)
     if sampler.filter == "linear-mipmap-linear":  # the shares are 1 - f and f

@@ -128,7 +128,8 @@ def look_up_backward(grad_colour, texels, index, weight):  # exercise 6.6 (3 poi
            [30., 30.]]))
     """
     # colour = M texels, so grad_texels = M^T grad_colour: what was gathered is scattered. This is
-    # `scatter` of lab 5, four times as fast. The slope by weight[n, k] is texels[index[n, k]].
+    # `scatter` of lab 5, four times as fast. With respect to weight[n, k], the derivative of
+    # colour[n] is texels[index[n, k]].
     start = np.arange(0, index.size + 1, index.shape[1])
     matrix = csr_array((weight.ravel(), index.ravel(), start), (len(index), len(texels)))
 
@@ -147,9 +148,9 @@ def in_parts(function, *arrays):
 
 
 def near_texture(x, boundary):
-    """Coordinates x (...), finite, moved to where the same texels are found: to -1 ... 2.
+    """Coordinates x (...), finite, moved to -1 ... 2, where the same texels are found.
 
-    So a texel's number is exact however far away x is. Both branches are exact, too.
+    There a texel's number fits into an integer. The texture repeats exactly at whole numbers.
     """
     return x - np.trunc(x) if boundary == "wrap" else np.clip(x, -1, 2)
 
@@ -210,7 +211,7 @@ def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (3 points
 
 
 def footprint_points(uv, jacobian, n):  # exercise 6.8 (2 points)
-    """Eq. (4): where to ask for a pixel's mean: n x n points of its footprint, (n^2, N, 2).
+    """Eq. (4): where a pixel's mean is sampled: n x n points of its footprint, (n^2, N, 2).
 
     uv (N, 2) at the pixels' centres, jacobian (N, 2, 2) = d(u, v)/d(x, y), rows u and v. The pixel
     is cut into n x n equal squares; the points are uv + J d, d their centres, measured from the

@@ -190,6 +190,9 @@ def test_far_outside_is_as_near_outside(filter, far):
         got, expected = (mipmapping.texture(image, side * [u, 0.25], None, 0.75, filter, boundary)
                          for u in (far, 8.0))
         np.testing.assert_array_equal(got, expected)
+        got, expected = (mipmapping.texture_backward(np.ones((2, 1)), image, side * [u, 0.26], None,
+                                                     0.75, filter, boundary)[1] for u in (far, 8.0))
+        np.testing.assert_array_equal(got, expected)
 
 
 def test_numbers_may_come_as_lists():
