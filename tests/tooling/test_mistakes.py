@@ -1,10 +1,13 @@
 """The mistake library: every mistake is caught by its own exercise, and gives its hint."""
+import ast
 import json
+import shutil
 
 import numpy as np
 import pytest
 
 from course import checks
+from course.given import places
 from course.upkeep import mistakes, mutants, skeleton
 
 TOPICS = [topic for topic in skeleton.topics() if mistakes.library(topic)]
@@ -39,6 +42,63 @@ def test_every_exercise_has_one_to_three_mistakes_in_its_place(topic):
         assert len(set(sentences)) == len(sentences), exercise.number
     assert [mistake.exercise for mistake in library] == sorted(
         [mistake.exercise for mistake in library], key=exercises.index)
+
+
+def excused(topic):
+    """{(number, change): the place of the mutant that the topic's list excuses by that name}."""
+    reasons, found = mutants.equivalents(topic), {}
+    for exercise in skeleton.topic_exercises(topic):
+        function = mutants.function_of(topic, exercise)
+        listed = mutants.listed(exercise, function, reasons)
+        keys = [mutants.nameless(mutant.change, function)
+                for mutant in (mutants.mutants(function) if listed else ())]
+        found |= {(exercise.number, change): keys.index(key) for key, change in listed.items()}
+    assert found.keys() == reasons.keys()
+    return found
+
+
+def a_variable(function):
+    """One of a function's own names that is used, and [(line, column)] of all its places.
+
+    Rather not width: its mutant height is made because of the name.
+    """
+    nodes = [node for node in ast.walk(function) if isinstance(node, (ast.Name, ast.arg))]
+    kept = mutants.foreign_names(function) | {
+        node.name for node in ast.walk(function) if isinstance(node, ast.FunctionDef)}
+    name = min((node.id for node in nodes if isinstance(node, ast.Name)
+                and isinstance(node.ctx, ast.Load) and node.id not in kept),
+               key=mutants.TWIN.__contains__)
+    return name, [(node.lineno - 1, node.col_offset) for node in nodes
+                  if name in (getattr(node, "id", ""), getattr(node, "arg", ""))]
+
+
+def with_other_names(text, names):
+    """The text of a reference, in which a variable of each of its exercises is called otherwise."""
+    functions = [node for node in skeleton.top_level_functions(text) if node.name in names]
+    changes = sorted((place, name) for name, found in map(a_variable, functions) for place in found)
+    lines = [line.encode("utf-8") for line in skeleton.text_lines(text)]
+    for (line, start), name in reversed(changes):
+        end = start + len(name)
+        assert lines[line][start:end] == name.encode()
+        lines[line] = lines[line][:end] + b"_longer_than_before" + lines[line][end:]
+    return b"".join(lines).decode("utf-8")
+
+
+def test_a_variable_of_the_reference_may_get_another_name(tmp_path, monkeypatch):
+    """One in each exercise does, and a mistake is lost, or an excuse goes to another mutant."""
+    before = {topic: (mistakes.library(topic), excused(topic)) for topic in TOPICS}
+    shutil.copytree(places.ROOT / "tests" / "mistakes", tmp_path / "tests" / "mistakes")
+    (tmp_path / "reference").mkdir()
+    for topic in TOPICS:
+        old = skeleton.read(skeleton.reference(topic))
+        names = {exercise.name for exercise in skeleton.topic_exercises(topic)}
+        new = with_other_names(old, names)
+        changed = {one.name for one, other in zip(*map(skeleton.top_level_functions, (old, new)),
+                                                  strict=True) if ast.dump(one) != ast.dump(other)}
+        assert changed == names
+        (tmp_path / "reference" / f"{topic}.py").write_text(new, encoding="utf-8")
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    assert {topic: (mistakes.library(topic), excused(topic)) for topic in TOPICS} == before
 
 
 def test_no_sentence_is_of_a_mistake_that_is_no_more():
