@@ -209,114 +209,24 @@ def cull_back_faces(x, y, w, faces):
     return faces[area * np.sign(w[faces]).prod(-1) >= 0]
 
 
-def half_planes(x, y, w):
-    """the sign of w is left out: faces that cross the camera plane come out where they are not"""
-    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
-    winding = np.sign((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]))
-    for k, (i, j) in enumerate(EDGES):
-        w_i, w_j = np.abs(w[i]), np.abs(w[j])
-        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
-        at_i = (w_i > w_j) | ((w_i == w_j) & before)
-        from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
-        sign = winding
-        n_x[k], n_y[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
-    return n_x, n_y, from_x, from_y
-
-
-def half_planes(x, y, w):
-    """the sign of A is left out: clockwise faces cover nothing"""
-    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
-    for k, (i, j) in enumerate(EDGES):
-        w_i, w_j = np.abs(w[i]), np.abs(w[j])
-        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
-        at_i = (w_i > w_j) | ((w_i == w_j) & before)
-        from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
-        sign = np.sign(w[k])
-        n_x[k], n_y[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
-    return n_x, n_y, from_x, from_y
-
-
-def half_planes(x, y, w):
-    """n_x and n_y are swapped"""
-    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
-    winding = np.sign((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]))
-    for k, (i, j) in enumerate(EDGES):
-        w_i, w_j = np.abs(w[i]), np.abs(w[j])
-        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
-        at_i = (w_i > w_j) | ((w_i == w_j) & before)
-        from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
-        sign = winding * np.sign(w[k])
-        n_x[k], n_y[k] = sign * (x[j] - x[i]), sign * (y[i] - y[j])
-    return n_x, n_y, from_x, from_y
-
-
-def depth_slopes(x, y, z):
-    """the slope by y has the wrong sign"""
-    x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
-    x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
-    area = x1 * y2 - x2 * y1
-    return (z1 * y2 - z2 * y1) / area, (x2 * z1 - x1 * z2) / area
-
-
-def depth_slopes(x, y, z):
-    """the slopes by x and by y are swapped"""
-    x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
-    x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
-    area = x1 * y2 - x2 * y1
-    return (x1 * z2 - x2 * z1) / area, (z1 * y2 - z2 * y1) / area
-
-
-def depth_slopes(x, y, z):
-    """the slopes are not divided by the area"""
-    x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
-    x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
-    return (z1 * y2 - z2 * y1), (x1 * z2 - x2 * z1)
-
-
 def rasterize_loop(clip, faces, width, height):
     """rows are counted from the top; row 0 is at the bottom"""
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
-    seen = np.flatnonzero(can_be_seen(clip, x, y, faces))
-    corners = farthest_first(faces.T, w)
-    x, y, z, w = np.stack([x, y, clip[:, 2] / w, w])[:, corners]
-    planes, (dz_dx, dz_dy) = np.stack(half_planes(x, y, w)), depth_slopes(x, y, z)
-    for f in seen:
-        box = bounding_box(np.stack([x[:, f], y[:, f]], -1), width, height)
-        x0, y0, x1, y1 = box if (w[:, f] > 0).all() else (0, 0, width, height)
-        n_x, n_y, from_x, from_y = planes[:, :, f]
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        if signed_area(points[corners]) < 0:
+            corners = corners[::-1]
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
-            e = n_x * (j + 0.5 - from_x) + n_y * (i + 0.5 - from_y)
-            if not ((e > 0) | (e == 0) & is_top_left(n_x, n_y)).all():
-                continue
-            d = dz_dx[f] * (j + 0.5 - x[0, f]) + (dz_dy[f] * (i + 0.5 - y[0, f]) + z[0, f])
-            if -1 <= d <= 1 and d < depth[i, j]:
-                face_index[i, j], depth[i, j] = f, d
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                if -1 <= z <= 1 and z < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, z
     return face_index[::-1], depth[::-1]
-
-
-def rasterize_loop(clip, faces, width, height):
-    """pixels are sampled at their left border instead of at their centres"""
-    face_index = np.full((height, width), -1)
-    depth = np.full((height, width), np.inf)
-    x, y, w = screen_points(clip, width, height)
-    seen = np.flatnonzero(can_be_seen(clip, x, y, faces))
-    corners = farthest_first(faces.T, w)
-    x, y, z, w = np.stack([x, y, clip[:, 2] / w, w])[:, corners]
-    planes, (dz_dx, dz_dy) = np.stack(half_planes(x, y, w)), depth_slopes(x, y, z)
-    for f in seen:
-        box = bounding_box(np.stack([x[:, f], y[:, f]], -1), width, height)
-        x0, y0, x1, y1 = box if (w[:, f] > 0).all() else (0, 0, width, height)
-        n_x, n_y, from_x, from_y = planes[:, :, f]
-        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
-            e = n_x * (j - from_x) + n_y * (i + 0.5 - from_y)
-            if not ((e > 0) | (e == 0) & is_top_left(n_x, n_y)).all():
-                continue
-            d = dz_dx[f] * (j - x[0, f]) + (dz_dy[f] * (i + 0.5 - y[0, f]) + z[0, f])
-            if -1 <= d <= 1 and d < depth[i, j]:
-                face_index[i, j], depth[i, j] = f, d
-    return face_index, depth
 
 
 def rasterize_loop(clip, faces, width, height):
@@ -324,88 +234,37 @@ def rasterize_loop(clip, faces, width, height):
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
-    seen = np.flatnonzero(can_be_seen(clip, x, y, faces))
-    corners = farthest_first(faces.T, w)
-    x, y, z, w = np.stack([x, y, clip[:, 2] / w, w])[:, corners]
-    planes, (dz_dx, dz_dy) = np.stack(half_planes(x, y, w)), depth_slopes(x, y, z)
-    for f in seen:
-        box = bounding_box(np.stack([x[:, f], y[:, f]], -1), width, height)
-        x0, y0, x1, y1 = box if (w[:, f] > 0).all() else (0, 0, width, height)
-        n_x, n_y, from_x, from_y = planes[:, :, f]
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        if signed_area(points[corners]) < 0:
+            corners = corners[::-1]
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
-            e = n_x * (j + 0.5 - from_x) + n_y * (i + 0.5 - from_y)
-            if not ((e > 0) | (e == 0) & is_top_left(n_x, n_y)).all():
-                continue
-            d = dz_dx[f] * (j + 0.5 - x[0, f]) + (dz_dy[f] * (i + 0.5 - y[0, f]) + z[0, f])
-            if -1 <= d <= 1:
-                face_index[i, j], depth[i, j] = f, d
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                if -1 <= z <= 1:
+                    face_index[i, j], depth[i, j] = f, z
     return face_index, depth
 
 
-def first_column(slope, from_x, offset, width):
-    """columns are tested at their left border instead of the centre"""
-    column = np.floor(from_x - offset / slope)
-    column += slope * (column - from_x) + offset < 0
-    return np.clip(column, 0, width)
-
-
-def first_column(slope, from_x, offset, width):
-    """the offset has the wrong sign"""
-    column = np.floor(from_x + offset / slope)
-    column += slope * (column + 0.5 - from_x) + offset < 0
-    return np.clip(column, 0, width)
-
-
-def first_column(slope, from_x, offset, width):
-    """a centre exactly on the edge is left out; >= 0 is in"""
-    column = np.floor(from_x - offset / slope)
-    column += slope * (column + 0.5 - from_x) + offset <= 0
-    return np.clip(column, 0, width)
-
-
-def row_interval(planes, face, y, width):
-    """the sign of edges that end the interval is left out"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
-    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1
-        slope, from_x = np.where(n_x == 0, TINY, n_x), np.where(n_x == 0, 0, from_x)
-        offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]
-        start = np.maximum(start, opens * column)
-        end = np.minimum(end, opens * width + column)
-    return start, end
-
-
-def row_interval(planes, face, y, width):
-    """the last opening edge decides, instead of the one farthest right"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
-    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1
-        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
-        offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]
-        start = opens * column
-        end = np.minimum(end, opens * width + column)
-    return start, end
-
-
-def row_interval(planes, face, y, width):
-    """end is the last column that is covered; it is the first one that is not"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
-    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1
-        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
-        offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]
-        start = np.maximum(start, opens * column)
-        end = np.minimum(end, opens * width + column)
-    return start, end - 1
+def rasterize_loop(clip, faces, width, height):
+    """clockwise faces are not turned round, so that faces seen from behind are missing"""
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                if -1 <= z <= 1 and z < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, z
+    return face_index, depth
 
 
 def barycentric_on_face(px, py, x, y, w):
@@ -429,34 +288,18 @@ def barycentric_on_face(px, py, x, y, w):
     return c
 
 
-def barycentric_derivatives(px, py, x, y, w):
-    """both derivatives have the wrong sign"""
-    x, y = x - px, y - py
-    c, dc_dx, dc_dy = np.empty((3, *x.shape))
-    for k, (i, j) in enumerate(EDGES):
-        c[k] = (x[i] * y[j] - x[j] * y[i]) / w[k]
-        dc_dx[k], dc_dy[k] = (y[j] - y[i]) / w[k], (x[i] - x[j]) / w[k]
-    s = c.sum(0)
-    return (dc_dx - c / s * dc_dx.sum(0)) / s, (dc_dy - c / s * dc_dy.sum(0)) / s
-
-
-def barycentric_derivatives(px, py, x, y, w):
+def normalize_derivative(dc, b, s, axis=0):
     """the sum s is taken for a constant"""
-    x, y = x - px, y - py
-    c, dc_dx, dc_dy = np.empty((3, *x.shape))
-    for k, (i, j) in enumerate(EDGES):
-        c[k] = (x[i] * y[j] - x[j] * y[i]) / w[k]
-        dc_dx[k], dc_dy[k] = (y[i] - y[j]) / w[k], (x[j] - x[i]) / w[k]
-    s = c.sum(0)
-    return dc_dx / s, dc_dy / s
+    return dc / s
 
 
-def barycentric_derivatives(px, py, x, y, w):
-    """the derivatives by px and py are swapped"""
-    x, y = x - px, y - py
-    c, dc_dx, dc_dy = np.empty((3, *x.shape))
-    for k, (i, j) in enumerate(EDGES):
-        c[k] = (x[i] * y[j] - x[j] * y[i]) / w[k]
-        dc_dx[k], dc_dy[k] = (y[i] - y[j]) / w[k], (x[j] - x[i]) / w[k]
-    s = c.sum(0)
-    return (dc_dy - c / s * dc_dy.sum(0)) / s, (dc_dx - c / s * dc_dx.sum(0)) / s
+def normalize_derivative(dc, b, s, axis=0):
+    """the sign of b ds is flipped: d(c / s) is (dc - b ds) / s"""
+    ds = dc.sum(axis, keepdims=True)
+    return (dc + b * ds) / s
+
+
+def normalize_derivative(dc, b, s, axis=0):
+    """it is divided by s^2, as if c stood in the place of b"""
+    ds = dc.sum(axis, keepdims=True)
+    return (dc * s - b * ds) / s**2
