@@ -186,8 +186,10 @@ def _merge(points, faces):
 def normalize(vertices):
     """Moved and scaled alike in x, y and z: bounding box centred at 0, farthest vertex at 1.
 
-    ValueError where all vertices are in one place.
+    ValueError where all vertices are in one place, or there are none.
     """
+    if len(vertices) == 0:
+        raise ValueError("there are no vertices to scale: give at least two")
     centred = vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2
     farthest = np.linalg.norm(centred, axis=1).max()
     if farthest == 0:
@@ -294,6 +296,7 @@ def split_longest(vertices, faces, face_count):
     Again and again, edges that are the longest of all their faces are halved with these faces, the
     longest first. On the chord the new vertices would cost nothing, and chance would order them.
     """
+    faces = np.asarray(faces, dtype=np.int64)
     while len(faces) < face_count:
         pairs, face_edges = edges(faces)
         length = np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1)

@@ -109,15 +109,16 @@ def _parse(plain, ending):
 
 
 def _fans(polygons):
-    """Faces of three or more corners -> triangles, each with the first corner of its face."""
-    if polygons and all(len(corners) == 3 for corners in polygons):
-        return polygons
-    triangles = []
-    for first, *others in polygons:
-        triangles += [(first, b, c) for b, c in itertools.pairwise(others)]
-    if not triangles:
+    """The corners of each face, three or more -> triangles (F, 3) around the first of them."""
+    lengths = set(map(len, polygons))
+    if not lengths:
         raise ValueError(f"a mesh needs at least one face, got none: {AGAIN}, with its faces")
-    return triangles
+    if min(lengths) < 3:
+        raise ValueError(f"expected faces of three or more corners, got {min(lengths)}: {AGAIN}")
+    if lengths == {3}:
+        return np.array(polygons)
+    return np.array([(first, *pair) for first, *others in polygons
+                     for pair in itertools.pairwise(others)])
 
 
 # OBJ
@@ -136,11 +137,11 @@ def _plain_obj(content):
         elif kind == "f":
             polygons.append([_vertex(word, len(positions)) for word in words])
     triangles = _fans(polygons)
-    highest = max(map(max, triangles))
+    highest = triangles.max()
     if highest > len(positions):
         raise ValueError(f"a face names vertex {highest}, but the file has {len(positions)}: "
                          f"{AGAIN}")
-    return _obj(positions, triangles)
+    return _obj(positions, triangles.tolist())
 
 
 def _require_line(line, pattern):
@@ -174,11 +175,8 @@ def _plain_ply(content):
     form, elements, body = _header(content)
     rows = _ascii_rows if form == "ascii" else _binary_rows
     vertices, polygons = rows(elements, body, form)
-    short = [len(corners) for corners in polygons if len(corners) < 3]
-    if short:
-        raise ValueError(f"a face has {short[0]} corners, three or more expected: {AGAIN}")
     triangles = _fans(polygons)
-    inputs.require_faces(np.array(triangles), elements["vertex"].count)
+    inputs.require_faces(triangles, elements["vertex"].count)
     return _ply(form, elements["vertex"], vertices, triangles)
 
 
@@ -192,7 +190,7 @@ def _header(content):
     for line in header[1].decode("ascii", errors="replace").split("\n"):
         part = HEADER_LINE.fullmatch(" ".join(line.split()))
         if not part or part["element"] in elements or (part["name"] and not elements):
-            raise ValueError(f"the line {line.strip()[:60]!r} does not belong into the header of a "
+            raise ValueError(f"the line {line.strip()[:60]!r} does not belong in the header of a "
                              f"PLY 1.0, or not there: {AGAIN}")
         if part["form"]:
             forms.append(part["form"])
@@ -207,20 +205,18 @@ def _header(content):
 
 def _require_mesh(forms, elements):
     """Does a PLY's header announce what a mesh needs, each of it once?"""
-    names = {element: [p.name for p in elements[element].properties] for element in elements}
-    axes = [p for p in _properties(elements, "vertex") if p.name in ("x", "y", "z")]
-    corners = [p for p in _properties(elements, "face") if p.name in CORNERS]
-    lists = [p for p in _properties(elements, "vertex") if p.length]
-    if not (len(forms) == 1 and len(axes) == 3 and not lists
-            and len(corners) == 1 and corners[0].length and corners[0].type in WHOLE
-            and all(each and len(set(each)) == len(each) for each in names.values())):
+    vertex, face = (elements.get(name, Element(0, [])).properties for name in ("vertex", "face"))
+    corners = [p for p in face if p.name in CORNERS]
+    fits = [len(forms) == 1,
+            sum(p.name in ("x", "y", "z") for p in vertex) == 3,
+            not any(p.length for p in vertex),
+            len(corners) == 1 and corners[0].length and corners[0].type in WHOLE]
+    for _, properties in elements.values():
+        fits.append(0 < len(properties) == len({p.name for p in properties}))
+    if not all(fits):
         raise ValueError("its header must name one format, a vertex of single numbers with x, y "
                          "and z, a face with a list vertex_indices of integers, and no property "
                          f"twice: {AGAIN}")
-
-
-def _properties(elements, name):
-    return elements[name].properties if name in elements else []
 
 
 def _ascii_rows(elements, body, form):
@@ -293,7 +289,7 @@ def _alike_corners(element, body, start, order):
         return None
     corners = np.ndarray((element.count, length), order + TYPES[p.type], body, start + 1,
                          (step, size))
-    return corners.tolist(), end
+    return corners, end
 
 
 def _binary_corners(element, body, start, order):
@@ -330,7 +326,7 @@ def _ply(form, vertex, rows, triangles):
         lines.append(f"property {kind} {name if name in ('x', 'y', 'z') else f'other_{k}'}")
     lines += [f"element face {len(triangles)}", "property list uchar int vertex_indices"]
     if form == "ascii":
-        corners = "".join(f"3 {a} {b} {c}\n" for a, b, c in triangles).encode()
+        corners = "".join(f"3 {a} {b} {c}\n" for a, b, c in triangles.tolist()).encode()
     else:
         table = np.empty(len(triangles), [("length", "u1"), ("corners", f"{_order(form)}i4", 3)])
         table["length"] = 3

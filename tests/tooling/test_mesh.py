@@ -178,6 +178,8 @@ def test_normalize_fits_any_mesh_into_the_unit_sphere():
     np.testing.assert_allclose(moved[0], np.array([-1, -3, -1.5]) / half)
     with pytest.raises(ValueError, match=r"^all vertices are in one place: "):
         mesh.normalize(np.ones((4, 3)))
+    with pytest.raises(ValueError, match=r"^there are no vertices to scale: "):
+        mesh.normalize(np.ones((0, 3)))
 
 
 # Normals
@@ -265,6 +267,19 @@ def test_boundary_edges_of_a_grid_run_around_it():
     middle = vertices[mesh.boundary_edges(faces)].mean(axis=1)[:, :2]
     assert len(middle) == 12
     assert (np.isin(middle, [0, 3]).sum(axis=1) == 1).all()
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.int16, np.uint64])
+def test_faces_of_any_integers_give_the_same(kind):
+    """uint64 and int64 together are float64; 0 - 1 is 255."""
+    vertices, faces = mesh.icosphere(80)
+    other = faces.astype(kind)
+    mesh.check(vertices, other)
+    for ours, expected in zip([*mesh.edges(other), mesh.edge_faces(other)],
+                              [*mesh.edges(faces), mesh.edge_faces(faces)], strict=True):
+        np.testing.assert_array_equal(ours, expected)
+    np.testing.assert_array_equal(mesh.split_longest(vertices, other, 100)[1],
+                                  mesh.split_longest(vertices, faces, 100)[1])
 
 
 def test_an_edge_of_three_faces_is_named():

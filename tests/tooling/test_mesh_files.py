@@ -278,7 +278,7 @@ NOT_ANNOUNCED = "does not have the numbers that the header and the lengths of li
     ("a.ply", PLY.format(1, "") + "-1 0 1 2\n", f"the row '-1 0 1 2' {NOT_ANNOUNCED}"),
     ("a.ply", PLY.format(1, "") + "3 0 1 2.5\n", f"the row '3 0 1 2.5' {NOT_ANNOUNCED}"),
     ("a.ply", PLY.format(1, "") + "3 0 1 x\n", f"the row '3 0 1 x' {NOT_ANNOUNCED}"),
-    ("a.ply", PLY.format(1, "") + "2 0 1\n", "a face has 2 corners, three or more expected"),
+    ("a.ply", PLY.format(1, "") + "2 0 1\n", "expected faces of three or more corners, got 2"),
     ("a.ply", PLY.format(1, "").replace("1 0 0", "1 0") + "3 0 1 2\n", f"'1 0' {NOT_ANNOUNCED}"),
     ("a.ply", PLY.format(1, "").replace("1 0 0", "1 0 1e39") + "3 0 1 2\n", "must be finite"),
 ])
