@@ -20,9 +20,9 @@ import trimesh
 
 from . import inputs, mesh, places
 
-REAL = r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?|[-+]?(nan|inf|infinity)"
-POSITION = re.compile(rf"v(\s+({REAL})){{3,}}", re.IGNORECASE | re.ASCII)
-FACE = re.compile(r"f(\s+[-+]?[1-9]\d{0,17}(/\S*)?){3,}", re.ASCII)
+REAL = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?|[-+]?(nan|inf|infinity)",
+                  re.IGNORECASE | re.ASCII)
+CORNER = re.compile(r"[-+]?[1-9]\d{0,17}(/\S*)?", re.ASCII)  # an OBJ's, of a face
 
 WHOLE = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I",
          "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I"}
@@ -34,7 +34,6 @@ HEADER_LINE = re.compile(
     r"element (?P<element>\S+) (?P<count>\d{1,18})|"
     rf"property (list (?P<length>{'|'.join(WHOLE)}) )?(?P<type>{'|'.join(TYPES)}) (?P<name>\S+)|"
     r"((comment|obj_info)\b.*)?", re.ASCII)
-ROW = re.compile(rf"({REAL})(\s+({REAL}))*", re.IGNORECASE | re.ASCII)
 AGAIN = "export the file again"
 
 
@@ -131,7 +130,7 @@ def _plain_obj(content):
     for line in re.split(r"[\r\n]+", text):
         kind, *words = line.partition("#")[0].split() or [""]
         if kind in ("v", "f"):
-            _require_line(line, POSITION if kind == "v" else FACE)
+            _require_words(line, words, REAL if kind == "v" else CORNER)
         if kind == "v":
             positions.append(words[:3])
         elif kind == "f":
@@ -144,8 +143,8 @@ def _plain_obj(content):
     return _obj(positions, triangles.tolist())
 
 
-def _require_line(line, pattern):
-    if not pattern.fullmatch(line.partition("#")[0].strip()):
+def _require_words(line, words, pattern):
+    if len(words) < 3 or not all(map(pattern.fullmatch, words)):
         raise ValueError(f"the line {line.strip()[:60]!r} is neither v and three coordinates nor "
                          "f and three or more vertex indices, which count from 1 or back from -1: "
                          f"mend it, or {AGAIN}")
@@ -252,7 +251,7 @@ def _ascii_corners(row, properties):
             start += max(length, 0)
     except (ValueError, IndexError):
         start = None
-    if start != len(words) or not ROW.fullmatch(row):
+    if start != len(words) or not all(map(REAL.fullmatch, words)):
         raise ValueError(f"the row {row[:60]!r} does not have the numbers that the header and the "
                          f"lengths of lists announce: {AGAIN}")
     return corners
