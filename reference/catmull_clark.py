@@ -66,7 +66,7 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (5 points)
             points.append((F + 2 * R + (len(ring) - 3) * vertices[v]) / len(ring))
         else:
             points.append(vertices[v])
-    for edge, its_faces in at_edge.items():
+    for edge, its_faces in at_edge:
         ends = vertices[list(edge)].sum(0)
         points.append(ends / 2 if len(its_faces) == 1 else
                       (ends + face_points[its_faces].sum(0)) / 4)

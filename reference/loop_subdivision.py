@@ -72,7 +72,7 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
             points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
         else:
             points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
-    for edge, its_faces in at_edge.items():
+    for edge, its_faces in at_edge:
         ends = vertices[list(edge)].sum(0)
         opposite = [v for f in its_faces for v in faces[f] if v not in edge]
         if len(its_faces) == 1:

@@ -120,12 +120,12 @@ def polygons(corners, counts):
 
 
 def faces_at_edges(corners, counts):
-    """{(low, high): list of the faces at this edge}, in the order of `edges_of`."""
+    """[((low, high), list of the faces at this edge), ...], in the order of `edges_of`."""
     found = {}
     for f, polygon in enumerate(polygons(corners, counts)):
         for a, b in zip(polygon, np.roll(polygon, -1), strict=True):
             found.setdefault((min(a, b), max(a, b)), []).append(f)
-    return dict(sorted(found.items()))
+    return sorted(found.items())
 
 
 def ring_of(v, at_edge):
@@ -133,8 +133,8 @@ def ring_of(v, at_edge):
 
     at_edge: from `faces_at_edges`. The second list is empty for a vertex inside.
     """
-    ring = {a + b - v: faces for (a, b), faces in at_edge.items() if v in (a, b)}
-    return list(ring), [other for other, faces in ring.items() if len(faces) == 1]
+    at_v = [(a + b - v, faces) for (a, b), faces in at_edge if v in (a, b)]
+    return [other for other, _ in at_v], [other for other, faces in at_v if len(faces) == 1]
 
 
 # S, written as its entries (rows, columns, weights)
