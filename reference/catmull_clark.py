@@ -11,7 +11,7 @@ edges. The diagonals are the vertices across each quad from v.
 
 (3) is in subdivision.py. (10) holds for meshes of quads, which all are after one step.
 
-Sources: a lecture on geometry; Catmull, Clark 1978; Halstead et al. 1993 for (10).
+Sources: a lecture on geometry, Catmull and Clark 1978, Halstead et al. 1993 for (10).
 """
 import numpy as np
 import scipy.sparse
@@ -39,7 +39,7 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (5 points)
     """Eqs. (7), (9) and (8), point by point. Slow and obvious.
 
     vertices (V, C) of floats, corners, counts -> the new points (V + E + F, C): the V old vertices,
-    moved; one for each edge, in the order of `edges_of`; one for each face. `polygons`,
+    moved, then one for each edge, in the order of `edges_of`, then one for each face. `polygons`,
     `faces_at_edges` and `ring_of` tell who is near. A vertex of no face stays.
 
     >>> square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
@@ -58,7 +58,7 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (5 points)
     points = []
     for v in range(len(vertices)):
         ring, along = ring_of(v, at_edge)
-        if along:
+        if along:  # v is on the boundary
             points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
         elif ring:
             F = face_points[[v in face for face in faces]].mean(0)
@@ -113,7 +113,7 @@ def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):  # exerci
 def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):  # exercise 11.12 (4 points)
     """Eq. (9) for all old vertices: the entries (rows, columns, weights) of V rows, V + F columns.
 
-    Columns as in `catmull_clark_edge_rows`. edges (E, 2), is_boundary (E,); n (V,): the valences.
+    Columns as in `catmull_clark_edge_rows`. edges (E, 2), is_boundary (E,), n (V,): the valences.
     In (9), v is also in R: collect what pulls v, and how much. A vertex at the end of a boundary
     edge follows (3) with w = 1/8. One of valence 0 stays. `vertex_rows` may be called.
 

@@ -1,15 +1,15 @@
 """Loop subdivision, for triangles: each is cut in four, and all points move.
 
-An old vertex moves by (3) of subdivision.py. Inside, u depends on its valence n; on the boundary,
-w is 1/8. An edge A B gets a new point. C and D are opposite to it in its two faces.
+An old vertex moves by (3) of subdivision.py. Inside, u depends on its valence n. On the boundary, w
+is 1/8. An edge A B gets a new point, with C and D opposite to it in its two faces.
 
-    u = 3/16 for n = 3, else 3/(8 n)  (Warren);   (5/8 - (3/8 + cos(2 pi/n)/4)^2)/n  (Loop)    (4)
+    u = 3/16 for n = 3, else 3/(8 n)  (Warren)    (5/8 - (3/8 + cos(2 pi/n)/4)^2)/n  (Loop)    (4)
     edge     3/8 (A + B) + 1/8 (C + D)      on the boundary   1/2 (A + B)                      (5)
     limit    (3) with m for u, m = 1/(n + 3/(8 u))            on the boundary   w = 1/6        (6)
 
 Both formulas of (4) go by Loop's name. They agree at the valences 3 and 6 only.
 
-Sources: a lecture on geometry; Loop 1987; Warren 1995.
+Sources: a lecture on geometry, Loop 1987, Warren 1995.
 """
 import numpy as np
 import scipy.sparse
@@ -68,7 +68,7 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
     points = []
     for v in range(len(vertices)):
         ring, along = ring_of(v, at_edge)
-        if along:
+        if along:  # v is on the boundary
             points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
         else:
             points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
@@ -88,7 +88,7 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
 def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
     """Eq. (5) for all edges: the entries (rows, columns, weights) of E rows and V columns.
 
-    faces (F, 3); edges (E, 2) and corner_edge (3 F,), as `edges_of` gives them for faces.ravel().
+    faces (F, 3). edges (E, 2) and corner_edge (3 F,), as `edges_of` gives them for faces.ravel().
 
     >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
     >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
@@ -126,7 +126,7 @@ def loop_faces(faces, corner_edge, vertex_count):  # exercise 11.9 (2 points)
 def loop_step(faces, vertex_count, weight=warren_weight):
     """Loop's S, sparse (V + E, V), and the new faces (4 F, 3).
 
-    faces (F, 3); weight: warren_weight or loop_weight. ValueError: see `topology`.
+    faces (F, 3), weight: warren_weight or loop_weight. ValueError: see `topology`.
     """
     corners, counts = triangles(faces)
     edges, corner_edge, is_boundary = topology(corners, counts, vertex_count)
@@ -175,7 +175,7 @@ def limit_weight(n, u):  # exercise 11.14 (1 point)
 def loop_limit_matrix(faces, vertex_count, weight=warren_weight):
     """Eq. (6): sparse (V, V), which moves the vertices to where infinitely many steps take them.
 
-    faces (F, 3); weight: the one of the steps. ValueError: see `topology`.
+    faces (F, 3), weight: the one of the steps. ValueError: see `topology`.
     """
     edges, _, is_boundary = topology(*triangles(faces), vertex_count)
     n = np.maximum(valences(edges, vertex_count), 1)

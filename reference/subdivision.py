@@ -13,7 +13,7 @@ and catmull_clark.py for all polygons.
 Polygons are two arrays: corners (C,), the vertices of all faces in a row, and counts (F,), how many
 of them belong to each face. `topology` says which meshes are accepted.
 
-Sources: a lecture on geometry; Loop 1987; Catmull, Clark 1978.
+Sources: a lecture on geometry, and those that the modules of the two schemes name.
 """
 import numpy as np
 import scipy.sparse
@@ -88,7 +88,7 @@ def valences(edges, vertex_count):
 def is_extraordinary(valence, at_boundary, regular):  # exercise 11.2 (1 point)
     """Which vertices are not as in a regular grid: bool (V,).
 
-    valence (V,), at_boundary (V,) bool; regular: 6 for a mesh of triangles, 4 for one of quads.
+    valence (V,), at_boundary (V,) bool. regular is 6 for a mesh of triangles, 4 for one of quads.
     A regular vertex has valence `regular` inside. On the boundary, where half of the faces are, it
     has `regular / 2 + 1`. All others are extraordinary, but not those of valence 0.
 
@@ -133,15 +133,15 @@ def ring_of(v, at_edge):
 
     at_edge: from `faces_at_edges`. The second list is empty for a vertex inside.
     """
-    at_v = [(a + b - v, faces) for (a, b), faces in at_edge if v in (a, b)]
-    return [other for other, _ in at_v], [other for other, faces in at_v if len(faces) == 1]
+    near = [(a + b - v, faces) for (a, b), faces in at_edge if v in (a, b)]  # the edge's other end
+    return [other for other, _ in near], [other for other, faces in near if len(faces) == 1]
 
 
 # S, written as its entries (rows, columns, weights)
 
 
 def as_matrix(entries, shape):
-    """Entries (rows, columns, weights) -> a sparse matrix; entries of one place are added up."""
+    """Entries (rows, columns, weights) -> a sparse matrix. Entries of one place add up."""
     rows, columns, weights = entries
     return scipy.sparse.csr_array((weights, (rows, columns)), shape=shape)
 
@@ -155,8 +155,8 @@ def pull_entries(rows, columns, u):  # exercise 11.6 (2 points)
     """The entries of sums of pulls: each adds u (x_column - x_row) to the new point of its row.
 
     rows, columns, u (N,) -> rows, columns, weights of entries, as many as you like, in any order.
-    All old vertices move by such pulls: a row of S is then 1 on the diagonal and pulls, and its sum
-    is 1 whatever u is. Entries are compared by the matrix that they add up to, here and below.
+    All old vertices move by such pulls: a row of S is 1 on the diagonal, and pulls. So its sum is 1
+    whatever u is. Entries are compared by the matrix that they add up to, here and below.
 
     >>> pull_entries(np.array([5]), np.array([2]), np.array([0.25]))
     (array([5, 5]), array([2, 5]), array([ 0.25, -0.25]))
@@ -170,7 +170,7 @@ def vertex_rows(edges, is_boundary, u, w):  # exercise 11.7 (4 points)
 
     edges (E, 2), is_boundary (E,) bool, u (V,), w a number. Inside, v is pulled by u[v] to each
     neighbour. A vertex at the end of a boundary edge is pulled by w to each neighbour along such
-    edges and to no other; its u is not used. A vertex of no edge stays.
+    edges. It is pulled to no other, and its u is not used. A vertex of no edge stays.
 
     >>> edges, is_boundary = np.array([[0, 1], [1, 2]]), np.array([True, False])
     >>> entries = vertex_rows(edges, is_boundary, np.array([9.0, 9.0, 0.5, 9.0]), 0.125)
@@ -186,7 +186,7 @@ def vertex_rows(edges, is_boundary, u, w):  # exercise 11.7 (4 points)
     at_boundary = np.isin(every, edges[is_boundary])
     pulled = along | ~at_boundary[start]
     strength = np.where(along, w, u[start])[pulled]
-    return join((every, every, np.ones(len(u))),
+    return join((every, every, np.ones(len(u))),  # 1 on the diagonal
                 pull_entries(start[pulled], end[pulled], strength))
 
 
@@ -197,9 +197,9 @@ def topology(corners, counts, vertex_count):
     """The edges (E, 2), corner_edge (C,) and is_boundary (E,) of a sound mesh.
 
     ValueError for any other: at an edge at most two faces meet, and at a vertex one fan of faces.
-    Vertices may be unused or in one place, faces without area, boundaries and handles many. Faces
-    may be wound either way, for no rule asks for it. The same face twice, and nothing beside it, is
-    sound, too: a closed pillow.
+    Vertices may be unused or in one place, and faces without area. Boundaries and handles may be
+    many. Faces may be wound either way, for no rule asks for it. The same face twice, and nothing
+    beside it, is sound, too: a closed pillow.
     """
     corners, counts = as_polygons(corners, counts)
     check_corners(corners, counts, vertex_count)
