@@ -276,6 +276,7 @@ def plural(count, word):
 def next_to_do(entries, code, implementation, seed):
     """Of the first exercise that can be worked on: the first claim that fails, and why it does."""
     undone = [entry for entry in entries if entry.verdict != "done"]
+    undone.sort(key=lambda entry: tuple(map(int, entry.exercise.number.split("."))))
     ready = [entry for entry in undone if "blocked" not in entry.verdict]
     topic, exercise, verdict, found = (ready or undone)[0]
     wrong = [check for check in found if check.verdict != "passed"]

@@ -9,8 +9,8 @@ from ..upkeep import skeleton
 from .grade import topics_of
 
 WHOLE = ("course/**/*.py", "course/**/*.md", "course/given/data/*.ply", "course/checks/hints.json",
-         "course/grading/files/*", "tests/conftest.py", "tests/golden/*", "requirements.txt",
-         "pyproject.toml", ".gitattributes", ".gitignore")
+         "course/grading/files/*", "tests/conftest.py", "tests/labs/[!t]*.py",  # what checks share
+         "tests/golden/*", "requirements.txt", "pyproject.toml", ".gitattributes", ".gitignore")
 IMPORT = re.compile(r"^from reference import ([\w, ]+?)(  #.*)?$")
 README = """\
 # Differentiable rasterization in plain NumPy: the labs

@@ -244,6 +244,20 @@ def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, sta
     assert done.returncode == status
 
 
+def test_what_comes_next_is_next_by_number_in_whichever_module_of_the_lab(house, run_module):
+    """The numbers of the lab's own module come first, so that 2.3 is told before 2.2."""
+    third = SECOND.replace("2.1", "2.3")
+    opened = third.replace("return 2 * x", 'raise NotImplementedError("exercise 2.3: twice")')
+    root = house({
+        "reference/rasterization.py": third, "labs/rasterization.py": opened,
+        "tests/labs/test_rasterization.py": SECOND_CHECKS.replace("2.1", "2.3"),
+        "reference/scanline.py": third.replace("2.3", "2.2"),
+        "labs/scanline.py": opened.replace("2.3", "2.2"),
+        "tests/labs/test_scanline.py": SECOND_CHECKS.replace("2.1", "2.2")})
+    done = run_module(root, "course", "check", "2")
+    assert "Next: 2.2 twice, not started" in done.stdout
+
+
 def test_an_exercise_without_a_check_says_so(check):
     """It is done, as nothing fails."""
     assert "wrong     it has no check in tests/labs/test_transforms.py" in check("1.6").stdout

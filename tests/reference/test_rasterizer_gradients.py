@@ -6,8 +6,8 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import rasterization, transforms
-from reference import vertex_gradients as gradients
+from reference import rasterization, scanline, transforms, vertex_gradients
+from reference import rasterizer_gradients as gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
 GOLDEN = np.load("tests/golden/rasterize_gradients.npz")
@@ -43,7 +43,7 @@ def scene():
     clip = rng.uniform([-2, -2, -1, 0.5], [2, 2, 1, 2.5], (9, 4))
     clip[[2, 7], 3] = -0.7, -0.4
     faces = np.stack([rng.permutation(9)[:3] for _ in range(12)])
-    face_index, _ = rasterization.rasterize(clip, faces, 13, 9)
+    face_index, _ = scanline.rasterize(clip, faces, 13, 9)
     seen = np.unique(face_index)[1:]
     assert len(seen) >= 3 and (clip[faces[seen], 3] < 0).any()
     return clip, faces, face_index, 13, 9
@@ -70,10 +70,10 @@ def test_depth_has_a_gradient(scene):
     clip, faces, _, width, height = scene
 
     def seen(clip):
-        return rasterization.rasterize(clip, faces, width, height)[0]
+        return scanline.rasterize(clip, faces, width, height)[0]
 
     def depth(clip):
-        depth = rasterization.rasterize(clip, faces, width, height)[1]
+        depth = scanline.rasterize(clip, faces, width, height)[1]
         return np.where(np.isfinite(depth), depth, 0.0)
 
     gradcheck(depth, lambda grad, clip: gradients.depth_backward(grad, seen(clip), clip, faces),
@@ -98,7 +98,7 @@ def test_all_of_it_is_the_sum(scene):
 
 
 def test_it_is_the_matrix_formula_summed_over_the_pixels(scene):
-    """Eqs. (7) to (9) are not eq. (6), or (10) is not (4): pixel by pixel, with an inverse each."""
+    """Eqs. (1) to (3) are not lab 7's eq. (6), or (4) is not its (4): an inverse for each pixel."""
     clip, faces, face_index, width, height = scene
     rng = np.random.default_rng(2)
     by_b, by_z = rng.normal(size=(height, width, 3)), rng.normal(size=(height, width))
@@ -108,8 +108,8 @@ def test_it_is_the_matrix_formula_summed_over_the_pixels(scene):
         m, z = clip[corners][:, [0, 1, 3]].T, clip[corners, 2]
         a = np.array([(2 * j + 1) / width - 1, (2 * i + 1) / height - 1, 1.0])
         rows = np.ix_(corners, [0, 1, 3])
-        from_b[rows] += gradients.weights_backward(by_b[i, j], m, a)[0].T
-        grad_z, grad_m, *_ = gradients.residual_backward(by_z[i, j], z, m, a, 0.0)
+        from_b[rows] += vertex_gradients.weights_backward(by_b[i, j], m, a)[0].T
+        grad_z, grad_m, *_ = vertex_gradients.residual_backward(by_z[i, j], z, m, a, 0.0)
         from_z[rows] += grad_m.T
         from_z[corners, 2] += grad_z
     got = gradients.barycentrics_backward(by_b, face_index, clip, faces)
@@ -125,7 +125,7 @@ def test_chunks_change_nothing(scene, monkeypatch):
     upstream = [rng.normal(size=(height, width, *shape)) for shape in ((3,), (3, 2), ())]
     whole = gradients.rasterize_backward(*upstream, face_index, clip, faces)
     for size in 1, 7, 50:
-        monkeypatch.setattr(gradients, "CHUNK", size)
+        monkeypatch.setattr(rasterization, "CHUNK", size)
         got = gradients.rasterize_backward(*upstream, face_index, clip, faces)
         np.testing.assert_allclose(got, whole, rtol=1e-10, atol=1e-10)
 
@@ -135,7 +135,7 @@ def test_pixels_without_a_face_and_faces_without_a_pixel_count_for_nothing():
     clip = np.array([[-0.5, -0.5, 0.1, 1.0], [0.6, -0.5, 0.2, 1.0], [0.0, 0.7, 0.3, 1.0],
                      [np.nan, 0.0, 0.0, 1.0], [0.0, 0.0, 0.9, 0.0]])
     faces = np.array([[0, 1, 3], [0, 1, 2], [4, 4, 1]])
-    face_index, _ = rasterization.rasterize(clip[:3], faces[1:2], 8, 6)
+    face_index, _ = scanline.rasterize(clip[:3], faces[1:2], 8, 6)
     face_index = np.where(face_index == 0, 1, -1)
     rng = np.random.default_rng(0)
     upstream = [np.where((face_index >= 0).reshape(6, 8, *[1] * len(shape)),
@@ -205,13 +205,13 @@ def test_a_mesh_moves_along_its_depth():
     clip_from_world = transforms.perspective(0.9, 1.25, 1.0, 9.0) @ view
     points = transforms.to_homogeneous(vertices)
     clip = transforms.transform(points, clip_from_world)
-    face_index, _ = rasterization.rasterize(clip, faces, 50, 40)
+    face_index, _ = scanline.rasterize(clip, faces, 50, 40)
     grad_clip = gradients.depth_backward(np.ones((40, 50)), face_index, clip, faces)
     grad_points, _ = transforms.transform_backward(grad_clip, points, clip_from_world)
 
     def depth(z):
         moved = transforms.transform(points + [0.0, 0.0, z, 0.0], clip_from_world)
-        got, depth = rasterization.rasterize(moved, faces, 50, 40)
+        got, depth = scanline.rasterize(moved, faces, 50, 40)
         np.testing.assert_array_equal(got, face_index)
         return depth[got >= 0].sum()
 
