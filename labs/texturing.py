@@ -133,7 +133,7 @@ def in_parts(function, *arrays):
 
 
 def near_texture(x, boundary):
-    """Coordinates x (...), finite, moved to -1 ... 2, where the same texels are found.
+    """(u, v) or one of them (...), finite, moved to -1 ... 2, where the same texels are found.
 
     There a texel's number fits into an integer. The texture repeats exactly at whole numbers.
     """
@@ -146,7 +146,6 @@ def texels_on_axis(x, size, filter, boundary):
     filter "nearest" has one, any other has two. size is a number or (N,). Where not inside, the
     weight is 0.
     """
-    x = near_texture(x, boundary)
     if filter == "nearest":
         index = nearest_texel(x, size)[None]
         weight = np.ones(index.shape)
@@ -214,6 +213,7 @@ def footprint_mean(image, uv, jacobian, n, boundary="wrap"):
     texels = image.reshape(-1, channels)
     total = np.zeros((len(uv), channels))
     for points in footprint_points(uv, jacobian, n):
+        points = near_texture(points, boundary)
         index, weight, _ = texels_at(points, width, height, "nearest", boundary)
         total += look_up(texels, index, weight)
     return total / n**2

@@ -226,17 +226,18 @@ def taps_backward(grad_weight, uv, level, mipmap, sampler):
     if sampler.filter == "nearest":
         return grad_uv, grad_level
     top = len(mipmap.start) - 1
-    uv = near_texture(uv, sampler.boundary)
     looks = mixture(level, sampler.filter, top)
     grads = np.split(np.asfortranarray(grad_weight), len(looks), 1)  # laid out as the weights are
+    trilinear = sampler.filter == "linear-mipmap-linear"
     grad_share = []
     for (at, share), grad in zip(looks, grads, strict=True):
         width, height = mipmap.width[at], mipmap.height[at]
         _, weight, inside = texels_at(uv, width, height, sampler.filter, sampler.boundary)
         # A tap's weight is share * inside * (row weight) (column weight).
-        grad_share.append(np.einsum("nk,nk->n", grad, weight))
-        grad_uv += bilinear_backward(share * grad * inside, uv, width, height)
-    if sampler.filter == "linear-mipmap-linear":  # the shares are 1 - f and f
+        grad_uv += bilinear_backward(grad * inside * share, uv, width, height)
+        if trilinear:
+            grad_share.append(np.einsum("nk,nk->n", grad, weight))
+    if trilinear:  # the shares are 1 - f and f
         grad_level = blend_levels_backward(grad_share[1] - grad_share[0], level, top)
     return grad_uv, grad_level
 
@@ -282,7 +283,7 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
         return look_up(mipmap.texels, *taps(uv, level, mipmap, sampler)),
 
     level = footprint_level(footprint, mipmap, filter)
-    colour, = in_parts(colours, footprint.uv.reshape(-1, 2), level)
+    colour, = in_parts(colours, near_texture(footprint.uv, boundary).reshape(-1, 2), level)
     return colour.reshape(*footprint.uv.shape[:-1], image.shape[2])
 
 
@@ -297,7 +298,8 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
     image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
     grad_colour = require_gradient(grad_colour, image, footprint)
     mipmap = pack(pyramid(image, max_level if "mipmap" in filter else 0))
-    points = footprint.uv.reshape(-1, 2), footprint_level(footprint, mipmap, filter)
+    points = (near_texture(footprint.uv, boundary).reshape(-1, 2),
+              footprint_level(footprint, mipmap, filter))
     # `texture` read upwards: the look-up, its taps, the level, the pyramid.
     index, weight = in_parts(lambda *point: taps(*point, mipmap, sampler), *points)
     grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
