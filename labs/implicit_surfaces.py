@@ -491,7 +491,7 @@ def render_volume(shape, clip_from_world, width, height, light, colour, backgrou
 
 
 def render_mesh(shape, clip_from_world, width, height, light, colour, background, n=64):
-    """A shape as a mesh, marched on n^3 cells and drawn by the pipeline: picture (height, width, 3).
+    """A shape as a mesh, marched on n^3 cells and rendered: picture (height, width, 3).
 
     What reaches beyond [-1, 1]^3 is cut open.
     """
@@ -499,5 +499,5 @@ def render_mesh(shape, clip_from_world, width, height, light, colour, background
     vertices, faces, _ = marching_tetrahedra(points, signed_distance(points, shape), tetrahedra)
     colours = lit(normals(vertices, shape), light, colour)
     view = pipeline.View(clip_from_world, width, height, background)
-    picture, _ = pipeline.render(pipeline.make_mesh(vertices, faces), pipeline.Colours(colours), view)
-    return picture
+    mesh = pipeline.make_mesh(vertices, faces)
+    return pipeline.render(mesh, pipeline.Colours(colours), view)[0]

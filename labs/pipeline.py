@@ -17,7 +17,15 @@ import numpy as np
 
 from course.given import inputs
 
-from . import antialiasing, interpolation, rasterization, texturing, transforms, vertex_gradients
+from . import (
+    antialiasing,
+    interpolation,
+    rasterization,
+    scanline,
+    texturing,
+    transforms,
+    vertex_gradients,
+)
 
 
 class Mesh(NamedTuple):
@@ -138,7 +146,7 @@ def visible(clip, faces, width, height):
 
     clip (V, 4), faces (F, 3). It checks nothing, and is all that most drawings need.
     """
-    face_index, depth = rasterization.rasterize(clip, faces, width, height)
+    face_index, depth = scanline.rasterize(clip, faces, width, height)
     return Buffers(clip, face_index, depth, rasterization.barycentrics(face_index, clip, faces))
 
 

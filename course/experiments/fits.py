@@ -540,7 +540,7 @@ def soft_outline(labs, clip, faces, size, sigma=0.05):
 def blend_outline(labs, clip, faces, size):
     """Lab 8's: white faces on black, antialiased."""
     lab8 = labs.antialiasing
-    face_index, depth = labs.rasterization.rasterize(clip, faces, size, size)
+    face_index, depth = labs.scanline.rasterize(clip, faces, size, size)
     edges = face_index, depth, clip, faces, lab8.opposite_vertices(faces)
     colour = (face_index >= 0)[..., None].astype(float)
 
@@ -608,7 +608,7 @@ def teapot_mask(labs, size):
 def seen_mask(labs, vertices, faces, camera, size):
     """Where a mesh is seen at the pixels' centres: bool (size, size)."""
     clip = labs.pipeline.to_clip(vertices, camera)
-    return labs.rasterization.rasterize(clip, faces, size, size)[0] >= 0
+    return labs.scanline.rasterize(clip, faces, size, size)[0] >= 0
 
 
 def teapot_iou(labs, vertices, faces, size=256):

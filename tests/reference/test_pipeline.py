@@ -10,7 +10,7 @@ from reference import (
     antialiasing,
     inverse_rendering,
     pipeline,
-    rasterization,
+    scanline,
     texturing,
     transforms,
 )
@@ -378,5 +378,5 @@ def test_a_good_scene_is_rendered():
     assert picture.shape == (4, 5, 2)
     picture, _ = rendered({**GOOD, "width": np.int64(0)})
     assert picture.shape == (4, 0, 2)
-    face_index, _ = rasterization.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
+    face_index, _ = scanline.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
     assert (face_index == -1).all()
