@@ -99,7 +99,7 @@ def show(target=None, implementation="labs"):
 
 def asked_for(target):
     """({topic: its exercises}, the numbers of those that are asked for)."""
-    topics = {topic: str(skeleton.lab_number(topic)) for topic in skeleton.topics()}
+    topics = {topic: str(skeleton.lab_number(topic)) for topic in skeleton.asking_topics()}
     labs = {topic: skeleton.topic_exercises(topic) for topic, lab in topics.items()
             if target is None or target == topic or target.split(".")[0] == lab}
     asked = [exercise.number for exercises in labs.values() for exercise in exercises
@@ -354,7 +354,8 @@ def all_done(board, labs):
     reached, of = points(board)
     topic, last = board[-1].topic, board[-1].exercise
     rest = labs[topic][labs[topic].index(last) + 1:]
-    later = skeleton.topics()[skeleton.topics().index(topic) + 1:]
+    asking = skeleton.asking_topics()
+    later = asking[asking.index(topic) + 1:]
     coming = ([f"{exercise.number} {exercise.name}" for exercise in rest]
               + [f"lab {skeleton.lab_number(lab)}, {lab}" for lab in later]
               + ["python3 -m course check, for the rest"])

@@ -70,6 +70,11 @@ def topics():
     return tuple(topic for topic in TOPICS if questions(topic).exists())
 
 
+def asking_topics():
+    """The topics that have exercises, in the course's order: all but those of given code."""
+    return tuple(topic for topic in topics() if topic_exercises(topic))
+
+
 def lab_number(topic):
     """The number of the lab that a topic belongs to; the first is 1."""
     return next(number for number, topics in enumerate(LABS, 1) if topic in topics)
