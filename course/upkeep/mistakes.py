@@ -13,16 +13,17 @@ import runpy
 import textwrap
 from typing import NamedTuple
 
-from .. import board, checks
+from .. import board, exercises
+from ..checks.hints import HINTS
 from ..given import places
-from . import mutants, skeleton
+from . import mutants
 
 
 class Mistake(NamedTuple):
     """An exercise, the function with the mistake, and "when ..."."""
 
     topic: str
-    exercise: skeleton.Exercise
+    exercise: exercises.Exercise
     text: str
     sentence: str
 
@@ -32,20 +33,20 @@ def library(topic):
     path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
     if not path.exists():
         return []
-    text = skeleton.read(skeleton.reference(topic))
-    functions = {function.name: function for function in skeleton.top_level_functions(text)}
-    exercises = {exercise.number: exercise for exercise in skeleton.topic_exercises(topic)}
+    text = exercises.read(exercises.reference(topic))
+    functions = {function.name: function for function in exercises.top_level_functions(text)}
+    known = {exercise.number: exercise for exercise in exercises.topic_exercises(topic)}
     found = []
     for number, rows in runpy.run_path(str(path))["MISTAKES"].items():
-        if number not in exercises:
+        if number not in known:
             raise ValueError(f"tests/mistakes/{topic}.py names exercise {number}, "
                              "and there is none: correct the number")
-        head, answer = parts(text, functions[exercises[number].name])
+        head, answer = parts(text, functions[known[number].name])
         for right, wrong, sentence in rows:
             if right not in answer:
                 raise ValueError(f"tests/mistakes/{topic}.py: exercise {number} does not say "
                                  f'"{right}" any more; write what the reference says now')
-            found.append(Mistake(topic, exercises[number], head + answer.replace(right, wrong),
+            found.append(Mistake(topic, known[number], head + answer.replace(right, wrong),
                                  sentence))
     return found
 
@@ -71,7 +72,7 @@ def run():
     Of several mistakes that return the same in a check, the first one's sentence is told.
     """
     sentences, told, alive = {}, set(), []
-    for topic in skeleton.topics():
+    for topic in exercises.topics():
         found = tried(topic)
         for mistake, caught in found:
             marks = sentences.setdefault(mistake.sentence, [])
@@ -79,14 +80,14 @@ def run():
             told.update(marks)
             alive += [mistake] * (not caught)
         if found:
-            exercises = {mistake.exercise.number for mistake, _ in found}
+            numbers = {mistake.exercise.number for mistake, _ in found}
             print(f"{topic:20} {board.plural(len(found), 'mistake'):>13} "
-                  f"in {board.plural(len(exercises), 'exercise')}")
+                  f"in {board.plural(len(numbers), 'exercise')}")
     for mistake in alive:
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     marked = {sentence: sorted(marks) for sentence, marks in sentences.items() if marks}
     text = json.dumps(marked, indent=0, sort_keys=True) + "\n"
-    places.write_whole(checks.HINTS, text.encode("utf-8"))
+    places.write_whole(HINTS, text.encode("utf-8"))
     print(f"{board.plural(len(marked), 'sentence')} in course/checks/hints.json")
     return int(bool(alive))

@@ -4,10 +4,11 @@ import json
 import numpy as np
 import pytest
 
-from course import checks
-from course.upkeep import mistakes, mutants, skeleton
+from course import exercises
+from course.checks.hints import HINTS, fingerprint, known_sentences
+from course.upkeep import mistakes, mutants
 
-TOPICS = [topic for topic in skeleton.topics() if mistakes.library(topic)]
+TOPICS = [topic for topic in exercises.topics() if mistakes.library(topic)]
 MISREAD = 0.05  # of the hints another machine's rounding may spoil
 
 
@@ -20,7 +21,7 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
     alive = [f"{mistake.exercise.number}: when {mistake.sentence}"
              for mistake, caught in zip(library, verdicts, strict=True) if not caught]
     assert alive == []
-    known = checks.known_sentences()
+    known = known_sentences()
     silent = [f"{mistake.exercise.number}: when {mistake.sentence}"
               for mistake, [(_, mark)] in zip(library, verdicts, strict=True) if mark not in known]
     assert len(silent) <= MISREAD * len(library), silent
@@ -30,7 +31,7 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
 def test_every_exercise_has_three_mistakes_with_sentences(topic):
     """An exercise is left out, or has the same mistake twice."""
     library = mistakes.library(topic)
-    for exercise in skeleton.topic_exercises(topic):
+    for exercise in exercises.topic_exercises(topic):
         sentences = [mistake.sentence for mistake in library if mistake.exercise == exercise]
         assert len(sentences) >= 3, exercise.number
         assert len(set(sentences)) == len(sentences), exercise.number
@@ -38,14 +39,14 @@ def test_every_exercise_has_three_mistakes_with_sentences(topic):
 
 def test_no_sentence_is_of_a_mistake_that_is_no_more():
     """hints.json was not made anew."""
-    made = json.loads(checks.HINTS.read_bytes())
+    made = json.loads(HINTS.read_bytes())
     there = {mistake.sentence for topic in TOPICS for mistake in mistakes.library(topic)}
     assert set(made) - there == set()
 
 
 def test_a_student_reads_the_sentence(run_module, pytestconfig, tmp_path):
     """The hint needs the library, or is that of another check."""
-    reference = skeleton.read(skeleton.reference("transforms"))
+    reference = exercises.read(exercises.reference("transforms"))
     own = ("    moved = [p @ matrix for p in points.reshape(-1, 4)]\n"
            "    return np.array(moved).reshape(points.shape)")  # the mistake, in other words
     (tmp_path / "transforms.py").write_text(
@@ -66,7 +67,7 @@ def test_a_student_reads_the_sentence(run_module, pytestconfig, tmp_path):
 ], ids=repr)
 def test_equal_numbers_have_one_fingerprint(one, other):
     """Rounding, -0 or a list in place of an array loses the hint."""
-    assert checks.fingerprint("test", one) == checks.fingerprint("test", other)
+    assert fingerprint("test", one) == fingerprint("test", other)
 
 
 @pytest.mark.parametrize(("one", "other"), [
@@ -75,8 +76,8 @@ def test_equal_numbers_have_one_fingerprint(one, other):
 ], ids=repr)
 def test_other_numbers_have_another(one, other):
     """A hint for something else."""
-    assert checks.fingerprint("test", one) != checks.fingerprint("test", other)
-    assert checks.fingerprint("test", one) != checks.fingerprint("test 2", one)
+    assert fingerprint("test", one) != fingerprint("test", other)
+    assert fingerprint("test", one) != fingerprint("test 2", one)
 
 
 def test_a_row_that_does_not_fit_to_the_reference_is_told(house, run_module):
