@@ -10,8 +10,8 @@ from ..upkeep.skeleton import skeleton
 from .grade import topics_of
 
 WHOLE = ("course/**/*.py", "course/**/*.md", "course/given/data/*.ply", "course/checks/hints.json",
-         "course/grading/files/*", "tests/conftest.py", "tests/golden/*", "requirements.txt",
-         "pyproject.toml", ".gitattributes", ".gitignore")
+         "course/grading/files/*", "tests/conftest.py", "tests/golden/*", "LICENSE",
+         "requirements.txt", "pyproject.toml", ".gitattributes", ".gitignore")
 IMPORT = re.compile(r"^from reference import ([\w, ]+?)(  #.*)?$")
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
