@@ -15,7 +15,6 @@ double a sample. Hardware rounds all vertices to 1/256 pixel before.
 
 Sources: Olano and Greer 1997 (1), lecture "Differentiable graphics 1" (3).
 """
-import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -110,29 +109,29 @@ def triangle_setup(x, y, z, w, faces):
 
 
 def half_plane_loop(clip, faces, width, height):
-    """Eq. (2), face by face and pixel by pixel, with a z-buffer. Slow and obvious.
+    """Eq. (2), face by face, with all pixels at once and a z-buffer. Slow and obvious.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), as `rasterize` gives them. A
     face in front of the camera covers only pixels of its `bounding_box`.
     """
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
+    px = np.arange(width) + 0.5
+    py = np.arange(height)[:, None] + 0.5
     x, y, w = screen_points(clip, width, height)
     points = np.stack([x, y], -1)
     setup = triangle_setup(x, y, clip[:, 2] / w, w, faces)
-    planes = np.stack(setup.planes)
     for f in np.flatnonzero(can_be_seen(clip, x, y, faces)):
-        n_x, n_y, from_x, from_y = planes[:, :, f]
-        whole = 0, 0, width, height
-        in_front = (w[faces[f]] > 0).all()
-        x0, y0, x1, y1 = bounding_box(points[faces[f]], width, height) if in_front else whole
-        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
-            e = n_x * (j + 0.5 - from_x) + n_y * (i + 0.5 - from_y)
-            covered = (e > 0) | ((e == 0) & is_top_left(n_x, n_y))
-            z = setup.dz_dy[f] * (i + 0.5 - setup.y[f]) + setup.z[f]
-            z = setup.dz_dx[f] * (j + 0.5 - setup.x[f]) + z
-            if covered.all() and -1 <= z <= 1 and z < depth[i, j]:
-                face_index[i, j], depth[i, j] = f, z
+        covered = np.full((height, width), (w[faces[f]] <= 0).any())
+        if not covered.all():
+            x0, y0, x1, y1 = bounding_box(points[faces[f]], width, height)
+            covered[y0:y1, x0:x1] = True
+        for n_x, n_y, from_x, from_y in np.stack(setup.planes)[:, :, f].T:
+            e = n_x * (px - from_x) + n_y * (py - from_y)
+            covered &= (e > 0) | ((e == 0) & is_top_left(n_x, n_y))
+        z = setup.dz_dx[f] * (px - setup.x[f]) + (setup.dz_dy[f] * (py - setup.y[f]) + setup.z[f])
+        nearer = covered & (np.abs(z) <= 1) & (z < depth)
+        face_index[nearer], depth[nearer] = f, z[nearer]
     return face_index, depth
 
 
