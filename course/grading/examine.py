@@ -20,6 +20,7 @@ from ..checks import Mismatch, loader, runner
 from ..checks.report import UNFINISHED
 from ..checks.showing import cut, shown_frames
 from ..given import places
+from ..upkeep.skeleton import skeleton
 from . import sandbox, wire
 
 MESSAGES = {  # what a worker may say, and the types of what follows
@@ -123,10 +124,11 @@ class Examination:
             return
         self.finish()
         self.worker = self.worker or self.start()
-        modules = (*((before, None) for before in before_it(topic)), (topic, self.job.texts[topic]))
+        modules = (*map(given_code, before_it(topic)),
+                   (topic, self.job.texts[topic], self.earlier[self.running]))
         self.opened = self.running
         try:
-            message = self.exchange(("open", modules, self.earlier[self.running], imported(topic)))
+            message = self.exchange(("open", modules, preloaded(topic)))
             self.outcome(topic, None, message, [])
         except (sandbox.Lost, Mismatch, NotImplementedError) as error:
             why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
@@ -198,9 +200,9 @@ class Examination:
             raise sandbox.Lost(f"it asked for {topic}.{name}, which is not of an earlier exercise")
         if self.reference is None:
             self.reference = self.start()
-            modules = tuple((each, exercises.read(exercises.reference(each)))
+            modules = tuple((each, exercises.read(exercises.reference(each)), ())
                             for each in exercises.topics())
-            self.reference.exchange(("open", modules, (), ()), 60)
+            self.reference.exchange(("open", modules, ()), 60)
         try:
             return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
         except sandbox.Lost as lost:
@@ -244,16 +246,28 @@ def number_of(item):
 
 def before_it(topic):
     """The topics before this one: those that it may import."""
-    return exercises.TOPICS[:exercises.TOPICS.index(topic)]
+    return exercises.topics()[:exercises.topics().index(topic)]
 
 
 @functools.cache
-def imported(topic):
-    """The modules of SciPy and the course that the reference imports: a worker has them ready."""
+def given_code(topic):
+    """(topic, its text without answers, the exercises): what a worker has of an earlier topic.
+
+    An exercise is answered by the reference. What is given runs in the worker: constants, classes
+    and generators cannot be sent.
+    """
     text = exercises.read(exercises.reference(topic))
-    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?", text, re.M)
-    return tuple(f"{module}.{name}" if module in ("scipy", "course.given") else module
-                 for module, name in lines)
+    return topic, skeleton(text), tuple(found.name for found in exercises.text_exercises(text))
+
+
+@functools.cache
+def preloaded(topic):
+    """The modules of SciPy and the course that a topic, or one before it, imports."""
+    texts = [exercises.read(exercises.reference(each)) for each in (*before_it(topic), topic)]
+    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?",
+                       "\n".join(texts), re.M)
+    return tuple(dict.fromkeys(f"{module}.{name}" if module in ("scipy", "course.given") else module
+                               for module, name in lines))
 
 
 def frame(told):
