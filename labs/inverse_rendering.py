@@ -27,10 +27,10 @@ from . import (
     antialiasing,
     interpolation,
     rasterization,
+    rasterizer_gradients,
     scanline,
     texturing,
     transforms,
-    vertex_gradients,
 )
 
 
@@ -212,7 +212,8 @@ def geometry_backward(grad_clip, grad_depth, face_index, clip, positions, faces,
     """
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, face_index.shape)
-        grad_clip = grad_clip + vertex_gradients.depth_backward(grad_depth, face_index, clip, faces)
+        grad_clip = grad_clip + rasterizer_gradients.depth_backward(
+            grad_depth, face_index, clip, faces)
     grad_points, grad_clip_from_model = transforms.transform_backward(
         grad_clip, transforms.to_homogeneous(positions), clip_from_model)
     return grad_points[:, :3], grad_clip_from_model
@@ -236,7 +237,7 @@ def shade_backward(grad_colour, clip, faces, colours, face_index, barycentric):
         grad_colour, colours, faces, face_index, barycentric)
     for corner in (1, 2, 0):  # the sum of the weights is 1: only differences matter
         grad_barycentric[..., corner] -= grad_barycentric[..., 0]
-    return vertex_gradients.barycentrics_backward(grad_barycentric, face_index, clip,
+    return rasterizer_gradients.barycentrics_backward(grad_barycentric, face_index, clip,
                                                   faces), grad_colours
 
 
@@ -309,7 +310,7 @@ def shade_textured_backward(grad_colour, clip, faces, uv, uv_faces, image, filte
     grad_uv, grad_barycentric = interpolation.interpolate_backward(grad_at, *at_uv, barycentric)
     grad_uv_too, grad_derivatives = interpolation.interpolate_derivatives_backward(
         grad_footprint, *at_uv, derivatives)
-    grad_clip = vertex_gradients.rasterize_backward(grad_barycentric, grad_derivatives, None,
+    grad_clip = rasterizer_gradients.rasterize_backward(grad_barycentric, grad_derivatives, None,
                                                     face_index, clip, faces)
     return grad_clip, grad_uv + grad_uv_too, grad_image
 
