@@ -383,7 +383,8 @@ def test_a_face_is_seen_from_behind_too(impl):
     clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.2, 1.0], [-1.0, 1.0, 0.4, 1.0]])
     front = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 5, 4)
     back = impl.rasterize_loop(clip, np.array([[0, 2, 1]]), 5, 4)
-    assert_picture(back[0], np.where(np.add.outer(np.arange(4) / 4, np.arange(5) / 5) < 0.78, 0, -1))
+    seen = np.add.outer(np.arange(4) / 4, np.arange(5) / 5) < 0.78
+    assert_picture(back[0], np.where(seen, 0, -1))
     assert_picture(front[0], np.asarray(back[0]))
     assert_close(back[1], np.asarray(front[1]))
 

@@ -10,10 +10,10 @@ from course import cli
 from course.experiments import captures, demo, fits
 from course.given import image, mesh, mesh_files
 from course.given.gradcheck import gradcheck
-from reference import antialiasing, implicit_surfaces, reconstruction
+from reference import implicit_surfaces, reconstruction
 
 LABS = demo.Labs("reference")
-EYE = LABS.inverse_rendering.render, LABS.inverse_rendering.render_backward
+EYE = LABS.pipeline.render, LABS.pipeline.render_backward
 BEHIND = np.array([1.0, 0.9, 0.8, 0.0])
 
 
@@ -192,13 +192,14 @@ def test_without_edges_outlines_have_no_gradient():
     """The ablation leaves a way for outlines open."""
     vertices, faces = mesh.icosphere(80)
     render, render_backward = fits.without_edges(LABS)
-    scene = vertices, faces, np.ones((len(vertices), 1)), fits.cameras_around(LABS, 1)[0]
-    opposite = antialiasing.opposite_vertices(faces)
-    picture, buffers = render(*scene, 20, 20, np.zeros(1), opposite)
+    scene = (LABS.pipeline.make_mesh(vertices, faces),
+             LABS.pipeline.Colours(np.ones((len(vertices), 1))),
+             LABS.pipeline.View(fits.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
+    picture, buffers = render(*scene)
     assert set(np.unique(picture.round(9))) == {0, 1}
     upstream = np.random.default_rng(0).normal(size=picture.shape)
-    grad_positions, grad_colours, _ = render_backward(upstream, buffers, *scene, opposite)
-    assert np.abs(grad_positions).max() < 1e-12 and np.abs(grad_colours).max() > 0.1
+    grads = render_backward(upstream, buffers, *scene)
+    assert np.abs(grads.positions).max() < 1e-12 and np.abs(grads.surface.colours).max() > 0.1
 
 
 def test_decibels_on_paper():
