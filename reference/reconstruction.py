@@ -26,14 +26,7 @@ import scipy.sparse.csgraph
 
 from course.given import mesh
 
-from . import (
-    implicit_surfaces,
-    interpolation,
-    inverse_rendering,
-    msaa,
-    pipeline,
-    regularization,
-)
+from . import interpolation, inverse_rendering, marching_tetrahedra, msaa, pipeline, regularization
 
 C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
@@ -304,7 +297,7 @@ def best_scale(found, truth):  # exercise 16.14 (1 point)
 
 def start(n):
     """Where every search begins: a ball, grey, in even light. -> x on a grid of n^3 cells."""
-    points, _ = implicit_surfaces.tetrahedral_grid(n)
+    points, _ = marching_tetrahedra.tetrahedral_grid(n)
     light = np.zeros((9, 3))
     light[0] = 1 / C0
     return (np.linalg.norm(points, axis=1) - 0.85, np.zeros((len(points), 3)),
@@ -316,8 +309,8 @@ def refine(x, n):
     moves a little by that.
     """
     distance, _, albedo, light = x
-    points, _ = implicit_surfaces.tetrahedral_grid(n)
-    weights = implicit_surfaces.grid_weights(points, round(len(distance)**(1 / 3)) - 1)
+    points, _ = marching_tetrahedra.tetrahedral_grid(n)
+    weights = marching_tetrahedra.grid_weights(points, round(len(distance)**(1 / 3)) - 1)
     return weights @ distance, np.zeros((len(points), 3)), weights @ albedo, light
 
 
@@ -332,11 +325,12 @@ def crossed_cubes(distance):
 def surface(x):
     """The mesh of x, its normals and its albedo: vertices, faces, ends, normals, albedo (V, 3)."""
     distance, offsets, albedo, _ = x
-    points, tetrahedra = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
+    points, tetrahedra = marching_tetrahedra.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
     near = tetrahedra.reshape(-1, 6, 4)[crossed_cubes(distance)].reshape(-1, 4)
-    vertices, faces, ends = implicit_surfaces.marching_tetrahedra(points + offsets, distance, near)
+    vertices, faces, ends = marching_tetrahedra.marching_tetrahedra(points + offsets, distance,
+                                                                    near)
     a, b = ends.T
-    mixed = implicit_surfaces.crossing(albedo[a], albedo[b], distance[a], distance[b])
+    mixed = marching_tetrahedra.crossing(albedo[a], albedo[b], distance[a], distance[b])
     return vertices, faces, ends, mesh.vertex_normals(vertices, faces), mixed
 
 
@@ -346,8 +340,8 @@ def surface_backward(grad_vertices, grad_albedo, ends, x):
     A normal's gradient has come to grad_vertices before (`vertex_normals_backward`).
     """
     distance, offsets, albedo, _ = x
-    points, _ = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
-    back = implicit_surfaces.marching_tetrahedra_backward
+    points, _ = marching_tetrahedra.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
+    back = marching_tetrahedra.marching_tetrahedra_backward
     grad_offsets, by_place = back(grad_vertices, ends, points + offsets, distance)
     grad_field, by_colour = back(grad_albedo, ends, albedo, distance)
     return by_place + by_colour, grad_offsets, grad_field
@@ -421,7 +415,7 @@ def bounded(x):
     1, and offsets that could turn a tetrahedron over.
     """
     distance, offsets, albedo, light = x
-    points, _ = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
+    points, _ = marching_tetrahedra.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
     cell = points[1, 2] - points[0, 2]
     at_border = (np.abs(points) == 1).any(1)
     return (np.where(at_border, np.maximum(distance, cell / 100), distance),

@@ -416,17 +416,18 @@ def drawn(labs, vertices, faces, size=SIZE):
 
 def representations(labs):
     """A hand wheel as signed distance, as volume and as mesh (lab 15)."""
-    lab15, size = labs.implicit_surfaces, 144
-    given = WHEEL, wheel_camera(labs), size, size, LIGHT, BRASS, BACKGROUND
-    picture, evaluations = lab15.render_distance(*given)
+    drawn = labs.representations
+    view = labs.pipeline.View(wheel_camera(labs), 144, 144, BACKGROUND)
+    scene = WHEEL, view, drawn.Lighting(LIGHT, BRASS)
+    picture, evaluations = drawn.render_distance(*scene)
     yield (f"distance: {evaluations.mean():.0f} steps a ray",
            save("representations", "distance", enlarged(picture, 2)))
     for beta in 0.1, 0.03, 0.01:
-        picture = lab15.render_volume(*given, 1.7, 3.9, beta, count=96)
+        picture = drawn.render_volume(*scene, 1.7, 3.9, beta, count=96)
         yield (f"volume, beta {beta}",
                save("representations", f"volume_{beta}", enlarged(picture, 2)))
     for n in 16, 32, 64:
-        picture = lab15.render_mesh(*given, n=n)
+        picture = drawn.render_mesh(*scene, n=n)
         yield f"mesh, {n}^3 cells", save("representations", f"mesh_{n}", enlarged(picture, 2))
 
 
@@ -439,7 +440,7 @@ def wheel_camera(labs):
 
 def fit_volume(labs):
     """Density and colour in a grid, found from 30 pictures (lab 15)."""
-    lab15, n, size = labs.implicit_surfaces, 24, 32
+    n, size = 24, 32
     rays = fits.saturn_rays(labs, fits.cameras_around(labs, 30, longitude=0.2), size)
     yield f"30 views, {size} x {size} pixels", None
     density, colour, _ = fits.volume_fit(labs, *rays, n, 500)
@@ -452,9 +453,9 @@ def fit_volume(labs):
                             for rays in (truth, picture)])
     yield "fit, and truth below", save("fit_volume", "views", enlarged(np.clip(sheet, 0, 1), 5))
 
-    points, tetrahedra = lab15.tetrahedral_grid(n)
+    points, tetrahedra = labs.marching_tetrahedra.tetrahedral_grid(n)
     outside = fits.volume_surface(density, points)
-    vertices, faces, _ = lab15.marching_tetrahedra(points, outside, tetrahedra)
+    vertices, faces, _ = labs.marching_tetrahedra.marching_tetrahedra(points, outside, tetrahedra)
     yield f"its mesh: {len(faces):,} faces", save("fit_volume", "mesh", mesh_seen(
         labs, vertices, faces, wheel_camera(labs)))
 

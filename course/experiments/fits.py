@@ -455,7 +455,7 @@ def saturn_rays(labs, cameras, size, samples=3):
 def volume_samples(labs, origins, directions, n, count=40):
     """The look-ups of rays in a grid of n^3 cells, 1.2 to 3.8 in front of their origins."""
     points, spacing = labs.implicit_surfaces.ray_samples(origins, directions, 1.2, 3.8, count)
-    return labs.implicit_surfaces.grid_weights(points.reshape(-1, 3), n), spacing
+    return labs.marching_tetrahedra.grid_weights(points.reshape(-1, 3), n), spacing
 
 
 def volume_seen(labs, origins, directions, density, colour):
@@ -632,10 +632,10 @@ def unseen(labs, name):
     if name == "ring":
         vertices, faces = mesh.torus(60_000, 0.6, 0.25)
     elif name == "two rings":
-        points, tetrahedra = labs.implicit_surfaces.tetrahedral_grid(72)
+        points, tetrahedra = labs.marching_tetrahedra.tetrahedral_grid(72)
         distance = labs.implicit_surfaces.signed_distance(points, TWO_RINGS)
-        vertices, faces, _ = labs.implicit_surfaces.marching_tetrahedra(points, distance,
-                                                                        tetrahedra)
+        vertices, faces, _ = labs.marching_tetrahedra.marching_tetrahedra(
+            points, distance, tetrahedra)
     else:
         vertices, faces = mesh.split_longest(*rabbit(), 60_000)
         vertices = RABBIT_SIZE * vertices

@@ -10,7 +10,7 @@ from course import cli
 from course.experiments import captures, demo, fits
 from course.given import image, mesh, mesh_files
 from course.given.gradcheck import gradcheck
-from reference import implicit_surfaces, reconstruction
+from reference import marching_tetrahedra, reconstruction
 
 LABS = demo.Labs("reference")
 EYE = LABS.pipeline.render, LABS.pipeline.render_backward
@@ -21,7 +21,7 @@ def unknowns(n, seed=0):
     """x on a small grid: an uneven ball, of many colours, in a light from one side."""
     rng = np.random.default_rng(seed)
     distance, offsets, albedo, light = reconstruction.start(n)
-    points, _ = implicit_surfaces.tetrahedral_grid(n)
+    points, _ = marching_tetrahedra.tetrahedral_grid(n)
     distance = distance + 0.15 + 0.1 * np.sin(3 * points).prod(1)
     light = light + reconstruction.distant_light(np.array([[0.6, 0.8, 0.0]]), np.ones((1, 3)))
     return (distance, offsets + rng.uniform(-0.1, 0.1, offsets.shape) / n,
@@ -127,9 +127,9 @@ def test_the_start_is_a_grey_ball():
 def test_all_of_the_surface_is_in_the_crossed_cubes():
     """A cube is left out that has a piece of it."""
     x = unknowns(6)
-    points, tetrahedra = implicit_surfaces.tetrahedral_grid(6)
+    points, tetrahedra = marching_tetrahedra.tetrahedral_grid(6)
     vertices, faces, ends, *_ = reconstruction.surface(x)
-    expected = implicit_surfaces.marching_tetrahedra(points + x[1], x[0], tetrahedra)
+    expected = marching_tetrahedra.marching_tetrahedra(points + x[1], x[0], tetrahedra)
     for got, whole in zip((vertices, ends), (expected[0], expected[2]), strict=True):
         np.testing.assert_array_equal(got, whole)
     assert sorted(map(tuple, faces)) == sorted(map(tuple, expected[1]))
@@ -137,7 +137,7 @@ def test_all_of_the_surface_is_in_the_crossed_cubes():
 
 def test_no_offset_that_is_allowed_turns_a_tetrahedron_over():
     """A surface that goes through itself."""
-    points, tetrahedra = implicit_surfaces.tetrahedral_grid(4)
+    points, tetrahedra = marching_tetrahedra.tetrahedral_grid(4)
     for seed in range(20):
         offsets = np.random.default_rng(seed).choice([-9.0, 9.0], points.shape)
         x = reconstruction.bounded((points[:, 0], offsets, 0 * points, np.zeros((9, 3))))
@@ -157,7 +157,7 @@ def test_a_finer_grid_holds_the_same():
     """Axes are swapped on the way to another grid, or light is lost."""
     x = unknowns(8)
     distance, offsets, albedo, light = reconstruction.refine(x, 16)
-    points, _ = implicit_surfaces.tetrahedral_grid(16)
+    points, _ = marching_tetrahedra.tetrahedral_grid(16)
     coarse = (np.round(points * 4) == points * 4).all(1)
     np.testing.assert_allclose(distance[coarse], x[0])
     np.testing.assert_allclose(albedo[coarse], x[2])

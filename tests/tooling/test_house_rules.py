@@ -12,13 +12,6 @@ PARAMETERS = 7    # of a function; a backward pass may have one more, the gradie
 EXCEPTIONS = {  # not yet short; the list may only become shorter
     "antialiasing has a docstring of more than 20 lines",
     "antialiasing has more than 350 lines",
-    "implicit_surfaces has a docstring of more than 20 lines",
-    "implicit_surfaces has more than 350 lines",
-    "implicit_surfaces.render_distance has more than 7 parameters",
-    "implicit_surfaces.render_mesh has more than 7 parameters",
-    "implicit_surfaces.render_volume has more than 7 parameters",
-    "implicit_surfaces.signed_distance has more than 20 lines of code",
-    "implicit_surfaces.signed_distance_backward has more than 20 lines of code",
     "interpolation has a docstring of more than 20 lines",
     "inverse_rendering has more than 350 lines",
     "inverse_rendering.adam_step has more than 7 parameters",
