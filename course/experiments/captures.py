@@ -157,7 +157,7 @@ def camera(labs, view, fov_y, aspect, centre, radius):
 
 def save(labs, x, path, world_from_grid):
     """The mesh of x in the world, its albedo as vertex colours, as path.glb and path.obj."""
-    vertices, faces, _, normals, albedo = labs.reconstruction.surface(x)
+    vertices, faces, _, normals, albedo = labs.multi_view_fit.surface(x)
     vertices = vertices @ world_from_grid[:3, :3].T + world_from_grid[:3, 3]
     places.write_whole(path.with_suffix(".glb"), glb(vertices, faces, normals, albedo))
     places.write_whole(path.with_suffix(".obj"), obj(vertices, faces, albedo))
@@ -198,19 +198,19 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task(path.stem, total=steps, told="")
         try:
-            for step, (n, loss, x) in enumerate(fit, 1):
+            for step, (x, loss) in enumerate(fit, 1):
                 require(np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
-                        and (x[0] < 0).any(), f"the search came to nothing at step {step}: are the "
-                        "cameras right, and is the object in the ball?")
+                        and (x.distance < 0).any(), f"the search came to nothing at step {step}: "
+                        "are the cameras right, and is the object in the ball?")
                 good = x
                 if step % EVERY == 0 or step == steps:
-                    faces = labs.reconstruction.surface(x)[1]
+                    faces = labs.multi_view_fit.surface(x).faces
                     _, genus = labs.reconstruction.genus(faces)
                     told = f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
                     save(labs, x, path, world_from_grid)
                     progress.update(task, told=told)
                 progress.update(task, completed=step)
-                yield n, loss, x
+                yield x, loss
         except KeyboardInterrupt:
             progress.print("stopped before the first mesh" if good is None else
                            f"stopped; the last good mesh is in {places.shown_path(path)}")
@@ -225,10 +225,11 @@ def run(labs, folder):
     pictures, cameras, background, world_from_grid = read(labs, folder)
     stages, name = fits.FINE_STAGES, Path(folder).resolve().name
     path = places.out("demo", "reconstruct", f"{name}.glb")
-    fit = labs.reconstruction.fit(pictures, cameras, background, stages)
-    for _, loss, x in watched(labs, fit, fits.steps_of(stages), path, world_from_grid):  # noqa: B007
+    capture = labs.multi_view_fit.Capture(pictures, cameras, background)
+    fit = labs.multi_view_fit.fit(capture, stages)
+    for x, loss in watched(labs, fit, fits.steps_of(stages), path, world_from_grid):  # noqa: B007
         pass  # an x is 7 MB: only the last one is kept
-    _, faces, *_ = labs.reconstruction.surface(x)
+    faces = labs.multi_view_fit.surface(x).faces
     pieces, genus = labs.reconstruction.genus(faces)
     print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"
           f"{path} and .obj")

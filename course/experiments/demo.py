@@ -504,7 +504,7 @@ def reconstruct(labs):
         camera, frames = fits.cameras_around(labs, 8, longitude=1.1)[5], []
         start, steps = time.process_time(), fits.steps_of(stages)
         fit = fits.reconstruction(labs, name, stages)
-        for step, (_, _, x) in enumerate(captures.watched(labs, fit, steps, path), 1):
+        for step, (x, _) in enumerate(captures.watched(labs, fit, steps, path), 1):
             if step % 5 == 1 or step == steps:
                 frames.append(fits.portrait(labs, x, camera, 128))
         spent = time.process_time() - start
@@ -536,10 +536,11 @@ def compared(labs, x, name, genus, percent):
 def ablations(labs):
     """What lab 16's search is without one of its parts."""
     stages, camera = fits.FINE_STAGES[:2], fits.cameras_around(labs, 8, longitude=1.1)[5]
-    weights = *labs.reconstruction.WEIGHTS[:2], 0.0, 0.0
-    for name, setting in (("all of it", {}), ("no antialiasing", {"eye": fits.without_edges(labs)}),
+    weights = labs.multi_view_fit.WEIGHTS._replace(sign_changes=0.0, bumps=0.0)
+    for name, setting in (("all of it", {}),
+                          ("no antialiasing", {"renderer": fits.without_edges(labs)}),
                           ("no regularizers", {"weights": weights}), ("4 views", {"count": 4})):
-        for _, _, x in fits.reconstruction(labs, "bunny", stages, **setting):  # noqa: B007
+        for x, _ in fits.reconstruction(labs, "bunny", stages, **setting):  # noqa: B007
             pass
         judged = fits.judged(labs, x, "bunny")
         yield (f"{name}: {judged['new views']:.1f} dB, {judged['distance']:.2%} off",

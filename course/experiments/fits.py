@@ -5,6 +5,7 @@ number of steps; it gives back arrays: the course of the fit, step by step, and 
 Fits of random things are reproducible: the same seed gives the same numbers.
 """
 import itertools
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -689,7 +690,8 @@ def reconstruction(labs, name, stages, size=128, count=24, **settings):
     """What lab 16's `fit` yields, for pictures of one of the `unseen` objects by daylight."""
     cameras = cameras_around(labs, count)
     pictures = photographs(labs, *unseen(labs, name), daylight(labs), cameras, size)
-    return labs.reconstruction.fit(pictures, cameras, WHITE, stages, **settings)
+    capture = labs.multi_view_fit.Capture(pictures, cameras, WHITE)
+    return labs.multi_view_fit.fit(capture, stages, **settings)
 
 
 def steps_of(stages):
@@ -710,26 +712,33 @@ def judged(labs, x, name, size=128):
     pictures, as found and as they are.
     """
     vertices, faces, albedo = unseen(labs, name)
-    found = labs.reconstruction.surface(x)
+    found = labs.multi_view_fit.surface(x)
     mean = [distances.surface_distances(*a, *b)[0] for a, b in
             itertools.permutations([found[:2], (vertices, faces)])]
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
-    at_truth = distances.closest_points(found[0], vertices, faces)
-    scale = labs.reconstruction.best_scale(found[4], paint(at_truth))
+    at_truth = distances.closest_points(found.vertices, vertices, faces)
+    scale = labs.reconstruction.best_scale(found.albedo, paint(at_truth))
     cameras, light = cameras_around(labs, 8, longitude=1.1), daylight(labs)
     pictures = [photographs(labs, *shape, lamp, cameras, size) for shape, lamp in (
-        ((*found[:2], found[4]), x[3]), ((vertices, faces, albedo), light),
-        ((*found[:2], scale * found[4]), evening(labs)),
+        ((*found[:2], found.albedo), x.light), ((vertices, faces, albedo), light),
+        ((*found[:2], scale * found.albedo), evening(labs)),
         ((vertices, faces, albedo), evening(labs)))]
-    return {"pieces, genus": labs.reconstruction.genus(found[1]),
+    return {"pieces, genus": labs.reconstruction.genus(found.faces),
             "distance": np.mean(mean) / diagonal,
             "new views": decibels(*pictures[:2]), "relit": decibels(*pictures[2:]),
-            "light": np.linalg.norm(x[3] / scale - light) / np.linalg.norm(light),
+            "light": np.linalg.norm(x.light / scale - light) / np.linalg.norm(light),
             "scale": scale, "pictures": pictures}
 
 
+class Renderer(NamedTuple):
+    """What lab 16's `fit` takes in the place of the pipeline."""
+
+    render: Callable
+    render_backward: Callable
+
+
 def without_edges(labs):
-    """The pipeline's `render` and its backward pass, without antialiasing."""
+    """The pipeline's `render` and its backward pass, without antialiasing: a Renderer."""
     pipeline = labs.pipeline
 
     def render(mesh, surface, view):
@@ -743,13 +752,13 @@ def without_edges(labs):
                                                                 view.clip_from_model)
         return pipeline.Gradients(grad_positions, grad_surface, grad_matrix)
 
-    return render, render_backward
+    return Renderer(render, render_backward)
 
 
 def portrait(labs, x, camera, size, samples=2):
     """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
-    vertices, faces, _, _, albedo = labs.reconstruction.surface(x)
+    vertices, faces, _, _, albedo = labs.multi_view_fit.surface(x)
     clay = np.full(albedo.shape, 0.8)
     seen = [photographs(labs, vertices, faces, *paint, [camera], size, samples)[0][..., :3]
-            for paint in ((albedo, x[3]), (clay, daylight(labs)))]
+            for paint in ((albedo, x.light), (clay, daylight(labs)))]
     return image.to_srgb(np.clip(np.hstack(seen), 0, 1))
