@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import antialiasing, rasterization
+from reference import antialiasing, scanline
 
 
 def main():
@@ -24,7 +24,7 @@ def main():
 def row(face_count, size):
     """One row of the table."""
     _, faces, clip = measure.sphere(face_count)
-    face_index, depth = rasterization.rasterize(clip, faces, size, size)
+    face_index, depth = scanline.rasterize(clip, faces, size, size)
     scene = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
     colour, grad_output = np.random.default_rng(0).normal(size=(2, size, size, 3))
     took = measure.medians({

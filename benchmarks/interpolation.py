@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import interpolation, rasterization
+from reference import interpolation, rasterization, scanline
 
 SIZE = 512
 
@@ -25,7 +25,7 @@ def main():
 def row(face_count):
     """One row of the table."""
     vertices, faces, clip = measure.sphere(face_count)
-    face_index, _ = rasterization.rasterize(clip, faces, SIZE, SIZE)
+    face_index, _ = scanline.rasterize(clip, faces, SIZE, SIZE)
     mixed = vertices, faces, face_index, rasterization.barycentrics(face_index, clip, faces)
     sloped = *mixed[:3], rasterization.barycentrics_derivatives(face_index, clip, faces)
     rng = np.random.default_rng(0)

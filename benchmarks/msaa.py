@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import msaa, rasterization
+from reference import msaa, scanline
 
 SIZE = 512
 COUNTS = 4, 8, 16
@@ -41,7 +41,7 @@ def calls(clip, faces):
     def multisampled(count):
         return lambda: msaa.msaa(*scene, msaa.standard_pattern(count), shade, background)
 
-    return {"rasterize": lambda: rasterization.rasterize(*scene), "1 sample": supersampled(1),
+    return {"rasterize": lambda: scanline.rasterize(*scene), "1 sample": supersampled(1),
             **{f"{count}x MSAA": multisampled(count) for count in COUNTS},
             **{f"{count} x {count} supersampling": supersampled(count) for count in (2, 4)}}
 

@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import rasterization
+from reference import rasterization, scanline
 
 
 def main():
@@ -26,11 +26,11 @@ def row(face_count, size):
     """One row of the table."""
     _, faces, clip = measure.sphere(face_count)
     scene = clip, faces, size, size
-    face_index, _ = rasterization.rasterize(*scene)
+    face_index, _ = scanline.rasterize(*scene)
     assert (face_index == boxes(*scene)[0]).all()
     picture = face_index, clip, faces
     took = measure.medians({
-        "rasterize": lambda: rasterization.rasterize(*scene),
+        "rasterize": lambda: scanline.rasterize(*scene),
         "barycentrics": lambda: rasterization.barycentrics(*picture),
         "derivatives": lambda: rasterization.barycentrics_derivatives(*picture),
         "boxes": lambda: boxes(*scene),
@@ -50,8 +50,8 @@ def boxes(clip, faces, width, height):
                    for v, size in ((x, width), (y, height)))
     columns, rows = np.maximum(right - left, 0), np.maximum(high - low, 0)
     face_index, depth = np.full(height * width, -1), np.full(height * width, np.inf)
-    for part in rasterization.chunks(columns * rows):
-        face, number = rasterization.expand(np.zeros(len(rows[part]), int), (columns * rows)[part])
+    for part in scanline.chunks(columns * rows):
+        face, number = scanline.expand(np.zeros(len(rows[part]), int), (columns * rows)[part])
         row, column = np.divmod(number, columns[part][face])
         row, column, face = row + low[part][face], column + left[part][face], face + part.start
         px, py = column + 0.5, row + 0.5

@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import rasterization, vertex_gradients
+from reference import rasterization, scanline, vertex_gradients
 
 SIZE = 512
 
@@ -25,12 +25,12 @@ def main():
 def row(face_count):
     """One column of the table."""
     _, faces, clip = measure.sphere(face_count)
-    face_index, _ = rasterization.rasterize(clip, faces, SIZE, SIZE)
+    face_index, _ = scanline.rasterize(clip, faces, SIZE, SIZE)
     rng, picture = np.random.default_rng(0), (face_index, clip, faces)
     by_b, by_db, by_z = (rng.normal(size=(SIZE, SIZE, *shape)) for shape in ((3,), (3, 2), ()))
     lab7 = vertex_gradients
     return {"faces": len(faces), **measure.medians({
-        "rasterize": lambda: rasterization.rasterize(clip, faces, SIZE, SIZE),
+        "rasterize": lambda: scanline.rasterize(clip, faces, SIZE, SIZE),
         "d depth": lambda: lab7.depth_backward(by_z, *picture),
         "barycentrics": lambda: rasterization.barycentrics(*picture),
         "d barycentrics": lambda: lab7.barycentrics_backward(by_b, *picture),

@@ -25,7 +25,7 @@ import numpy as np
 
 from course.given import inputs
 
-from . import msaa, rasterization, texturing, transforms
+from . import msaa, scanline, texturing, transforms
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
 SOFT_END = 1e-6                 # a probability below this is not looked at, eq. (9)
@@ -163,9 +163,9 @@ def fragments(corners, width, height, near, far):
     drawn = np.flatnonzero(front_faces(screen, z))
     screen, z = screen[drawn], z[drawn]
     inverse, (x0, y0, x1, y1) = face_inverse(screen), pixel_box(screen, width, height)
-    owner, row = rasterization.expand(y0, y1 - y0)
-    for part in rasterization.chunks((x1 - x0)[owner]):
-        span, column = rasterization.expand(x0[owner[part]], (x1 - x0)[owner[part]])
+    owner, row = scanline.expand(y0, y1 - y0)
+    for part in scanline.chunks((x1 - x0)[owner]):
+        span, column = scanline.expand(x0[owner[part]], (x1 - x0)[owner[part]])
         face, i, j = owner[part][span], row[part][span], column
         inside = covers(screen[face], j + 0.5, i + 0.5)
         face, i, j = face[inside], i[inside], j[inside]
@@ -451,7 +451,7 @@ def all_edge_lines(a, b, height):
     low, high = np.minimum(a[:, 1], b[:, 1]), np.maximum(a[:, 1], b[:, 1])
     first = np.clip(np.ceil(low - 0.5), 0, height).astype(int)
     last = np.where(low == high, first, np.clip(np.floor(high + 0.5), first, height)).astype(int)
-    face, row = rasterization.expand(first, last - first)
+    face, row = scanline.expand(first, last - first)
     a, b = a[face], b[face]
     toward_b = (row + 0.5 - a[:, 1]) / (b[:, 1] - a[:, 1])
     crossing = a[:, 0] + toward_b * (b[:, 0] - a[:, 0])
@@ -469,7 +469,7 @@ def pulls(grad_colour, colour, face_index, face, row, crossing, side, share, eps
     inner = np.where(kept, inner, 0).astype(int)
     outer = np.where(kept, inner + side, 0)
     asked = (grad_colour != 0).any(2)
-    for lines in (line[part] for part in rasterization.chunks(np.full(len(line), width))):
+    for lines in (line[part] for part in scanline.chunks(np.full(len(line), width))):
         at, pixel = np.nonzero(asked[row[lines]])
         at = lines[at]
         is_out, y = (pixel - inner[at]) * side[at] > 0, row[at]
@@ -497,8 +497,8 @@ def soft_fragments(screen, width, height, sigma):
     reach = np.sqrt(sigma * np.log(1 / SOFT_END - 1))
     low, high = screen.min(1) - reach, screen.max(1) + reach
     x0, y0, x1, y1 = pixel_box(np.stack([low, high], 1), width, height)
-    owner, row = rasterization.expand(y0, y1 - y0)
-    span, column = rasterization.expand(x0[owner], (x1 - x0)[owner])
+    owner, row = scanline.expand(y0, y1 - y0)
+    span, column = scanline.expand(x0[owner], (x1 - x0)[owner])
     face, row = owner[span], row[span]
     centre = np.stack([column, row], -1) + 0.5
     edge, t, away, sign = nearest_on_border(centre, screen[face])

@@ -25,7 +25,7 @@ import numpy as np
 
 from course.given import mesh
 
-from . import interpolation, inverse_rendering, rasterization, texturing, transforms
+from . import interpolation, inverse_rendering, rasterization, scanline, texturing, transforms
 
 GRAZING = 1e-2   # the least |n . ray|: a plane seen edge-on has no slope
 WIDEST = np.radians(75)  # from a cone's axis to its side; beyond, texels are wasted on the border
@@ -402,7 +402,7 @@ def depth_map(vertices, faces, light, size):
     position, rotation, clip_from_light = light
     q = transforms.to_homogeneous(to_light(vertices, position, rotation))
     clip = transforms.transform(q, clip_from_light)
-    _, depth = rasterization.rasterize(clip, faces, size, size)
+    _, depth = scanline.rasterize(clip, faces, size, size)
     return distance_of_depth(depth, clip_from_light)
 
 
@@ -413,7 +413,7 @@ def visible_points(vertices, faces, clip_from_world, width, height):
     mesh.check(vertices, faces)
     vertices, faces = np.asarray(vertices), np.asarray(faces)
     clip = transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
-    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    face_index, _ = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     points = interpolation.interpolate(vertices, faces, face_index, barycentric)
     seen = face_index >= 0

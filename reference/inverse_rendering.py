@@ -23,7 +23,15 @@ import numpy as np
 
 from course.given import inputs
 
-from . import antialiasing, interpolation, rasterization, texturing, transforms, vertex_gradients
+from . import (
+    antialiasing,
+    interpolation,
+    rasterization,
+    scanline,
+    texturing,
+    transforms,
+    vertex_gradients,
+)
 
 
 def squared_error(picture, target):  # exercise 9.1 (1 point)
@@ -244,7 +252,7 @@ def geometry_backward(grad_clip, grad_depth, face_index, clip, positions, faces,
 
 def shade(clip, faces, colours, width, height, background):
     """What each pixel sees at its centre: colour (H, W, C), face_index, depth, barycentric."""
-    face_index, depth = rasterization.rasterize(clip, faces, width, height)
+    face_index, depth = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     colour = interpolation.interpolate(colours, faces, face_index, barycentric)
     colour[face_index < 0] = background
@@ -311,7 +319,7 @@ def shade_textured(clip, faces, uv, uv_faces, image, width, height, background, 
 
     -> colour (H, W, C), face_index, depth, barycentric, derivatives.
     """
-    face_index, depth = rasterization.rasterize(clip, faces, width, height)
+    face_index, depth = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     derivatives = rasterization.barycentrics_derivatives(face_index, clip, faces)
     at, footprint = footprints(uv, uv_faces, face_index, barycentric, derivatives)

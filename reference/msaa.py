@@ -21,7 +21,7 @@ Sources: GAMES101 lecture 6 and homework 2; Lottes 2009 (FXAA); Karis 2014 (TAA)
 import numpy as np
 from scipy import ndimage
 
-from . import rasterization
+from . import rasterization, scanline
 
 STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples; no two of them come near
 LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
@@ -88,7 +88,7 @@ def rasterize_samples(clip, faces, width, height, pattern):
     depth = np.empty(face_index.shape)
     for s, offset in enumerate(pattern):
         moved = centre_sample(clip, offset, width, height)
-        face_index[s], depth[s] = rasterization.rasterize(moved, faces, width, height)
+        face_index[s], depth[s] = scanline.rasterize(moved, faces, width, height)
     return face_index, depth
 
 
@@ -147,7 +147,7 @@ def supersample(clip, faces, width, height, n, shade, background):
     shade(px, py, face) -> colours (N, C) at screen points px, py (N,), in pixels, on face (N,).
     background (C,) -> picture (H, W, C).
     """
-    face_index, _ = rasterization.rasterize(clip, faces, n * width, n * height)
+    face_index, _ = scanline.rasterize(clip, faces, n * width, n * height)
     row, column = np.nonzero(face_index >= 0)
     picture = np.tile(background, (*face_index.shape, 1))
     picture[row, column] = shade((column + 0.5) / n, (row + 0.5) / n, face_index[row, column])
@@ -275,7 +275,7 @@ def rate_times_colour(clip, faces, colours, width, height, pattern, background):
     for face, colour in zip(faces, colours, strict=True):
         seen, _ = rasterize_samples(clip, face[None], width, height, pattern)
         rate = coverage(seen)
-        dz_dx, dz_dy = rasterization.depth_slopes(*(value[face][:, None] for value in (x, y, z)))
+        dz_dx, dz_dy = scanline.depth_slopes(*(value[face][:, None] for value in (x, y, z)))
         depth = z[face[0]] + dz_dx * (column - x[face[0]]) + dz_dy * (row - y[face[0]])
         wins = (rate > 0) & (depth < nearest)
         nearest[wins], picture[wins] = depth[wins], rate[wins][:, None] * colour

@@ -100,7 +100,7 @@ def portrait(labs, name, load, eye):
 
     clip = clip_positions(labs, vertices, eye)
     yield "vertices to clip space", None
-    face_index, depth = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
+    face_index, depth = labs.scanline.rasterize(clip, faces, SIZE, SIZE)
     yield "rasterize: face index and depth", None
     barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
     yield "barycentrics", None
@@ -123,7 +123,7 @@ def flight(labs):
     for x in track(np.linspace(-2.2, 0.2, 48), "flight", transient=True):
         eye = np.array([x, -0.1, 0.0])
         clip = clip_positions(labs, vertices, eye, target=eye + [1.0, 0.0, 0.0], near=0.01)
-        face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE // 2, SIZE // 2)
+        face_index, _ = labs.scanline.rasterize(clip, faces, SIZE // 2, SIZE // 2)
         barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
         frames.append(shaded(vertices, faces, face_index, barycentric))
     path = places.out("demo", "flight.png")
@@ -371,7 +371,7 @@ def stages(labs, path):
     seen, (_, faces) = [], fits.ball()
     for vertices in path[[0, 30, 100, -1]]:
         clip = clip_positions(labs, vertices, eye=np.array([-1.3, 0.7, 2.2]))
-        face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE, SIZE)
+        face_index, _ = labs.scanline.rasterize(clip, faces, SIZE, SIZE)
         barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
         seen.append(shaded(vertices, faces, face_index, barycentric))
     return np.hstack(seen)
@@ -408,7 +408,7 @@ def split_in_four(vertices, faces):
 def drawn(labs, vertices, faces, size=SIZE):
     """The visible edges of a mesh, seen as the teapot is: a picture (size, size, 3)."""
     clip = clip_positions(labs, mesh.normalize(vertices), eye=np.array([0.6, 1.2, 2.2]))
-    face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
+    face_index, _ = labs.scanline.rasterize(clip, faces, size, size)
     barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
     derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
     return wireframe(face_index >= 0, barycentric, derivatives)
@@ -462,7 +462,7 @@ def fit_volume(labs):
 def mesh_seen(labs, vertices, faces, clip_from_world):
     """A mesh with a light, SIZE / 2 wide and high."""
     clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), clip_from_world)
-    face_index, _ = labs.rasterization.rasterize(clip, faces, SIZE // 2, SIZE // 2)
+    face_index, _ = labs.scanline.rasterize(clip, faces, SIZE // 2, SIZE // 2)
     barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
     return shaded(vertices, faces, face_index, barycentric)
 

@@ -264,7 +264,7 @@ def globe_footprints(labs, clip_from_model, size):
     """seen (size, size), and of the seen pixels (u, v) (N, 2) and its change (N, 2, 2)."""
     vertices, faces, uv = globe()
     clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), clip_from_model)
-    face_index, _ = labs.rasterization.rasterize(clip, faces, size, size)
+    face_index, _ = labs.scanline.rasterize(clip, faces, size, size)
     barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
     derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
     return face_index >= 0, *labs.inverse_rendering.footprints(uv, faces, face_index, barycentric,
@@ -400,7 +400,7 @@ def shared_silhouettes(labs, shape, other, cameras, size=256):
     """Intersection over union of two meshes' silhouettes, for each of the cameras (N,)."""
     ious = []
     for camera in cameras:
-        a, b = (labs.rasterization.rasterize(labs.transforms.transform(
+        a, b = (labs.scanline.rasterize(labs.transforms.transform(
                 labs.transforms.to_homogeneous(vertices), camera), faces, size, size)[0] >= 0
                 for vertices, faces in (shape, other))
         ious.append((a & b).sum() / (a | b).sum())
@@ -517,7 +517,7 @@ def soft_outline(labs, clip, faces, size, sigma=0.05):
 def blend_outline(labs, clip, faces, size):
     """Lab 8's: white faces on black, antialiased."""
     lab8 = labs.antialiasing
-    face_index, depth = labs.rasterization.rasterize(clip, faces, size, size)
+    face_index, depth = labs.scanline.rasterize(clip, faces, size, size)
     edges = face_index, depth, clip, faces, lab8.opposite_vertices(faces)
     colour = (face_index >= 0)[..., None].astype(float)
 
@@ -583,7 +583,7 @@ def teapot_mask(labs, size):
 def seen_mask(labs, vertices, faces, camera, size):
     """Where a mesh is seen at the pixels' centres: bool (size, size)."""
     clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), camera)
-    return labs.rasterization.rasterize(clip, faces, size, size)[0] >= 0
+    return labs.scanline.rasterize(clip, faces, size, size)[0] >= 0
 
 
 def teapot_iou(labs, vertices, faces, size=256):

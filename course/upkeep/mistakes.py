@@ -1,15 +1,16 @@
 """The mistakes that people really make, exercise by exercise, and the hints that they give.
 
-tests/mistakes/<topic>.py has for each exercise rows (what the reference says, what somebody wrote
-instead, a sentence). They serve twice. Each must be caught by its exercise's own checks. And where
-a student's function returns in a check what a known mistake returns there, the report tells the
-sentence: "this is what comes out when ...".
+tests/mistakes/<topic>.py has up to three wrong functions for each exercise. It is only read, never
+imported: each function takes the place of the one of its name, and its docstring goes on after
+"this is what comes out when". They serve twice. Each must be caught by its exercise's own checks.
+And where a student's function returns in a check what a known mistake returns there, the report
+tells the sentence.
 
 At home there is no library, only course/checks/hints.json: for each sentence the fingerprints of
 what its mistake returned to the checks that caught it, with the default seed.
 """
+import ast
 import json
-import runpy
 import textwrap
 from typing import NamedTuple
 
@@ -28,34 +29,24 @@ class Mistake(NamedTuple):
 
 
 def library(topic):
-    """The Mistakes of a topic. ValueError: a row does not fit to the reference."""
+    """The Mistakes of a topic. ValueError: a function is no exercise, or has no sentence."""
     path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
-    if not path.exists():
-        return []
-    text = skeleton.read(skeleton.reference(topic))
-    functions = {function.name: function for function in skeleton.top_level_functions(text)}
-    exercises = {exercise.number: exercise for exercise in skeleton.topic_exercises(topic)}
+    text = skeleton.read(path) if path.exists() else ""
+    lines = skeleton.text_lines(text)
+    exercises = {exercise.name: exercise for exercise in skeleton.topic_exercises(topic)}
     found = []
-    for number, rows in runpy.run_path(str(path))["MISTAKES"].items():
-        if number not in exercises:
-            raise ValueError(f"tests/mistakes/{topic}.py names exercise {number}, "
-                             "and there is none: correct the number")
-        head, answer = parts(text, functions[exercises[number].name])
-        for right, wrong, sentence in rows:
-            if right not in answer:
-                raise ValueError(f"tests/mistakes/{topic}.py: exercise {number} does not say "
-                                 f'"{right}" any more; write what the reference says now')
-            found.append(Mistake(topic, exercises[number], head + answer.replace(right, wrong),
-                                 sentence))
+    for function in skeleton.top_level_functions(text):
+        place = f"tests/mistakes/{topic}.py, line {function.lineno}"
+        sentence = " ".join((ast.get_docstring(function) or "").split())
+        if function.name not in exercises:
+            raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
+                             "give it the name of one")
+        if not sentence:
+            raise ValueError(f"{place}: {function.name} has no docstring; write there what goes on "
+                             'after "this is what comes out when"')
+        found.append(Mistake(topic, exercises[function.name],
+                             "".join(lines[function.lineno - 1:function.end_lineno]), sentence))
     return found
-
-
-def parts(text, function):
-    """A function's def line and its answer, without the question."""
-    lines = text.replace("\r\n", "\n").splitlines(keepends=True)
-    question = function.body[0]
-    return ("".join(lines[function.lineno - 1:question.lineno - 1]),
-            "".join(lines[question.end_lineno:function.end_lineno]))
 
 
 def tried(topic):

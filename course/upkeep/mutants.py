@@ -6,19 +6,26 @@ function, and the exercise's checks run until one fails. Then the mutant is caug
 raised an error or did not end. A mutant that lives shows what no check looks at.
 
 A change that changes nothing (or nothing that the question settles) is no mistake. Such mutants
-stand with their reason in tests/mistakes/equivalent_mutants.txt, and do not count:
+stand with their reason in tests/mistakes/<topic>.txt, and do not count:
 
-    3.12  a < b -> a <= b
+    3.12  a < b -> a <= b (#2)
           At a = b both branches give the same point.
+
+"(#2)" is the second place in the exercise where the same change can be made. What the function
+calls its own variables does not matter there: p < q -> p <= q is the same change.
 """
 import ast
 import contextlib
+import functools
 import io
 import itertools
 import json
+import keyword
 import multiprocessing
 import os
+import re
 import sys
+import textwrap
 import time
 import warnings
 from concurrent.futures import ThreadPoolExecutor
@@ -33,7 +40,8 @@ from . import skeleton
 
 GOAL_EXERCISE, GOAL_COURSE = 0.95, 0.98  # shares of the mutants that are caught
 SLOWER, AT_LEAST = 20, 8.0  # a mutant may take so many times what the right answer takes; seconds
-CONTEXT, WIDEST = 24, 80     # characters shown to each side of a change, and of all of it
+CONTEXT, WIDEST = 8, 30      # tokens shown to each side of a change, and of all of it
+TOKEN = re.compile(r""" ?(?:\w*'[^']*'|\w*"[^"]*"|\.?\w+=?|\S)""")  # .name, name=: not a variable
 
 SWAPPED = {ast.Add: (ast.Sub,), ast.Sub: (ast.Add,), ast.Mult: (ast.Div,), ast.Div: (ast.Mult,),
            ast.FloorDiv: (ast.Div,), ast.Mod: (ast.FloorDiv,), ast.Pow: (ast.Mult,),
@@ -175,19 +183,26 @@ def variants(node):
 
 
 def mutants(function):
-    """The Mutants of a function's node, always in the same order; none is like another."""
-    found, texts, names = [], {ast.unparse(function)}, {}
+    """The Mutants of a function's node, without its docstring, always in the same order; none is
+    like another."""
+    parts = [ast.unparse(altered(function, body=[])), *map(indented, function.body[1:])]
+    found, texts, keys = [], {"\n".join(parts)}, {}
     for k, statement in enumerate(function.body[1:], 1):
         for old, new, changed in variants(statement):
-            text = ast.unparse(altered(function, body=put(function.body, k, changed)))
+            text = "\n".join(put(parts, k, indented(changed)))
             if text in texts or not is_python(text):
                 continue
             texts.add(text)
-            name = told(ast.unparse(old), ast.unparse(new))
-            names[name] = names.get(name, 0) + 1
-            name += f" (#{names[name]})" if names[name] > 1 else ""
-            found.append(Mutant(getattr(old, "lineno", statement.lineno), name, text))
+            change = told(ast.unparse(old), ast.unparse(new))
+            key = nameless(change, function)
+            keys[key] = keys.get(key, 0) + 1
+            change += f" (#{keys[key]})" if keys[key] > 1 else ""
+            found.append(Mutant(getattr(old, "lineno", statement.lineno), change, text))
     return found
+
+
+def indented(statement):
+    return textwrap.indent(ast.unparse(statement), "    ")
 
 
 def is_python(text):
@@ -200,37 +215,60 @@ def is_python(text):
 
 
 def alike(old, new):
-    """How many characters at their beginning are the same."""
+    """How many of their first tokens are the same."""
     differ = (k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1])
     return next(differ, min(len(old), len(new)))
 
 
 def told(old, new):
-    """'a + b -> a - b'; of long texts the place where they differ."""
+    """'a + b -> a - b'; of long texts the place where they differ, however long names are."""
+    old, new = (TOKEN.findall(" ".join(text.split())) for text in (old, new))
     start = alike(old, new)
     end = alike(old[start:][::-1], new[start:][::-1])
-    cut = max(0, start - CONTEXT)
-    left = "..." * (cut > 3)
-    cut = cut if left else 0
+    cut, cut_end = (length - CONTEXT if length > CONTEXT + 1 else 0 for length in (start, end))
 
-    def part(text):
-        stop = len(text) - end + CONTEXT
-        piece = text[cut:stop] + "..." if stop + 3 < len(text) else text[cut:]
-        piece = " ".join(f"{left}{piece}".split())
-        return piece if len(piece) <= WIDEST else f"{piece[:WIDEST]}..."
+    def part(tokens):
+        shown = tokens[cut:len(tokens) - cut_end][:WIDEST]
+        left, right = "... " * (cut > 0), " ..." * (cut + len(shown) < len(tokens))
+        return left + "".join(shown).strip() + right
 
     return f"{part(old)} -> {part(new)}"
+
+
+def nameless(change, function):
+    """A change with v1, v2, ... for the function's own names: the same however these are called."""
+    others, own = foreign_names(function), {}
+
+    def renamed(token):
+        name = token.strip()
+        is_own = name.isidentifier() and name not in others
+        return own.setdefault(name, f"v{len(own) + 1}") if is_own else name
+
+    return " ".join(map(renamed, TOKEN.findall(change)))
+
+
+@functools.cache
+def foreign_names(function):
+    """The names in a function and its mutants that mean something outside of it."""
+    nodes = list(ast.walk(function))
+    names = {node.id for node in nodes if isinstance(node, ast.Name)}
+    own = ({node.id for node in nodes if isinstance(node, ast.Name)
+            and not isinstance(node.ctx, ast.Load)}
+           | {node.arg for node in nodes if isinstance(node, ast.arg)}
+           | {node.name for node in nodes if isinstance(node, ast.FunctionDef)})
+    others = names - own
+    return others | {TWIN[name] for name in others & TWIN.keys()} | {*keyword.kwlist}
 
 
 # --- those that are no mistakes ---------------------------------------------------------------
 
 
-def equivalents():
-    """{(number, change): reason} from tests/mistakes/equivalent_mutants.txt.
+def equivalents(topic):
+    """{(number, change): reason} from tests/mistakes/<topic>.txt.
 
     Lines "3.12  change", one below the other, then their reason, indented. ValueError: no reason.
     """
-    path = places.ROOT / "tests" / "mistakes" / "equivalent_mutants.txt"
+    path = places.ROOT / "tests" / "mistakes" / f"{topic}.txt"
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     reasons, waiting = {}, []
     for line in text.splitlines():
@@ -351,22 +389,29 @@ def seconds_of_the_right_ones(pipe, topic):
     return first
 
 
-def mutants_of(topic, exercise):
+def function_of(topic, exercise):
     functions = skeleton.top_level_functions(skeleton.read(skeleton.reference(topic)))
-    return mutants(next(node for node in functions if node.name == exercise.name))
+    return next(node for node in functions if node.name == exercise.name)
 
 
-def score(topic, exercise, tried, reasons):
+def listed(exercise, function, reasons):
+    """{change without the function's own names: as the list writes it} of an exercise."""
+    return {nameless(change, function): change for number, change in reasons
+            if number == exercise.number}
+
+
+def score(topic, exercise, reasons):
     """Let the checks of an exercise judge its mutants -> Score."""
-    start = time.perf_counter()
+    start, function = time.perf_counter(), function_of(topic, exercise)
+    tried, excused = mutants(function), listed(exercise, function, reasons)
     verdicts = caught_by(topic, [(exercise, mutant.text) for mutant in tried])
     alive = [mutant for mutant, verdict in zip(tried, verdicts, strict=True) if not verdict]
-    known = [mutant for mutant in alive if (exercise.number, mutant.change) in reasons]
-    survivors = [mutant for mutant in alive if mutant not in known]
-    stale = [change for number, change in reasons if number == exercise.number
-             and change not in [mutant.change for mutant in known]]
-    counted = len(tried) - len(known)
-    return Score(topic, exercise, counted, counted - len(survivors), survivors, len(known), stale,
+    named = {nameless(mutant.change, function): mutant for mutant in alive}
+    survivors = [mutant for key, mutant in named.items() if key not in excused]
+    stale = [change for key, change in excused.items() if key not in named]
+    known = len(alive) - len(survivors)
+    counted = len(tried) - known
+    return Score(topic, exercise, counted, counted - len(survivors), survivors, known, stale,
                  time.perf_counter() - start)
 
 
@@ -377,13 +422,12 @@ def run(target=None):
     JSON. -> 0 if 95 % of each exercise's mutants and 98 % of all are caught, else 1.
     """
     labs, asked = board.asked_for(target)
-    reasons = equivalents()
-    wanted = [(topic, exercise, mutants_of(topic, exercise))
+    wanted = [(topic, exercise, equivalents(topic))
               for topic, exercises in labs.items() for exercise in exercises
               if exercise.number in asked]
     scores = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # each thread waits for a process of its own
-        for found in pool.map(lambda one: score(*one, reasons), wanted):
+        for found in pool.map(lambda one: score(*one), wanted):
             scores.append(found)
             print(row(found.exercise.number, found.exercise.name, found), flush=True)
     total = all_together(scores)

@@ -342,126 +342,6 @@ def test_faces_without_area_are_culled(impl):
     assert_equal(impl.cull_back_faces(x, y, w, faces), faces[:0])
 
 
-def sides(planes, x, y):
-    """e of planes (4, 3, F) at (x, y)."""
-    n_x, n_y, from_x, from_y = planes
-    return n_x * (x - from_x) + n_y * (y - from_y)
-
-
-@exercise("2.11")
-def test_the_planes_of_a_face_on_paper(impl):
-    """Row k is the edge that starts at vertex k instead of the one opposite to it."""
-    x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, 1.0]])[..., None]
-    for flip in (1, -1):  # counter-clockwise, clockwise
-        n_x, n_y, from_x, from_y = impl.half_planes(x[::flip], y[::flip], w)
-        assert_close(n_x, np.array([[-4.0], [5.0], [-1.0]])[::flip])
-        assert_close(n_y, np.array([[-4.0], [-2.0], [6.0]])[::flip])
-        assert_close(from_x, np.array([[3.0], [1.0], [1.0]])[::flip])
-        assert_close(from_y, np.array([[6.0], [1.0], [1.0]])[::flip])
-
-
-@exercise("2.11")
-def test_the_planes_hold_what_the_inverse_of_m_says(impl, rng):
-    """The sign of w is forgotten: faces that cross the camera plane appear where they are not."""
-    p = rng.uniform(-5, 5, 2)
-    for _ in range(100):
-        x, y = rng.uniform(-10, 10, (2, 3, 1))
-        w = rng.uniform(0.5, 2, (3, 1)) * rng.choice([-1, 1], (3, 1))
-        c = np.linalg.solve(np.concatenate([w * x, w * y, w], 1).T, [*p, 1])
-        side = sides(np.array(impl.half_planes(x, y, w)), *p)[:, 0]
-        assert_equal(side > 0, c > 0)
-
-
-@exercise("2.11")
-def test_the_two_faces_at_an_edge_agree_in_every_bit(impl, rng):
-    """The edge is measured from another end, or scaled, in one of the two faces."""
-    x, y, w = rng.normal(size=(3, 4, 500)) * 10.0 ** rng.integers(-2, 3, (3, 4, 500))
-    w[:, :250] = 1.0
-    one = np.array(impl.half_planes(x[[0, 1, 2]], y[[0, 1, 2]], w[[0, 1, 2]]))[:, 0]
-    other = np.array(impl.half_planes(x[[3, 2, 1]], y[[3, 2, 1]], w[[3, 2, 1]]))[:, 0]
-    p = rng.normal(size=2)
-    assert_equal(np.abs(sides(one, *p)), np.abs(sides(other, *p)))
-
-
-@exercise("2.11")
-def test_an_edge_is_exactly_zero_at_its_ends(impl, rng):
-    """a x + (b y + c): a vertex on a pixel's centre is lost between the faces around it."""
-    x, y = rng.normal(size=(2, 3, 200)) * 100
-    planes = np.array(impl.half_planes(x, y, np.ones((3, 200))))
-    for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-        for end in (i, j):
-            assert_equal(sides(planes[:, k], x[end], y[end]), np.zeros(200))
-
-
-@exercise("2.11")
-def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
-    """The smaller |w|, w for |w|, or the smaller x, although |w| differs."""
-    x, y, w = np.array([[0.0, 9.0, 4.0], [1.0, 2.0, 7.0], [1.0, -3.0, 2.0]])[..., None]
-    _, _, from_x, from_y = impl.half_planes(x, y, w)
-    assert_close(from_x, np.array([[9.0], [4.0], [9.0]]))
-    assert_close(from_y, np.array([[2.0], [7.0], [2.0]]))
-    w = np.array([[1.0], [1.0 + 1e-12], [1.0 + 2e-12]])  # not equal, if only just
-    _, _, from_x, _ = impl.half_planes(x, y, w)
-    assert_close(from_x, np.array([[4.0], [4.0], [9.0]]))
-
-
-@exercise("2.11")
-def test_at_equal_w_and_x_the_lower_end_decides(impl):
-    """Each of the two faces at a vertical edge takes its own end."""
-    x, y, w = np.array([[3.0, 3.0, 5.0], [8.0, 1.0, 4.0], [1.0, -1.0, 1.0]])[..., None]
-    for order in ([0, 1, 2], [1, 0, 2]):
-        _, _, _, from_y = impl.half_planes(x[order], y[order], w[order])
-        assert_close(from_y[2], np.array([1.0]))
-
-
-@exercise("2.11")
-@pytest.mark.parametrize("x, y, w, dead", [
-    ([0, 4, 2], [0, 4, 2], [1, 1, 1], [True, True, True]),          # without area
-    ([0, 1e-9, 0], [0, 0, 1e-9], [1, 1, 1], [False, False, False]),  # tiny, and alive
-    ([-9e13, 0, 9e13], [-9e13, 9e13, 0], [1, 1, 1], [False, False, False]),  # large, and alive
-], ids=["flat", "tiny", "large"])
-def test_which_edges_have_n_0(impl, x, y, w, dead):
-    """The sign of 0 was taken for 1, or a tolerance for 0."""
-    x, y, w = (np.array(values, float)[:, None] for values in (x, y, w))
-    n_x, n_y, _, _ = impl.half_planes(x, y, w)
-    assert_equal((np.asarray(n_x) == 0) & (np.asarray(n_y) == 0), np.array(dead)[:, None])
-
-
-@exercise("2.12")
-def test_a_tilted_plane_on_paper(impl):
-    """a and b are swapped, or the slope is per area instead of per pixel."""
-    x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None]
-    dz_dx, dz_dy = impl.depth_slopes(x, y, z)
-    assert_close(dz_dx, np.array([0.1]))
-    assert_close(dz_dy, np.array([-0.2]))
-
-
-@exercise("2.12")
-def test_the_depth_plane_goes_through_its_corners(impl, rng):
-    """Right for one winding only, or for one face alone."""
-    for size in 1.0, 1e-9:
-        x, y, z = rng.normal(size=(3, 3, 50)) * np.reshape([size, size, 1], (3, 1, 1))
-        dz_dx, dz_dy = impl.depth_slopes(x, y, z)
-        assert_close(z[0] + dz_dx * (x - x[0]) + dz_dy * (y - y[0]), z, rtol=1e-6, atol=1e-8)
-
-
-@exercise("2.12")
-def test_a_face_without_area_stops_nothing(impl):
-    """A solver that raises for one face of many."""
-    x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None] * [1.0, 0.0]
-    with np.errstate(all="ignore"):
-        dz_dx, dz_dy = impl.depth_slopes(x, y, z)
-    assert_close(np.stack([dz_dx, dz_dy])[:, 0], np.array([0.1, -0.2]))
-
-
-@exercise("2.12")
-def test_a_face_parallel_to_the_screen_is_exactly_flat(impl, rng):
-    """Rounding tilts it: a face in the near plane itself gets holes."""
-    x, y = rng.normal(size=(2, 3, 50))
-    dz_dx, dz_dy = impl.depth_slopes(x, y, np.full((3, 50), -1.0))
-    assert_equal(np.stack([dz_dx, dz_dy]), np.zeros((2, 50)))
-
-
 # --- pictures ----------------------------------------------------------------------------------
 
 @exercise("2.13")
@@ -507,9 +387,9 @@ def test_depth_is_linear_on_the_screen(impl):
 
 
 @exercise("2.13")
-@pytest.mark.parametrize("scene", ["single_tri_64x64", "cube_64x64", "clipscene_64x64"])
+@pytest.mark.parametrize("scene", ["single_tri_64x64", "cube_64x64"])
 def test_the_picture_is_that_of_nvdiffrast(impl, scene):
-    """A face that crosses the camera plane is smeared or lost, or near and far do not cut."""
+    """Another face or depth than nvdiffrast's kernels give."""
     golden = np.load(GOLDEN)
     clip, faces = golden[f"{scene}/clip"].astype(float), golden[f"{scene}/faces"].astype(int)
     expected = golden[f"{scene}/face_index"].astype(int)
@@ -534,19 +414,6 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
 
 
 @exercise("2.13")
-@pytest.mark.parametrize("z", [-1.0, 1.0])
-def test_a_face_in_the_near_or_far_plane_is_seen(impl, z):
-    """< for <=, or a depth that rounding has moved beyond the plane."""
-    clip = np.array([[-1.0, -1.0, z, 1.0], [1.1, -1.3, z, 1.0], [-1.2, 1.7, z, 1.0]])
-    clip *= np.array([[1.0], [3.0], [0.7]])
-    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
-    assert_equal(face_index[0, 0], 0)
-    clip[:, 2] *= 1.0 + 1e-9
-    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
-    assert_picture(face_index, np.full((4, 4), -1))
-
-
-@exercise("2.13")
 def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
     """z is mixed by weights of the screen and divided by w a second time, or not at all."""
     clip = np.append(rng.uniform(-1, 1, (3, 3)), rng.uniform(0.8, 1.2, (3, 1)), 1)
@@ -562,27 +429,10 @@ def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
 
 
 @exercise("2.13")
-def test_faces_that_are_not_finite_leave_no_trace(impl):
-    """NaN, infinity or a face without an area draws something, or stops the program."""
-    good = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
-    broken = [good.copy() for _ in range(4)]
-    broken[0][1, 0], broken[1][2, 3], broken[2][0, 2] = np.nan, np.inf, np.nan
-    broken[3][2] = good[1]
-    clip = np.concatenate([*broken, good])
-    with np.errstate(all="ignore"):
-        face_index, depth = impl.rasterize_loop(clip, np.arange(15).reshape(5, 3), 4, 4)
-    seen = np.add.outer(np.arange(4), np.arange(4)) < 3  # the hypotenuse passes through centres
-    assert_picture(face_index, np.where(seen, 4, -1))
-    assert_close(depth, np.where(seen, 0.0, np.inf))
-
-
-@exercise("2.13")
 def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
     """Width and height are swapped on the way to the bounding box, or pixels beyond are drawn."""
     clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
-    behind = np.array([[-9.0, -9.0, 0.0, 1.0], [9.0, -9.0, 0.0, 1.0], [0.0, 30.0, 0.0, -1.0]])
-    for corners, width, height in ((clip, 3, 9), (clip, 9, 3), (behind, 3, 9), (behind, 9, 3),
-                                   (behind / 99, 3, 9)):
+    for corners, width, height in ((clip, 3, 9), (clip, 9, 3), (clip / 99, 3, 9)):
         corners = corners + [[0, 0, 0.1, 0]] * corners[:, :1]  # the depth is a tenth of ndc x
         face_index, depth = impl.rasterize_loop(corners, np.array([[0, 1, 2]]), width, height)
         assert_picture(face_index, np.zeros((height, width), int))
@@ -605,158 +455,6 @@ def test_clip_space_has_no_unit(impl):
     face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 3)
     seen = np.array([[1, 1, 1, 0], [1, 1, 0, 0], [1, 0, 0, 0]], bool)
     assert_picture(face_index, np.where(seen, 0, -1))
-
-
-@exercise("2.13")
-@pytest.mark.parametrize("turn", range(3))
-def test_a_floor_that_begins_below_the_camera(impl, turn):
-    """Depth is measured from a corner with w near 0, which lies almost infinitely far away."""
-    # y = -1, from x = -4.9 to 4.9 and z = 0 to -10, fov 90 degrees, near 0.01, far 100.
-    floor = np.array([[-4.9, -1.0, 0.0], [4.9, -1.0, 0.0], [4.9, -1.0, -10.0], [-4.9, -1.0, -10.0]])
-    x, y, z = floor.T
-    clip = np.stack([x, y, -(100.01 * z + 2) / 99.99, -z], -1)
-    faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
-    face_index, depth = impl.rasterize_loop(clip, faces, 16, 16)
-    px, py = np.moveaxis(centres(16, 16), -1, 0) / 8 - 1
-    w = -1 / np.where(py < 0, py, -1e-9)  # where the ray through the pixel meets y = -1
-    seen = (w < 10) & (np.abs(px * w) < 4.9)
-    assert_picture(np.asarray(face_index) >= 0, seen)
-    assert_close(np.asarray(depth)[seen], ((100.01 * w - 2) / 99.99 / w)[seen], rtol=1e-8)
-
-
-# --- whole rows --------------------------------------------------------------------------------
-
-def first_column_loop(a, x0, offset, width):
-    edges = zip(a, x0, offset, strict=True)
-    return np.array([next((j for j in range(width) if k * (j + 0.5 - s) + m >= 0), width)
-                     for k, s, m in edges], float)
-
-
-@exercise("2.14")
-def test_the_first_column_on_paper(impl):
-    """ceil instead of the centre's half pixel, > for >=, or a value outside of 0 ... width."""
-    a      = np.array([ 2.0,  2.0,  2.0,   2.0, 2.0,  2.0])
-    x0     = np.array([ 0.0,  0.0,  0.0,   0.0, 0.0,  3.0])
-    offset = np.array([-3.0, -3.1, -2.9, -99.0, 5.0, -1.0])  # x = 1.5, 1.55, 1.45, 49.5, -2.5, 3.5
-    assert_close(impl.first_column(a, x0, offset, 8), np.array([1.0, 2.0, 1.0, 8.0, 0.0, 3.0]))
-
-
-@exercise("2.14")
-def test_the_sum_decides_and_not_the_quotient(impl, rng):
-    """The column where -offset / a says so: one off where the edge passes through a centre."""
-    a, x0 = 10.0 ** rng.uniform(-30, 6, 3000), rng.uniform(-5, 5, 3000)
-    offset = -a * (rng.integers(-3, 20, 3000) + 0.5 - x0)
-    offset *= 1 + rng.choice([0, 1, -1, 2, -2], 3000) * 2.0 ** -52
-    column = impl.first_column(a, x0, offset, 16)
-    assert_close(column, first_column_loop(a, x0, offset, 16))
-
-
-@exercise("2.14")
-def test_any_slope_and_any_offset(impl, rng):
-    """Steep or nearly horizontal edges overflow."""
-    a, x0 = 10.0 ** rng.uniform(-30, 30, 2000), rng.normal(size=2000) * 100
-    offset = rng.normal(size=2000) * 10.0 ** rng.uniform(-9, 9, 2000)
-    with np.errstate(all="ignore"):
-        column = impl.first_column(a, x0, offset, 16)
-    assert_close(column, first_column_loop(a, x0, offset, 16))
-
-
-def covered_loop(planes, y, width):
-    """The columns of a row that lie on the right side of all planes (4, P)."""
-    def covers(a, b, x0, y0, x):
-        e = a * (x - x0) + b * (y - y0)
-        return e > 0 or (e == 0 and (a > 0 or (a == 0 and b > 0)))
-
-    return [j for j in range(width) if all(covers(*plane, j + 0.5) for plane in planes.T)]
-
-
-@exercise("2.15")
-def test_the_intervals_of_a_triangle_on_paper(impl):
-    """start and end are swapped, or the end is the last column instead of one past it."""
-    # The triangle (0, 0), (6, 0), (0, 3): 18 - 3 x - 6 y >= 0, x >= 0, y >= 0.
-    a, b  = np.array([[-3.0], [1.0], [0.0]]), np.array([[-6.0], [0.0], [1.0]])
-    x0, y0 = np.array([[0.0], [0.0], [0.0]]), np.array([[3.0], [0.0], [0.0]])
-    y = np.array([0.5, 1.5, 2.5])
-    start, end = impl.row_interval((a, b, x0, y0), np.zeros(3, int), y, 8)
-    assert_close(start, np.array([0.0, 0.0, 0.0]))
-    assert_close(end, np.array([5.0, 3.0, 1.0]))  # the slanted edge is at x = 5, 3, 1
-
-
-@exercise("2.15")
-def test_a_row_of_pixels_is_half_open(impl):
-    """Closed intervals: the sample at x = 3.5 lies on a right edge and belongs to the neighbour."""
-    planes = np.array([[[1.0], [-1.0]], [[0.0], [0.0]], [[1.5], [3.5]], [[0.0], [0.0]]])
-    start, end = impl.row_interval(tuple(planes), np.zeros(1, int), np.array([0.5]), 8)
-    assert_close(np.stack([start, end]), np.array([[1.0], [3.0]]))
-
-
-@exercise("2.15")
-def test_horizontal_edges_take_all_or_nothing(impl):
-    """0 / 0, or a slope of 0 that is turned into NaN."""
-    # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
-    n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])
-    n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])
-    from_x, from_y = np.array([[3.0, 3.0], [-9.0, -9.0], [99.0, 99.0]]), np.full((3, 2), 1.5)
-    face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
-    start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
-    assert_close(np.maximum(np.asarray(end) - start, 0), np.array([0.0, 8.0, 8.0, 8.0, 0.0, 0.0]))
-
-
-@exercise("2.15")
-def test_intervals_hold_what_the_planes_say(impl, rng):
-    """Planes of another face or another row are used, or a horizontal edge on its own row."""
-    planes = rng.integers(-3, 4, (4, 3, 60)).astype(float)
-    planes[2:] += 0.5  # so that many samples lie exactly on an edge
-    face, y = rng.integers(0, 60, 400), rng.integers(-2, 3, 400) + 0.5
-    start, end = impl.row_interval(tuple(planes), face, y, 9)
-    for n in range(400):
-        got = np.arange(int(start[n]), int(end[n]))
-        assert_equal(got, np.array(covered_loop(planes[..., face[n]], y[n], 9), int),
-                     given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
-
-
-def planes_loop(clip, faces, width, height):
-    """What `rasterize` must draw: every face at every pixel, by the definition of its planes."""
-    face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
-    w = clip[:, 3]
-    x, y, z = (clip[:, 0] / w + 1) * width / 2, (clip[:, 1] / w + 1) * height / 2, clip[:, 2] / w
-    for f, corners in enumerate(faces):
-        p, q, r = np.roll(corners, -np.argmax(np.abs(w[corners])))
-        x1, y1, z1, x2, y2, z2 = (v[k] - v[p] for k in (q, r) for v in (x, y, z))
-        area = x1 * y2 - x2 * y1
-        for i, j in np.ndindex(height, width):
-            px, py = j + 0.5, i + 0.5
-            sides = [agreed_side(x, y, w, s, t, px, py) for s, t in ((q, r), (r, p), (p, q))]
-            signs = np.sign(area) * np.sign(w[[p, q, r]])
-            if area and all(m * e > 0 or (e == 0 and (m * n_x > 0 or (n_x == 0 and m * n_y > 0)))
-                            for m, (e, n_x, n_y) in zip(signs, sides, strict=True)):
-                d = (z1 * y2 - z2 * y1) / area * (px - x[p]) \
-                    + ((x1 * z2 - x2 * z1) / area * (py - y[p]) + z[p])
-                if abs(d) <= 1 and d < depth[i, j]:
-                    face_index[i, j], depth[i, j] = f, d
-    return face_index, depth
-
-
-def agreed_side(x, y, w, s, t, px, py):
-    """e and n of the edge from vertex s to t at (px, py), from the end that both its faces take."""
-    base = max((s, t), key=lambda v: (abs(w[v]), -x[v], -y[v]))
-    n_x, n_y = y[s] - y[t], x[t] - x[s]
-    return n_x * (px - x[base]) + n_y * (py - y[base]), n_x, n_y
-
-
-@pytest.mark.parametrize("scene", range(4))
-def test_whole_meshes_are_drawn_to_the_bit(impl, rng, scene):
-    """The given `rasterize`, made of exercises 2.9 to 2.15: one bit differs in one of them."""
-    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (24, 4))
-    if scene % 2:  # vertices on pixel centres and corners
-        clip = np.round(clip * 8) / 8
-        clip[:, 3] = 1
-    faces = rng.integers(0, 24, (10, 3))
-    with np.errstate(all="ignore"):
-        got = impl.rasterize(clip, faces, 8, 12)
-        expected = planes_loop(clip, faces, 8, 12)
-    assert_picture(got[0], expected[0])
-    assert_equal(got[1], expected[1])
 
 
 # --- where on the face -------------------------------------------------------------------------
@@ -789,27 +487,19 @@ def test_weights_are_those_of_the_ray_through_the_pixel(impl, rng):
 
 
 @exercise("2.17")
-def test_without_perspective_the_weights_change_at_one_rate(impl):
-    """db/dx and db/dy are swapped, or are given per picture instead of per pixel."""
-    # The triangle (0, 0), (4, 0), (0, 2): b_1 = x / 4, b_2 = y / 2.
-    x, y, w = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])[..., None]
-    db_dx, db_dy = impl.barycentric_derivatives(np.array([1.0]), np.array([0.5]), x, y, w)
-    assert_close(db_dx, np.array([[-0.25], [0.25], [0.0]]))
-    assert_close(db_dy, np.array([[-0.5], [0.0], [0.5]]))
+def test_weights_change_by_the_quotient_rule_on_paper(impl):
+    """The second term, - b ds, is missing, or the whole is not divided by s."""
+    b, s = np.array([[0.25], [0.25], [0.5]]), np.array([4.0])
+    db = impl.normalize_derivative(np.array([[4.0], [0.0], [12.0]]), b, s)
+    assert_close(db, np.array([[0.0], [-1.0], [1.0]]))
 
 
 @exercise("2.17")
-def test_the_derivatives_are_central_differences(impl, rng):
-    """The quotient rule's second term, - b ds, is missing: right only without perspective."""
-    h = 1e-5
-    x, y = rng.uniform(-1, 1, (2, 3, 20)) + [[[0], [8], [2]], [[0], [1], [7]]]  # none is thin
-    w = rng.uniform(0.5, 2, (3, 20)) * np.where(np.arange(20) < 10, 1, [[1], [1], [-3]])
-    px, py = x.mean(0), y.mean(0)
-    db_dx, db_dy = impl.barycentric_derivatives(px, py, x, y, w)
-    for n in range(20):
-        corners, p, q = (x[:, n], y[:, n], w[:, n]), px[n], py[n]
-        by_x = (ray_weights(*corners, p + h, q) - ray_weights(*corners, p - h, q)) / (2 * h)
-        by_y = (ray_weights(*corners, p, q + h) - ray_weights(*corners, p, q - h)) / (2 * h)
-        largest = np.abs([by_x, by_y]).max()
-        assert_close(db_dx[:, n], by_x, rtol=1e-5, atol=1e-5 * largest)
-        assert_close(db_dy[:, n], by_y, rtol=1e-5, atol=1e-5 * largest)
+@pytest.mark.parametrize("axis", [0, -1])
+def test_the_change_is_that_of_b(impl, rng, axis):
+    """The sum is taken over the samples, not over the three weights."""
+    c, dc = rng.uniform(0.5, 2, (2, 3, 7)) if axis == 0 else rng.uniform(0.5, 2, (2, 5, 2, 3))
+    s = c.sum(axis, keepdims=True)
+    moved = c + 1e-20j * dc  # a complex step: its difference loses no digits
+    expected = (moved / moved.sum(axis, keepdims=True)).imag / 1e-20
+    assert_close(impl.normalize_derivative(dc, c / s, s[0] if axis == 0 else s, axis), expected)

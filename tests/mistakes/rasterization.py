@@ -1,197 +1,305 @@
-"""Mistakes of lab 2: what the reference says, what somebody wrote instead, what a student reads.
+"""Mistakes of lab 2; each docstring goes on after "this is what comes out when"."""
 
-Each sentence goes on after "this is what comes out when".
-"""
-CLOCKWISE = "the sign is flipped: positive means on the right of the line instead of on its left"
 
-MISTAKES = {
-    "2.1": [
-        ("return (y0 - y1)", "return -(y0 - y1)", "the first product has the wrong sign"),
-        ("(y0 - y1) * (x - from_x) + (x1 - x0) * (y - from_y)",
-         "(y1 - y0) * (x - from_x) + (x0 - x1) * (y - from_y)", CLOCKWISE),
-        ("np.minimum(x0, x1), np.where(x0 <= x1, y0, y1)", "x0, y0",
-         "p is always measured from a: the two faces at an edge then differ in the last bit"),
-        ("(y0 - y1) * (x - from_x) + (x1 - x0) * (y - from_y)",
-         "(x0 - x1) * (x - from_x) + (y1 - y0) * (y - from_y)",
-         "x and y of the edge are swapped: it is how far along the edge p lies"),
-    ],
-    "2.2": [
-        ("np.stack([side[..., 1], -side[..., 0]], -1)",
-         "np.stack([-side[..., 1], side[..., 0]], -1)",
-         "all gradients are turned the wrong way"),
-        ("np.stack([side[..., 1], -side[..., 0]], -1)", "side", "the sides are not turned by 90 "
-         "degrees"),
-        ("turned(b - p), turned(p - a)", "turned(p - a), turned(b - p)",
-         "the gradients of a and b are swapped"),
-        ("turned(a - b), turned(b - p), turned(p - a)",
-         "turned(a - b), turned(b - a) / 2, turned(b - a) / 2",
-         "a and b share the opposite of p's gradient; each depends on the side across from it"),
-        ("grad_e[..., None] * ", "", "grad_e is left out"),
-    ],
-    "2.3": [
-        (" / 2", "", "it is twice the area"),
-        ("return edge", "return -edge", "clockwise triangles are positive"),
-        ("triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]) / 2",
-         "triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]).__abs__() / 2",
-         "the sign is lost: a clockwise triangle has a negative area"),
-    ],
-    "2.4": [
-        ("(e >= 0).all(0) | (e <= 0).all(0)", "(e >= 0).all(0)",
-         "clockwise triangles contain nothing; here either winding will do"),
-        ("(e >= 0).all(0) | (e <= 0).all(0)", "(e > 0).all(0) | (e < 0).all(0)",
-         "the border does not count as inside"),
-        ("(e >= 0).all(0) | (e <= 0).all(0)", "(e >= 0).any(0)",
-         "one side is enough, but all three are asked for"),
-        ("for i, j in EDGES", "for i, j in EDGES[:2]", "only two of the three edges are looked at"),
-    ],
-    "2.5": [
-        ("(n_x > 0) | ((n_x == 0) & (n_y > 0))", "(n_x < 0) | ((n_x == 0) & (n_y < 0))",
-         "right and top edges own their samples instead of left and lower ones"),
-        ("n_y > 0", "n_y < 0", "the horizontal edge above a face owns its samples; here, with row "
-         "0 at the bottom, it is the one below"),
-        ("(n_x > 0) | ((n_x == 0) & (n_y > 0))", "(n_x >= 0)",
-         "every horizontal edge owns its samples: those between two faces count twice"),
-        ("(n_x > 0) | ((n_x == 0) & (n_y > 0))", "(n_x > 0)", "horizontal edges own nothing: "
-         "samples between two faces are lost"),
-        ("n_y > 0", "n_y >= 0", "an edge without length owns samples"),
-        ("(n_x > 0) | ((n_x == 0) & (n_y > 0))", "(n_y > 0) | ((n_y == 0) & (n_x > 0))",
-         "x and y of the normal are swapped"),
-    ],
-    "2.6": [
-        ("(e > 0) | ((e == 0) & is_top_left(a[1] - b[1], b[0] - a[0]))", "e >= 0",
-         "samples on the border always count: those of a shared edge belong to both faces"),
-        ("(e > 0) | ((e == 0) & is_top_left(a[1] - b[1], b[0] - a[0]))", "e > 0",
-         "samples on the border never count: those of a shared edge are lost"),
-        ("is_top_left(a[1] - b[1], b[0] - a[0])", "is_top_left(b[1] - a[1], a[0] - b[0])",
-         "the normal points outwards, so right and upper edges own the border"),
-        ("is_top_left(a[1] - b[1], b[0] - a[0])", "is_top_left(b[0] - a[0], b[1] - a[1])",
-         "the edge's direction is taken for its normal"),
-        ("np.ones(p.shape[:-1], bool)", "np.zeros(p.shape[:-1], bool)",
-         "nothing is covered, as False and anything is False"),
-    ],
-    "2.7": [
-        ("e / e.sum(-1, keepdims=True)", "e", "the weights are not divided by their sum"),
-        ("e / e.sum(-1, keepdims=True)", "np.roll(e / e.sum(-1, keepdims=True), 1, -1)",
-         "each weight belongs to the next corner: weight k is of the edge opposite to corner k"),
-        ("e / e.sum(-1, keepdims=True)", "np.roll(e / e.sum(-1, keepdims=True), -1, -1)",
-         "each weight belongs to the corner before: weight k is of the edge opposite to corner k"),
-        ("e / e.sum(-1, keepdims=True)", "np.abs(e) / np.abs(e).sum(-1, keepdims=True)",
-         "weights are made positive; outside of the triangle, some are negative"),
-    ],
-    "2.8": [
-        ("0.5 + MARGIN", "MARGIN",
-         "pixels are tested at their corners instead of at their centres"),
-        ("triangle.min(0) - (0.5 + MARGIN)", "triangle.min(0)",
-         "the box begins half a pixel too late: the centre of pixel j is at j + 0.5"),
-        ("[width, height]", "[height, width]", "width and height are swapped"),
-        ("np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [width, height])",
-         "np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [width - 1, height - 1])",
-         "the last column and row are left out: the box ends before x1 and y1"),
-        ("return int(x0), int(y0), int(x1), int(y1)", "return int(x0), int(x1), int(y0), int(y1)",
-         "the order is x0, x1, y0, y1 instead of x0, y0, x1, y1"),
-        ("np.ceil", "np.floor", "the box begins one pixel too early: that centre lies outside"),
-    ],
-    "2.9": [
-        ("(y / w + 1)", "(1 - y / w)", "y points down; row 0 is at the bottom"),
-        ("(width / 2), (y / w + 1) * (height / 2)", "(height / 2), (y / w + 1) * (width / 2)",
-         "width and height are swapped"),
-        ("x / w + 1", "x + 1", "x is not divided by w"),
-        ("np.where(w < 0, -least, least)", "least", "the sign of a small negative w is lost"),
-        ("    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)\n", "",
-         "a vertex in the camera plane is divided by 0"),
-        ("* (width / 2)", "* (width / 2) - 0.5", "x is half a pixel off: the picture's left border "
-         "is x = 0"),
-    ],
-    "2.10": [
-        ("prod(-1) > 0", "prod(-1) < 0", "front faces are thrown away, and back faces stay"),
-        (" * np.sign(w[faces]).prod(-1)", "", "w is not looked at: a vertex behind the camera "
-         "turns the winding over"),
-        ("prod(-1) > 0", "prod(-1) >= 0", "faces without area stay"),
-        ("np.sign(w[faces]).prod(-1)", "np.sign(w[faces]).min(-1)",
-         "two vertices behind the camera count as one; each turns the winding over"),
-    ],
-    "2.11": [
-        ("sign = winding * np.sign(w[k])", "sign = winding", "the sign of w is left out: faces "
-         "that cross the camera plane come out where they are not"),
-        ("sign = winding * np.sign(w[k])", "sign = np.sign(w[k])",
-         "the sign of A is left out: clockwise faces cover nothing"),
-        ("sign * (y[i] - y[j]), sign * (x[j] - x[i])", "sign * (x[j] - x[i]), sign * (y[i] - y[j])",
-         "n_x and n_y are swapped"),
-        ("at_i = (w_i > w_j)", "at_i = (w_i < w_j)", "edges are measured from the end of smaller "
-         "|w|, which may be near infinity"),
-        ("np.abs(w[i]), np.abs(w[j])", "w[i], w[j]", "w is compared instead of |w|"),
-        ("enumerate(EDGES)", "enumerate(EDGES[1:] + EDGES[:1])",
-         "row k is the edge that starts at vertex k; it is the one opposite to it"),
-    ],
-    "2.12": [
-        ("(x1 * z2 - x2 * z1) / area", "(x2 * z1 - x1 * z2) / area",
-         "the slope by y has the wrong sign"),
-        ("(z1 * y2 - z2 * y1) / area, (x1 * z2 - x2 * z1) / area",
-         "(x1 * z2 - x2 * z1) / area, (z1 * y2 - z2 * y1) / area",
-         "the slopes by x and by y are swapped"),
-        (" / area", "", "the slopes are not divided by the area"),
-        ("area = x1 * y2 - x2 * y1", "area = np.abs(x1 * y2 - x2 * y1)",
-         "the area lost its sign: slopes of clockwise faces are flipped"),
-        ("area = x1 * y2 - x2 * y1", "area = (x1 * y2 - x2 * y1) / 2",
-         "it is divided by the area; Cramer's determinant is twice that"),
-    ],
-    "2.13": [
-        ("return face_index, depth", "return face_index[::-1], depth[::-1]",
-         "rows are counted from the top; row 0 is at the bottom"),
-        ("j + 0.5", "j", "pixels are sampled at their left border instead of at their centres"),
-        ("i + 0.5", "i", "pixels are sampled at their lower border instead of at their centres"),
-        (" and d < depth[i, j]", "", "there is no z-buffer: the last face wins"),
-        ("d < depth[i, j]", "d > depth[i, j]", "the greater depth counts as nearer"),
-        ("d < depth[i, j]", "d <= depth[i, j]", "of equally deep faces the last one wins"),
-        ("-1 <= d <= 1 and ", "", "near and far planes do not cut"),
-        ("(e > 0) | (e == 0) & is_top_left(n_x, n_y)", "e >= 0",
-         "samples on an edge always count: the top-left rule is missing"),
-        ("(e > 0) | (e == 0) & is_top_left(n_x, n_y)", "e > 0",
-         "samples on an edge never count: the top-left rule is missing"),
-        ("box if (w[:, f] > 0).all() else (0, 0, width, height)", "box",
-         "the box of a face that crosses the camera plane is taken, but it covers others"),
-        ("np.full((height, width), -1)", "np.full((height, width), 0)",
-         "no face is 0 instead of -1"),
-        ("np.full((height, width), np.inf)", "np.full((height, width), 1.0)",
-         "the background's depth is 1 instead of infinite"),
-    ],
-    "2.14": [
-        ("column + 0.5", "column", "columns are tested at their left border instead of the centre"),
-        ("    column += slope * (column + 0.5 - from_x) + offset < 0\n", "",
-         "the quotient decides alone: the first column may lie outside"),
-        ("from_x - offset / slope", "from_x + offset / slope", "the offset has the wrong sign"),
-        ("+ offset < 0", "+ offset <= 0", "a centre exactly on the edge is left out; >= 0 is in"),
-        ("np.clip(column, 0, width)", "np.clip(column, 0, width - 1)",
-         "it is width - 1 where no column is inside; it is width"),
-    ],
-    "2.15": [
-        ("np.where(n_x == 0, TINY, sign * n_x)", "np.where(n_x == 0, TINY, n_x)",
-         "the sign of edges that end the interval is left out"),
-        ("np.maximum(start, opens * column)", "opens * column",
-         "the last opening edge decides, instead of the one farthest right"),
-        ("np.minimum(end, opens * width + column)", "np.maximum(end, opens * width + column)",
-         "no edge ends the interval"),
-        ("return start, end", "return start, end - 1", "end is the last column that is covered; "
-         "it is the first one that is not"),
-        ("is_top_left(n_x, n_y)", "(n_x > 0)",
-         "horizontal edges are all taken to end the interval"),
-    ],
-    "2.16": [
-        (" / w[k]", "", "w is left out: these are the weights in the picture"),
-        (" / w[k]", " * w[k]", "it is multiplied by w instead of divided"),
-        (" / w[k]", " / np.abs(w[k])", "the sign of w is lost"),
-        ("c / c.sum(0)", "c", "the weights are not divided by their sum"),
-        ("enumerate(EDGES)", "enumerate(EDGES[1:] + EDGES[:1])",
-         "weight k is of the edge that starts at vertex k; it is the one opposite to it"),
-    ],
-    "2.17": [
-        ("(y[i] - y[j]) / w[k], (x[j] - x[i]) / w[k]", "(y[j] - y[i]) / w[k], (x[i] - x[j]) / w[k]",
-         "both derivatives have the wrong sign"),
-        ("return (dc_dx - c / s * dc_dx.sum(0)) / s, (dc_dy - c / s * dc_dy.sum(0)) / s",
-         "return dc_dx / s, dc_dy / s", "the sum s is taken for a constant"),
-        ("return (dc_dx - c / s * dc_dx.sum(0)) / s, (dc_dy - c / s * dc_dy.sum(0)) / s",
-         "return (dc_dy - c / s * dc_dy.sum(0)) / s, (dc_dx - c / s * dc_dx.sum(0)) / s",
-         "the derivatives by px and py are swapped"),
-        (" / w[k]", "", "w is left out: these are the derivatives of the weights in the picture"),
-    ],
-}
+def edge_function(p, a, b):
+    """the first product has the wrong sign"""
+    x,  y  = p[..., 0], p[..., 1]
+    x0, y0 = a[..., 0], a[..., 1]
+    x1, y1 = b[..., 0], b[..., 1]
+    from_x, from_y = np.minimum(x0, x1), np.where(x0 <= x1, y0, y1)
+    return -(y0 - y1) * (x - from_x) + (x1 - x0) * (y - from_y)
+
+
+def edge_function(p, a, b):
+    """the sign is flipped: positive means on the right of the line instead of on its left"""
+    x,  y  = p[..., 0], p[..., 1]
+    x0, y0 = a[..., 0], a[..., 1]
+    x1, y1 = b[..., 0], b[..., 1]
+    from_x, from_y = np.minimum(x0, x1), np.where(x0 <= x1, y0, y1)
+    return (y1 - y0) * (x - from_x) + (x0 - x1) * (y - from_y)
+
+
+def edge_function(p, a, b):
+    """x and y of the edge are swapped: it is how far along the edge p lies"""
+    x,  y  = p[..., 0], p[..., 1]
+    x0, y0 = a[..., 0], a[..., 1]
+    x1, y1 = b[..., 0], b[..., 1]
+    from_x, from_y = np.minimum(x0, x1), np.where(x0 <= x1, y0, y1)
+    return (x0 - x1) * (x - from_x) + (y1 - y0) * (y - from_y)
+
+
+def edge_function_backward(grad_e, p, a, b):
+    """all gradients are turned the wrong way"""
+    def turned(side):
+        return grad_e[..., None] * np.stack([-side[..., 1], side[..., 0]], -1)
+    return turned(a - b), turned(b - p), turned(p - a)
+
+
+def edge_function_backward(grad_e, p, a, b):
+    """the sides are not turned by 90 degrees"""
+    def turned(side):
+        return grad_e[..., None] * side
+    return turned(a - b), turned(b - p), turned(p - a)
+
+
+def edge_function_backward(grad_e, p, a, b):
+    """the gradients of a and b are swapped"""
+    def turned(side):
+        return grad_e[..., None] * np.stack([side[..., 1], -side[..., 0]], -1)
+    return turned(a - b), turned(p - a), turned(b - p)
+
+
+def signed_area(triangle):
+    """it is twice the area"""
+    return edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :])
+
+
+def signed_area(triangle):
+    """clockwise triangles are positive"""
+    return -edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]) / 2
+
+
+def signed_area(triangle):
+    """the sign is lost: a clockwise triangle has a negative area"""
+    return abs(edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :])) / 2
+
+
+def is_inside(p, triangle):
+    """clockwise triangles contain nothing; here either winding will do"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
+    return (e >= 0).all(0)
+
+
+def is_inside(p, triangle):
+    """the border does not count as inside"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
+    return (e > 0).all(0) | (e < 0).all(0)
+
+
+def is_inside(p, triangle):
+    """one side is enough, but all three are asked for"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
+    return (e >= 0).any(0)
+
+
+def is_top_left(n_x, n_y):
+    """right and top edges own their samples instead of left and lower ones"""
+    return (n_x < 0) | ((n_x == 0) & (n_y < 0))
+
+
+def is_top_left(n_x, n_y):
+    """the horizontal edge above a face owns its samples; here, with row 0 at the bottom, it is the
+    one below"""
+    return (n_x > 0) | ((n_x == 0) & (n_y < 0))
+
+
+def is_top_left(n_x, n_y):
+    """x and y of the normal are swapped"""
+    return (n_y > 0) | ((n_y == 0) & (n_x > 0))
+
+
+def is_covered(p, triangle):
+    """samples on the border always count: those of a shared edge belong to both faces"""
+    covered = np.ones(p.shape[:-1], bool)
+    for i, j in EDGES:
+        a, b = triangle[i], triangle[j]
+        e = edge_function(p, a, b)
+        covered &= e >= 0
+    return covered
+
+
+def is_covered(p, triangle):
+    """samples on the border never count: those of a shared edge are lost"""
+    covered = np.ones(p.shape[:-1], bool)
+    for i, j in EDGES:
+        a, b = triangle[i], triangle[j]
+        e = edge_function(p, a, b)
+        covered &= e > 0
+    return covered
+
+
+def is_covered(p, triangle):
+    """the normal points outwards, so right and upper edges own the border"""
+    covered = np.ones(p.shape[:-1], bool)
+    for i, j in EDGES:
+        a, b = triangle[i], triangle[j]
+        e = edge_function(p, a, b)
+        covered &= (e > 0) | ((e == 0) & is_top_left(b[1] - a[1], a[0] - b[0]))
+    return covered
+
+
+def barycentric_coordinates(p, triangle):
+    """the weights are not divided by their sum"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return e
+
+
+def barycentric_coordinates(p, triangle):
+    """each weight belongs to the next corner: weight k is of the edge opposite to corner k"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return np.roll(e / e.sum(-1, keepdims=True), 1, -1)
+
+
+def barycentric_coordinates(p, triangle):
+    """weights are made positive; outside of the triangle, some are negative"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return np.abs(e) / np.abs(e).sum(-1, keepdims=True)
+
+
+def bounding_box(triangle, width, height):
+    """pixels are tested at their corners instead of at their centres"""
+    x0, y0 = np.clip(np.ceil(triangle.min(0) - (MARGIN)), 0, [width, height])
+    x1, y1 = np.clip(np.floor(triangle.max(0) + (MARGIN)), 0, [width, height])
+    return int(x0), int(y0), int(x1), int(y1)
+
+
+def bounding_box(triangle, width, height):
+    """width and height are swapped"""
+    x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [height, width])
+    x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [height, width])
+    return int(x0), int(y0), int(x1), int(y1)
+
+
+def bounding_box(triangle, width, height):
+    """the order is x0, x1, y0, y1 instead of x0, y0, x1, y1"""
+    x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [width, height])
+    x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [width, height])
+    return int(x0), int(x1), int(y0), int(y1)
+
+
+def screen_points(clip, width, height):
+    """y points down; row 0 is at the bottom"""
+    x, y, _, w = clip.T.astype(float)
+    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
+    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
+    return (x / w + 1) * (width / 2), (1 - y / w) * (height / 2), w
+
+
+def screen_points(clip, width, height):
+    """width and height are swapped"""
+    x, y, _, w = clip.T.astype(float)
+    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
+    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
+    return (x / w + 1) * (height / 2), (y / w + 1) * (width / 2), w
+
+
+def screen_points(clip, width, height):
+    """x is not divided by w"""
+    x, y, _, w = clip.T.astype(float)
+    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
+    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
+    return (x + 1) * (width / 2), (y / w + 1) * (height / 2), w
+
+
+def cull_back_faces(x, y, w, faces):
+    """front faces are thrown away, and back faces stay"""
+    area = signed_area(np.stack([x[faces], y[faces]], -1))
+    return faces[area * np.sign(w[faces]).prod(-1) < 0]
+
+
+def cull_back_faces(x, y, w, faces):
+    """w is not looked at: a vertex behind the camera turns the winding over"""
+    area = signed_area(np.stack([x[faces], y[faces]], -1))
+    return faces[area > 0]
+
+
+def cull_back_faces(x, y, w, faces):
+    """faces without area stay"""
+    area = signed_area(np.stack([x[faces], y[faces]], -1))
+    return faces[area * np.sign(w[faces]).prod(-1) >= 0]
+
+
+def rasterize_loop(clip, faces, width, height):
+    """rows are counted from the top; row 0 is at the bottom"""
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        if signed_area(points[corners]) < 0:
+            corners = corners[::-1]
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                if -1 <= z <= 1 and z < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, z
+    return face_index[::-1], depth[::-1]
+
+
+def rasterize_loop(clip, faces, width, height):
+    """there is no z-buffer: the last face wins"""
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        if signed_area(points[corners]) < 0:
+            corners = corners[::-1]
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                if -1 <= z <= 1:
+                    face_index[i, j], depth[i, j] = f, z
+    return face_index, depth
+
+
+def rasterize_loop(clip, faces, width, height):
+    """clockwise faces are not turned round, so that faces seen from behind are missing"""
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                if -1 <= z <= 1 and z < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, z
+    return face_index, depth
+
+
+def barycentric_on_face(px, py, x, y, w):
+    """w is left out: these are the weights in the picture"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) for k, (i, j) in enumerate(EDGES)])
+    return c / c.sum(0)
+
+
+def barycentric_on_face(px, py, x, y, w):
+    """it is multiplied by w instead of divided"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) * w[k] for k, (i, j) in enumerate(EDGES)])
+    return c / c.sum(0)
+
+
+def barycentric_on_face(px, py, x, y, w):
+    """the weights are not divided by their sum"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(EDGES)])
+    return c
+
+
+def normalize_derivative(dc, b, s, axis=0):
+    """the sum s is taken for a constant"""
+    return dc / s
+
+
+def normalize_derivative(dc, b, s, axis=0):
+    """the sign of b ds is flipped: d(c / s) is (dc - b ds) / s"""
+    ds = dc.sum(axis, keepdims=True)
+    return (dc + b * ds) / s
+
+
+def normalize_derivative(dc, b, s, axis=0):
+    """it is divided by s^2, as if c stood in the place of b"""
+    ds = dc.sum(axis, keepdims=True)
+    return (dc * s - b * ds) / s**2

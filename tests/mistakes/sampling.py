@@ -1,235 +1,439 @@
-"""Mistakes of lab 3: what the reference says, what somebody wrote instead, what a student reads.
+"""Mistakes of lab 3; each docstring goes on after "this is what comes out when"."""
 
-Each sentence goes on after "this is what comes out when".
-"""
-TRANSPOSED = "rows and columns are swapped"
-TURNS = "np.floor(frequency / rate + 0.5)"
-EXPONENTIAL = "np.exp(-2j * np.pi * (np.outer(k, k) % n) / n)"
-BACK = "(dft_matrix(height).conj() @ spectrum @ dft_matrix(width).conj().T).real"
-FREQUENCIES = "np.where(2 * k < n, k, k - n) / n"
-LENGTH = "np.hypot(frequencies(height)[:, None], frequencies(width))"
-ROLLED = "np.roll(picture, (i - h // 2, j - w // 2), (0, 1))"
-WINDOW = "[h - 1 - i:, w - 1 - j:][:picture.shape[0], :picture.shape[1]]"
-ROUND = "((h // 2, h // 2), (w // 2, w // 2))"
-SINES = "np.sin(np.pi * width * f) / (width * np.sin(np.pi * f))"
-COPIES = "copies.sum((0, 2)) / step**2"
-SIDES = "(1, 0, -j), (-1, 0, j + 1), (0, 1, -i), (0, -1, i + 1)"
-LINES = "[[x, y], [x + 1, y + 1]]"
-AREA = "polygon_area(points.reshape(len(x), 6 * len(polygon), 2))"
-NORMAL = "np.concatenate([edge[..., 1], -edge[..., 0]], -1)"
-PULL = "by_p[:, None] * normal + np.roll(by_q[:, None] * normal, 1, axis=0)"
 
-MISTAKES = {
-    "3.1": [
-        (TURNS, "np.floor(frequency / rate)",
-         "the alias is looked for in [0, rate) instead of around 0"),
-        (TURNS, "np.round(frequency / rate)",
-         "halves are rounded to the even number: half the rate comes with either sign"),
-        (TURNS, "np.ceil(frequency / rate - 0.5)",
-         "half the rate itself is positive: the interval has its lower end, not its upper one"),
-        (TURNS, "np.trunc(frequency / rate)",
-         "the remainder has the sign of the frequency, and may be faster than half the rate"),
-        (f"frequency - rate * {TURNS}", f"np.abs(frequency - rate * {TURNS})",
-         "the sign is lost: negative means backwards"),
-    ],
-    "3.2": [
-        ("-2j", "2j", "the exponent lacks its minus: that is the inverse's matrix"),
-        ("np.pi", "np.pi / 2", "it is pi instead of 2 pi"),
-        ("/ n)", "/ n) / n", "the matrix is divided by n; that is left to the inverse"),
-        ("/ n)", "/ n) / np.sqrt(n)", "it is divided by the root of n: the course's is not"),
-        (EXPONENTIAL, "np.cos(2 * np.pi * np.outer(k, k) / n) + 0j",
-         "only the cosines are there, without the sines"),
-        ("np.arange(n)", "np.arange(1, n + 1)", "samples and frequencies are counted from 1"),
-    ],
-    "3.3": [
-        ("dft_matrix(height) @ ", "", "only the rows are transformed, not the columns"),
-        (" @ dft_matrix(width).T", "", "only the columns are transformed, not the rows"),
-        ("dft_matrix(width).T", "dft_matrix(width).T / picture.size",
-         "it is divided by the number of pixels; that is left to the inverse"),
-        ("dft_matrix(width).T", "dft_matrix(width).conj().T",
-         "one of the two matrices is conjugated: along x the frequencies come with wrong signs"),
-        ("dft_matrix(height) @ picture @ dft_matrix(width).T",
-         "(dft_matrix(height) @ picture @ dft_matrix(width).T).T",
-         "k_x comes first; a spectrum is [k_y, k_x]"),
-        ("dft_matrix(height) @ picture @ dft_matrix(width).T",
-         "np.abs(dft_matrix(height) @ picture @ dft_matrix(width).T) + 0j",
-         "the absolute value is taken: where a wave begins is lost"),
-    ],
-    "3.4": [
-        (".conj()", "", "the exponent has the forward's sign: waves run the other way"),
-        (" / spectrum.size", "", "it is not divided by the number of pixels"),
-        ("spectrum.size", "np.sqrt(spectrum.size)",
-         "it is divided by the root of the number of pixels"),
-        (BACK, f"np.abs{BACK[:-5]}", "the absolute value is taken instead of the real part"),
-        ("dft_matrix(width).conj().T", "dft_matrix(width).T",
-         "only one of the two matrices is conjugated"),
-    ],
-    "3.5": [
-        ("2 * k < n", "2 * k <= n", "1/2 counts as positive; it is -1/2"),
-        (FREQUENCIES, "k / n", "the upper half stays above 1/2; it stands for negative ones"),
-        (" / n", "", "frequencies are periods per picture; they are cycles per pixel"),
-        (FREQUENCIES, "(k - n // 2) / n",
-         "they go up from -1/2; a spectrum begins with frequency 0"),
-        ("2 * k < n", "k < n // 2", "of an odd number the middle one is negative"),
-    ],
-    "3.6": [
-        (LENGTH, "np.abs(frequencies(height))[:, None] + np.abs(frequencies(width))",
-         "|f_y| + |f_x| is taken for the length"),
-        (LENGTH, "np.maximum(np.abs(frequencies(height))[:, None], np.abs(frequencies(width)))",
-         "the greater of |f_y| and |f_x| is taken for the length: the band is a square"),
-        ("(low <= length) & (length < high)", "(low < length) & (length <= high)",
-         "a band has its upper end and not its lower one"),
-        ("(low <= length) & (length < high)", "(low > length) | (length >= high)",
-         "the band is removed and the rest is kept"),
-        ("frequencies(height)[:, None], frequencies(width)",
-         "np.arange(height)[:, None] / height, np.arange(width) / width",
-         "frequencies above 1/2 are taken as they are: they stand for negative ones"),
-        ("frequencies(height)[:, None], frequencies(width)",
-         "height * frequencies(height)[:, None], width * frequencies(width)",
-         "the band is in periods per picture; it is in cycles per pixel"),
-    ],
-    "3.7": [
-        ("(i - h // 2, j - w // 2)", "(h // 2 - i, w // 2 - j)",
-         "the kernel is turned round: that is correlation"),
-        ("(i - h // 2, j - w // 2)", "(i, j)",
-         "the kernel's corner is its number (0, 0); it is its middle"),
-        ("(i - h // 2, j - w // 2)", "(j - w // 2, i - h // 2)", "the kernel is transposed"),
-        (ROLLED, f"np.pad(picture, {ROUND}){WINDOW}",
-         "beyond the border is 0; rows and columns go round"),
-        (ROLLED, f'np.pad(picture, {ROUND}, "edge"){WINDOW}',
-         "beyond the border the last pixel is repeated; rows and columns go round"),
-        ("return total", "return total / kernel.sum()",
-         "the sum is divided by that of the kernel; eq. (3) does not"),
-    ],
-    "3.8": [
-        ("np.roll(padded, (-(h // 2), -(w // 2)), (0, 1))", "padded",
-         "the kernel's corner stands at [0, 0] instead of its middle"),
-        ("-(h // 2), -(w // 2)", "h // 2, w // 2",
-         "the kernel is moved away from [0, 0] instead of to it"),
-        ("-(h // 2), -(w // 2)", "height // 2 - h // 2, width // 2 - w // 2",
-         "the kernel stands in the middle of the picture; it belongs around [0, 0]"),
-        ("* spectrum_of(centred)", "* spectrum_of(centred).conj()",
-         "the kernel's spectrum is conjugated: that is correlation"),
-        ("* spectrum_of(centred)", "* np.abs(spectrum_of(centred))",
-         "only the absolute value of the kernel's spectrum is used"),
-    ],
-    "3.9": [
-        (SINES, "np.sin(np.pi * width * f) / (np.pi * width * f)",
-         "it is the sinc of a box that is not made of samples"),
-        ("(width * np.sin(np.pi * f))", "np.sin(np.pi * f)",
-         "the sines are not divided by the width"),
-        (SINES, f"np.abs({SINES})", "the signs are lost: between its zeros a sinc is negative"),
-        ("[1.0]", "[0.0]", "0 / 0 at frequency 0 is made 0; there the limit is 1"),
-        ("np.pi * width * f", "np.pi * (width / 2) * f", "half the width is taken for the width"),
-    ],
-    "3.10": [
-        (COPIES, "spectrum.reshape(height // step, step, width // step, step)"
-         ".sum((1, 3)) / step**2", "neighbours are summed; copies stand N / s apart"),
-        ("/ step**2", "/ step", "it is divided by s once; there are two axes"),
-        (" / step**2", "", "it is not divided by s for either axis"),
-        ("copies.sum((0, 2))", "copies[0, :, 0]",
-         "the first copy alone is kept; all of them are summed"),
-        (COPIES, "spectrum[::step, ::step]",
-         "every s-th entry of the spectrum is taken; it is the picture that is sampled"),
-    ],
-    "3.11": [
-        (">= 0.5", "> 0.5", "half the rate is kept; it folds"),
-        ("np.maximum(f_y, f_x)", "np.hypot(f_y, f_x)",
-         "what is kept is a disc of frequencies; it is a square"),
-        ("np.maximum(f_y, f_x)", "np.minimum(f_y, f_x)",
-         "both |f_y| and |f_x| must be too fast; one is enough"),
-        ("spectrum.size**2", "spectrum.size",
-         "the squares are summed over the pixels; what is asked for is their mean"),
-        ("np.abs(spectrum[folds]) ** 2", "np.abs(spectrum[folds])", "nothing is squared"),
-        ("0.5 / step", "1 / step",
-         "the whole sampling rate is the border; it is half of it"),
-        ("spectrum[folds]", "spectrum[~folds]", "the part that is kept is measured"),
-    ],
-    "3.12": [
-        (">= 0", "<= 0", "the wrong side of the line is kept"),
-        (">= 0", "> 0", "a vertex on the line counts as outside"),
-        ("at_p / (at_p - at_q)", "at_q / (at_q - at_p)",
-         "the crossing is measured from the edge's other end"),
-        ("at_p / (at_p - at_q)", "0.5", "edges are cut in their middle"),
-        ("if (at_p >= 0) != (at_q >= 0)", "if False", "no crossings are put in"),
-        ("zip(polygon, np.roll(polygon, -1, axis=0), strict=True)", "zip(polygon, polygon[1:])",
-         "the edge from the last vertex to the first is left out"),
-        ("kept.append(p + (q - p) * (at_p / (at_p - at_q)))",
-         "kept.insert(len(kept) - (at_p >= 0), p + (q - p) * (at_p / (at_p - at_q)))",
-         "a crossing is put before the vertex; it follows it"),
-    ],
-    "3.13": [
-        (" / 2", "", "it is twice the area"),
-        ("return (x", "return -(x", "clockwise polygons are positive"),
-        ("(x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1)",
-         "abs((x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1))",
-         "the sign is lost: clockwise polygons are negative"),
-        ("- np.roll(x, -1, -1) * y", "+ np.roll(x, -1, -1) * y",
-         "the two products are added; the second one is taken away"),
-        (" - polygon[..., :1, :]", "", "it is measured from the origin: far out digits are lost"),
-        ("np.roll(x, -1, -1) * y).sum(-1)", "np.roll(x, -1, -1) * y).sum()",
-         "all polygons are summed up; each has its own area"),
-    ],
-    "3.14": [
-        (" / 2", "", "eq. (8) is taken without its 1/2"),
-        ("* np.stack", "* -np.stack", "the gradient points inwards: its sign is wrong"),
-        ("[by_x, by_y]", "[by_y, by_x]", "the gradients by x and by y are swapped"),
-        ("grad_area[..., None, None] * ", "", "grad_area is left out"),
-        ("by_y], -1) / 2", "by_y], -1) / 2 * (np.arange(x.shape[-1]) > 0)[:, None]",
-         "the first point, from which the area is measured, has no gradient; but it moves, too"),
-        (" - np.roll(y, 1, -1)", "", "each x is in two products, and only one is looked at"),
-    ],
-    "3.15": [
-        (SIDES, "(1, 0, -i), (-1, 0, i + 1), (0, 1, -j), (0, -1, j + 1)", TRANSPOSED),
-        (SIDES, "(1, 0, 0.5 - j), (-1, 0, j + 0.5), (0, 1, 0.5 - i), (0, -1, i + 0.5)",
-         "everything is half a pixel off: pixel j lies between j and j + 1"),
-        (", (0, -1, i + 1)", "", "only three of a pixel's four sides cut"),
-        ("abs(polygon_area(part))", "polygon_area(part)",
-         "a clockwise triangle covers less than nothing"),
-        ("abs(polygon_area(part))", "abs(polygon_area(part)) > 0",
-         "a pixel is covered or not; what is asked for is how much of it"),
-        ("coverage[i, j]", "coverage[height - 1 - i, j]",
-         "rows are counted from the top; row 0 is at the bottom"),
-    ],
-    "3.16": [
-        ("np.sort(t)", "t", "the cuts are not sorted"),
-        ("np.clip((sides[:, None] - p) / across, 0, 1)", "(sides[:, None] - p) / across",
-         "crossings before an edge's start and after its end are left outside [0, 1]"),
-        ("np.where(p == q, 1.0, q - p)", "np.where(p == q, np.nan, q - p)",
-         "0 / 0 is taken for the crossing with a line that the edge runs along"),
-        (LINES, "[[x - 0.5, y - 0.5], [x + 0.5, y + 0.5]]",
-         "x and y are taken for a square's centre; they are its lower left corner"),
-        (LINES, "[[y, x], [y + 1, x + 1]]", "x and y of the squares are swapped"),
-        ("sides[:, None] - p", "q - sides[:, None]", "t runs from the edge's end to its start"),
-        ("np.roll(polygon, -1, axis=0)", "np.roll(polygon, 1, axis=0)",
-         "an edge goes to the vertex before; it goes to the next one"),
-    ],
-    "3.17": [
-        ("cuts(polygon, x, y)[..., None]", "cuts(polygon, x, y)[..., [0, 0, 0, 5, 5, 5], None]",
-         "vertices are clamped without the cuts: an edge that passes a corner is bent"),
-        (" - corner", "", "every square is the one at the origin"),
-        ("corner, 0, 1", "corner, -0.5, 0.5",
-         "x and y are taken for a square's centre; they are its lower left corner"),
-        (AREA, f"abs({AREA})", "the sign is lost: clockwise polygons have a negative area"),
-        ("np.stack([x, y], -1)", "np.stack([x, y], -1).astype(int)",
-         "the squares' corners are cut to whole numbers"),
-        ("points.reshape", "points.swapaxes(1, 2).reshape",
-         "the points of all edges are mixed; those of an edge stand together"),
-    ],
-    "3.18": [
-        ("grad_area, inside", "np.ones(len(x)), inside", "grad_area is left out"),
-        ("middle < 1", "middle <= 1", "an edge along a side of two squares pulls in both"),
-        ("middle >= 0", "middle > 0", "an edge along a side of two squares pulls in neither"),
-        ("((middle >= 0) & (middle < 1)).all(-1)", "np.ones(middle.shape[:-1])",
-         "the parts of an edge outside a square pull as well"),
-        (NORMAL, f"-{NORMAL}", "the gradient points inwards: the normal points outwards"),
-        (NORMAL, "edge[:, 0]", "the edge is taken for its normal: it is not turned by 90 degrees"),
-        (NORMAL, f"{NORMAL} / np.hypot(edge[..., 0], edge[..., 1])",
-         "the edge's length |q - p| is left out"),
-        ("(t1**2 - t0**2) / 2", "(t1 - t0) / 2", "both ends of an edge get the same share"),
-        (PULL, "by_q[:, None] * normal + np.roll(by_p[:, None] * normal, 1, axis=0)",
-         "the shares of an edge's two ends are swapped"),
-        ("normal, 1, axis=0", "normal, -1, axis=0",
-         "the share of an edge's end goes to the vertex before; it goes to the next one"),
-    ],
-}
+def alias_frequency(frequency, rate):
+    """the alias is looked for in [0, rate) instead of around 0"""
+    return frequency - rate * np.floor(frequency / rate)
+
+
+def alias_frequency(frequency, rate):
+    """halves are rounded to the even number: half the rate comes with either sign"""
+    return frequency - rate * np.round(frequency / rate)
+
+
+def alias_frequency(frequency, rate):
+    """the sign is lost: negative means backwards"""
+    return np.abs(frequency - rate * np.floor(frequency / rate + 0.5))
+
+
+def dft_matrix(n):
+    """the exponent lacks its minus: that is the inverse's matrix"""
+    k = np.arange(n)
+    return np.exp(2j * np.pi * (np.outer(k, k) % n) / n)
+
+
+def dft_matrix(n):
+    """it is pi instead of 2 pi"""
+    k = np.arange(n)
+    return np.exp(-2j * np.pi / 2 * (np.outer(k, k) % n) / n)
+
+
+def dft_matrix(n):
+    """the matrix is divided by n; that is left to the inverse"""
+    k = np.arange(n)
+    return np.exp(-2j * np.pi * (np.outer(k, k) % n) / n) / n
+
+
+def spectrum_of(picture):
+    """only the rows are transformed, not the columns"""
+    return picture @ dft_matrix(picture.shape[1]).T
+
+
+def spectrum_of(picture):
+    """only the columns are transformed, not the rows"""
+    return dft_matrix(len(picture)) @ picture
+
+
+def spectrum_of(picture):
+    """it is divided by the number of pixels; that is left to the inverse"""
+    height, width = picture.shape
+    return dft_matrix(height) @ picture @ dft_matrix(width).T / picture.size
+
+
+def picture_of(spectrum):
+    """the exponent has the forward's sign: waves run the other way"""
+    height, width = spectrum.shape
+    return (dft_matrix(height) @ spectrum @ dft_matrix(width).T).real / spectrum.size
+
+
+def picture_of(spectrum):
+    """it is not divided by the number of pixels"""
+    height, width = spectrum.shape
+    return (dft_matrix(height).conj() @ spectrum @ dft_matrix(width).conj().T).real
+
+
+def picture_of(spectrum):
+    """it is divided by the root of the number of pixels"""
+    height, width = spectrum.shape
+    return (dft_matrix(height).conj() @ spectrum @ dft_matrix(width).conj().T).real / np.sqrt(
+        spectrum.size
+    )
+
+
+def frequencies(n):
+    """1/2 counts as positive; it is -1/2"""
+    k = np.arange(n)
+    return np.where(2 * k <= n, k, k - n) / n
+
+
+def frequencies(n):
+    """the upper half stays above 1/2; it stands for negative ones"""
+    k = np.arange(n)
+    return k / n
+
+
+def frequencies(n):
+    """frequencies are periods per picture; they are cycles per pixel"""
+    k = np.arange(n)
+    return np.where(2 * k < n, k, k - n)
+
+
+def band_pass(picture, low, high):
+    """the greater of |f_y| and |f_x| is taken for the length: the band is a square"""
+    height, width = picture.shape
+    length = np.maximum(np.abs(frequencies(height))[:, None], np.abs(frequencies(width)))
+    return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
+
+
+def band_pass(picture, low, high):
+    """a band has its upper end and not its lower one"""
+    height, width = picture.shape
+    length = np.hypot(frequencies(height)[:, None], frequencies(width))
+    return picture_of(spectrum_of(picture) * ((low < length) & (length <= high)))
+
+
+def band_pass(picture, low, high):
+    """frequencies above 1/2 are taken as they are: they stand for negative ones"""
+    height, width = picture.shape
+    length = np.hypot(np.arange(height)[:, None] / height, np.arange(width) / width)
+    return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
+
+
+def convolve(picture, kernel):
+    """the kernel is turned round: that is correlation"""
+    h, w = kernel.shape
+    total = np.zeros(picture.shape)
+    for i in range(h):
+        for j in range(w):
+            total += kernel[i, j] * np.roll(picture, (h // 2 - i, w // 2 - j), (0, 1))
+    return total
+
+
+def convolve(picture, kernel):
+    """the kernel's corner is its number (0, 0); it is its middle"""
+    h, w = kernel.shape
+    total = np.zeros(picture.shape)
+    for i in range(h):
+        for j in range(w):
+            total += kernel[i, j] * np.roll(picture, (i, j), (0, 1))
+    return total
+
+
+def convolve(picture, kernel):
+    """beyond the border is 0; rows and columns go round"""
+    h, w = kernel.shape
+    padded = np.pad(picture, ((h // 2, h // 2), (w // 2, w // 2)))
+    total = np.zeros(picture.shape)
+    for i in range(h):
+        for j in range(w):
+            moved = padded[h - 1 - i:, w - 1 - j:]
+            total += kernel[i, j] * moved[:picture.shape[0], :picture.shape[1]]
+    return total
+
+
+def convolve_by_spectrum(picture, kernel):
+    """the kernel's corner stands at [0, 0] instead of its middle"""
+    (height, width), (h, w) = picture.shape, kernel.shape
+    padded = np.pad(kernel, ((0, height - h), (0, width - w)))
+    centred = padded
+    return picture_of(spectrum_of(picture) * spectrum_of(centred))
+
+
+def convolve_by_spectrum(picture, kernel):
+    """the kernel is moved away from [0, 0] instead of to it"""
+    (height, width), (h, w) = picture.shape, kernel.shape
+    padded = np.pad(kernel, ((0, height - h), (0, width - w)))
+    centred = np.roll(padded, (h // 2, w // 2), (0, 1))
+    return picture_of(spectrum_of(picture) * spectrum_of(centred))
+
+
+def convolve_by_spectrum(picture, kernel):
+    """the kernel's spectrum is conjugated: that is correlation"""
+    (height, width), (h, w) = picture.shape, kernel.shape
+    padded = np.pad(kernel, ((0, height - h), (0, width - w)))
+    centred = np.roll(padded, (-(h // 2), -(w // 2)), (0, 1))
+    return picture_of(spectrum_of(picture) * spectrum_of(centred).conj())
+
+
+def box_spectrum(width, n):
+    """it is the sinc of a box that is not made of samples"""
+    f = np.arange(1, n) / n
+    return np.concatenate([[1.0], np.sin(np.pi * width * f) / (np.pi * width * f)])
+
+
+def box_spectrum(width, n):
+    """the sines are not divided by the width"""
+    f = np.arange(1, n) / n
+    return np.concatenate([[1.0], np.sin(np.pi * width * f) / np.sin(np.pi * f)])
+
+
+def box_spectrum(width, n):
+    """0 / 0 at frequency 0 is made 0; there the limit is 1"""
+    f = np.arange(1, n) / n
+    return np.concatenate([[0.0], np.sin(np.pi * width * f) / (width * np.sin(np.pi * f))])
+
+
+def sampled_spectrum(spectrum, step):
+    """neighbours are summed; copies stand N / s apart"""
+    height, width = spectrum.shape
+    return spectrum.reshape(height // step, step, width // step, step).sum((1, 3)) / step**2
+
+
+def sampled_spectrum(spectrum, step):
+    """it is divided by s once; there are two axes"""
+    height, width = spectrum.shape
+    copies = spectrum.reshape(step, height // step, step, width // step)
+    return copies.sum((0, 2)) / step
+
+
+def sampled_spectrum(spectrum, step):
+    """the first copy alone is kept; all of them are summed"""
+    height, width = spectrum.shape
+    copies = spectrum.reshape(step, height // step, step, width // step)
+    return copies[0, :, 0] / step**2
+
+
+def folded_energy(spectrum, step):
+    """half the rate is kept; it folds"""
+    height, width = spectrum.shape
+    f_y, f_x = np.abs(frequencies(height))[:, None], np.abs(frequencies(width))
+    folds = np.maximum(f_y, f_x) > 0.5 / step
+    return (np.abs(spectrum[folds]) ** 2).sum() / spectrum.size**2
+
+
+def folded_energy(spectrum, step):
+    """the squares are summed over the pixels; what is asked for is their mean"""
+    height, width = spectrum.shape
+    f_y, f_x = np.abs(frequencies(height))[:, None], np.abs(frequencies(width))
+    folds = np.maximum(f_y, f_x) >= 0.5 / step
+    return (np.abs(spectrum[folds]) ** 2).sum() / spectrum.size
+
+
+def folded_energy(spectrum, step):
+    """the whole sampling rate is the border; it is half of it"""
+    height, width = spectrum.shape
+    f_y, f_x = np.abs(frequencies(height))[:, None], np.abs(frequencies(width))
+    folds = np.maximum(f_y, f_x) >= 1 / step
+    return (np.abs(spectrum[folds]) ** 2).sum() / spectrum.size**2
+
+
+def clip_polygon(polygon, a, b, c):
+    """the wrong side of the line is kept"""
+    kept = []
+    for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+        at_p, at_q = a * p[0] + b * p[1] + c, a * q[0] + b * q[1] + c
+        if at_p <= 0:
+            kept.append(p)
+        if (at_p <= 0) != (at_q <= 0):
+            kept.append(p + (q - p) * (at_p / (at_p - at_q)))
+    return np.array(kept).reshape(-1, 2)
+
+
+def clip_polygon(polygon, a, b, c):
+    """the crossing is measured from the edge's other end"""
+    kept = []
+    for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+        at_p, at_q = a * p[0] + b * p[1] + c, a * q[0] + b * q[1] + c
+        if at_p >= 0:
+            kept.append(p)
+        if (at_p >= 0) != (at_q >= 0):
+            kept.append(p + (q - p) * (at_q / (at_q - at_p)))
+    return np.array(kept).reshape(-1, 2)
+
+
+def clip_polygon(polygon, a, b, c):
+    """a crossing is put before the vertex; it follows it"""
+    kept = []
+    for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+        at_p, at_q = a * p[0] + b * p[1] + c, a * q[0] + b * q[1] + c
+        if at_p >= 0:
+            kept.append(p)
+        if (at_p >= 0) != (at_q >= 0):
+            kept.insert(len(kept) - (at_p >= 0), p + (q - p) * (at_p / (at_p - at_q)))
+    return np.array(kept).reshape(-1, 2)
+
+
+def polygon_area(polygon):
+    """it is twice the area"""
+    x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
+    return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1)
+
+
+def polygon_area(polygon):
+    """clockwise polygons are positive"""
+    x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
+    return -(x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
+
+
+def polygon_area(polygon):
+    """the sign is lost: clockwise polygons are negative"""
+    x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
+    return abs((x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1)) / 2
+
+
+def polygon_area_backward(grad_area, polygon):
+    """eq. (8) is taken without its 1/2"""
+    x, y = polygon[..., 0], polygon[..., 1]
+    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
+    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
+    return grad_area[..., None, None] * np.stack([by_x, by_y], -1)
+
+
+def polygon_area_backward(grad_area, polygon):
+    """the gradient points inwards: its sign is wrong"""
+    x, y = polygon[..., 0], polygon[..., 1]
+    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
+    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
+    return grad_area[..., None, None] * -np.stack([by_x, by_y], -1) / 2
+
+
+def polygon_area_backward(grad_area, polygon):
+    """the gradients by x and by y are swapped"""
+    x, y = polygon[..., 0], polygon[..., 1]
+    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
+    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
+    return grad_area[..., None, None] * np.stack([by_y, by_x], -1) / 2
+
+
+def pixel_coverage_loop(triangle, width, height):
+    """rows and columns are swapped"""
+    coverage = np.zeros((height, width))
+    for i in range(height):
+        for j in range(width):
+            part = triangle
+            for a, b, c in (1, 0, -i), (-1, 0, i + 1), (0, 1, -j), (0, -1, j + 1):
+                part = clip_polygon(part, a, b, c)
+            coverage[i, j] = abs(polygon_area(part))
+    return coverage
+
+
+def pixel_coverage_loop(triangle, width, height):
+    """everything is half a pixel off: pixel j lies between j and j + 1"""
+    coverage = np.zeros((height, width))
+    for i in range(height):
+        for j in range(width):
+            part = triangle
+            for a, b, c in (1, 0, 0.5 - j), (-1, 0, j + 0.5), (0, 1, 0.5 - i), (0, -1, i + 0.5):
+                part = clip_polygon(part, a, b, c)
+            coverage[i, j] = abs(polygon_area(part))
+    return coverage
+
+
+def pixel_coverage_loop(triangle, width, height):
+    """a clockwise triangle covers less than nothing"""
+    coverage = np.zeros((height, width))
+    for i in range(height):
+        for j in range(width):
+            part = triangle
+            for a, b, c in (1, 0, -j), (-1, 0, j + 1), (0, 1, -i), (0, -1, i + 1):
+                part = clip_polygon(part, a, b, c)
+            coverage[i, j] = polygon_area(part)
+    return coverage
+
+
+def cuts(polygon, x, y):
+    """the cuts are not sorted"""
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
+    sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)
+    across = np.where(p == q, 1.0, q - p)
+    t = np.clip((sides[:, None] - p) / across, 0, 1)
+    t = np.pad(t.reshape(*t.shape[:2], 4), ((0, 0), (0, 0), (1, 1)), constant_values=(0, 1))
+    return t
+
+
+def cuts(polygon, x, y):
+    """crossings before an edge's start and after its end are left outside [0, 1]"""
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
+    sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)
+    across = np.where(p == q, 1.0, q - p)
+    t = (sides[:, None] - p) / across
+    t = np.pad(t.reshape(*t.shape[:2], 4), ((0, 0), (0, 0), (1, 1)), constant_values=(0, 1))
+    return np.sort(t)
+
+
+def cuts(polygon, x, y):
+    """t runs from the edge's end to its start"""
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
+    sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)
+    across = np.where(p == q, 1.0, q - p)
+    t = np.clip((q - sides[:, None]) / across, 0, 1)
+    t = np.pad(t.reshape(*t.shape[:2], 4), ((0, 0), (0, 0), (1, 1)), constant_values=(0, 1))
+    return np.sort(t)
+
+
+def clamped_area(polygon, x, y):
+    """every square is the one at the origin"""
+    t = cuts(polygon, x, y)[..., None]
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
+    points = np.clip(p + t * (q - p), 0, 1)
+    return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
+
+
+def clamped_area(polygon, x, y):
+    """x and y are taken for a square's centre; they are its lower left corner"""
+    t = cuts(polygon, x, y)[..., None]
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
+    corner = np.stack([x, y], -1)[:, None, None]
+    points = np.clip(p + t * (q - p) - corner, -0.5, 0.5)
+    return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
+
+
+def clamped_area(polygon, x, y):
+    """the sign is lost: clockwise polygons have a negative area"""
+    t = cuts(polygon, x, y)[..., None]
+    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
+    corner = np.stack([x, y], -1)[:, None, None]
+    points = np.clip(p + t * (q - p) - corner, 0, 1)
+    return abs(polygon_area(points.reshape(len(x), 6 * len(polygon), 2)))
+
+
+def clamped_area_backward(grad_area, polygon, x, y):
+    """grad_area is left out"""
+    p, edge = polygon[:, None], (np.roll(polygon, -1, axis=0) - polygon)[:, None]
+    corner = np.stack([x, y], -1)[:, None, None]
+    t = cuts(polygon, x, y)
+    t0, t1 = t[..., :-1], t[..., 1:]
+    middle = p + (t0 + t1)[..., None] / 2 * edge - corner
+    inside = ((middle >= 0) & (middle < 1)).all(-1)
+    by_q = np.einsum("p,pni->n", np.ones(len(x)), inside * (t1**2 - t0**2) / 2)
+    by_p = np.einsum("p,pni->n", np.ones(len(x)), inside * (t1 - t0)) - by_q
+    normal = np.concatenate([edge[..., 1], -edge[..., 0]], -1)
+    return by_p[:, None] * normal + np.roll(by_q[:, None] * normal, 1, axis=0)
+
+
+def clamped_area_backward(grad_area, polygon, x, y):
+    """the gradient points inwards: the normal points outwards"""
+    p, edge = polygon[:, None], (np.roll(polygon, -1, axis=0) - polygon)[:, None]
+    corner = np.stack([x, y], -1)[:, None, None]
+    t = cuts(polygon, x, y)
+    t0, t1 = t[..., :-1], t[..., 1:]
+    middle = p + (t0 + t1)[..., None] / 2 * edge - corner
+    inside = ((middle >= 0) & (middle < 1)).all(-1)
+    by_q = np.einsum("p,pni->n", grad_area, inside * (t1**2 - t0**2) / 2)
+    by_p = np.einsum("p,pni->n", grad_area, inside * (t1 - t0)) - by_q
+    normal = -np.concatenate([edge[..., 1], -edge[..., 0]], -1)
+    return by_p[:, None] * normal + np.roll(by_q[:, None] * normal, 1, axis=0)
+
+
+def clamped_area_backward(grad_area, polygon, x, y):
+    """the shares of an edge's two ends are swapped"""
+    p, edge = polygon[:, None], (np.roll(polygon, -1, axis=0) - polygon)[:, None]
+    corner = np.stack([x, y], -1)[:, None, None]
+    t = cuts(polygon, x, y)
+    t0, t1 = t[..., :-1], t[..., 1:]
+    middle = p + (t0 + t1)[..., None] / 2 * edge - corner
+    inside = ((middle >= 0) & (middle < 1)).all(-1)
+    by_q = np.einsum("p,pni->n", grad_area, inside * (t1**2 - t0**2) / 2)
+    by_p = np.einsum("p,pni->n", grad_area, inside * (t1 - t0)) - by_q
+    normal = np.concatenate([edge[..., 1], -edge[..., 0]], -1)
+    return by_q[:, None] * normal + np.roll(by_p[:, None] * normal, 1, axis=0)

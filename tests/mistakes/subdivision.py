@@ -1,224 +1,430 @@
-"""Mistakes of lab 11: what the reference says, what somebody wrote instead, what a student reads.
+"""Mistakes of lab 11; each docstring goes on after "this is what comes out when"."""
 
-Each sentence goes on after "this is what comes out when".
-"""
-CENTRE = "the corners of the middle triangle begin elsewhere: they are AB, BC, CA"
-NOT_BOUNDARY = "a vertex on the boundary is pulled inwards, too"
-OWN_INSIDE = "(1 - len(ring) * u[v]) * vertices[v]"
-ON_BOUNDARY = "points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0))"
-IN_PLACE = """vertices = vertices.copy()
-            vertices[v] = 3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0)
-            points.append(vertices[v])"""
-INSIDE_RULE = "the inside's rule is used on the boundary, too"
 
-MISTAKES = {
-    "11.1": [
-        ("np.minimum(start, end) * vertex_count + np.maximum(start, end)",
-         "start * vertex_count + end", "an edge runs as the face does, not from low to high: one "
-         "of two faces is there twice"),
-        ("np.minimum(start, end) * vertex_count + np.maximum(start, end)",
-         "np.maximum(start, end) * vertex_count + np.minimum(start, end)",
-         "edges run from high to low, and ascend by high"),
-        ("start[next_corner(counts)]", "np.roll(start, -1)",
-         "a face's last corner is joined to the next face's first; it is to its own first"),
-        ("start[next_corner(counts)]", "np.roll(start.reshape(-1, int(counts[0])), -1, 1).ravel() "
-         "if len(start) % int(counts[0]) == 0 else np.roll(start, -1)",
-         "all faces are taken to have as many corners as the first"),
-        ("corners.astype(np.int64)", "corners", "numbers are packed into a type too narrow for "
-         "their product"),
-        ("np.divmod(key, vertex_count)", "np.divmod(key, vertex_count)[::-1]",
-         "low and high are swapped"),
-    ],
-    "11.2": [
-        ("regular // 2 + 1", "regular // 2", "on the boundary half of the valence counts as "
-         "regular; it is one more"),
-        ("np.where(at_boundary, regular // 2 + 1, regular)", "regular",
-         "the boundary is not looked at"),
-        (" & (valence > 0)", "", "vertices of no edge are extraordinary; they are not"),
-        ("(valence != ", "(valence == ", "regular vertices are told, instead of the others"),
-        ("np.where(at_boundary, regular // 2 + 1, regular)",
-         "np.where(at_boundary, regular, regular // 2 + 1)", "inside and boundary are swapped"),
-    ],
-    "11.3": [
-        ("len(np.unique(corners))", "int(corners.max() + 1)", "vertices of no face are counted"),
-        ("len(np.unique(corners))", "len(corners)", "a vertex counts once for each of its faces"),
-        ("len(edges_of(corners, counts)[0])", "len(corners)", "an edge counts once for each of its "
-         "faces"),
-        ("+ len(counts)", "- len(counts)", "faces are taken away; they are added"),
-        ("len(counts)", "len(corners) // 3", "all faces are taken for triangles"),
-    ],
-    "11.4": [
-        (" ** 2", "", "the square is missing"),
-        ("np.cos(2 * np.pi / n)", "np.cos(360 / n)", "the angle is in degrees; the cosine takes "
-         "radians"),
-        (") / n", ")", "it is not divided by n: u is the weight of one neighbour, not of all"),
-        ("np.cos(2 * np.pi / n) / 4", "np.cos(2 * np.pi / n)", "the cosine's 1/4 is missing"),
-        ("2 * np.pi", "np.pi", "half of the turn is taken: the angle is 2 pi / n"),
-        ("(5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n",
-         "np.where(n == 3, 3 / 16, 3 / (8 * n))", "Warren's weights are taken for Loop's own"),
-    ],
-    "11.5": [
-        ("vertices[ring].sum(0)", "vertices[ring].mean(0)", "the ring's mean is weighted with u; "
-         "each neighbour has u for itself"),
-        (OWN_INSIDE, "(1 - u[v]) * vertices[v]", "v keeps 1 - u instead of 1 - n u"),
-        (ON_BOUNDARY, ON_BOUNDARY.replace("beside", "ring"),
-         NOT_BOUNDARY + ", by all its neighbours"),
-        ("        if beside:\n", "        if False:\n", INSIDE_RULE),
-        (ON_BOUNDARY, "points.append(vertices[v])", "vertices on the boundary stay"),
-        ("3 / 8 * ends + 1 / 8 *", "1 / 8 * ends + 3 / 8 *", "3/8 and 1/8 are swapped at an edge"),
-        ("ends / 2 if len(its_faces) == 1 else\n                      ", "",
-         "the inside's rule is used for edges on the boundary, too"),
-        ("3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0)", "ends / 2",
-         "every edge gets its middle; inside, the opposite vertices pull, too"),
-        (ON_BOUNDARY, IN_PLACE,
-         "points that have moved already pull at the next ones; all rules are about old points"),
-    ],
-    "11.6": [
-        ("np.concatenate([u, -u])", "np.concatenate([u, u])", "the pulled vertex gets heavier: "
-         "what it gives away has the other sign"),
-        ("np.concatenate([u, -u])", "np.concatenate([u, 1 - u])", "every pull brings a 1 of its "
-         "own for the diagonal; that 1 is there already"),
-        ("np.concatenate([u, -u])", "np.concatenate([u, 0 * u])", "the pulled vertex keeps its "
-         "whole weight: a pull's entries add up to 0"),
-        ("np.concatenate([columns, rows])", "np.concatenate([columns, columns])",
-         "both entries of a pull are in one column: they add up to nothing"),
-        ("np.concatenate([rows, rows]), np.concatenate([columns, rows])",
-         "np.concatenate([columns, rows]), np.concatenate([rows, rows])",
-         "rows and columns are swapped"),
-        ("np.concatenate([rows, rows])", "np.concatenate([rows, columns])",
-         "u is taken away from the neighbour instead of from the vertex that is pulled"),
-    ],
-    "11.7": [
-        ("along | ~at_boundary[start]", "np.ones(len(start), bool)", NOT_BOUNDARY + ", by its u"),
-        ("along | ~at_boundary[start]", "along | ~(at_boundary[start] & at_boundary[end])",
-         "a vertex on the boundary is pulled by neighbours inside"),
-        ("np.where(along, beside, u[start])", "np.where(along, beside, u[end])",
-         "a vertex is pulled with its neighbour's u instead of its own"),
-        ("np.concatenate([edges, edges[:, ::-1]])", "np.concatenate([edges, edges])",
-         "only the lower end of an edge is pulled, and twice"),
-        ("np.isin(every, edges[is_boundary])",
-         "np.bincount(edges[is_boundary][:, 0], minlength=len(u)) > 0",
-         "of a boundary edge only the lower end counts as being on the boundary"),
-        ("np.where(along, beside, u[start])", "(u[start] + 0 * along)",
-         "u is used on the boundary, too; there it is the number beside"),
-        ("np.where(along, beside, u[start])", "np.where(at_boundary[start], beside / 2, u[start])",
-         "both neighbours along the boundary pull by beside together; each does by itself"),
-        ("(every, every, np.ones(len(u)))", "(start, start, np.ones(len(start)))",
-         "the 1 on the diagonal comes once for each edge; a vertex of no edge has none"),
-    ],
-    "11.8": [
-        ("np.where(is_boundary, 1 / 2, 3 / 8)", "np.where(is_boundary, 3 / 8, 1 / 2)",
-         "the weights inside and on the boundary are swapped"),
-        ("np.where(is_boundary, 1 / 2, 3 / 8)", "np.full(len(edges), 3 / 8)",
-         "3/8 is taken on the boundary, too"),
-        ("inside = ~is_boundary[corner_edge]", "inside = np.ones(len(corner_edge), bool)",
-         "the opposite vertex pulls on the boundary, too"),
-        ("np.roll(faces, 1, axis=1)", "np.roll(faces, -1, axis=1)",
-         "the next corner is taken for the opposite one: that is an end of the edge"),
-        ("np.roll(faces, 1, axis=1)", "faces", "a corner of the edge is taken for the opposite "
-         "one"),
-        ("np.roll(faces, 1, axis=1)", "np.roll(faces, 1)", "corners are rolled over into the next "
-         "face: each face is a row of its own"),
-        ("1 / 8)))", "1 / 4)))", "each opposite vertex weighs 1/4; both together do"),
-    ],
-    "11.9": [
-        ("ca, bc, c, ab, bc, ca]", "c, ca, bc, ab, bc, ca]",
-         "the third child begins with its old corner: corner k of child k is the old one"),
-        ("ca, bc, c, ab, bc, ca]", "ca, bc, c, ab, ca, bc]", "the triangle in the middle is wound "
-         "the other way"),
-        ("ca, bc, c, ab, bc, ca]", "ca, bc, c, bc, ca, ab]", CENTRE),
-        ("ab, bc, ca = (", "ca, ab, bc = (", "edges go with the corner that they run to; they run "
-         "from it"),
-        ("(vertex_count + corner_edge)", "corner_edge", "the new vertices are numbered from 0; "
-         "they come after the old ones"),
-        ("[a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1)",
-         "[a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca]).reshape(4, 3, -1).swapaxes(1, 2)",
-         "all first children come first; the four of a face stand together"),
-    ],
-    "11.10": [
-        ("(vertices[v] + vertices[ring]) / 2", "vertices[ring]",
-         "R is the mean of the neighbours; it is that of the edges' middles"),
-        ("(len(ring) - 3) * vertices[v]) / len(ring)", "vertices[v]) / 4",
-         "the weights are those of valence 4, whatever the valence is"),
-        ("2 * middles.mean(0)", "middles.mean(0)", "R counts once; it counts twice"),
-        ("        if beside:\n", "        if False:\n", INSIDE_RULE),
-        (ON_BOUNDARY, "points.append(vertices[v])", "vertices on the boundary stay"),
-        ("(ends + face_points[its_faces].sum(0)) / 4", "ends / 2",
-         "every edge gets its middle; inside, the face points pull, too"),
-        ("ends / 2 if len(its_faces) == 1 else\n                      ", "",
-         "the inside's rule is used for edges on the boundary, too"),
-        ("np.concatenate([points, face_points])", "np.concatenate([points[:len(vertices)], "
-         "face_points, points[len(vertices):]])",
-         "face points come before those of edges"),
-        ("face_points[around].mean(0)", "face_points[around].sum(0)",
-         "F is the sum of the face points instead of their mean"),
-    ],
-    "11.11": [
-        ("vertex_count + face_of_corner(counts)", "face_of_corner(counts)",
-         "face points are in the columns from 0 on; these are the vertices'"),
-        ("np.where(is_boundary, 1 / 2, 1 / 4)", "np.full(len(edges), 1 / 4)",
-         "1/4 is taken on the boundary, too"),
-        ("inside = ~is_boundary[corner_edge]", "inside = np.ones(len(corner_edge), bool)",
-         "the face point pulls on the boundary, too"),
-        ("np.full(inside.sum(), 1 / 4)", "np.full(inside.sum(), 1 / 8)",
-         "each face point weighs 1/8; that is Loop's weight"),
-        ("np.where(is_boundary, 1 / 2, 1 / 4)", "np.full(len(edges), 1 / 2)",
-         "the ends weigh 1/2 inside, too: the row's sum is not 1"),
-        ("face_of_corner(counts)", "np.arange(len(corner_edge)) // int(counts[0])",
-         "all faces are taken to have as many corners as the first"),
-    ],
-    "11.12": [
-        ("** 2", "** 1", "the pull is 1 / n; it is 1 / n^2"),
-        ("pull_entries(corners[inside], face_point[inside], u[corners[inside]])",
-         "pull_entries(corners[:0], face_point[:0], u[:0])", "no face point pulls"),
-        ("inside = ~np.isin(corners, edges[is_boundary])", "inside = np.ones(len(corners), bool)",
-         "face points pull at the boundary, too"),
-        ("vertex_rows(edges, is_boundary, u,", "vertex_rows(edges, is_boundary, 2 * u,",
-         "a neighbour pulls by 2 / n^2: R is of the middles, which halves it"),
-        ("len(n) + face_of_corner(counts)", "face_of_corner(counts)",
-         "face points are in the columns from 0 on; these are the vertices'"),
-        ("1 / 8)", "1 / 6)", "the boundary has the limit's 1/6; a step has 1/8"),
-        ("u[corners[inside]])", "(1 / counts)[face_of_corner(counts)][inside])",
-         "a face point pulls by 1 / (its face's corners)"),
-    ],
-    "11.13": [
-        ("[corners, ahead, middle, behind]", "[corners, behind, middle, ahead]",
-         "quads are wound the other way"),
-        ("[corners, ahead, middle, behind]", "[middle, behind, corners, ahead]",
-         "quads begin with the face's vertex; they begin with the corner"),
-        ("    behind[next_corner(counts)] = ahead\n",
-         "    behind[:] = ahead[next_corner(counts)]\n",
-         "the edge of the next corner is taken for that of the one before"),
-        ("    behind[next_corner(counts)] = ahead\n", "    behind[:] = np.roll(ahead, 1)\n",
-         "a face's first corner takes the last edge of the face before"),
-        ("vertex_count + corner_edge.max() + 1 + face_of", "vertex_count + face_of",
-         "the faces' vertices have the numbers of the edges'"),
-        ("corner_edge.max() + 1 + ", "len(corner_edge) + ",
-         "E is taken to be the number of corners; an edge of two faces counts once"),
-    ],
-    "11.14": [
-        ("3 / (8 * u)", "8 * u / 3", "the fraction is upside down"),
-        ("3 / (8 * u)", "3 / 8 * u", "it is multiplied by u instead of divided"),
-        ("1 / (n + 3 / (8 * u))", "u + 0.0 * n", "the weight of one step is taken for that of the "
-         "limit"),
-        ("1 / (n + 3 / (8 * u))", "n / (n + 3 / (8 * u))", "it is the weight of all neighbours "
-         "together"),
-        ("n + 3", "1 + 3", "n is left out"),
-    ],
-    "11.15": [
-        ("4 * u, 1 / 6)", "u, 1 / 6)", "the ring's 4 is missing"),
-        ("1 / 6)", "1 / 8)", "the boundary has the 1/8 of a step; the limit has 1/6"),
-        ("np.roll(quads, 2, axis=1)", "np.roll(quads, 1, axis=1)",
-         "a neighbour is taken for the diagonal's end"),
-        ("np.roll(quads, 2, axis=1)", "np.roll(quads, 2)",
-         "corners are rolled over into the next quad: each quad is a row of its own"),
-        ("inside = ~np.isin(quads, edges[is_boundary])", "inside = np.ones(quads.shape, bool)",
-         "diagonals pull at the boundary, too"),
-        ("(n + 5)", "(n + 4)", "the denominator is n (n + 4)"),
-        ("1 / (np.maximum(n, 1) * (n + 5))", "1 / (n + 5.0)", "it is not divided by n"),
-        ("pull_entries(quads[inside], across[inside], u[quads[inside]])",
-         "pull_entries(quads[:0, 0], across[:0, 0], u[:0])", "no diagonal pulls"),
-        ("np.isin(quads, edges[is_boundary])", "(n[quads] != 4)",
-         "the boundary is told by valences: a vertex inside may have another one than 4"),
-    ],
-}
+def edges_of(corners, counts):
+    """an edge runs as the face does, not from low to high: one of two faces is there twice"""
+    start = corners.astype(np.int64)
+    end = start[next_corner(counts)]
+    vertex_count = start.max() + 1
+    key = start * vertex_count + end
+    key, corner_edge = np.unique(key, return_inverse=True)
+    return np.stack(np.divmod(key, vertex_count), axis=1), corner_edge
+
+
+def edges_of(corners, counts):
+    """edges run from high to low, and ascend by high"""
+    start = corners.astype(np.int64)
+    end = start[next_corner(counts)]
+    vertex_count = start.max() + 1
+    key = np.maximum(start, end) * vertex_count + np.minimum(start, end)
+    key, corner_edge = np.unique(key, return_inverse=True)
+    return np.stack(np.divmod(key, vertex_count), axis=1), corner_edge
+
+
+def edges_of(corners, counts):
+    """a face's last corner is joined to the next face's first; it is to its own first"""
+    start = corners.astype(np.int64)
+    end = np.roll(start, -1)
+    vertex_count = start.max() + 1
+    key = np.minimum(start, end) * vertex_count + np.maximum(start, end)
+    key, corner_edge = np.unique(key, return_inverse=True)
+    return np.stack(np.divmod(key, vertex_count), axis=1), corner_edge
+
+
+def is_extraordinary(valence, at_boundary, regular):
+    """on the boundary half of the valence counts as regular; it is one more"""
+    return (valence != np.where(at_boundary, regular // 2, regular)) & (valence > 0)
+
+
+def is_extraordinary(valence, at_boundary, regular):
+    """the boundary is not looked at"""
+    return (valence != regular) & (valence > 0)
+
+
+def is_extraordinary(valence, at_boundary, regular):
+    """vertices of no edge are extraordinary; they are not"""
+    return valence != np.where(at_boundary, regular // 2 + 1, regular)
+
+
+def euler_characteristic(corners, counts):
+    """vertices of no face are counted"""
+    return int(corners.max() + 1) - len(edges_of(corners, counts)[0]) + len(counts)
+
+
+def euler_characteristic(corners, counts):
+    """an edge counts once for each of its faces"""
+    return len(np.unique(corners)) - len(corners) + len(counts)
+
+
+def euler_characteristic(corners, counts):
+    """faces are taken away; they are added"""
+    return len(np.unique(corners)) - len(edges_of(corners, counts)[0]) - len(counts)
+
+
+def loop_weight(n):
+    """the square is missing"""
+    return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4)) / n
+
+
+def loop_weight(n):
+    """it is not divided by n: u is the weight of one neighbour, not of all"""
+    return 5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2
+
+
+def loop_weight(n):
+    """the cosine's 1/4 is missing"""
+    return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n)) ** 2) / n
+
+
+def loop_slow(vertices, faces, u):
+    """the ring's mean is weighted with u; each neighbour has u for itself"""
+    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    points = []
+    for v in range(len(vertices)):
+        ring, beside = ring_of(v, at_edge)
+        if beside:
+            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0))
+        else:
+            points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].mean(0))
+    for edge, its_faces in at_edge.items():
+        ends = vertices[list(edge)].sum(0)
+        opposite = [v for f in its_faces for v in faces[f] if v not in edge]
+        points.append(ends / 2 if len(its_faces) == 1 else
+                      3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0))
+    return np.stack(points)
+
+
+def loop_slow(vertices, faces, u):
+    """v keeps 1 - u instead of 1 - n u"""
+    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    points = []
+    for v in range(len(vertices)):
+        ring, beside = ring_of(v, at_edge)
+        if beside:
+            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0))
+        else:
+            points.append((1 - u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
+    for edge, its_faces in at_edge.items():
+        ends = vertices[list(edge)].sum(0)
+        opposite = [v for f in its_faces for v in faces[f] if v not in edge]
+        points.append(ends / 2 if len(its_faces) == 1 else
+                      3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0))
+    return np.stack(points)
+
+
+def loop_slow(vertices, faces, u):
+    """the inside's rule is used on the boundary, too"""
+    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    points = []
+    for v in range(len(vertices)):
+        ring, _ = ring_of(v, at_edge)
+        points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
+    for edge, its_faces in at_edge.items():
+        ends = vertices[list(edge)].sum(0)
+        opposite = [v for f in its_faces for v in faces[f] if v not in edge]
+        points.append(ends / 2 if len(its_faces) == 1 else
+                      3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0))
+    return np.stack(points)
+
+
+def pull_entries(rows, columns, u):
+    """the pulled vertex gets heavier: what it gives away has the other sign"""
+    return (np.concatenate([rows, rows]), np.concatenate([columns, rows]),
+            np.concatenate([u, u]))
+
+
+def pull_entries(rows, columns, u):
+    """the pulled vertex keeps its whole weight: a pull's entries add up to 0"""
+    return (np.concatenate([rows, rows]), np.concatenate([columns, rows]),
+            np.concatenate([u, 0 * u]))
+
+
+def pull_entries(rows, columns, u):
+    """rows and columns are swapped"""
+    return (np.concatenate([columns, rows]), np.concatenate([rows, rows]),
+            np.concatenate([u, -u]))
+
+
+def vertex_rows(edges, is_boundary, u, beside):
+    """a vertex on the boundary is pulled inwards, too, by its u"""
+    every = np.arange(len(u))
+    start, end = np.concatenate([edges, edges[:, ::-1]]).T
+    along = np.concatenate([is_boundary, is_boundary])
+    pulled = np.ones(len(start), bool)
+    strength = np.where(along, beside, u[start])[pulled]
+    return join((every, every, np.ones(len(u))),
+                pull_entries(start[pulled], end[pulled], strength))
+
+
+def vertex_rows(edges, is_boundary, u, beside):
+    """a vertex is pulled with its neighbour's u instead of its own"""
+    every = np.arange(len(u))
+    start, end = np.concatenate([edges, edges[:, ::-1]]).T
+    along = np.concatenate([is_boundary, is_boundary])
+    at_boundary = np.isin(every, edges[is_boundary])
+    pulled = along | ~at_boundary[start]
+    strength = np.where(along, beside, u[end])[pulled]
+    return join((every, every, np.ones(len(u))),
+                pull_entries(start[pulled], end[pulled], strength))
+
+
+def vertex_rows(edges, is_boundary, u, beside):
+    """only the lower end of an edge is pulled, and twice"""
+    every = np.arange(len(u))
+    start, end = np.concatenate([edges, edges]).T
+    along = np.concatenate([is_boundary, is_boundary])
+    at_boundary = np.isin(every, edges[is_boundary])
+    pulled = along | ~at_boundary[start]
+    strength = np.where(along, beside, u[start])[pulled]
+    return join((every, every, np.ones(len(u))),
+                pull_entries(start[pulled], end[pulled], strength))
+
+
+def loop_edge_rows(faces, edges, corner_edge):
+    """the weights inside and on the boundary are swapped"""
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    end = np.where(is_boundary, 3 / 8, 1 / 2)
+    inside = ~is_boundary[corner_edge]
+    opposite = np.roll(faces, 1, axis=1).ravel()
+    return join((every, edges[:, 0], end), (every, edges[:, 1], end),
+                (corner_edge[inside], opposite[inside], np.full(inside.sum(), 1 / 8)))
+
+
+def loop_edge_rows(faces, edges, corner_edge):
+    """the opposite vertex pulls on the boundary, too"""
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    end = np.where(is_boundary, 1 / 2, 3 / 8)
+    inside = np.ones(len(corner_edge), bool)
+    opposite = np.roll(faces, 1, axis=1).ravel()
+    return join((every, edges[:, 0], end), (every, edges[:, 1], end),
+                (corner_edge[inside], opposite[inside], np.full(inside.sum(), 1 / 8)))
+
+
+def loop_edge_rows(faces, edges, corner_edge):
+    """the next corner is taken for the opposite one: that is an end of the edge"""
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    end = np.where(is_boundary, 1 / 2, 3 / 8)
+    inside = ~is_boundary[corner_edge]
+    opposite = np.roll(faces, -1, axis=1).ravel()
+    return join((every, edges[:, 0], end), (every, edges[:, 1], end),
+                (corner_edge[inside], opposite[inside], np.full(inside.sum(), 1 / 8)))
+
+
+def loop_faces(faces, corner_edge, vertex_count):
+    """the third child begins with its old corner: corner k of child k is the old one"""
+    a, b, c = faces.T
+    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
+    return np.stack([a, ab, ca, ab, b, bc, c, ca, bc, ab, bc, ca], axis=1).reshape(-1, 3)
+
+
+def loop_faces(faces, corner_edge, vertex_count):
+    """the triangle in the middle is wound the other way"""
+    a, b, c = faces.T
+    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
+    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, ca, bc], axis=1).reshape(-1, 3)
+
+
+def loop_faces(faces, corner_edge, vertex_count):
+    """the new vertices are numbered from 0; they come after the old ones"""
+    a, b, c = faces.T
+    ab, bc, ca = corner_edge.reshape(-1, 3).T
+    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1).reshape(-1, 3)
+
+
+def catmull_clark_slow(vertices, corners, counts):
+    """R counts once; it counts twice"""
+    at_edge, faces = faces_at_edges(corners, counts), polygons(corners, counts)
+    face_points = np.stack([vertices[face].mean(0) for face in faces])
+    points = []
+    for v in range(len(vertices)):
+        ring, beside = ring_of(v, at_edge)
+        if beside:
+            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0))
+        elif ring:
+            around = [f for f, face in enumerate(faces) if v in face]
+            middles = (vertices[v] + vertices[ring]) / 2
+            points.append((face_points[around].mean(0) + middles.mean(0)
+                           + (len(ring) - 3) * vertices[v]) / len(ring))
+        else:
+            points.append(vertices[v])
+    for edge, its_faces in at_edge.items():
+        ends = vertices[list(edge)].sum(0)
+        points.append(ends / 2 if len(its_faces) == 1 else
+                      (ends + face_points[its_faces].sum(0)) / 4)
+    return np.concatenate([points, face_points])
+
+
+def catmull_clark_slow(vertices, corners, counts):
+    """the inside's rule is used on the boundary, too"""
+    at_edge, faces = faces_at_edges(corners, counts), polygons(corners, counts)
+    face_points = np.stack([vertices[face].mean(0) for face in faces])
+    points = []
+    for v in range(len(vertices)):
+        ring, _ = ring_of(v, at_edge)
+        if ring:
+            around = [f for f, face in enumerate(faces) if v in face]
+            middles = (vertices[v] + vertices[ring]) / 2
+            points.append((face_points[around].mean(0) + 2 * middles.mean(0)
+                           + (len(ring) - 3) * vertices[v]) / len(ring))
+        else:
+            points.append(vertices[v])
+    for edge, its_faces in at_edge.items():
+        ends = vertices[list(edge)].sum(0)
+        points.append(ends / 2 if len(its_faces) == 1 else
+                      (ends + face_points[its_faces].sum(0)) / 4)
+    return np.concatenate([points, face_points])
+
+
+def catmull_clark_slow(vertices, corners, counts):
+    """F is the sum of the face points instead of their mean"""
+    at_edge, faces = faces_at_edges(corners, counts), polygons(corners, counts)
+    face_points = np.stack([vertices[face].mean(0) for face in faces])
+    points = []
+    for v in range(len(vertices)):
+        ring, beside = ring_of(v, at_edge)
+        if beside:
+            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[beside].sum(0))
+        elif ring:
+            around = [f for f, face in enumerate(faces) if v in face]
+            middles = (vertices[v] + vertices[ring]) / 2
+            points.append((face_points[around].sum(0) + 2 * middles.mean(0)
+                           + (len(ring) - 3) * vertices[v]) / len(ring))
+        else:
+            points.append(vertices[v])
+    for edge, its_faces in at_edge.items():
+        ends = vertices[list(edge)].sum(0)
+        points.append(ends / 2 if len(its_faces) == 1 else
+                      (ends + face_points[its_faces].sum(0)) / 4)
+    return np.concatenate([points, face_points])
+
+
+def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
+    """face points are in the columns from 0 on; these are the vertices'"""
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    end = np.where(is_boundary, 1 / 2, 1 / 4)
+    inside = ~is_boundary[corner_edge]
+    face_point = face_of_corner(counts)
+    return join((every, edges[:, 0], end), (every, edges[:, 1], end),
+                (corner_edge[inside], face_point[inside], np.full(inside.sum(), 1 / 4)))
+
+
+def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
+    """1/4 is taken on the boundary, too"""
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    end = np.full(len(edges), 1 / 4)
+    inside = ~is_boundary[corner_edge]
+    face_point = vertex_count + face_of_corner(counts)
+    return join((every, edges[:, 0], end), (every, edges[:, 1], end),
+                (corner_edge[inside], face_point[inside], np.full(inside.sum(), 1 / 4)))
+
+
+def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
+    """the face point pulls on the boundary, too"""
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    end = np.where(is_boundary, 1 / 2, 1 / 4)
+    inside = np.ones(len(corner_edge), bool)
+    face_point = vertex_count + face_of_corner(counts)
+    return join((every, edges[:, 0], end), (every, edges[:, 1], end),
+                (corner_edge[inside], face_point[inside], np.full(inside.sum(), 1 / 4)))
+
+
+def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
+    """the pull is 1 / n; it is 1 / n^2"""
+    u = 1 / np.maximum(n, 1)
+    inside = ~np.isin(corners, edges[is_boundary])
+    face_point = len(n) + face_of_corner(counts)
+    return join(vertex_rows(edges, is_boundary, u, 1 / 8),
+                pull_entries(corners[inside], face_point[inside], u[corners[inside]]))
+
+
+def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
+    """face points pull at the boundary, too"""
+    u = 1 / np.maximum(n, 1) ** 2
+    inside = np.ones(len(corners), bool)
+    face_point = len(n) + face_of_corner(counts)
+    return join(vertex_rows(edges, is_boundary, u, 1 / 8),
+                pull_entries(corners[inside], face_point[inside], u[corners[inside]]))
+
+
+def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
+    """a neighbour pulls by 2 / n^2: R is of the middles, which halves it"""
+    u = 1 / np.maximum(n, 1) ** 2
+    inside = ~np.isin(corners, edges[is_boundary])
+    face_point = len(n) + face_of_corner(counts)
+    return join(vertex_rows(edges, is_boundary, 2 * u, 1 / 8),
+                pull_entries(corners[inside], face_point[inside], u[corners[inside]]))
+
+
+def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
+    """quads are wound the other way"""
+    ahead = vertex_count + corner_edge
+    behind = np.empty_like(ahead)
+    behind[next_corner(counts)] = ahead
+    middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
+    return np.stack([corners, behind, middle, ahead], axis=1)
+
+
+def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
+    """quads begin with the face's vertex; they begin with the corner"""
+    ahead = vertex_count + corner_edge
+    behind = np.empty_like(ahead)
+    behind[next_corner(counts)] = ahead
+    middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
+    return np.stack([middle, behind, corners, ahead], axis=1)
+
+
+def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
+    """the edge of the next corner is taken for that of the one before"""
+    ahead = vertex_count + corner_edge
+    behind = np.empty_like(ahead)
+    behind[:] = ahead[next_corner(counts)]
+    middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
+    return np.stack([corners, ahead, middle, behind], axis=1)
+
+
+def limit_weight(n, u):
+    """the fraction is upside down"""
+    return 1 / (n + 8 * u / 3)
+
+
+def limit_weight(n, u):
+    """it is multiplied by u instead of divided"""
+    return 1 / (n + 3 / 8 * u)
+
+
+def limit_weight(n, u):
+    """the weight of one step is taken for that of the limit"""
+    return u
+
+
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):
+    """the ring's 4 is missing"""
+    u = 1 / (np.maximum(n, 1) * (n + 5))
+    inside = ~np.isin(quads, edges[is_boundary])
+    across = np.roll(quads, 2, axis=1)
+    return join(vertex_rows(edges, is_boundary, u, 1 / 6),
+                pull_entries(quads[inside], across[inside], u[quads[inside]]))
+
+
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):
+    """the boundary has the 1/8 of a step; the limit has 1/6"""
+    u = 1 / (np.maximum(n, 1) * (n + 5))
+    inside = ~np.isin(quads, edges[is_boundary])
+    across = np.roll(quads, 2, axis=1)
+    return join(vertex_rows(edges, is_boundary, 4 * u, 1 / 8),
+                pull_entries(quads[inside], across[inside], u[quads[inside]]))
+
+
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):
+    """a neighbour is taken for the diagonal's end"""
+    u = 1 / (np.maximum(n, 1) * (n + 5))
+    inside = ~np.isin(quads, edges[is_boundary])
+    across = np.roll(quads, 1, axis=1)
+    return join(vertex_rows(edges, is_boundary, 4 * u, 1 / 6),
+                pull_entries(quads[inside], across[inside], u[quads[inside]]))

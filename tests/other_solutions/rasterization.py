@@ -1,9 +1,7 @@
-"""Lab 2 once more: bisection, brute force, complex numbers, and linear systems for areas."""
-import bisect
-
+"""Lab 2 once more: brute force, complex numbers, and linear systems for areas."""
 import numpy as np
 
-from reference.rasterization import CAMERA_PLANE, EDGES, MARGIN, can_be_seen, farthest_first
+from reference.rasterization import CAMERA_PLANE, EDGES, MARGIN
 
 
 def edge_function(p, a, b):
@@ -95,83 +93,31 @@ def cull_back_faces(x, y, w, faces):
     return np.array(kept, int).reshape(-1, 3)
 
 
-def half_planes(x, y, w):
-    planes = np.zeros((4, 3, np.shape(x)[1]))
-    for f in range(np.shape(x)[1]):
-        area = ((x[1, f] - x[0, f]) * (y[2, f] - y[0, f])
-                - (x[2, f] - x[0, f]) * (y[1, f] - y[0, f]))
-        for k, (a, b) in enumerate(EDGES):
-            turned = np.sign(area) * np.sign(w[k, f])
-            end = min(a, b, key=lambda j: (-abs(w[j, f]), x[j, f], y[j, f]))
-            planes[:, k, f] = (turned * (y[a, f] - y[b, f]), turned * (x[b, f] - x[a, f]),
-                               x[end, f], y[end, f])
-    return tuple(planes)
-
-
-def depth_slopes(x, y, z):
-    # The normal of the plane through three points in space.
-    corners = np.stack([x, y, z], -1)
-    with np.errstate(all="ignore"):
-        n_x, n_y, n_z = np.cross(corners[1] - corners[0], corners[2] - corners[0]).T
-        return -n_x / n_z, -n_y / n_z
-
-
 def rasterize_loop(clip, faces, width, height):
     # Face by face, but all pixels at once.
     face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
-    with np.errstate(all="ignore"):
-        z = np.asarray(clip)[:, 2] / w
-    column, row = np.meshgrid(np.arange(width), np.arange(height))
-    for f in np.flatnonzero(can_be_seen(clip, x, y, faces)):
-        corners = farthest_first(np.array(faces[f])[:, None], w)
-        cx, cy, cz = x[corners], y[corners], z[corners]
-        covered = np.ones((height, width), bool)
-        if (w[corners] > 0).all():
-            x0, y0, x1, y1 = bounding_box(np.hstack([cx, cy]), width, height)
-            covered = (column >= x0) & (column < x1) & (row >= y0) & (row < y1)
-        for n_x, n_y, from_x, from_y in zip(*half_planes(cx, cy, w[corners]), strict=True):
-            with np.errstate(all="ignore"):
-                e = n_x * (column + 0.5 - from_x) + n_y * (row + 0.5 - from_y)
-            covered &= (e > 0) | ((e == 0) & is_top_left(n_x, n_y))
-        dz_dx, dz_dy = depth_slopes(cx, cy, cz)
-        with np.errstate(all="ignore"):
-            deep = dz_dx * (column + 0.5 - cx[0]) + (dz_dy * (row + 0.5 - cy[0]) + cz[0])
-            nearer = covered & (deep >= -1) & (deep <= 1) & (deep < depth)
+    p = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), -1)
+    for f, corners in enumerate(np.asarray(faces)):
+        triangle = np.stack([x, y], -1)[corners]
+        if signed_area(triangle) == 0:
+            continue
+        covered = is_covered(p, triangle) | is_covered(p, triangle[::-1])
+        deep = barycentric_coordinates(p, triangle) @ (np.asarray(clip)[corners, 2] / w[corners])
+        nearer = covered & (np.abs(deep) <= 1) & (deep < depth)
         face_index[nearer], depth[nearer] = f, deep[nearer]
     return face_index, depth
-
-
-def first_column(slope, from_x, offset, width):
-    return np.array([
-        float(bisect.bisect_left(range(width), True, key=lambda j: m * (j + 0.5 - x) + c >= 0))
-        for m, x, c in zip(slope, from_x, offset, strict=True)])
-
-
-def row_interval(planes, face, y, width):
-    intervals = np.empty((2, len(face)))
-    for r in range(len(face)):
-        opening, closing = [0], [width]
-        for n_x, n_y, from_x, from_y in zip(*(part[:, face[r]] for part in planes), strict=True):
-            opens = is_top_left(n_x, n_y)
-            sign = 1 if opens else -1
-            offset = n_y * (y[r] - from_y)
-            (opening if opens else closing).append(bisect.bisect_left(
-                range(width), True,
-                key=lambda j: sign * (n_x * (j + 0.5 - from_x) + offset) >= 0))
-        intervals[:, r] = max(opening), min(closing)
-    return tuple(intervals)
 
 
 def barycentric_on_face(px, py, x, y, w):
     return system(px, py, x, y, w)[:, :, 2].T
 
 
-def barycentric_derivatives(px, py, x, y, w):
-    # M b = (0, 0, 1). The sample is in the first two rows of M, times -w.
-    inverse = system(px, py, x, y, w)
-    mean_w = (w.T * inverse[:, :, 2]).sum(-1)
-    return tuple((inverse[:, :, k] * mean_w[:, None]).T for k in range(2))
+def normalize_derivative(dc, b, s, axis=0):
+    # A matrix for each sample: db = (1 - b 1^T) dc / s.
+    dc, b = np.moveaxis(dc, axis, -1), np.moveaxis(b, axis, -1)
+    change = np.einsum("...ij,...j->...i", np.eye(3) - b[..., None], dc)
+    return np.moveaxis(change, -1, axis) / s
 
 
 def system(px, py, x, y, w):

@@ -4,7 +4,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import antialiasing, rasterization, sampling, transforms
+from reference import antialiasing, sampling, scanline, transforms
 
 GOLDEN = np.load("tests/golden/antialias.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
@@ -70,7 +70,7 @@ def soup(rng, behind=False):
 
 
 def drawn(clip, faces, width, height, rng):
-    face_index, depth = rasterization.rasterize(clip, faces, width, height)
+    face_index, depth = scanline.rasterize(clip, faces, width, height)
     return rng.normal(size=(height, width, 2)), face_index, depth
 
 
@@ -233,7 +233,7 @@ def test_a_floor_is_blended_however_it_is_cut_into_faces():
                                 np.stack([k, k + n + 2, k + n + 1], 1)])
         points = np.stack([x, 0 * x, z, np.ones(len(x))], 1)
         clip = transforms.transform(points, clip_from_world)
-        face_index, depth = rasterization.rasterize(clip, faces, 40, 30)
+        face_index, depth = scanline.rasterize(clip, faces, 40, 30)
         colour = (face_index >= 0)[..., None].astype(float)
         opposite = antialiasing.opposite_vertices(faces)
         pictures.append(antialiasing.antialias(colour, face_index, depth, clip, faces, opposite))
@@ -250,7 +250,7 @@ def test_a_seen_vertex_in_the_camera_plane_has_a_gradient():
 
     def gradient(w):
         clip[2, 3] = w
-        face_index, depth = rasterization.rasterize(clip, faces, 16, 12)
+        face_index, depth = scanline.rasterize(clip, faces, 16, 12)
         colour = (face_index >= 0)[..., None].astype(float)
         grad_output = np.arange(192.0).reshape(12, 16, 1) % 7
         arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
@@ -276,16 +276,16 @@ def test_whole_pictures_have_the_gradients_of_central_differences(seed):
     opposite, shades = antialiasing.opposite_vertices(faces), rng.normal(size=(31, 2))
 
     def forward(clip):
-        face_index, depth = rasterization.rasterize(clip, faces, 26, 19)
+        face_index, depth = scanline.rasterize(clip, faces, 26, 19)
         return antialiasing.antialias(shades[face_index], face_index, depth, clip, faces, opposite)
 
     def backward(grad_output, clip):
-        face_index, depth = rasterization.rasterize(clip, faces, 26, 19)
+        face_index, depth = scanline.rasterize(clip, faces, 26, 19)
         arguments = face_index, depth, clip, faces, opposite
         return antialiasing.antialias_backward(grad_output, shades[face_index], *arguments)[1]
 
     def decide(clip):
-        return decisions(*rasterization.rasterize(clip, faces, 26, 19), clip, faces, opposite)
+        return decisions(*scanline.rasterize(clip, faces, 26, 19), clip, faces, opposite)
 
     report = gradcheck(forward, backward, (clip,), decisions=decide, name="antialias by clip")
     assert report.checked > 50
@@ -307,7 +307,7 @@ def test_colours_have_the_gradients_of_central_differences():
 def one_triangle(triangle, width, height):
     """-> its antialiased coverage (height, width), and backward(grad) -> grad_triangle (3, 2)."""
     clip, faces = on_screen(*triangle.T, width, height), np.array([[0, 1, 2]])
-    face_index, depth = rasterization.rasterize(clip, faces, width, height)
+    face_index, depth = scanline.rasterize(clip, faces, width, height)
     colour = (face_index >= 0)[..., None].astype(float)
     arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
 
@@ -372,7 +372,7 @@ def test_why_zero_names_exactly_what_has_no_gradient(seed):
 def test_why_zero_tells_the_reasons_apart():
     """Another reason than the true one, in scenes made for one reason each."""
     def reasons(clip, faces, width=8, height=6):
-        face_index, depth = rasterization.rasterize(clip, faces, width, height)
+        face_index, depth = scanline.rasterize(clip, faces, width, height)
         opposite = antialiasing.opposite_vertices(faces)
         pixel, vertex = antialiasing.why_zero(face_index, depth, clip, faces, opposite)
         names = antialiasing.REASONS
@@ -406,7 +406,7 @@ def test_too_many_edges_in_one_pixel_are_found():
     corners = np.stack([np.stack([x0, x1, x1, x0], 1), np.stack([y0, y0, y1, y1], 1)], -1)
     clip = on_screen(*corners.reshape(-1, 2).T, 5, 6)
     faces = (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
-    face_index, depth = rasterization.rasterize(clip, faces, 5, 6)
+    face_index, depth = scanline.rasterize(clip, faces, 5, 6)
     colour = (face_index >= 0)[..., None].astype(float)
     rest = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
     output = antialiasing.antialias(colour, *rest)[..., 0]

@@ -4,7 +4,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import interpolation, rasterization, transforms
+from reference import interpolation, rasterization, scanline, transforms
 
 
 def floor(width, height, eye=(0.3, 1.0, 2.0), face_count=2):
@@ -31,7 +31,7 @@ def test_a_pixel_gets_the_point_that_its_ray_meets(eye):
     width, height = 40, 30
     positions, faces, clip, eye, clip_from_world = floor(width, height, eye)
     assert (clip[:, 3] < 0).any() == (eye[2] < 1)
-    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    face_index, _ = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     got = interpolation.interpolate(positions, faces, face_index, barycentric)
     i, j = np.nonzero(face_index >= 0)
@@ -44,7 +44,7 @@ def test_footprints_are_differences_between_neighbouring_rays():
     """dA/dx is per picture and not per pixel, or belongs to another place in the pixel."""
     width, height, h = 40, 30, 1e-4
     positions, faces, clip, eye, clip_from_world = floor(width, height)
-    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    face_index, _ = scanline.rasterize(clip, faces, width, height)
     derivatives = rasterization.barycentrics_derivatives(face_index, clip, faces)
     got = interpolation.interpolate_derivatives(positions, faces, face_index, derivatives)
     i, j = np.nonzero(face_index >= 0)
@@ -60,7 +60,7 @@ def test_screen_weights_corrected_are_the_rasterizers():
     """Lab 2's b of eq. (5) is not eq. (3) of its screen weights and the corners' w."""
     width, height = 40, 30
     _, faces, clip, *_ = floor(width, height, face_count=18)
-    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    face_index, _ = scanline.rasterize(clip, faces, width, height)
     seen = face_index >= 0
     on_screen = rasterization.barycentrics(face_index, clip / clip[:, 3:], faces)[seen]
     w = clip[faces[face_index[seen]], 3]
@@ -99,7 +99,7 @@ def bunny(width, height):
     view = transforms.look_at(np.array([-1.3, 0.7, 2.2]), np.zeros(3), np.array([0.0, 1.0, 0.0]))
     camera = transforms.perspective(0.8, width / height, 0.1, 10.0) @ view
     clip = transforms.transform(transforms.to_homogeneous(vertices), camera)
-    face_index, _ = rasterization.rasterize(clip, faces, width, height)
+    face_index, _ = scanline.rasterize(clip, faces, width, height)
     return vertices, faces, face_index, rasterization.barycentrics(face_index, clip, faces)
 
 

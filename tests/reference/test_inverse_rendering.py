@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import antialiasing, rasterization, texturing, transforms
+from reference import antialiasing, scanline, texturing, transforms
 from reference import inverse_rendering as inverse
 
 WIDTH, HEIGHT = 26, 19
@@ -365,5 +365,5 @@ def test_a_good_scene_is_rendered():
     assert picture.shape == (4, 5, 2)
     picture, _ = inverse.render(**{**GOOD, "width": np.int64(0)})
     assert picture.shape == (4, 0, 2)
-    face_index, _ = rasterization.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
+    face_index, _ = scanline.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
     assert (face_index == -1).all()

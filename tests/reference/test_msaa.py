@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from course.given import mesh
-from reference import msaa, rasterization, transforms
+from reference import msaa, rasterization, scanline, transforms
 
 PATTERNS = {"regular 4": msaa.regular_grid(2),
             **{f"lattice {count}": msaa.standard_pattern(count) for count in (1, 2, 4, 8, 16)}}
@@ -63,7 +63,7 @@ def test_a_regular_grid_is_a_finer_picture(n):
     """The samples are those of another place, or in another order."""
     clip, faces = scene(40, 30)
     face_index, depth = msaa.rasterize_samples(clip, faces, 40, 30, msaa.regular_grid(n))
-    fine_index, fine_depth = rasterization.rasterize(clip, faces, 40 * n, 30 * n)
+    fine_index, fine_depth = scanline.rasterize(clip, faces, 40 * n, 30 * n)
 
     def by_sample(picture):
         return picture.reshape(30, n, 40, n).transpose(1, 3, 0, 2).reshape(n * n, 30, 40)
@@ -209,7 +209,7 @@ def test_with_flat_colours_msaa_is_supersampling():
 def test_barycentrics_at_a_centre_are_those_of_lab_2():
     """Corners, faces or pixels are mixed up."""
     clip, faces = scene(40, 30)
-    face_index, _ = rasterization.rasterize(clip, faces, 40, 30)
+    face_index, _ = scanline.rasterize(clip, faces, 40, 30)
     row, column = np.nonzero(face_index >= 0)
     got = msaa.barycentric_at(column + 0.5, row + 0.5, face_index[row, column], clip, faces, 40, 30)
     expected = rasterization.barycentrics(face_index, clip, faces)[row, column]

@@ -4,7 +4,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import interpolation, neural_renderer, rasterization, transforms
+from reference import interpolation, neural_renderer, rasterization, scanline, transforms
 
 WIDTH, HEIGHT = 23, 17
 BACKGROUND = np.array([0.1, 0.2])
@@ -60,7 +60,7 @@ def test_the_picture_is_that_of_lab_2():
         neural_renderer.corners_of(clip, faces), 64, 48)
     x, y, w = rasterization.screen_points(clip, 64, 48)
     front = rasterization.cull_back_faces(x, y, w, faces)
-    expected, _ = rasterization.rasterize(clip, front, 64, 48)
+    expected, _ = scanline.rasterize(clip, front, 64, 48)
     seen = expected >= 0
     np.testing.assert_array_equal(face_index >= 0, seen)
     same = (faces[face_index[seen]] == front[expected[seen]]).all(1)

@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import rasterization, transforms
+from reference import rasterization, scanline, transforms
 from reference import vertex_gradients as gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
@@ -43,7 +43,7 @@ def scene():
     clip = rng.uniform([-2, -2, -1, 0.5], [2, 2, 1, 2.5], (9, 4))
     clip[[2, 7], 3] = -0.7, -0.4
     faces = np.stack([rng.permutation(9)[:3] for _ in range(12)])
-    face_index, _ = rasterization.rasterize(clip, faces, 13, 9)
+    face_index, _ = scanline.rasterize(clip, faces, 13, 9)
     seen = np.unique(face_index)[1:]
     assert len(seen) >= 3 and (clip[faces[seen], 3] < 0).any()
     return clip, faces, face_index, 13, 9
@@ -70,10 +70,10 @@ def test_depth_has_a_gradient(scene):
     clip, faces, _, width, height = scene
 
     def seen(clip):
-        return rasterization.rasterize(clip, faces, width, height)[0]
+        return scanline.rasterize(clip, faces, width, height)[0]
 
     def depth(clip):
-        depth = rasterization.rasterize(clip, faces, width, height)[1]
+        depth = scanline.rasterize(clip, faces, width, height)[1]
         return np.where(np.isfinite(depth), depth, 0.0)
 
     gradcheck(depth, lambda grad, clip: gradients.depth_backward(grad, seen(clip), clip, faces),
@@ -135,7 +135,7 @@ def test_pixels_without_a_face_and_faces_without_a_pixel_count_for_nothing():
     clip = np.array([[-0.5, -0.5, 0.1, 1.0], [0.6, -0.5, 0.2, 1.0], [0.0, 0.7, 0.3, 1.0],
                      [np.nan, 0.0, 0.0, 1.0], [0.0, 0.0, 0.9, 0.0]])
     faces = np.array([[0, 1, 3], [0, 1, 2], [4, 4, 1]])
-    face_index, _ = rasterization.rasterize(clip[:3], faces[1:2], 8, 6)
+    face_index, _ = scanline.rasterize(clip[:3], faces[1:2], 8, 6)
     face_index = np.where(face_index == 0, 1, -1)
     rng = np.random.default_rng(0)
     upstream = [np.where((face_index >= 0).reshape(6, 8, *[1] * len(shape)),
@@ -205,13 +205,13 @@ def test_a_mesh_moves_along_its_depth():
     clip_from_world = transforms.perspective(0.9, 1.25, 1.0, 9.0) @ view
     points = transforms.to_homogeneous(vertices)
     clip = transforms.transform(points, clip_from_world)
-    face_index, _ = rasterization.rasterize(clip, faces, 50, 40)
+    face_index, _ = scanline.rasterize(clip, faces, 50, 40)
     grad_clip = gradients.depth_backward(np.ones((40, 50)), face_index, clip, faces)
     grad_points, _ = transforms.transform_backward(grad_clip, points, clip_from_world)
 
     def depth(z):
         moved = transforms.transform(points + [0.0, 0.0, z, 0.0], clip_from_world)
-        got, depth = rasterization.rasterize(moved, faces, 50, 40)
+        got, depth = scanline.rasterize(moved, faces, 50, 40)
         np.testing.assert_array_equal(got, face_index)
         return depth[got >= 0].sum()
 

@@ -13,7 +13,8 @@ LEAST = 30  # characters of a line that somebody could copy
 # lecture, or in code that is given: `mesh.edges` is for triangles what 11.1 asks for polygons.
 ELSEWHERE = {
     "a, b = triangle[i], triangle[j]", "for k, (i, j) in enumerate(EDGES):",
-    "face_index[i, j], depth[i, j] = f, d", "x, y = polygon[..., 0], polygon[..., 1]",
+    "face_index = np.full((height, width), -1)", "depth = np.full((height, width), np.inf)",
+    "for f, corners in enumerate(faces):", "x, y = polygon[..., 0], polygon[..., 1]",
     "return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2",
     "for i, j in np.argwhere(face_index >= 0):", "seen = np.flatnonzero(face_index >= 0)",
     "return output.reshape(colour.shape)", "opposite = np.full(faces.shape, -1)",
@@ -62,7 +63,7 @@ def test_no_solution_is_handed_out_but_those_released(handed_out):
 
 def test_labs_lectures_and_checks_are_there(handed_out):
     """A lab without its checks, or lectures of labs that come later."""
-    names = ["transforms", "rasterization", "sampling", "msaa"]
+    names = ["transforms", "rasterization", "scanline", "sampling", "msaa"]
     assert sorted(path.stem for path in handed_out.glob("labs/*.py")) == sorted(names)
     assert sorted(path.stem for path in handed_out.glob("tests/labs/test_*.py")) == sorted(
         f"test_{name}" for name in names)
@@ -77,7 +78,7 @@ def test_labs_lectures_and_checks_are_there(handed_out):
 def test_lectures_import_the_labs(handed_out):
     """A lecture shows the reference's pictures, whatever the student has written."""
     lines = lines_of(handed_out / "notebooks" / "02_rasterization.ipynb")
-    assert {"from labs import rasterization", "from reference import transforms"} <= lines
+    assert {"from labs import rasterization, scanline", "from reference import transforms"} <= lines
     for path in handed_out.glob("notebooks/*.ipynb"):
         imported = [line for line in lines_of(path) if re.match(r"from reference import", line)]
         assert set(imported) <= {"from reference import transforms"}, path

@@ -1,10 +1,13 @@
 """The mistake library: every mistake is caught by its own exercise, and gives its hint."""
+import ast
 import json
+import shutil
 
 import numpy as np
 import pytest
 
 from course import checks
+from course.given import places
 from course.upkeep import mistakes, mutants, skeleton
 
 TOPICS = [topic for topic in skeleton.topics() if mistakes.library(topic)]
@@ -20,6 +23,9 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
     alive = [f"{mistake.exercise.number}: when {mistake.sentence}"
              for mistake, caught in zip(library, verdicts, strict=True) if not caught]
     assert alive == []
+    marks = [(mistake.exercise.number, mark)
+             for mistake, [(_, mark)] in zip(library, verdicts, strict=True) if mark]
+    assert len({*marks}) == len(marks), "two mistakes of an exercise return the same"
     known = checks.known_sentences()
     silent = [f"{mistake.exercise.number}: when {mistake.sentence}"
               for mistake, [(_, mark)] in zip(library, verdicts, strict=True) if mark not in known]
@@ -27,13 +33,72 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
 
 
 @pytest.mark.parametrize("topic", TOPICS)
-def test_every_exercise_has_three_mistakes_with_sentences(topic):
-    """An exercise is left out, or has the same mistake twice."""
-    library = mistakes.library(topic)
-    for exercise in skeleton.topic_exercises(topic):
+def test_every_exercise_has_one_to_three_mistakes_in_its_place(topic):
+    """An exercise is left out or has the same sentence twice; a library grows without end."""
+    library, exercises = mistakes.library(topic), skeleton.topic_exercises(topic)
+    for exercise in exercises:
         sentences = [mistake.sentence for mistake in library if mistake.exercise == exercise]
-        assert len(sentences) >= 3, exercise.number
+        assert 1 <= len(sentences) <= 3, exercise.number
         assert len(set(sentences)) == len(sentences), exercise.number
+    assert [mistake.exercise for mistake in library] == sorted(
+        [mistake.exercise for mistake in library], key=exercises.index)
+
+
+def excused(topic):
+    """{(number, change): the place of the mutant that the topic's list excuses by that name}."""
+    reasons, found = mutants.equivalents(topic), {}
+    for exercise in skeleton.topic_exercises(topic):
+        function = mutants.function_of(topic, exercise)
+        listed = mutants.listed(exercise, function, reasons)
+        keys = [mutants.nameless(mutant.change, function)
+                for mutant in (mutants.mutants(function) if listed else ())]
+        found |= {(exercise.number, change): keys.index(key) for key, change in listed.items()}
+    assert found.keys() == reasons.keys()
+    return found
+
+
+def a_variable(function):
+    """One of a function's own names that is used, and [(line, column)] of all its places.
+
+    Rather not width: its mutant height is made because of the name.
+    """
+    nodes = [node for node in ast.walk(function) if isinstance(node, (ast.Name, ast.arg))]
+    kept = mutants.foreign_names(function) | {
+        node.name for node in ast.walk(function) if isinstance(node, ast.FunctionDef)}
+    name = min((node.id for node in nodes if isinstance(node, ast.Name)
+                and isinstance(node.ctx, ast.Load) and node.id not in kept),
+               key=mutants.TWIN.__contains__)
+    return name, [(node.lineno - 1, node.col_offset) for node in nodes
+                  if name in (getattr(node, "id", ""), getattr(node, "arg", ""))]
+
+
+def with_other_names(text, names):
+    """The text of a reference, in which a variable of each of its exercises is called otherwise."""
+    functions = [node for node in skeleton.top_level_functions(text) if node.name in names]
+    changes = sorted((place, name) for name, found in map(a_variable, functions) for place in found)
+    lines = [line.encode("utf-8") for line in skeleton.text_lines(text)]
+    for (line, start), name in reversed(changes):
+        end = start + len(name)
+        assert lines[line][start:end] == name.encode()
+        lines[line] = lines[line][:end] + b"_longer_than_before" + lines[line][end:]
+    return b"".join(lines).decode("utf-8")
+
+
+def test_a_variable_of_the_reference_may_get_another_name(tmp_path, monkeypatch):
+    """One in each exercise does, and a mistake is lost, or an excuse goes to another mutant."""
+    before = {topic: (mistakes.library(topic), excused(topic)) for topic in TOPICS}
+    shutil.copytree(places.ROOT / "tests" / "mistakes", tmp_path / "tests" / "mistakes")
+    (tmp_path / "reference").mkdir()
+    for topic in TOPICS:
+        old = skeleton.read(skeleton.reference(topic))
+        names = {exercise.name for exercise in skeleton.topic_exercises(topic)}
+        new = with_other_names(old, names)
+        changed = {one.name for one, other in zip(*map(skeleton.top_level_functions, (old, new)),
+                                                  strict=True) if ast.dump(one) != ast.dump(other)}
+        assert changed == names
+        (tmp_path / "reference" / f"{topic}.py").write_text(new, encoding="utf-8")
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    assert {topic: (mistakes.library(topic), excused(topic)) for topic in TOPICS} == before
 
 
 def test_no_sentence_is_of_a_mistake_that_is_no_more():
@@ -79,23 +144,25 @@ def test_other_numbers_have_another(one, other):
     assert checks.fingerprint("test", one) != checks.fingerprint("test 2", one)
 
 
-def test_a_row_that_does_not_fit_to_the_reference_is_told(house, run_module):
-    """The reference was changed, and the mistake is the right answer."""
+def test_a_mistake_that_is_no_exercise_or_says_nothing_is_told(house, run_module):
+    """A typing error, and a mistake is tried in no place; or one that passes goes unseen."""
     reference = 'def double(x):  # exercise 1.1 (1 point)\n    """2 x."""\n    return 2 * x\n'
     check = ('from course.checks import assert_close, exercise\n\n\n@exercise("1.1")\n'
              'def test_two(impl):\n    assert_close(impl.double(0.0), 0.0)\n')
 
-    def tried(rows):
+    def tried(text):
         root = house({"reference/transforms.py": reference, "tests/labs/test_transforms.py": check,
-                      "tests/mistakes/transforms.py": f"MISTAKES = {rows!r}\n",
-                      "course/given/data/README.md": ""})
+                      "tests/mistakes/transforms.py": text, "course/given/data/README.md": ""})
         return run_module(root, "course", "mistakes")
 
-    assert tried({"1.1": [("3 * x", "2 * x", "tripled")]}).stderr == (
-        'course: tests/mistakes/transforms.py: exercise 1.1 does not say "3 * x" any more; '
-        "write what the reference says now\n")
-    assert "names exercise 1.2, and there is none" in tried({"1.2": []}).stderr
-    alive = tried({"1.1": [("2 * x", "3 * x", "it is tripled"), ("* x", "+ x", "it is added")]})
+    assert tried('def dubble(x):\n    """tripled"""\n    return 3 * x\n').stderr == (
+        "course: tests/mistakes/transforms.py, line 1: dubble is no exercise of transforms; "
+        "give it the name of one\n")
+    assert tried("\ndef double(x):\n    return 3 * x\n").stderr == (
+        "course: tests/mistakes/transforms.py, line 2: double has no docstring; write there what "
+        'goes on after "this is what comes out when"\n')
+    alive = tried('def double(x):\n    """it is\n    tripled"""\n    return 3 * x\n\n\n'
+                  'def double(y):\n    """it is added"""\n    return 2 + y\n')
     assert alive.returncode == 1
     assert "1.1 is not caught: when it is tripled\n    def double(x):" in alive.stdout
     assert "it is added" not in alive.stdout

@@ -63,7 +63,7 @@ def test_every_change_is_made_once_in_the_order_of_the_text():
 def test_every_mutant_is_another_function_and_only_one_place_is_changed():
     """A mutant is the function itself, or keeps the change of the one before."""
     texts = [mutant.text for mutant in made(FUNCTION)]
-    right = ast.unparse(ast.parse(FUNCTION)).splitlines()
+    right = [line for line in ast.unparse(ast.parse(FUNCTION)).splitlines() if '"""' not in line]
     assert len({*texts}) == len(texts) and "\n".join(right) not in texts
     for text in texts:
         lines = text.splitlines()
@@ -84,6 +84,18 @@ def test_the_same_change_in_two_places_has_two_names():
     """A reason for one of them excuses the other."""
     assert [mutant.change for mutant in made('def f(x):\n    "?"\n    return g(x + 1) * x + 1\n')
             if mutant.change.startswith("1 -> 2")] == ["1 -> 2", "1 -> 2 (#2)"]
+    assert [mutant.change for mutant in made('def f(x, y):\n    "?"\n    return g(x < y, y < x)\n')
+            if "<=" in mutant.change] == ["x < y -> x <= y", "y < x -> y <= x (#2)"]
+
+
+def test_a_change_is_the_same_whatever_the_variables_are_called():
+    """A name is taken away with the variables: of a function, an attribute, an argument's."""
+    function = ast.parse('def f(x, n):\n    "?"\n    y = x.n + g(x, n=2)\n    return y\n').body[0]
+    assert mutants.nameless("y + g(x, n=2) -> y.n (#2)", function) == (
+        "v1 + g ( v2 , n= 2 ) - > v1 .n ( # 2 )")
+    assert mutants.nameless("other + g(a, n=2) -> other.n (#2)", function) == (
+        mutants.nameless("y + g(x, n=2) -> y.n (#2)", function))
+    assert mutants.nameless("y -> g", function) != mutants.nameless("y -> x", function)
 
 
 REFERENCE = '''\
@@ -136,8 +148,8 @@ def test_it_is_there(impl):
 '''
 
 FILES = {"reference/transforms.py": REFERENCE, "tests/labs/test_transforms.py": CHECKS,
-         "tests/mistakes/equivalent_mutants.txt":
-         "# a comment\n1.3  x > 0 -> x >= 0\n      At 0 both give 0,\n      as numbers.\n"
+         "tests/mistakes/transforms.txt":
+         "# a comment\n1.3  t > 0 -> t >= 0\n      At 0 both give 0,\n      as numbers.\n"
          "1.3  no such change\n      For no reason.\n"}
 
 
@@ -187,12 +199,13 @@ def test_a_reference_that_fails_is_told(house, run_module):
 
 def test_an_equivalent_mutant_has_a_reason(monkeypatch, tmp_path):
     """Survivors are excused by a list of names."""
-    path = tmp_path / "tests" / "mistakes" / "equivalent_mutants.txt"
+    path = tmp_path / "tests" / "mistakes" / "transforms.txt"
     path.parent.mkdir(parents=True)
     path.write_text("1.1  a -> b\n1.2  c -> d\n      Both.\n      Of them.\n1.3  e -> f\n")
     monkeypatch.setattr(places, "ROOT", tmp_path)
     with pytest.raises(ValueError, match="e -> f has no reason below it"):
-        mutants.equivalents()
+        mutants.equivalents("transforms")
     path.write_text(path.read_text() + "      Why.\n")
-    assert mutants.equivalents() == {("1.1", "a -> b"): "Both. Of them.",
-                                     ("1.2", "c -> d"): "Both. Of them.", ("1.3", "e -> f"): "Why."}
+    assert mutants.equivalents("transforms") == {
+        ("1.1", "a -> b"): "Both. Of them.", ("1.2", "c -> d"): "Both. Of them.",
+        ("1.3", "e -> f"): "Why."}

@@ -1,0 +1,272 @@
+"""Scanlines: whole meshes at once, exact on every shared edge, also behind the camera.
+
+Corners are rows of (3, F) arrays. c of rasterization.py decides, with any sign of w:
+
+    seen    <=>  every c_k = e_k / (2A w_k) >= 0                                             (1)
+            <=>  every n . (p - from) >= 0: three half-planes, without positive factors      (2)
+    depth   =    z_0 + dz/dx (x - x_0) + dz/dy (y - y_0),   z_k = z / w of the corner        (3)
+
+So a face is an intersection of three half-planes, also where it crosses the camera plane. Nothing
+is clipped, and on a row of pixels it covers one interval: start <= column < end.
+
+Watertight: the two faces at an edge compute the same e with opposite sign, to the last bit, and e
+is exactly 0 at its ends. Only faces thinner than rounding (1e-15 of their length) can lose or
+double a sample. Hardware rounds all vertices to 1/256 pixel before.
+
+Sources: Olano and Greer 1997 (1), lecture "Differentiable graphics 1" (3).
+"""
+from typing import NamedTuple
+
+import numpy as np
+
+from .rasterization import CHUNK, EDGES, MARGIN, bounding_box, is_top_left, screen_points
+
+TINY = 1e-300  # stands for a slope of 0 in a division
+
+
+def twice_area(x, y):
+    """2A of triangles, x, y (3, F): positive if counter-clockwise -> (F,)."""
+    return (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
+
+
+def half_planes(x, y, w):  # exercise 2.11 (4 points)
+    """Eq. (2): n_x, n_y, from_x, from_y, each (3, F), such that
+
+        c_k >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
+
+    x, y, w (3, F), finite: the faces' corners, row k of corner k. (n_x[k], n_y[k]) is the normal
+    of the edge opposite to corner k, times the sign of w_k and the sign of the given `twice_area`.
+    (from_x[k], from_y[k]) is one end of that edge.
+
+    >>> corners = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 2.0], [1.0, -2.0, 1.0]])
+    >>> n_x, n_y, from_x, from_y = half_planes(*corners[..., None])
+    >>> n_x.T, n_y.T
+    (array([[-2., -2.,  0.]]), array([[-3.,  1.,  4.]]))
+    >>> from_x.T, from_y.T
+    (array([[4., 0., 4.]]), array([[0., 0., 0.]]))
+
+    Fine print. Both faces at an edge measure from the same end: the one of greater |w| (the other
+    may be near infinity), of equal |w| that of smaller x, of equal x that of smaller y.
+    """
+    raise NotImplementedError("exercise 2.11: half_planes")
+
+
+def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
+    """Eq. (3): dz_dx, dz_dy, each (F,), with depth = z[0] + dz_dx (x - x[0]) + dz_dy (y - y[0]).
+
+    x, y, z (3, F): the faces' corners, z after the divide.
+
+    >>> depth_slopes(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
+    (array([0.1]), array([0.]))
+
+    Fine print. Corner 0 is the best one to measure from. Of equal z, both slopes are exactly 0. A
+    face without area gets inf or nan, and nothing is raised.
+    """
+    raise NotImplementedError("exercise 2.12: depth_slopes")
+
+
+def can_be_seen(clip, x, y, faces):
+    """Which faces have corners that are finite and not all beyond one plane of the view frustum.
+
+    clip (V, 4); x, y (V,) of `screen_points`; faces (F, 3) -> bool (F,).
+    """
+    clip_x, clip_y, z, w = clip.T
+    beyond = clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0
+    # One bit for each plane, and the last bit is 1 for a vertex that is finite.
+    outcode = np.packbits([*beyond, np.isfinite(x + y + z + w)], axis=0)[0]
+    k0, k1, k2 = faces.T
+    return outcode[k0] & outcode[k1] & outcode[k2] == 1
+
+
+def farthest_first(corners, w):
+    """The corners (3, F) of faces, the one of greatest |w| swapped to the front; w (V,).
+
+    It lies best on screen. Where w is nearly 0, x, y and z / w are nearly infinite.
+    """
+    first, second, third = corners
+    swap = np.abs(w[second]) > np.abs(w[first])
+    first, second = np.where(swap, second, first), np.where(swap, first, second)
+    swap = np.abs(w[third]) > np.abs(w[first])
+    return np.stack([np.where(swap, third, first), second, np.where(swap, first, third)])
+
+
+class Triangles(NamedTuple):
+    """What decides where faces are seen: their `half_planes`, and eq. (3) from corner 0."""
+
+    planes: tuple      # n_x, n_y, from_x, from_y, (3, F) each
+    x: np.ndarray      # (F,), like the rest
+    y: np.ndarray
+    z: np.ndarray
+    dz_dx: np.ndarray
+    dz_dy: np.ndarray
+
+
+def triangle_setup(x, y, z, w, faces):
+    """The Triangles of faces (F, 3); x, y, w (V,) of `screen_points`, z (V,) after the divide."""
+    corners = farthest_first(faces.T, w)
+    x, y, z = x[corners], y[corners], z[corners]
+    return Triangles(half_planes(x, y, w[corners]), x[0], y[0], z[0], *depth_slopes(x, y, z))
+
+
+def half_plane_loop(clip, faces, width, height):
+    """Eq. (2), face by face, with all pixels at once and a z-buffer. Slow and obvious.
+
+    clip (V, 4), faces (F, 3) -> face_index, depth (height, width), as `rasterize` gives them. A
+    face in front of the camera covers only pixels of its `bounding_box`.
+    """
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    px = np.arange(width) + 0.5
+    py = np.arange(height)[:, None] + 0.5
+    x, y, w = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    setup = triangle_setup(x, y, clip[:, 2] / w, w, faces)
+    for f in np.flatnonzero(can_be_seen(clip, x, y, faces)):
+        covered = np.full((height, width), (w[faces[f]] <= 0).any())
+        if not covered.all():
+            x0, y0, x1, y1 = bounding_box(points[faces[f]], width, height)
+            covered[y0:y1, x0:x1] = True
+        for n_x, n_y, from_x, from_y in np.stack(setup.planes)[:, :, f].T:
+            e = n_x * (px - from_x) + n_y * (py - from_y)
+            covered &= (e > 0) | ((e == 0) & is_top_left(n_x, n_y))
+        z = setup.dz_dx[f] * (px - setup.x[f]) + (setup.dz_dy[f] * (py - setup.y[f]) + setup.z[f])
+        nearer = covered & (np.abs(z) <= 1) & (z < depth)
+        face_index[nearer], depth[nearer] = f, z[nearer]
+    return face_index, depth
+
+
+def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
+    """The least column j with slope (j + 0.5 - from_x) + offset >= 0.
+
+    slope (R,) > 0, from_x, offset (R,), finite -> j (R,), whole numbers from 0 to width as floats.
+    It is width where there is none.
+
+    >>> zero = np.zeros(3)
+    >>> first_column(np.array([2.0, 2.0, 2.0]), zero, np.array([-3.0, -3.1, -99.0]), 8)
+    array([1., 2., 8.])
+
+    Fine print. A quotient finds the place, but is rounded differently from this sum, which has the
+    last word. For |from_x| < 1e14 the two are never more than one column apart.
+    """
+    raise NotImplementedError("exercise 2.14: first_column")
+
+
+def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
+    """The columns start <= j < end that a face covers on a row of pixels.
+
+    planes: n_x, n_y, from_x, from_y of `half_planes`, each (3, F); face (R,), y (R,): a row of
+    pixels, its centres at y, of face number face -> start, end (R,) floats from 0 to width,
+    start >= end if nothing is covered. An edge that `is_top_left` opens the interval at the first
+    column with e >= 0. Any other ends it at the first column with -e >= 0.
+
+    >>> corners = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 4.0], [1.0, 1.0, 1.0]])
+    >>> row_interval(half_planes(*corners[..., None]), np.array([0, 0]), np.array([0.5, 2.5]), 8)
+    (array([0., 0.]), array([3., 1.]))
+
+    Fine print. The e of a horizontal edge is one number on the whole row, so that `first_column` is
+    0 or width. With n = 0, e is 0: it ends the interval at 0.
+    """
+    raise NotImplementedError("exercise 2.15: row_interval")
+
+
+def expand(start, count):
+    """Ranges, one after the other: start [7, 0, 4], count [2, 0, 3] -> owner [0, 0, 2, 2, 2] and
+    number [7, 8, 4, 5, 6].
+    """
+    owner = np.repeat(np.arange(len(count)), count)
+    return owner, np.arange(len(owner)) + (start - (np.cumsum(count) - count))[owner]
+
+
+def chunks(count):
+    """Slices of count, each with a sum of at most CHUNK (or of one element that is larger)."""
+    total, start = np.cumsum(count), 0
+    while start < len(count):
+        done = total[start - 1] if start else 0
+        end = max(start + 1, np.searchsorted(total, done + CHUNK, "right"))
+        yield slice(start, end)
+        start = end
+
+
+def sample_range(position, in_front, faces, size):
+    """`bounding_box` in one direction, of all faces: first (F,), end (F,) columns (or rows).
+
+    position (V,): x (or y) on screen, valid where in_front (V,). A face with a vertex that is not
+    gets the whole range, 0 to size.
+    """
+    position = np.clip(position, 0, size)
+    low = np.where(in_front, np.ceil(position - (0.5 + MARGIN)), 0).astype(np.int32)
+    high = np.where(in_front, np.floor(position + (0.5 + MARGIN)), size).astype(np.int32)
+    k0, k1, k2 = faces.T
+    first = np.minimum(np.minimum(low[k0], low[k1]), low[k2])
+    return first, np.maximum(np.maximum(high[k0], high[k1]), high[k2])
+
+
+class Spans(NamedTuple):
+    """Runs of pixels that faces cover on rows, (N,) each: the columns start <= j < end of a row.
+
+    The face's depth there is slope (x - from_x) + offset.
+    """
+
+    face: np.ndarray
+    row: np.ndarray
+    start: np.ndarray
+    end: np.ndarray
+    slope: np.ndarray
+    from_x: np.ndarray
+    offset: np.ndarray
+
+
+def spans(clip, faces, width, height):
+    """All Spans of all faces, the last face first, in chunks."""
+    x, y, w = screen_points(clip, width, height)
+    z = clip[:, 2] / w
+    left, right = sample_range(x, w > 0, faces, width)
+    bottom, top = sample_range(y, w > 0, faces, height)
+    drawn = can_be_seen(clip, x, y, faces) & (left < right) & (bottom < top)
+    drawn = np.flatnonzero(drawn)[::-1]
+    for part in (drawn[part] for part in chunks((top - bottom)[drawn])):
+        setup = triangle_setup(x, y, z, w, faces[part])
+        face, row = expand(bottom[part], (top - bottom)[part])
+        start, end = row_interval(setup.planes, face, row + 0.5, width)
+        start = np.maximum(start, left[part][face])
+        end = np.minimum(end, right[part][face])
+        covered = np.flatnonzero(start < end)
+        face, row = face[covered], row[covered]
+        start, end = start[covered].astype(int), end[covered].astype(int)
+        offset = setup.dz_dy[face] * (row + 0.5 - setup.y[face]) + setup.z[face]
+        yield Spans(part[face], row, start, end, setup.dz_dx[face], setup.x[face], offset)
+
+
+def fragments(clip, faces, width, height):
+    """Every sample that every face covers: yields pixel (N,) = row * width + column, depth (N,) and
+    face (N,) in chunks. The last face comes first: whoever writes last then keeps the first.
+    """
+    for found in spans(clip, faces, width, height):
+        for part in chunks(found.end - found.start):
+            piece = Spans(*(values[part] for values in found))
+            span, column = expand(piece.start, piece.end - piece.start)
+            depth = piece.slope[span] * (column + 0.5 - piece.from_x[span]) + piece.offset[span]
+            pixel = (piece.row * width)[span] + column
+            face = piece.face[span]
+            seen = np.abs(depth) <= 1  # between near and far
+            if not seen.all():
+                pixel, depth, face = pixel[seen], depth[seen], face[seen]
+            yield pixel, depth, face
+
+
+def rasterize(clip, faces, width, height):
+    """What each pixel sees: the picture of `half_plane_loop`, bit for bit, for whole meshes.
+
+    clip (V, 4), faces (F, 3) integers from 0 to V - 1 -> face_index (height, width), -1 where no
+    face is seen; depth (height, width), z/w from -1 to 1, np.inf there. Both sides of a face are
+    seen. Any w, also of vertices behind the camera. Faces with vertices that are not finite are
+    left out.
+    """
+    face_index = np.full(height * width, -1)
+    depth = np.full(height * width, np.inf)
+    with np.errstate(all="ignore"):  # faces without an area cover nothing
+        for pixel, z, face in fragments(clip, faces, width, height):
+            np.minimum.at(depth, pixel, z)
+            seen = np.flatnonzero(z == depth[pixel])
+            face_index[pixel[seen]] = face[seen]  # the last write stays: the first of equally deep
+    return face_index.reshape(height, width), depth.reshape(height, width)

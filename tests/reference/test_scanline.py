@@ -1,0 +1,480 @@
+"""Whole pictures of lab 2: the fast rasterizer, and the loop that it equals to the bit."""
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from course.checks import assert_close, assert_equal, assert_picture
+from course.given import mesh
+from reference import rasterization, scanline, transforms
+
+GOLDEN = np.load(Path(__file__).parent.parent / "golden" / "rasterize.npz")
+SCENES = sorted({key.split("/")[0] for key in GOLDEN})
+
+
+def golden(scene):
+    return [GOLDEN[f"{scene}/{key}"] for key in
+            ("clip", "faces", "face_index", "uv", "depth", "derivatives")]
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_pictures_are_those_of_nvdiffrast(scene):
+    """Another face, depth, weight or derivative than nvdiffrast's kernels give; tolerances are
+    those measured between its kernels in 32 and 64 bits (tests/golden/README.md)."""
+    clip, faces, expected, uv, depth, derivatives = golden(scene)
+    clip, faces = clip.astype(float), faces.astype(int)
+    face_index, got_depth = scanline.rasterize(clip, faces, *expected.shape[::-1])
+    np.testing.assert_array_equal(face_index, expected)
+    seen = expected >= 0
+    np.testing.assert_allclose(got_depth[seen], depth[seen], rtol=0, atol=2e-5)
+    barycentric = rasterization.barycentrics(face_index, clip, faces)
+    np.testing.assert_allclose(barycentric[..., :2], uv, rtol=0, atol=1e-4)
+    got = rasterization.barycentrics_derivatives(face_index, clip, faces)[:, :, :2]
+    np.testing.assert_allclose(got, derivatives, rtol=0, atol=3e-5 * np.abs(derivatives).max())
+
+
+def bits(pictures):
+    return [picture.tobytes() for picture in pictures]
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_whole_meshes_and_the_loop_agree_to_the_bit(seed):
+    """A pixel at an edge, a tie in depth or a face at the camera plane goes to another face."""
+    rng = np.random.default_rng(seed)
+    clip = rng.uniform([-2, -2, -1.5, -1], [2, 2, 1.5, 2], (60, 4))
+    faces = rng.integers(0, 60, (80, 3))
+    if seed % 2:  # vertices on pixel centres and corners, faces upon each other
+        clip = np.round(clip * 8) / 8
+        clip[:, 3] = 1 if seed < 4 else clip[:, 3]
+        faces[40:] = faces[:40, ::-1]
+    with np.errstate(all="ignore"):
+        loop = scanline.half_plane_loop(clip, faces, 16, 24)
+    assert (loop[0] >= 0).sum() > 100
+    assert bits(scanline.rasterize(clip, faces, 16, 24)) == bits(loop)
+
+
+def tips(rng, w):
+    """Faces up to 1e9 pixels long and far thinner than one, their tips aimed at pixel centres."""
+    tip, length = rng.integers(0, 8, (12, 2)) + 0.5, 10.0 ** rng.uniform(5, 9, (12, 1))
+    angle = rng.uniform(0, 2 * np.pi, (12, 1))
+    along = np.concatenate([np.cos(angle), np.sin(angle)], 1)
+    across = along[:, ::-1] * [-1, 1] * length * 10.0 ** rng.uniform(-12, -6, (12, 1))
+    tip -= along * rng.uniform(-0.5, 0.5, (12, 1))
+    corners = np.stack([tip, tip + along * length, tip + 0.7 * along * length + across], 1)
+    x, y = corners.reshape(-1, 2).T
+    return on_screen(x, y, 8, 8) * np.tile(w, 12)[:, None]
+
+
+def slivers(rng):
+    """Corners on a line through pixel centres, but for the last bits."""
+    start, step = rng.integers(0, 8, (12, 1, 2)) + 0.5, rng.integers(-3, 4, (12, 1, 2))
+    corners = start + step * rng.permutation(3)[None, :, None]
+    x, y = (corners + rng.integers(-3, 4, corners.shape) * 2.0 ** -50).reshape(-1, 2).T
+    return on_screen(x, y, 8, 8)
+
+
+def in_camera_plane(rng):
+    """One corner of each face with w = 0, others behind and in front."""
+    clip = rng.normal(size=(36, 4))
+    clip[::3, 3] = 0
+    return clip
+
+
+def small_w(rng):
+    """Corners on both sides of the camera plane and very near to it."""
+    clip = rng.normal(size=(36, 4))
+    clip[:, 3] *= 10.0 ** rng.uniform(-14, 0, 36)
+    return clip
+
+
+def in_near_plane(rng):
+    """z = w but for the last bit."""
+    clip = rng.uniform([-2, -2, 0, 0.3], [2, 2, 0, 2], (36, 4))
+    clip[:, 2] = -clip[:, 3] * (1 + rng.integers(-1, 2, 36) * 2.0 ** -52)
+    return clip
+
+
+def broken(rng):
+    """Numbers that are not finite, or become so on screen."""
+    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (36, 4))
+    clip[rng.integers(0, 36, 9), rng.integers(0, 4, 9)] = rng.choice([np.nan, np.inf, 1e308], 9)
+    return clip
+
+
+HOSTILE = {"tips": lambda rng: tips(rng, [1, 1, 1]), "tips, w": lambda rng: tips(rng, [.5, 1, 1.5]),
+           **{make.__name__: make for make in (slivers, in_camera_plane, small_w, in_near_plane,
+                                               broken)}}
+
+
+@pytest.mark.parametrize("make", HOSTILE.values(), ids=HOSTILE)
+def test_hostile_faces_agree_with_the_loop_to_the_bit(make):
+    """The loop and the rows bound a face differently, or take another w, end or corner for it."""
+    faces = np.arange(36).reshape(12, 3)
+    seen = 0
+    for seed in range(60):
+        clip = make(np.random.default_rng(seed))
+        with np.errstate(all="ignore"):
+            loop = scanline.half_plane_loop(clip, faces, 8, 8)
+        assert bits(scanline.rasterize(clip, faces, 8, 8)) == bits(loop), f"seed {seed}"
+        seen += (loop[0] >= 0).sum()
+    assert seen > 100
+
+
+@pytest.mark.parametrize("unit", [1e-13, 1.0, 1e5])
+@pytest.mark.parametrize("near", [-1e-17, 0.0, 1e-17, 1e-12, 1e-9, 1e-5, 1.0])
+def test_the_order_of_corners_changes_nothing(near, unit):
+    """A floor that begins below the camera: measured from the wrong corner, it vanishes."""
+    floor = np.array([[-4.9, -1, -near], [4.9, -1, -near], [4.9, -1, -10], [-4.9, -1, -10]])
+    clip = unit * transforms.transform(transforms.to_homogeneous(floor),
+                                       transforms.perspective(np.pi / 2, 1.0, 0.01, 100.0))
+    px, py = (np.stack(np.meshgrid(np.arange(64), np.arange(64))) + 0.5) / 32 - 1
+    w = -1 / py
+    expected = (w > near) & (w < 10) & (np.abs(px * w) < 4.9)
+    for turn in range(3):
+        faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
+        face_index, depth = scanline.rasterize(clip, faces, 64, 64)
+        np.testing.assert_array_equal(face_index >= 0, expected)
+        barycentric = rasterization.barycentrics(face_index, clip, faces)
+        corners = clip[faces[face_index[expected]]]
+        at = (barycentric[expected][..., None] * corners).sum(1)
+        # the point on the face projects back to its pixel and its depth
+        np.testing.assert_allclose(at[:, 0] / at[:, 3], px[expected], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(at[:, 1] / at[:, 3], py[expected], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(at[:, 2] / at[:, 3], depth[expected], rtol=0, atol=1e-9)
+
+
+def test_a_corner_beside_the_camera_loses_no_face():
+    """Corners whose w is all rounding, as where a floor begins beside a camera that is turned."""
+    rng = np.random.default_rng(0)
+    for _ in range(50):
+        eye, look = rng.normal(size=(2, 3))
+        view = transforms.look_at(eye, eye + look, np.array([0.0, 1.0, 0.0]))
+        world_from_view = np.linalg.inv(view)
+        floor = np.array([[-4.9, -1, 0], [4.9, -1, 0], [4.9, -1, -10], [-4.9, -1, -10]])
+        corners = transforms.transform(transforms.to_homogeneous(floor), world_from_view)
+        clip = transforms.transform(corners, transforms.perspective(np.pi / 2, 1, 0.01, 100) @ view)
+        face_index, _ = scanline.rasterize(clip, np.array([[0, 1, 2], [0, 2, 3]]), 32, 32)
+        px, py = (np.stack(np.meshgrid(np.arange(32), np.arange(32))) + 0.5) / 16 - 1
+        w = -1 / py
+        expected = (w > 0) & (w < 10) & (np.abs(px * w) < 4.9)
+        np.testing.assert_array_equal(face_index >= 0, expected)
+
+
+def test_a_face_ten_million_pixels_wide_is_seen_at_any_size():
+    """A legitimate face counts as beyond floating point."""
+    clip = np.array([[-5e6, -5e6, 0, 1], [5e6, -5e6, 0, 1], [0, 1e7, 0, 1.0]])
+    for size in (8, 512):
+        assert (scanline.rasterize(clip, np.array([[0, 1, 2]]), size, size)[0] == 0).all()
+
+
+def test_a_vertical_edge_of_equal_w_is_watertight():
+    """Each face at the edge measures it from its own end: the far one has lost its digits."""
+    clip = np.array([[0, -0.9, 0, 1], [0, 1e9, 0, 1], [-1, -0.9, 0, 1], [1, -0.9, 0, 1]])
+    counts = coverage(clip, np.array([[0, 1, 2], [1, 0, 3]]), 16, 16)
+    np.testing.assert_array_equal(counts, np.where(np.arange(16)[:, None] > 0, 1, 0) + 0 * counts)
+
+
+def test_single_precision_is_taken_for_what_it_is():
+    """Vertices in 32 bits are computed with in 32 bits."""
+    clip, faces = golden("cube_64x64")[:2]
+    assert bits(scanline.rasterize(clip.astype(np.float32), faces, 64, 64)) \
+        == bits(scanline.rasterize(clip.astype(float), faces, 64, 64))
+
+
+def test_chunks_change_nothing(monkeypatch):
+    """A face or a row is lost or seen twice where one chunk ends and the next begins."""
+    vertices, faces = mesh.torus(2000)
+    view = transforms.translate(np.array([0.0, 0.0, -3.0]))
+    projection = transforms.perspective(1.0, 1.0, 1.0, 9.0)
+    clip = transforms.transform(transforms.to_homogeneous(vertices), projection @ view)
+    whole = scanline.rasterize(clip, faces, 90, 70)
+    for size in (1, 100, 4000):
+        monkeypatch.setattr(scanline, "CHUNK", size)
+        assert bits(scanline.rasterize(clip, faces, 90, 70)) == bits(whole)
+
+
+def on_screen(x, y, width, height):
+    """Clip positions of screen points, w = 1."""
+    ones = np.ones_like(x)
+    return np.stack([2 * x / width - 1, 2 * y / height - 1, 0 * ones, ones], -1)
+
+
+def coverage(clip, faces, width, height):
+    """How many faces cover each sample."""
+    counts = np.zeros(width * height, int)
+    for pixel, _, _ in scanline.fragments(clip, faces, width, height):
+        np.add.at(counts, pixel, 1)
+    return counts.reshape(height, width)
+
+
+def test_ten_thousand_shared_edges_are_watertight():
+    """A hole or a double hit along an edge: 10,000 quadrangles of two faces, each in its own 8 x 8
+    pixels, half of them with corners on pixel centres."""
+    rng = np.random.default_rng(1)
+    cells = np.stack(np.meshgrid(np.arange(100), np.arange(100)), -1).reshape(-1, 1, 2) * 8.0
+    angle = (np.arange(4) + rng.uniform(0.1, 0.9, (10000, 4))) * np.pi / 2
+    corners = 4 + 3.9 * np.stack([np.cos(angle), np.sin(angle)], -1)
+    corners[::2] = np.floor(corners[::2]) + 0.5
+    x, y = np.moveaxis(cells + corners, -1, 0)
+    quads = np.arange(40000).reshape(-1, 4)
+    counts = coverage(on_screen(x.ravel(), y.ravel(), 1024, 1024),
+                      np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]), 1024, 1024)
+    assert counts.max() == 1
+
+    # Inside all four sides, to rounding: every sample of the quadrangle must have its face.
+    p = np.stack(np.meshgrid(np.arange(800), np.arange(800)), -1) + 0.5
+    p = p.reshape(100, 8, 100, 8, 2).swapaxes(1, 2).reshape(10000, 64, 2)
+    a = (cells + corners)[:, None]
+    side = np.roll(a, -1, 2) - a
+    to_p = p[:, :, None] - a
+    inside = (side[..., 0] * to_p[..., 1] - side[..., 1] * to_p[..., 0] > 1e-9).all(-1)
+    cell_counts = counts[:800, :800].reshape(100, 8, 100, 8).swapaxes(1, 2).reshape(10000, 64)
+    assert inside.sum() > 100_000
+    assert (cell_counts[inside] == 1).all()
+
+
+@pytest.mark.parametrize("spokes", [3, 4, 7])
+def test_the_hub_of_a_fan_is_covered_once(spokes):
+    """A vertex exactly on a pixel's centre falls between its faces, or is drawn by two of them."""
+    rng = np.random.default_rng(spokes)
+    for _ in range(300):
+        angle = (np.arange(spokes) + rng.uniform(0, 0.5, spokes)) * 2 * np.pi / spokes
+        x = np.append(8.5, 8.5 + 7 * np.cos(angle))
+        y = np.append(8.5, 8.5 + 7 * np.sin(angle))
+        k = np.arange(spokes)
+        faces = np.stack([0 * k, k + 1, (k + 1) % spokes + 1], -1)
+        counts = coverage(on_screen(x, y, 16, 16), faces, 16, 16)
+        assert counts[8, 8] == 1 and counts.max() == 1
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.5])
+def test_a_grid_on_pixel_centres_covers_each_sample_once(shift):
+    """Samples on the grid's edges and vertices are lost or drawn twice."""
+    vertices, faces = mesh.grid(2 * 12 * 12)
+    x, y = vertices[:, 0] + 2 + shift, vertices[:, 1] + 2 + shift
+    counts = coverage(on_screen(x, y, 16, 16), faces, 16, 16)
+    expected = np.zeros((16, 16), int)
+    expected[2:14, 2:14] = 1  # with the left and the lower border, without the right and the upper
+    np.testing.assert_array_equal(counts, expected)
+
+
+def test_the_planes_are_the_rows_of_the_inverse():
+    """c = M^-1 (x, y, 1) of the module's header fails, for vertices behind the camera at least."""
+    rng = np.random.default_rng(3)
+    clip = rng.uniform([-2, -2, -1, -1], [2, 2, 1, 2], (300, 3, 4))
+    x, y, w = (value.reshape(300, 3).T for value in
+               rasterization.screen_points(clip.reshape(-1, 4), 8, 6))
+    a, b, x0, y0 = scanline.half_planes(x, y, w)
+    m = np.stack([w * x, w * y, w]).transpose(2, 0, 1)  # one matrix per face, columns are vertices
+    c = np.linalg.solve(m, np.broadcast_to([[3.5], [2.5], [1.0]], (300, 3, 1)))[..., 0].T
+    np.testing.assert_array_equal(a * (3.5 - x0) + b * (2.5 - y0) > 0, c > 0)
+
+
+def test_a_ground_plane_under_the_camera_fills_its_half_of_the_picture():
+    """A face whose vertices lie beside and behind the camera is smeared, mirrored or lost."""
+    ground = np.array([[-1e4, -1, -1e4], [1e4, -1, -1e4], [0, -1, 1e4]])
+    clip = transforms.transform(transforms.to_homogeneous(ground),
+                                transforms.perspective(np.pi / 2, 1.0, 0.01, 1e5))
+    face_index, depth = scanline.rasterize(clip, np.array([[0, 1, 2]]), 64, 64)
+    assert (face_index[:31] == 0).all() and (face_index[32:] == -1).all()
+    assert (np.diff(depth[:31], axis=0) > 0).all()  # farther and farther up to the horizon
+
+
+@pytest.mark.parametrize("vertex", [[np.nan, 0, 0, 1], [0, np.inf, 0, 1], [0, 0, 0, np.nan],
+                                    [1e200, 1e200, 0, 1], [1e-320, 0, 0, 1e-320], [0, 0, 0, 0],
+                                    [1e30, -1e30, 0, 1], [5, 5, 0, -1e-300]], ids=str)
+def test_a_hostile_vertex_spoils_no_other_face(vertex):
+    """A crash, or a smear over the picture."""
+    good = np.array([[-1.0, -1, 0.5, 1], [1, -1, 0.5, 1], [-1, 1, 0.5, 1]])
+    clip = np.concatenate([good, good - [0, 0, 0.4, 0]])
+    clip[5] = vertex
+    clip[4] = [-0.99, -1, 0.1, 1]  # a sliver, so that little of the good face is hidden
+    alone = scanline.rasterize(good, np.array([[0, 1, 2]]), 32, 32)
+    face_index, depth = scanline.rasterize(clip, np.array([[0, 1, 2], [3, 4, 5]]), 32, 32)
+    other = face_index != 1
+    np.testing.assert_array_equal(face_index[other], alone[0][other])
+    np.testing.assert_array_equal(depth[other], alone[1][other])
+    if not np.isfinite(vertex).all():
+        assert other.all()
+
+
+def test_empty_meshes_and_pictures():
+    """No faces, or a picture without pixels, end in an error."""
+    clip = np.zeros((0, 4))
+    face_index, depth = scanline.rasterize(clip, np.zeros((0, 3), int), 5, 4)
+    assert (face_index == -1).all() and np.isinf(depth).all() and depth.shape == (4, 5)
+    assert rasterization.barycentrics(face_index, clip, np.zeros((0, 3), int)).shape == (4, 5, 3)
+    triangle = np.array([[-1.0, -1, 0, 1], [1, -1, 0, 1], [-1, 1, 0, 1]])
+    assert scanline.rasterize(triangle, np.array([[0, 1, 2]]), 0, 4)[0].shape == (4, 0)
+
+
+def test_memory_does_not_grow_with_overdraw():
+    """All fragments are held at once: 100 faces, each as large as the picture, are 6.5 million."""
+    triangle = np.array([[-1.0, -1, 0, 1], [3, -1, 0, 1], [-1, 3, 0, 1]])
+    clip = np.concatenate([triangle + [0, 0, depth, 0] for depth in np.linspace(-0.9, 0.9, 100)])
+    tracemalloc.start()
+    face_index, _ = scanline.rasterize(clip, np.arange(300).reshape(-1, 3), 256, 256)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert (face_index == 0).all()
+    assert peak < 20e6
+
+
+# --- what both of them do, claim by claim --------------------------------------------------------
+
+def centres(width, height):
+    """The sample points (height, width, 2) of a picture."""
+    return np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), -1)
+
+
+@pytest.fixture(params=["half_plane_loop", "rasterize"])
+def rasterize(request):
+    return getattr(scanline, request.param)
+
+
+# --- pictures ----------------------------------------------------------------------------------
+
+def test_one_triangle_on_paper(rasterize):
+    """Rows are upside down, columns and rows are swapped, or pixels are tested at their corners."""
+    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    face_index, depth = rasterize(clip, np.array([[0, 1, 2]]), 7, 2)
+    # The hypotenuse is x / 7 + y / 2 = 1: x < 5.25 in row 0 (y = 0.5), x < 1.75 in row 1.
+    seen = np.arange(7) < np.array([[5], [2]])
+    assert_picture(face_index, np.where(seen, 0, -1))
+    assert_close(depth, np.where(seen, 0.0, np.inf))
+
+
+def test_the_nearer_face_is_seen_whatever_the_order(rasterize):
+    """No z-buffer (the last face wins), or the greater depth counts as nearer."""
+    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
+    clip = np.concatenate([triangle + [0, 0, z, 0] for z in (0.5, 1e-9 - 0.5, -0.5, 0.0)])
+    faces = np.arange(12).reshape(4, 3)
+    for order in ([0, 1, 2, 3], [2, 0, 1, 3], [3, 1, 0, 2]):
+        face_index, depth = rasterize(clip, faces[order], 4, 4)
+        seen = face_index >= 0
+        assert_picture(face_index, np.where(seen, order.index(2), -1))
+        assert_close(depth[seen], np.full(seen.sum(), -0.5))
+
+
+def test_of_equally_deep_faces_the_first_is_seen(rasterize):
+    """<= for < in the depth test."""
+    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
+    clip, faces = np.concatenate([triangle] * 3), np.arange(9).reshape(3, 3)
+    face_index, _ = rasterize(clip, faces, 4, 4)
+    assert_picture(face_index, np.where(face_index >= 0, 0, -1))
+
+
+def test_depth_is_linear_on_the_screen(rasterize):
+    """z is interpolated and then divided by w: both must be done, or z/w be taken as linear."""
+    clip = np.array([[-1.0, -1.0, -1.0, 1.0], [3.0, -3.0, 2.4, 3.0], [-1.0, 3.0, -1.0, 1.0]])
+    _, depth = rasterize(clip, np.array([[0, 1, 2]]), 8, 8)
+    x = np.arange(8) + 0.5
+    assert_close(depth[0, :7], -1 + 1.8 * x[:7] / 8)  # from z/w = -1 at x = 0 to 0.8 at x = 8
+
+
+@pytest.mark.parametrize("scene", ["single_tri_64x64", "cube_64x64", "clipscene_64x64"])
+def test_the_loops_picture_is_that_of_nvdiffrast(rasterize, scene):
+    """A face that crosses the camera plane is smeared or lost, or near and far do not cut."""
+    clip, faces = GOLDEN[f"{scene}/clip"].astype(float), GOLDEN[f"{scene}/faces"].astype(int)
+    expected = GOLDEN[f"{scene}/face_index"].astype(int)
+    height, width = expected.shape
+    face_index, depth = rasterize(clip, faces, width, height)
+    assert_picture(face_index, expected)
+    seen = expected >= 0
+    assert_close(np.asarray(depth)[seen], GOLDEN[f"{scene}/depth"][seen], rtol=0, atol=2e-5)
+
+
+def test_each_sample_of_a_square_on_pixel_centres_has_one_face(rasterize):
+    """Samples on an edge are left out, or go to the face on the other side."""
+    x, y = np.array([0.5, 3.5, 3.5, 0.5]), np.array([0.5, 0.5, 3.5, 3.5])
+    clip = np.stack([x / 2 - 1, y / 2 - 1, np.zeros(4), np.ones(4)], -1)
+    face_index, _ = rasterize(clip, np.array([[0, 1, 2], [0, 2, 3]]), 4, 4)
+    assert_picture(face_index, np.array([[ 0,  0,  0, -1],
+                                         [ 1,  0,  0, -1],
+                                         [ 1,  1,  0, -1],
+                                         [-1, -1, -1, -1]]))
+
+
+@pytest.mark.parametrize("z", [-1.0, 1.0])
+def test_a_face_in_the_near_or_far_plane_is_seen(rasterize, z):
+    """< for <=, or a depth that rounding has moved beyond the plane."""
+    clip = np.array([[-1.0, -1.0, z, 1.0], [1.1, -1.3, z, 1.0], [-1.2, 1.7, z, 1.0]])
+    clip *= np.array([[1.0], [3.0], [0.7]])
+    face_index, _ = rasterize(clip, np.array([[0, 1, 2]]), 4, 4)
+    assert_equal(face_index[0, 0], 0)
+    clip[:, 2] *= 1.0 + 1e-9
+    face_index, _ = rasterize(clip, np.array([[0, 1, 2]]), 4, 4)
+    assert_picture(face_index, np.full((4, 4), -1))
+
+
+def test_depth_is_that_of_the_plane_through_the_corners(rasterize, rng):
+    """z is mixed by weights of the screen and divided by w a second time, or not at all."""
+    clip = np.append(rng.uniform(-1, 1, (3, 3)), rng.uniform(0.8, 1.2, (3, 1)), 1)
+    clip[:, :2] *= 3
+    clip[:, 2] /= 3
+    _, depth = rasterize(clip, np.array([[0, 1, 2]]), 6, 6)
+    x, y = (clip[:, 0] / clip[:, 3] + 1) * 3, (clip[:, 1] / clip[:, 3] + 1) * 3
+    z = clip[:, 2] / clip[:, 3]
+    plane = np.linalg.solve(np.stack([x, y, np.ones(3)], -1), z)
+    expected = np.append(centres(6, 6), np.ones((6, 6, 1)), -1) @ plane
+    seen = np.isfinite(depth)
+    assert_close(np.asarray(depth)[seen], expected[seen], rtol=1e-9, atol=1e-9)
+
+
+def test_faces_that_are_not_finite_leave_no_trace(rasterize):
+    """NaN, infinity or a face without an area draws something, or stops the program."""
+    good = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    broken = [good.copy() for _ in range(4)]
+    broken[0][1, 0], broken[1][2, 3], broken[2][0, 2] = np.nan, np.inf, np.nan
+    broken[3][2] = good[1]
+    clip = np.concatenate([*broken, good])
+    with np.errstate(all="ignore"):
+        face_index, depth = rasterize(clip, np.arange(15).reshape(5, 3), 4, 4)
+    seen = np.add.outer(np.arange(4), np.arange(4)) < 3  # the hypotenuse passes through centres
+    assert_picture(face_index, np.where(seen, 4, -1))
+    assert_close(depth, np.where(seen, 0.0, np.inf))
+
+
+def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(rasterize):
+    """Width and height are swapped on the way to the bounding box, or pixels beyond are drawn."""
+    clip = np.array([[-3.0, -3.0, 0.0, 1.0], [9.0, -3.0, 0.0, 1.0], [-3.0, 9.0, 0.0, 1.0]])
+    behind = np.array([[-9.0, -9.0, 0.0, 1.0], [9.0, -9.0, 0.0, 1.0], [0.0, 30.0, 0.0, -1.0]])
+    for corners, width, height in ((clip, 3, 9), (clip, 9, 3), (behind, 3, 9), (behind, 9, 3),
+                                   (behind / 99, 3, 9)):
+        corners = corners + [[0, 0, 0.1, 0]] * corners[:, :1]  # the depth is a tenth of ndc x
+        face_index, depth = rasterize(corners, np.array([[0, 1, 2]]), width, height)
+        assert_picture(face_index, np.zeros((height, width), int))
+        expected = 0.1 * ((np.arange(width) + 0.5) * 2 / width - 1)
+        assert_close(depth, np.tile(expected, (height, 1)), atol=1e-9)
+
+
+def test_near_and_far_cut_a_face_in_its_middle(rasterize):
+    """Depths beyond -1 or 1 are drawn where the face crosses a plane."""
+    clip = np.array([[-1.0, -1, -2, 1], [1, -1, 2, 1], [1, 1, 2, 1], [-1, 1, -2, 1]])  # z = 2 x
+    face_index, _ = rasterize(clip, np.array([[0, 1, 2], [0, 2, 3]]), 8, 2)
+    assert_picture(np.asarray(face_index) >= 0, np.tile(np.abs(np.arange(8) - 3.5) < 2, (2, 1)))
+
+
+def test_clip_space_has_no_unit(rasterize):
+    """A small w is taken for 0: faces far smaller than one are lost, although nothing changed."""
+    clip = 1e-13 * np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    face_index, _ = rasterize(clip, np.array([[0, 1, 2]]), 4, 3)
+    seen = np.array([[1, 1, 1, 0], [1, 1, 0, 0], [1, 0, 0, 0]], bool)
+    assert_picture(face_index, np.where(seen, 0, -1))
+
+
+@pytest.mark.parametrize("turn", range(3))
+def test_a_floor_that_begins_below_the_camera(rasterize, turn):
+    """Depth is measured from a corner with w near 0, which lies almost infinitely far away."""
+    # y = -1, from x = -4.9 to 4.9 and z = 0 to -10, fov 90 degrees, near 0.01, far 100.
+    floor = np.array([[-4.9, -1.0, 0.0], [4.9, -1.0, 0.0], [4.9, -1.0, -10.0], [-4.9, -1.0, -10.0]])
+    x, y, z = floor.T
+    clip = np.stack([x, y, -(100.01 * z + 2) / 99.99, -z], -1)
+    faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
+    face_index, depth = rasterize(clip, faces, 16, 16)
+    px, py = np.moveaxis(centres(16, 16), -1, 0) / 8 - 1
+    w = -1 / np.where(py < 0, py, -1e-9)  # where the ray through the pixel meets y = -1
+    seen = (w < 10) & (np.abs(px * w) < 4.9)
+    assert_picture(np.asarray(face_index) >= 0, seen)
+    assert_close(np.asarray(depth)[seen], ((100.01 * w - 2) / 99.99 / w)[seen], rtol=1e-8)
