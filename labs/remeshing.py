@@ -178,7 +178,7 @@ def relax(vertices, faces, tolerance, steps=4):
         raise ValueError("relax needs a number tolerance >= 0 and a whole number steps >= 0, "
                          f"got tolerance {tolerance} and steps {steps}")
     frozen = np.zeros(len(vertices), bool)
-    while True:
+    while True:  # a face of frozen vertices stays as it was, so each turn freezes another vertex
         moved, flipped = flip_and_slide(vertices, faces, tolerance, steps, frozen)
         far = far_faces(vertices, faces, moved, flipped, 2 * tolerance)
         if not far.any():

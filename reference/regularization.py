@@ -34,18 +34,19 @@ def sides(triangles):
 
 
 def area_vectors(triangles):
-    """A normal as long as twice the area, for each of triangles (..., 3, 3): (..., 3).
-
-    It is p x q at every corner. Between the two shortest sides the fewest digits cancel.
-    """
-    p, q = sides(triangles)
-    corner = (p**2 + q**2).sum(-1).argmin(-1, keepdims=True)[..., None]
-    return np.cross(np.take_along_axis(p, corner, -2), np.take_along_axis(q, corner, -2))[..., 0, :]
+    """A normal as long as twice the area, for each of triangles (..., 3, 3): (..., 3)."""
+    a, b, c = np.moveaxis(triangles, -2, 0)
+    return np.cross(b - a, c - a)
 
 
 def twice_areas(triangles):
-    """Twice the area of triangles (..., 3, 3): (...). Also in a needle, all digits are right."""
-    return np.linalg.norm(area_vectors(triangles), axis=-1)
+    """Twice the area of triangles (..., 3, 3): (...), also of a needle with all its digits.
+
+    |p x q| is the same at every corner. Between the two shortest sides, the fewest digits cancel.
+    """
+    p, q = sides(triangles)
+    corner = (p**2 + q**2).sum(-1).argmin(-1, keepdims=True)
+    return np.take_along_axis(np.linalg.norm(np.cross(p, q), axis=-1), corner, -1)[..., 0]
 
 
 def corner_angles(triangles):  # exercise 13.1 (2 points)
@@ -55,7 +56,7 @@ def corner_angles(triangles):  # exercise 13.1 (2 points)
     that coincides with another one, the angle is 0.
 
     Fine print. Every angle is right to 1e-14. Between two long sides, an angle of 1e-9 is right to
-    a relative 1e-9: `twice_areas` has the digits, and the cross product of the two lost half.
+    a relative 1e-9: `twice_areas` has the digits, and the cross product of the two has lost half.
 
     >>> corner_angles(np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])).round(6)
     array([1.570796, 0.785398, 0.785398])
@@ -65,8 +66,7 @@ def corner_angles(triangles):  # exercise 13.1 (2 points)
 
 
 def radius_ratio(triangles):  # exercise 13.2 (2 points)
-    """Eq. (1): triangles (..., 3, 3) -> q (...), 1 for an equilateral one, 0 for one without area,
-    also where corners coincide.
+    """Eq. (1): triangles (..., 3, 3) -> q (...), 1 for an equilateral one, 0 for one without area.
 
     >>> radius_ratio(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])).round(9)
     np.float64(0.8)
@@ -74,7 +74,7 @@ def radius_ratio(triangles):  # exercise 13.2 (2 points)
     # r = 2 A / (a + b + c) and R = a b c / (4 A).
     length = np.linalg.norm(sides(triangles)[0], axis=-1)
     below = length.prod(-1) * length.sum(-1)
-    return 4 * twice_areas(triangles)**2 / np.where(below > 0, below, 1)
+    return 4 * (area_vectors(triangles)**2).sum(-1) / np.where(below > 0, below, 1)
 
 
 def cotangents(triangles):  # exercise 13.3 (2 points)
@@ -87,7 +87,7 @@ def cotangents(triangles):  # exercise 13.3 (2 points)
     array([0. , 2. , 0.5])
     """
     p, q = sides(triangles)
-    twice_area = twice_areas(triangles)[..., None]
+    twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
     flat = twice_area <= NO_AREA * (p**2).sum(-1).max(-1, keepdims=True)
     return np.where(flat, 0, (p * q).sum(-1) / np.where(flat, 1, twice_area))
 
@@ -137,8 +137,8 @@ def unit(vectors):
 
 def vertex_areas(triangles, faces, vertex_count):
     """M with cotangents, a third of all areas at each vertex: triangles (F, 3, 3) -> areas (V,)."""
-    third = np.broadcast_to(twice_areas(triangles)[:, None] / 6, faces.shape)
-    return scatter(third, faces, vertex_count)
+    twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
+    return scatter(np.broadcast_to(twice_area / 6, faces.shape), faces, vertex_count)
 
 
 def vertex_areas_backward(grad_areas, triangles, faces):
