@@ -55,8 +55,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "simplification.simplify_heap has more than 20 lines of code",
     "subdivision has a docstring of more than 20 lines",
     "subdivision has more than 350 lines",
-    "texturing has a docstring of more than 20 lines",
-    "texturing has more than 350 lines",
     "transforms has a docstring of more than 20 lines",
     "vertex_gradients has a docstring of more than 20 lines",
     "vertex_gradients has more than 350 lines",
