@@ -265,7 +265,7 @@ def globe_views(labs, texture, count, seed=0, size=64):
         fine, *where = globe_footprints(labs, clip_from_model, 4 * size)
         samples = np.zeros((4 * size, 4 * size, 4))
         samples[fine, 3] = 1
-        samples[fine, :3] = labs.texturing.texture(texture, *where, filter="linear-mipmap-linear")
+        samples[fine, :3] = labs.mipmapping.texture(texture, *where, filter="linear-mipmap-linear")
         samples = samples.reshape(size, 4, size, 4, 4).mean((1, 3))
         seen, at, footprint = globe_footprints(labs, clip_from_model, size)
         known = samples[seen, 3] > 0
@@ -289,7 +289,7 @@ def texture(labs, truth, views, filter, size=64, first_rate=1e-2):
 
     -> psnr (steps,), `globe_psnr` after each step; the texture, like truth.
     """
-    lab6, lab9, coming = labs.texturing, labs.inverse_rendering, iter(views)
+    lab6, lab9, coming = labs.mipmapping, labs.inverse_rendering, iter(views)
 
     def gradient(x):
         at, footprint, colour = next(coming)

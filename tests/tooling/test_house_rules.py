@@ -46,8 +46,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "simplification has a docstring of more than 20 lines",
     "simplification has more than 350 lines",
     "simplification.simplify_heap has more than 20 lines of code",
-    "texturing has a docstring of more than 20 lines",
-    "texturing has more than 350 lines",
     "transforms has a docstring of more than 20 lines",
 }
 
