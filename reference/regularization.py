@@ -29,7 +29,7 @@ import numpy as np
 import scipy.sparse
 from scipy.sparse.linalg import spsolve
 
-from course.given import mesh
+from course.given import inputs, mesh
 from course.given.distances import closest_points
 
 NO_AREA = 1e-12       # twice a face's area over its longest side squared: up to this it has none
@@ -469,10 +469,10 @@ def relax(vertices, faces, tolerance, steps=4):
     """Thin triangles become rounder, the surface stays: -> vertices (V, 3), faces (F, 3).
 
     Flips, eq. (9), and back onto the surface, in turn. tolerance: see `held_vertices`; by up to
-    twice this the surface may move, measure it. ValueError for what is no mesh, see `mesh.check`,
+    twice this the surface may move, measure it. ValueError for what is no mesh, see `inputs.require_mesh`,
     or has a face that names a vertex twice, and for a negative tolerance or steps, or nan.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices, float), np.asarray(faces, int)
     if not (isinstance(tolerance, numbers.Real) and isinstance(steps, numbers.Integral)
             and tolerance >= 0 and steps >= 0):
