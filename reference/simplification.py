@@ -28,6 +28,8 @@ from .interpolation import scatter
 
 LEAST_CURVATURE = 1e-3  # of the greatest eigenvalue of A: less is rounding, or nearly flat
 BOUNDARY_WEIGHT = 100   # of a plane through a boundary edge; that of a face has 1
+LEAST_COSINE = 0.5**0.5  # of the angle by which a normal may turn in one collapse, 45 degrees
+LEAST_SHAPE = 0.01      # of what a triangle's shape was before a collapse
 LINK, TWINS, FLIP = 1, 2, 3  # the answers of why_refused, in words:
 REASONS = ("the link condition", "a repeated face", "a flipped face")
 
@@ -242,19 +244,27 @@ def has_twins(faces):  # exercise 12.13 (1 point)
 
 
 def flips(before, after):  # exercise 12.14 (2 points)
-    """Does one of the triangles turn by 90 degrees or more, or lose its area? -> bool
+    """Does the normal n of a triangle turn by more than 45 degrees, or become uncertain? -> bool
 
-    before, after (N, 3, 3): the corners of N triangles. The two normals' product n . n' tells: not
-    greater than 0, it flips. One that had no area before (n = 0 exactly) never does; one that is
-    flat only up to rounding may, by chance.
+    before, after (N, 3, 3): the corners of N triangles. One is enough. A normal becomes uncertain
+    where the triangle's shape, |n| / (longest edge)^2, falls below LEAST_SHAPE times what it was:
+    after two or three such collapses a face could be a line up to rounding, or stand upright and
+    then turn over. A triangle that had no area before (n = 0 exactly) never flips.
 
     >>> before = np.array([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> flips(before, before + 1), flips(before, before[:, [1, 0, 2]])
     (False, True)
+    >>> flips(before, np.array([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 0.001, 0.0]]]))
+    True
     """
-    both = np.stack([before, after])
-    n, n1 = np.cross(both[:, :, 1] - both[:, :, 0], both[:, :, 2] - both[:, :, 0])
-    return bool(((n * n1).sum(1) <= 0)[n.any(1)].any())
+    corners = np.stack([before, after])
+    edges = corners - np.roll(corners, 1, axis=2)
+    n = np.cross(edges[:, :, 0], edges[:, :, 1])
+    length, new_length = np.sqrt((n * n).sum(2))
+    longest, new_longest = (edges * edges).sum(3).max(2)
+    turns = (n[0] * n[1]).sum(1) < LEAST_COSINE * length * new_length
+    thins = new_length * longest < LEAST_SHAPE * length * new_longest
+    return bool((turns | thins).any())
 
 
 def why_refused(vertices, faces, a, b, position):

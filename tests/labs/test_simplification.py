@@ -8,7 +8,7 @@ from course.checks import assert_close, assert_equal, exercise
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 
-LEAST_CURVATURE = 1e-3  # as in the module
+LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-3, 0.5**0.5, 0.01  # as in the module
 
 # A double pyramid: 0 above, 4 below, and the ring 1 2 3, whose edges belong to no face inside.
 DOUBLE = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
@@ -439,6 +439,12 @@ def triangle(*corners):
     return np.array([corners], float)
 
 
+def shape(a, b, c):
+    """Twice the area over the square of the longest edge."""
+    longest = max((b - a) @ (b - a), (c - b) @ (c - b), (a - c) @ (a - c))
+    return np.linalg.norm(np.cross(b - a, c - a)) / longest
+
+
 @exercise("12.14")
 def test_a_face_that_turns_over_flips(impl):
     """One that turns in its own plane, moves or grows does not."""
@@ -449,11 +455,11 @@ def test_a_face_that_turns_over_flips(impl):
 
 
 @exercise("12.14")
-def test_a_right_angle_flips_and_a_little_less_does_not(impl):
-    """> for >=, or another angle."""
+def test_more_than_45_degrees_flip_and_a_little_less_does_not(impl):
+    """Another angle, or its sine."""
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
-    for height, expected in ((1.0, 1.0), False), ((0.01, 1.0), False), ((0.0, 1.0), True), \
-                            ((-0.01, 1.0), True), ((0.0, 0.0), True):
+    for height, expected in ((1.0, 0.95), False), ((1.0, 0.2), False), ((0.95, 1.0), True), \
+                            ((0.0, 1.0), True), ((-0.01, 1.0), True), ((0.0, 0.0), True):
         after = triangle([0, 0, 0], [2, 0, 0], [0, *height])
         assert_equal(impl.flips(before, after), expected)
 
@@ -462,18 +468,36 @@ def test_a_right_angle_flips_and_a_little_less_does_not(impl):
 def test_the_angle_between_the_normals_decides(impl, rng):
     """A side is measured from the origin: right only where the first corner lies there."""
     for _ in range(40):
-        before, after = 3 + rng.normal(size=(2, 1, 3, 3))
+        before = 3 + rng.normal(size=(1, 3, 3))
+        after = before + 0.4 * rng.normal(size=(1, 3, 3))
         n, n1 = ([np.linalg.det([axis, b - a, c - a]) for axis in np.eye(3)]
                  for a, b, c in (before[0], after[0]))
-        assert_equal(impl.flips(before, after), bool(np.dot(n, n1) <= 0))
+        cosine = np.dot(n, n1) / np.linalg.norm(n) / np.linalg.norm(n1)
+        thinner = shape(*after[0]) < LEAST_SHAPE * shape(*before[0])
+        assert_equal(impl.flips(before, after), bool(cosine < LEAST_COSINE or thinner))
+
+
+@exercise("12.14")
+def test_a_triangle_must_not_become_a_sliver(impl):
+    """The area is compared, not the shape; or with a number that has a unit; or the longest edge is
+    taken for one of the others. A sliver may stay one."""
+    right = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])               # of shape 1 / 2
+    for x in 0.0, 1.0, 2.0:                                         # of shape height
+        for height, expected in (0.475 * LEAST_SHAPE, True), (0.525 * LEAST_SHAPE, False):
+            thin = triangle([0, 0, 0], [2, 0, 0], [x, 2 * height, 0])
+            for turn in range(3):
+                assert_equal(impl.flips(right, np.roll(thin, turn, axis=1)), expected)
+            assert_equal(impl.flips(thin, 0.001 * thin), False)
+            assert_equal(impl.flips(thin, right), False)
+    assert_equal(impl.flips(right, 1e-4 * right), False)
 
 
 @exercise("12.14")
 def test_the_size_of_a_triangle_does_not_matter(impl):
-    """n . n' <= 1e-9, where 0 is asked for."""
+    """A number that has a unit decides."""
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
     for size in 1e-6, 1e6:
-        for height, expected in (0.01, False), (0.0, True), (-0.01, True):
+        for height, expected in (1.05, False), (0.95, True), (-0.01, True):
             after = triangle([0, 0, 0], [2, 0, 0], [0, height, 1])
             assert_equal(impl.flips(size * before, size * after), expected)
 
@@ -523,7 +547,9 @@ def is_allowed(vertices, faces, a, b, x):
     for face in others:
         p, q, r = vertices[face]
         p1, q1, r1 = (x if v in (a, b) else vertices[v] for v in face)
-        if np.cross(q - p, r - p) @ np.cross(q1 - p1, r1 - p1) <= 0:
+        n, n1 = np.cross(q - p, r - p), np.cross(q1 - p1, r1 - p1)
+        if n @ n1 < LEAST_COSINE * np.linalg.norm(n) * np.linalg.norm(n1) \
+                or shape(p1, q1, r1) < LEAST_SHAPE * shape(p, q, r):
             return False
     return True
 
@@ -632,7 +658,7 @@ def test_of_equal_costs_the_first_pair_counts(impl, rng):
 @exercise("12.15")
 def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
     """A torus becomes a sphere, an edge gets four faces or one, or a face comes twice."""
-    for vertices, faces in mesh.torus(100), mesh.torus(36, tube=0.1):
+    for vertices, faces in mesh.torus(100), mesh.torus(36):
         vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
         left = np.asarray(loop(impl, vertices, faces, 0)[1])
         assert_equal("none left" if len(left) == 0 else "some left", "some left")

@@ -5,7 +5,7 @@ from collections import Counter
 import numpy as np
 
 from course.given import mesh
-from reference.simplification import LEAST_CURVATURE, why_refused
+from reference.simplification import LEAST_COSINE, LEAST_CURVATURE, LEAST_SHAPE, why_refused
 
 
 def face_planes(vertices, faces):
@@ -123,7 +123,11 @@ def has_twins(faces):
 def flips(before, after):
     for old, new in zip(before, after, strict=True):
         n, m = (np.cross(x[1] - x[0], x[2] - x[0]) for x in (old, new))
-        if n.any() and not n @ m > 0:
+        size, new_size = np.linalg.norm(n), np.linalg.norm(m)
+        long, new_long = (max(np.linalg.norm(x[k] - x[k - 1]) for k in range(3))
+                          for x in (old, new))
+        if n.any() and (new_size / new_long**2 < LEAST_SHAPE * size / long**2
+                        or n @ m / (size * new_size) < LEAST_COSINE):
             return True
     return False
 

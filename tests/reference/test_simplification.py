@@ -117,6 +117,40 @@ def test_a_cube_becomes_twelve_faces():
     np.testing.assert_allclose(np.abs(vertices), 1, atol=1e-9)
 
 
+def test_no_face_of_a_turned_cube_loses_its_area():
+    """On a flat part that is not along an axis, rounding decides whether a line is a face."""
+    vertices, faces = mesh.cube(1200)
+    x, y, z = np.array([1.0, 2.0, 3.0]) / np.sqrt(14)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    turn = np.eye(3) + np.sin(1) * cross + (1 - np.cos(1)) * cross @ cross
+    for kind in np.float64, np.float32:
+        turned = (vertices @ turn.T).astype(kind).astype(np.float64)
+        points, left, _ = collapse_heap.simplify(turned, faces, 400)
+        a, b, c = points[left.T]
+        longest = np.max([((b - a)**2).sum(1), ((c - b)**2).sum(1), ((a - c)**2).sum(1)], axis=0)
+        assert len(left) == 400
+        assert (np.linalg.norm(np.cross(b - a, c - a), axis=1) > 1e-3 * longest).all()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_no_face_of_a_terrain_turns_over(seed):
+    """A face stands up in one collapse, and falls over to the other side in the next."""
+    rng = np.random.default_rng(seed)
+    vertices, faces = mesh.grid(450)
+    vertices = vertices / 15 + 0.003 * rng.normal(size=vertices.shape) * [0, 0, 1]
+    waves, phase = rng.normal(0, 6, (6, 2)), rng.uniform(0, 6, 6)
+    vertices[:, 2] += 0.01 * np.sin(vertices[:, :2] @ waves.T + phase) @ rng.normal(size=6)
+    away = np.abs(vertices[faces].mean(1)[:, :2] - rng.uniform(0.35, 0.65, 2))
+    faces = faces[(away > rng.uniform(0.1, 0.2, 2)).any(1)]         # a hole
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for face_count in 100, 40, 0:
+            points, left, _ = collapse_heap.simplify(vertices, faces, face_count)
+            a, b, c = points[left.T][:, :, :2]
+            side, other = b - a, c - a
+            assert (side[:, 0] * other[:, 1] > side[:, 1] * other[:, 0]).all()
+
+
 @pytest.mark.parametrize("face_count", [500, 60, 0])
 def test_genus_and_boundary_stay(face_count):
     """A torus loses its hole; a torus with a window loses the window."""
