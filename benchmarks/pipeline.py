@@ -1,9 +1,10 @@
 """What the differentiable pipeline costs, stage by stage: python3 benchmarks/pipeline.py
 
 Rasterize, barycentrics, interpolate 3 attributes, antialias; then their backward passes, from the
-picture to clip positions and attributes. "render" and "d render" are lab 9's, from positions to a
-picture and back: the stages and what joins them. Milliseconds as benchmarks/measure.py has them; in
-brackets the growth, times the column before. Also in out/benchmarks/pipeline.json.
+picture to clip positions and attributes.
+"render" and "d render" are `pipeline.render` and its backward pass, from positions to a picture and
+back: the stages and what joins them. Milliseconds as benchmarks/measure.py has them; in brackets
+the growth, times the column before. Also in out/benchmarks/pipeline.json.
 
 Where DEODR, PyTorch3D or Mitsuba is installed, its time for this scene, forward and backward,
 stands below ours; benchmarks/peers.py says how its work differs.
@@ -18,7 +19,7 @@ from benchmarks import measure, peers
 from reference import (
     antialiasing,
     interpolation,
-    inverse_rendering,
+    pipeline,
     rasterization,
     rasterizer_gradients,
     scanline,
@@ -71,13 +72,13 @@ def stages(clip, faces, attributes, size):
 
 
 def renders(vertices, faces, attributes, size):
-    """{name: call}: lab 9's `render` and its backward pass."""
-    scene = vertices, faces, attributes, measure.CLIP_FROM_WORLD
-    screen, opposite = (size, size, np.zeros(3)), antialiasing.opposite_vertices(faces)
-    picture, buffers = inverse_rendering.render(*scene, *screen, opposite)
+    """{name: call}: the pipeline's `render` and its backward pass."""
+    scene = (pipeline.make_mesh(vertices, faces), pipeline.Colours(attributes),
+             pipeline.View(measure.CLIP_FROM_WORLD, size, size, np.zeros(3)))
+    picture, buffers = pipeline.render(*scene)
     grad = np.random.default_rng(1).normal(size=picture.shape)
-    return {"render": lambda: inverse_rendering.render(*scene, *screen, opposite),
-            "d render": lambda: inverse_rendering.render_backward(grad, buffers, *scene, opposite)}
+    return {"render": lambda: pipeline.render(*scene),
+            "d render": lambda: pipeline.render_backward(grad, buffers, *scene)}
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ import itertools
 import numpy as np
 import scipy.sparse
 
-from . import antialiasing, inverse_rendering
+from . import pipeline
 
 CHUNK = 1 << 17  # samples of a volume in flight at once
 
@@ -491,12 +491,13 @@ def render_volume(shape, clip_from_world, width, height, light, colour, backgrou
 
 
 def render_mesh(shape, clip_from_world, width, height, light, colour, background, n=64):
-    """A shape as a mesh, marched on n^3 cells and drawn by lab 9: picture (height, width, 3).
+    """A shape as a mesh, marched on n^3 cells and rendered: picture (height, width, 3).
 
     What reaches beyond [-1, 1]^3 is cut open.
     """
     points, tetrahedra = tetrahedral_grid(n)
     vertices, faces, _ = marching_tetrahedra(points, signed_distance(points, shape), tetrahedra)
     colours = lit(normals(vertices, shape), light, colour)
-    return inverse_rendering.render(vertices, faces, colours, clip_from_world, width, height,
-                                    background, antialiasing.opposite_vertices(faces))[0]
+    view = pipeline.View(clip_from_world, width, height, background)
+    mesh = pipeline.make_mesh(vertices, faces)
+    return pipeline.render(mesh, pipeline.Colours(colours), view)[0]

@@ -185,10 +185,9 @@ def interpolation_matrix(vertex_count, faces, face_index, barycentric):
     IndexError if a seen face names a vertex that is not there: SciPy would read on in memory.
     """
     start, vertex, weight = weight_rows(faces, face_index, barycentric)
-    low, high = np.min(vertex, initial=0), np.max(vertex, initial=-1)
-    if low < 0 or high >= vertex_count:
-        raise IndexError(f"faces name rows {low} to {high} of the attributes, which have "
-                         f"{vertex_count}: give the faces that belong to them")
+    if len(vertex) and not 0 <= vertex.min() <= vertex.max() < vertex_count:
+        raise IndexError(f"faces name rows {vertex.min()} to {vertex.max()} of the attributes, "
+                         f"which have {vertex_count}: give the faces that belong to them")
     return scipy.sparse.csr_array((weight, vertex, start), (face_index.size, vertex_count))
 
 

@@ -27,11 +27,11 @@ import scipy.sparse.csgraph
 from course.given import mesh
 
 from . import (
-    antialiasing,
     implicit_surfaces,
     interpolation,
     inverse_rendering,
     msaa,
+    pipeline,
     regularization,
 )
 
@@ -319,24 +319,24 @@ def surface_backward(grad_vertices, grad_albedo, ends, x):
 def look(shape, colours, view, samples, background, weights, eye):
     """One view, forward and back: loss, grad_vertices (V, 3), grad_colours (V, 4), grad_level (V,).
 
-    shape: vertices, faces, opposite; colours (V, 4), the last one 1; view: clip_from_world, target
+    shape: a pipeline.Mesh; colours (V, 4), the last one 1; view: clip_from_world, target
     (H, W, 4), outside (H, W), where nothing is to be seen. Each pixel is the mean of samples^2.
     """
-    (vertices, faces, opposite), (camera, target, outside) = shape, view
-    (render, render_backward), (height, width) = eye, outside.shape
-    fine, buffers = render(vertices, faces, colours, camera, samples * width, samples * height,
-                           background, opposite)
+    (camera, target, outside), (render, render_backward) = view, eye
+    (height, width), surface = outside.shape, pipeline.Colours(colours)
+    screen = pipeline.View(camera, samples * width, samples * height, background)
+    fine, buffers = render(shape, surface, screen)
     picture = msaa.box_resolve(fine, samples)
     grad_picture = picture_loss_backward(1.0, picture, target, weights[0])
     grad_fine = msaa.box_resolve_backward(grad_picture, fine, samples)
-    grad_vertices, grad_colours, _ = render_backward(grad_fine, buffers, vertices, faces, colours,
-                                                     camera, opposite)
-    _, face_index, _, barycentric, _ = buffers
+    gradients = render_backward(grad_fine, buffers, shape, surface, screen)
     grad_seen = msaa.box_resolve_backward(-weights[1] / outside.size * outside[..., None],
                                           fine[..., :1], samples)
     grad_level, _ = interpolation.interpolate_backward(
-        grad_seen, np.zeros((len(vertices), 1)), faces, face_index, barycentric)
-    return picture_loss(picture, target, weights[0]), grad_vertices, grad_colours, grad_level[:, 0]
+        grad_seen, np.zeros((len(shape.positions), 1)), shape.faces, buffers.face_index,
+        buffers.barycentric)
+    return (picture_loss(picture, target, weights[0]), gradients.positions,
+            gradients.surface.colours, grad_level[:, 0])
 
 
 def loss_and_gradients(x, views, samples, background, weights, eye):
@@ -351,7 +351,7 @@ def loss_and_gradients(x, views, samples, background, weights, eye):
         raise ValueError("no surface is left, for nothing is inside: are the cameras right?")
     cell = 2 / (round(len(distance)**(1 / 3)) - 1)  # regularizers count in cells: alike on any grid
     colours = np.hstack([shade(albedo, normals, light), np.ones((len(vertices), 1))])
-    shape = vertices, faces, antialiasing.opposite_vertices(faces)
+    shape = pipeline.make_mesh(vertices, faces)
     seen = [look(shape, colours, view, samples, background, weights, eye) for view in views]
     loss, grad_vertices, grad_colours, grad_level = (
         sum(parts) / len(views) for parts in zip(*seen, strict=True))
@@ -392,7 +392,7 @@ def bounded(x):
 
 
 def fit(pictures, cameras, background, stages, seed=0, weights=WEIGHTS, per_step=4,
-        eye=(inverse_rendering.render, inverse_rendering.render_backward)):
+        eye=(pipeline.render, pipeline.render_backward)):
     """Reconstruction, from coarse to fine: yields n, loss, x for each step; the loss is that before
     it, eq. (5) of the views drawn, and x that after it.
 

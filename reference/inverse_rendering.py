@@ -1,8 +1,6 @@
 """Inverse rendering: from pictures back to the scene, by the gradient of everything before.
 
     I = R(theta),   theta = argmin L(R(theta), T)     theta: positions, colours, pose, texture   (1)
-    R: positions -> clip -> face_index, depth -> barycentric -> colour -> picture
-                 1       2                    2              5, 6      8                      lab
     L = mean (I - T)^2                                squared error, T is the target             (2)
     m' = b1 m + (1 - b1) g,   s' = b2 s + (1 - b2) g^2,   x' = x - rate m^ / (sqrt(s^) + epsilon),
     m^ = m' / (1 - b1^n),     s^ = s' / (1 - b2^n)    step n of Adam, from n = 1                 (3)
@@ -10,28 +8,15 @@
     L = 1 - sum(c t) / sum(c + t - c t)               soft IoU loss of silhouettes c and t       (5)
     d_v = x_v - mean of x over v's neighbours         uniform Laplacian, 0 where flat and even   (6)
 
-Each lab wrote a link of the chain R and its backward pass; here they are joined. The gradient of a
-position comes along two ways: through the colours inside of faces (lab 7; with a texture, lab 6
-comes before it), and through the edges between pixels (lab 8). A face of one colour has only the
-second. grad_x of a parameter x has its shape. Adam's m and s are arrays like x, at first 0; what
-they hold between two steps is the caller's to keep.
+R is `pipeline.render`, which joins the labs before this one. grad_x of a parameter x has its shape.
+Adam's m and s are arrays like x, at first 0. `adam_step` returns them, and its caller keeps them.
 
-Sources: lecture "Differentiable graphics 1"; Kingma and Ba 2015 (3); Shoemake 1985 (4); Kato et al.
-2018 (5); Taubin 1995 (6); Laine et al. 2020.
+Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Shoemake 1985 (4), Kato et al.
+2018 (5), Taubin 1995 (6), Laine et al. 2020.
 """
 import numpy as np
 
-from course.given import inputs
-
-from . import (
-    antialiasing,
-    interpolation,
-    rasterization,
-    rasterizer_gradients,
-    scanline,
-    texturing,
-    transforms,
-)
+from .interpolation import scatter
 
 
 def squared_error(picture, target):  # exercise 9.1 (1 point)
@@ -74,6 +59,45 @@ def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
     return x - rate * corrected_mean / (np.sqrt(corrected_square) + epsilon), mean, square
 
 
+def descend(x, gradient, schedule, update=adam_step, project=lambda x: x):
+    """Eq. (3), step after step: yields x after each step, and the loss before it.
+
+    x: the parameters, an array or a NamedTuple of arrays. gradient(x) -> loss, grad_x, which has
+    the form of x. It is called once a step, and may draw views or record what it sees. schedule:
+    the learning rate of each step, such as `decay` makes. A rate is one number, or a NamedTuple
+    like x, of one number for each array. update: a function with the arguments and results of
+    `adam_step`, or a NamedTuple like x, of one such function for each array. project(x): the
+    nearest x that is allowed, such as a quaternion of length 1.
+
+    >>> def gradient(x):
+    ...     return (x**2).sum(), 2 * x
+    >>> for x, loss in descend(np.array([3.0]), gradient, schedule=[1.0, 0.5]):
+    ...     print(x.round(3), loss.round(3))
+    [2.] 9.0
+    [1.515] 4.0
+    """
+    means = squares = [np.zeros_like(array) for array in arrays_of(x, x)]
+    for step, rate in enumerate(schedule, 1):
+        loss, grad_x = gradient(x)
+        moved = [update_one(*state, step, rate_one) for update_one, rate_one, *state in zip(
+            arrays_of(update, x), arrays_of(rate, x), arrays_of(x, x), arrays_of(grad_x, x),
+            means, squares, strict=True)]
+        arrays, means, squares = zip(*moved, strict=True)
+        x = project(type(x)(*arrays) if isinstance(x, tuple) else arrays[0])
+        yield x, loss
+
+
+def arrays_of(value, x):
+    """What value holds for each array of x: its fields, or where it has none, itself for all."""
+    count = len(x) if isinstance(x, tuple) else 1
+    return value if isinstance(value, tuple) else (value,) * count
+
+
+def decay(rate, factor, steps):
+    """A schedule for `descend`: by equal factors from rate down to rate * factor, not included."""
+    return [rate * factor**(step / steps) for step in range(steps)]
+
+
 def quaternion_product(p, q):  # exercise 9.4 (2 points)
     """The product p q of quaternions: of the two rotations, first q's, then p's.
 
@@ -103,7 +127,8 @@ def quaternion_matrix(q):  # exercise 9.5 (2 points)
     array([-5.,  1.,  7.,  1.])
     """
     # (w, u) (0, v) (w, -u) = (0, v') with v' = |q|^2 v + 2 w u x v + 2 u x (u x v).
-    matrix, K = np.eye(4), cross_matrix(q[1:])
+    matrix = np.eye(4)
+    K = cross_matrix(q[1:])
     matrix[:3, :3] += 2 / (q @ q) * (q[0] * K + K @ K)
     return matrix
 
@@ -121,8 +146,10 @@ def quaternion_matrix_backward(grad_matrix, q):  # exercise 9.6 (4 points)
     """
     # R = I + s B, B = w K + K K, s = 2 / |q|^2. With G for grad_R, the loss changes by
     # G . B ds + s G . (dw K + w dK + dK K + K dK), and ds = -s^2 q . dq.
-    G, K = grad_matrix[:3, :3], cross_matrix(q[1:])
-    s, w = 2 / (q @ q), q[0]
+    G = grad_matrix[:3, :3]
+    K = cross_matrix(q[1:])
+    s = 2 / (q @ q)
+    w = q[0]
     grad_K = s * (w * G + G @ K.T + K.T @ G)
     grad_xyz = [grad_K[2, 1] - grad_K[1, 2], grad_K[0, 2] - grad_K[2, 0],
                 grad_K[1, 0] - grad_K[0, 1]]
@@ -174,7 +201,8 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 po
     array([ 3., -6., -6.,  3.])
     """
     # L = 1 - A / U: dL = -dA / U + A dU / U^2, with dA = t dc and dU = (1 - t) dc in each pixel.
-    both, either = (coverage * target).sum(), (coverage + target - coverage * target).sum()
+    both = (coverage * target).sum()
+    either = (coverage + target - coverage * target).sum()
     return grad_loss * (both / either * (1 - target) - target) / either
 
 
@@ -191,9 +219,9 @@ def laplacian(positions, edges):  # exercise 9.10 (2 points)
            [ 4., -4.],
            [ 0.,  0.]])
     """
-    count, (vertex, neighbour) = len(positions), np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=count)[:, None]
-    total = np.stack([np.bincount(vertex, x[neighbour], count) for x in positions.T], -1)
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    total = scatter(positions[neighbour], vertex, len(positions))
     return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
 
 
@@ -211,10 +239,10 @@ def laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 po
            [ 0. ]])
     """
     # d = x - W x with W_vn = 1 / valence_v for each neighbour n of v: grad_x = grad_d - W^T grad_d.
-    count, (vertex, neighbour) = len(positions), np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=count)[:, None]
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
     share = grad_laplacian / np.maximum(valence, 1)
-    total = np.stack([np.bincount(neighbour, g[vertex], count) for g in share.T], -1)
+    total = scatter(share[vertex], neighbour, len(positions))
     return np.where(valence > 0, grad_laplacian, 0) - total
 
 
@@ -227,156 +255,3 @@ def laplacian_energy_backward(grad_energy, positions, edges):
     """Backward of `laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
     grad_laplacian = 2 * grad_energy * laplacian(positions, edges)
     return laplacian_backward(grad_laplacian, positions, edges)
-
-
-# --- the pipeline: labs 1, 2, 5, 7, 8, and 6 for textures ---------------------------------------
-
-
-def to_clip(positions, clip_from_model):
-    """positions (V, 3), clip_from_model (4, 4) -> clip (V, 4)."""
-    return transforms.transform(transforms.to_homogeneous(positions), clip_from_model)
-
-
-def geometry_backward(grad_clip, grad_depth, face_index, clip, positions, faces, clip_from_model):
-    """From clip (V, 4) and depth (H, W) back -> grad_positions (V, 3), grad_clip_from_model (4, 4).
-
-    grad_depth may be None, if the loss does not look at the depth.
-    """
-    if grad_depth is not None:
-        inputs.require_gradient("grad_depth", grad_depth, face_index.shape)
-        grad_clip = grad_clip + rasterizer_gradients.depth_backward(
-            grad_depth, face_index, clip, faces)
-    grad_points, grad_clip_from_model = transforms.transform_backward(
-        grad_clip, transforms.to_homogeneous(positions), clip_from_model)
-    return grad_points[:, :3], grad_clip_from_model
-
-
-def shade(clip, faces, colours, width, height, background):
-    """What each pixel sees at its centre: colour (H, W, C), face_index, depth, barycentric."""
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
-    barycentric = rasterization.barycentrics(face_index, clip, faces)
-    colour = interpolation.interpolate(colours, faces, face_index, barycentric)
-    colour[face_index < 0] = background
-    return colour, face_index, depth, barycentric
-
-
-def shade_backward(grad_colour, clip, faces, colours, face_index, barycentric):
-    """`shade` read upwards: grad_colour (H, W, C) -> grad_clip (V, 4), grad_colours (V, C).
-
-    A face of one colour looks the same wherever its corners are: they get exactly 0.
-    """
-    grad_colours, grad_barycentric = interpolation.interpolate_backward(
-        grad_colour, colours, faces, face_index, barycentric)
-    for corner in (1, 2, 0):  # the sum of the weights is 1: only differences matter
-        grad_barycentric[..., corner] -= grad_barycentric[..., 0]
-    return rasterizer_gradients.barycentrics_backward(grad_barycentric, face_index, clip,
-                                                  faces), grad_colours
-
-
-def render(positions, faces, colours, clip_from_model, width, height, background, opposite):
-    """R of eq. (1): the antialiased picture (height, width, C), and `render_backward`'s buffers.
-
-    positions (V, 3), faces (F, 3), colours (V, C), clip_from_model (4, 4), background (C,);
-    opposite (F, 3) is `antialiasing.opposite_vertices(faces)`, once for a mesh. The buffers are
-    clip (V, 4), face_index, depth (H, W), barycentric (H, W, 3), and colour (H, W, C), which is the
-    picture before antialiasing. ValueError for what does not fit.
-    """
-    inputs.require_geometry(positions, faces, clip_from_model, width, height, opposite)
-    inputs.require_colours(positions, colours, background)
-    clip = to_clip(positions, clip_from_model)
-    colour, *seen = shade(clip, faces, colours, width, height, background)
-    picture = antialiasing.antialias(colour, *seen[:2], clip, faces, opposite)
-    return picture, (clip, *seen, colour)
-
-
-def render_backward(grad_picture, buffers, positions, faces, colours, clip_from_model, opposite,
-                    grad_depth=None):
-    """`render` read upwards: grad_picture (H, W, C) -> grad_positions (V, 3), grad_colours (V, C),
-    grad_clip_from_model (4, 4). The face of each pixel and the blended edges are taken as given.
-    A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
-    """
-    clip, face_index, depth, barycentric, colour = buffers
-    inputs.require_gradient("grad_picture", grad_picture, colour.shape)
-    grad_colour, through_edges = antialiasing.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
-    through_colours, grad_colours = shade_backward(
-        grad_colour, clip, faces, colours, face_index, barycentric)
-    grad_positions, grad_clip_from_model = geometry_backward(
-        through_edges + through_colours, grad_depth, face_index, clip, positions, faces,
-        clip_from_model)
-    return grad_positions, grad_colours, grad_clip_from_model
-
-
-def footprints(uv, uv_faces, face_index, barycentric, derivatives):
-    """Where the N pixels that see a face look up its texture: (u, v) (N, 2), change (N, 2, 2)."""
-    seen = face_index >= 0
-    at = interpolation.interpolate(uv, uv_faces, face_index, barycentric)
-    footprint = interpolation.interpolate_derivatives(uv, uv_faces, face_index, derivatives)
-    return at[seen], footprint[seen]
-
-
-def shade_textured(clip, faces, uv, uv_faces, image, width, height, background, filter):
-    """`shade` with lab 6: the colour at (u, v), filtered for the footprint of the pixel.
-
-    -> colour (H, W, C), face_index, depth, barycentric, derivatives.
-    """
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
-    barycentric = rasterization.barycentrics(face_index, clip, faces)
-    derivatives = rasterization.barycentrics_derivatives(face_index, clip, faces)
-    at, footprint = footprints(uv, uv_faces, face_index, barycentric, derivatives)
-    colour = np.empty((height, width, image.shape[2]))
-    colour[face_index < 0] = background
-    colour[face_index >= 0] = texturing.texture(image, at, footprint, filter=filter)
-    return colour, face_index, depth, barycentric, derivatives
-
-
-def shade_textured_backward(grad_colour, clip, faces, uv, uv_faces, image, filter, face_index,
-                            barycentric, derivatives):
-    """`shade_textured` read upwards -> grad_clip (V, 4), grad_uv (T, 2), grad_image (h, w, C)."""
-    seen, at_uv = face_index >= 0, (uv, uv_faces, face_index)
-    at, footprint = footprints(*at_uv, barycentric, derivatives)
-    grad_image, *by_footprint, _ = texturing.texture_backward(grad_colour[seen], image, at,
-                                                              footprint, filter=filter)
-    grad_at, grad_footprint = np.zeros((*seen.shape, 2)), np.zeros((*seen.shape, 2, 2))
-    grad_at[seen], grad_footprint[seen] = by_footprint
-    grad_uv, grad_barycentric = interpolation.interpolate_backward(grad_at, *at_uv, barycentric)
-    grad_uv_too, grad_derivatives = interpolation.interpolate_derivatives_backward(
-        grad_footprint, *at_uv, derivatives)
-    grad_clip = rasterizer_gradients.rasterize_backward(grad_barycentric, grad_derivatives, None,
-                                                    face_index, clip, faces)
-    return grad_clip, grad_uv + grad_uv_too, grad_image
-
-
-def render_textured(positions, faces, uv, uv_faces, image, clip_from_model, width, height,
-                    background, opposite, filter="linear-mipmap-linear"):
-    """`render` with a texture: image (h, w, C), seen by one of lab 6's filters.
-
-    uv (T, 2), uv_faces (F, 3): the (u, v) of each face's corners. Where there is no seam they can
-    be one for each vertex, and uv_faces = faces. The buffers hold derivatives (H, W, 3, 2) after
-    barycentric; the rest as in `render`.
-    """
-    inputs.require_geometry(positions, faces, clip_from_model, width, height, opposite)
-    inputs.require_texture(faces, uv, uv_faces, image, background)
-    clip = to_clip(positions, clip_from_model)
-    colour, *seen = shade_textured(clip, faces, uv, uv_faces, image, width, height, background,
-                                   filter)
-    picture = antialiasing.antialias(colour, *seen[:2], clip, faces, opposite)
-    return picture, (clip, *seen, colour)
-
-
-def render_textured_backward(grad_picture, buffers, positions, faces, uv, uv_faces, image,
-                             clip_from_model, opposite, filter="linear-mipmap-linear",
-                             grad_depth=None):
-    """`render_textured` read upwards: grad_picture (H, W, C) -> grad_positions (V, 3), grad_uv
-    (T, 2), grad_image (h, w, C), grad_clip_from_model (4, 4). grad_depth as in `render_backward`.
-    """
-    clip, face_index, depth, barycentric, derivatives, colour = buffers
-    inputs.require_gradient("grad_picture", grad_picture, colour.shape)
-    grad_colour, through_edges = antialiasing.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
-    through_colours, grad_uv, grad_image = shade_textured_backward(
-        grad_colour, clip, faces, uv, uv_faces, image, filter, face_index, barycentric, derivatives)
-    grad_positions, grad_clip_from_model = geometry_backward(
-        through_edges + through_colours, grad_depth, face_index, clip, positions, faces,
-        clip_from_model)
-    return grad_positions, grad_uv, grad_image, grad_clip_from_model

@@ -258,7 +258,7 @@ def flips(before, after):  # exercise 12.14 (2 points)
     True
     """
     corners = np.stack([before, after])
-    edges = corners - np.roll(corners, 1, axis=2)
+    edges = corners[:, :, [1, 2, 0]] - corners
     n = np.cross(edges[:, :, 0], edges[:, :, 1])
     length, new_length = np.sqrt((n * n).sum(2))
     longest, new_longest = (edges * edges).sum(3).max(2)

@@ -5,6 +5,7 @@ number of steps; it gives back arrays: the course of the fit, step by step, and 
 Fits of random things are reproducible: the same seed gives the same numbers.
 """
 import itertools
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,41 +23,40 @@ def triangle(labs, template, antialiased, steps=300):
 
     -> vertices (steps + 1, 3, 2) in pixels, at first START; losses, gradients (steps, 3, 2).
     """
-    lab9, faces = labs.inverse_rendering, np.array([[0, 1, 2]])
-    opposite = labs.antialiasing.opposite_vertices(faces)
-    colours, background = np.ones((3, 1)), np.zeros(1)
-    x, losses, gradients = [START], [], []
-    mean = square = np.zeros(START.shape)
-    for step in range(1, steps + 1):
-        clip = clip_of_pixels(x[-1])
-        colour, *seen = lab9.shade(clip, faces, colours, SIDE, SIDE, background)
-        face_index, depth, barycentric = seen
-        edges = face_index, depth, clip, faces, opposite
-        picture = labs.antialiasing.antialias(colour, *edges) if antialiased else colour
-        losses.append(lab9.squared_error(picture, template))
+    lab9, pipeline, gradients = labs.inverse_rendering, labs.pipeline, []
+    mesh, surface, view = triangle_scene(labs)
 
-        grad_clip = 0
-        grad_colour = lab9.squared_error_backward(1.0, picture, template)
-        if antialiased:
-            grad_colour, grad_clip = labs.antialiasing.antialias_backward(grad_colour, colour,
-                                                                          *edges)
-        inside, _ = lab9.shade_backward(grad_colour, clip, faces, colours, face_index, barycentric)
-        gradients.append((grad_clip + inside)[:, :2] * 2 / SIDE)
-        rate = 0.6 * 0.01**(step / steps)
-        x_next, mean, square = lab9.adam_step(x[-1], gradients[-1], mean, square, step, rate)
-        x.append(x_next)
-    return np.array(x), np.array(losses), np.array(gradients)
+    def gradient(x):
+        moved = mesh._replace(positions=np.pad(x, ((0, 0), (0, 1))))
+        picture, buffers = pipeline.render(moved, surface, view)
+        picture = picture if antialiased else buffers.colour
+        grad_picture = lab9.squared_error_backward(1.0, picture, template)
+        backward = pipeline.render_backward if antialiased else without_edges(labs)[1]
+        gradients.append(backward(grad_picture, buffers, moved, surface, view).positions[:, :2])
+        return lab9.squared_error(picture, template), gradients[-1]
+
+    x, losses = zip(*lab9.descend(START, gradient, triangle_schedule(steps)), strict=True)
+    return np.array([START, *x]), np.array(losses), np.array(gradients)
+
+
+def triangle_scene(labs):
+    """A white triangle on black, in pixels of a screen of SIDE x SIDE: Mesh, Colours, View."""
+    pipeline = labs.pipeline
+    mesh = pipeline.make_mesh(np.pad(START, ((0, 0), (0, 1))), np.array([[0, 1, 2]]))
+    clip_from_pixels = np.diag([2 / SIDE, 2 / SIDE, 1.0, 1.0])
+    clip_from_pixels[:2, 3] = -1
+    return mesh, pipeline.Colours(np.ones((3, 1))), pipeline.View(clip_from_pixels, SIDE, SIDE,
+                                                                  np.zeros(1))
+
+
+def triangle_schedule(steps):
+    """The learning rate of each step of the triangle's fits, in pixels."""
+    return [0.6 * 0.01**(step / steps) for step in range(1, steps + 1)]
 
 
 def template(labs):
     """TEMPLATE as a picture (SIDE, SIDE, 1): its exact area in each pixel (lab 3)."""
     return labs.sampling.pixel_coverage(TEMPLATE, SIDE, SIDE)[..., None]
-
-
-def clip_of_pixels(points):
-    """points (V, 2) on a screen of SIDE x SIDE -> clip (V, 4), w = 1, all equally deep."""
-    ones = np.ones((len(points), 1))
-    return np.concatenate([points * 2 / SIDE - 1, 0 * ones, ones], 1)
 
 
 # A cube of 8 coloured vertices from tiny pictures, as in nvdiffrast's sample: shape and colours.
@@ -68,39 +68,53 @@ HALVES = np.array([[0, 1, 2], [2, 1, 3]])
 CUBE_FACES = SQUARES[:, HALVES].reshape(12, 3)
 
 
+class Cube(NamedTuple):
+    """What is unknown about a cube: positions (8, 3), colours (8, 3)."""
+
+    positions: np.ndarray
+    colours: np.ndarray
+
+
+CUBE = Cube(CORNERS - 0.5, CORNERS)  # the cube to find
+
+
 def cube(labs, size, seed, steps=1000):
-    """A cube seen in one random pose at every step, in size x size pixels; position is CORNERS -
-    1/2, colour is CORNERS: at first the one is wrong by up to 1/2, the other is noise.
+    """A cube seen in one random pose at every step, in size x size pixels: at first its positions
+    are wrong by up to 1/2, and its colours are noise.
 
     -> errors (steps + 1,), the mean distance of the vertices from the cube's; losses (steps,);
     positions (8, 3), colours (8, 3) at the end.
     """
-    lab9, rng = labs.inverse_rendering, np.random.default_rng(seed)
-    opposite = labs.antialiasing.opposite_vertices(CUBE_FACES)
-    screen = size, size, np.zeros(3), opposite
-    x = CORNERS - 0.5 + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3))
-    mean = square = (np.zeros((8, 3)),) * 2
-    errors, losses = [cube_error(x[0])], []
-    for step in range(1, steps + 1):
+    lab9, pipeline, rng = labs.inverse_rendering, labs.pipeline, np.random.default_rng(seed)
+    x = Cube(CUBE.positions + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3)))
+
+    def gradient(x):
         clip_from_model = cube_camera(labs) @ random_pose(labs, rng, 0.25)
-        target, _ = lab9.render(CORNERS - 0.5, CUBE_FACES, CORNERS, clip_from_model, *screen)
-        scene = x[0], CUBE_FACES, x[1], clip_from_model
-        picture, buffers = lab9.render(*scene, *screen)
-        losses.append(lab9.squared_error(picture, target))
+        target, *_ = cube_seen(labs, CUBE, clip_from_model, size)
+        picture, *given = cube_seen(labs, x, clip_from_model, size)
         grad_picture = lab9.squared_error_backward(1.0, picture, target)
-        *grad_x, _ = lab9.render_backward(grad_picture, buffers, *scene, opposite)
-        rate = 1e-2 * max(0.01, 10**(-0.0005 * (step - 1)))
-        x, mean, square = zip(*(lab9.adam_step(*each, step, rate)
-                                for each in zip(x, grad_x, mean, square, strict=True)), strict=True)
-        errors.append(cube_error(x[0]))
+        grads = pipeline.render_backward(grad_picture, *given)
+        return lab9.squared_error(picture, target), Cube(grads.positions, grads.surface.colours)
+
+    rates = [1e-2 * max(0.01, 10**(-0.0005 * step)) for step in range(steps)]
+    errors, losses = [cube_error(x.positions)], []
+    for x, loss in lab9.descend(x, gradient, rates):  # noqa: B020
+        errors.append(cube_error(x.positions))
+        losses.append(loss)
     return np.array(errors), np.array(losses), *x
+
+
+def cube_seen(labs, x, clip_from_model, size):
+    """A Cube on black, (size, size, 3), and what `render_backward` takes."""
+    given = (labs.pipeline.make_mesh(x.positions, CUBE_FACES), labs.pipeline.Colours(x.colours),
+             labs.pipeline.View(clip_from_model, size, size, np.zeros(3)))
+    picture, buffers = labs.pipeline.render(*given)
+    return picture, buffers, *given
 
 
 def cube_picture(labs, positions, colours, clip_from_model, size):
     """What a cube of CUBE_FACES looks like on black, in colours from 0 to 1: (size, size, 3)."""
-    opposite = labs.antialiasing.opposite_vertices(CUBE_FACES)
-    picture, _ = labs.inverse_rendering.render(positions, CUBE_FACES, colours, clip_from_model,
-                                               size, size, np.zeros(3), opposite)
+    picture, *_ = cube_seen(labs, Cube(positions, colours), clip_from_model, size)
     return np.clip(picture, 0, 1)
 
 
@@ -168,27 +182,27 @@ def pose_search(labs, rng, start, goal, proposals, symmetries):
 
 def pose_descent(labs, q, goal, size, steps, rate):
     """Adam on the quaternion, in pictures of size x size; the rate falls to a 50th."""
-    lab9, rotations = labs.inverse_rendering, []
-    target = block_picture(labs, goal, size)[0]
-    mean = square = np.zeros(4)
-    for step in range(1, steps + 1):
-        picture, buffers, *scene = block_picture(labs, q, size)
+    lab9, target = labs.inverse_rendering, block_picture(labs, goal, size)[0]
+
+    def gradient(q):
+        picture, *given = block_picture(labs, q, size)
         grad_picture = lab9.squared_error_backward(1.0, picture, target)
-        *_, grad_clip_from_model = lab9.render_backward(grad_picture, buffers, *scene)
-        grad_q = lab9.quaternion_matrix_backward(cube_camera(labs).T @ grad_clip_from_model, q)
-        q, mean, square = lab9.adam_step(q, grad_q, mean, square, step,
-                                         rate * 0.02**((step - 1) / steps))
-        q = q / np.linalg.norm(q)
-        rotations.append(q)
-    return rotations
+        grad_matrix = labs.pipeline.render_backward(grad_picture, *given).clip_from_model
+        grad_q = lab9.quaternion_matrix_backward(cube_camera(labs).T @ grad_matrix, q)
+        return lab9.squared_error(picture, target), grad_q
+
+    found = lab9.descend(q, gradient, lab9.decay(rate, 0.02, steps),
+                         project=lambda q: q / np.linalg.norm(q))
+    return [q for q, _ in found]
 
 
 def block_picture(labs, q, size):
     """The cube with coloured sides, rotated by q: its picture, and what `render_backward` takes."""
-    lab9, opposite = labs.inverse_rendering, labs.antialiasing.opposite_vertices(BLOCK_FACES)
-    scene = BLOCK, BLOCK_FACES, BLOCK_COLOURS, cube_camera(labs) @ lab9.quaternion_matrix(q)
-    picture, buffers = lab9.render(*scene, size, size, np.zeros(3), opposite)
-    return picture, buffers, *scene, opposite
+    clip_from_model = cube_camera(labs) @ labs.inverse_rendering.quaternion_matrix(q)
+    given = (labs.pipeline.make_mesh(BLOCK, BLOCK_FACES), labs.pipeline.Colours(BLOCK_COLOURS),
+             labs.pipeline.View(clip_from_model, size, size, np.zeros(3)))
+    picture, buffers = labs.pipeline.render(*given)
+    return picture, buffers, *given
 
 
 def cube_symmetries():
@@ -251,7 +265,7 @@ def globe_views(labs, texture, count, seed=0, size=64):
         fine, *where = globe_footprints(labs, clip_from_model, 4 * size)
         samples = np.zeros((4 * size, 4 * size, 4))
         samples[fine, 3] = 1
-        samples[fine, :3] = labs.texturing.texture(texture, *where, filter="linear-mipmap-linear")
+        samples[fine, :3] = labs.mipmapping.texture(texture, *where, filter="linear-mipmap-linear")
         samples = samples.reshape(size, 4, size, 4, 4).mean((1, 3))
         seen, at, footprint = globe_footprints(labs, clip_from_model, size)
         known = samples[seen, 3] > 0
@@ -263,12 +277,10 @@ def globe_views(labs, texture, count, seed=0, size=64):
 def globe_footprints(labs, clip_from_model, size):
     """seen (size, size), and of the seen pixels (u, v) (N, 2) and its change (N, 2, 2)."""
     vertices, faces, uv = globe()
-    clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), clip_from_model)
-    face_index, _ = labs.scanline.rasterize(clip, faces, size, size)
-    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
-    derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
-    return face_index >= 0, *labs.inverse_rendering.footprints(uv, faces, face_index, barycentric,
-                                                               derivatives)
+    clip = labs.pipeline.to_clip(vertices, clip_from_model)
+    seen = labs.pipeline.visible(clip, faces, size, size)
+    seen = labs.pipeline.with_derivatives(seen, faces)
+    return seen.face_index >= 0, *labs.pipeline.footprints(uv, faces, seen)
 
 
 def texture(labs, truth, views, filter, size=64, first_rate=1e-2):
@@ -277,14 +289,17 @@ def texture(labs, truth, views, filter, size=64, first_rate=1e-2):
 
     -> psnr (steps,), `globe_psnr` after each step; the texture, like truth.
     """
-    x = np.full(truth.shape, 0.5)
-    mean, square, psnr = 0 * x, 0 * x, []
-    for step, (at, footprint, colour) in enumerate(views, 1):
-        seen = labs.texturing.texture(x, at, footprint, filter=filter)
+    lab6, lab9, coming = labs.mipmapping, labs.inverse_rendering, iter(views)
+
+    def gradient(x):
+        at, footprint, colour = next(coming)
+        seen = lab6.texture(x, at, footprint, filter=filter)
         grad_seen = 2 * (seen - colour) / (3 * size**2)  # squared error, the rest of it is black
-        grad_x, *_ = labs.texturing.texture_backward(grad_seen, x, at, footprint, filter=filter)
-        rate = first_rate * 0.1**((step - 1) / len(views))
-        x, mean, square = labs.inverse_rendering.adam_step(x, grad_x, mean, square, step, rate)
+        grad_x, *_ = lab6.texture_backward(grad_seen, x, at, footprint, filter=filter)
+        return ((seen - colour)**2).sum() / (3 * size**2), grad_x
+
+    psnr, rates = [], lab9.decay(first_rate, 0.1, len(views))
+    for x, _ in lab9.descend(np.full(truth.shape, 0.5), gradient, rates):
         psnr.append(globe_psnr(x, truth))
     return np.array(psnr), x
 
@@ -357,52 +372,50 @@ def bunny_by_large_steps(labs, amount, rates, steps=300, size=128, seed=0):
     return carve(labs, np.zeros_like, move, rates, steps, size, seed)
 
 
-def carve(labs, penalty_backward, move, rates, steps, size, seed):
+def carve(labs, penalty_backward, update, rates, steps, size, seed):
     """At each step, a sum of the losses of 4 of the 20 views, and a penalty; the rate goes from
-    rates[0] to rates[1]. move(x, grad_x, mean, square, step, rate) -> the next x, mean and square.
+    rates[0] to rates[1]. update: as in lab 9's `descend`.
 
     -> vertices (steps + 1, V, 3), the losses (steps,) of the silhouettes, each a mean of 4.
     """
-    lab9, rng, (x, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
+    lab9, rng, (start, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
     cameras = cameras_around(labs, 20)
     targets = silhouettes(labs, *rabbit(), cameras, size)
-    opposite = labs.antialiasing.opposite_vertices(faces)
-    path, losses, mean, square = [x], [], 0 * x, 0 * x
-    for step in range(1, steps + 1):
+    white = labs.pipeline.make_mesh(start, faces)
+
+    def gradient(x):
         loss, grad_x = 0, penalty_backward(x)
         for view in rng.permutation(20)[:4]:
-            picture, buffers, *scene = silhouette(labs, x, faces, opposite, cameras[view],
-                                                   size)
+            picture, *given = silhouette(labs, white._replace(positions=x), cameras[view], size)
             loss += lab9.silhouette_loss(picture, targets[view]) / 4
             grad_picture = lab9.silhouette_loss_backward(1 / 4, picture, targets[view])
-            grad_x += lab9.render_backward(grad_picture, buffers, *scene)[0]
-        rate = rates[0] * (rates[1] / rates[0])**((step - 1) / steps)
-        x, mean, square = move(x, grad_x, mean, square, step, rate)
-        path.append(x)
-        losses.append(loss)
-    return np.array(path), np.array(losses)
+            grad_x += labs.pipeline.render_backward(grad_picture, *given).positions
+        return loss, grad_x
+
+    schedule = lab9.decay(rates[0], rates[1] / rates[0], steps)
+    x, losses = zip(*lab9.descend(start, gradient, schedule, update), strict=True)
+    return np.array([start, *x]), np.array(losses)
 
 
 def silhouettes(labs, vertices, faces, cameras, size):
     """A mesh in white on black, for each of the cameras: a list of pictures (size, size, 1)."""
-    opposite = labs.antialiasing.opposite_vertices(faces)
-    return [silhouette(labs, vertices, faces, opposite, camera, size)[0] for camera in cameras]
+    white = labs.pipeline.make_mesh(vertices, faces)
+    return [silhouette(labs, white, camera, size)[0] for camera in cameras]
 
 
-def silhouette(labs, vertices, faces, opposite, clip_from_world, size):
-    """A mesh in white on black: the picture (size, size, 1), and what `render_backward` takes."""
-    scene = vertices, faces, np.ones((len(vertices), 1)), clip_from_world
-    picture, buffers = labs.inverse_rendering.render(*scene, size, size, np.zeros(1), opposite)
-    return picture, buffers, *scene, opposite
+def silhouette(labs, white, clip_from_world, size):
+    """A Mesh in white on black: the picture (size, size, 1), and what `render_backward` takes."""
+    given = (white, labs.pipeline.Colours(np.ones((len(white.positions), 1))),
+             labs.pipeline.View(clip_from_world, size, size, np.zeros(1)))
+    picture, buffers = labs.pipeline.render(*given)
+    return picture, buffers, *given
 
 
 def shared_silhouettes(labs, shape, other, cameras, size=256):
     """Intersection over union of two meshes' silhouettes, for each of the cameras (N,)."""
     ious = []
     for camera in cameras:
-        a, b = (labs.scanline.rasterize(labs.transforms.transform(
-                labs.transforms.to_homogeneous(vertices), camera), faces, size, size)[0] >= 0
-                for vertices, faces in (shape, other))
+        a, b = (seen_mask(labs, *each, camera, size) for each in (shape, other))
         ious.append((a & b).sum() / (a | b).sum())
     return np.array(ious)
 
@@ -454,35 +467,45 @@ def volume_seen(labs, origins, directions, density, colour):
         spacing, WHITE)
 
 
+class Volume(NamedTuple):
+    """What is unknown about a volume: density (G,), colour (G, 3)."""
+
+    density: np.ndarray
+    colour: np.ndarray
+
+
 def volume_fit(labs, origins, directions, target, n, steps, seed=0, batch=1000):
     """Adam on a grid of n^3 cells: in each step, batch random rays. -> density (G,), colour (G, 3),
     losses (steps,)."""
     lab9, lab15, rng = labs.inverse_rendering, labs.implicit_surfaces, np.random.default_rng(seed)
-    density, colour = np.full((n + 1)**3, 0.1), np.full(((n + 1)**3, 3), 0.5)
-    of_density, of_colour = (0 * density, 0 * density), (0 * colour, 0 * colour)
-    losses = []
-    for step in range(1, steps + 1):
+
+    def gradient(x):
         rays = rng.integers(len(target), size=batch)
         weights, spacing = volume_samples(labs, origins[rays], directions[rays], n)
-        seen = ((weights @ density).reshape(spacing.shape),
-                (weights @ colour).reshape(*spacing.shape, 3), spacing, WHITE)
+        seen = ((weights @ x.density).reshape(spacing.shape),
+                (weights @ x.colour).reshape(*spacing.shape, 3), spacing, WHITE)
         output = lab15.volume_render(*seen)
-        losses.append(lab9.squared_error(output, target[rays]))
         grad_output = lab9.squared_error_backward(1.0, output, target[rays])
         grad_density, grad_colour = lab15.volume_render_backward(grad_output, *seen)
-        rate = 0.1**(step / steps)
-        density, *of_density = lab9.adam_step(density, weights.T @ grad_density.ravel(),
-                                              *of_density, step, 1.0 * rate)
-        colour, *of_colour = lab9.adam_step(colour, weights.T @ grad_colour.reshape(-1, 3),
-                                            *of_colour, step, 0.03 * rate)
-        density, colour = np.maximum(density, 0), np.clip(colour, 0, 1)
-    return density, colour, np.array(losses)
+        return lab9.squared_error(output, target[rays]), Volume(
+            weights.T @ grad_density.ravel(), weights.T @ grad_colour.reshape(-1, 3))
+
+    falling = [0.1**(step / steps) for step in range(1, steps + 1)]
+    x = Volume(np.full((n + 1)**3, 0.1), np.full(((n + 1)**3, 3), 0.5))
+    rates, losses = [Volume(1.0 * part, 0.03 * part) for part in falling], []
+    found = lab9.descend(x, gradient, rates, project=lambda x: Volume(
+        np.maximum(x.density, 0), np.clip(x.colour, 0, 1)))
+    for x, loss in found:  # noqa: B007
+        losses.append(loss)
+    return *x, np.array(losses)
 
 
 def volume_surface(density, points, level=5.0):
     """Where a density is level, a surface: numbers for marching, positive outside and at the end of
     the grid."""
     return np.where((np.abs(points) == 1).any(1), level, level - density)
+
+
 # One silhouette, three gradients (lab 10): the same Adam, start and goal for each of them.
 
 
@@ -532,16 +555,20 @@ OUTLINES = {"sweep": sweep_outline, "soft": soft_outline, "blend": blend_outline
 
 def triangle_by(labs, outline, steps=300):
     """`triangle` by any of the OUTLINES -> vertices (steps + 1, 3, 2) in pixels."""
-    lab9, faces, goal = labs.inverse_rendering, np.array([[0, 1, 2]]), template(labs)[..., 0]
-    x, mean, square = [START], *np.zeros((2, 3, 2))
-    for step in range(1, steps + 1):
-        picture, backward = outline(labs, clip_of_pixels(x[-1]), faces, SIDE)
+    lab9, goal, (triangle, _, view) = (labs.inverse_rendering, template(labs)[..., 0],
+                                       triangle_scene(labs))
+
+    def gradient(x):
+        positions = np.pad(x, ((0, 0), (0, 1)))
+        clip = labs.pipeline.to_clip(positions, view.clip_from_model)
+        picture, backward = outline(labs, clip, triangle.faces, SIDE)
         grad_clip = backward(lab9.squared_error_backward(1.0, picture, goal))
-        rate = 0.6 * 0.01**(step / steps)
-        grad_x = grad_clip[:, :2] * 2 / SIDE
-        x_next, mean, square = lab9.adam_step(x[-1], grad_x, mean, square, step, rate)
-        x.append(x_next)
-    return np.array(x)
+        grad_positions, _ = labs.pipeline.to_clip_backward(grad_clip, positions,
+                                                           view.clip_from_model)
+        return lab9.squared_error(picture, goal), grad_positions[:, :2]
+
+    found = lab9.descend(START, gradient, triangle_schedule(steps))
+    return np.array([START, *(x for x, _ in found)])
 
 
 def teapot_camera(labs):
@@ -556,22 +583,20 @@ def teapot_by(labs, outline, steps=150, size=64, weight=2e-3):
 
     -> vertices (steps + 1, V, 3), faces. The goal is a mean of 4 x 4 samples.
     """
-    lab9, camera = labs.inverse_rendering, teapot_camera(labs)
+    lab9, pipeline, camera = labs.inverse_rendering, labs.pipeline, teapot_camera(labs)
     goal = labs.msaa.box_resolve(teapot_mask(labs, 4 * size)[..., None] * 1.0, 4)[..., 0]
-    x, faces = mesh.icosphere(320)
-    edges, path = mesh.edges(faces)[0], [0.5 * x]
-    mean, square = np.zeros((2, *x.shape))
-    for step in range(1, steps + 1):
-        homogeneous = labs.transforms.to_homogeneous(path[-1])
-        clip = labs.transforms.transform(homogeneous, camera)
-        picture, backward = outline(labs, clip, faces, size)
+    vertices, faces = mesh.icosphere(320)
+    edges, start = mesh.edges(faces)[0], 0.5 * vertices
+
+    def gradient(x):
+        picture, backward = outline(labs, pipeline.to_clip(x, camera), faces, size)
         grad_clip = backward(lab9.silhouette_loss_backward(1.0, picture, goal))
-        grad_x = labs.transforms.transform_backward(grad_clip, homogeneous, camera)[0][:, :3]
-        grad_x += lab9.laplacian_energy_backward(weight, path[-1], edges)
-        rate = 0.02 * 0.1**((step - 1) / steps)
-        x, mean, square = lab9.adam_step(path[-1], grad_x, mean, square, step, rate)
-        path.append(x)
-    return np.array(path), faces
+        grad_x, _ = pipeline.to_clip_backward(grad_clip, x, camera)
+        return (lab9.silhouette_loss(picture, goal),
+                grad_x + lab9.laplacian_energy_backward(weight, x, edges))
+
+    found = lab9.descend(start, gradient, lab9.decay(0.02, 0.1, steps))
+    return np.array([start, *(x for x, _ in found)]), faces
 
 
 def teapot_mask(labs, size):
@@ -582,7 +607,7 @@ def teapot_mask(labs, size):
 
 def seen_mask(labs, vertices, faces, camera, size):
     """Where a mesh is seen at the pixels' centres: bool (size, size)."""
-    clip = labs.transforms.transform(labs.transforms.to_homogeneous(vertices), camera)
+    clip = labs.pipeline.to_clip(vertices, camera)
     return labs.scanline.rasterize(clip, faces, size, size)[0] >= 0
 
 
@@ -650,13 +675,14 @@ def lamps(labs, towards, strength, even):
 
 def photographs(labs, vertices, faces, albedo, light, cameras, size, samples=4):
     """Pictures (size, size, 4) of a mesh on white: colour, and coverage; samples^2 to a pixel."""
-    lab9, lab16 = labs.inverse_rendering, labs.reconstruction
+    pipeline, lab16 = labs.pipeline, labs.reconstruction
     colours = lab16.shade(albedo, mesh.vertex_normals(vertices, faces), light)
-    colours = np.hstack([colours, np.ones((len(vertices), 1))])
-    opposite, background = labs.antialiasing.opposite_vertices(faces), np.array([1.0, 1, 1, 0])
-    return [labs.msaa.box_resolve(lab9.render(vertices, faces, colours, camera, samples * size,
-                                              samples * size, background, opposite)[0], samples)
-            for camera in cameras]
+    surface = pipeline.Colours(np.hstack([colours, np.ones((len(vertices), 1))]))
+    shape, background = pipeline.make_mesh(vertices, faces), np.array([1.0, 1, 1, 0])
+    views = [pipeline.View(camera, samples * size, samples * size, background)
+             for camera in cameras]
+    return [labs.msaa.box_resolve(pipeline.render(shape, surface, view)[0], samples)
+            for view in views]
 
 
 def reconstruction(labs, name, stages, size=128, count=24, **settings):
@@ -703,22 +729,19 @@ def judged(labs, x, name, size=128):
 
 
 def without_edges(labs):
-    """Lab 9's `render` and its backward pass without antialiasing, for lab 16's `fit`."""
-    lab9 = labs.inverse_rendering
+    """The pipeline's `render` and its backward pass, without antialiasing."""
+    pipeline = labs.pipeline
 
-    def render(positions, faces, colours, clip_from_model, width, height, background, opposite):
-        clip = lab9.to_clip(positions, clip_from_model)
-        colour, *seen = lab9.shade(clip, faces, colours, width, height, background)
-        return colour, (clip, *seen, colour)
+    def render(mesh, surface, view):
+        _, buffers = pipeline.render(mesh, surface, view)
+        return buffers.colour, buffers
 
-    def render_backward(grad_picture, buffers, positions, faces, colours, clip_from_model,
-                        opposite):
-        clip, face_index, _, barycentric, _ = buffers
-        grad_clip, grad_colours = lab9.shade_backward(grad_picture, clip, faces, colours,
-                                                      face_index, barycentric)
-        grad_positions, grad_clip_from_model = lab9.geometry_backward(
-            grad_clip, None, face_index, clip, positions, faces, clip_from_model)
-        return grad_positions, grad_colours, grad_clip_from_model
+    def render_backward(grad_picture, buffers, mesh, surface, view):
+        grad_surface, grad_clip = pipeline.shade_backward(grad_picture, buffers, mesh.faces,
+                                                          surface)
+        grad_positions, grad_matrix = pipeline.to_clip_backward(grad_clip, mesh.positions,
+                                                                view.clip_from_model)
+        return pipeline.Gradients(grad_positions, grad_surface, grad_matrix)
 
     return render, render_backward
 

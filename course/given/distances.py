@@ -6,6 +6,8 @@ a point is to a triangle: Ericson 2005, "Real-time collision detection", chapter
 import numpy as np
 from scipy.spatial import cKDTree
 
+from . import mesh
+
 NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this it has none
 
 
@@ -36,7 +38,9 @@ def closest_points(points, vertices, faces):
     """Of each of points (P, 3) the nearest point on a mesh: (P, 3).
 
     The mesh's nearest corner bounds the distance: only faces whose ball comes nearer are looked at.
+    ValueError for what is no mesh, see `mesh.check`.
     """
+    mesh.check(vertices, faces)
     triangles = vertices[faces]
     middle = triangles.mean(1)
     larger = 1 + 1e-9  # that rounding may leave none out
@@ -62,7 +66,11 @@ def distance_to_surface(points, vertices, faces):
 
 
 def sample_surface(vertices, faces, count, rng):
-    """Points (count, 3) spread evenly over a mesh's area, by the random numbers of rng."""
+    """Points (count, 3) spread evenly over a mesh's area, by the random numbers of rng.
+
+    ValueError for what is no mesh, see `mesh.check`.
+    """
+    mesh.check(vertices, faces)
     a, b, c = vertices[faces.T]
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     a, b, c = vertices[faces[rng.choice(len(faces), count, p=area / area.sum())].T]

@@ -8,12 +8,12 @@ import trimesh
 
 from course import cli
 from course.experiments import captures, demo, fits
-from course.given import image, mesh
+from course.given import image, mesh, mesh_files
 from course.given.gradcheck import gradcheck
-from reference import antialiasing, implicit_surfaces, reconstruction
+from reference import implicit_surfaces, reconstruction
 
 LABS = demo.Labs("reference")
-EYE = LABS.inverse_rendering.render, LABS.inverse_rendering.render_backward
+EYE = LABS.pipeline.render, LABS.pipeline.render_backward
 BEHIND = np.array([1.0, 0.9, 0.8, 0.0])
 
 
@@ -192,13 +192,14 @@ def test_without_edges_outlines_have_no_gradient():
     """The ablation leaves a way for outlines open."""
     vertices, faces = mesh.icosphere(80)
     render, render_backward = fits.without_edges(LABS)
-    scene = vertices, faces, np.ones((len(vertices), 1)), fits.cameras_around(LABS, 1)[0]
-    opposite = antialiasing.opposite_vertices(faces)
-    picture, buffers = render(*scene, 20, 20, np.zeros(1), opposite)
+    scene = (LABS.pipeline.make_mesh(vertices, faces),
+             LABS.pipeline.Colours(np.ones((len(vertices), 1))),
+             LABS.pipeline.View(fits.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
+    picture, buffers = render(*scene)
     assert set(np.unique(picture.round(9))) == {0, 1}
     upstream = np.random.default_rng(0).normal(size=picture.shape)
-    grad_positions, grad_colours, _ = render_backward(upstream, buffers, *scene, opposite)
-    assert np.abs(grad_positions).max() < 1e-12 and np.abs(grad_colours).max() > 0.1
+    grads = render_backward(upstream, buffers, *scene)
+    assert np.abs(grads.positions).max() < 1e-12 and np.abs(grads.surface.colours).max() > 0.1
 
 
 def test_decibels_on_paper():
@@ -225,7 +226,7 @@ def test_glb_and_obj_hold_the_mesh_and_its_colours(tmp_path):
     np.testing.assert_array_equal(found.faces, faces)
     np.testing.assert_allclose(found.visual.vertex_attributes["color"][:, :3] / 255, albedo,
                                atol=0.003)
-    again = mesh.read(tmp_path / "found.obj")
+    again = mesh_files.read(tmp_path / "found.obj")
     np.testing.assert_allclose(again[0], vertices, atol=1e-5)
     np.testing.assert_array_equal(again[1], faces)
     first = (tmp_path / "found.obj").read_text().splitlines()[0].split()
@@ -240,7 +241,7 @@ def test_after_ctrl_c_the_last_good_mesh_is_on_disk(tmp_path):
 
     with pytest.raises(KeyboardInterrupt):
         list(captures.watched(LABS, stopped(), 9, tmp_path / "found.glb"))
-    assert len(mesh.read(tmp_path / "found.obj")[1]) > 50
+    assert len(mesh_files.read(tmp_path / "found.obj")[1]) > 50
     assert (tmp_path / "found.glb").read_bytes()[:4] == b"glTF"
 
 
@@ -251,7 +252,7 @@ def test_a_search_that_came_to_nothing_says_so(tmp_path):
         with pytest.raises(ValueError, match="came to nothing at step 2: are the cameras right"):
             list(captures.watched(LABS, iter([(5, 0.1, good), (5, loss, x)]), 9,
                                   tmp_path / "found.glb"))
-        assert len(mesh.read(tmp_path / "found.obj")[1]) > 50
+        assert len(mesh_files.read(tmp_path / "found.obj")[1]) > 50
 
 
 # --- what comes in -----------------------------------------------------------------------------

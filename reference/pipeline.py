@@ -1,0 +1,247 @@
+"""The pipeline: labs 1, 2, 5, 6 and 8 joined to a picture, and the way back to the scene.
+
+    positions -> clip -> face_index, depth, barycentric -> colour -> picture   `render`
+              1       2                                 5, 6      8            lab
+    gradients <- grad_clip <- grad_barycentric <- grad_colour <- grad_picture  `render_backward`
+              1            7                   5, 6           8                lab
+
+The gradient of a position comes along two paths: through the colours inside of faces (lab 7, and
+with a texture lab 6 before it), and through the edges between pixels (lab 8). A face of one colour
+has only the second path.
+
+Source: Laine et al. 2020 (nvdiffrast).
+"""
+from typing import NamedTuple
+
+import numpy as np
+
+from course.given import inputs
+
+from . import (
+    antialiasing,
+    interpolation,
+    mipmapping,
+    rasterization,
+    rasterizer_gradients,
+    scanline,
+    transforms,
+)
+
+
+class Mesh(NamedTuple):
+    """positions (V, 3), faces (F, 3), and opposite (F, 3) for the outline: `make_mesh` fills it."""
+
+    positions: np.ndarray
+    faces: np.ndarray
+    opposite: np.ndarray
+
+
+class Colours(NamedTuple):
+    """A surface of one colour for each vertex: colours (V, C)."""
+
+    colours: np.ndarray
+
+
+class Texture(NamedTuple):
+    """A surface with a texture, image (h, w, C), seen by one of lab 6's filters.
+
+    uv (T, 2), uv_faces (F, 3): the (u, v) of each face's corners. Where there is no seam they can
+    be one for each vertex, and uv_faces = faces.
+    """
+
+    uv: np.ndarray
+    uv_faces: np.ndarray
+    image: np.ndarray
+    filter: str = "linear-mipmap-linear"
+
+
+class View(NamedTuple):
+    """A camera, clip_from_model (4, 4), its screen in pixels, and the background's colour (C,)."""
+
+    clip_from_model: np.ndarray
+    width: int
+    height: int
+    background: np.ndarray
+
+
+class Buffers(NamedTuple):
+    """What was found on the way to a picture, which the way back needs.
+
+    clip (V, 4); face_index, depth (H, W); barycentric (H, W, 3); with a texture derivatives
+    (H, W, 3, 2); after shading colour (H, W, C), which is the picture before antialiasing.
+    """
+
+    clip: np.ndarray
+    face_index: np.ndarray
+    depth: np.ndarray
+    barycentric: np.ndarray
+    derivatives: np.ndarray | None = None
+    colour: np.ndarray | None = None
+
+
+class Gradients(NamedTuple):
+    """The gradients of a loss with respect to a scene: positions (V, 3), clip_from_model (4, 4).
+
+    surface is a Colours or a Texture of gradients. In a Texture, uv_faces and filter are None.
+    """
+
+    positions: np.ndarray
+    surface: Colours | Texture
+    clip_from_model: np.ndarray
+
+
+def make_mesh(positions, faces):
+    """A Mesh of positions (V, 3) and faces (F, 3). When it moves, `_replace` its positions."""
+    faces = faces.astype(np.int64)
+    return Mesh(positions, faces, antialiasing.opposite_vertices(faces))
+
+
+def render(mesh, surface, view):
+    """The antialiased picture (H, W, C) of a Mesh with Colours or a Texture, and its Buffers.
+
+    ValueError, in one sentence, for what does not fit.
+    """
+    require_scene(mesh, surface, view)
+    clip = to_clip(mesh.positions, view.clip_from_model)                           # lab 1
+    seen = visible(clip, mesh.faces, view.width, view.height)                      # lab 2
+    buffers = shade(seen, mesh.faces, surface, view.background)                    # labs 5, 6
+    picture = antialiasing.antialias(buffers.colour, buffers.face_index, buffers.depth, clip,
+                                     mesh.faces, mesh.opposite)                    # lab 8
+    return picture, buffers
+
+
+def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None):
+    """`render` read upwards: grad_picture (H, W, C) -> Gradients.
+
+    The face of each pixel and the blended edges are taken as given. A loss may look at the buffer
+    depth, too: grad_depth (H, W) is its gradient.
+    """
+    inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
+    if grad_depth is not None:
+        inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
+    grad_colour, through_edges = antialiasing.antialias_backward(
+        grad_picture, buffers.colour, buffers.face_index, buffers.depth, buffers.clip, mesh.faces,
+        mesh.opposite)                                                             # lab 8
+    grad_surface, through_colours = shade_backward(grad_colour, buffers, mesh.faces, surface,
+                                                   grad_depth)                     # labs 6, 5, 7
+    grad_positions, grad_clip_from_model = to_clip_backward(
+        through_edges + through_colours, mesh.positions, view.clip_from_model)     # lab 1
+    return Gradients(grad_positions, grad_surface, grad_clip_from_model)
+
+
+def to_clip(positions, clip_from_model):
+    """positions (V, 3), clip_from_model (4, 4) -> clip (V, 4)."""
+    return transforms.transform(transforms.to_homogeneous(positions), clip_from_model)
+
+
+def to_clip_backward(grad_clip, positions, clip_from_model):
+    """grad_clip (V, 4) -> grad_positions (V, 3), grad_clip_from_model (4, 4)."""
+    grad_points, grad_clip_from_model = transforms.transform_backward(
+        grad_clip, transforms.to_homogeneous(positions), clip_from_model)
+    return grad_points[:, :3], grad_clip_from_model
+
+
+def visible(clip, faces, width, height):
+    """What each pixel sees at its centre: Buffers without derivatives and colour.
+
+    clip (V, 4), faces (F, 3). It checks nothing, and is all that most drawings need.
+    """
+    face_index, depth = scanline.rasterize(clip, faces, width, height)
+    return Buffers(clip, face_index, depth, rasterization.barycentrics(face_index, clip, faces))
+
+
+def with_derivatives(seen, faces):
+    """The Buffers of `visible`, and how the barycentrics change from pixel to pixel."""
+    derivatives = rasterization.barycentrics_derivatives(seen.face_index, seen.clip, faces)
+    return seen._replace(derivatives=derivatives)
+
+
+def shade(seen, faces, surface, background):
+    """The Buffers of `visible`, completed by the colour (H, W, C) at each pixel's centre."""
+    if isinstance(surface, Texture):
+        seen = with_derivatives(seen, faces)
+        colour = textured(seen, surface)
+    else:
+        colour = interpolation.interpolate(surface.colours, faces, seen.face_index,
+                                           seen.barycentric)
+    colour[seen.face_index < 0] = background
+    return seen._replace(colour=colour)
+
+
+def shade_backward(grad_colour, buffers, faces, surface, grad_depth=None):
+    """grad_colour (H, W, C), and grad_depth (H, W) or None -> grad_surface, grad_clip (V, 4)."""
+    if isinstance(surface, Texture):
+        grad_surface, *grad_weights = textured_backward(grad_colour, buffers, surface)
+    else:
+        grad_surface, *grad_weights = coloured_backward(grad_colour, buffers, faces, surface)
+    grad_clip = rasterizer_gradients.rasterize_backward(
+        *grad_weights, grad_depth, buffers.face_index, buffers.clip, faces)
+    return grad_surface, grad_clip
+
+
+def coloured_backward(grad_colour, buffers, faces, surface):
+    """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3), None.
+
+    A face of one colour looks the same wherever its corners are: they get exactly 0.
+    """
+    grad_colours, grad_barycentric = interpolation.interpolate_backward(
+        grad_colour, surface.colours, faces, buffers.face_index, buffers.barycentric)
+    for corner in (1, 2, 0):  # the sum of the weights is 1: only differences matter
+        grad_barycentric[..., corner] -= grad_barycentric[..., 0]
+    return Colours(grad_colours), grad_barycentric, None
+
+
+def footprints(uv, uv_faces, buffers):
+    """Where the N pixels that see a face look up its texture: (u, v) (N, 2), change (N, 2, 2)."""
+    seen = buffers.face_index >= 0
+    at = interpolation.interpolate(uv, uv_faces, buffers.face_index, buffers.barycentric)
+    footprint = interpolation.interpolate_derivatives(uv, uv_faces, buffers.face_index,
+                                                      buffers.derivatives)
+    return at[seen], footprint[seen]
+
+
+def textured(buffers, surface):
+    """The texture's colour (H, W, C), filtered for the footprint of each pixel; 0 outside."""
+    at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
+    colour = np.zeros((*buffers.face_index.shape, surface.image.shape[2]))
+    colour[buffers.face_index >= 0] = mipmapping.texture(surface.image, at, footprint,
+                                                         filter=surface.filter)
+    return colour
+
+
+def textured_backward(grad_colour, buffers, surface):
+    """grad_colour (H, W, C) -> Texture of gradients, grad_barycentric (H, W, 3),
+    grad_derivatives (H, W, 3, 2).
+    """
+    seen = buffers.face_index >= 0
+    at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
+    grad_image, grad_at, grad_footprint, _ = mipmapping.texture_backward(
+        grad_colour[seen], surface.image, at, footprint, filter=surface.filter)
+    # `footprints` gathers the seen pixels: its transpose puts them back, 0 elsewhere.
+    uv_at = surface.uv, surface.uv_faces, buffers.face_index
+    by_place, grad_barycentric = interpolation.interpolate_backward(
+        on_screen(grad_at, seen), *uv_at, buffers.barycentric)
+    by_change, grad_derivatives = interpolation.interpolate_derivatives_backward(
+        on_screen(grad_footprint, seen), *uv_at, buffers.derivatives)
+    grad_texture = Texture(by_place + by_change, None, grad_image, None)
+    return grad_texture, grad_barycentric, grad_derivatives
+
+
+def on_screen(values, seen):
+    """values (N, ...) of the N pixels that are seen (H, W), 0 elsewhere: (H, W, ...)."""
+    screen = np.zeros((*seen.shape, *values.shape[1:]))
+    screen[seen] = values
+    return screen
+
+
+def require_scene(mesh, surface, view):
+    """ValueError, in one sentence, for what `render` cannot take."""
+    inputs.require_geometry(mesh.positions, mesh.faces, view.clip_from_model, view.width,
+                            view.height, mesh.opposite)
+    if isinstance(surface, Texture):
+        inputs.require_texture(mesh.faces, surface.uv, surface.uv_faces, surface.image,
+                               view.background)
+    else:
+        inputs.require(isinstance(surface, Colours), "a surface, Colours or a Texture",
+                       f"a {type(surface).__name__}")
+        inputs.require_colours(mesh.positions, surface.colours, view.background)

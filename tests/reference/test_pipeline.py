@@ -1,0 +1,382 @@
+"""The whole pipeline, which joins the labs before lab 9: pictures and their gradients."""
+import functools
+
+import numpy as np
+import pytest
+
+from course.given import mesh
+from course.given.gradcheck import gradcheck
+from reference import (
+    antialiasing,
+    inverse_rendering,
+    mipmapping,
+    pipeline,
+    scanline,
+    transforms,
+)
+from reference.pipeline import Colours, Mesh, Texture, View
+
+WIDTH, HEIGHT = 26, 19
+
+
+def camera(angle=0.7, distance=3.2, near=0.1):
+    view = transforms.translate(np.array([0.1, -0.2, -distance]))
+    view = view @ transforms.rotate(np.array([0.4, 1.0, 0.2]), angle)
+    return transforms.perspective(0.9, WIDTH / HEIGHT, near, 20.0) @ view
+
+
+def soup(rng):
+    """Faces that pass through each other and share vertices."""
+    return rng.uniform(-1.1, 1.1, (14, 3)), rng.integers(0, 14, (18, 3))
+
+
+def inside_out(rng):
+    """A camera within a box of large faces: some of their vertices lie behind it."""
+    positions, faces = mesh.cube(12)
+    return 2.2 * positions + rng.uniform(-0.2, 0.2, positions.shape), faces
+
+
+def half_a_bunny(rng):
+    """Faces of less than a pixel, with a boundary."""
+    positions, faces = mesh.bunny()
+    centre = positions[faces].mean(1)
+    return mesh.normalize(positions), faces[centre[:, 0] > np.median(centre[:, 0])]
+
+
+SCENES = {"cube": (lambda rng: mesh.cube(12), camera()),
+          "torus": (lambda rng: mesh.torus(150), camera(1.3, 4.0)),
+          "soup": (soup, camera(0.2, 3.0)),
+          "vertices behind the camera": (inside_out, camera(0.4, 1.5)),
+          "half a bunny": (half_a_bunny, camera(0.9, 2.5))}
+
+
+def scene(name):
+    """A Mesh, Colours of two channels and a View."""
+    rng = np.random.default_rng(5)
+    build, clip_from_model = SCENES[name]
+    shape = pipeline.make_mesh(*build(rng))
+    colours, background = rng.normal(size=(len(shape.positions), 2)), rng.normal(size=2)
+    return shape, Colours(colours), View(clip_from_model, WIDTH, HEIGHT, background)
+
+
+def decided(buffers, shape):
+    """What a picture decides: faces, pairs, edges, which pixel changes, what is saturated."""
+    clip, face_index, depth, *_ = buffers
+    owner, other, c, ends, *_ = antialiasing.blended_pairs(face_index, depth, clip, shape.faces,
+                                                           shape.opposite)
+    return face_index, owner, other, ends, c > 0.5, (c > 0) & (c < 1)
+
+
+def few(arrays, rows):
+    """Check a few rows of large arrays: their values, and what puts them back into copies."""
+    def put(*some):
+        whole = [array.copy() for array in arrays]
+        for array, row, values in zip(whole, rows, some, strict=True):
+            array[row] = values
+        return whole
+
+    return put, tuple(array[row] for array, row in zip(arrays, rows, strict=True))
+
+
+def whole_gradcheck(name, render, backward, decisions, arrays, rows):
+    """gradcheck by some rows of arrays, and by all of the last one, the matrix.
+
+    render(*arrays) -> picture, buffers; backward(grad_picture, buffers, *arrays);
+    decisions(buffers, *arrays). Each scene is rendered once for forward and decisions.
+    """
+    put, some = few(arrays, [*rows, slice(None)])
+    rendered = functools.lru_cache(8)(lambda *raw: render(*restored(raw)))
+
+    def restored(raw):
+        return put(*(np.frombuffer(r).reshape(x.shape) for r, x in zip(raw, some, strict=True)))
+
+    def at(inputs):
+        return rendered(*(x.tobytes() for x in inputs))
+
+    def some_gradients(grad_picture, *inputs):
+        gradients = backward(grad_picture, at(inputs)[1], *put(*inputs))
+        assert [g.shape for g in gradients] == [x.shape for x in arrays]
+        return tuple(g[row] for g, row in zip(gradients, [*rows, slice(None)], strict=True))
+
+    report = gradcheck(lambda *inputs: at(inputs)[0], some_gradients, some, name=name,
+                       decisions=lambda *inputs: decisions(at(inputs)[1], *put(*inputs)))
+    assert report.left_out < 0.1 * report.checked
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_gradients_of_a_picture_are_central_differences(name):
+    """A link is left out on the way back, or one of the two ways to the positions."""
+    shape, surface, view = scene(name)
+
+    def given(positions, colours, clip_from_model):
+        return (shape._replace(positions=positions), Colours(colours),
+                view._replace(clip_from_model=clip_from_model))
+
+    def render(*arrays):
+        return pipeline.render(*given(*arrays))
+
+    def backward(grad_picture, buffers, *arrays):
+        grads = pipeline.render_backward(grad_picture, buffers, *given(*arrays))
+        return grads.positions, grads.surface.colours, grads.clip_from_model
+
+    def decisions(buffers, *_):
+        return decided(buffers, shape)
+
+    arrays = shape.positions, surface.colours, view.clip_from_model
+    clip, face_index, *_ = render(*arrays)[1]
+    vertices = np.unique(shape.faces[face_index[face_index >= 0]])
+    behind = vertices[clip[vertices, 3] < 0]
+    assert (len(behind) > 0) == (name == "vertices behind the camera")
+    some = np.unique(np.append(vertices[::len(vertices) // 4][:4], behind[:1]))
+    whole_gradcheck(name, render, backward, decisions, arrays, [some, some])
+
+
+@pytest.mark.parametrize("filter", ["linear", "linear-mipmap-linear"])
+def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
+    """The texture's or the footprint's way to the positions is left out."""
+    rng = np.random.default_rng(2)
+    shape, _, view = scene("cube")
+    uv, uv_faces = rng.random((20, 2)), rng.permutation(np.arange(36) % 20).reshape(12, 3)
+    image, background = rng.normal(size=(16, 8, 2)), rng.normal(size=2)
+
+    def given(positions, uv, image, clip_from_model):
+        return (shape._replace(positions=positions), Texture(uv, uv_faces, image, filter),
+                View(clip_from_model, WIDTH, HEIGHT, background))
+
+    def render(*arrays):
+        return pipeline.render(*given(*arrays))
+
+    def backward(grad_picture, buffers, *arrays):
+        grads = pipeline.render_backward(grad_picture, buffers, *given(*arrays))
+        return grads.positions, grads.surface.uv, grads.surface.image, grads.clip_from_model
+
+    def decisions(buffers, positions, uv, *_):
+        at, footprint = pipeline.footprints(uv, uv_faces, buffers)
+        level = mipmapping.mip_level(footprint, 8, 16) if "mipmap" in filter else np.zeros(len(at))
+        level = np.floor(np.clip(level, 0, 4))[:, None]
+        texels = [np.floor(at * [8, 16] / 2**above - 0.5) for above in (level, level + 1)]
+        return *decided(buffers, shape), level, *texels
+
+    whole_gradcheck(f"textured, {filter}", render, backward, decisions,
+                    (shape.positions, uv, image, view.clip_from_model),
+                    [[0, 3, 6], [0, 5, 9], [4, 11]])
+
+
+def test_a_texture_of_one_colour_is_a_mesh_of_one_colour():
+    """The two pictures differ in more than in where the colour comes from."""
+    shape, _, view = scene("torus")
+    colour = np.array([0.2, 0.9])
+    colours, image = np.tile(colour, (len(shape.positions), 1)), np.tile(colour, (4, 8, 1))
+    expected, _ = pipeline.render(shape, Colours(colours), view)
+    got, _ = pipeline.render(shape, Texture(shape.positions[:, :2], shape.faces, image), view)
+    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
+
+
+# --- stuck, and not ----------------------------------------------------------------------------
+
+@pytest.mark.parametrize("name", SCENES)
+def test_without_antialiasing_a_mesh_of_one_colour_has_exactly_no_gradient(name):
+    """Rounding goes for a gradient: nobody can tell any more that the mesh is stuck."""
+    shape, surface, view = scene(name)
+    surface.colours[:] = 0.1, 0.7
+    _, buffers = pipeline.render(shape, surface, view)
+    upstream = np.random.default_rng(0).normal(size=buffers.colour.shape)
+    grad_surface, grad_clip = pipeline.shade_backward(upstream, buffers, shape.faces, surface)
+    np.testing.assert_array_equal(grad_clip, 0)
+    assert grad_surface.colours.any()
+
+
+def test_a_triangle_finds_its_template_with_antialiasing_alone():
+    """The gradient leads away, or ends too early; or the picture without it had one all along."""
+    template = np.array([[-0.6, -0.55, 0.0], [0.7, -0.3, 0.0], [-0.1, 0.65, 0.0]])
+    start = np.array([[-0.4, -0.3, 0.0], [0.45, -0.45, 0.0], [0.15, 0.45, 0.0]])
+    shape, white = pipeline.make_mesh(start, np.array([[0, 1, 2]])), Colours(np.ones((3, 1)))
+    view = View(np.eye(4), WIDTH, HEIGHT, np.zeros(1))
+    target, _ = pipeline.render(shape._replace(positions=template), white, view)
+
+    def gradient(positions):
+        moved = shape._replace(positions=positions)
+        picture, buffers = pipeline.render(moved, white, view)
+        grad_aliased = inverse_rendering.squared_error_backward(1.0, buffers.colour, target)
+        _, grad_clip = pipeline.shade_backward(grad_aliased, buffers, shape.faces, white)
+        np.testing.assert_array_equal(grad_clip, 0)
+        grad_picture = inverse_rendering.squared_error_backward(1.0, picture, target)
+        return (inverse_rendering.squared_error(picture, target),
+                pipeline.render_backward(grad_picture, buffers, moved, white, view).positions)
+
+    rates = 0.03 * 0.98**np.arange(1, 201)
+    *_, (positions, _) = inverse_rendering.descend(start, gradient, rates)
+    off = (positions - template)[:, :2] * [WIDTH / 2, HEIGHT / 2]
+    assert np.linalg.norm(off, axis=1).max() < 0.1
+
+
+def test_the_two_paths_to_a_position_add_up():
+    """A picture of colours inside of one face has one path alone, a silhouette the other."""
+    shape, surface, view = scene("cube")
+    picture, buffers = pipeline.render(shape, surface, view)
+    clip, face_index, depth, *_ = buffers
+    inside = np.zeros(picture.shape)
+    blended = antialiasing.blended_pairs(face_index, depth, clip, shape.faces, shape.opposite)[:2]
+    untouched = np.setdiff1d(np.flatnonzero(face_index >= 0), np.concatenate(blended))
+    assert len(untouched) > 20
+    inside.reshape(-1, 2)[untouched] = 1.0
+    got = pipeline.render_backward(inside, buffers, shape, surface, view).positions
+    _, grad_clip = pipeline.shade_backward(inside, buffers, shape.faces, surface)
+    np.testing.assert_allclose(got, (grad_clip @ view.clip_from_model)[:, :3], rtol=1e-12,
+                               atol=1e-12)
+
+
+def test_the_gradient_of_a_depth_is_added():
+    """grad_depth is dropped, or takes the place of the picture's gradient."""
+    shape, surface, view = scene("cube")
+
+    def given(positions, clip_from_model):
+        return (shape._replace(positions=positions), surface,
+                view._replace(clip_from_model=clip_from_model))
+
+    def render(*arrays):
+        picture, buffers = pipeline.render(*given(*arrays))
+        return np.dstack([picture, np.where(buffers.face_index >= 0, buffers.depth, 0)]), buffers
+
+    def backward(grad, buffers, *arrays):
+        grads = pipeline.render_backward(grad[..., :2], buffers, *given(*arrays), grad[..., 2])
+        return grads.positions, grads.clip_from_model
+
+    def decisions(buffers, *_):
+        return decided(buffers, shape)
+
+    whole_gradcheck("picture and depth", render, backward, decisions,
+                    (shape.positions, view.clip_from_model), [[0, 3, 6]])
+
+
+# --- what comes in -----------------------------------------------------------------------------
+
+def test_a_picture_without_faces_is_the_background():
+    """An error, or black, where nothing is to be seen."""
+    empty = pipeline.make_mesh(np.zeros((0, 3)), np.zeros((0, 3), int))
+    background = np.array([0.3, 0.6])
+    given = empty, Colours(np.zeros((0, 2))), View(camera(), WIDTH, HEIGHT, background)
+    picture, buffers = pipeline.render(*given)
+    np.testing.assert_array_equal(picture, np.broadcast_to(background, (HEIGHT, WIDTH, 2)))
+    positions, (colours,), matrix = pipeline.render_backward(picture, buffers, *given)
+    assert [grad.shape for grad in (positions, colours, matrix)] == [(0, 3), (0, 2), (4, 4)]
+    assert not matrix.any()
+
+
+@pytest.mark.parametrize("dtype", [np.int16, np.uint16, np.uint32, np.uint64])
+def test_faces_may_be_integers_of_any_kind(dtype):
+    """Unsigned faces, as glTF files hold them, end in an OverflowError of NumPy."""
+    shape, colours, view = scene("torus")
+    image = np.random.default_rng(0).random((8, 4, 2))
+
+    def there_and_back(faces):
+        same = pipeline.make_mesh(shape.positions, faces)._replace(faces=faces)
+        for surface in (colours, Texture(shape.positions[:, :2], faces, image)):
+            picture, buffers = pipeline.render(same, surface, view)
+            yield picture
+            yield pipeline.render_backward(picture, buffers, same, surface, view).positions
+
+    expected = there_and_back(shape.faces)
+    for got, wanted in zip(there_and_back(shape.faces.astype(dtype)), expected, strict=True):
+        np.testing.assert_array_equal(got, wanted)
+
+
+GOOD = {"positions": np.zeros((3, 3)), "faces": np.array([[0, 1, 2]]), "colours": np.zeros((3, 2)),
+        "clip_from_model": np.eye(4), "background": np.zeros(2), "opposite": np.full((1, 3), -1),
+        "width": 5, "height": 4}
+BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
+       ("positions", np.full((3, 3), np.nan), "finite.*NaN"),
+       ("faces", np.array([[0.0, 1.0, 2.0]]), "integers.*float64"),
+       ("faces", np.array([0, 1, 2]), r"faces \(F, 3\).*got \(3,\)"),
+       ("faces", np.array([[0, 1, 3]]), "from 0 to 2.*got 0 to 3"),
+       ("faces", np.array([[-1, 1, 2]]), "from 0 to 2.*got -1 to 2"),
+       ("colours", np.zeros(3), r"colours \(3, C\).*grey\[:, None\]"),
+       ("colours", np.zeros((4, 2)), r"colours \(3, C\).*got \(4, 2\)"),
+       ("clip_from_model", np.eye(3), r"clip_from_model \(4, 4\).*got \(3, 3\)"),
+       ("background", np.zeros(3), r"background \(2,\).*got \(3,\)"),
+       ("background", 0.0, r"background \(2,\).*got a float"),
+       ("background", np.array([0.0, np.inf]), "background .*finite.*NaN or infinity"),
+       ("positions", [[0.0, 0.0, 0.0]] * 3, r"positions \(V, 3\).*got a list"),
+       ("positions", np.zeros((3, 3), complex), "positions.*got complex128"),
+       ("positions", np.zeros((0, 3)), "faces|colours"),
+       ("colours", None, "colours.*got a NoneType"),
+       ("colours", np.full((3, 2), np.nan), "colours.*finite.*NaN"),
+       ("colours", np.zeros((3, 0)), "colours of one channel or more"),
+       ("clip_from_model", np.full((4, 4), np.inf), "clip_from_model.*finite.*NaN or infinity"),
+       ("width", 5.0, "width, an integer.*got 5.0"),
+       ("height", -3, "height, an integer.*got -3"),
+       ("height", None, "height, an integer.*got None"),
+       ("opposite", np.full((1, 3), -1.0), "opposite.*integers.*got float64"),
+       ("opposite", np.full((1, 3), 99), "opposite.*from -1 to 2.*got 99 to 99"),
+       ("opposite", np.full((2, 3), -1), r"opposite \(1, 3\).*opposite_vertices.*got \(2, 3\)")]
+
+TEXTURED = {"uv": np.zeros((3, 2)), "uv_faces": np.array([[0, 1, 2]]), "image": np.zeros((2, 2, 2))}
+BAD_TEXTURED = [("uv", np.zeros((3, 3)), r"uv \(T, 2\).*got \(3, 3\)"),
+                ("uv", np.full((3, 2), np.nan), "uv.*finite.*NaN"),
+                ("uv_faces", np.array([[0, 1, 3]]), "uv_faces.*from 0 to 2, rows of uv.*0 to 3"),
+                ("uv_faces", np.array([[-1, 1, 2]]), "uv_faces.*got -1 to 2"),
+                ("uv_faces", np.zeros((2, 3), int), r"uv_faces \(1, 3\).*got \(2, 3\)"),
+                ("image", np.zeros((4, 8)), r"image \(h, w, C\).*got \(4, 8\)"),
+                ("image", np.array(0.5), r"image \(h, w, C\).*got \(\)"),
+                ("image", np.full((2, 2, 2), np.nan), "image.*finite.*NaN"),
+                ("image", np.zeros((2, 2, 0)), "image of one channel or more"),
+                ("background", np.zeros(3), r"background \(2,\).*got \(3,\)")]
+
+
+def rendered(inputs):
+    """`render` of a scene whose parts come by name, with Colours or a Texture."""
+    kind = Texture if "uv" in inputs else Colours
+    parts = [[inputs[name] for name in part._fields if name in inputs]
+             for part in (Mesh, kind, View)]
+    return pipeline.render(Mesh(*parts[0]), kind(*parts[1]), View(*parts[2]))
+
+
+@pytest.mark.parametrize("name, bad, sentence", BAD)
+def test_render_says_in_one_sentence_what_does_not_fit(name, bad, sentence):
+    """A traceback from the depths of NumPy, or a picture of nonsense."""
+    inputs = {**GOOD, name: bad}
+    with pytest.raises(ValueError, match=sentence) as error:
+        rendered(inputs)
+    assert "\n" not in str(error.value)
+    if name in ("positions", "background", "opposite"):
+        with pytest.raises(ValueError, match=sentence):
+            rendered({**inputs, **TEXTURED})
+
+
+@pytest.mark.parametrize("name, bad, sentence", BAD_TEXTURED)
+def test_render_says_what_does_not_fit_a_texture(name, bad, sentence):
+    """A wrong uv_faces reads memory that is not uv's."""
+    with pytest.raises(ValueError, match=sentence):
+        rendered({**GOOD, **TEXTURED, name: bad})
+
+
+def test_a_bare_array_is_no_surface():
+    """An AttributeError, where somebody forgot whether the array holds colours or a texture."""
+    shape, surface, view = scene("cube")
+    with pytest.raises(ValueError, match=r"a surface, Colours or a Texture.*got a ndarray"):
+        pipeline.render(shape, surface.colours, view)
+
+
+def test_a_gradient_of_another_shape_is_told():
+    """A transposed gradient of a picture is taken for what it is not."""
+    shape, surface, view = scene("cube")
+    picture, buffers = pipeline.render(shape, surface, view)
+    given = buffers, shape, surface, view
+    with pytest.raises(ValueError, match=r"grad_picture \(19, 26, 2\).*got \(26, 19, 2\)"):
+        pipeline.render_backward(picture.swapaxes(0, 1), *given)
+    with pytest.raises(ValueError, match=r"grad_depth \(19, 26\).*got \(26, 19\)"):
+        pipeline.render_backward(picture, *given, buffers.depth.T)
+    texture = Texture(np.zeros((len(shape.positions), 2)), shape.faces, np.zeros((4, 4, 2)))
+    picture, buffers = pipeline.render(shape, texture, view)
+    with pytest.raises(ValueError, match=r"grad_picture \(19, 26, 2\).*got \(19, 26\)"):
+        pipeline.render_backward(picture[..., 0], buffers, shape, texture, view)
+
+
+def test_a_good_scene_is_rendered():
+    """The checks refuse what fits."""
+    picture, _ = rendered(GOOD)
+    assert picture.shape == (4, 5, 2)
+    picture, _ = rendered({**GOOD, "width": np.int64(0)})
+    assert picture.shape == (4, 0, 2)
+    face_index, _ = scanline.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
+    assert (face_index == -1).all()
