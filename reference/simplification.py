@@ -11,13 +11,12 @@ Q in blocks is [A  b; b^T  c], with A (3, 3). The best place for v is the first 
     x = x_i + t e,  t = -e.(A x_i + b) / e.A e        on the segment, e = x_j - x_i          (6)
     x_i, x_j or (x_i + x_j) / 2                       whichever costs least                  (7)
 
-The cheapest pair becomes one vertex, whose quadric is Q_i + Q_j; and again (`collapse_heap` is the
-fast way). A pair is refused if that would break the surface. For a closed surface around edge i j:
+The cheapest pair is collapsed, and again. A pair i j is refused unless, on a closed surface,
 
     the neighbours that i and j share  =  the third vertices of the faces at i j             (8)
 
-Sources: lecture "Geometry, advanced"; Garland and Heckbert 1997 (1)-(7); Dey et al. 1999, the link
-condition (8). The caller guarantees faces of three different vertices.
+Sources: lecture "Geometry, advanced"; Garland and Heckbert 1997 (1)-(7); Dey et al. 1999, (8). The
+caller guarantees faces of three different vertices.
 """
 import numpy as np
 from scipy.spatial import cKDTree
