@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 import scipy.spatial
 
-from course.experiments import demo
+from course.experiments import relaxation
 from course.given import distances, mesh
 from course.given.gradcheck import gradcheck
 from reference import inverse_rendering, regularization
@@ -193,7 +193,7 @@ def test_a_bad_real_mesh_becomes_round_and_stays_where_it_is():
     """The teapot's triangles have a mean least angle of 23 degrees. At least 40 are asked for, and
     that neither surface is 0.5 % of the diagonal away from the other one, at any of its samples.
     """
-    vertices, faces = demo.split_in_four(*demo.closed_seams(*mesh.teapot()))
+    vertices, faces = relaxation.split_in_four(*relaxation.closed_seams(*mesh.teapot()))
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
     moved, flipped = regularization.relax(vertices, faces, 0.004 * diagonal)
     before, after = (regularization.corner_angles(x[f]).min(1) for x, f in
