@@ -21,8 +21,8 @@ from reference import (
     interpolation,
     pipeline,
     rasterization,
+    rasterizer_gradients,
     scanline,
-    vertex_gradients,
 )
 
 
@@ -66,7 +66,7 @@ def stages(clip, faces, attributes, size):
         "d antialias": lambda: antialiasing.antialias_backward(grad, colour, *edges),
         "d interpolate": lambda: interpolation.interpolate_backward(grad, attributes, faces,
                                                                     face_index, barycentric),
-        "d barycentrics": lambda: vertex_gradients.barycentrics_backward(grad_barycentric,
+        "d barycentrics": lambda: rasterizer_gradients.barycentrics_backward(grad_barycentric,
                                                                          face_index, clip, faces),
     }
 

@@ -14,7 +14,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
 from course.given import mesh
-from reference import subdivision
+from reference import catmull_clark, loop_subdivision
 
 
 def main():
@@ -24,12 +24,12 @@ def main():
         peers = {name: lambda step=step, given=(vertices, faces): step(*given)
                  for name, step in (("igl", libigl), ("trimesh", trimesh))
                  if importlib.util.find_spec(name)}
-        rows.append(row("Loop", vertices, subdivision.loop, subdivision.loop_matrix, faces,
-                        peers=peers))
+        rows.append(row("Loop", vertices, loop_subdivision.loop,
+                        loop_subdivision.loop_matrix, faces, peers=peers))
     for side in 22, 71, 224:
         vertices, *polygons = quads(side)
-        rows.append(row("Catmull-Clark", vertices, subdivision.catmull_clark,
-                        subdivision.catmull_clark_matrix, *polygons))
+        rows.append(row("Catmull-Clark", vertices, catmull_clark.catmull_clark,
+                        catmull_clark.catmull_clark_matrix, *polygons))
     measure.show(rows)
     measure.save("subdivision", facts, {"medians in ms": rows})
 

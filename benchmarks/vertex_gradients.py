@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import rasterization, scanline, vertex_gradients
+from reference import rasterization, rasterizer_gradients, scanline
 
 SIZE = 512
 
@@ -28,7 +28,7 @@ def row(face_count):
     face_index, _ = scanline.rasterize(clip, faces, SIZE, SIZE)
     rng, picture = np.random.default_rng(0), (face_index, clip, faces)
     by_b, by_db, by_z = (rng.normal(size=(SIZE, SIZE, *shape)) for shape in ((3,), (3, 2), ()))
-    lab7 = vertex_gradients
+    lab7 = rasterizer_gradients
     return {"faces": len(faces), **measure.medians({
         "rasterize": lambda: scanline.rasterize(clip, faces, SIZE, SIZE),
         "d depth": lambda: lab7.depth_backward(by_z, *picture),

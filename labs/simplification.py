@@ -28,7 +28,7 @@ import warnings
 import numpy as np
 from scipy.spatial import cKDTree
 
-from course.given import mesh
+from course.given import inputs, mesh
 
 LEAST_CURVATURE = 1e-3  # of the greatest eigenvalue of A: less is rounding, or nearly flat
 BOUNDARY_WEIGHT = 100   # of a plane through a boundary edge; that of a face has 1
@@ -397,7 +397,7 @@ def simplify(vertices, faces, face_count, t=0.0):
     warning says so, and the mesh has more faces. refused counts by REASONS.
     ValueError for what is no mesh, for a negative t or face_count, or nan.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices, float), plain_faces(np.asarray(faces, int))
     if not all(isinstance(number, numbers.Real) and number >= 0 for number in (face_count, t)):
         raise ValueError("simplify needs face_count >= 0 and t >= 0, "

@@ -12,13 +12,10 @@ but A / w and 1 / w are. Along a segment, t is the fraction of the way on screen
     A_pixels = B A_vertices                                    (5) for all pixels at once    (7)
     grad_A_vertices = B^T grad_A_pixels,   grad_b_k = grad_A . A_k                           (8)
 
-e_k is any multiple of the edge function opposite to corner k, as lab 2's e or its b in eq. (3)
-there. Then n is M^-1 (x, y, 1), up to a factor that (3) divides away: edge functions and the
-inverse of lab 7 and of lab 10 are one thing. B has one row per pixel, one column per vertex.
-
-The caller sees to it that w_k and s are not 0. attributes (V, C): C numbers at each vertex, of any
-meaning. faces (F, 3) may name other vertices than those of the positions, as uv with seams do.
-face_index (H, W), -1 for no face, and barycentric (H, W, 3) are as lab 2 makes them.
+e_k is any multiple of lab 2's edge function opposite to corner k. w_k and s are not 0. B has one
+row for each pixel and one column for each vertex. attributes (V, C) are C numbers at each vertex.
+faces (F, 3) may name other vertices than those of the positions, as uv with seams do. face_index
+(H, W), -1 for no face, and barycentric (H, W, 3) are as lab 2 makes them.
 
 Source: lecture "Differentiable graphics 1".
 """
@@ -27,7 +24,7 @@ import math
 import numpy as np
 import scipy.sparse
 
-from .rasterization import seen_pixels
+from .rasterization import normalize_derivative, seen_pixels
 
 
 def scatter(values, index, count):
@@ -106,37 +103,40 @@ def corrected_barycentrics(e, w):  # exercise 5.5 (2 points)
     return n / n.sum(-1, keepdims=True)
 
 
-def corrected_barycentrics_backward(grad_b, e, w):  # exercise 5.6 (4 points)
-    """Backward of eq. (3): grad_b (..., 3) -> grad_e (..., 3), grad_w (..., 3).
+def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (3 points)
+    """Backward of b = n / s with s = sum n, the quotient rule: grad_b -> grad_n.
 
-    e, w (..., 3), of grad_b's shape.
+    grad_b, b of one shape, the three weights along the axis; s, of length 1 along that axis, or
+    (for axis 0) without it.
 
-    >>> e, w = np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0])
-    >>> grad_e, grad_w = corrected_barycentrics_backward(np.array([1.0, 0.0, 0.0]), e, w)
-    >>> grad_e, grad_w + 0.0
-    (array([ 0.375, -0.375, -1.125]), array([-0.1875,  0.0625,  0.    ]))
+    >>> normalize_backward(np.array([8.0, 0.0, 0.0]), np.array([0.25, 0.25, 0.5]), 4.0)
+    array([ 1.5, -0.5, -0.5])
     """
     # By eq. (4), L changes by sum_k grad_b_k (dn_k - b_k sum_j dn_j) / s: collected by dn_k. Every
     # n_k is in s, so that corner k feels what all three weights want.
+    return (grad_b - (grad_b * b).sum(axis, keepdims=True)) / s
+
+
+def corrected_barycentrics_backward(grad_b, e, w):
+    """Backward of eq. (3): grad_b (..., 3) -> grad_e (..., 3), grad_w (..., 3).
+
+    e, w (..., 3), of grad_b's shape.
+    """
+    # n = e / w: dn = de / w - n dw / w.
     n = e / w
     s = n.sum(-1, keepdims=True)
-    grad_n = (grad_b - (grad_b * n / s).sum(-1, keepdims=True)) / s
+    grad_n = normalize_backward(grad_b, n / s, s, axis=-1)
     return grad_n / w, -grad_n * n / w
 
 
-def corrected_barycentrics_derivatives(de, e, w):  # exercise 5.7 (3 points)
+def corrected_barycentrics_derivatives(de, e, w):
     """Eq. (4): how b of eq. (3) changes where e does: de (..., 3, D) -> db (..., 3, D).
 
-    de: D derivatives of e (..., 3), such as those by x and by y; w (..., 3) stays as it is.
-
-    >>> e, w, de = np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]), np.array([-1.0, 1.0, 0.0])
-    >>> corrected_barycentrics_derivatives(de[:, None], e, w)[:, 0].round(9)
-    array([-0.75,  0.75,  0.  ])
+    de: D derivatives of e (..., 3), such as those with respect to x and to y; w (..., 3) stays.
     """
-    # n = b s, so dn = db s + b ds.
-    n, dn = e / w, de / w[..., None]
-    s, ds = n.sum(-1)[..., None, None], dn.sum(-2, keepdims=True)
-    return (dn - n[..., None] / s * ds) / s
+    n = (e / w)[..., None]
+    s = n.sum(-2, keepdims=True)
+    return normalize_derivative(de / w[..., None], n / s, s, axis=-2)
 
 
 def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)

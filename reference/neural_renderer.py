@@ -25,7 +25,7 @@ import numpy as np
 
 from course.given import inputs
 
-from . import msaa, scanline, texturing, transforms
+from . import mipmapping, msaa, scanline, transforms
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
 SOFT_END = 1e-6                 # a probability below this is not looked at, eq. (9)
@@ -354,7 +354,7 @@ def bake(image, uv, faces, size):
     an edge agree exactly only if they make a parallelogram in uv.
     """
     at = texel_weights(size).reshape(-1, 3) @ uv[faces]
-    texels = texturing.texture(image, at, boundary="clamp")
+    texels = mipmapping.texture(image, at, boundary="clamp")
     return texels.reshape(len(faces), size, size, size, -1)
 
 

@@ -29,7 +29,7 @@ def fit(labs, truth, views, filter, size=64, first_rate=1e-2):
 
     -> psnr (steps,) after each step; the texture, like truth.
     """
-    lab6, lab9, coming = labs.texturing, labs.inverse_rendering, iter(views)
+    lab6, lab9, coming = labs.mipmapping, labs.inverse_rendering, iter(views)
 
     def gradient(x):
         at, footprint, colour = next(coming)
@@ -103,7 +103,7 @@ def sampled(labs, texture, clip_from_model, size):
     seen, *where = footprints(labs, clip_from_model, size)
     samples = np.zeros((size, size, 4))
     samples[seen, 3] = 1
-    samples[seen, :3] = labs.texturing.texture(texture, *where, filter="linear-mipmap-linear")
+    samples[seen, :3] = labs.mipmapping.texture(texture, *where, filter="linear-mipmap-linear")
     return samples
 
 

@@ -11,7 +11,7 @@ def relaxation(labs):
     vertices, faces = split_teapot()
     size = np.linalg.norm(np.ptp(vertices, axis=0))
     yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
-    moved, flipped = labs.regularization.relax(vertices, faces, 0.004 * size)
+    moved, flipped = labs.remeshing.relax(vertices, faces, 0.004 * size)
     yield "flips and slides, four times", None
     for name, shape, triangles in ("before", vertices, faces), ("after", moved, flipped):
         angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())

@@ -1,4 +1,4 @@
-"""What lab 9's `render` and its backward pass expect: one sentence for what does not fit.
+"""What functions of the labs expect: one sentence for what does not fit.
 
 A shape is told by its lengths, a number where it is known and a letter where it is free.
 """
@@ -29,11 +29,30 @@ def require_indices(name, array, *shape, first, count, of, hint=""):
         require(first <= low and high < count, expected, f"{low} to {high}")
 
 
+def require_faces(faces, vertex_count):
+    """Integers (F, 3), signed or not, from 0 to vertex_count - 1: rows of the vertices. F may be 0.
+
+    ValueError, in one sentence, for anything else.
+    """
+    expected = f"faces (F, 3) must be integers from 0 to {vertex_count - 1}, rows of the vertices"
+    if not isinstance(faces, np.ndarray):
+        raise ValueError(f"{expected}; got a {type(faces).__name__}: give an array")
+    if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
+        raise ValueError(f"{expected}; got {faces.shape} of {faces.dtype}: give three integers for "
+                         "each triangle")
+    outside = (faces < 0) | (faces >= vertex_count)
+    if outside.any():
+        face, corner = np.argwhere(outside)[0]
+        raise ValueError(f"{expected}; got {faces.min()} to {faces.max()}: face {face} names "
+                         f"vertex {faces[face, corner]}, but there are {vertex_count} vertices, "
+                         "counted from 0; mend that face, or give all vertices")
+
+
 def require_geometry(positions, faces, clip_from_model, width, height, opposite):
     """What every picture is of: a mesh, a camera, and a screen."""
     require_reals("positions", positions, "V", 3, hint=" (a fit that diverges wants a smaller "
                   "rate)")
-    require_indices("faces", faces, "F", 3, first=0, count=len(positions), of="rows of positions")
+    require_faces(faces, len(positions))
     require_indices("opposite", opposite, *faces.shape, first=-1, count=len(positions), of="-1 for "
                     "none", hint=", made by antialiasing.opposite_vertices(faces)")
     require_reals("clip_from_model", clip_from_model, 4, 4)
@@ -61,7 +80,7 @@ def require_cubes(vertices, faces, textures, clip_from_world, lights, width, hei
                   samples):
     """What lab 10's `render` needs: faces with a cube each, a camera, three lights, a screen."""
     require_reals("vertices", vertices, "V", 3)
-    require_indices("faces", faces, "F", 3, first=0, count=len(vertices), of="rows of vertices")
+    require_faces(faces, len(vertices))
     require_reals("textures", textures, len(faces), "T", "T", "T", "C", hint=", a cube per face")
     size = textures.shape[1]
     require(size >= 2 and textures.shape[1:4] == (size,) * 3, "textures (F, T, T, T, C) with one "
@@ -101,3 +120,23 @@ def _channels(name, array):
 def _shown(name, shape):
     inside = ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "")
     return f"{name} ({inside})"
+
+
+def require_mesh(vertices, faces):
+    """Nothing for a sound mesh with at least one face, else a ValueError that says what is wrong.
+
+    vertices (V, 3) finite floating point numbers, faces (F, 3) integers from 0 to V - 1. Faces may
+    be degenerate, vertices unused or repeated.
+    """
+    vertices, faces = np.asarray(vertices), np.asarray(faces)
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or vertices.dtype.kind != "f":
+        raise ValueError("vertices must be an array (V, 3) of floating point numbers, "
+                         f"got {vertices.shape} of {vertices.dtype}: give one row for each vertex, "
+                         "such as vertices.astype(float)")
+    require_faces(faces, len(vertices))
+    if len(faces) == 0:
+        raise ValueError("a mesh needs at least one face, got none: give one or leave it out")
+    if not np.isfinite(vertices).all():
+        vertex = np.argmin(np.isfinite(vertices).all(axis=1))
+        raise ValueError("vertices must be finite, "
+                         f"vertex {vertex} is {vertices[vertex].tolist()}: mend it or leave it out")

@@ -378,6 +378,18 @@ def test_of_equally_deep_faces_the_first_is_seen(impl):
 
 
 @exercise("2.13")
+def test_a_face_is_seen_from_behind_too(impl):
+    """Clockwise faces cover nothing."""
+    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.2, 1.0], [-1.0, 1.0, 0.4, 1.0]])
+    front = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 5, 4)
+    back = impl.rasterize_loop(clip, np.array([[0, 2, 1]]), 5, 4)
+    seen = np.add.outer(np.arange(4) / 4, np.arange(5) / 5) < 0.78
+    assert_picture(back[0], np.where(seen, 0, -1))
+    assert_picture(front[0], np.asarray(back[0]))
+    assert_close(back[1], np.asarray(front[1]))
+
+
+@exercise("2.13")
 def test_depth_is_linear_on_the_screen(impl):
     """z is interpolated and then divided by w: both must be done, or z/w be taken as linear."""
     clip = np.array([[-1.0, -1.0, -1.0, 1.0], [3.0, -3.0, 2.4, 3.0], [-1.0, 3.0, -1.0, 1.0]])

@@ -88,48 +88,19 @@ def corrected_barycentrics(e, w):
     return n
 
 
-def corrected_barycentrics_backward(grad_b, e, w):
-    """the sum s is taken for a constant, but every n_k is in it"""
-    n = e / w
-    s = n.sum(-1, keepdims=True)
-    grad_n = grad_b / s
-    return grad_n / w, -grad_n * n / w
-
-
-def corrected_barycentrics_backward(grad_b, e, w):
-    """the gradient by w has the wrong sign"""
-    n = e / w
-    s = n.sum(-1, keepdims=True)
-    grad_n = (grad_b - (grad_b * n / s).sum(-1, keepdims=True)) / s
-    return grad_n / w, grad_n * n / w
-
-
-def corrected_barycentrics_backward(grad_b, e, w):
-    """the gradient by w is divided by w once; n / w is e / w^2"""
-    n = e / w
-    s = n.sum(-1, keepdims=True)
-    grad_n = (grad_b - (grad_b * n / s).sum(-1, keepdims=True)) / s
-    return grad_n / w, -grad_n * e / w
-
-
-def corrected_barycentrics_derivatives(de, e, w):
+def normalize_backward(grad_b, b, s, axis=0):
     """the sum s is taken for a constant"""
-    n, dn = e / w, de / w[..., None]
-    return dn / n.sum(-1)[..., None, None]
+    return grad_b / s
 
 
-def corrected_barycentrics_derivatives(de, e, w):
-    """de is not divided by w"""
-    n, dn = e / w, de
-    s, ds = n.sum(-1)[..., None, None], dn.sum(-2, keepdims=True)
-    return (dn - n[..., None] / s * ds) / s
+def normalize_backward(grad_b, b, s, axis=0):
+    """the share of the sum has the wrong sign"""
+    return (grad_b + (grad_b * b).sum(axis, keepdims=True)) / s
 
 
-def corrected_barycentrics_derivatives(de, e, w):
-    """a sign in the quotient rule is wrong"""
-    n, dn = e / w, de / w[..., None]
-    s, ds = n.sum(-1)[..., None, None], dn.sum(-2, keepdims=True)
-    return (dn + n[..., None] / s * ds) / s
+def normalize_backward(grad_b, b, s, axis=0):
+    """it is the rule of the derivative; here each corner feels what all three weights want"""
+    return (grad_b - b * grad_b.sum(axis, keepdims=True)) / s
 
 
 def interpolate_loop(attributes, faces, face_index, barycentric):

@@ -28,20 +28,11 @@ def corrected_barycentrics(e, w):
     return n / np.sum(n, -1)[..., None]
 
 
-def by_n(e, w):
-    """The Jacobian (..., 3, 3) of b by n, row k of b_k."""
-    n = e / w
-    s = n[..., 0] + n[..., 1] + n[..., 2]
-    return (np.eye(3) - (n / s[..., None])[..., None]) / s[..., None, None]
-
-
-def corrected_barycentrics_backward(grad_b, e, w):
-    grad_n = np.einsum("...k,...kj->...j", grad_b, by_n(e, w))
-    return grad_n / w, grad_n * (-e / w / w)
-
-
-def corrected_barycentrics_derivatives(de, e, w):
-    return by_n(e, w) @ (de / w[..., None])
+def normalize_backward(grad_b, b, s, axis=0):
+    # A matrix for each sample: db_k / dn_j = ((j == k) - b_k) / s.
+    grad_b, b = np.moveaxis(grad_b, axis, -1), np.moveaxis(b, axis, -1)
+    jacobian = np.eye(3) - b[..., None]
+    return np.moveaxis(np.einsum("...k,...kj->...j", grad_b, jacobian), -1, axis) / s
 
 
 def interpolate_loop(attributes, faces, face_index, barycentric):

@@ -1,8 +1,6 @@
 """Lab 7 once more: solving for inverting, Jacobians element by element, face by face."""
 import numpy as np
 
-from reference.vertex_gradients import EDGES
-
 
 def vertex_matrix(triangle):
     return np.vstack([np.transpose(triangle), [1, 1, 1]])
@@ -61,7 +59,7 @@ def gauss_newton_step(residuals, jacobian):
 
 def weights(m, a):
     q = m.T
-    areas = np.array([np.cross(q[i], q[j]) @ a for i, j in EDGES])
+    areas = np.array([np.cross(q[i], q[j]) @ a for i, j in ((1, 2), (2, 0), (0, 1))])
     return areas / areas.sum()
 
 
@@ -76,77 +74,3 @@ def weights_backward(grad_b, m, a):
 
     grad_m = np.array([[pull(-inverse[:, i] * c[j]) for j in range(3)] for i in range(3)])
     return grad_m, np.array([pull(inverse[:, i]) for i in range(3)])
-
-
-def edge_functions(corners):
-    rows = [np.cross(corners[:, i], corners[:, j], axis=0) for i, j in EDGES]
-    return np.asfortranarray(rows)
-
-
-def edge_functions_backward(grad_edges, corners):
-    # e_k = sum epsilon_abc q_i[b] q_j[c]: linear in each of the two.
-    epsilon = np.zeros((3, 3, 3))
-    for k in range(3):
-        epsilon[k, k - 2, k - 1], epsilon[k, k - 1, k - 2] = 1, -1
-    grad = np.zeros(np.shape(corners))
-    for k, (i, j) in enumerate(EDGES):
-        grad[:, i] += np.einsum("abc,a...,c...->b...", epsilon, grad_edges[k], corners[:, j])
-        grad[:, j] += np.einsum("abc,a...,b...->c...", epsilon, grad_edges[k], corners[:, i])
-    return grad
-
-
-def longer_sum(e, epsilon):
-    return [s - epsilon if s < 0 else s + epsilon for s in e[0] + e[1] + e[2]]
-
-
-def normalize(e, epsilon):
-    return np.transpose([column / s for column, s in zip(e.T, longer_sum(e, epsilon),
-                                                         strict=True)]).reshape(e.shape)
-
-
-def normalize_backward(grad_b, e, epsilon):
-    grad_e = np.empty(e.shape)
-    for n, s in enumerate(longer_sum(e, epsilon)):
-        jacobian = np.eye(3) / s - np.outer(e[:, n], np.ones(3)) / s**2
-        grad_e[:, n] = jacobian.T @ grad_b[:, n]
-    return grad_e
-
-
-def normalize_derivative(e, e_x, epsilon):
-    s, s_x = np.array(longer_sum(e, epsilon)), e_x.sum(0)
-    return (e_x * s - e * s_x) / s**2
-
-
-def normalize_derivative_backward(grad_b_x, e, e_x, epsilon):
-    # b_x = e_x / s - e s_x / s^2, every number of it by every number.
-    grad_e, grad_e_x = np.zeros(e.shape), np.zeros(e.shape)
-    for n, s in enumerate(longer_sum(e, epsilon)):
-        s_x = e_x[:, n].sum()
-        for k in range(3):
-            for j in range(3):
-                same, g = float(j == k), grad_b_x[k, n]
-                grad_e_x[j, n] += g * (same / s - e[k, n] / s**2)
-                grad_e[j, n] += g * (-e_x[k, n] / s**2 - same * s_x / s**2
-                                     + 2 * e[k, n] * s_x / s**3)
-    return grad_e, grad_e_x
-
-
-def sum_per_face(u, x, y, face, count):
-    sums = np.zeros((len(u), 3, count))
-    for n, f in enumerate(face):
-        sums[:, :, f] += np.outer(u[:, n], [x[n], y[n], 1])
-    return sums
-
-
-def depth_planes(z, corners):
-    return np.reshape([np.linalg.solve(corners[..., f].T, z[:, f]) for f in range(z.shape[1])],
-                      (-1, 3)).T
-
-
-def depth_planes_backward(grad_planes, z, corners):
-    planes = depth_planes(z, corners)
-    grad_z, grad_corners = np.empty(z.shape), np.empty(corners.shape)
-    for f in range(z.shape[1]):
-        grad_z[:, f] = np.linalg.solve(corners[..., f], grad_planes[:, f])
-        grad_corners[..., f] = -np.outer(planes[:, f], grad_z[:, f])
-    return grad_z, grad_corners

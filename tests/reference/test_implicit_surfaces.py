@@ -6,7 +6,7 @@ import pytest
 import scipy.sparse
 
 from course.experiments import demo, drawing, fit_volume, representations
-from course.given import mesh
+from course.given import inputs, mesh
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, transforms
 
@@ -205,7 +205,7 @@ def test_random_fields_give_closed_manifolds_wound_outward(seed):
     border = (np.abs(points) == 1).any(1)
     distance[border] = np.abs(distance[border])
     vertices, faces, _ = implicit_surfaces.marching_tetrahedra(points, distance, tetrahedra)
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     assert_closed_manifold(len(vertices), faces)
     # Each tetrahedron's part of the inside, cut into simplices by the same linear field.
     if seed < 4:

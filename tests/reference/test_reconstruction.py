@@ -8,7 +8,7 @@ import trimesh
 
 from course import cli
 from course.experiments import captures, demo, drawing, fit_triangle, reconstruct
-from course.given import image, mesh
+from course.given import image, mesh, mesh_files
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, reconstruction
 
@@ -226,7 +226,7 @@ def test_glb_and_obj_hold_the_mesh_and_its_colours(tmp_path):
     np.testing.assert_array_equal(found.faces, faces)
     np.testing.assert_allclose(found.visual.vertex_attributes["color"][:, :3] / 255, albedo,
                                atol=0.003)
-    again = mesh.read(tmp_path / "found.obj")
+    again = mesh_files.read(tmp_path / "found.obj")
     np.testing.assert_allclose(again[0], vertices, atol=1e-5)
     np.testing.assert_array_equal(again[1], faces)
     first = (tmp_path / "found.obj").read_text().splitlines()[0].split()
@@ -241,7 +241,7 @@ def test_after_ctrl_c_the_last_good_mesh_is_on_disk(tmp_path):
 
     with pytest.raises(KeyboardInterrupt):
         list(captures.watched(LABS, stopped(), 9, tmp_path / "found.glb"))
-    assert len(mesh.read(tmp_path / "found.obj")[1]) > 50
+    assert len(mesh_files.read(tmp_path / "found.obj")[1]) > 50
     assert (tmp_path / "found.glb").read_bytes()[:4] == b"glTF"
 
 
@@ -252,7 +252,7 @@ def test_a_search_that_came_to_nothing_says_so(tmp_path):
         with pytest.raises(ValueError, match="came to nothing at step 2: are the cameras right"):
             list(captures.watched(LABS, iter([(5, 0.1, good), (5, loss, x)]), 9,
                                   tmp_path / "found.glb"))
-        assert len(mesh.read(tmp_path / "found.obj")[1]) > 50
+        assert len(mesh_files.read(tmp_path / "found.obj")[1]) > 50
 
 
 # --- what comes in -----------------------------------------------------------------------------

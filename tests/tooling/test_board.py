@@ -8,9 +8,9 @@ import time
 
 import pytest
 
-from course import board, checks
+from course import board, exercises
+from course.checks.report import Check
 from course.given import places
-from course.upkeep import skeleton
 
 REFERENCE = '''\
 """Made up."""
@@ -244,6 +244,20 @@ def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, sta
     assert done.returncode == status
 
 
+def test_what_comes_next_is_next_by_number_in_whichever_module_of_the_lab(house, run_module):
+    """The numbers of the lab's own module come first, so that 2.3 is told before 2.2."""
+    third = SECOND.replace("2.1", "2.3")
+    opened = third.replace("return 2 * x", 'raise NotImplementedError("exercise 2.3: twice")')
+    root = house({
+        "reference/rasterization.py": third, "labs/rasterization.py": opened,
+        "tests/labs/test_rasterization.py": SECOND_CHECKS.replace("2.1", "2.3"),
+        "reference/scanline.py": third.replace("2.3", "2.2"),
+        "labs/scanline.py": opened.replace("2.3", "2.2"),
+        "tests/labs/test_scanline.py": SECOND_CHECKS.replace("2.1", "2.2")})
+    done = run_module(root, "course", "check", "2")
+    assert "Next: 2.2 twice, not started" in done.stdout
+
+
 def test_an_exercise_without_a_check_says_so(check):
     """It is done, as nothing fails."""
     assert "wrong     it has no check in tests/labs/test_transforms.py" in check("1.6").stdout
@@ -354,9 +368,9 @@ def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_modu
 
 
 def entry(number, verdict, *verdicts):
-    found = [checks.Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0)
+    found = [Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0)
              for k, text in enumerate(verdicts)]
-    return board.Entry("transforms", skeleton.Exercise(number, "f", 2, 4, ()), verdict, found)
+    return board.Entry("transforms", exercises.Exercise(number, "f", 2, 4, ()), verdict, found)
 
 
 @pytest.mark.parametrize(("entries", "text"), [
@@ -420,7 +434,7 @@ LECTURE = {"cells": [
 def test_the_section_of_an_exercise_is_found(tmp_path, number, name, section):
     """A student is sent to the section before, to that of 2.15, or to a number that is none."""
     (tmp_path / "lecture.ipynb").write_text(json.dumps(LECTURE))
-    exercise = skeleton.Exercise(number, name, 1, 1, ())
+    exercise = exercises.Exercise(number, name, 1, 1, ())
     assert board.section_of(tmp_path / "lecture.ipynb", exercise) == section
 
 
@@ -435,7 +449,7 @@ def test_without_color_the_board_has_80_columns(check, monkeypatch):
 def test_every_row_of_the_course_fits_into_80_columns():
     """A long name is cut off."""
     entries = [board.Entry(topic, exercise, "blocked by 16.16", [])
-               for topic in skeleton.topics() for exercise in skeleton.topic_exercises(topic)]
+               for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)]
     console = board.Console(width=80, file=io.StringIO(), force_terminal=False)
     console.print(board.table(entries))
     rows = console.file.getvalue().splitlines()

@@ -6,8 +6,8 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import rasterization, scanline, transforms
-from reference import vertex_gradients as gradients
+from reference import rasterization, scanline, transforms, vertex_gradients
+from reference import rasterizer_gradients as gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
 GOLDEN = np.load("tests/golden/rasterize_gradients.npz")
@@ -98,7 +98,7 @@ def test_all_of_it_is_the_sum(scene):
 
 
 def test_it_is_the_matrix_formula_summed_over_the_pixels(scene):
-    """Eqs. (7) to (9) are not eq. (6), or (10) is not (4): pixel by pixel, with an inverse each."""
+    """Eqs. (1) to (3) are not lab 7's eq. (6), or (4) is not its (4): an inverse for each pixel."""
     clip, faces, face_index, width, height = scene
     rng = np.random.default_rng(2)
     by_b, by_z = rng.normal(size=(height, width, 3)), rng.normal(size=(height, width))
@@ -108,8 +108,8 @@ def test_it_is_the_matrix_formula_summed_over_the_pixels(scene):
         m, z = clip[corners][:, [0, 1, 3]].T, clip[corners, 2]
         a = np.array([(2 * j + 1) / width - 1, (2 * i + 1) / height - 1, 1.0])
         rows = np.ix_(corners, [0, 1, 3])
-        from_b[rows] += gradients.weights_backward(by_b[i, j], m, a)[0].T
-        grad_z, grad_m, *_ = gradients.residual_backward(by_z[i, j], z, m, a, 0.0)
+        from_b[rows] += vertex_gradients.weights_backward(by_b[i, j], m, a)[0].T
+        grad_z, grad_m, *_ = vertex_gradients.residual_backward(by_z[i, j], z, m, a, 0.0)
         from_z[rows] += grad_m.T
         from_z[corners, 2] += grad_z
     got = gradients.barycentrics_backward(by_b, face_index, clip, faces)
@@ -125,7 +125,7 @@ def test_chunks_change_nothing(scene, monkeypatch):
     upstream = [rng.normal(size=(height, width, *shape)) for shape in ((3,), (3, 2), ())]
     whole = gradients.rasterize_backward(*upstream, face_index, clip, faces)
     for size in 1, 7, 50:
-        monkeypatch.setattr(gradients, "CHUNK", size)
+        monkeypatch.setattr(rasterization, "CHUNK", size)
         got = gradients.rasterize_backward(*upstream, face_index, clip, faces)
         np.testing.assert_allclose(got, whole, rtol=1e-10, atol=1e-10)
 

@@ -1,0 +1,189 @@
+"""Catmull-Clark subdivision, for all polygons: one of k corners is cut in k quads.
+
+Each face gets a point f, and so does each edge A B, with f_1 and f_2 in its two faces. A vertex v
+has n neighbours, its ring. F is the mean of the face points around v, R that of the middles of its
+edges. The diagonals are the vertices across each quad from v.
+
+    face     f = mean(corners)                                                                 (7)
+    edge     (A + B + f_1 + f_2) / 4        on the boundary   1/2 (A + B)                      (8)
+    vertex   (F + 2 R + (n - 3) v) / n      on the boundary   (3) with w = 1/8                 (9)
+    limit    (n^2 v + 4 sum(ring) + sum(diagonals)) / (n (n + 5))    (3) with w = 1/6         (10)
+
+(3) is in subdivision.py. (10) holds for meshes of quads, which all are after one step.
+
+Sources: a lecture on geometry, Catmull and Clark 1978, Halstead et al. 1993 for (10).
+"""
+import numpy as np
+import scipy.sparse
+
+from .subdivision import (
+    as_matrix,
+    as_polygons,
+    face_of_corner,
+    faces_at_edges,
+    join,
+    next_corner,
+    on_boundary,
+    polygons,
+    pull_entries,
+    ring_of,
+    topology,
+    valences,
+    vertex_rows,
+)
+
+# Point by point
+
+
+def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (5 points)
+    """Eqs. (7), (9) and (8), point by point. Slow and obvious.
+
+    vertices (V, C) of floats, corners, counts -> the new points (V + E + F, C): the V old vertices,
+    moved, then one for each edge, in the order of `edges_of`, then one for each face. `polygons`,
+    `faces_at_edges` and `ring_of` tell who is near. A vertex of no face stays.
+
+    >>> square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
+    >>> catmull_clark_slow(square, np.array([0, 1, 2, 3]), np.array([4]))[[0, 1, 4, 8]]
+    array([[1., 1.],
+           [7., 1.],
+           [4., 0.],
+           [4., 4.]])
+    >>> tetrahedron = np.array([0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1]), np.full(4, 3)
+    >>> catmull_clark_slow(np.array([[9.0], [0.0], [0.0], [0.0]]), *tetrahedron)[[0, 4, 7, 10]].T
+    array([[4.  , 3.75, 0.75, 3.  ]])
+    """
+    raise NotImplementedError("exercise 11.10: catmull_clark_slow")
+
+
+# The same as one matrix. P adds the face points to the old vertices. From these V + F points, T
+# makes the moved vertices and the edge points. So S is T P, and below it the rows of face points.
+
+
+def face_rows(corners, counts):
+    """Eq. (7) for all faces: the entries (rows, columns, weights) of F rows and V columns.
+
+    >>> as_matrix(face_rows(np.array([0, 1, 2, 2, 1, 3, 0]), np.array([3, 4])), (2, 4)).toarray()
+    array([[0.33333333, 0.33333333, 0.33333333, 0.        ],
+           [0.25      , 0.25      , 0.25      , 0.25      ]])
+    """
+    face = face_of_corner(counts)
+    return face, corners, (1 / counts)[face]
+
+
+def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):  # exercise 11.11 (2 points)
+    """Eq. (8) for all edges: the entries (rows, columns, weights) of E rows and V + F columns.
+
+    Column v is old vertex v. Column V + f is the face point of f, which is known. V is
+    vertex_count. edges (E, 2), corner_edge (C,) of `edges_of`, counts (F,).
+
+    >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
+    >>> corner_edge, counts = np.array([0, 2, 1, 2, 3, 4]), np.array([3, 3])
+    >>> entries = catmull_clark_edge_rows(edges, corner_edge, counts, 4)
+    >>> as_matrix(entries, (5, 6)).toarray()[1:3]
+    array([[0.5 , 0.  , 0.5 , 0.  , 0.  , 0.  ],
+           [0.  , 0.25, 0.25, 0.  , 0.25, 0.25]])
+    """
+    raise NotImplementedError("exercise 11.11: catmull_clark_edge_rows")
+
+
+def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):  # exercise 11.12 (4 points)
+    """Eq. (9) for all old vertices: the entries (rows, columns, weights) of V rows, V + F columns.
+
+    Columns as in `catmull_clark_edge_rows`. edges (E, 2), is_boundary (E,), n (V,): the valences.
+    In (9), v is also in R: collect what pulls v, and how much. A vertex at the end of a boundary
+    edge follows (3) with w = 1/8. One of valence 0 stays. `vertex_rows` may be called.
+
+    >>> edges = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]])  # a tetrahedron
+    >>> corners, counts = np.array([0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1]), np.full(4, 3)
+    >>> n, is_boundary = np.full(4, 3), np.zeros(6, bool)
+    >>> entries = catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n)
+    >>> (9 * as_matrix(entries, (4, 8)).toarray()).round(9)[:2]
+    array([[3., 1., 1., 1., 1., 1., 1., 0.],
+           [1., 3., 1., 1., 1., 0., 1., 1.]])
+    """
+    raise NotImplementedError("exercise 11.12: catmull_clark_vertex_rows")
+
+
+def catmull_clark_faces(corners, counts, corner_edge, vertex_count):  # exercise 11.13 (2 points)
+    """Each polygon as quads, one for each of its corners: (C, 4), in the order of `corners`.
+
+    The new vertex on edge e has the number V + e, that of face f V + E + f. V is vertex_count. The
+    quad of a corner: this vertex, the one on the edge to the next corner, that of the face, the one
+    on the edge from the corner before. corner_edge (C,): of `edges_of`, up to E - 1.
+
+    >>> catmull_clark_faces(np.array([0, 1, 2]), np.array([3]), np.array([0, 2, 1]), 3)
+    array([[0, 3, 6, 4],
+           [1, 5, 6, 3],
+           [2, 4, 6, 5]])
+    """
+    raise NotImplementedError("exercise 11.13: catmull_clark_faces")
+
+
+def catmull_clark_step(corners, counts, vertex_count):
+    """Catmull and Clark's S, sparse (V + E + F, V), and the new faces (C, 4).
+
+    corners (C,), counts (F,). ValueError: see `topology`.
+    """
+    corners, counts = as_polygons(corners, counts)
+    edges, corner_edge, is_boundary = topology(corners, counts, vertex_count)
+    n = valences(edges, vertex_count)
+    face_points = as_matrix(face_rows(corners, counts), (len(counts), vertex_count))
+    P = scipy.sparse.vstack([scipy.sparse.eye_array(vertex_count), face_points], "csr")
+    at_vertices = catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n)
+    on_edges = catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count)
+    T = scipy.sparse.vstack([as_matrix(at_vertices, (vertex_count, P.shape[0])),
+                             as_matrix(on_edges, (len(edges), P.shape[0]))], "csr")
+    S = scipy.sparse.vstack([T @ P, face_points], "csr")
+    return S, catmull_clark_faces(corners, counts, corner_edge, vertex_count)
+
+
+def catmull_clark_matrix(corners, counts, vertex_count):
+    """S of `catmull_clark_step`, for whatever sits at the vertices."""
+    return catmull_clark_step(corners, counts, vertex_count)[0]
+
+
+def catmull_clark(vertices, corners, counts):
+    """One step of Catmull-Clark -> vertices (V + E + F, C), corners, counts, all 4.
+
+    vertices (V, C), corners, counts. The new faces as (N, 4): corners.reshape(-1, 4). ValueError:
+    see `topology`.
+    """
+    S, quads = catmull_clark_step(corners, counts, len(vertices))
+    return S @ np.asarray(vertices), quads.ravel(), np.full(len(quads), 4)
+
+
+def catmull_clark_backward(grad_new, vertices, corners, counts):
+    """Backward of `catmull_clark`: grad_new (V + E + F, C) -> grad_vertices (V, C)."""
+    # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient of old_j adds
+    # up S_ij grad_new_i over all i, which is S^T grad_new.
+    return catmull_clark_matrix(corners, counts, len(vertices)).T @ np.asarray(grad_new)
+
+
+# The limit
+
+
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):  # exercise 11.15 (3 points)
+    """Eq. (10) for all vertices of a mesh of quads (F, 4): entries of V rows and V columns.
+
+    edges (E, 2), is_boundary (E,), n (V,): the valences. A vertex at the end of a boundary edge has
+    the limit of (3) with w = 1/6. One of valence 0 stays. `vertex_rows` may be called.
+
+    >>> quads = np.array([[0, 1, 3, 2], [2, 3, 1, 0]])  # a square, front and back
+    >>> edges, is_boundary = np.array([[0, 1], [0, 2], [1, 3], [2, 3]]), np.zeros(4, bool)
+    >>> entries = catmull_clark_limit_rows(edges, is_boundary, quads, np.full(4, 2))
+    >>> (14 * as_matrix(entries, (4, 4)).toarray()).round(9)[0]
+    array([4., 4., 4., 2.])
+    """
+    raise NotImplementedError("exercise 11.15: catmull_clark_limit_rows")
+
+
+def catmull_clark_limit_matrix(corners, counts, vertex_count):
+    """Eq. (10): sparse (V, V), to the limit surface. ValueError unless all faces are quads."""
+    corners, counts = as_polygons(corners, counts)
+    edges, _, is_boundary = topology(corners, counts, vertex_count)
+    if (counts != 4).any():
+        raise ValueError(f"face {(counts != 4).argmax()} is no quad: the limit is known for quads "
+                         "only; subdivide once first")
+    n = valences(edges, vertex_count)
+    entries = catmull_clark_limit_rows(edges, is_boundary, corners.reshape(-1, 4), n)
+    return as_matrix(entries, (vertex_count, vertex_count))

@@ -1,0 +1,183 @@
+"""Loop subdivision, for triangles: each is cut in four, and all points move.
+
+An old vertex moves by (3) of subdivision.py. Inside, u depends on its valence n. On the boundary, w
+is 1/8. An edge A B gets a new point, with C and D opposite to it in its two faces.
+
+    u = 3/16 for n = 3, else 3/(8 n)  (Warren)    (5/8 - (3/8 + cos(2 pi/n)/4)^2)/n  (Loop)    (4)
+    edge     3/8 (A + B) + 1/8 (C + D)      on the boundary   1/2 (A + B)                      (5)
+    limit    (3) with m for u, m = 1/(n + 3/(8 u))            on the boundary   w = 1/6        (6)
+
+Both formulas of (4) go by Loop's name. They agree at the valences 3 and 6 only.
+
+Sources: a lecture on geometry, Loop 1987, Warren 1995.
+"""
+import numpy as np
+import scipy.sparse
+
+from .subdivision import (
+    as_matrix,
+    faces_at_edges,
+    join,
+    on_boundary,
+    ring_of,
+    topology,
+    triangles,
+    valences,
+    vertex_rows,
+)
+
+# Point by point
+
+
+def warren_weight(n):
+    """Eq. (4), Warren's: valences n (...), integers >= 1 -> u (...).
+
+    >>> warren_weight(np.array([3, 4, 6]))
+    array([0.1875 , 0.09375, 0.0625 ])
+    """
+    return np.where(n == 3, 3 / 16, 3 / (8 * n))
+
+
+def loop_weight(n):  # exercise 11.4 (1 point)
+    """Eq. (4), Loop's own: valences n (...), integers >= 1 -> u (...).
+
+    >>> loop_weight(np.array([3, 4, 6]))
+    array([0.1875    , 0.12109375, 0.0625    ])
+    """
+    return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
+
+
+def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
+    """Eqs. (3) and (5), vertex by vertex and edge by edge. Slow and obvious.
+
+    vertices (V, C) of floats, faces (F, 3), u (V,): the weight of each vertex -> the new points
+    (V + E, C): the V old vertices, moved, then one for each edge, in the order of `edges_of`. C is
+    any number of coordinates: 3 in space, 2 for uv. `faces_at_edges` and `ring_of` tell who is
+    near. A vertex of no face stays. On the boundary, u is not used.
+
+    >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
+    >>> loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
+    array([[1., 1.],
+           [6., 1.],
+           [1., 6.],
+           [4., 0.],
+           [0., 4.],
+           [4., 4.]])
+    """
+    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    points = []
+    for v in range(len(vertices)):
+        ring, along = ring_of(v, at_edge)
+        if along:  # v is on the boundary
+            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
+        else:
+            points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
+    for edge, its_faces in at_edge:
+        ends = vertices[list(edge)].sum(0)
+        opposite = [v for f in its_faces for v in faces[f] if v not in edge]
+        if len(its_faces) == 1:
+            points.append(ends / 2)
+        else:
+            points.append(3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0))
+    return np.stack(points)
+
+
+# The same as one matrix
+
+
+def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
+    """Eq. (5) for all edges: the entries (rows, columns, weights) of E rows and V columns.
+
+    faces (F, 3). edges (E, 2) and corner_edge (3 F,), as `edges_of` gives them for faces.ravel().
+
+    >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
+    >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
+    >>> as_matrix(loop_edge_rows(faces, edges, corner_edge), (5, 4)).toarray()[1:3]
+    array([[0.5  , 0.   , 0.5  , 0.   ],
+           [0.125, 0.375, 0.375, 0.125]])
+    """
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    end_weight = np.where(is_boundary, 1 / 2, 3 / 8)
+    inside = ~is_boundary[corner_edge]
+    opposite = np.roll(faces, 1, axis=1).ravel()  # to the edge from a corner to the next
+    return join((every, edges[:, 0], end_weight), (every, edges[:, 1], end_weight),
+                (corner_edge[inside], opposite[inside], np.full(inside.sum(), 1 / 8)))
+
+
+def loop_faces(faces, corner_edge, vertex_count):  # exercise 11.9 (2 points)
+    """Each triangle as four: faces (F, 3), corner_edge (3 F,) of `edges_of` -> (4 F, 3).
+
+    The new vertex on edge e has the number vertex_count + e. Let a face have the corners A, B, C
+    and the new vertices AB, BC, CA on its edges. Its four rows are (A, AB, CA), (AB, B, BC),
+    (CA, BC, C), (AB, BC, CA): corner k of child k is the old one, the last is in the middle.
+
+    >>> loop_faces(np.array([[0, 1, 2]]), np.array([0, 2, 1]), 3)
+    array([[0, 3, 4],
+           [3, 1, 5],
+           [4, 5, 2],
+           [3, 5, 4]])
+    """
+    a, b, c = faces.T
+    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
+    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1).reshape(-1, 3)
+
+
+def loop_step(faces, vertex_count, weight=warren_weight):
+    """Loop's S, sparse (V + E, V), and the new faces (4 F, 3).
+
+    faces (F, 3), weight: warren_weight or loop_weight. ValueError: see `topology`.
+    """
+    corners, counts = triangles(faces)
+    edges, corner_edge, is_boundary = topology(corners, counts, vertex_count)
+    faces = corners.reshape(-1, 3)
+    u = weight(np.maximum(valences(edges, vertex_count), 1))
+    at_vertices = vertex_rows(edges, is_boundary, u, 1 / 8)
+    on_edges = loop_edge_rows(faces, edges, corner_edge)
+    S = scipy.sparse.vstack([as_matrix(at_vertices, (vertex_count, vertex_count)),
+                             as_matrix(on_edges, (len(edges), vertex_count))], "csr")
+    return S, loop_faces(faces, corner_edge, vertex_count)
+
+
+def loop_matrix(faces, vertex_count, weight=warren_weight):
+    """S of `loop_step`: S @ x subdivides whatever sits at the vertices, uv or colour."""
+    return loop_step(faces, vertex_count, weight)[0]
+
+
+def loop(vertices, faces, weight=warren_weight):
+    """One step of Loop: vertices (V, C), faces (F, 3) -> vertices (V + E, C), faces (4 F, 3).
+
+    ValueError: see `topology`.
+    """
+    S, new_faces = loop_step(faces, len(vertices), weight)
+    return S @ np.asarray(vertices), new_faces
+
+
+def loop_backward(grad_new, vertices, faces, weight=warren_weight):
+    """Backward of `loop`: grad_new (V + E, C) -> grad_vertices (V, C)."""
+    # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient of old_j adds
+    # up S_ij grad_new_i over all i, which is S^T grad_new.
+    return loop_matrix(faces, len(vertices), weight).T @ np.asarray(grad_new)
+
+
+# The limit
+
+
+def limit_weight(n, u):  # exercise 11.14 (1 point)
+    """Eq. (6): m (...), from the valences n (...) and the weights u (...) > 0 of (4).
+
+    >>> limit_weight(np.array([6]), np.array([1 / 16])).round(9)
+    array([0.08333333])
+    """
+    return 1 / (n + 3 / (8 * u))
+
+
+def loop_limit_matrix(faces, vertex_count, weight=warren_weight):
+    """Eq. (6): sparse (V, V), which moves the vertices to where infinitely many steps take them.
+
+    faces (F, 3), weight: the one of the steps. ValueError: see `topology`.
+    """
+    edges, _, is_boundary = topology(*triangles(faces), vertex_count)
+    n = np.maximum(valences(edges, vertex_count), 1)
+    m = limit_weight(n, weight(n))
+    return as_matrix(vertex_rows(edges, is_boundary, m, 1 / 6), (vertex_count, vertex_count))

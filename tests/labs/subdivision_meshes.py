@@ -1,0 +1,129 @@
+"""What the tests of lab 11 share: meshes, and slow ways to say who is near whom."""
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from course.checks import Mismatch, assert_equal
+from course.given import mesh
+
+PUBLISHED = Path(__file__).parents[1] / "golden" / "subdivision.npz"  # see the README there
+
+# A hub of valence 5 inside, and one of 4 on the boundary; vertices 3 and 9 belong to no face.
+FAN = np.array([[0, 1, 2], [0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 1], [7, 6, 5], [8, 6, 7]])
+# A band with one twist: 10 triangles, one boundary, no way to wind all of them alike.
+MOEBIUS = np.array([[k, (k + 1) % 10, (k + 2) % 10] for k in range(10)])
+TETRAHEDRON = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]])
+
+TRIANGLES = {  # name -> vertex count, faces
+    "one triangle": (3, np.array([[2, 0, 1]])),
+    "tetrahedron": (4, TETRAHEDRON),
+    "fan, open": (10, FAN),
+    "octahedron and fan": (16, np.concatenate([FAN[:, [1, 2, 0]], 10 + np.array(
+        [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4],
+         [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])])),
+    "torus": (18, mesh.torus(36)[1]),
+    "band with a twist": (10, MOEBIUS),
+    "wound either way": (4, np.array([[0, 1, 2], [0, 3, 2], [0, 3, 1], [1, 2, 3]])),
+}
+CUBE = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+CUBE_VERTICES = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+POLYGONS = {  # name -> vertex count, the faces
+    "one pentagon": (6, [[4, 0, 3, 1, 5]]),
+    "tetrahedron": (4, TETRAHEDRON.tolist()),
+    "cube": (8, CUBE),
+    "pyramid": (5, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [4, 3, 2, 1]]),
+    "house": (10, [[0, 1, 2, 3], [3, 2, 6, 9, 7], [1, 0, 4, 8, 5], [2, 1, 5, 6], [0, 3, 7, 4],
+                   [6, 5, 8], [6, 8, 9], [7, 9, 8, 4]]),
+    "house, open": (12, [[0, 1, 2, 3], [3, 2, 4, 5, 6], [2, 1, 7], [7, 8, 4, 2], [6, 5, 10]]),
+    "cube and pentagon": (15, [*CUBE, [14, 13, 12, 11, 9]]),
+}
+each_mesh = pytest.mark.parametrize("count, faces", TRIANGLES.values(), ids=TRIANGLES)
+each_polygon_mesh = pytest.mark.parametrize("count, faces", POLYGONS.values(), ids=POLYGONS)
+
+
+def flat(faces):
+    """Lists of corners -> corners, counts."""
+    return np.concatenate([np.array(face) for face in faces]), np.array([len(f) for f in faces])
+
+
+def sides(face):
+    """A face's edges, low < high, each from a corner to the next."""
+    face = [int(v) for v in face]
+    return [tuple(sorted(pair)) for pair in zip(face, face[1:] + face[:1], strict=True)]
+
+
+def topology(faces):
+    """edges (E, 2), corner_edge (C,), is_boundary (E,), by a dictionary."""
+    every = [side for face in faces for side in sides(face)]
+    number = {edge: k for k, edge in enumerate(sorted(set(every)))}
+    return (np.array(list(number)), np.array([number[side] for side in every]),
+            np.array([every.count(edge) == 1 for edge in number]))
+
+
+def neighbours(v, edges):
+    return [int(a + b - v) for a, b in edges if v in (a, b)]
+
+
+def valence_of(count, edges):
+    return np.array([len(neighbours(v, edges)) for v in range(count)])
+
+
+def dense(entries, shape):
+    """The matrix that entries (rows, columns, weights) add up to."""
+    matrix = np.zeros(shape)
+    if not isinstance(entries, tuple) or len(entries) != 3:
+        raise Mismatch(("wrong", "entries are a tuple of three: rows, columns, weights"))
+    rows, columns, weights = map(np.asarray, entries)
+    if not rows.shape == columns.shape == weights.shape == (rows.size,):
+        raise Mismatch(("wrong", "rows, columns and weights must be rows of numbers, equally long; "
+                        f"got {rows.shape}, {columns.shape}, {weights.shape}"))
+    np.add.at(matrix, (rows, columns), weights)
+    return matrix
+
+
+def old_vertices(count, edges, is_boundary, u, w):
+    """Eq. (3) as a matrix (V, V), row by row."""
+    matrix = np.eye(count)
+    for v in range(count):
+        along = neighbours(v, edges[is_boundary])
+        for other in along or neighbours(v, edges):
+            matrix[v, other] += w if along else u[v]
+        matrix[v, v] = 2 - matrix[v].sum()
+    return matrix
+
+
+def farthest(points, expected):
+    """How far the farthest point of either set is from the other set; in any order."""
+    assert_equal(np.shape(points), expected.shape)
+    distance = np.linalg.norm(np.asarray(points)[:, None] - expected, axis=-1)
+    return max(distance.min(0).max(), distance.min(1).max())
+
+
+# --- polygons in space, for tests/reference ------------------------------------------------------
+
+def polygon_meshes():
+    """Quads, and some of them joined or cut: name -> vertices, corners, counts."""
+    with np.load(PUBLISHED) as published:
+        pyramid = tuple(published[f"pyramid/{key}"] for key in ("vertices", "corners", "counts"))
+    rng = np.random.default_rng(1)
+    return {"cube": (CUBE_VERTICES, *flat(CUBE)), "pyramid": pyramid,
+            "house, open": (rng.normal(size=(12, 3)), *flat(POLYGONS["house, open"][1])),
+            "two holes": plate_with_two_holes(),
+            "triangles": (mesh.torus(36)[0], *flat(mesh.torus(36)[1])),
+            "band with a twist": (rng.normal(size=(10, 3)), *flat(MOEBIUS))}
+
+
+def plate_with_two_holes():
+    """5 x 3 squares, the second and the fourth of the middle row missing, as a thick plate."""
+    squares = [(x, y) for y in range(3) for x in range(5) if (x, y) not in ((1, 1), (3, 1))]
+    number, faces = {}, []
+    for x, y in squares:
+        ring = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+        faces += [[(*c, 1) for c in ring], [(*c, 0) for c in ring[::-1]]]
+        for (dx, dy), a, b in zip([(0, -1), (1, 0), (0, 1), (-1, 0)], ring, ring[1:] + ring[:1],
+                                  strict=True):
+            if (x + dx, y + dy) not in squares:
+                faces.append([(*a, 0), (*b, 0), (*b, 1), (*a, 1)])
+    corners = [number.setdefault(corner, len(number)) for face in faces for corner in face]
+    return np.array(list(number), float), np.array(corners), np.full(len(faces), 4)

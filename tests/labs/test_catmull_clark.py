@@ -1,0 +1,227 @@
+"""What Catmull and Clark's exercises of lab 11 must do."""
+import numpy as np
+import pytest
+from subdivision_meshes import (
+    CUBE,
+    CUBE_VERTICES,
+    PUBLISHED,
+    TETRAHEDRON,
+    dense,
+    each_polygon_mesh,
+    farthest,
+    flat,
+    neighbours,
+    old_vertices,
+    sides,
+    topology,
+    valence_of,
+)
+
+from course.checks import assert_close, assert_equal, exercise
+
+
+def mean_of(corners, count):
+    return np.bincount(corners, minlength=count) / len(corners)
+
+
+def catmull_clark_of(count, faces):
+    """Catmull and Clark's S, dense (V + E + F, V), point by point."""
+    edges, _, is_boundary = topology(faces)
+    points, one = np.array([mean_of(face, count) for face in faces]), np.eye(count)
+    rows = [*old_vertices(count, edges, is_boundary, np.zeros(count), 1 / 8)]
+    for v in range(count):
+        ring = neighbours(v, edges)
+        if ring and not neighbours(v, edges[is_boundary]):
+            n, around = len(ring), points[[v in face for face in faces]]
+            rows[v] = (around.mean(0) + 2 * mean_of([v] * n + ring, count) + (n - 3) * one[v]) / n
+    for edge, alone in zip(edges, is_boundary, strict=True):
+        beside = points[[tuple(edge) in sides(face) for face in faces]]
+        rows.append(one[edge].mean(0) if alone else (one[edge].sum(0) + beside.sum(0)) / 4)
+    return np.concatenate([rows, points])
+
+
+# --- point by point ------------------------------------------------------------------------------
+
+@exercise("11.10")
+def test_a_square_alone_on_paper(impl):
+    """Corners stay, or the boundary is pulled inwards; or the face point is left out."""
+    got = impl.catmull_clark_slow(np.array([[0.0, 0], [8, 0], [8, 16], [0, 16]]),
+                                  np.array([0, 1, 2, 3]), np.array([4]))
+    assert_close(got, np.array([[1, 2], [7, 2], [7, 14], [1, 14], [4, 0], [0, 8], [8, 8], [4, 16],
+                                [4, 8.0]]))
+
+
+@exercise("11.10")
+def test_a_cube_on_paper(impl):
+    """R is the mean of the ring, or of the new edge points, and not of the edges' middles."""
+    got = impl.catmull_clark_slow(CUBE_VERTICES, *flat(CUBE))
+    assert_close(got[:8], 5 / 9 * CUBE_VERTICES)
+    assert_close(got[[8, 19]], np.array([[-3, -3, 0], [3, 3, 0]]) / 4)
+    assert_close(got[20:], np.array([[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1],
+                                     [0, 0, 1]]))
+
+
+@exercise("11.10")
+def test_two_triangles_back_to_back_on_paper(impl):
+    """Right for valence 3 alone: at valence 2, n - 3 is -1."""
+    got = impl.catmull_clark_slow(np.array([[12.0], [0.0], [6.0]]), np.array([0, 1, 2, 2, 1, 0]),
+                                  np.array([3, 3]))
+    assert_close(got.T, np.array([[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]]))
+
+
+@exercise("11.10")
+@each_polygon_mesh
+def test_point_by_point_is_the_matrix(impl, rng, count, faces):
+    """Faces of another vertex, the order of the points, an isolated vertex that becomes nan."""
+    vertices = rng.normal(size=(count, 2))
+    got = impl.catmull_clark_slow(vertices, *flat(faces))
+    assert_close(got, catmull_clark_of(count, faces) @ vertices)
+
+
+@exercise("11.10")
+@pytest.mark.parametrize("name", ["pyramid", "square"])
+def test_the_published_polygons_of_opensubdiv(impl, name):
+    """Not the scheme that everybody means: triangles and a quad, and a boundary with corners."""
+    with np.load(PUBLISHED) as published:
+        *given, expected = (published[f"{name}/{key}"]
+                            for key in ("vertices", "corners", "counts", "step_1"))
+    assert_close(farthest(impl.catmull_clark_slow(*given), expected), 0.0, atol=1e-6)
+
+
+# --- the matrix ----------------------------------------------------------------------------------
+
+@exercise("11.11")
+def test_edges_between_two_triangles_on_paper(impl):
+    """The face points' columns begin at 0, or the boundary has the inside's weights."""
+    edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
+    entries = impl.catmull_clark_edge_rows(edges, np.array([3, 0, 1, 3, 4, 2]), np.array([3, 3]), 5)
+    expected = np.zeros((5, 7))
+    for k in 0, 1, 2, 4:
+        expected[k, edges[k]] = 1 / 2
+    expected[3, [1, 3, 5, 6]] = 1 / 4
+    assert_close(dense(entries, (5, 7)), expected)
+
+
+@exercise("11.11")
+@each_polygon_mesh
+def test_points_on_edges_row_by_row(impl, count, faces):
+    """A face of the wrong number where faces differ in size."""
+    edges, corner_edge, _ = topology(faces)
+    entries = impl.catmull_clark_edge_rows(edges, corner_edge, flat(faces)[1], count)
+    expected = np.zeros((len(edges), count + len(faces)))
+    for row, edge in zip(expected, edges, strict=True):
+        near = [count + f for f, face in enumerate(faces) if tuple(edge) in sides(face)]
+        row[[*edge, *near] if len(near) == 2 else edge] = 1 / 4 if len(near) == 2 else 1 / 2
+    assert_close(dense(entries, expected.shape), expected)
+
+
+@exercise("11.12")
+def test_a_tetrahedron_on_paper(impl):
+    """The face point of the face that a vertex does not belong to; or v's own weight."""
+    edges = topology(TETRAHEDRON)[0]
+    entries = impl.catmull_clark_vertex_rows(edges, np.zeros(6, bool), TETRAHEDRON.ravel(),
+                                             np.full(4, 3), np.full(4, 3))
+    expected = np.array([[3, 1, 1, 1, 1, 1, 1, 0], [1, 3, 1, 1, 1, 0, 1, 1],
+                         [1, 1, 3, 1, 1, 1, 0, 1], [1, 1, 1, 3, 0, 1, 1, 1]]) / 9
+    assert_close(dense(entries, (4, 8)), expected)
+
+
+@exercise("11.12")
+@each_polygon_mesh
+def test_moved_vertices_row_by_row(impl, count, faces):
+    """Boundary vertices are pulled inwards by face points, or isolated ones divide by 0."""
+    edges, _, is_boundary = topology(faces)
+    entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *flat(faces),
+                                             valence_of(count, edges))
+    alone = np.zeros((count, len(faces)))
+    expected = np.hstack([old_vertices(count, edges, is_boundary, np.zeros(count), 1 / 8), alone])
+    for v in set(edges.ravel()) - set(edges[is_boundary].ravel()):
+        ring, around = neighbours(v, edges), [count + f for f in range(len(faces)) if v in faces[f]]
+        n = len(ring)
+        expected[v, v] = (n - 2) / n  # n - 3, and 1 more in 2 R
+        expected[v, ring + around] = 1 / n**2
+    assert_close(dense(entries, expected.shape), expected)
+
+
+@exercise("11.13")
+def test_a_triangle_and_a_square_become_seven_quads(impl):
+    """A quad is wound the other way, begins elsewhere, or has the edge of another corner."""
+    corners, counts = np.array([0, 1, 2, 2, 1, 4, 3]), np.array([3, 4])
+    corner_edge = np.array([0, 2, 1, 2, 3, 5, 4])  # 01, 02, 12, 14, 23, 34
+    assert_equal(impl.catmull_clark_faces(corners, counts, corner_edge, 6), np.array([
+        [0, 6, 12, 7], [1, 8, 12, 6], [2, 7, 12, 8],
+        [2, 8, 13, 10], [1, 9, 13, 8], [4, 11, 13, 9], [3, 10, 13, 11]]))
+
+
+@exercise("11.13")
+@each_polygon_mesh
+def test_quads_fill_their_polygon(impl, count, faces):
+    """Points on the middles: the quads of a polygon have its area vector in sum."""
+    edges, corner_edge, _ = topology(faces)
+    x = np.arange(count)
+    old = np.stack([x**2, np.sin(x), x], 1) + 0.0
+    new = np.concatenate([old, old[edges].mean(1), [old[face].mean(0) for face in faces]])
+    corners, counts = flat(faces)
+    quads = np.asarray(impl.catmull_clark_faces(corners, counts, corner_edge, count))
+    assert_equal(quads[:, 0], corners)
+    vector = np.cross(new[quads], np.roll(new[quads], -1, 1)).sum(1)
+    first = np.cumsum(counts) - counts
+    expected = [np.cross(old[face], np.roll(old[face], -1, 0)).sum(0) for face in faces]
+    assert_close(np.add.reduceat(vector, first), np.array(expected), atol=1e-9)
+
+
+# --- the limit -----------------------------------------------------------------------------------
+
+@exercise("11.15")
+def test_the_limit_of_a_cube_on_paper(impl):
+    """The diagonals weigh as much as the ring, or the sum is not 1."""
+    quads = np.array(CUBE)
+    edges = topology(quads)[0]
+    entries = impl.catmull_clark_limit_rows(edges, np.zeros(12, bool), quads, np.full(8, 3))
+    got = dense(entries, (8, 8))
+    assert_close(24 * got[0], np.array([9.0, 4, 4, 1, 4, 1, 1, 0]))
+    assert_close(24 * got[6], np.array([1.0, 0, 4, 1, 4, 1, 9, 4]))
+
+
+@exercise("11.15")
+def test_limits_on_a_boundary(impl):
+    """A diagonal pulls a boundary vertex inwards, or a step's 1/8 is used for the limit."""
+    quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]])
+    edges, _, is_boundary = topology(quads)
+    n = np.append(valence_of(9, edges), 0)
+    got = dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (10, 10))
+    expected = np.eye(10)
+    rim = [0, 1, 2, 5, 8, 7, 6, 3]
+    for before, v, after in zip(rim[-1:] + rim, rim, rim[1:] + rim[:1], strict=False):
+        expected[v, [before, v, after]] = 1 / 6, 4 / 6, 1 / 6
+    expected[4, :9] = np.outer([1, 4, 1], [1, 4, 1]).ravel() / 36
+    assert_close(got, expected)
+
+
+@exercise("11.15")
+def test_the_inner_corner_of_an_l_is_on_the_boundary(impl):
+    """A boundary vertex is told by its valence; here one has 4 neighbours, and three quads."""
+    quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6]])
+    edges, _, is_boundary = topology(quads)
+    n = valence_of(8, edges)
+    got = dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (8, 8))
+    assert_close(6 * got[4], np.array([0.0, 0, 0, 0, 4, 1, 0, 1]))
+    assert_close(6 * got[1], np.array([1.0, 4, 1, 0, 0, 0, 0, 0]))
+
+
+@exercise("11.15")
+def test_many_steps_of_quads_lead_to_the_limit(impl):
+    """Not the fixed point of (8) and (9): valences 3, 4, 5 and 8."""
+    for n in 3, 4, 5, 8:
+        # n quads around vertex 0, the ring 1 to n, diagonals n + 1 to 2 n; one step of their means.
+        k = np.arange(n)
+        quads = np.stack([0 * k, 1 + k, 1 + n + k, 1 + (k + 1) % n], axis=1)
+        edges = np.stack([0 * k, 1 + k], axis=1)
+        got = dense(impl.catmull_clark_limit_rows(
+            edges, np.zeros(n, bool), quads, np.append(n, np.full(2 * n, 2))), (2 * n + 1,) * 2)[0]
+        # Means of vertex, ring and diagonals: F = (v + 2 r + d) / 4 is the new mean of diagonals.
+        face = np.array([1, 2, 1]) / 4
+        ring = (np.array([1, 1, 0]) + 2 * face) / 4
+        own = (face + np.array([1, 1, 0]) + np.array([n - 3, 0, 0])) / n
+        limit = np.linalg.matrix_power(np.array([own, ring, face]), 400)[0]
+        assert_close(np.array([got[0], got[1:n + 1].sum(), got[n + 1:].sum()]), limit)

@@ -1,0 +1,148 @@
+"""What Loop's exercises of lab 11 must do."""
+import numpy as np
+import pytest
+from subdivision_meshes import (
+    PUBLISHED,
+    TETRAHEDRON,
+    dense,
+    each_mesh,
+    farthest,
+    old_vertices,
+    topology,
+    valence_of,
+)
+
+from course.checks import assert_close, assert_equal, exercise
+
+
+def loop_of(count, faces, u):
+    """Loop's S, dense (V + E, V), edge by edge."""
+    edges, _, is_boundary = topology(faces)
+    rows = [*old_vertices(count, edges, is_boundary, u, 1 / 8)]
+    for edge in edges:
+        opposite = [v for face in faces if set(edge) <= set(face) for v in face if v not in edge]
+        row = np.zeros(count)
+        row[edge] = 1 / 2 if len(opposite) == 1 else 3 / 8
+        row[opposite if len(opposite) == 2 else []] = 1 / 8
+        rows.append(row)
+    return np.array(rows)
+
+
+# --- point by point ------------------------------------------------------------------------------
+
+@exercise("11.4")
+def test_loops_own_weights(impl):
+    """The square, the cosine's quarter or the division by n is forgotten; degrees for radians."""
+    n = np.array([2, 3, 4, 6, 12])
+    total = np.array([5 / 8 - 1 / 64, 9 / 16, 5 / 8 - 9 / 64, 3 / 8,
+                      5 / 8 - (3 + np.sqrt(3)) ** 2 / 64])
+    assert_close(impl.loop_weight(n), total / n)
+    assert_close(impl.loop_weight(n[:, None]), (total / n)[:, None])
+
+
+@exercise("11.5")
+def test_a_triangle_alone_on_paper(impl):
+    """Corners stay, or the inside's rules are used on the boundary."""
+    got = impl.loop_slow(np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 16.0]]), np.array([[1, 2, 0]]),
+                         np.full(3, 9.0))
+    assert_close(got, np.array([[1, 2], [6, 2], [1, 12], [4, 0], [0, 8], [4, 8.0]]))
+
+
+@exercise("11.5")
+def test_a_tetrahedrons_points_on_paper(impl):
+    """3/8 and 1/8 are swapped, or u is the weight of all neighbours together."""
+    got = impl.loop_slow(np.array([[16.0], [0.0], [0.0], [8.0]]), TETRAHEDRON,
+                         np.array([1 / 8, 1 / 8, 1 / 4, 3 / 16]))
+    assert_close(got.T, np.array([[11, 3, 6, 6.5, 7, 7, 9, 3, 5, 5]]))
+
+
+@exercise("11.5")
+def test_a_vertex_of_no_face_stays(impl):
+    """A mean of nothing, nan; or it vanishes, and all numbers behind it are wrong."""
+    vertices = np.array([[8.0, 3.0], [0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
+    got = impl.loop_slow(vertices, np.array([[1, 2, 3]]), np.full(4, 0.3))
+    assert_close(got[0], np.array([8.0, 3.0]))
+    assert_close(got[1:4], np.array([[1.0, 1.0], [6.0, 1.0], [1.0, 6.0]]))
+
+
+@exercise("11.5")
+@each_mesh
+def test_the_slow_step_is_that_of_the_matrix(impl, rng, count, faces):
+    """The order of the points, a weight of another vertex, an isolated vertex that vanishes."""
+    vertices, u = rng.normal(size=(count, 2)), rng.uniform(0.05, 0.2, count)
+    assert_close(impl.loop_slow(vertices, faces, u), loop_of(count, faces, u) @ vertices)
+
+
+@exercise("11.5")
+@pytest.mark.parametrize("name", ["cube", "saddle"])
+def test_the_published_meshes_of_opensubdiv(impl, name):
+    """Not the scheme that everybody means: Loop's own weights, and smooth boundaries."""
+    with np.load(PUBLISHED) as published:
+        vertices, faces, expected = (published[f"{name}/{key}"]
+                                     for key in ("vertices", "faces", "step_1"))
+    n = valence_of(len(vertices), topology(faces)[0])
+    u = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
+    assert_close(farthest(impl.loop_slow(vertices, faces, u), expected), 0.0, atol=1e-6)
+
+
+# --- the matrix ----------------------------------------------------------------------------------
+
+@exercise("11.8")
+def test_two_triangles_on_paper(impl):
+    """The opposite vertices are those of the next edge."""
+    faces = np.array([[3, 1, 0], [1, 3, 2]])
+    edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
+    corner_edge = np.array([3, 0, 1, 3, 4, 2])
+    expected = np.array([[4, 4, 0, 0], [4, 0, 0, 4], [0, 4, 4, 0], [1, 3, 1, 3], [0, 0, 4, 4]]) / 8
+    assert_close(dense(impl.loop_edge_rows(faces, edges, corner_edge), (5, 4)), expected)
+
+
+@exercise("11.8")
+@each_mesh
+def test_new_points_on_edges_row_by_row(impl, count, faces):
+    """A boundary edge is pulled inwards; or the winding is relied on."""
+    edges, corner_edge, _ = topology(faces)
+    got = dense(impl.loop_edge_rows(faces, edges, corner_edge), (len(edges), count))
+    assert_close(got, loop_of(count, faces, np.zeros(count))[count:])
+
+
+@exercise("11.9")
+def test_two_triangles_become_eight(impl):
+    """A child is wound the other way, begins elsewhere, or has the edge of another side."""
+    faces, corner_edge = np.array([[3, 1, 0], [1, 3, 2]]), np.array([3, 0, 1, 3, 4, 2])
+    assert_equal(impl.loop_faces(faces, corner_edge, 6), np.array([
+        [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]]))
+
+
+@exercise("11.9")
+@each_mesh
+def test_children_fill_their_parent(impl, count, faces):
+    """Points on the middles of edges: four children have a quarter of the area vector each."""
+    edges, corner_edge, _ = topology(faces)
+    old = np.stack([np.arange(count) ** 2, np.sin(np.arange(count)), np.arange(count)], 1) + 0.0
+    new = np.concatenate([old, old[edges].mean(1)])
+    children = np.asarray(impl.loop_faces(faces, corner_edge, count))
+    assert_equal(children.shape, (4 * len(faces), 3))
+    a, b, c = (old[faces[:, k]] for k in range(3))
+    expected = np.repeat(np.cross(b - a, c - a) / 4, 4, axis=0)
+    a, b, c = (new[children[:, k]] for k in range(3))
+    assert_close(np.cross(b - a, c - a), expected, atol=1e-9)
+
+
+# --- the limit -----------------------------------------------------------------------------------
+
+@exercise("11.14")
+def test_limit_weights_on_paper(impl):
+    """The old weight for the limit's: m is 1/12 at valence 6, where u is 1/16."""
+    assert_close(impl.limit_weight(np.array([6, 3, 4]), np.array([1 / 16, 3 / 16, 3 / 32])),
+                 np.array([1 / 12, 1 / 5, 1 / 8]))
+
+
+@exercise("11.14")
+def test_many_steps_lead_to_the_limit(impl):
+    """m is not the fixed point: a vertex and its ring, 60 steps on."""
+    for n, u in (3, 0.1875), (4, 0.121), (5, 0.06), (9, 0.04):
+        # The mean of a ring's new points: 3/8 v + 3/8 + 1/8 + 1/8 of the ring's mean.
+        step = np.array([[1 - n * u, n * u], [3 / 8, 5 / 8]])
+        expected = np.linalg.matrix_power(step, 200)[0, 1] / n
+        assert_close(impl.limit_weight(np.array([n]), np.array([u])), np.array([expected]))

@@ -1,0 +1,187 @@
+"""What the exercises of lab 7's whole meshes must do."""
+import numpy as np
+import pytest
+
+from course.checks import assert_close, assert_equal, exercise
+from course.given.gradcheck import gradcheck
+
+# In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
+NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
+
+# Clip positions x, y, w in columns; each makes one of the mistakes visible.
+MATRICES = {
+    "w differs": np.array([[-0.7, 2.1, 0.4], [-0.5, 0.3, 1.9], [1.0, 2.5, 1.6]]),
+    "clockwise": np.array([[2.1, -0.7, 0.4], [0.3, -0.5, 1.9], [2.5, 1.0, 1.6]]),
+    "a vertex behind the camera": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [1.4, 2.0, -0.6]]),
+    "all behind": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [-1.4, -2.0, -0.6]]),
+}
+
+SIGNS = np.array([[1.0, -3.0, 0.5, -1.0], [2.0, 0.5, -0.25, 4.0], [4.0, -1.5, 1.75, -4.0]])
+
+
+def corners_of(rng, count):
+    """Faces (3, 3, count), some of w below 0, none of them thin."""
+    base = np.stack(list(MATRICES.values()), -1)
+    return base[..., np.arange(count) % base.shape[-1]] + rng.uniform(-0.2, 0.2, (3, 3, count))
+
+
+# --- whole meshes ------------------------------------------------------------------------------
+
+@exercise("7.10")
+def test_edges_on_paper(impl):
+    """The corners of a cross product are swapped, or rows and columns."""
+    expected = np.array([[-1.0, -2.0, 4.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
+    assert_close(impl.edge_functions(NEAR), expected)
+
+
+@exercise("7.10")
+def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
+    """Edge k is not the one opposite to vertex k, or runs the other way."""
+    x, y = triangle = rng.uniform(0, 9, (2, 3))
+    corners = np.stack([*triangle, np.ones(3)])
+    e = np.asarray(impl.edge_functions(corners)) @ np.array([4.0, 5.0, 1.0])
+    for k, (i, j) in enumerate([(1, 2), (2, 0), (0, 1)]):
+        expected = (y[i] - y[j]) * (4.0 - x[i]) + (x[j] - x[i]) * (5.0 - y[i])
+        assert_close(e[k], expected, atol=1e-9)
+
+
+@exercise("7.10")
+def test_they_are_the_inverse_times_the_determinant(impl, rng):
+    """Right for one face alone, or for F = 3; or each row is divided by something."""
+    corners = corners_of(rng, 5)
+    got = np.asarray(impl.edge_functions(corners))
+    assert_equal(got.shape, (3, 3, 5))
+    for face in range(5):
+        m = corners[..., face]
+        assert_close(got[..., face], np.linalg.det(m) * np.linalg.inv(m), atol=1e-9)
+
+
+@exercise("7.10")
+def test_a_face_seen_from_its_side_has_edges(impl):
+    """An inverse is taken, and there is none."""
+    flat = np.array([[0.0, 2.0, 4.0], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
+    expected = np.array([[0.0, 2.0, 0.0], [0.0, -4.0, 0.0], [0.0, 2.0, 0.0]])
+    assert_close(impl.edge_functions(flat), expected)
+
+
+@exercise("7.11")
+def test_an_element_of_the_edges_on_paper(impl):
+    """edges[0, 0] = y_1 w_2 - w_1 y_2, and edges[1, 2] = x_2 y_0 - y_2 x_0; a flipped sign."""
+    grad = np.zeros((3, 3))
+    grad[0, 0] = 1.0
+    expected = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, -0.5], [0.0, -2.0, 0.0]])
+    assert_close(impl.edge_functions_backward(grad, NEAR), expected)
+    grad[0, 0], grad[1, 2] = 0.0, 3.0
+    expected = np.array([[-6.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    assert_close(impl.edge_functions_backward(grad, NEAR), expected)
+
+
+@exercise("7.11")
+def test_the_gradients_of_edges_are_central_differences(impl, rng):
+    """A corner gets the gradient of one of its two edges alone, or another face's."""
+    def forward(corners):
+        return np.stack([np.cross(corners[:, i], corners[:, j], axis=0)
+                         for i, j in [(1, 2), (2, 0), (0, 1)]])
+
+    gradcheck(forward, impl.edge_functions_backward, (corners_of(rng, 5),), name="5 faces")
+    gradcheck(forward, impl.edge_functions_backward, (MATRICES["w differs"],), name="a face")
+
+
+def test_epsilon_makes_the_sum_larger(impl):
+    """Added to a negative sum, it makes that smaller; or it is left out, or 0 has no sign."""
+    e = np.array([[1.0, -3.0, 1.0], [2.0, 0.0, -1.0], [4.0, 0.0, 0.0]])
+    assert_close(impl.padded_sum(e, 1.0), np.array([8.0, -4.0, 1.0]))
+
+
+@exercise("7.15")
+def test_the_gradient_of_a_derivative_on_paper(impl):
+    """The sum's own share is left out, in c or in dc."""
+    dc, c, s = np.array([[1.0], [0.0], [3.0]]), np.array([[1.0], [2.0], [1.0]]), np.array([4.0])
+    got = impl.normalize_derivative_backward(np.array([[0.0], [4.0], [0.0]]), dc, c / s, s)
+    # db_1 = dc_1 / s - c_1 ds / s^2, and s = ds = 4. By c_1 alone: -ds / s^2 = -1/4. By s:
+    # -dc_1 / s^2 + 2 c_1 ds / s^3 = 1/4. By dc_1: 1/4. By ds: -c_1 / s^2 = -1/8.
+    expected = np.array([[-0.5], [0.5], [-0.5]]), np.array([[1.0], [0.0], [1.0]])
+    assert_close(got, expected)
+
+
+@exercise("7.15")
+@pytest.mark.parametrize("epsilon", [0.0, 0.3])
+def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon):
+    """One of the three ways is left out by which c enters."""
+    def padded(c):
+        s = c.sum(0)
+        return s + epsilon * np.where(s < 0, -1, 1)
+
+    def forward(dc, c):
+        return dc / padded(c) - c * dc.sum(0) / padded(c)**2
+
+    def backward(grad_db, dc, c):
+        return impl.normalize_derivative_backward(grad_db, dc, c / padded(c), padded(c))
+
+    gradcheck(forward, backward, (rng.normal(size=(3, 4)), SIGNS), name="normalize_derivative")
+
+
+@exercise("7.16")
+def test_sums_on_paper(impl):
+    """A face that no pixel sees is left out; x, y and 1 are in another order; or += with an index,
+    which adds a face's pixels once only.
+    """
+    u = np.array([[1.0, 10.0, 100.0], [1.0, 1.0, 1.0]])
+    x, y, face = np.array([1.0, 2.0, 4.0]), np.array([0.0, 1.0, 3.0]), np.array([2, 0, 2])
+    got = impl.sum_per_face(u, x, y, face, 4)
+    expected = np.array([[[20.0, 0, 401, 0], [10, 0, 300, 0], [10, 0, 101, 0]],
+                         [[2, 0, 5, 0], [1, 0, 3, 0], [1, 0, 2, 0]]])
+    assert_close(got, expected)
+
+
+@exercise("7.16")
+def test_every_pixel_counts_once(impl, rng):
+    """Of two pixels with the same face one is lost, as with sums[face] += ..."""
+    u, x, y, face = rng.normal(size=(3, 50)), *rng.normal(size=(2, 50)), rng.integers(0, 6, 50)
+    expected = np.zeros((3, 3, 7))
+    for n in range(50):
+        for k in range(3):
+            for i, factor in enumerate((x[n], y[n], 1.0)):
+                expected[k, i, face[n]] += u[k, n] * factor
+    assert_close(impl.sum_per_face(u, x, y, face, 7), expected)
+
+
+@exercise("7.16")
+def test_no_pixels_sum_to_zero(impl):
+    """An error where nothing is seen."""
+    got = impl.sum_per_face(np.zeros((2, 0)), np.zeros(0), np.zeros(0), np.zeros(0, int), 3)
+    assert_close(got, np.zeros((2, 3, 3)))
+
+
+@exercise("7.17")
+def test_a_plane_on_paper(impl):
+    """M is transposed, or the planes are not divided by the determinant."""
+    got = impl.depth_planes(np.array([[0.0], [2.0], [1.0]]), NEAR[..., None])
+    assert_close(got, np.array([[1.0], [0.5], [0.0]]))
+
+
+@exercise("7.17")
+def test_a_plane_has_the_depth_of_its_corners(impl, rng):
+    """z is divided by w first, or a face gets another one's plane: planes . q_k = z_k."""
+    corners, z = corners_of(rng, 5), rng.normal(size=(3, 5))
+    planes = np.asarray(impl.depth_planes(z, corners))
+    assert_close(np.einsum("if,ikf->kf", planes, corners), z)
+
+
+@exercise("7.18")
+def test_a_depth_pulls_at_its_corners_on_paper(impl):
+    """The sign, or grad_z and the weights are swapped."""
+    z, a = np.array([[0.0], [2.0], [1.0]]), np.array([[1.0], [0.0], [1.0]])
+    got = impl.depth_planes_backward(a, z, NEAR[..., None])
+    weights, slope = np.array([[0.75], [0.5], [0.0]]), np.array([1.0, 0.5, 0.0])
+    assert_close(got, (weights, -slope[:, None, None] * weights))
+
+
+@exercise("7.18")
+def test_the_gradients_of_planes_are_central_differences(impl, rng):
+    """A matrix is transposed, or one face's gradient goes to another."""
+    def forward(z, corners):
+        return np.stack([np.linalg.solve(corners[..., f].T, z[:, f]) for f in range(5)], -1)
+
+    gradcheck(forward, impl.depth_planes_backward, (rng.normal(size=(3, 5)), corners_of(rng, 5)),
+              name="depth_planes")

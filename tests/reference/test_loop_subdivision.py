@@ -1,0 +1,250 @@
+"""What Loop's scheme composes: S of whole meshes, several steps, and limits."""
+import itertools
+
+import numpy as np
+import pytest
+import scipy.spatial
+from subdivision_meshes import MOEBIUS, PUBLISHED, farthest
+
+from course.given import mesh
+from course.given.gradcheck import gradcheck
+from reference import loop_subdivision, subdivision
+
+WEIGHTS = loop_subdivision.warren_weight, loop_subdivision.loop_weight
+each_weight = pytest.mark.parametrize("weight", WEIGHTS, ids=lambda weight: weight.__name__)
+
+
+def triangle_meshes():
+    rng = np.random.default_rng(0)
+    return {
+        "sphere": mesh.icosphere(80), "torus": mesh.torus(100), "sheet": mesh.plane(32),
+        "sphere with holes": with_holes(*mesh.icosphere(180), rng),
+        "torus with holes": with_holes(*mesh.torus(144), rng),
+        "band with a twist": (rng.normal(size=(10, 3)), MOEBIUS),
+        "cube and a sheet": together(mesh.cube(12), mesh.plane(8)),
+        "irregular, open": irregular(60, rng),
+    }
+
+
+def with_holes(vertices, faces, rng):
+    """Without the faces at two far vertices: two holes, and two vertices of no face."""
+    removed = [0, np.linalg.norm(vertices - vertices[0], axis=1).argmax()]
+    return vertices, rng.permutation(faces[~np.isin(faces, removed).any(1)])
+
+
+def irregular(count, rng):
+    """Points in a square and their Delaunay triangles, those in the middle away."""
+    points = rng.random((count, 2))
+    faces = scipy.spatial.Delaunay(points).simplices.astype(np.int64)
+    kept = np.linalg.norm(points[faces].mean(1) - 0.5, axis=1) > 0.2
+    corners, origin = subdivision.split_fans(*subdivision.triangles(faces[kept]))
+    return np.stack([*points[origin].T, rng.random(len(origin))], axis=1), corners.reshape(-1, 3)
+
+
+def together(one, other):
+    return (np.concatenate([one[0], other[0] + 5.0]),
+            np.concatenate([one[1], other[1] + len(one[0])]))
+
+
+MESHES = triangle_meshes()
+each_mesh = pytest.mark.parametrize("vertices, faces", MESHES.values(), ids=MESHES)
+
+
+def valence_and_boundary(corners, counts, vertex_count):
+    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
+    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
+    return subdivision.valences(edges, vertex_count), at_boundary
+
+
+# --- both versions, and others' ------------------------------------------------------------------
+
+@each_weight
+@each_mesh
+def test_loops_matrix_agrees_with_the_slow_version(vertices, faces, weight):
+    """Two versions of one scheme that differ at a hole, an isolated vertex or an odd valence."""
+    n, _ = valence_and_boundary(*subdivision.triangles(faces), len(vertices))
+    slow = loop_subdivision.loop_slow(vertices, faces, weight(np.maximum(n, 1)))
+    fast, _ = loop_subdivision.loop(vertices, faces, weight)
+    np.testing.assert_allclose(fast, slow, rtol=0, atol=1e-12)
+
+
+def test_with_loops_own_weights_the_published_cube_comes_out_and_with_warrens_it_does_not():
+    """The weights' names are swapped, or there is no difference at valences 4 and 5."""
+    with np.load(PUBLISHED) as published:
+        vertices, faces, expected = (published[f"cube/{key}"]
+                                     for key in ("vertices", "faces", "step_1"))
+    warren, loop = (farthest(loop_subdivision.loop(vertices, faces, weight)[0], expected)
+                    for weight in WEIGHTS)
+    assert loop < 1e-6 and 0.02 < warren < 0.03
+
+
+def test_the_two_weights_are_equal_at_valences_3_and_6_only():
+    """Libraries are split between them; on regular meshes nobody sees it."""
+    n = np.arange(3, 30)
+    warren, loop = (weight(n) for weight in WEIGHTS)
+    equal = np.isclose(warren, loop, rtol=1e-12)
+    np.testing.assert_array_equal(n[equal], [3, 6])
+
+
+@each_mesh
+def test_loop_is_that_of_libigl(vertices, faces):
+    """Another scheme than libigl's at a boundary or an odd valence; it must be installed for this.
+
+    Faces must be wound alike for it, and vertices of no face are left out, as it forgets them.
+    """
+    igl = pytest.importorskip("igl")
+    if faces is MOEBIUS:
+        pytest.skip("a band that cannot be wound alike")
+    used, faces = np.unique(faces, return_inverse=True)
+    vertices, faces = vertices[used], faces.reshape(-1, 3)
+    theirs = igl.loop(vertices, faces, 1)
+    ours = loop_subdivision.loop(vertices, faces)
+    assert len(theirs[1]) == len(ours[1])
+    np.testing.assert_allclose(theirs[0][:len(vertices)], ours[0][:len(vertices)], rtol=0,
+                               atol=1e-12)
+    assert farthest(ours[0], np.asarray(theirs[0])) < 1e-12
+
+
+# --- what a step keeps ---------------------------------------------------------------------------
+
+def every_matrix():
+    for name, (vertices, faces) in MESHES.items():
+        for weight in WEIGHTS:
+            yield f"{name}, {weight.__name__}", vertices, loop_subdivision.loop_matrix(
+                faces, len(vertices), weight)
+            yield f"{name}, limit", vertices, loop_subdivision.loop_limit_matrix(
+                faces, len(vertices), weight)
+
+
+MATRICES = list(every_matrix())
+each_matrix = pytest.mark.parametrize("vertices, S", [case[1:] for case in MATRICES],
+                                      ids=[case[0] for case in MATRICES])
+
+
+@each_matrix
+def test_rows_sum_to_one(vertices, S):
+    """A mesh that moves when the origin does."""
+    np.testing.assert_allclose(S.sum(1), 1, rtol=0, atol=1e-14)
+
+
+@each_matrix
+def test_a_flat_mesh_stays_flat(vertices, S):
+    """A weight that is not affine."""
+    normal, height = np.array([0.48, -0.6, 0.64]), 0.7
+    flat = vertices - np.outer(vertices @ normal - height, normal)
+    np.testing.assert_allclose(S @ flat @ normal, height, rtol=0, atol=1e-14)
+
+
+@each_mesh
+def test_loop_keeps_the_topology(vertices, faces):
+    """A seam opens or closes: Euler's number, boundary edges doubled, faces times four."""
+    _, _, before = subdivision.topology(*subdivision.triangles(faces), len(vertices))
+    new, children = loop_subdivision.loop(vertices, faces)
+    _, _, after = subdivision.topology(*subdivision.triangles(children), len(new))
+    assert len(children) == 4 * len(faces) and after.sum() == 2 * before.sum()
+    assert (subdivision.euler_characteristic(*subdivision.triangles(children))
+            == subdivision.euler_characteristic(*subdivision.triangles(faces)))
+
+
+@each_mesh
+def test_after_loop_old_valences_stay_and_new_ones_are_regular(vertices, faces):
+    """A new vertex of another valence than 6 inside and 4 on the boundary."""
+    old, _ = valence_and_boundary(*subdivision.triangles(faces), len(vertices))
+    new, children = loop_subdivision.loop(vertices, faces)
+    n, at_boundary = valence_and_boundary(*subdivision.triangles(children), len(new))
+    np.testing.assert_array_equal(n[:len(old)], old)
+    assert not subdivision.is_extraordinary(n, at_boundary, 6)[len(old):].any()
+
+
+def octahedron(weight):
+    """Two steps of Loop from the points +-x, +-y, +-z."""
+    faces = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4],
+                      [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
+    new = np.repeat(np.eye(3), 2, axis=0) * np.tile([[1.0], [-1.0]], (3, 1)), faces
+    return loop_subdivision.loop(*loop_subdivision.loop(*new, weight), weight)[0]
+
+
+@each_weight
+def test_an_octahedron_stays_symmetric(weight):
+    """A direction is preferred: the 48 symmetries of a cube."""
+    points = octahedron(weight)
+    for axes in itertools.permutations(range(3)):
+        for signs in itertools.product([1, -1], repeat=3):
+            assert farthest(points[:, axes] * signs, points) < 1e-14
+
+
+@each_weight
+def test_the_points_of_an_icosahedron_stay_on_two_spheres(weight):
+    """One of its twelve vertices, or of its thirty edges, has other weights."""
+    new, _ = loop_subdivision.loop(*mesh.icosphere(20), weight)
+    radius = np.linalg.norm(new, axis=1)
+    assert np.ptp(radius[:12]) < 1e-14 and np.ptp(radius[12:]) < 1e-14
+
+
+@each_mesh
+def test_numbers_of_faces_and_their_winding_do_not_count(vertices, faces):
+    """Faces wound against each other, or in another order, give another surface."""
+    rng = np.random.default_rng(2)
+    other = rng.permutation(faces)
+    other[::2] = other[::2, ::-1]
+    np.testing.assert_allclose(loop_subdivision.loop(vertices, np.roll(other, 1, axis=1))[0],
+                               loop_subdivision.loop(vertices, faces)[0], rtol=0, atol=1e-14)
+
+
+def test_the_teapots_patches_are_open_and_the_bunny_is_closed():
+    """Real meshes are refused, or change their topology."""
+    for (vertices, faces), is_closed in (mesh.bunny(), True), (mesh.teapot(), False):
+        _, _, is_boundary = subdivision.topology(*subdivision.triangles(faces), len(vertices))
+        assert is_boundary.any() != is_closed
+        for weight in WEIGHTS:
+            new, children = loop_subdivision.loop(vertices, faces, weight)
+            assert np.isfinite(new).all() and len(children) == 4 * len(faces)
+
+
+# --- boundaries and limits -----------------------------------------------------------------------
+
+def rows_on_the_boundary(S, corners, counts, vertex_count):
+    """The rows of S for vertices and edges on the boundary, and who is on it: (V,) bool."""
+    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
+    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
+    rows = np.concatenate([at_boundary, is_boundary])
+    return S[:len(rows)][rows], at_boundary
+
+
+@each_mesh
+def test_loops_boundary_depends_on_the_boundary_alone(vertices, faces):
+    """A vertex inside pulls at the curve: two meshes along one curve come apart."""
+    S = loop_subdivision.loop_matrix(faces, len(vertices))
+    rows, at_boundary = rows_on_the_boundary(S, *subdivision.triangles(faces), len(vertices))
+    assert rows[:, ~at_boundary].nnz == 0
+    assert set(rows.data) <= {1 / 8, 3 / 4, 1 / 2}
+
+
+@each_weight
+@each_mesh
+def test_a_step_does_not_change_loops_limit(vertices, faces, weight):
+    """m of (6) is not that of u, or the boundary's limit is not that of its rule."""
+    before = loop_subdivision.loop_limit_matrix(faces, len(vertices), weight) @ vertices
+    new, children = loop_subdivision.loop(vertices, faces, weight)
+    after = loop_subdivision.loop_limit_matrix(children, len(new), weight) @ new
+    np.testing.assert_allclose(after[:len(vertices)], before, rtol=0, atol=1e-14)
+
+
+def test_six_steps_come_near_the_limit():
+    """A fixed point that the steps do not go to."""
+    vertices, faces = mesh.icosphere(20)
+    limit = loop_subdivision.loop_limit_matrix(faces, 12) @ vertices
+    for _ in range(6):
+        vertices, faces = loop_subdivision.loop(vertices, faces)
+    assert 0 < np.abs(vertices[:12] - limit).max() < 1e-3
+
+
+# --- gradients -----------------------------------------------------------------------------------
+
+@each_weight
+def test_loop_has_a_gradient(weight):
+    """S for its transpose, or the other weight's."""
+    vertices, faces = MESHES["band with a twist"]
+    gradcheck(lambda x: loop_subdivision.loop(x, faces, weight)[0],
+              lambda grad, x: loop_subdivision.loop_backward(grad, x, faces, weight), (vertices,),
+              name="loop")
