@@ -30,8 +30,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "reconstruction has a docstring of more than 20 lines",
     "reconstruction has more than 350 lines",
     "reconstruction.fit has more than 7 parameters",
-    "regularization has a docstring of more than 20 lines",
-    "regularization has more than 350 lines",
     "regularization.large_step has more than 7 parameters",
     "regularization.uniform_adam_step has more than 7 parameters",
     "sampling has a docstring of more than 20 lines",
