@@ -308,24 +308,39 @@ def has_twins(faces):
 
 
 def flips(before, after):
-    """a right angle does not flip; it does"""
-    both = np.stack([before, after])
-    n, n1 = np.cross(both[:, :, 1] - both[:, :, 0], both[:, :, 2] - both[:, :, 0])
-    return bool(((n * n1).sum(1) < 0)[n.any(1)].any())
+    """a face that becomes a needle is left alone; its normal is uncertain"""
+    corners = np.stack([before, after])
+    edges = corners[:, :, [1, 2, 0]] - corners
+    n = np.cross(edges[:, :, 0], edges[:, :, 1])
+    length, new_length = np.sqrt((n * n).sum(2))
+    longest, new_longest = (edges * edges).sum(3).max(2)
+    turns = (n[0] * n[1]).sum(1) < LEAST_COSINE * length * new_length
+    thins = new_length * longest < LEAST_SHAPE * length * new_longest
+    return bool(turns.any())
 
 
 def flips(before, after):
     """all triangles must flip; one is enough"""
-    both = np.stack([before, after])
-    n, n1 = np.cross(both[:, :, 1] - both[:, :, 0], both[:, :, 2] - both[:, :, 0])
-    return bool(((n * n1).sum(1) <= 0)[n.any(1)].all())
+    corners = np.stack([before, after])
+    edges = corners[:, :, [1, 2, 0]] - corners
+    n = np.cross(edges[:, :, 0], edges[:, :, 1])
+    length, new_length = np.sqrt((n * n).sum(2))
+    longest, new_longest = (edges * edges).sum(3).max(2)
+    turns = (n[0] * n[1]).sum(1) < LEAST_COSINE * length * new_length
+    thins = new_length * longest < LEAST_SHAPE * length * new_longest
+    return bool((turns | thins).all())
 
 
 def flips(before, after):
-    """sides are measured from the origin, not from a corner"""
-    both = np.stack([before, after])
-    n, n1 = np.cross(both[:, :, 1], both[:, :, 2])
-    return bool(((n * n1).sum(1) <= 0)[n.any(1)].any())
+    """a normal may turn by 90 degrees; 45 are the most"""
+    corners = np.stack([before, after])
+    edges = corners[:, :, [1, 2, 0]] - corners
+    n = np.cross(edges[:, :, 0], edges[:, :, 1])
+    length, new_length = np.sqrt((n * n).sum(2))
+    longest, new_longest = (edges * edges).sum(3).max(2)
+    turns = (n[0] * n[1]).sum(1) < 0
+    thins = new_length * longest < LEAST_SHAPE * length * new_longest
+    return bool((turns | thins).any())
 
 
 def simplify_loop(vertices, faces, quadrics, pairs, face_count):
