@@ -41,9 +41,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "shadow_mapping.percentage_closer has more than 7 parameters",
     "shadow_mapping.position_loss has more than 7 parameters",
     "shadow_mapping.soft_shadow has more than 7 parameters",
-    "simplification has a docstring of more than 20 lines",
-    "simplification has more than 350 lines",
-    "simplification.simplify_heap has more than 20 lines of code",
     "transforms has a docstring of more than 20 lines",
 }
 
