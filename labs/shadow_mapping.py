@@ -23,7 +23,7 @@ Sources: GAMES101 lecture 12 (its map holds the greatest depth; the nearest is r
 """
 import numpy as np
 
-from course.given import mesh
+from course.given import inputs, mesh
 
 from . import interpolation, inverse_rendering, mipmapping, rasterization, scanline, transforms
 
@@ -397,7 +397,7 @@ def point_light(position, vertices):
 
 def depth_map(vertices, faces, light, size):
     """The light's picture: the distance of the nearest surface, (size, size), np.inf for none."""
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices), np.asarray(faces)
     position, rotation, clip_from_light = light
     q = transforms.to_homogeneous(to_light(vertices, position, rotation))
@@ -410,7 +410,7 @@ def visible_points(vertices, faces, clip_from_world, width, height):
     """What the eye sees: face_index (H, W), and of the pixels that see a face, row by row, points
     (N, 3) in the world and unit normals (N, 3) of their faces, as the faces are wound.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices), np.asarray(faces)
     clip = transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
     face_index, _ = scanline.rasterize(clip, faces, width, height)

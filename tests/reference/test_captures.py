@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from course import cli
-from course.experiments import captures, demo, fits
+from course.experiments import captures, demo, drawing
 from course.given import image, mesh, mesh_files
 from reference import multi_view_fit
 
@@ -77,7 +77,7 @@ def folder(tmp_path):
         centre = np.array([1.0, 2.0, 3.0])
         view = LABS.transforms.look_at(centre + side, centre, np.array([0.0, 1.0, 0.0]))
         camera = LABS.transforms.perspective(np.radians(30), 1.5, 0.5, 10.0) @ view
-        seen = fits.seen_mask(LABS, vertices + centre, faces, camera, 24)[::1, :]
+        seen = drawing.seen_mask(LABS, vertices + centre, faces, camera, 24)[::1, :]
         picture = np.dstack([np.full((24, 24, 3), 0.5), seen])[4:20]
         image.write(tmp_path / f"{k}.png", picture)
         views.append({"picture": f"{k}.png", "world_from_camera": np.linalg.inv(view).tolist()})

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.experiments import demo, fits
+from course.experiments import demo, drawing, fit_volume, representations
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, transforms
 
@@ -16,7 +16,7 @@ SHAPES = {
     "intersection": ("intersection", BOX, ("sphere", 0.5)),
     "complement": ("intersection", BALL, ("complement", BOX)),
     "smooth union": ("smooth union", 0.3, ("torus", 0.6, 0.2), BOX),
-    "wheel": demo.WHEEL,
+    "wheel": representations.WHEEL,
 }
 RIPPLED = ("rippled", 0.1, 8.0, BALL)
 
@@ -144,9 +144,9 @@ def test_colours_converge_as_the_samples_get_denser():
 def test_a_density_grid_is_found_from_pictures():
     """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
     labs, size = demo.Labs("reference"), 12
-    seen = fits.saturn_rays(labs, fits.cameras_around(labs, 16, longitude=0.2), size)
-    density, colour, losses = fits.volume_fit(labs, *seen, 12, 100, batch=300)
-    *rays, truth = fits.saturn_rays(labs, fits.cameras_around(labs, 3, longitude=0.7), size)
-    picture = fits.volume_seen(labs, *rays, density, colour)
+    given = fit_volume.saturn_rays(labs, drawing.cameras_around(labs, 16, longitude=0.2), size)
+    volume, losses = fit_volume.fit(labs, given, 12, 100, batch=300)
+    new = fit_volume.saturn_rays(labs, drawing.cameras_around(labs, 3, longitude=0.7), size)
+    picture = fit_volume.seen(labs, new, volume)
     assert np.mean(losses[-10:]) < losses[0] / 15
-    assert -10 * np.log10(np.mean((picture - truth)**2)) > 20
+    assert -10 * np.log10(np.mean((picture - new.colours)**2)) > 20

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 import scipy.sparse
 
-from course.experiments import demo
-from course.given import mesh
+from course.experiments import representations
+from course.given import inputs, mesh
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, marching_tetrahedra
 
@@ -67,7 +67,7 @@ def test_random_fields_give_closed_manifolds_wound_outward(seed):
     border = (np.abs(points) == 1).any(1)
     distance[border] = np.abs(distance[border])
     vertices, faces, _ = marching_tetrahedra.marching_tetrahedra(points, distance, tetrahedra)
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     assert_closed_manifold(len(vertices), faces)
     # Each tetrahedron's part of the inside, cut into simplices by the same linear field.
     if seed < 4:
@@ -124,7 +124,7 @@ def test_area_and_volume_converge_with_the_square_of_the_cell(shape, true_area, 
 
 def test_the_wheel_has_five_holes():
     """A spoke or the bore is lost: V - E + F = 2 - 2 genus."""
-    vertices, faces = marched(demo.WHEEL, 48)
+    vertices, faces = marched(representations.WHEEL, 48)
     assert_closed_manifold(len(vertices), faces)
     assert len(vertices) - len(mesh.edges(faces)[0]) + len(faces) == 2 - 2 * 5
 

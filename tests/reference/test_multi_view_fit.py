@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.experiments import demo, fits
+from course.experiments import demo, drawing, fit_triangle, reconstruct
 from course.given import image, mesh
 from course.given.gradcheck import gradcheck
 from reference import marching_tetrahedra, multi_view_fit, reconstruction
@@ -26,9 +26,9 @@ def unknowns(n, seed=0):
 def capture(count=2, size=40):
     """Pictures of a ring that is another shape than the unknowns'."""
     vertices, faces = mesh.torus(400, 0.5, 0.25)
-    cameras = fits.cameras_around(LABS, count)
-    pictures = fits.photographs(LABS, vertices, faces, fits.paint(vertices), fits.daylight(LABS),
-                                cameras, size)
+    cameras = drawing.cameras_around(LABS, count)
+    ring = reconstruct.Painted(vertices, faces, reconstruct.paint(vertices))
+    pictures = reconstruct.photographs(LABS, ring, reconstruct.daylight(LABS), cameras, size)
     return multi_view_fit.Capture(pictures, cameras, BEHIND)
 
 
@@ -83,7 +83,7 @@ def test_sign_changes_count_in_cells():
 def test_carving_pushes_the_surface_in_where_nothing_should_be_seen():
     """The sign of eq. (6): a ball before an empty picture must shrink, and only where it is seen.
     """
-    x, camera = multi_view_fit.start(8), fits.cameras_around(LABS, 2)[0]
+    x, camera = multi_view_fit.start(8), drawing.cameras_around(LABS, 2)[0]
     empty = np.broadcast_to(np.append(BEHIND, 0), (30, 30, 4))
     targets = multi_view_fit.targets_of(multi_view_fit.Capture([empty], [camera], BEHIND), 1, 1)
     grads = [multi_view_fit.loss_and_gradients(x, targets, weights(carving=weight))[1].distance
@@ -91,7 +91,7 @@ def test_carving_pushes_the_surface_in_where_nothing_should_be_seen():
     push, found = grads[0] - grads[1], multi_view_fit.surface(x)
     assert push.max() <= 1e-15 and push.min() < 0
     assert -push.sum() == pytest.approx(
-        fits.seen_mask(LABS, found.vertices, found.faces, camera, 30).mean())
+        drawing.seen_mask(LABS, found.vertices, found.faces, camera, 30).mean())
     assert set(np.flatnonzero(push)) <= set(found.ends.ravel())
 
 
@@ -168,7 +168,7 @@ def test_a_run_is_reproducible_from_its_seed():
 def test_a_hole_opens():
     """The search finds no topology: a ring stays a ball."""
     stages = (12, 1, 1, 50, 1.0), (16, 1, 1, 15, 0.5)
-    course = list(fits.reconstruction(LABS, "ring", stages, size=48, count=10))
+    course = list(reconstruct.fit(LABS, "ring", stages, size=48, count=10))
     x, loss = course[-1]
     assert reconstruction.genus(multi_view_fit.surface(x).faces) == (1, 1)
     assert loss < 0.2 * course[0][1]
@@ -177,10 +177,10 @@ def test_a_hole_opens():
 def test_without_edges_outlines_have_no_gradient():
     """The ablation leaves a way for outlines open."""
     vertices, faces = mesh.icosphere(80)
-    renderer = fits.without_edges(LABS)
+    renderer = fit_triangle.without_edges(LABS)
     scene = (LABS.pipeline.make_mesh(vertices, faces),
              LABS.pipeline.Colours(np.ones((len(vertices), 1))),
-             LABS.pipeline.View(fits.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
+             LABS.pipeline.View(drawing.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
     picture, buffers = renderer.render(*scene)
     assert set(np.unique(picture.round(9))) == {0, 1}
     upstream = np.random.default_rng(0).normal(size=picture.shape)
@@ -192,4 +192,4 @@ def test_decibels_on_paper():
     """A mean of decibels, or pictures that nobody sees."""
     truth = [np.zeros((2, 2, 4)), np.zeros((2, 2, 4))]
     found = [truth[0], truth[1] + image.to_linear(0.2)]
-    assert fits.decibels(found, truth) == pytest.approx(-10 * np.log10(0.02))
+    assert reconstruct.decibels(found, truth) == pytest.approx(-10 * np.log10(0.02))
