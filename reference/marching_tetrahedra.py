@@ -156,7 +156,8 @@ def marching_tetrahedra_backward(grad_vertices, ends, points, distance):
     """
     # A vertex gathers what it needs from its two ends, so its gradients are scattered to them.
     a, b = ends.T
-    *grad_p, grad_s_a, grad_s_b = crossing_backward(grad_vertices, points[a], points[b],
-                                                    distance[a], distance[b])
-    grad_points = scatter(np.stack(grad_p), ends.T, len(points))
-    return grad_points, scatter(np.stack([grad_s_a, grad_s_b]), ends.T, len(points))
+    grad_a, grad_b, *grad_s = crossing_backward(grad_vertices, points[a], points[b],
+                                                distance[a], distance[b])
+    both_ends = np.concatenate([a, b])
+    grad_points = scatter(np.concatenate([grad_a, grad_b]), both_ends, len(points))
+    return grad_points, scatter(np.concatenate(grad_s), both_ends, len(points))
