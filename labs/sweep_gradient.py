@@ -1,8 +1,8 @@
 """sweep_gradient: Kato's approximate gradient of outlines.
 
-A pixel sees a face or not, so the picture's derivative by an edge is 0. Kato looks along a line of
-pixels that an edge crosses, and asks how far the edge must go to reach a pixel j, and how much the
-loss would fall if I_j became I_beyond, the colour on the other side of the edge.
+A pixel sees a face or not, so the picture's derivative by an edge is 0. Kato follows a line of
+pixels that an edge crosses. How far must the edge go to reach pixel j, and how much would the loss
+fall if I_j became I_beyond, the colour on the other side of the edge?
 
     g_i = -sum_j max(0, (I_j - I_beyond) . dL/dI_j) / (d_j + eps)   corner i, by ndc           (7)
     d_j = (2 / W) (x_j - x_edge) / share_i         how far corner i must go to bring it there  (8)
@@ -11,11 +11,11 @@ Rows of pixels give the gradients by x. Columns give those by y: they are rows o
 picture.
 
 The paper lets no gradient pass where something hides the edge. The kernel, and so this, asks for
-that on the way out alone. On the way in it lets eps be negative for d_j = 0 on either side, which
-turns the gradient round on one of them; and its bound for that way divides by 0 where the third
-edge is parallel to the line and the line goes through a corner. Neither is repeated here.
+that only where the edge moves out. Two slips of the kernel, where the edge moves in, are not
+repeated here. For d_j = 0 its eps has one sign on both sides, which is wrong on one of them. Its
+bound divides by 0 where the third edge is parallel to the line and the line meets a corner.
 
-Sources: a reading of neural_renderer's rasterizer; Kato, Ushiku, Harada 2018.
+Sources: Kato, Ushiku, Harada 2018, and a reading of their rasterizer, neural_renderer.
 """
 from typing import NamedTuple
 
@@ -23,20 +23,22 @@ import numpy as np
 
 from . import neural_renderer, scanline
 from .interpolation import scatter
-from .rasterization import EDGES, signed_area
+from .rasterization import EDGES
 
 
 def edge_lines(a, b, height):  # exercise 10.12 (2 points)
     """Where the edge from a to b (2,), on screen, crosses the rows of a picture's centres.
 
     -> row (K,) integers, ascending, those with 0 <= row < height whose centre y = row + 1/2 is
-    from a_y to b_y, both included (none if a_y = b_y); crossing (K,): x there; share (K, 2): by how
-    much the crossing moves if a alone, or b alone, is moved by 1 along x.
+    from a_y to b_y. crossing (K,) is x there. share (K, 2) is by how much the crossing moves if a
+    alone, or b alone, is moved by 1 along x.
 
     >>> row, crossing, share = edge_lines(np.array([8.0, 3.5]), np.array([4.0, 1.5]), 3)
     >>> row, crossing, share.T
     (array([1, 2]), array([4., 6.]), array([[0. , 0.5],
            [1. , 0.5]]))
+
+    Fine print. A centre at a_y or b_y counts, but an edge with a_y = b_y crosses no row.
     """
     raise NotImplementedError("exercise 10.12: edge_lines")
 
@@ -45,11 +47,11 @@ def sweep_line(grad_colour, colour, sees, crossing, side,  # exercise 10.13 (3 p
                share, eps=1e-4):
     """Eqs. (7) and (8): one edge on one line of pixels -> the gradient (2,) of its ends, by ndc.
 
-    grad_colour, colour (W, C): the line, centres at j + 1/2; sees (W,) bool: the pixel sees the
-    edge's face; crossing: where the edge is; side: 1 if outside is where j grows, else -1;
-    share (2,): of `edge_lines`. An end of share 0 has gradient 0.
+    grad_colour, colour (W, C) are the line's, with centres at j + 1/2. sees (W,), bool, says which
+    pixels see the edge's face. The edge is at crossing, and side is 1 if outside is where j grows,
+    else -1. share (2,) is that of `edge_lines`.
 
-    inner is the last pixel whose centre is not outside of the crossing; outer is its neighbour
+    inner is the last pixel whose centre is not outside of the crossing. outer is its neighbour
     outside. If one of them is not in the picture, the gradient is 0. Else it has two sums:
 
     - The edge moves out, if inner sees the face: over outer and all pixels beyond it, up to the
@@ -58,21 +60,24 @@ def sweep_line(grad_colour, colour, sees, crossing, side,  # exercise 10.13 (3 p
       is outer's colour.
 
     I_j becoming I_beyond must lower the loss, else max(0, ...) is 0. d_j is in ndc, where the line
-    has length 2 = W pixels. It has the sign of the way, side or -side, and so has eps, also where
-    d_j = 0.
+    has length 2 = W pixels. It has the sign of the edge's motion, side or -side, and so has eps.
 
     >>> colour, grad_colour = np.array([[0.0], [1.0], [1.0], [0.0], [0.0]]), np.zeros((5, 1))
     >>> grad_colour[4] = -1.0   # it should be brighter: the edge at 2.75 is to go to 4.5
     >>> sees = colour[:, 0] > 0
     >>> sweep_line(grad_colour, colour, sees, 2.75, 1, np.array([0.25, 0.75]), eps=0.0).round(6)
     array([-0.357143, -1.071429])
+
+    Fine print. eps has that sign where d_j = 0, too. An end of share 0 has gradient 0.
     """
     raise NotImplementedError("exercise 10.13: sweep_line")
 
 
 class Sweep(NamedTuple):
-    """What is swept along its rows: grad_colour, colour (H, W, C), face_index (H, W), and the faces
-    at screen (F, 3, 2), of which those drawn (D,) have a gradient.
+    """What is swept along its rows: grad_colour, colour (H, W, C), face_index (H, W).
+
+    The faces drawn (D,) of those at screen (F, 3, 2) have a gradient. winding is 1 if they are
+    counter-clockwise, -1 if not.
     """
 
     grad_colour: np.ndarray
@@ -80,35 +85,36 @@ class Sweep(NamedTuple):
     face_index: np.ndarray
     screen: np.ndarray
     drawn: np.ndarray
+    winding: int
 
 
 def both_sweeps(grad_colour, colour, face_index, corners):
-    """The Sweep along rows, and that along columns, where faces are clockwise."""
+    """The Sweep along rows, and that along columns: x and y are swapped, and so is the winding."""
     height, width = face_index.shape
     screen = neural_renderer.on_screen(corners, width, height)
     drawn = np.flatnonzero(neural_renderer.front_faces(screen, corners[..., 2]))
     across = (array.swapaxes(0, 1) for array in (grad_colour, colour, face_index))
-    return (Sweep(grad_colour, colour, face_index, screen, drawn),
-            Sweep(*across, screen[..., ::-1], drawn))
+    return (Sweep(grad_colour, colour, face_index, screen, drawn, 1),
+            Sweep(*across, screen[..., ::-1], drawn, -1))
 
 
-def outer_side(triangle, a, b):
+def outer_side(winding, a, b):
     """1 if the outside of the edge from a to b (..., 2) is where x grows, -1 where it falls."""
-    # Going up, a counter-clockwise face is on the left.
-    return (np.sign(signed_area(triangle)) * np.sign(b[..., 1] - a[..., 1])).astype(int)
+    # A counter-clockwise face is on the left of an edge that goes up.
+    return (winding * np.sign(b[..., 1] - a[..., 1])).astype(int)
 
 
 def sweep_backward_loop(grad_colour, colour, face_index, corners, eps=1e-4):
     """The outline's gradient, edge by edge and line by line: grad_corners (F, 3, 3), 0 for z.
 
-    grad_colour, colour (H, W, C); face_index (H, W) of `rasterize`, corners (F, 3, 3).
+    grad_colour, colour (H, W, C), face_index (H, W) of `rasterize`, corners (F, 3, 3).
     """
     grad_corners = np.zeros(corners.shape)
     for axis, sweep in enumerate(both_sweeps(grad_colour, colour, face_index, corners)):
         for f in sweep.drawn:
             for i, j in EDGES:
                 a, b = sweep.screen[f, i], sweep.screen[f, j]
-                side = outer_side(sweep.screen[f], a, b)
+                side = outer_side(sweep.winding, a, b)
                 lines = edge_lines(a, b, len(sweep.colour))
                 for row, crossing, share in zip(*lines, strict=True):
                     sees = sweep.face_index[row] == f
@@ -128,7 +134,7 @@ def sweep_backward(grad_colour, colour, face_index, corners, eps=1e-4):
 
 
 class Crossings(NamedTuple):
-    """Where edges cross rows, (K,) each, share (K, 2): what `sweep_line` needs of them."""
+    """Where edges cross rows of pixels: (K,) each, share (K, 2). The words are `sweep_line`'s."""
 
     face: np.ndarray
     row: np.ndarray
@@ -156,7 +162,7 @@ def crossings(sweep, i, j):
     triangles = sweep.screen[sweep.drawn]
     a, b = triangles[:, i], triangles[:, j]
     edge, row, crossing, share = all_edge_lines(a, b, height)
-    side = outer_side(triangles, a, b)[edge]
+    side = outer_side(sweep.winding, a, b)[edge]
     inner = np.where(side > 0, np.floor(crossing - 0.5), np.ceil(crossing - 0.5))
     outer = inner + side
     kept = (np.minimum(inner, outer) >= 0) & (np.maximum(inner, outer) < width)
@@ -183,8 +189,10 @@ def pulls(sweep, found, eps):
 
 
 def pulling_pixels(sweep, lines, line, pixel):
-    """Out of pairs of a line of the Crossings and a pixel on its row, (N,) each, those that pull at
-    the edge: line, pixel, is_out, pull (M,).
+    """Which pixels pull at an edge, and how strongly: the max(0, ...) of eq. (7) where it is not 0.
+
+    Out of pairs of a line, number of one of the Crossings, and a pixel on its row, (N,) each
+    -> line, pixel, is_out, pull (M,).
     """
     row, inner = lines.row[line], lines.inner[line]
     is_out = (pixel - inner) * lines.side[line] > 0

@@ -12,7 +12,7 @@ M^-1 is face_inv. Its rows are the edge functions of lab 2 over 2A, and it is th
 Texels and light, eqs. (4) to (6), are in texture_cubes.py. What an edge does to the picture has a
 gradient in two approximate ways, beside lab 8's: sweep_gradient.py and soft_rasterizer.py.
 
-Sources: a reading of neural_renderer's rasterizer; Kato, Ushiku, Harada 2018. Where the original's
+Sources: Kato, Ushiku, Harada 2018, and a reading of their rasterizer, neural_renderer. Where its
 kernel does something else, the functions say so.
 """
 import itertools
@@ -25,8 +25,9 @@ from .rasterization import EDGES, edge_function, signed_area
 
 
 class Maps(NamedTuple):
-    """What each pixel sees: face_index (H, W), -1 for no face; weight (H, W, 3), 0 there; depth
-    (H, W), np.inf there.
+    """What each pixel sees: face_index (H, W), weight (H, W, 3), depth (H, W).
+
+    -1, 0 and np.inf where no face is seen.
     """
 
     face_index: np.ndarray
@@ -38,14 +39,15 @@ class Maps(NamedTuple):
 
 
 def corners_of(clip, faces):
-    """clip (V, 4), faces (F, 3) -> corners (F, 3, 3): x, y in ndc, and z = w."""
+    """The corners (F, 3, 3) of faces (F, 3) with vertices clip (V, 4): x, y in ndc, and z = w."""
     ndc = transforms.perspective_divide(divisible(clip))
     return np.column_stack([ndc[:, :2], clip[:, 3]])[faces]
 
 
 def corners_backward(grad_corners, clip, faces):
     """Backward of `corners_of`: grad_corners (F, 3, 3) -> grad_clip (V, 4)."""
-    # Corners are gathered from the vertices, so their gradients are scattered. z = w: dz = dw.
+    # A corner is gathered from its vertex, so gradients are scattered. x and y take lab 1's way
+    # back through the divide; z = w, so dw = dz.
     grad_vertex = interpolation.scatter(grad_corners, faces, len(clip))
     grad_ndc = grad_vertex * [1, 1, 0]
     grad_clip = transforms.perspective_divide_backward(grad_ndc, divisible(clip))
@@ -54,8 +56,8 @@ def corners_backward(grad_corners, clip, faces):
 
 
 def divisible(clip):
-    """clip (V, 4) with 1 for a w of 0. Such a vertex has no place on screen, so it may be anywhere:
-    none of its faces is drawn.
+    """clip (V, 4) with 1 for w = 0, in the camera plane. None of such a vertex's faces is drawn, so
+    it may be anywhere on screen, and its gradient is 0.
     """
     return np.column_stack([clip[:, :3], np.where(clip[:, 3] == 0, 1, clip[:, 3])])
 
@@ -66,10 +68,10 @@ def on_screen(corners, width, height):
 
 
 def front_faces(screen, z):  # exercise 10.1 (1 point)
-    """Which faces are drawn: bool (F,). screen (F, 3, 2), z (F, 3).
+    """Which faces are drawn? Those counter-clockwise on screen, y up, with all three z > 0.
 
-    Those that are counter-clockwise on screen, y up, with all three z > 0. A face without area is
-    not drawn. (The original does not ask for z > 0.)
+    screen (F, 3, 2), z (F, 3) -> bool (F,). A face without area is not drawn. (The original draws
+    it, and any z.)
 
     >>> a, b, c = [0.0, 0.0], [4.0, 0.0], [0.0, 3.0]
     >>> front_faces(np.array([[a, b, c], [a, c, b], [a, b, b], [a, b, c]]),
@@ -99,7 +101,8 @@ def face_inverse(screen):  # exercise 10.2 (2 points)
 
 def face_inverse_backward(grad_inverse, inverse):
     """Backward of `face_inverse`, by its result: both (..., 3, 3) -> grad_screen (..., 3, 2)."""
-    # d M^-1 = -M^-1 dM M^-1, as in lab 7.
+    # d M^-1 = -M^-1 dM M^-1, so grad_M = -M^-T grad_inverse M^-T, as in lab 7. Its first two rows
+    # are x and y of the corners.
     transposed = np.swapaxes(inverse, -1, -2)
     grad_matrix = -transposed @ grad_inverse @ transposed
     return np.swapaxes(grad_matrix[..., :2, :], -1, -2)
@@ -111,13 +114,14 @@ def face_inverse_backward(grad_inverse, inverse):
 def weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
     """Eqs. (2) and (3) at points of the screen: weight (..., 3), depth (...).
 
-    inverse (..., 3, 3) of `face_inverse`, z (..., 3), all positive, x, y (...). The clamp is for
-    points on an edge, where rounding makes some c_k negative. A point far outside does not become
-    its nearest point of the face by this; of (1/4, 3/2, -3/4) comes (1/5, 4/5, 0).
+    inverse (..., 3, 3) of `face_inverse`, z (..., 3), all positive, x, y (...).
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
     >>> weights_and_depth(inverse, np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0))
     (array([0.25, 0.25, 0.5 ]), np.float64(1.6))
+
+    The clamp is for points on an edge, where rounding makes some c_k negative. It does not bring a
+    point far outside to the nearest point of the face: c = (1/4, 3/2, -3/4) becomes (1/5, 4/5, 0).
     """
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = np.clip(c, 0, 1)
@@ -131,8 +135,7 @@ def weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 (3 poin
     """Backward of eqs. (2) and (3): grad_weight (..., 3), grad_depth (...) -> grad_inverse
     (..., 3, 3), grad_z (..., 3).
 
-    depth depends on z directly, on inverse through weight. Where the clamp changes c_k, it counts
-    as constant; where c_k is exactly 0 or 1 it does not.
+    depth depends on z directly, and on inverse through weight.
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
     >>> z, x, y = np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0)
@@ -140,6 +143,9 @@ def weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 (3 poin
     (array([[-24., -24., -24.],
            [-24., -24., -24.],
            [ 24.,  24.,  24.]]), array([16., 16.,  2.]))
+
+    Fine print. Where the clamp changes c_k, it counts as constant. A c_k of exactly 0 or 1 is not
+    changed.
     """
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     weight, depth = weights_and_depth(inverse, z, x, y)
@@ -159,7 +165,8 @@ def weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 (3 poin
 def covers(screen, x, y):
     """Is (x, y) in a face, border included? screen (..., 3, 2), counter-clockwise, x, y (...).
 
-    Both faces at an edge cover a point that lies on it: no top-left rule; the z-buffer decides.
+    Both faces at an edge cover a point that lies on it. There is no top-left rule: the z-buffer
+    decides.
     """
     p = np.stack([x, y], -1)
     e = np.stack([edge_function(p, screen[..., i, :], screen[..., j, :]) for i, j in EDGES])
@@ -167,8 +174,9 @@ def covers(screen, x, y):
 
 
 def pixel_box(screen, width, height):
-    """The pixels whose centres lie in the box around a face, border included: screen (..., 3, 2)
-    -> x0, y0, x1, y1 (...): columns x0 <= j < x1, rows y0 <= i < y1, perhaps none.
+    """The pixels whose centres lie in the box around a face, border included.
+
+    screen (..., 3, 2) -> x0, y0, x1, y1 (...): columns x0 <= j < x1, rows y0 <= i < y1, or none.
     """
     low = np.clip(np.ceil(screen.min(-2) - 0.5), 0, [width, height]).astype(int)
     high = np.clip(np.floor(screen.max(-2) + 0.5), low, [width, height]).astype(int)
@@ -176,12 +184,12 @@ def pixel_box(screen, width, height):
 
 
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.5 (3 points)
-    """Face by face and pixel by pixel: the maps face_index (height, width), -1 for no face; weight
-    (height, width, 3) of eq. (2), 0 there; depth (height, width) of eq. (3), np.inf there.
+    """Three maps, face by face and pixel by pixel: which face is seen, where on it, and how deep.
 
-    corners (F, 3, 3). Of the `front_faces`, all that have a pixel's centre in their `pixel_box` and
-    that `covers` it count, if near < depth < far. The nearest is seen; of equally deep ones, the
-    first.
+    corners (F, 3, 3) -> face_index (height, width), -1 where no face is seen, weight
+    (height, width, 3) of eq. (2), 0 there, and depth (height, width) of eq. (3), np.inf there. Of
+    the `front_faces`, those count that have the pixel's centre in their `pixel_box`, that `covers`
+    it, and that have near < depth < far. The nearest of them is seen.
 
     >>> corners = np.array([[[-1.0, -1.0, 2.0], [1.0, -1.0, 2.0], [-1.0, 1.0, 2.0]]])
     >>> face_index, weight, depth = rasterize_loop(corners, 4, 2)
@@ -191,6 +199,8 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.
            [ 2., inf, inf, inf]]))
     >>> weight[0, 1]
     array([0.375, 0.375, 0.25 ])
+
+    Fine print. Of equally deep faces, the first is seen.
     """
     face_index = np.full((height, width), -1)
     weight = np.zeros((height, width, 3))
@@ -246,8 +256,8 @@ def rasterize(corners, width, height, near=0.1, far=100.0):
 def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     """Backward of `rasterize`: grad_weight (H, W, 3), grad_depth (H, W) -> grad_corners (F, 3, 3).
 
-    Exact, the face of each pixel taken as given; where no face is seen, both gradients do nothing.
-    (The original has it for the depth alone.)
+    Exact, the face of each pixel taken as given. Where no face is seen, both gradients are left
+    out. (The original has it for the depth alone.)
     """
     height, width = face_index.shape
     screen, z = on_screen(corners, width, height), corners[..., 2]
@@ -257,7 +267,7 @@ def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     inverse = face_inverse(screen[seen])
     grads = weights_and_depth_backward(grad_weight[row, column], grad_depth[row, column],
                                        inverse[pixel_face], z[face], column + 0.5, row + 0.5)
-    # A face's M^-1 and z are gathered by its pixels.
+    # Each pixel gathers M^-1 and z of its face, so their gradients are scattered.
     grad_inverse, grad_z = (interpolation.scatter(grad, pixel_face, len(seen)) for grad in grads)
     grad_screen = face_inverse_backward(grad_inverse, inverse)
     grad_corners = np.zeros(corners.shape)

@@ -22,9 +22,10 @@ LEAST_PROBABILITY = 1e-6  # a face with less than this does not count in a pixel
 
 
 class Fragments(NamedTuple):
-    """Pixels and faces (N,) that are near each other, and the nearest point of the face's border:
-    edge (N,) and t (N,) along it; away (N, 2), from there to the pixel's centre; sign (N,), 1 if
-    the centre is inside, else -1.
+    """Pixels and faces (N,) that are near each other, and the nearest point of the face's border.
+
+    It is at t (N,) along an edge (N,). away (N, 2) points from it to the pixel's centre. sign (N,)
+    is 1 if the centre is inside of the face, else -1.
     """
 
     pixel: np.ndarray

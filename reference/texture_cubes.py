@@ -8,9 +8,9 @@ depths of its face's corners.
     light = A + D max(0, n . l)                n: unit normal, l: towards the light            (6)
 
 All of it has exact gradients, the face of each pixel taken as given. What an edge does to the
-picture has none: `render_backward` is told by whom to ask, such as sweep_gradient.py.
+picture has none. `render_backward` takes an approximate one, such as sweep_gradient.py has.
 
-Sources: a reading of neural_renderer's rasterizer; Kato, Ushiku, Harada 2018. Where the original
+Sources: Kato, Ushiku, Harada 2018, and a reading of their rasterizer, neural_renderer. Where it
 does something else, the functions say so.
 """
 from typing import NamedTuple
@@ -61,10 +61,10 @@ class Buffers(NamedTuple):
 def cube_taps(weight, depth, z, size):  # exercise 10.6 (3 points)
     """Eqs. (4) and (5): which 8 texels of its face's cube a pixel reads, and their weights.
 
-    weight (N, 3), depth (N,) of `rasterize`, z (N, 3) of the face's corners; size = T >= 2
-    -> index (N, 8) integers, tap (N, 8). Of t_k, what rounding brings above T - 1 is cut off; low_k
-    is t_k rounded down, T - 2 at most. Tap n takes texel low_k if bit k of n (of value 1, 2, 4 for
-    k = 0, 1, 2) is 0, and low_k + 1 if it is 1; texel [i, j, k] has index i T^2 + j T + k.
+    weight (N, 3), depth (N,) of `rasterize`, z (N, 3) of the face's corners, size = T >= 2
+    -> index (N, 8) integers, tap (N, 8). low_k is t_k rounded down, T - 2 at most. Tap n takes
+    texel low_k if bit k of n (of value 1, 2, 4 for k = 0, 1, 2) is 0, and low_k + 1 if it is 1.
+    Texel [i, j, k] has index i T^2 + j T + k.
 
     >>> weight, z = np.array([[0.25, 0.25, 0.5]]), np.array([[1.0, 1.0, 4.0]])
     >>> index, tap = cube_taps(weight, np.array([1.6]), z, 2)  # t = 0.4, 0.4, 0.2
@@ -72,6 +72,8 @@ def cube_taps(weight, depth, z, size):  # exercise 10.6 (3 points)
     array([[0, 4, 2, 6, 1, 5, 3, 7]])
     >>> tap.round(9)
     array([[0.288, 0.192, 0.192, 0.128, 0.072, 0.048, 0.048, 0.032]])
+
+    Fine print. Rounding may bring t_k above T - 1: that part is cut off.
     """
     t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
     low = np.minimum(np.floor(t), size - 2).astype(int)
@@ -173,13 +175,14 @@ def both_sides(faces, textures):
 def face_light(corners, ambient, directional, towards):  # exercise 10.10 (2 points)
     """Eq. (6): light (F, C) of faces with corners (F, 3, 3) in space, not on screen.
 
-    ambient, directional (C,): colours; towards = l (3,): to the light, of any length: twice as long
-    is twice as bright. n points to the side that sees the corners counter-clockwise; of a face with
-    three corners in one place, n = 0.
+    ambient, directional (C,) are colours. towards = l (3,) points to the light and has any length:
+    twice as long is twice as bright. n points to the side that sees the corners counter-clockwise.
 
     >>> corners = np.array([[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> face_light(corners, np.array([0.5, 0.0]), np.array([0.0, 2.0]), np.array([1.0, 0.0, 0.25]))
     array([[0.5, 0.5]])
+
+    Fine print. A face with three corners in one place has n = 0.
     """
     a, b, c = corners.swapaxes(0, 1)
     area = np.cross(b - a, c - a)
@@ -247,7 +250,8 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
     seen = maps.face_index >= 0
     face, samples = seen_samples(maps, corners, textures.shape[1])
     index, tap = cube_taps(*samples)
-    # colour = sampled * light, and each pixel gathers its face's light.
+    # colour = sample * light: the product rule. Each pixel gathers its face's light and z, so
+    # their gradients are scattered.
     grad_lit, lit = grad_colour[seen], sample_cubes(textures, face, index, tap)
     grad_light = interpolation.scatter(grad_lit * lit, face, len(corners))
     grad_textures, grad_tap = sample_cubes_backward(grad_lit * light[face], textures, face, index,
@@ -278,8 +282,8 @@ def render(scene, view, samples=2):
 def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
     """`render` read upwards: grad_picture (H, W, C) -> a Scene of gradients.
 
-    outline(grad_colour, colour, face_index, corners) -> grad_corners (F, 3, 3) is what edges do to
-    the picture, approximate as sweep_gradient.sweep_backward is. All else is exact.
+    outline(grad_colour, colour, face_index, corners) -> grad_corners (F, 3, 3) is the approximate
+    gradient by edges, such as sweep_gradient.sweep_backward. All else is exact.
     """
     clip, corners, light, maps, colour = buffers
     grad_colour = msaa.box_resolve_backward(grad_picture, colour, samples)
