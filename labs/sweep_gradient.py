@@ -179,7 +179,7 @@ def pulls(sweep, found, eps):
     wants = (sweep.grad_colour != 0).any(2)
     for part in scanline.chunks(np.full(len(found.row), width)):
         lines = Crossings(*(values[part] for values in found))
-        line, pixel, is_out, pull = pulling_pixels(sweep, lines, *np.nonzero(wants[lines.row]))
+        line, pixel, is_out, pull = pulling_pixels(sweep, wants, lines)
         share = lines.share[line]
         distance = 2 / width * (pixel + 0.5 - lines.crossing[line])
         signed_eps = np.where(is_out, lines.side[line], -lines.side[line]) * eps
@@ -188,18 +188,18 @@ def pulls(sweep, found, eps):
         yield lines.face[line], pull[:, None] * share / np.where(share > 0, scaled, 1)
 
 
-def pulling_pixels(sweep, lines, line, pixel):
-    """Which pixels pull at an edge, and how strongly: the max(0, ...) of eq. (7) where it is not 0.
+def pulling_pixels(sweep, wants, lines):
+    """Which pixels pull at which of the Crossings, and how strongly: max(0, ...) of eq. (7).
 
-    Out of pairs of a line, number of one of the Crossings, and a pixel on its row, (N,) each
-    -> line, pixel, is_out, pull (M,).
+    wants (H, W): where grad_colour is not 0 -> line, pixel, is_out, pull (N,), where pull > 0.
     """
-    row, inner = lines.row[line], lines.inner[line]
-    is_out = (pixel - inner) * lines.side[line] > 0
-    counts = sweep.face_index[row, np.where(is_out, inner, pixel)] == lines.face[line]
-    line, pixel, is_out, row, inner = (v[counts] for v in (line, pixel, is_out, row, inner))
+    sees = sweep.face_index[lines.row] == lines.face[:, None]
+    inner_sees = sweep.face_index[lines.row, lines.inner] == lines.face
+    is_out = (np.arange(sees.shape[1]) - lines.inner[:, None]) * lines.side[:, None] > 0
+    counts = np.where(is_out, inner_sees[:, None], sees)
+    line, pixel = np.nonzero(counts & wants[lines.row])
+    row, inner, is_out = lines.row[line], lines.inner[line], is_out[line, pixel]
     beyond = sweep.colour[row, np.where(is_out, inner, inner + lines.side[line])]
-    change = sweep.colour[row, pixel] - beyond
-    pull = (change * sweep.grad_colour[row, pixel]).sum(1)
+    pull = ((sweep.colour[row, pixel] - beyond) * sweep.grad_colour[row, pixel]).sum(1)
     lowers = pull > 0
     return line[lowers], pixel[lowers], is_out[lowers], pull[lowers]
