@@ -19,7 +19,7 @@ import numpy as np
 
 from course.given import inputs
 
-from . import interpolation, msaa, neural_renderer, pipeline, texturing
+from . import interpolation, mipmapping, msaa, neural_renderer, pipeline, texturing
 from .rasterization import EDGES
 
 
@@ -134,7 +134,7 @@ def bake(image, uv, faces, size):
     an edge agree exactly only if they make a parallelogram in uv.
     """
     at = texel_weights(size).reshape(-1, 3) @ uv[faces]
-    texels = texturing.texture(image, at, boundary="clamp")
+    texels = mipmapping.texture(image, at, boundary="clamp")
     return texels.reshape(len(faces), size, size, size, -1)
 
 

@@ -23,9 +23,9 @@ Sources: GAMES101 lecture 12 (its map holds the greatest depth; the nearest is r
 """
 import numpy as np
 
-from course.given import mesh
+from course.given import inputs, mesh
 
-from . import interpolation, inverse_rendering, rasterization, scanline, texturing, transforms
+from . import interpolation, inverse_rendering, mipmapping, rasterization, scanline, transforms
 
 GRAZING = 1e-2   # the least |n . ray|: a plane seen edge-on has no slope
 WIDEST = np.radians(75)  # from a cone's axis to its side; beyond, texels are wasted on the border
@@ -479,7 +479,7 @@ def point_light(position, vertices):
 
 def depth_map(vertices, faces, light, size):
     """The light's picture: the distance of the nearest surface, (size, size), np.inf for none."""
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices), np.asarray(faces)
     position, rotation, clip_from_light = light
     q = transforms.to_homogeneous(to_light(vertices, position, rotation))
@@ -492,7 +492,7 @@ def visible_points(vertices, faces, clip_from_world, width, height):
     """What the eye sees: face_index (H, W), and of the pixels that see a face, row by row, points
     (N, 3) in the world and unit normals (N, 3) of their faces, as the faces are wound.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices), np.asarray(faces)
     clip = transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
     face_index, _ = scanline.rasterize(clip, faces, width, height)
@@ -559,7 +559,7 @@ def variance_shadow(points, vertices, faces, light, size, radius, least_variance
     blurred = box_blur(np.stack([distance_map, distance_map**2], -1), radius)
     q = to_light(points, position, rotation)
     uv = np.stack(map_position(q, clip_from_light, size, size), -1) / size
-    mean = texturing.texture(blurred, uv, boundary="clamp")
+    mean = mipmapping.texture(blurred, uv, boundary="clamp")
     inside = ((uv >= 0) & (uv < 1)).all(1)
     lit = np.where(inside, chebyshev(-q[:, 2], *mean.T, least_variance), 1.0)
     return lit, (distance_map, blurred, q, uv, mean, inside)
@@ -580,7 +580,7 @@ def variance_shadow_backward(grad_lit, buffers, points, light, radius, least_var
     size = len(blurred)
     grad_distance, *grad_mean = chebyshev_backward(
         np.where(inside, grad_lit, 0.0), -q[:, 2], *mean.T, least_variance)
-    grad_blurred, grad_uv, *_ = texturing.texture_backward(
+    grad_blurred, grad_uv, *_ = mipmapping.texture_backward(
         np.stack(grad_mean, -1), blurred, uv, boundary="clamp")
     grad_q = map_position_backward(*grad_uv.T / size, q, clip_from_light, size, size)
     grad_q[:, 2] -= grad_distance

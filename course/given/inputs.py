@@ -120,3 +120,23 @@ def _channels(name, array):
 def _shown(name, shape):
     inside = ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "")
     return f"{name} ({inside})"
+
+
+def require_mesh(vertices, faces):
+    """Nothing for a sound mesh with at least one face, else a ValueError that says what is wrong.
+
+    vertices (V, 3) finite floating point numbers, faces (F, 3) integers from 0 to V - 1. Faces may
+    be degenerate, vertices unused or repeated.
+    """
+    vertices, faces = np.asarray(vertices), np.asarray(faces)
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or vertices.dtype.kind != "f":
+        raise ValueError("vertices must be an array (V, 3) of floating point numbers, "
+                         f"got {vertices.shape} of {vertices.dtype}: give one row for each vertex, "
+                         "such as vertices.astype(float)")
+    require_faces(faces, len(vertices))
+    if len(faces) == 0:
+        raise ValueError("a mesh needs at least one face, got none: give one or leave it out")
+    if not np.isfinite(vertices).all():
+        vertex = np.argmin(np.isfinite(vertices).all(axis=1))
+        raise ValueError("vertices must be finite, "
+                         f"vertex {vertex} is {vertices[vertex].tolist()}: mend it or leave it out")

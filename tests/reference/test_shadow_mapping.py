@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh, ray_casting
 from course.given.gradcheck import gradcheck
-from reference import shadow_mapping, texturing, transforms
+from reference import mipmapping, shadow_mapping, transforms
 
 
 def scene(load=mesh.bunny, lift=0.0):
@@ -236,7 +236,7 @@ def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
         q = shadow_mapping.to_light(points, position, light[1])
         uv = np.stack(shadow_mapping.map_position(q, light[2], size, size), -1) / size
         blurred = shadow_mapping.box_blur(moments, radius)
-        return -q[:, 2], *texturing.texture(blurred, uv, boundary="clamp").T, uv
+        return -q[:, 2], *mipmapping.texture(blurred, uv, boundary="clamp").T, uv
 
     def forward(position):
         return shadow_mapping.chebyshev(*looked_up(position)[:3], 1e-3)
