@@ -5,8 +5,8 @@
 
 The scene's unknowns live on lab 15's grid of G = (n + 1)^3 points over [-1, 1]^3. Where the surface
 crosses an edge of the grid, the albedo is mixed as the position is. The loss is eq. (5) of
-reconstruction.py. To its gradient come those of carving (6), of sign changes (7), and of bumps,
-which the loss does not count. Each step is spread over the grid by (8).
+reconstruction.py. The gradients of carving (6), sign changes (7) and bumps are added to its own.
+Before each step, (8) spreads what belongs to distances and albedo over the grid.
 
 The caller guarantees that the cameras are right, and that the object is within [-1, 1]^3.
 
@@ -27,7 +27,7 @@ from .regularization import uniform_adam_step
 
 
 class Scene(NamedTuple):
-    """What is unknown, or one thing for each of it: a gradient, a learning rate.
+    """The unknowns, or one thing for each of them, such as a gradient or a learning rate.
 
     distance (G,), offsets of the grid's points (G, 3), albedo (G, 3), and light (9, 3).
     """
@@ -39,7 +39,7 @@ class Scene(NamedTuple):
 
 
 class Weights(NamedTuple):
-    """How much each part of the loss counts, beside the colours' 1."""
+    """How much each part of the loss counts. The weight of the colours is 1."""
 
     coverage: float
     carving: float
@@ -71,8 +71,8 @@ class Capture(NamedTuple):
 
 
 class Target(NamedTuple):
-    """One picture (H, W, 4) of a stage, the View that renders it, samples times as wide and high,
-    and the pixels (H, W) that are certain to show nothing of the object.
+    """A picture (H, W, 4) to be matched, and the View that renders it, samples times as wide and
+    high. outside (H, W): the pixels that are certain to show nothing of the object.
     """
 
     picture: np.ndarray
@@ -237,7 +237,7 @@ def mean_loss(targets, found, light, weights, renderer):
 
 
 def loss_and_gradients(x, targets, weights=WEIGHTS, renderer=pipeline):
-    """The mean loss (5) of Targets, and a Scene of gradients, regularizers included.
+    """The mean loss (5) of Targets, and a Scene of gradients, also of carving and the regularizers.
 
     renderer is as for `fit`. ValueError where no surface is left.
     """
