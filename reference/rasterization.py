@@ -4,13 +4,13 @@ Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j
 
     e(p) = det [x y 1; a_x a_y 1; b_x b_y 1] = n . (p - a),   n = (a_y - b_y, b_x - a_x)     (1)
     covered  <=>  every e_k > 0, or e_k = 0 on an edge that the top-left rule owns           (2)
-    b_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
-    depth = z_0 + b_1 (z_1 - z_0) + b_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
-    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     place on the face in space, not (3)  (5)
+    l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
+    depth = z_0 + l_1 (z_1 - z_0) + l_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
+    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     weights on the face in space         (5)
     db_k = (dc_k - b_k ds) / s                                                               (6)
 
-c is M^-1 (x, y, 1) but for a factor, where column k of M is w_k (x_k, y_k, 1). So edge functions,
-the inverse of lab 7 and the face_inv of lab 10 are the same numbers. The fast rasterizer for whole
+Up to a common factor, c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): the edge
+functions, lab 7's inverse and lab 10's face_inv are the same numbers. The fast rasterizer for whole
 meshes, in front of the camera and behind it, is in scanline.py.
 
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), GAMES101 homework 2 (4).
@@ -120,7 +120,7 @@ def is_covered(p, triangle):  # exercise 2.6 (3 points)
 
 
 def barycentric_coordinates(p, triangle):  # exercise 2.7 (2 points)
-    """Eq. (3): the weights b (..., 3) with b @ triangle = p and sum b = 1.
+    """Eq. (3): the weights l (..., 3) with l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
 
@@ -200,7 +200,7 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
            [0.5, inf, inf]]))
 
     Fine print. Of two equally deep faces the first is seen. A face without area covers nothing.
-    Eq. (4) is exact where all three z are equal; sum b_k z_k is not.
+    Eq. (4) is exact where all three z are equal; sum l_k z_k is not.
     """
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
@@ -215,8 +215,8 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
                 z0, z1, z2 = clip[corners, 2] / w[corners]
-                _, b1, b2 = barycentric_coordinates(p, triangle)
-                z = z0 + b1 * (z1 - z0) + b2 * (z2 - z0)
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z
     return face_index, depth
@@ -289,7 +289,7 @@ def seen_corners(face_index, clip, faces):
     height, width = face_index.shape
     x, y, w = screen_points(clip, width, height)
     for pixel in seen_pixels(face_index):
-        corners = faces.take(face_index.reshape(-1)[pixel], 0).T.copy()  # rows side by side
+        corners = faces.take(face_index.reshape(-1)[pixel], 0).T.copy()  # contiguous rows: faster
         row = pixel // width
         yield pixel, pixel - row * width + 0.5, row + 0.5, x[corners], y[corners], w[corners]
 
