@@ -276,6 +276,8 @@ def _alike(element, body, start, order):
         end = start + np.dtype(types).itemsize
     row = np.dtype(types)
     end = start + element.count * row.itemsize
+    if end > len(body) and not lengths:
+        raise struct.error  # at once, however many rows are announced
     if end > len(body):
         return None
     table = np.ndarray(element.count, row, body, start)
