@@ -263,27 +263,32 @@ def _binary_tables(elements, body, order):
 
 def _alike(element, body, start, order):
     """`_mixed`, at once, of rows whose lists are all as long as those of the first. Else None."""
-    types, lengths, end = [], {}, start
-    for p in element.properties:
-        if p.length:
-            key, code = f"length of {p.name}", order + TYPES[p.length]
-            (lengths[key],) = struct.unpack_from(code, body, end) if element.count else (0,)
-            if not 0 <= lengths[key] <= len(body):
-                return None
-            types += [(key, code), (p.name, order + TYPES[p.type], (lengths[key],))]
-        else:
-            types.append((p.name, order + TYPES[p.type]))
-        end = start + np.dtype(types).itemsize
-    row = np.dtype(types)
+    row, lengths = _first_row(element, body, start, order)
     end = start + element.count * row.itemsize
-    if end > len(body) and not lengths:
-        raise struct.error  # at once, however many rows are announced
     if end > len(body):
-        return None
+        if lengths:
+            return None
+        raise struct.error  # at once, however many rows are announced
     table = np.ndarray(element.count, row, body, start)
     if not all((table[key] == length).all() for key, length in lengths.items()):
         return None
     return {p.name: table[p.name] for p in element.properties}, end
+
+
+def _first_row(element, body, start, order):
+    """The row at start -> its NumPy type, and the lengths of its lists."""
+    types, lengths = [], {}
+    for p in element.properties:
+        shape = ()
+        if p.length:
+            key, code, place = f"length of {p.name}", TYPES[p.length], np.dtype(types).itemsize
+            shape = struct.unpack_from(order + code, body, start + place) if element.count else (0,)
+            if not 0 <= shape[0] <= len(body):
+                raise struct.error
+            types.append((key, order + code))
+            lengths[key] = shape[0]
+        types.append((p.name, order + TYPES[p.type], shape))
+    return np.dtype(types), lengths
 
 
 def _mixed(element, body, start, order):
