@@ -4,7 +4,7 @@ q_k = (x_k, y_k, w_k) are a face's corners in clip space, M = [q_0 q_1 q_2], and
 pixel in ndc. The weights b on the face are the same for c = M^-1 a and for e = det(M) c:
 
     e_k = (q_i x q_j) . a,   (i, j) = (1, 2), (2, 0), (0, 1) for k = 0, 1, 2                     (1)
-    b = e / d,   d = s + sign(s) epsilon,   s = sum e,   db/dx = (e_x - b sum e_x) / d            (2)
+    b = e / d,   s = sum e,   d = s + sign(s) epsilon,   db/dx = (e_x - b sum e_x) / d           (2)
     grad_(q_i x q_j) = sum of grad_e_k a over the pixels that see the face: nine numbers         (3)
     depth = z^T M^-1 a,   z of clip space                                                        (4)
 
@@ -115,8 +115,8 @@ def depth_planes(z, corners):  # exercise 7.17 (2 points)
 def depth_planes_backward(grad_planes, z, corners):  # exercise 7.18 (3 points)
     """Backward of `depth_planes`: grad_planes (3, F) -> grad_z (3, F), grad_corners (3, 3, F).
 
-    `vertex_gradients.residual_backward` for all faces at once: grad_planes is the sum of grad_depth a over the
-    pixels.
+    `vertex_gradients.residual_backward` for all faces at once: grad_planes is the sum of
+    grad_depth a over the pixels.
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> z, a = np.array([[0.0], [2.0], [1.0]]), np.array([[1.0], [0.0], [1.0]])
@@ -197,12 +197,13 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0
         grad_e = normalize_backward(grad_b, e / s, s)
         grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
     grad_corners = edge_functions_backward(grad_planes, corners)
-    return sum_per_vertex(grad_corners, np.zeros_like(grad_corners[2]), origin, faces[shown].T, len(clip))
+    grad_z = np.zeros_like(grad_corners[2])
+    return sum_per_vertex(grad_corners, grad_z, origin, faces[shown].T, len(clip))
 
 
 def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces, epsilon=0.0):
-    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2), axis 2: which weight,
-    axis 3: x or y in pixels -> grad_clip (V, 4). The rest as in `barycentrics_backward`.
+    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2) -> grad_clip
+    (V, 4). Axis 2: which weight, axis 3: x or y in pixels. The rest as in `barycentrics_backward`.
     """
     height, width = face_index.shape
     shown, corners, origin = seen_faces(face_index, clip, faces)
@@ -220,7 +221,8 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
             grad_planes[:, axis] += [step * np.bincount(face, by, len(shown)) for by in by_e_x]
         grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
     grad_corners = edge_functions_backward(grad_planes, corners)
-    return sum_per_vertex(grad_corners, np.zeros_like(grad_corners[2]), origin, faces[shown].T, len(clip))
+    grad_z = np.zeros_like(grad_corners[2])
+    return sum_per_vertex(grad_corners, grad_z, origin, faces[shown].T, len(clip))
 
 
 def depth_backward(grad_depth, face_index, clip, faces):

@@ -84,7 +84,8 @@ def can_be_seen(clip, x, y, faces):
 def farthest_first(corners, w):
     """The corners (3, F) of faces, the one of greatest |w| swapped to the front; w (V,).
 
-    Its place on screen is the most accurate one. Where w is nearly 0, x, y and z / w are nearly infinite.
+    Its place on screen is the most accurate. Where w is nearly 0, x, y and z / w are nearly
+    infinite.
     """
     first, second, third = corners
     swap = np.abs(w[second]) > np.abs(w[first])
