@@ -199,20 +199,21 @@ def shadow(labs):
     ground = 2 * ground + [0.4, vertices[:, 1].min(), -0.2]
     faces = np.concatenate([faces, ground_faces + len(vertices)])
     vertices = np.concatenate([vertices, ground])
-    light = shadow_mapping.point_light(np.array([-2.6, 2.4, 1.4]), vertices)
+    light = labs.lights.point_light(np.array([-2.6, 2.4, 1.4]), vertices)
     camera = clip_from_world(labs, np.array([-0.7, 1.3, 3.3]), np.array([0.1, -0.15, 0.0]))
     yield f"read {len(vertices):,} vertices, {len(faces):,} faces", None
 
     face_index, points, normals = shadow_mapping.visible_points(vertices, faces, camera, SIZE, SIZE)
     yield "what the eye sees, as points in the world", None
-    lit = shadow_mapping.hard_shadow(points, normals, vertices, faces, light, 2 * SIZE, 2e-3)
+    distance_map = shadow_mapping.depth_map(vertices, faces, light, 2 * SIZE)
+    lit = shadow_mapping.hard_shadow(points, normals, light, distance_map, 2e-3)
     yield "hard shadow: the light's map, comparison", None
-    soft = shadow_mapping.soft_shadow(points, normals, vertices, faces, light, 0.2, 2 * SIZE, 1e-2,
-                                      ray_casting.disc_offsets(32))
+    soft = labs.soft_shadows.soft_shadow(points, normals, light, distance_map, 0.2, 1e-2,
+                                         ray_casting.disc_offsets(32))
     yield "soft shadow of a disc, PCSS with 32 places", None
 
     seen, corners = face_index >= 0, face_index[face_index >= 0]
-    toward = light[0] - points
+    toward = light.position - points
     toward /= np.linalg.norm(toward, axis=1, keepdims=True)
     colour = np.where(corners[:, None] < len(faces) - 2, [0.85, 0.66, 0.48], [0.62, 0.66, 0.70])
     facing = np.clip((toward * normals).sum(1), 0, 1)
