@@ -28,8 +28,8 @@ def on_plane(place, distance, slope, step):  # exercise 14.10 (2 points)
     (array([[3.25, 5.5 ]]), array([7.825]))
     """
     there = place + step
-    centre = np.floor(there) + 0.5
-    return there, distance + (slope * (centre - place)).sum(1)
+    to_centre = np.floor(there) + 0.5 - place
+    return there, distance + (slope * to_centre).sum(1)
 
 
 def steps_around(offsets, radius):
@@ -77,8 +77,9 @@ def blocker_distance(distance_map, place, distance, slope,  # exercise 14.12 (3 
     total, count = np.zeros((2, *distance.shape))
     for step in steps_around(offsets, radius):
         there, plane = on_plane(place, distance, slope, step)
-        blocks = ~is_lit(distance_map, there, plane, bias)
-        total[blocks] += stored_distance(distance_map, there[blocks])
+        stored = stored_distance(distance_map, there)
+        blocks = plane > stored + bias
+        total += np.where(blocks, stored, 0.0)
         count += blocks
     return np.where(count > 0, total / np.maximum(count, 1), np.inf)
 

@@ -97,6 +97,15 @@ def test_blockers_on_paper(impl):
 
 
 @exercise("14.12")
+def test_what_is_just_lit_is_no_blocker(impl):
+    """A place at the very distance that is stored, and its bias, counts as dark."""
+    distance_map = np.array([[3.0, 4.0, 9.0, 9.0], [2.0, 3.0, 9.0, 1.0]])
+    got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5]] * 2), np.array([4.0, 4.5]),
+                                FLAT, np.array([0.0, 0.5]), CROSS, 1.0)
+    assert_close(got, np.array([2.5, 2.5]))
+
+
+@exercise("14.12")
 def test_blockers_are_the_places_that_are_not_lit(impl, rng):
     """The bias or the plane is left out; what lies outside the map blocks."""
     given = around(rng)
