@@ -167,6 +167,13 @@ def moved_moments_backward(grad_moments, distance_map, motion, move):  # exercis
 # --- a shadow with a gradient -----------------------------------------------------------------
 
 
+def closed_map(vertices, faces, light, size):
+    """`depth_map` with the far plane's distance where the light sees nothing: (size, size)."""
+    distance_map = shadow_mapping.depth_map(vertices, faces, light, size)
+    far = shadow_mapping.distance_of_depth(np.ones(1), light.clip_from_light)
+    return np.where(np.isfinite(distance_map), distance_map, far)
+
+
 def variance_shadow(points, vertices, faces, light, settings):
     """Eqs. (8) and (9): the lit share of points (N, 3) -> (N,), and the Buffers for its backward.
 
@@ -183,13 +190,6 @@ def variance_shadow(points, vertices, faces, light, settings):
     inside = ((uv >= 0) & (uv < 1)).all(1)
     lit = np.where(inside, chebyshev(-q[:, 2], *mean.T, settings.least_variance), 1.0)
     return lit, Buffers(distance_map, blurred, q, uv, mean, inside)
-
-
-def closed_map(vertices, faces, light, size):
-    """`depth_map` with the far plane's distance where the light sees nothing: (size, size)."""
-    distance_map = shadow_mapping.depth_map(vertices, faces, light, size)
-    far = shadow_mapping.distance_of_depth(np.ones(1), light.clip_from_light)
-    return np.where(np.isfinite(distance_map), distance_map, far)
 
 
 def variance_shadow_backward(grad_lit, buffers, points, light, settings):
