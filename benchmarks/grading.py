@@ -16,10 +16,11 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
+from course import exercises
 from course.given import places
 from course.grading import grade, sandbox
 from course.grading.examine import Job
-from course.upkeep import mistakes, skeleton
+from course.upkeep import mistakes
 
 TOPIC = "rasterization"
 RUNS = {"2": 3, "1-4": 3, "1-16": 1}  # labs: how often each is measured
@@ -41,7 +42,7 @@ def main(count=200):
 
 def one_submission(labs, levels):
     """A row of the table: medians in seconds, of calls in turn."""
-    texts = {topic: skeleton.read(skeleton.reference(topic)) for topic in grade.topics_of(labs)}
+    texts = {topic: exercises.read(exercises.reference(topic)) for topic in grade.topics_of(labs)}
     calls = {"plain check": lambda: plain(texts)} | {
         level: lambda level=level: complete(grade.examine(Job(texts, {}, level)._asdict()))
         for level in levels}
@@ -71,8 +72,8 @@ def complete(examined):
 
 def a_class(count, level):
     """Grade count submissions -> (seconds, how many of them have a wrong mark)."""
-    text = skeleton.read(skeleton.reference(TOPIC))
-    most = sum(exercise.points for exercise in skeleton.topic_exercises(TOPIC))
+    text = exercises.read(exercises.reference(TOPIC))
+    most = sum(exercise.points for exercise in exercises.topic_exercises(TOPIC))
     planted = dict(zip((f"student{n:03}" for n in range(count)),
                        itertools.cycle(mistakes.library(TOPIC)), strict=False))
     with tempfile.TemporaryDirectory() as folder:

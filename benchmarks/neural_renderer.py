@@ -11,9 +11,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments import demo, fits
+from course.experiments import demo, fit_outlines
 from course.given import mesh
-from reference import neural_renderer, transforms
+from reference import neural_renderer, pipeline, sweep_gradient, texture_cubes
 
 SIZE, TEXELS = 256, 4
 LABS = demo.Labs("reference")
@@ -30,36 +30,33 @@ def main():
 def pictures():
     """{name: call}"""
     rng, (vertices, faces) = np.random.default_rng(0), mesh.teapot()
-    vertices, camera = mesh.normalize(vertices), fits.teapot_camera(LABS)
+    vertices, camera = mesh.normalize(vertices), fit_outlines.teapot_camera(LABS)
     textures = rng.random((len(faces), TEXELS, TEXELS, TEXELS, 3))
-    faces, textures = neural_renderer.both_sides(faces, textures)
-    lights = np.full(3, 0.5), np.full(3, 0.5), np.array([0.0, 1.0, 0.0])
-    scene = vertices, faces, textures, camera, lights
-    clip = transforms.transform(transforms.to_homogeneous(vertices), camera)
-    corners = neural_renderer.corners_of(clip, faces)
-    screen = SIZE, SIZE, np.zeros(3)
-    picture, buffers = neural_renderer.render(*scene, *screen, 1)
+    lights = texture_cubes.Lights(np.full(3, 0.5), np.full(3, 0.5), np.array([0.0, 1.0, 0.0]))
+    scene = texture_cubes.Scene(vertices, *texture_cubes.both_sides(faces, textures), lights)
+    view = pipeline.View(camera, SIZE, SIZE, np.zeros(3))
+    picture, buffers = texture_cubes.render(scene, view, 1)
     grad_picture = rng.normal(size=picture.shape)
     return {
-        "three maps": lambda: neural_renderer.rasterize(corners, SIZE, SIZE),
-        "teapot, 1 x 1 samples": lambda: neural_renderer.render(*scene, *screen, 1),
-        "teapot, 2 x 2 samples": lambda: neural_renderer.render(*scene, *screen, 2),
-        "its gradients, 1 x 1": lambda: neural_renderer.render_backward(grad_picture, buffers,
-                                                                        *scene, 1)}
+        "three maps": lambda: neural_renderer.rasterize(buffers.corners, SIZE, SIZE),
+        "teapot, 1 x 1 samples": lambda: texture_cubes.render(scene, view, 1),
+        "teapot, 2 x 2 samples": lambda: texture_cubes.render(scene, view, 2),
+        "its gradients, 1 x 1": lambda: texture_cubes.render_backward(
+            grad_picture, buffers, scene, view, sweep_gradient.sweep_backward, 1)}
 
 
 def silhouettes():
     """{name: call}"""
     ball, faces = mesh.icosphere(320)
-    clip = transforms.transform(transforms.to_homogeneous(0.7 * ball), fits.teapot_camera(LABS))
-    goal = fits.teapot_mask(LABS, 64)
+    clip = LABS.pipeline.to_clip(0.7 * ball, fit_outlines.teapot_camera(LABS))
+    goal = fit_outlines.teapot_mask(LABS, 64)
 
     def both(outline):
         picture, backward = outline(LABS, clip, faces, 64)
         backward(picture - goal)
 
     return {f"silhouette by {name}": lambda outline=outline: both(outline)
-            for name, outline in fits.OUTLINES.items()}
+            for name, outline in fit_outlines.OUTLINES.items()}
 
 
 if __name__ == "__main__":

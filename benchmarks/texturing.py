@@ -10,14 +10,14 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import texturing
+from reference import mipmapping
 
 PIXELS, TEXELS = 512, 1024
 
 
 def main():
     facts = measure.begin()
-    rows = [row(filter) for filter in texturing.FILTERS]
+    rows = [row(filter) for filter in mipmapping.FILTERS]
     measure.show(rows)
     measure.save("texturing", facts, {"medians in ms": rows})
 
@@ -32,8 +32,8 @@ def row(filter):
     jacobian = np.broadcast_to(turn / PIXELS, (PIXELS, PIXELS, 2, 2)).copy()
     asked = image, uv, jacobian if "mipmap" in filter else None, 0.0, filter
     return {"filter": filter, **measure.medians({
-        "forward": lambda: texturing.texture(*asked),
-        "backward": lambda: texturing.texture_backward(grad_colour, *asked)})}
+        "forward": lambda: mipmapping.texture(*asked),
+        "backward": lambda: mipmapping.texture_backward(grad_colour, *asked)})}
 
 
 if __name__ == "__main__":

@@ -1,1 +1,11 @@
-"""What the course gives: meshes, images, plots, gradient check, skeletons, board, command line."""
+"""The rooms of the course. Each imports only from those above it (tests/tooling/test_rooms.py).
+
+    given         below reference: meshes, images, plots, gradient check
+    experiments   above reference: scenes and fits
+    exercises     what exercises there are
+    checks        assertions, hints, the report: the pytest plugin
+    board         what is done, and what to do next
+    upkeep        what makes labs, hints and notebooks
+    grading       hand out, grade, report
+    cli           the command line, started by __main__
+"""

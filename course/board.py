@@ -1,6 +1,5 @@
 """The progress board: what is done, what is not, and what to do next."""
 import contextlib
-import io
 import json
 import os
 import re
@@ -11,15 +10,16 @@ import webbrowser
 from pathlib import Path
 from typing import NamedTuple
 
-import pytest
 from rich.console import Console
-from rich.progress import Progress
 from rich.table import Table
 
-from . import checks
+from . import exercises
+from .checks import page
+from .checks.loader import folder
+from .checks.report import rerun
+from .checks.runner import run_checks
+from .checks.showing import layout
 from .given import places
-from .grading import report
-from .upkeep import skeleton
 
 BAR = 20  # characters of a whole lab's bar
 LOOK = 0.3  # seconds between two looks at the files that are watched
@@ -30,7 +30,7 @@ class Entry(NamedTuple):
     """An exercise on the board, with its checks."""
 
     topic: str
-    exercise: skeleton.Exercise
+    exercise: exercises.Exercise
     verdict: str  # done, failing, not started, blocked by 2.1, not readable
     checks: list
 
@@ -44,7 +44,7 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
     ValueError: there is no such target or folder.
     """
     labs, asked = asked_for(target)
-    code = checks.folder(implementation)
+    code = folder(implementation)
     called = called_exercises(labs, code)
     needed = closure(asked, called)
     broken = not_python(labs, code)
@@ -72,7 +72,7 @@ def watch(target=None, implementation="labs", **options):
 
     While checks run, Ctrl-C stops these alone, as where a loop has no end.
     """
-    code, seen = checks.folder(implementation), None
+    code, seen = folder(implementation), None
     while True:
         files = {path: path.stat().st_mtime_ns for path in code.glob("*.py") if path.exists()}
         if files != seen:
@@ -99,10 +99,10 @@ def show(target=None, implementation="labs"):
 
 def asked_for(target):
     """({topic: its exercises}, the numbers of those that are asked for)."""
-    topics = {topic: str(skeleton.lab_number(topic)) for topic in skeleton.asking_topics()}
-    labs = {topic: skeleton.topic_exercises(topic) for topic, lab in topics.items()
+    topics = {topic: str(exercises.lab_number(topic)) for topic in exercises.asking_topics()}
+    labs = {topic: exercises.topic_exercises(topic) for topic, lab in topics.items()
             if target is None or target == topic or target.split(".")[0] == lab}
-    asked = [exercise.number for exercises in labs.values() for exercise in exercises
+    asked = [exercise.number for lab in labs.values() for exercise in lab
              if target in (None, *labs, exercise.number) or target in topics.values()]
     if not asked:
         names = ", ".join(f"{lab} or {topic}" for topic, lab in topics.items())
@@ -113,7 +113,7 @@ def asked_for(target):
 
 def exercise_range(topic):
     """'2.1 to 2.16'."""
-    numbers = [exercise.number for exercise in skeleton.topic_exercises(topic)]
+    numbers = [exercise.number for exercise in exercises.topic_exercises(topic)]
     return " to ".join(dict.fromkeys(numbers[:1] + numbers[-1:]))
 
 
@@ -123,7 +123,7 @@ def not_python(labs, code):
     for topic in labs:
         with contextlib.suppress(OSError):  # not there: its checks say so
             try:
-                skeleton.top_level_functions(skeleton.read(code / f"{topic}.py"))
+                exercises.top_level_functions(exercises.read(code / f"{topic}.py"))
             except ValueError as error:
                 broken[topic] = f"{places.shown_path(code / topic)}.py, {error}"
     return broken
@@ -132,10 +132,10 @@ def not_python(labs, code):
 def called_exercises(labs, code):
     """{number: numbers of the exercises that the code under test calls in it}."""
     called = {}
-    for topic, exercises in labs.items():
-        numbers = {exercise.name: exercise.number for exercise in exercises}
+    for topic, lab in labs.items():
+        numbers = {exercise.name: exercise.number for exercise in lab}
         try:
-            names = skeleton.calls(skeleton.read(code / f"{topic}.py"), numbers)
+            names = exercises.calls(exercises.read(code / f"{topic}.py"), numbers)
         except (OSError, ValueError):  # not there, or not Python: then it is not called either
             continue
         called |= {numbers[name]: [numbers[other] for other in names[name]] for name in names}
@@ -150,81 +150,6 @@ def closure(numbers, called):
         needed |= new
         ends += new
     return needed
-
-
-class Collector:
-    """A pytest plugin: runs the checks of these exercises alone, and keeps what became of them."""
-
-    def __init__(self, numbers, labs, code, progress):
-        self.numbers = numbers
-        self.known = {exercise.number for exercises in labs.values() for exercise in exercises}
-        self.code = code
-        self.progress = progress
-        self.planned = {}   # nodeid -> the Check of one that did not run
-        self.found = {}     # nodeid -> Check
-        self.problems = []  # sentences
-        self.running = None
-
-    def pytest_collectreport(self, report):
-        if not report.passed:
-            reason = report.longreprtext.strip().splitlines()[-1].removeprefix("E").strip()
-            self.problems.append(f"{report.nodeid} cannot be collected: {reason}")
-
-    def pytest_collection_modifyitems(self, items):
-        marks = [(item, item.get_closest_marker("exercise")) for item in items]
-        self.problems += [f"{item.nodeid} names exercise {mark.args[0]}, and there is none"
-                          for item, mark in marks if mark and mark.args[0] not in self.known]
-        asked = [(item, mark.args[0]) for item, mark in marks
-                 if mark and mark.args[0] in self.numbers]
-        items[:] = [item for item, _ in asked]
-        self.planned = {item.nodeid: checks.Check(number, item.nodeid, checks.claim(item), "failed",
-                                                  checks.layout([("wrong", "it did not run")]),
-                                                  None, 0.0) for item, number in asked}
-        self.task = self.progress.add_task("checks", total=len(items))
-
-    def pytest_runtest_logstart(self, nodeid):
-        self.running = nodeid
-
-    def pytest_runtest_logreport(self, report):
-        earlier = self.found.get(report.nodeid)  # a teardown can still spoil a check that passed
-        if hasattr(report, "check") and (earlier is None or earlier.verdict == "passed"):
-            self.found[report.nodeid] = checks.Check(**report.check)
-
-    def pytest_runtest_logfinish(self):
-        self.progress.advance(self.task)
-        self.progress.refresh()
-
-    def pytest_keyboard_interrupt(self, excinfo):
-        """Say in which line the code under test was: there may be a loop without an end."""
-        self.problems.append("It was stopped. Checks that did not run count as failed.")
-        where = checks.layout([("wrong", checks.told(excinfo.value, self.code))])
-        if self.running in self.planned:
-            self.planned[self.running] = self.planned[self.running]._replace(message=where)
-
-
-def run_checks(labs, numbers, implementation, seed, plugins=()):
-    """Run the checks of these exercises in this process -> ([Check], [problem])."""
-    topics = [topic for topic, exercises in labs.items()
-              if any(exercise.number in numbers for exercise in exercises)]
-    tests = [path for topic in topics
-             if (path := places.ROOT / "tests" / "labs" / f"test_{topic}.py").exists()]
-    if not tests:
-        return [], []
-    options = ["--rootdir", places.ROOT, "-c", places.ROOT / "pyproject.toml",
-               "-p", "no:cacheprovider", "--continue-on-collection-errors",
-               "--impl", implementation, "--seed", seed]
-    said = io.StringIO()
-    with (Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
-                   redirect_stdout=False, redirect_stderr=False,
-                   disable=not sys.stderr.isatty()) as progress,
-          pytest.MonkeyPatch.context() as environment, contextlib.redirect_stdout(said)):
-        environment.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # they only cost time
-        environment.delenv("PYTEST_ADDOPTS", raising=False)
-        collector = Collector(numbers, labs, checks.folder(implementation), progress)
-        status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector, *plugins])
-    if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
-        collector.problems.append(f"pytest broke off\n{said.getvalue()}".rstrip())
-    return list((collector.planned | collector.found).values()), collector.problems
 
 
 def entries(labs, needed, called, found, broken=()):
@@ -245,7 +170,7 @@ def entries(labs, needed, called, found, broken=()):
     return [Entry(topic, exercise,
                   "not readable" if topic in broken else verdict(exercise.number),
                   of[exercise.number])
-            for topic, exercises in labs.items() for exercise in exercises
+            for topic, lab in labs.items() for exercise in lab
             if exercise.number in needed]
 
 
@@ -255,7 +180,7 @@ def table(board):
         lab = [entry for entry in board if entry.topic == topic]
         reached, of = points(lab)
         bar = ("#" * (BAR * reached // of)).ljust(BAR, ".")
-        rows.add_row(f"Lab {skeleton.lab_number(topic)}", topic, f"{reached} of {of}", bar,
+        rows.add_row(f"Lab {exercises.lab_number(topic)}", topic, f"{reached} of {of}", bar,
                      style="bold")
         for _, exercise, verdict, _ in lab:
             rows.add_row(f"{exercise.number:>5}", exercise.name, plural(exercise.points, "point"),
@@ -285,13 +210,13 @@ def next_to_do(entries, code, implementation, seed):
     if verdict == "failing" and found:
         lines = [f"{lines[0]} in {len(wrong)} of {plural(len(found), 'check')}"]
     if not found:
-        lines += [checks.layout([("wrong", f"it has no check in tests/labs/test_{topic}.py")])]
+        lines += [layout([("wrong", f"it has no check in tests/labs/test_{topic}.py")])]
     if wrong:
-        lines += [checks.layout([("claim", wrong[0].claim)])]
+        lines += [layout([("claim", wrong[0].claim)])]
         lines += [wrong[0].message] * (verdict != "not started")
-    again = checks.rerun(verdict.removeprefix("blocked by ") if "blocked" in verdict
+    again = rerun(verdict.removeprefix("blocked by ") if "blocked" in verdict
                          else exercise.number, implementation, seed)
-    return "\n".join([*lines, checks.layout([("again", again),
+    return "\n".join([*lines, layout([("again", again),
                                              ("read", reading(topic, exercise, code))])])
 
 
@@ -300,10 +225,10 @@ def reading(topic, exercise, code):
     line = exercise.line
     with contextlib.suppress(OSError, ValueError):
         lines = {function.name: function.lineno for function in
-                 skeleton.top_level_functions(skeleton.read(code / f"{topic}.py"))}
+                 exercises.top_level_functions(exercises.read(code / f"{topic}.py"))}
         line = lines.get(exercise.name, line)
     question = f"{places.shown_path(code / topic)}.py:{line}, the docstring is the question"
-    lecture = skeleton.lecture(topic)
+    lecture = exercises.lecture(topic)
     if not lecture.exists():
         return question
     section = section_of(lecture, exercise)
@@ -341,23 +266,23 @@ def open_pictures(board, seed):
     if not failing:
         return
     pictures = {path.name: path.read_bytes() for path in paths}
-    page = places.out("checks", "failed.html")
-    places.write_whole(page, report.document("What failed", *(
+    file = places.out("checks", "failed.html")
+    places.write_whole(file, page.document("What failed", *(
         part for entry in failing
-        for part in report.exercise_part(entry, None, pictures, seed))).encode("utf-8"))
+        for part in page.exercise_part(entry, None, pictures, seed))).encode("utf-8"))
     print("", "Pictures, all of them in the last:",
-          *map(places.shown_path, [*sorted(paths), page]), sep="\n")
-    webbrowser.open(page.as_uri())
+          *map(places.shown_path, [*sorted(paths), file]), sep="\n")
+    webbrowser.open(file.as_uri())
 
 
 def all_done(board, labs):
     reached, of = points(board)
     topic, last = board[-1].topic, board[-1].exercise
     rest = labs[topic][labs[topic].index(last) + 1:]
-    asking = skeleton.asking_topics()
+    asking = exercises.asking_topics()
     later = asking[asking.index(topic) + 1:]
     coming = ([f"{exercise.number} {exercise.name}" for exercise in rest]
-              + [f"lab {skeleton.lab_number(lab)}, {lab}" for lab in later]
+              + [f"lab {exercises.lab_number(lab)}, {lab}" for lab in later]
               + ["python3 -m course check, for the rest"])
     return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {coming[0]}."
 
@@ -365,8 +290,8 @@ def all_done(board, labs):
 def as_json(board):
     """{"points", "of", "exercises": [{number, name, topic, points, verdict, checks: [...]}]}."""
     reached, of = points(board)
-    exercises = [{"number": exercise.number, "name": exercise.name, "topic": topic,
-                  "points": exercise.points, "verdict": verdict,
-                  "checks": [check._asdict() for check in found]}
-                 for topic, exercise, verdict, found in board]
-    return json.dumps({"points": reached, "of": of, "exercises": exercises}, indent=2) + "\n"
+    lines = [{"number": exercise.number, "name": exercise.name, "topic": topic,
+              "points": exercise.points, "verdict": verdict,
+              "checks": [check._asdict() for check in found]}
+             for topic, exercise, verdict, found in board]
+    return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"

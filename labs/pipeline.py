@@ -20,10 +20,10 @@ from course.given import inputs
 from . import (
     antialiasing,
     interpolation,
+    mipmapping,
     rasterization,
     rasterizer_gradients,
     scanline,
-    texturing,
     transforms,
 )
 
@@ -204,8 +204,8 @@ def textured(buffers, surface):
     """The texture's colour (H, W, C), filtered for the footprint of each pixel; 0 outside."""
     at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
     colour = np.zeros((*buffers.face_index.shape, surface.image.shape[2]))
-    colour[buffers.face_index >= 0] = texturing.texture(surface.image, at, footprint,
-                                                        filter=surface.filter)
+    colour[buffers.face_index >= 0] = mipmapping.texture(surface.image, at, footprint,
+                                                         filter=surface.filter)
     return colour
 
 
@@ -215,7 +215,7 @@ def textured_backward(grad_colour, buffers, surface):
     """
     seen = buffers.face_index >= 0
     at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
-    grad_image, grad_at, grad_footprint, _ = texturing.texture_backward(
+    grad_image, grad_at, grad_footprint, _ = mipmapping.texture_backward(
         grad_colour[seen], surface.image, at, footprint, filter=surface.filter)
     # `footprints` gathers the seen pixels: its transpose puts them back, 0 elsewhere.
     uv_at = surface.uv, surface.uv_faces, buffers.face_index

@@ -1,4 +1,4 @@
-"""Regularization: a mesh's triangles made round, its surface made smooth, its gradients made wise.
+"""Regularization: round triangles, smooth surfaces, and gradients that move a surface as a whole.
 
     q = 2 r / R                      radii of a triangle's inscribed, circumscribed circle   (1)
     (L x)_i = sum_j w_ij (x_i - x_j)                 Laplacian, over the edges at vertex i   (2)
@@ -7,55 +7,56 @@
     x' = x - s M^-1 L x                            explicit smoothing: a step of diffusion   (5)
     (M + s L) x' = M x                             implicit smoothing: stable for any s      (6)
     6 volume = sum x_0 . (x_1 x x_2)                      tetrahedra from the origin         (7)
-    gamma + delta > pi                          the edge is not Delaunay: flip it            (8)
-    x' = x + rate (I - n n^T) (mean of the neighbours - x)       tangential relaxation       (9)
     u = (I + lambda L) x,   grad_u = (I + lambda L)^-1 grad_x    large steps                (10)
 
-L is symmetric, its rows sum to 0, x . L x >= 0 for weights >= 0 and for cotangents. alpha and beta
-lie opposite to the edge in its two faces. M is diagonal, m_i how much vertex i stands for: its
-valence with uniform weights, its area with cotangents. (Lab 9 wrote (4) for uniform weights and
-m = valence^2: no exercise calls another lab's. Here is the general one, and a test ties them.)
-
-Edges (E, 2), low < high, and face_edges (F, 3) are those of `mesh.edges`: face_edges[f, k] is the
-edge opposite to vertex k of face f, and in an array (F, 3, 3) of triangles corner k is vertex k. A
-face that names a vertex twice must be left out before. Any number of faces may share an edge.
+Equations (8) and (9) are in `remeshing.py`. alpha and beta lie opposite to the edge in its two
+faces. M is diagonal: m_i is a valence with uniform weights, an area with cotangents. Lab 9's
+Laplacian is M^-1 L x with w = 1 and m = valence, and its energy is (4) with m = valence^2.
+Edges (E, 2) and face_edges (F, 3) are those of `mesh.edges`: no face may name a vertex twice.
 
 Sources: GAMES101's lecture on geometry; Pinkall and Polthier 1993 (3), Desbrun et al. 1999 (6),
-Taubin 1995, Botsch and Kobbelt 2004 (9), Nicolet, Jacobson and Jakob 2021 (10).
+Taubin 1995, Nicolet, Jacobson and Jakob 2021 (10).
 """
-import numbers
-
 import numpy as np
 import scipy.sparse
 from scipy.sparse.linalg import spsolve
 
 from course.given import mesh
-from course.given.distances import closest_points
 
-NO_AREA = 1e-12       # twice a face's area over its longest side squared: up to this it has none
-STRAIGHT = 0.9        # cosine of the largest angle between normals over which an edge may flip
-LEAST_GAIN = 1e-9     # of a flip, so that rounding cannot flip to and fro
-MOST_PASSES = 100     # of flips; in the plane Delaunay flips come to an end, in space nearly always
+from .interpolation import scatter
 
+NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this it has none
 
-# --- quality -----------------------------------------------------------------------------------
 
 def sides(triangles):
     """From each corner k of triangles (..., 3, 3) to corner k + 1, and to k + 2, modulo 3."""
     return np.roll(triangles, -1, -2) - triangles, np.roll(triangles, -2, -2) - triangles
 
 
-def unit(vectors):
-    """Vectors (..., 3) of length 1, in the same directions; (0, 0, 0) stays."""
-    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return vectors / np.where(length > 0, length, 1)
+def area_vectors(triangles):
+    """A normal as long as twice the area, for each of triangles (..., 3, 3): (..., 3)."""
+    a, b, c = np.moveaxis(triangles, -2, 0)
+    return np.cross(b - a, c - a)
+
+
+def twice_areas(triangles):
+    """Twice the area of triangles (..., 3, 3): (...), also of a needle with all its digits.
+
+    |p x q| is the same at every corner. Between the two shortest sides, the fewest digits cancel.
+    """
+    p, q = sides(triangles)
+    corner = (p**2 + q**2).sum(-1).argmin(-1, keepdims=True)
+    return np.take_along_axis(np.linalg.norm(np.cross(p, q), axis=-1), corner, -1)[..., 0]
 
 
 def corner_angles(triangles):  # exercise 13.1 (2 points)
     """The angle at each corner, from 0 to pi: triangles (..., 3, 3) -> (..., 3), in radians.
 
-    A small angle must keep its digits: one of 1e-9 comes out right to a relative 1e-9. At a corner
+    Its tangent is twice the area over p . q, where p and q are the sides at the corner. At a corner
     that coincides with another one, the angle is 0.
+
+    Fine print. Every angle is right to 1e-14. Between two long sides, an angle of 1e-9 is right to
+    a relative 1e-9: `twice_areas` has the digits, and the cross product of the two has lost half.
 
     >>> corner_angles(np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])).round(6)
     array([1.570796, 0.785398, 0.785398])
@@ -66,15 +67,11 @@ def corner_angles(triangles):  # exercise 13.1 (2 points)
 def radius_ratio(triangles):  # exercise 13.2 (2 points)
     """Eq. (1): triangles (..., 3, 3) -> q (...), 1 for an equilateral one, 0 for one without area.
 
-    Also where corners coincide, q is 0.
-
     >>> radius_ratio(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])).round(9)
     np.float64(0.8)
     """
     raise NotImplementedError("exercise 13.2: radius_ratio")
 
-
-# --- Laplacians --------------------------------------------------------------------------------
 
 def cotangents(triangles):  # exercise 13.3 (2 points)
     """The cotangent of the angle at each corner: triangles (..., 3, 3) -> (..., 3).
@@ -89,8 +86,7 @@ def cotangents(triangles):  # exercise 13.3 (2 points)
 
 
 def cotangents_backward(grad_cotangents, triangles):  # exercise 13.4 (4 points)
-    """Backward of `cotangents`: grad_cotangents (..., 3) -> grad_triangles (..., 3, 3).
-
+    """Backward of `cotangents`: grad_cotangents (..., 3) -> grad_triangles (..., 3, 3),
     0 for a triangle whose cotangents are set to 0.
 
     >>> triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
@@ -115,21 +111,23 @@ def cotangent_weights(cotangents, face_edges, edge_count):  # exercise 13.5 (2 p
     raise NotImplementedError("exercise 13.5: cotangent_weights")
 
 
-def vertex_areas(triangles, faces, vertex_count):
-    """M of the cotangent Laplacian: each vertex has a third of its faces' areas: (vertex_count,).
+def unit(vectors):
+    """Vectors (..., 3) of length 1, in the same directions; (0, 0, 0) stays."""
+    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return vectors / np.where(length > 0, length, 1)
 
-    triangles (F, 3, 3), faces (F, 3).
-    """
-    p, q = sides(triangles)
-    third = np.linalg.norm(np.cross(p, q)[:, 0], axis=-1) / 6
-    return np.bincount(faces.ravel(), np.repeat(third, 3), vertex_count)
+
+def vertex_areas(triangles, faces, vertex_count):
+    """M with cotangents, a third of all areas at each vertex: triangles (F, 3, 3) -> areas (V,)."""
+    twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
+    return scatter(np.broadcast_to(twice_area / 6, faces.shape), faces, vertex_count)
 
 
 def vertex_areas_backward(grad_areas, triangles, faces):
     """Backward of `vertex_areas`: grad_areas (V,) -> grad_triangles (F, 3, 3)."""
     # As in `cotangents_backward`, 2 A grows by n x (q_k - p_k) with corner k.
     p, q = sides(triangles)
-    normal = unit(np.cross(p, q)[:, :1])
+    normal = unit(area_vectors(triangles))[:, None]
     return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
 
 
@@ -149,9 +147,18 @@ def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
 
 
 def laplacian(edges, weights, vertex_count):
-    """L of eq. (2) as a sparse matrix (V, V)."""
+    """The Laplacian of eq. (2) as a sparse matrix (V, V). It is symmetric, its rows sum to 0, and
+    x . L x >= 0 for weights >= 0 and for cotangents.
+    """
     rows, columns, values = laplacian_entries(edges, weights, vertex_count)
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
+
+
+def cotangent_laplacian(vertices, faces):
+    """L and M of a surface, by its own shape: edges (E, 2), weights (E,) and areas (V,)."""
+    edges, face_edges = mesh.edges(faces)
+    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
+    return edges, weights, vertex_areas(vertices[faces], faces, len(vertices))
 
 
 def per_mass(x, mass):
@@ -187,30 +194,22 @@ def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # exercise
 def bending_energy(vertices, faces):
     """Eq. (4) of a surface's own vertices, with its own cotangents and areas -> a number.
 
-    L x is the gradient of the whole area by x; on a fine mesh it has the length 2 (mean curvature)
-    (area of the vertex). So this comes near the integral of 4 (mean curvature)^2, which has no
-    unit: 16 pi for every sphere, and more for all else that is closed.
+    On a fine mesh |L x| is 2 (mean curvature) (area of the vertex), and the energy comes near the
+    integral of 4 (mean curvature)^2: 16 pi for every sphere, more for all else that is closed.
     """
-    edges, face_edges = mesh.edges(faces)
-    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
-    areas = vertex_areas(vertices[faces], faces, len(vertices))
-    return laplacian_energy(vertices, edges, weights, areas)
+    return laplacian_energy(vertices, *cotangent_laplacian(vertices, faces))
 
 
 def bending_energy_backward(grad_energy, vertices, faces):
     """Backward of `bending_energy`, through weights and areas, too -> grad_vertices (V, 3)."""
-    edges, face_edges = mesh.edges(faces)
-    weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
-    areas = vertex_areas(vertices[faces], faces, len(vertices))
+    # A vertex moves L x itself, and by its triangles the weights and the areas around it.
     grad_vertices, grad_weights, grad_areas = laplacian_energy_backward(
-        grad_energy, vertices, edges, weights, areas)
+        grad_energy, vertices, *cotangent_laplacian(vertices, faces))
+    _, face_edges = mesh.edges(faces)
     grad_triangles = (cotangents_backward(grad_weights[face_edges] / 2, vertices[faces])
                       + vertex_areas_backward(grad_areas, vertices[faces], faces))
-    np.add.at(grad_vertices, faces, grad_triangles)
-    return grad_vertices
+    return grad_vertices + scatter(grad_triangles, faces, len(vertices))
 
-
-# --- smoothing, and the volume that it costs ---------------------------------------------------
 
 def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (2 points)
     """Eq. (5): x (V, C) -> x' (V, C); s is the step, the diagonal of M is the mass (V,).
@@ -251,7 +250,7 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13
 
 def enclosed_volume(triangles):  # exercise 13.12 (1 point)
     """Eq. (7): what triangles (F, 3, 3) enclose, a number; positive if all are counter-clockwise
-    seen from outside. (Of an open surface, the volume between it and the origin.)
+    seen from outside. For an open surface, it is the volume between it and the origin.
 
     >>> enclosed_volume(np.array([[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]]))
     np.float64(1.0)
@@ -272,191 +271,20 @@ def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 point
 
 
 def restore_volume(vertices, faces, volume):
-    """The vertices (V, 3), moved along the gradient of their volume until it is the one wanted.
-
-    Of a surface that encloses something, and a volume not far from that.
-    """
-    for _ in range(5):  # of Newton's steps; after three the rest is rounding
+    """The vertices (V, 3), moved along their volume's gradient to a wanted volume not far away."""
+    for _ in range(5):  # Newton's steps: after three the rest is rounding
         missing = volume - enclosed_volume(vertices[faces])
-        direction = np.zeros_like(vertices)
-        np.add.at(direction, faces, enclosed_volume_backward(1.0, vertices[faces]))
+        direction = scatter(enclosed_volume_backward(1.0, vertices[faces]), faces, len(vertices))
         vertices = vertices + missing / (direction**2).sum() * direction
     return vertices
 
-
-# --- edge flips --------------------------------------------------------------------------------
-
-def edge_quads(faces):
-    """The edges that can be flipped: quads (N, 4), their two faces (N, 2), held edges (H, 2).
-
-    Row a, b, c, d: the edge of vertices a < b, with the faces (a, b, c) and (b, a, d) in any turn.
-    Held are all others: at a hole, or where three faces meet or two wind against each other.
-    """
-    edges, face_edges = mesh.edges(faces)
-    # The edge opposite to corner k runs from k + 1 to k + 2: from a to b in one face, or back.
-    forward = np.roll(faces, -1, 1) < np.roll(faces, -2, 1)
-    corners, sound = np.zeros((2, len(edges)), int), np.ones(len(edges), bool)
-    for corner, way in zip(corners, (forward, ~forward), strict=True):
-        corner[face_edges[way]] = np.flatnonzero(way)
-        sound &= np.bincount(face_edges[way], minlength=len(edges)) == 1
-    corners = corners.T[sound]
-    return np.hstack([edges[sound], faces.ravel()[corners]]), corners // 3, edges[~sound]
-
-
-def flip(quads):
-    """The faces after edge a b was replaced by c d: quads (N, 4) of a, b, c, d -> (N, 2, 3).
-
-    Before, they are (a, b, c) and (b, a, d); then (a, d, c), the one at a, and (b, c, d).
-    """
-    return quads[:, [[0, 3, 2], [1, 2, 3]]]
-
-
-def delaunay_gain(corners):  # exercise 13.14 (2 points)
-    """Eq. (8): gamma + delta - pi (N,), in radians, positive where an edge should be flipped.
-
-    corners (N, 4, 3): the positions of a, b, c, d as in `flip`. gamma is the angle at c, delta that
-    at d, each between the sides to a and b, both as exact as `corner_angles` has them.
-
-    >>> delaunay_gain(np.array([[[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, -3, 0]],
-    ...                         [[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 0]]])).round(6)
-    array([0.      , 1.570796])
-    """
-    raise NotImplementedError("exercise 13.14: delaunay_gain")
-
-
-def valence_gain(valence, target):
-    """How much nearer to their targets a flip brings four valences: (N,), integers.
-
-    valence, target (N, 4): how many edges meet at a, b, c, d of `flip`, and how many should.
-    """
-    after = valence + np.array([-1, -1, 1, 1])
-    return (np.abs(valence - target) - np.abs(after - target)).sum(1)
-
-
-def can_flip(vertices, faces, quads):
-    """Where a flip keeps a mesh sound and its surface nearly where it is: bool (N,).
-
-    The new edge must be new, and the normals of the four faces, old and new, nearly alike. An old
-    face without any area counts as lying in the other one's plane.
-    """
-    edges, _ = mesh.edges(faces)
-    new = np.sort(quads[:, 2:], axis=1) @ [len(vertices), 1]
-    corners = vertices[np.concatenate([quads[:, [[0, 1, 2], [1, 0, 3]]], flip(quads)], 1)]
-    p, q = sides(corners)
-    normal = unit(np.cross(p, q)[..., 0, :])
-    empty = ~normal[:, :2].any(-1, keepdims=True)
-    normal[:, :2] = np.where(empty, normal[:, 1::-1], normal[:, :2])
-    alike = (normal @ normal.swapaxes(1, 2)).min((1, 2)) > STRAIGHT
-    return alike & ~np.isin(new, edges @ [len(vertices), 1])
-
-
-def flip_best(vertices, faces, quads, quad_faces, gain):
-    """Flip all edges at once that gain more than any other one at their four vertices -> faces."""
-    able = np.flatnonzero(gain > LEAST_GAIN)
-    able = able[can_flip(vertices, faces, quads[able])]
-    able = able[np.argsort(gain[able], kind="stable")]
-    best = np.full(len(vertices), -1)
-    rank = np.arange(len(able))
-    np.maximum.at(best, quads[able], rank[:, None])
-    chosen = able[(best[quads[able]] == rank[:, None]).all(1)]
-    faces = faces.copy()
-    faces[quad_faces[chosen]] = flip(quads[chosen])
-    return faces
-
-
-def flip_until_settled(vertices, faces, gain_of):
-    """`flip_best` again and again; gain_of(quads, held edges) -> the gain of each flip (N,)."""
-    for _ in range(MOST_PASSES):
-        quads, quad_faces, held = edge_quads(faces)
-        flipped = flip_best(vertices, faces, quads, quad_faces, gain_of(quads, held))
-        if np.array_equal(flipped, faces):
-            break
-        faces = flipped
-    return faces
-
-
-def flip_to_delaunay(vertices, faces):
-    """Faces (F, 3) of the same vertices, all edges Delaunay (8), but for those that cannot flip."""
-    return flip_until_settled(vertices, faces, lambda quads, _: delaunay_gain(vertices[quads]))
-
-
-def flip_to_valence_6(vertices, faces):
-    """Faces (F, 3) of the same vertices, valences nearer to 6, to 4 on the ends of held edges."""
-    def gain(quads, held):
-        edges = np.concatenate([quads[:, :2], held])
-        target = np.full(len(vertices), 6)
-        target[held] = 4
-        valence = np.bincount(edges.ravel(), minlength=len(vertices))
-        return valence_gain(valence[quads], target[quads])
-
-    return flip_until_settled(vertices, faces, gain)
-
-
-# --- tangential relaxation ---------------------------------------------------------------------
-
-def relax_step(vertices, normals, edges, rate):  # exercise 13.15 (3 points)
-    """Eq. (9): vertices (V, 3) slide towards the mean of their neighbours -> x' (V, 3).
-
-    normals (V, 3), n of unit length, or 0 where there is none, and then nothing is taken away from
-    the move; edges (E, 2); rate from 0 to 1. A vertex of no edge stays.
-
-    >>> vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 2.0], [0.0, 8.0, 2.0], [9.0, 9.0, 9.0]])
-    >>> normals = np.array([[0.0, 0.0, 1.0]] * 4)
-    >>> relax_step(vertices, normals, np.array([[0, 1], [0, 2]]), 0.5)
-    array([[1., 2., 0.],
-           [2., 0., 2.],
-           [0., 4., 2.],
-           [9., 9., 9.]])
-    """
-    raise NotImplementedError("exercise 13.15: relax_step")
-
-
-def held_vertices(vertices, faces, tolerance):
-    """Which vertices must not slide: at a held edge, of no face, or standing out: bool (V,).
-
-    A vertex that stands above its neighbours' mean by more than the tolerance would be missed.
-    """
-    *_, held = edge_quads(faces)
-    edges, _ = mesh.edges(faces)
-    valence = np.bincount(edges.ravel(), minlength=len(vertices))
-    move = smooth_explicit(vertices, edges, np.ones(len(edges)), valence, 1.0) - vertices
-    out = np.abs((move * mesh.vertex_normals(vertices, faces)).sum(1)) > tolerance
-    out[held] = True
-    return out | (valence == 0)
-
-
-def relax(vertices, faces, tolerance, steps=4):
-    """Thin triangles become rounder, the surface stays: -> vertices (V, 3), faces (F, 3).
-
-    Flips, eq. (9), and back onto the surface, in turn. tolerance: see `held_vertices`; by up to
-    twice this the surface may move, measure it. ValueError for what is no mesh, see `mesh.check`,
-    or has a face that names a vertex twice, and for a negative tolerance or steps, or nan.
-    """
-    mesh.check(vertices, faces)
-    vertices, faces = np.asarray(vertices, float), np.asarray(faces, int)
-    if not (isinstance(tolerance, numbers.Real) and isinstance(steps, numbers.Integral)
-            and tolerance >= 0 and steps >= 0):
-        raise ValueError("relax needs a number tolerance >= 0 and a whole number steps >= 0, "
-                         f"got tolerance {tolerance} and steps {steps}")
-    free = ~held_vertices(vertices, faces, tolerance)
-    moved, flipped = vertices.copy(), flip_to_delaunay(vertices, faces)
-    for _ in range(steps):
-        edges, _ = mesh.edges(flipped)
-        slid = relax_step(moved, mesh.vertex_normals(moved, flipped), edges, 1.0)
-        moved[free] = closest_points(slid[free], vertices, faces)
-        flipped = flip_to_delaunay(moved, flipped)
-    return moved, flipped
-
-
-# --- large steps -------------------------------------------------------------------------------
 
 def precondition(x, edges, weights, amount):
     """Eq. (10): (I + lambda L)^-1 x, which is (6) for M = I: x (V, C) -> (V, C), spread out."""
     return smooth_implicit(x, edges, weights, np.ones(len(x)), amount)
 
 
-def uniform_adam_step(x, grad_x, mean, square, step, rate,
-                      beta_1=0.9, beta_2=0.999, epsilon=1e-8):
+def uniform_adam_step(x, grad_x, mean, square, step, rate, beta_1=0.9, beta_2=0.999, epsilon=1e-8):
     """Lab 9's `adam_step`, but all elements go at the rate of the one with the largest square.
 
     x, grad_x, mean, square: arrays of one shape, any -> x, mean, square after the step, which is
@@ -464,7 +292,7 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate,
     """
     mean = beta_1 * mean + (1 - beta_1) * grad_x
     square = beta_2 * square + (1 - beta_2) * grad_x**2
-    steepest = np.sqrt(square.max() / (1 - beta_2**step)) + epsilon
+    steepest = np.sqrt(square.max(initial=0) / (1 - beta_2**step)) + epsilon
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 

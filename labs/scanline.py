@@ -19,6 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from course.given import inputs
+
 from .rasterization import CHUNK, EDGES, MARGIN, bounding_box, is_top_left, screen_points
 
 TINY = 1e-300  # stands for a slope of 0 in a division
@@ -260,8 +262,9 @@ def rasterize(clip, faces, width, height):
     clip (V, 4), faces (F, 3) integers from 0 to V - 1 -> face_index (height, width), -1 where no
     face is seen; depth (height, width), z/w from -1 to 1, np.inf there. Both sides of a face are
     seen. Any w, also of vertices behind the camera. Faces with vertices that are not finite are
-    left out.
+    left out. ValueError for faces that name vertices that are not there.
     """
+    inputs.require_faces(faces, len(clip))
     face_index = np.full(height * width, -1)
     depth = np.full(height * width, np.inf)
     with np.errstate(all="ignore"):  # faces without an area cover nothing

@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from course.given import mesh
+from course.given import inputs, mesh
 
 from . import interpolation, pipeline, scanline
 
@@ -186,7 +186,7 @@ def depth_map(vertices, faces, light, size):
     vertices (V, 3), faces (F, 3), light a Light. ValueError for a mesh without faces, or broken,
     and for a size that is no whole number of at least 1.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     require_side("depth_map", size, 1)
     q = to_light(np.asarray(vertices), light.position, light.rotation)
     clip = pipeline.to_clip(q, light.clip_from_light)
@@ -200,7 +200,7 @@ def visible_points(vertices, faces, clip_from_world, width, height):
 
     ValueError for a mesh without faces, or broken, and for a width or height that is no count.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     for side in width, height:
         require_side("visible_points", side, 0)
     vertices, faces = np.asarray(vertices), np.asarray(faces)

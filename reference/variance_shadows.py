@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import inverse_rendering, lights, shadow_mapping, texturing
+from . import inverse_rendering, lights, mipmapping, shadow_mapping
 
 PAIRS = ((0, np.s_[:, :-1], np.s_[:, 1:]),  # neighbours in x: the left ones, the right ones
          (1, np.s_[:-1], np.s_[1:]))        # in y: the lower ones, the upper ones
@@ -231,7 +231,7 @@ def variance_shadow(points, vertices, faces, light, settings):
     q = shadow_mapping.before_light(points, light)
     uv = shadow_mapping.map_position(q, light.clip_from_light, settings.size,
                                      settings.size) / settings.size
-    mean = texturing.texture(blurred, uv, boundary="clamp")
+    mean = mipmapping.texture(blurred, uv, boundary="clamp")
     inside = ((uv >= 0) & (uv < 1)).all(1)
     lit = np.where(inside, chebyshev(-q[:, 2], *mean.T, settings.least_variance), 1.0)
     return lit, Buffers(distance_map, blurred, q, uv, mean, inside)
@@ -252,7 +252,7 @@ def variance_shadow_backward(grad_lit, buffers, points, light, settings):
     distance_map, blurred, q, uv, mean, inside = buffers
     grad_distance, *grad_mean = chebyshev_backward(
         np.where(inside, grad_lit, 0.0), -q[:, 2], *mean.T, least_variance)
-    grad_blurred, grad_uv, *_ = texturing.texture_backward(
+    grad_blurred, grad_uv, *_ = mipmapping.texture_backward(
         np.stack(grad_mean, -1), blurred, uv, boundary="clamp")
     grad_q = shadow_mapping.map_position_backward(grad_uv / size, q, light.clip_from_light, size,
                                                   size)

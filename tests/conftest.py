@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-pytest_plugins = ["course.checks"]
+pytest_plugins = ["course.checks.plugin"]
 
 ROOT = Path(__file__).parent.parent
 

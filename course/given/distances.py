@@ -6,7 +6,7 @@ a point is to a triangle: Ericson 2005, "Real-time collision detection", chapter
 import numpy as np
 from scipy.spatial import cKDTree
 
-from . import mesh
+from . import inputs
 
 NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this it has none
 
@@ -35,18 +35,25 @@ def closest_on_triangles(p, triangles):
 
 
 def closest_points(points, vertices, faces):
-    """Of each of points (P, 3) the nearest point on a mesh: (P, 3).
+    """Of each of points (P, 3) the nearest point on a mesh: (P, 3)."""
+    _, closest = closest_faces(points, vertices, faces)
+    return closest
+
+
+def closest_faces(points, vertices, faces):
+    """Of each of points (P, 3) the nearest face of a mesh, and the nearest point: (P,), (P, 3).
 
     The mesh's nearest corner bounds the distance: only faces whose ball comes nearer are looked at.
-    ValueError for what is no mesh, see `mesh.check`.
+    ValueError for what is no mesh, see `inputs.require_mesh`.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     triangles = vertices[faces]
     middle = triangles.mean(1)
     larger = 1 + 1e-9  # that rounding may leave none out
     radius = np.linalg.norm(triangles - middle[:, None], axis=-1).max(1) * larger
     bound = cKDTree(triangles.reshape(-1, 3)).query(points)[0] * larger
-    tree, closest = cKDTree(middle), np.empty((len(points), 3))
+    tree = cKDTree(middle)
+    nearest, closest = np.empty(len(points), int), np.empty((len(points), 3))
     for block in np.array_split(np.arange(len(points)), len(points) // 256 + 1):
         near = tree.query_ball_point(points[block], bound[block] + radius.max())
         point = np.repeat(block, [len(each) for each in near])
@@ -56,8 +63,9 @@ def closest_points(points, vertices, faces):
         point, face = point[reached], face[reached]
         found = closest_on_triangles(points[point], triangles[face])
         order = np.lexsort([np.linalg.norm(points[point] - found, axis=1), point])
-        closest[block] = found[order[np.unique(point[order], return_index=True)[1]]]
-    return closest
+        first = order[np.unique(point[order], return_index=True)[1]]
+        nearest[block], closest[block] = face[first], found[first]
+    return nearest, closest
 
 
 def distance_to_surface(points, vertices, faces):
@@ -68,9 +76,9 @@ def distance_to_surface(points, vertices, faces):
 def sample_surface(vertices, faces, count, rng):
     """Points (count, 3) spread evenly over a mesh's area, by the random numbers of rng.
 
-    ValueError for what is no mesh, see `mesh.check`.
+    ValueError for what is no mesh, see `inputs.require_mesh`.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     a, b, c = vertices[faces.T]
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     a, b, c = vertices[faces[rng.choice(len(faces), count, p=area / area.sum())].T]

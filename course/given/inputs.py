@@ -76,9 +76,9 @@ def require_texture(faces, uv, uv_faces, image, background):
     require_reals("background", background, _channels("image", image))
 
 
-def require_cubes(vertices, faces, textures, clip_from_world, lights, width, height, background,
-                  samples):
-    """What lab 10's `render` needs: faces with a cube each, a camera, three lights, a screen."""
+def require_cubes(scene, view, samples):
+    """What lab 10's `render` needs: faces with a cube each, three lights, a camera, a screen."""
+    vertices, faces, textures, lights = scene
     require_reals("vertices", vertices, "V", 3)
     require_faces(faces, len(vertices))
     require_reals("textures", textures, len(faces), "T", "T", "T", "C", hint=", a cube per face")
@@ -86,13 +86,13 @@ def require_cubes(vertices, faces, textures, clip_from_world, lights, width, hei
     require(size >= 2 and textures.shape[1:4] == (size,) * 3, "textures (F, T, T, T, C) with one "
             "T, 2 or more", textures.shape)
     channels = _channels("textures", textures)
-    require_reals("clip_from_world", clip_from_world, 4, 4)
     require(len(lights) == 3, "lights (ambient, directional, towards)", f"{len(lights)} of them")
     for name, light, length in zip(("ambient", "directional", "towards"), lights,
                                    (channels, channels, 3), strict=True):
         require_reals(name, light, length)
-    require_reals("background", background, channels)
-    for name, count in ("width", width), ("height", height), ("samples", samples):
+    require_reals("clip_from_model", view.clip_from_model, 4, 4)
+    require_reals("background", view.background, channels)
+    for name, count in ("width", view.width), ("height", view.height), ("samples", samples):
         require(isinstance(count, numbers.Integral) and count >= 1, f"{name}, an integer of 1 or "
                 "more", repr(count))
 
@@ -120,3 +120,23 @@ def _channels(name, array):
 def _shown(name, shape):
     inside = ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "")
     return f"{name} ({inside})"
+
+
+def require_mesh(vertices, faces):
+    """Nothing for a sound mesh with at least one face, else a ValueError that says what is wrong.
+
+    vertices (V, 3) finite floating point numbers, faces (F, 3) integers from 0 to V - 1. Faces may
+    be degenerate, vertices unused or repeated.
+    """
+    vertices, faces = np.asarray(vertices), np.asarray(faces)
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or vertices.dtype.kind != "f":
+        raise ValueError("vertices must be an array (V, 3) of floating point numbers, "
+                         f"got {vertices.shape} of {vertices.dtype}: give one row for each vertex, "
+                         "such as vertices.astype(float)")
+    require_faces(faces, len(vertices))
+    if len(faces) == 0:
+        raise ValueError("a mesh needs at least one face, got none: give one or leave it out")
+    if not np.isfinite(vertices).all():
+        vertex = np.argmin(np.isfinite(vertices).all(axis=1))
+        raise ValueError("vertices must be finite, "
+                         f"vertex {vertex} is {vertices[vertex].tolist()}: mend it or leave it out")

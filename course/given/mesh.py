@@ -11,7 +11,7 @@ import math
 import numpy as np
 import scipy.sparse
 
-from . import inputs, places
+from . import places
 
 # The given meshes
 
@@ -29,26 +29,6 @@ def teapot():
 def _read(name):
     from . import mesh_files  # here, for labs are graded where there is no trimesh
     return mesh_files.read(places.DATA / name)
-
-
-def check(vertices, faces):
-    """Nothing for a sound mesh with at least one face, else a ValueError that says what is wrong.
-
-    vertices (V, 3) finite floating point numbers, faces (F, 3) integers from 0 to V - 1. Faces may
-    be degenerate, vertices unused or repeated.
-    """
-    vertices, faces = np.asarray(vertices), np.asarray(faces)
-    if vertices.ndim != 2 or vertices.shape[1] != 3 or vertices.dtype.kind != "f":
-        raise ValueError("vertices must be an array (V, 3) of floating point numbers, "
-                         f"got {vertices.shape} of {vertices.dtype}: give one row for each vertex, "
-                         "such as vertices.astype(float)")
-    inputs.require_faces(faces, len(vertices))
-    if len(faces) == 0:
-        raise ValueError("a mesh needs at least one face, got none: give one or leave it out")
-    if not np.isfinite(vertices).all():
-        vertex = np.argmin(np.isfinite(vertices).all(axis=1))
-        raise ValueError("vertices must be finite, "
-                         f"vertex {vertex} is {vertices[vertex].tolist()}: mend it or leave it out")
 
 
 # Shapes

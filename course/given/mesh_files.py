@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import trimesh
 
-from . import inputs, mesh, places
+from . import inputs, places
 
 REAL = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?|[-+]?(nan|inf|infinity)",
                   re.IGNORECASE | re.ASCII)
@@ -65,7 +65,7 @@ def read(path):
     try:
         plain = _plain_obj(content) if ending == "obj" else _plain_ply(content)
         vertices, faces = _parse(plain, ending)
-        mesh.check(vertices, faces)
+        inputs.require_mesh(vertices, faces)
     except ValueError as error:
         raise ValueError(f"cannot read {path} as a mesh: {error}") from None
     return vertices, faces
@@ -78,7 +78,7 @@ def write(path, vertices, faces):
     ValueError for a broken mesh or an unknown ending, OSError where the file cannot be written.
     """
     ending = _ending(path)
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices, np.float64), np.asarray(faces, np.int64)
     if ending == "obj":
         content = _obj(vertices.tolist(), (faces + 1).tolist())

@@ -5,7 +5,7 @@ Nothing here needs a lab's exercise. Each distance is an axial depth: along the 
 """
 import numpy as np
 
-from . import mesh
+from . import inputs
 
 SELF_HIT = 1e-7  # of a distance: a ray that starts on a surface is not stopped by it
 AT_ONCE = 2**15  # about so many pairs of a ray and a face are tested together
@@ -20,7 +20,7 @@ def ray_cast(points, vertices, faces, light, cells=128):
     distance there is sum c_k distance_k / sum c_k. Each ray is tested with the faces of its cell of
     the picture alone. Cells, unlike texels, make no difference to the result.
     """
-    mesh.check(vertices, faces)
+    inputs.require_mesh(vertices, faces)
     vertices, faces, points = np.asarray(vertices), np.asarray(faces), np.asarray(points)
     if not np.isfinite(points).all():
         raise ValueError("ray_cast expects finite points, got some that are not; give the points "

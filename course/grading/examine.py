@@ -15,9 +15,12 @@ from typing import NamedTuple
 
 import pytest
 
-from .. import board, checks
+from .. import board, exercises
+from ..checks import Mismatch, loader, runner
+from ..checks.report import UNFINISHED
+from ..checks.showing import cut, shown_frames
 from ..given import places
-from ..upkeep import skeleton
+from ..upkeep.skeleton import skeleton
 from . import sandbox, wire
 
 MESSAGES = {  # what a worker may say, and the types of what follows
@@ -61,7 +64,7 @@ class Examination:
     # --- hooks
 
     def pytest_configure(self, config):
-        config.stash[checks.FIND] = self.find
+        config.stash[loader.FIND] = self.find
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items):
@@ -100,9 +103,9 @@ class Examination:
         """
         number = self.running
         if topic in self.missing:
-            raise checks.Mismatch(("wrong", self.missing[topic]))
+            raise Mismatch(("wrong", self.missing[topic]))
         if number in self.lost:
-            raise checks.Mismatch(("wrong", self.lost[number]))
+            raise Mismatch(("wrong", self.lost[number]))
         try:
             if name in self.earlier[number]:
                 question = wire.encode(("ask", topic, name, args, kwargs))
@@ -113,7 +116,7 @@ class Examination:
             return self.outcome(topic, name, message, inputs)
         except sandbox.Lost as lost:
             self.lose(f"in {name}: {lost}")
-            raise checks.Mismatch(("wrong", self.lost[number])) from None
+            raise Mismatch(("wrong", self.lost[number])) from None
 
     def open(self, topic):
         """Have the worker load the lab for the exercise that is checked now."""
@@ -121,17 +124,18 @@ class Examination:
             return
         self.finish()
         self.worker = self.worker or self.start()
-        modules = (*((before, None) for before in before_it(topic)), (topic, self.job.texts[topic]))
+        modules = (*map(given_code, before_it(topic)),
+                   (topic, self.job.texts[topic], self.earlier[self.running]))
         self.opened = self.running
         try:
-            message = self.exchange(("open", modules, self.earlier[self.running], imported(topic)))
+            message = self.exchange(("open", modules, preloaded(topic)))
             self.outcome(topic, None, message, [])
-        except (sandbox.Lost, checks.Mismatch, NotImplementedError) as error:
-            why = dict(error.rows)["wrong"] if isinstance(error, checks.Mismatch) else error
+        except (sandbox.Lost, Mismatch, NotImplementedError) as error:
+            why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
             self.missing[topic] = f"labs/{topic}.py cannot be imported: {why}"
             if isinstance(error, sandbox.Lost):
                 self.forget()
-            raise checks.Mismatch(("wrong", self.missing[topic])) from None
+            raise Mismatch(("wrong", self.missing[topic])) from None
 
     def exchange(self, message):
         """A message to the worker, and the one back; what it asks in between is answered."""
@@ -163,7 +167,7 @@ class Examination:
         kind, *answer = message
         print(printable(answer[-1]), end="")
         if kind == "missing":
-            raise checks.Mismatch(("wrong", f"labs/{topic}.py has no function {name}; "
+            raise Mismatch(("wrong", f"labs/{topic}.py has no function {name}; "
                                             "keep the names that the skeleton gives"))
         if kind == "raised":
             self.raise_here(topic, *answer[:3])
@@ -174,14 +178,14 @@ class Examination:
 
     def raise_here(self, topic, error, text, frames):
         text, lines = printable(text), self.job.texts[topic].splitlines()
-        if error == "NotImplementedError" and checks.UNFINISHED.fullmatch(text):
+        if error == "NotImplementedError" and UNFINISHED.fullmatch(text):
             raise NotImplementedError(text)
         shown = [(file, line, function, lines[line - 1].strip())
                  for file, line, function in map(frame, frames)
                  if file == f"labs/{topic}.py" and 0 < line <= len(lines)]
-        raise checks.Mismatch(("wrong", "\n".join([
-            checks.cut(f"{printable(error)}: {text}".removesuffix(": ")),
-            *checks.shown_frames(shown)])))
+        raise Mismatch(("wrong", "\n".join([
+            cut(f"{printable(error)}: {text}".removesuffix(": ")),
+            *shown_frames(shown)])))
 
     # --- the reference's answers
 
@@ -196,9 +200,9 @@ class Examination:
             raise sandbox.Lost(f"it asked for {topic}.{name}, which is not of an earlier exercise")
         if self.reference is None:
             self.reference = self.start()
-            modules = tuple((each, skeleton.read(skeleton.reference(each)))
-                            for each in skeleton.topics())
-            self.reference.exchange(("open", modules, (), ()), 60)
+            modules = tuple((each, exercises.read(exercises.reference(each)), ())
+                            for each in exercises.topics())
+            self.reference.exchange(("open", modules, ()), 60)
         try:
             return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
         except sandbox.Lost as lost:
@@ -242,16 +246,28 @@ def number_of(item):
 
 def before_it(topic):
     """The topics before this one: those that it may import."""
-    return skeleton.TOPICS[:skeleton.TOPICS.index(topic)]
+    return exercises.topics()[:exercises.topics().index(topic)]
 
 
 @functools.cache
-def imported(topic):
-    """The modules of SciPy and the course that the reference imports: a worker has them ready."""
-    text = skeleton.read(skeleton.reference(topic))
-    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?", text, re.M)
-    return tuple(f"{module}.{name}" if module in ("scipy", "course.given") else module
-                 for module, name in lines)
+def given_code(topic):
+    """(topic, its text without answers, the exercises): what a worker has of an earlier topic.
+
+    An exercise is answered by the reference. What is given runs in the worker: constants, classes
+    and generators cannot be sent.
+    """
+    text = exercises.read(exercises.reference(topic))
+    return topic, skeleton(text), tuple(found.name for found in exercises.text_exercises(text))
+
+
+@functools.cache
+def preloaded(topic):
+    """The modules of SciPy and the course that a topic, or one before it, imports."""
+    texts = [exercises.read(exercises.reference(each)) for each in (*before_it(topic), topic)]
+    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?",
+                       "\n".join(texts), re.M)
+    return tuple(dict.fromkeys(f"{module}.{name}" if module in ("scipy", "course.given") else module
+                               for module, name in lines))
 
 
 def frame(told):
@@ -274,11 +290,11 @@ def printable(text):
 def examine(job):
     """-> {"board", "lost", "problem", "seconds"}."""
     started = time.monotonic()
-    labs = {topic: skeleton.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
-    labs = {topic: labs[topic] for topic in skeleton.topics() if topic in labs}
-    numbers = [exercise.number for exercises in labs.values() for exercise in exercises]
+    labs = {topic: exercises.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
+    labs = {topic: labs[topic] for topic in exercises.topics() if topic in labs}
+    numbers = [exercise.number for lab in labs.values() for exercise in lab]
     examination = Examination(job, labs)
-    found, problems = board.run_checks(labs, numbers, "labs", job.seed, [examination])
+    found, problems = runner.run_checks(labs, numbers, "labs", job.seed, [examination])
     entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.lost
                else entry for entry in board.entries(labs, numbers, {}, found)]
     return {"board": json.loads(board.as_json(entries)), "lost": examination.lost,

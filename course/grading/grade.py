@@ -20,8 +20,8 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
+from .. import exercises
 from ..given import places
-from ..upkeep import skeleton
 from . import report, sandbox, submissions
 from .examine import Job
 
@@ -66,7 +66,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
 
 def topics_of(labs):
     """'1-4', '2' or '1,3' -> topics; None: all. ValueError: there is no such lab."""
-    numbers = {skeleton.lab_number(topic) for topic in skeleton.topics()}
+    numbers = {exercises.lab_number(topic) for topic in exercises.topics()}
     asked = list(numbers) if labs is None else []
     for part in labs.split(",") if labs else ():
         first, _, last = part.partition("-")
@@ -78,7 +78,7 @@ def topics_of(labs):
         if number not in numbers:
             raise ValueError(f"there is no lab {number}; give labs as in 1-4 or 1,3 "
                              f"({min(numbers)} to {max(numbers)} are there)")
-    return [topic for topic in skeleton.topics() if skeleton.lab_number(topic) in asked]
+    return [topic for topic in exercises.topics() if exercises.lab_number(topic) in asked]
 
 
 def level_to_use(isolation):
@@ -217,19 +217,19 @@ def finisher(out, topics, level, about, seed):
 
 
 def write_tables(out, records, topics, level, about):
-    exercises = [exercise for topic in topics for exercise in skeleton.topic_exercises(topic)]
+    columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)]
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    names = (f"{exercise.number} {exercise.name}" for exercise in exercises)
+    names = (f"{exercise.number} {exercise.name}" for exercise in columns)
     table.writerow(["student", *names, "total", "of", "isolation", "seconds", "hash", "problem"])
     for name in sorted(records):
         record = records[name]
         got = report.points(record)
-        table.writerow([name, *(got.get(exercise.number, "") for exercise in exercises),
-                        sum(got.values()) if got else "", sum(e.points for e in exercises),
+        table.writerow([name, *(got.get(exercise.number, "") for exercise in columns),
+                        sum(got.values()) if got else "", sum(e.points for e in columns),
                         record["level"], f"{record['seconds']:.1f}", record["digest"],
                         record["problem"] or ""])
     out.mkdir(parents=True, exist_ok=True)
     places.write_whole(out / "grades.csv", text.getvalue().encode("utf-8"))
-    page = report.overview([records[name] for name in sorted(records)], exercises, level, about)
+    page = report.overview([records[name] for name in sorted(records)], columns, level, about)
     places.write_whole(out / "index.html", page.encode("utf-8"))

@@ -4,13 +4,15 @@ import json
 import re
 from pathlib import Path
 
+from .. import exercises
 from ..given import places
-from ..upkeep import skeleton
+from ..upkeep.skeleton import skeleton
 from .grade import topics_of
 
 WHOLE = ("course/**/*.py", "course/**/*.md", "course/given/data/*.ply", "course/checks/hints.json",
          "course/grading/files/*", "tests/conftest.py", "tests/labs/[!t]*.py",  # what checks share
-         "tests/golden/*", "requirements.txt", "pyproject.toml", ".gitattributes", ".gitignore")
+         "tests/golden/*", "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
+         ".gitignore")
 IMPORT = re.compile(r"^from reference import ([\w, ]+?)(  #.*)?$")
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
@@ -54,12 +56,12 @@ def with_siblings(topics):
     """The topics, and those that their modules import."""
     needed, ends = set(topics), list(topics)
     while ends:
-        text = skeleton.read(skeleton.reference(ends.pop()))
+        text = exercises.read(exercises.reference(ends.pop()))
         found = {node.module or alias.name for node in ast.walk(ast.parse(text))
                  if isinstance(node, ast.ImportFrom) and node.level == 1 for alias in node.names}
         ends += found - needed
         needed |= found
-    return [topic for topic in skeleton.topics() if topic in needed]
+    return [topic for topic in exercises.topics() if topic in needed]
 
 
 def files(topics, released):
@@ -68,8 +70,8 @@ def files(topics, released):
         for path in sorted(places.ROOT.glob(pattern)):
             yield path.relative_to(places.ROOT).as_posix(), path.read_bytes()
     for topic in topics:
-        text = skeleton.read(skeleton.reference(topic))
-        yield f"labs/{topic}.py", skeleton.skeleton(text).encode("utf-8")
+        text = exercises.read(exercises.reference(topic))
+        yield f"labs/{topic}.py", skeleton(text).encode("utf-8")
         check = f"tests/labs/test_{topic}.py"
         yield check, (places.ROOT / check).read_bytes()
         if topic in released:
@@ -78,7 +80,7 @@ def files(topics, released):
         topic = path.stem.partition("_")[2]
         if topic in topics or topic == "start_here":
             yield f"notebooks/{path.name}", switched(path.read_text("utf-8"), released).encode()
-    first = skeleton.topic_exercises(topics[0])[0]
+    first = exercises.topic_exercises(topics[0])[0]
     told = f"\nSolutions: {', '.join(f'`reference/{topic}.py`' for topic in released)}.\n"
     yield "README.md", README.format(first=topics[0], number=first.number,
                                      released=told if released else "").encode()

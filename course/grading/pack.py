@@ -4,9 +4,8 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from .. import board
+from .. import board, exercises
 from ..given import places
-from ..upkeep import skeleton
 from . import submissions
 
 
@@ -17,7 +16,7 @@ def run(name="labs.zip"):
     """
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for topic in skeleton.topics():
+        for topic in exercises.topics():
             path = places.ROOT / "labs" / f"{topic}.py"
             if path.exists():
                 archive.writestr(zipfile.ZipInfo(f"labs/{topic}.py", (2000, 1, 1, 0, 0, 0)),
@@ -25,7 +24,7 @@ def run(name="labs.zip"):
     places.write_whole(name, content.getvalue())
 
     found = submissions.Found("you", (), Path(name), None)
-    packed = submissions.submission("you", [found], skeleton.topics())
+    packed = submissions.submission("you", [found], exercises.topics())
     with tempfile.TemporaryDirectory() as folder:
         for topic, text in packed.texts.items():
             Path(folder, f"{topic}.py").write_text(text, "utf-8", newline="")

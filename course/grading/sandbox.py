@@ -370,7 +370,7 @@ def open_ways(level):
     """Try from inside what a worker at this level must not be able to do -> what it could."""
     with socket.create_server(("127.0.0.1", 0)) as server, tempfile.NamedTemporaryFile() as file, \
             contextlib.closing(Worker(level)) as worker:
-        worker.exchange(("open", (("probe", PROBE),), (), ()), 10)
+        worker.exchange(("open", (("probe", PROBE, ()),), ()), 10)
         given = server.getsockname()[1], str(places.ROOT), file.name
         _, ways, *_ = worker.exchange(("call", "probe", "open_ways", given, {}), 10)
         return ways, worker.landlock

@@ -19,6 +19,7 @@ import zipfile
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
+from .. import exercises
 from ..upkeep import skeleton
 from . import sandbox
 
@@ -85,7 +86,7 @@ def listed(folder):
             continue
         stem = path.name if path.is_dir() else path.stem
         student, number, rest = named(stem)
-        topic = single and next((topic for topic in skeleton.topics()
+        topic = single and next((topic for topic in exercises.topics()
                                  if re.search(rf"(^|_){topic}(-\d+)?$", rest)), None)
         if single and not topic:
             continue
@@ -167,7 +168,7 @@ def files_in(path, notes):
     """{topic: bytes} of a folder or archive."""
     entries = folder_entries(path) if path.is_dir() else archive_entries(path)
     chosen = {}
-    for topic in skeleton.topics():
+    for topic in exercises.topics():
         places = sorted((rank(name), name) for name in entries if is_lab(name, topic))
         if places:
             chosen[topic] = entries[places[0][1]]

@@ -7,7 +7,7 @@ this file protects honest exercises from what else is in their file.
     start      -> ready       with what of the course labs may import; limits are in force
     open       -> opened      the module is loaded for one exercise; or missing, or raised
     call       -> returned    its value, the inputs that it changed, what it printed; or raised
-    returned   <- ask         in between: a stand-in wants to know what the reference returns
+    returned   <- ask         in between: a stand-in of an exercise asks what the reference returns
     close                     the exercise's process ends, and whatever it has left
 
 The first process tells on a second socket how an exercise's process ended: no exercise can.
@@ -128,11 +128,12 @@ def main():
         sys.meta_path.append(Given(given))
         channel.send("ready", *restrict(**settings))
         while True:
-            _, modules, stand_ins, preloaded = channel.receive()
-            codes = [(topic, text and compiled(topic, text)) for topic, text in modules]
+            _, modules, preloaded = channel.receive()
+            codes = [(topic, compiled(topic, text), stand_ins)
+                     for topic, text, stand_ins in modules]
             for name in preloaded:  # the reference imports it: once for all exercises, before fork
                 importlib.import_module(name)
-            serve_apart(channel, control, codes, stand_ins)
+            serve_apart(channel, control, codes)
 
 
 def opened_stream():
@@ -157,12 +158,12 @@ def file_name(topic):
     return f"{PACKAGE}/{topic}.py"
 
 
-def serve_apart(channel, control, codes, stand_ins):
+def serve_apart(channel, control, codes):
     """Serve one exercise in a process of its own, and end all that it leaves behind."""
     child = 0 if WITHOUT_FORK else os.fork()
     if child == 0:
         os.close(control)
-        serve(channel, codes, stand_ins)
+        serve(channel, codes)
         os._exit(0)
     _, status = os.waitpid(child, 0)
     if os.getpid() == 1:  # of a namespace of its own: here this means every process in the sandbox
@@ -174,12 +175,12 @@ def serve_apart(channel, control, codes, stand_ins):
     os.write(control, b"%d" % os.waitstatus_to_exitcode(status))
 
 
-def serve(channel, codes, stand_ins):
+def serve(channel, codes):
     """Load the modules, then answer calls to their functions until the grader closes."""
     sys.stdout = sys.stderr = printed = Printed()
     warnings.simplefilter("ignore")
     try:
-        modules = load(channel, codes, stand_ins)
+        modules = load(channel, codes)
     except BaseException as error:
         channel.send("raised", *told(error), printed.taken())
     else:
@@ -228,40 +229,23 @@ def told(error):
 # --- modules and stand-ins ---------------------------------------------------------------------
 
 
-def load(channel, codes, stand_ins):
-    """-> {topic: module}. A topic without code is a module of stand-ins.
-
-    In the last module, the functions named in stand_ins are replaced, too.
-    """
+def load(channel, codes):
+    """-> {topic: module}. In each module, the functions named in its stand_ins are replaced."""
     package = sys.modules[PACKAGE] = types.ModuleType(PACKAGE)
     package.__path__ = []
     ask = Asking(channel)
     modules = {}
-    for topic, code in codes:
+    for topic, code, stand_ins in codes:
         if isinstance(code, Exception):
             raise code
-        module = types.ModuleType(f"{PACKAGE}.{topic}") if code else StandIns(ask, topic)
+        module = types.ModuleType(f"{PACKAGE}.{topic}")
         module.__package__, module.__file__ = PACKAGE, file_name(topic)
         modules[topic] = sys.modules[module.__name__] = module
         setattr(package, topic, module)
-        if code:
-            exec(code, vars(module))
-    for name in stand_ins:
-        setattr(module, name, functools.partial(ask, topic, name))
+        exec(code, vars(module))
+        for name in stand_ins:
+            setattr(module, name, functools.partial(ask, topic, name))
     return modules
-
-
-class StandIns(types.ModuleType):
-    """A module whose every function asks the grader, and so the reference."""
-
-    def __init__(self, ask, topic):
-        super().__init__(f"{PACKAGE}.{topic}")
-        self._ask = ask
-
-    def __getattr__(self, name):
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return functools.partial(self._ask, self.__name__.rpartition(".")[2], name)
 
 
 class Asking:

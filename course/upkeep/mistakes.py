@@ -14,16 +14,17 @@ import json
 import textwrap
 from typing import NamedTuple
 
-from .. import board, checks
+from .. import board, exercises
+from ..checks.hints import HINTS
 from ..given import places
-from . import mutants, skeleton
+from . import mutants
 
 
 class Mistake(NamedTuple):
     """An exercise, the function with the mistake, and "when ..."."""
 
     topic: str
-    exercise: skeleton.Exercise
+    exercise: exercises.Exercise
     text: str
     sentence: str
 
@@ -31,20 +32,20 @@ class Mistake(NamedTuple):
 def library(topic):
     """The Mistakes of a topic. ValueError: a function is no exercise, or has no sentence."""
     path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
-    text = skeleton.read(path) if path.exists() else ""
-    lines = skeleton.text_lines(text)
-    exercises = {exercise.name: exercise for exercise in skeleton.topic_exercises(topic)}
+    text = exercises.read(path) if path.exists() else ""
+    lines = exercises.text_lines(text)
+    known = {exercise.name: exercise for exercise in exercises.topic_exercises(topic)}
     found = []
-    for function in skeleton.top_level_functions(text):
+    for function in exercises.top_level_functions(text):
         place = f"tests/mistakes/{topic}.py, line {function.lineno}"
         sentence = " ".join((ast.get_docstring(function) or "").split())
-        if function.name not in exercises:
+        if function.name not in known:
             raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
                              "give it the name of one")
         if not sentence:
             raise ValueError(f"{place}: {function.name} has no docstring; write there what goes on "
                              'after "this is what comes out when"')
-        found.append(Mistake(topic, exercises[function.name],
+        found.append(Mistake(topic, known[function.name],
                              "".join(lines[function.lineno - 1:function.end_lineno]), sentence))
     return found
 
@@ -62,7 +63,7 @@ def run():
     Of several mistakes that return the same in a check, the first one's sentence is told.
     """
     sentences, told, alive = {}, set(), []
-    for topic in skeleton.topics():
+    for topic in exercises.topics():
         found = tried(topic)
         for mistake, caught in found:
             marks = sentences.setdefault(mistake.sentence, [])
@@ -70,14 +71,14 @@ def run():
             told.update(marks)
             alive += [mistake] * (not caught)
         if found:
-            exercises = {mistake.exercise.number for mistake, _ in found}
+            numbers = {mistake.exercise.number for mistake, _ in found}
             print(f"{topic:20} {board.plural(len(found), 'mistake'):>13} "
-                  f"in {board.plural(len(exercises), 'exercise')}")
+                  f"in {board.plural(len(numbers), 'exercise')}")
     for mistake in alive:
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     marked = {sentence: sorted(marks) for sentence, marks in sentences.items() if marks}
     text = json.dumps(marked, indent=0, sort_keys=True) + "\n"
-    places.write_whole(checks.HINTS, text.encode("utf-8"))
+    places.write_whole(HINTS, text.encode("utf-8"))
     print(f"{board.plural(len(marked), 'sentence')} in course/checks/hints.json")
     return int(bool(alive))

@@ -34,9 +34,10 @@ from typing import NamedTuple
 import pytest
 from _pytest.runner import runtestprotocol
 
-from .. import board, checks
+from .. import board, exercises
+from ..checks.hints import fingerprint
+from ..checks.loader import LAST_RETURN, PACKAGE
 from ..given import places
-from . import skeleton
 
 GOAL_EXERCISE, GOAL_COURSE = 0.95, 0.98  # shares of the mutants that are caught
 SLOWER, AT_LEAST = 20, 8.0  # a mutant may take so many times what the right answer takes; seconds
@@ -71,7 +72,7 @@ class Score(NamedTuple):
     """What became of an exercise's mutants. survivors: [Mutant]; known: equivalent ones."""
 
     topic: str
-    exercise: skeleton.Exercise
+    exercise: exercises.Exercise
     mutants: int
     caught: int
     survivors: list
@@ -311,7 +312,7 @@ class Trials:
             if not items or list(failures(items)):
                 raise ValueError(f"exercise {number} has no check, or the reference fails")
         self.tell(time.perf_counter() - start)
-        module = sys.modules[f"{checks.PACKAGE}.{self.topic}"]
+        module = sys.modules[f"{PACKAGE}.{self.topic}"]
         for exercise, text in self.trials:
             right = getattr(module, exercise.name)
             exec(compile(text, "mutant", "exec"), vars(module))
@@ -324,11 +325,11 @@ class Trials:
 def failures(items):
     """Run checks; yield (nodeid, fingerprint or None) of each that fails."""
     for item in items:
-        item.stash[checks.LAST_RETURN] = None
+        item.stash[LAST_RETURN] = None
         if any(report.failed for report in
                runtestprotocol(item, log=False, nextitem=item.parent)):  # keeps what is of the file
-            returned = item.stash[checks.LAST_RETURN]
-            yield item.nodeid, returned is not None and checks.fingerprint(item.nodeid, returned)
+            returned = item.stash[LAST_RETURN]
+            yield item.nodeid, returned is not None and fingerprint(item.nodeid, returned)
 
 
 def work(topic, trials, only_first, pipe):
@@ -390,7 +391,7 @@ def seconds_of_the_right_ones(pipe, topic):
 
 
 def function_of(topic, exercise):
-    functions = skeleton.top_level_functions(skeleton.read(skeleton.reference(topic)))
+    functions = exercises.top_level_functions(exercises.read(exercises.reference(topic)))
     return next(node for node in functions if node.name == exercise.name)
 
 

@@ -1,5 +1,7 @@
-"""What the exercises of lab 13 must do."""
+"""What the exercises of lab 13 must do: quality, Laplacians, smoothing, large steps."""
+import fractions
 import itertools
+import math
 
 import numpy as np
 import scipy.spatial
@@ -91,6 +93,41 @@ def test_tiny_angles_keep_their_digits(impl):
     triangle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1e-9]])
     got = np.asarray(impl.corner_angles(triangle))[..., 0]
     assert_close(got, np.arctan(1e-9), rtol=1e-9, atol=0)
+
+
+def exact_angles(triangle):
+    """The three angles of a triangle (3, 3), by fractions up to the last root and arctangent."""
+    corners, found = [[fractions.Fraction(x) for x in corner] for corner in triangle.tolist()], []
+    for k in range(3):
+        p, q = ([x - y for x, y in zip(corners[k - end], corners[k], strict=True)]
+                for end in (2, 1))
+        dot = sum(x * y for x, y in zip(p, q, strict=True))
+        square = sum(x * x for x in p) * sum(x * x for x in q) - dot * dot  # of the cross product
+        found.append(math.atan2(math.sqrt(square), dot))
+    return found
+
+
+@exercise("13.1")
+def test_needles_keep_the_digits_of_their_tip_however_they_lie(impl, rng):
+    """The cross product of the two long sides: a needle that is turned loses half of the digits."""
+    needle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-9, 0.0]])
+    turns, places = np.linalg.qr(rng.normal(size=(20, 3, 3)))[0], rng.normal(size=(20, 1, 3))
+    given = np.array([np.roll(corners, k, 0) for k, corners in enumerate(needle @ turns + places)])
+    tips = np.arange(20) % 3
+    got = np.asarray(impl.corner_angles(given))
+    expected = np.array([exact_angles(triangle) for triangle in given])
+    assert_close(got[np.arange(20), tips], expected[np.arange(20), tips], rtol=1e-9, atol=0)
+    assert_close(got, expected, rtol=0, atol=1e-14)
+
+
+@exercise("13.1")
+def test_every_angle_has_14_digits_after_the_point(impl, rng):
+    """arccos in any triangle: of flat ones, too."""
+    given = rng.normal(size=(30, 3, 3))
+    given[:, 2] = given[:, 0] + np.geomspace(1e-12, 1, 30)[:, None] * given[:, 2]
+    given[::2, 1] += given[::2, 2] - given[::2, 0]
+    expected = np.array([exact_angles(triangle) for triangle in given])
+    assert_close(impl.corner_angles(given), expected, rtol=0, atol=1e-14)
 
 
 @exercise("13.1")
@@ -509,90 +546,6 @@ def test_gradients_of_the_volume_are_central_differences(impl, rng):
         return impl.enclosed_volume_backward(float(grad_volume), triangles)
 
     gradcheck(forward, backward, (triangles(rng, 5),), name="enclosed_volume")
-
-
-# --- edge flips --------------------------------------------------------------------------------
-
-@exercise("13.14")
-def test_gains_of_a_square_and_a_kite(impl):
-    """Degrees, the sign, or half of it; or it is the angle at a and b."""
-    square = [[-3.0, 0.0, 1.0], [3.0, 0.0, 1.0], [0.0, 3.0, 1.0], [0.0, -3.0, 1.0]]
-    kite = [[0.0, 0.0, -3.0], [0.0, 0.0, 3.0], [0.0, np.sqrt(27.0), 0.0], [0.0, -np.sqrt(3.0), 0.0]]
-    bent = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
-    expected = np.array([0.0, np.pi / 3 + 2 * np.pi / 3 - np.pi, np.pi / 2])
-    assert_close(impl.delaunay_gain(np.array([square, kite, bent])), expected)
-
-
-@exercise("13.14")
-def test_an_edge_is_delaunay_if_no_circle_holds_the_fourth_point(impl, rng):
-    """In the plane the sign is that of the determinant that asks if d lies in the circle abc."""
-    angles = (np.arange(4) + rng.uniform(0.1, 0.9, (60, 4))) * np.pi / 2
-    around = np.stack([np.cos(angles), np.sin(angles), 0 * angles], -1)
-    around *= rng.uniform(0.95, 1.05, (60, 4, 1))
-    corners = np.empty((60, 4, 3))
-    corners[:, [0, 2, 1, 3]] = around                               # a, c, b, d go round
-    lifted = np.concatenate([corners[..., :2], (corners[..., :2]**2).sum(-1, keepdims=True),
-                             np.ones((60, 4, 1))], -1)
-    inside = np.linalg.det(lifted)
-    a, b, c, _ = corners.swapaxes(0, 1)
-    winding = np.cross(b - a, c - a)[:, 2]
-    clear = np.abs(inside) > 1e-6
-    gain = np.asarray(impl.delaunay_gain(corners))
-    assert_equal(gain[clear] > 0, (inside * winding > 0)[clear])
-
-
-@exercise("13.14")
-def test_gains_are_sums_of_two_angles(impl, rng):
-    """In space; the four corners come in another order."""
-    corners = rng.normal(size=(9, 4, 3))
-    expected = [angle(c, a, b) + angle(d, a, b) - np.pi for a, b, c, d in corners]
-    assert_close(impl.delaunay_gain(corners), np.array(expected), atol=1e-7)
-
-
-@exercise("13.14")
-def test_gains_of_tiny_angles_and_of_none(impl):
-    """arccos: 1e-9 comes out as 0, and NaN where two corners coincide."""
-    a, b = [0.0, 0.0, 2.0], [0.0, 1e-9, 2.0]
-    c, d = [-1.0, 0.0, 2.0], [1e-9, 0.0, 2.0]
-    got = impl.delaunay_gain(np.array([[a, b, c, d], [a, b, a, d], [a, b, c, b]]))
-    expected = np.array([1e-9 + np.pi / 4 - np.pi, np.pi / 4 - np.pi, 1e-9 - np.pi])
-    assert_close(got, expected, rtol=1e-12)
-
-
-# --- tangential relaxation ---------------------------------------------------------------------
-
-@exercise("13.15")
-def test_a_slide_on_paper(impl):
-    """Vertices leave the plane at right angles to n, or overshoot the rate."""
-    vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 2.0], [0.0, 8.0, 2.0], [9.0, 9.0, 9.0]])
-    expected = np.array([[1.0, 2.0, 0.0], [2.0, 0.0, 2.0], [0.0, 4.0, 2.0], [9.0, 9.0, 9.0]])
-    normals = np.tile([0.0, 0.0, 1.0], (4, 1))
-    assert_close(impl.relax_step(vertices, normals, np.array([[0, 1], [0, 2]]), 0.5), expected)
-
-
-@exercise("13.15")
-def test_slides_are_at_right_angles_to_each_normal(impl, rng):
-    """One normal for all; or the mean is weighted."""
-    edges, _ = graph(rng)
-    vertices, normals = rng.normal(size=(7, 3)), rng.normal(size=(7, 3))
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    expected = vertices.copy()
-    for i in range(6):
-        neighbours = [j for edge in edges.tolist() if i in edge for j in edge if j != i]
-        move = vertices[neighbours].mean(0) - vertices[i]
-        expected[i] += 0.3 * (move - (move @ normals[i]) * normals[i])
-    assert_close(impl.relax_step(vertices, normals, edges, 0.3), expected)
-
-
-@exercise("13.15")
-def test_without_a_normal_the_whole_move_counts(impl, rng):
-    """NaN, where the normal is 0."""
-    edges, _ = graph(rng)
-    vertices = rng.normal(size=(7, 3))
-    L = dense(edges, np.ones(len(edges)), 7)
-    valence = np.maximum(np.diag(L), 1)[:, None]
-    got = impl.relax_step(vertices, np.zeros((7, 3)), edges, 1.0)
-    assert_close(got, vertices - L @ vertices / valence)
 
 
 # --- large steps -------------------------------------------------------------------------------

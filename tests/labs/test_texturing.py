@@ -1,34 +1,8 @@
 """What the exercises of lab 6 must do."""
-import warnings
-
 import numpy as np
 
 from course.checks import assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
-
-
-def grey(rows):
-    """Numbers (h, w) as an image of one channel."""
-    return np.array(rows, float)[..., None]
-
-
-def mean_of_blocks(image):
-    """Eq. (5), texel by texel."""
-    h, w, channels = image.shape
-    rows, columns = min(h, 2), min(w, 2)
-    half = np.zeros((h // rows, w // columns, channels))
-    for i in range(h):
-        for j in range(w):
-            half[i // rows, j // columns] += image[i, j] / (rows * columns)
-    return half
-
-
-def levels_of(image):
-    """All levels of a picture whose sides are powers of two."""
-    levels = [image]
-    while max(levels[-1].shape[:2]) > 1:
-        levels.append(mean_of_blocks(levels[-1]))
-    return levels
 
 
 def weights_2d(uv, width, height):
@@ -36,15 +10,6 @@ def weights_2d(uv, width, height):
     x, y = uv[:, 0] * width - 0.5, uv[:, 1] * height - 0.5
     a, b = x - np.floor(x), y - np.floor(y)
     return np.stack([(1 - b) * (1 - a), (1 - b) * a, b * (1 - a), b * a], -1)
-
-
-def greatest_stretch(jacobian, width, height):
-    """The greatest singular value (N,) of J in texels, by LAPACK."""
-    return np.linalg.svd(jacobian * np.array([[width], [height]]), compute_uv=False)[:, 0]
-
-
-def rotation(angle):
-    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 
 
 # --- one axis ----------------------------------------------------------------------------------
@@ -223,7 +188,7 @@ def test_the_gradients_by_uv_are_central_differences(impl, rng):
                   (np.floor(uv[:, 0] * w - 0.5), np.floor(uv[:, 1] * h - 0.5)))
 
 
-# --- the footprint and the pyramid -------------------------------------------------------------
+# --- the footprint -------------------------------------------------------------------------
 
 @exercise("6.8")
 def test_one_point_is_the_pixels_centre(impl):
@@ -248,199 +213,3 @@ def test_the_points_fill_the_footprint_evenly(impl, rng):
     expected = [[uv[p] + jacobian[p] @ [(j + 0.5) / n - 0.5, (i + 0.5) / n - 0.5] for p in range(3)]
                 for i in range(n) for j in range(n)]
     assert_close(impl.footprint_points(uv, jacobian, n), np.array(expected))
-
-
-@exercise("6.9")
-def test_four_texels_become_their_mean(impl):
-    """The sum instead of the mean, or every second texel is kept."""
-    image = grey([[1.0, 3.0, 0.0, 8.0], [5.0, 7.0, 2.0, 2.0]])
-    assert_close(impl.halve(image), grey([[4.0, 3.0]]))
-
-
-@exercise("6.9")
-def test_a_side_of_one_stays_one(impl):
-    """A picture of one row or of one column has no level above it, or loses half of its light."""
-    assert_close(impl.halve(grey([[1.0, 3.0, 5.0, 9.0]])), grey([[2.0, 7.0]]))
-    assert_close(impl.halve(grey([[1.0], [3.0], [5.0], [9.0]])), grey([[2.0], [7.0]]))
-
-
-@exercise("6.9")
-def test_halves_are_means_in_a_loop(impl, rng):
-    """The channels are mixed, or a picture must be square."""
-    for shape in (4, 6, 3), (6, 2, 1), (1, 8, 2), (10, 1, 4):
-        image = rng.normal(size=shape)
-        assert_close(impl.halve(image), mean_of_blocks(image))
-
-
-@exercise("6.10")
-def test_a_mean_pulls_at_four_texels_alike(impl):
-    """The factor 1/4 is forgotten, or three texels of four get nothing."""
-    got = impl.halve_backward(grey([[4.0, 8.0]]), np.full((2, 4, 1), 9.0))
-    assert_close(got, grey([[1.0, 1.0, 2.0, 2.0], [1.0, 1.0, 2.0, 2.0]]))
-
-
-@exercise("6.10")
-def test_with_one_row_it_pulls_at_two(impl):
-    """The factor is 1/4 also where a mean is of two texels."""
-    got = impl.halve_backward(grey([[4.0, 8.0]]), np.zeros((1, 4, 1)))
-    assert_close(got, grey([[2.0, 2.0, 4.0, 4.0]]))
-    got = impl.halve_backward(grey([[4.0], [8.0]]), np.zeros((4, 1, 1)))
-    assert_close(got, grey([[2.0], [2.0], [4.0], [4.0]]))
-
-
-@exercise("6.10")
-def test_the_gradients_of_halves_are_central_differences(impl, rng):
-    """Rows and columns are swapped, or the channels are mixed."""
-    for shape in (4, 6, 3), (1, 4, 2), (6, 1, 1):
-        gradcheck(mean_of_blocks, impl.halve_backward, (rng.normal(size=shape),), name="halve")
-
-
-@exercise("6.11")
-def test_a_level_comes_down_in_sixteenths(impl):
-    """What comes from above is not handed on, or a level's own gradient is forgotten."""
-    levels = tuple(np.zeros(shape) for shape in ((4, 4, 1), (2, 2, 1), (1, 1, 1)))
-    levels[2][0, 0], levels[1][0, 1], levels[0][3, 0] = 16.0, 8.0, 5.0
-    expected = grey([[1, 1, 3, 3], [1, 1, 3, 3], [1, 1, 1, 1], [6, 1, 1, 1]])
-    assert_close(impl.pyramid_backward(levels), expected)
-
-
-@exercise("6.11")
-def test_a_single_level_is_its_own_gradient(impl):
-    """A pyramid without a second level is an exception."""
-    grad = np.arange(12.0).reshape(2, 3, 2)
-    assert_close(impl.pyramid_backward((grad,)), grad)
-
-
-@exercise("6.11")
-def test_the_gradients_of_pyramids_are_central_differences(impl, rng):
-    """A level is skipped or counted twice; or the picture must be square."""
-    for shape in (4, 8, 2), (8, 2, 1):
-        gradcheck(levels_of, lambda *grads: impl.pyramid_backward(tuple(grads[:-1])),
-                  (rng.normal(size=shape),), name="pyramid")
-
-
-# --- the level ---------------------------------------------------------------------------------
-
-@exercise("6.12")
-def test_a_pixel_of_one_two_and_four_texels(impl):
-    """J is not in texels: every level is negative. Or width and height are swapped."""
-    jacobian = np.array([[[1 / 32, 0.0], [0.0, 1 / 8]], [[2 / 32, 0.0], [0.0, 1 / 8]],
-                         [[0.0, 2 / 32], [4 / 8, 0.0]], [[0.25 / 32, 0.0], [0.0, 0.125 / 8]]])
-    assert_close(impl.mip_level(jacobian, 32, 8), np.array([0.0, 1.0, 2.0, -2.0]))
-
-
-@exercise("6.12")
-def test_a_turned_pixel_has_the_same_level(impl):
-    """C is left out: the level depends on how the texture is turned; or R has no root."""
-    turns = np.stack([rotation(angle) for angle in (0.0, 0.3, 0.8, 1.5, 2.0)])
-    stretched = turns @ np.diag([8.0, 1.0]) @ rotation(0.7)
-    assert_close(impl.mip_level(stretched / 16, 16, 16), np.full(5, 3.0))
-    assert_close(impl.mip_level(4 * turns / 16, 16, 16), np.full(5, 2.0))
-
-
-@exercise("6.12")
-def test_levels_are_those_of_the_greatest_singular_value(impl, rng):
-    """The smallest singular value, their product, or a norm of J."""
-    jacobian = rng.normal(size=(40, 2, 2))
-    for width, height in (64, 64), (16, 128):
-        expected = np.log2(greatest_stretch(jacobian, width, height))
-        assert_close(impl.mip_level(jacobian, width, height), expected)
-
-
-@exercise("6.12")
-def test_no_change_at_all_is_level_minus_infinity(impl):
-    """A warning, NaN, or a guard that makes it some number: it must clamp to level 0."""
-    jacobian = np.array([np.zeros((2, 2)), np.eye(2) / 4])
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert_close(impl.mip_level(jacobian, 8, 8), np.array([-np.inf, 1.0]))
-
-
-@exercise("6.13")
-def test_the_longer_axis_alone_moves_the_level(impl):
-    """A factor 2 or ln 2, or the texture's size once more; or the shorter axis pulls, too."""
-    jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.125, 0.0], [0.0, 0.5]]])
-    got = impl.mip_level_backward(np.log(2.0) * np.array([1.0, -3.0]), jacobian, 16, 8)
-    assert_close(got, np.array([[[2.0, 0.0], [0.0, 0.0]], [[0.0, 0.0], [0.0, -6.0]]]))
-
-
-@exercise("6.13")
-def test_a_square_footprint_pulls_at_both_axes(impl):
-    """0 / 0 where R is 0: its derivatives count as 0, and those of S are left."""
-    jacobian = np.array([[[0.5, 0.0], [0.0, 1.0]], [[0.0, -0.25], [0.5, 0.0]]])
-    got = impl.mip_level_backward(np.log(2.0) * np.ones(2), jacobian, 8, 4)
-    assert_close(got, np.array([[[1.0, 0.0], [0.0, 0.5]], [[0.0, -2.0], [1.0, 0.0]]]))
-
-
-@exercise("6.13")
-def test_a_tiny_footprint_is_not_yet_a_square(impl):
-    """A small number is added to R in place of the case R = 0."""
-    jacobian = 1e-9 * np.array([[[0.5, 0.0], [0.0, 0.25]]])
-    got = impl.mip_level_backward(np.log(2.0) * np.ones(1), jacobian, 16, 16)
-    assert_close(got, np.array([[[2e9, 0.0], [0.0, 0.0]]]), atol=1e-3)
-
-
-@exercise("6.13")
-def test_no_change_at_all_has_no_gradient(impl):
-    """NaN, infinity or a warning where J is 0."""
-    jacobian = np.array([np.zeros((2, 2)), [[0.5, 0.0], [0.0, 0.25]]])
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        got = impl.mip_level_backward(np.log(2.0) * np.array([7.0, 1.0]), jacobian, 16, 16)
-    assert_close(got, np.array([[[0.0, 0.0], [0.0, 0.0]], [[2.0, 0.0], [0.0, 0.0]]]))
-
-
-@exercise("6.13")
-def test_the_gradients_of_levels_are_central_differences(impl, rng):
-    """One of the four derivatives is another's, or C pulls at one of its factors only."""
-    flat = np.array([[[1.0, 0.5], [0.0, 0.0]], [[0.25, 0.0], [0.75, 0.0]]])  # a singular value of 0
-    for width, height in (64, 16), (3, 8):
-        jacobian = np.concatenate([rng.normal(size=(6, 2, 2)) / width, flat / width])
-        gradcheck(lambda j, w=width, h=height: np.log2(greatest_stretch(j, w, h)),
-                  lambda grad, j, w=width, h=height: impl.mip_level_backward(grad, j, w, h),
-                  (jacobian,), name="mip_level")
-
-
-@exercise("6.14")
-def test_a_level_lies_between_two(impl):
-    """The level is rounded, or the fraction is that of the lower level."""
-    lower, upper, fraction = impl.blend_levels(np.array([0.25, 1.5, 2.875]), 5)
-    assert_equal(lower, np.array([0, 1, 2]))
-    assert_equal(upper, np.array([1, 2, 3]))
-    assert_close(fraction, np.array([0.25, 0.5, 0.875]))
-
-
-@exercise("6.14")
-def test_a_whole_level_is_the_lower_one_in_full(impl):
-    """Above the last level there is none; or a whole level is the upper one, in full."""
-    lower, upper, fraction = impl.blend_levels(np.array([0.0, 1.0, 2.0, 3.0]), 3)
-    assert_equal(lower, np.array([0, 1, 2, 3]))
-    assert_equal(upper, np.array([1, 2, 3, 3]))
-    assert_close(fraction, np.zeros(4))
-
-
-@exercise("6.14")
-def test_levels_are_clamped_to_the_pyramid(impl):
-    """A level beyond the ends leaves the pyramid, or extrapolates from its last two levels."""
-    for top in 3, 0:
-        level = np.array([-np.inf, -7.5, -0.25, 3.5, 9.0, np.inf])
-        lower, upper, fraction = impl.blend_levels(level, top)
-        assert_equal(lower, np.array([0, 0, 0, top, top, top]))
-        assert_equal(upper, np.array([min(1, top)] * 3 + [top] * 3))
-        assert_close(fraction, np.zeros(6))
-
-
-@exercise("6.15")
-def test_a_clamped_level_has_no_gradient(impl):
-    """The clamp is forgotten: levels outside of the pyramid pull."""
-    level = np.array([-np.inf, -0.5, 0.25, 1.0, 2.75, 3.5, np.inf])
-    got = impl.blend_levels_backward(np.arange(1.0, 8.0), level, 3)
-    assert_close(got, np.array([0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0]))
-
-
-@exercise("6.15")
-def test_both_ends_count_as_clamped(impl):
-    """>= for >, or a level that is whole has no gradient; or the top is always 3."""
-    level = np.array([0.0, 1.0, 2.0, 4.0, 5.0])
-    assert_close(impl.blend_levels_backward(np.ones(5), level, 5), np.array([0.0, 1, 1, 1, 0]))
-    assert_close(impl.blend_levels_backward(np.ones(5), level, 0), np.zeros(5))

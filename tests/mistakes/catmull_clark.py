@@ -1,4 +1,4 @@
-"""Mistakes of lab 11, Catmull-Clark; each docstring goes on after "this is what comes out when"."""
+"""Mistakes of lab 11; each docstring goes on after "this is what comes out when"."""
 
 
 def catmull_clark_slow(vertices, corners, counts):

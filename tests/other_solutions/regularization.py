@@ -12,12 +12,12 @@ def lengths(triangle):
 
 
 def angle(corner, p, q):
-    """Between the sides to p and to q: Kahan's formula, from the two sides of equal length."""
+    """Between the sides to p and to q: by the cross product of the two shortest sides."""
     u, v = p - corner, q - corner
     if not u.any() or not v.any():
         return 0.0
-    u, v = u / math.hypot(*u), v / math.hypot(*v)
-    return 2 * math.atan2(math.hypot(*(u - v)), math.hypot(*(u + v)))
+    short, middle, _ = sorted([u, v, q - p], key=lambda side: math.hypot(*side))
+    return math.atan2(math.hypot(*np.cross(short, middle)), u @ v)
 
 
 def corner_angles(triangles):
@@ -141,23 +141,6 @@ def enclosed_volume(triangles):
 def enclosed_volume_backward(grad_volume, triangles):
     a, b, c = np.swapaxes(triangles, 0, 1)
     return grad_volume / 6 * np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], 1)
-
-
-def delaunay_gain(corners):
-    return np.array([angle(c, a, b) + angle(d, a, b) - math.pi for a, b, c, d in corners])
-
-
-def relax_step(vertices, normals, edges, rate):
-    near = [[] for _ in vertices]
-    for a, b in edges:
-        near[a].append(b)
-        near[b].append(a)
-    moved = np.array(vertices, float)
-    for v, others in enumerate(near):
-        if others:
-            tangential = np.eye(3) - np.outer(normals[v], normals[v])
-            moved[v] += rate * tangential @ (vertices[others].mean(0) - vertices[v])
-    return moved
 
 
 def large_step(x, grad_x, mean, square, step, rate, edges, weights, amount):

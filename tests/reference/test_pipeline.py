@@ -9,9 +9,9 @@ from course.given.gradcheck import gradcheck
 from reference import (
     antialiasing,
     inverse_rendering,
+    mipmapping,
     pipeline,
     scanline,
-    texturing,
     transforms,
 )
 from reference.pipeline import Colours, Mesh, Texture, View
@@ -152,7 +152,7 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
 
     def decisions(buffers, positions, uv, *_):
         at, footprint = pipeline.footprints(uv, uv_faces, buffers)
-        level = texturing.mip_level(footprint, 8, 16) if "mipmap" in filter else np.zeros(len(at))
+        level = mipmapping.mip_level(footprint, 8, 16) if "mipmap" in filter else np.zeros(len(at))
         level = np.floor(np.clip(level, 0, 4))[:, None]
         texels = [np.floor(at * [8, 16] / 2**above - 0.5) for above in (level, level + 1)]
         return *decided(buffers, shape), level, *texels

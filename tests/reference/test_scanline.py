@@ -309,6 +309,20 @@ def test_empty_meshes_and_pictures():
     assert scanline.rasterize(triangle, np.array([[0, 1, 2]]), 0, 4)[0].shape == (4, 0)
 
 
+@pytest.mark.parametrize("faces", [[[0, 1, -1]], [[0, 1, 3]], [[0.0, 1.0, 2.0]], [[0, 1]]], ids=str)
+def test_faces_that_name_no_vertex_are_refused(faces):
+    """-1 is drawn with the last vertex, 3 of 3 raises NumPy's own error."""
+    with pytest.raises(ValueError, match="faces"):
+        scanline.rasterize(np.eye(3, 4), np.array(faces), 4, 4)
+
+
+def test_faces_may_be_unsigned():
+    """uint8 wraps around where something is added."""
+    clip = np.array([[-1.0, -1, 0, 1], [1, -1, 0, 1], [-1, 1, 0, 1]])
+    assert bits(scanline.rasterize(clip, np.array([[0, 1, 2]], np.uint8), 9, 8)) == bits(
+        scanline.rasterize(clip, np.array([[0, 1, 2]]), 9, 8))
+
+
 def test_memory_does_not_grow_with_overdraw():
     """All fragments are held at once: 100 faces, each as large as the picture, are 6.5 million."""
     triangle = np.array([[-1.0, -1, 0, 1], [3, -1, 0, 1], [-1, 3, 0, 1]])

@@ -1,158 +1,46 @@
-"""The reference's whole look-ups: `texture`, its gradients, and what they promise of bad input."""
-import tracemalloc
+"""The reference's texels of a look-up, beside exact arithmetic, and the mean of a footprint."""
+from fractions import Fraction
+from math import floor
 
 import numpy as np
 import pytest
 
-from course.given.gradcheck import gradcheck
 from reference import texturing
 
-GOLDEN = np.load("tests/golden/texture.npz")
-CONFIGS = sorted({tuple(key.split("/")[:2]) for key in GOLDEN if key.count("/") == 2})
-TOLERANCE = {"colour": 3e-6, "grad_image": 6e-6, "grad_uv": 1.5e-4, "grad_jacobian": 1e-4,
-             "grad_bias": 4e-6}
+
+def exact_texels(x, size, filter, boundary):
+    """Eqs. (1) and (2) with boundaries in fractions: the weights of all texels along one axis."""
+    position = Fraction(x) * size - (Fraction(1, 2) if filter == "linear" else 0)
+    a = position - floor(position) if filter == "linear" else 0
+    weights = [Fraction(0)] * size
+    for texel, weight in (floor(position), 1 - a), (floor(position) + 1, a):
+        if boundary == "wrap":
+            weights[texel % size] += weight
+        elif boundary == "clamp":
+            weights[min(max(texel, 0), size - 1)] += weight
+        elif 0 <= texel < size:
+            weights[texel] += weight
+    return weights
 
 
-def golden(scene, config):
-    """The arguments of `texture`, the upstream gradient, and {output: what nvdiffrast gives}."""
-    filter, inputs, max_level = config.split("|")
-    inputs = dict.fromkeys(inputs.split("+")) if inputs else {}
-    image, uv, grad_colour, *given = (GOLDEN[f"{scene}/{key}"].astype(float) for key in
-                                      ("image", "uv", "grad_colour", *inputs))
-    given = dict(zip((key.removesuffix("_alone") for key in inputs), given, strict=True))
-    arguments = {"image": image, "uv": uv, **given, "filter": filter,
-                 "boundary": str(GOLDEN[f"{scene}/boundary"]),
-                 "max_level": int(max_level) if max_level else None}
-    prefix = f"{scene}/{config}/"
-    return arguments, grad_colour, {key.removeprefix(prefix): GOLDEN[key] for key in GOLDEN
-                                    if key.startswith(prefix)}
+AWKWARD = [0.0, -0.0, 1.0, -1.0, 2.0, -3.0, 0.5, -0.5, 1.5, 0.125, 0.9999999, 5e-324, -5e-324,
+           -1e-20, -1e-17, 1 - 2**-53, 2**53 + 2.0, -2.0**60, 9e14 + 0.125, -9e14, 1e17, 1.7e308,
+           -1.7e308, *np.random.default_rng(0).uniform(-5, 5, 20)]
 
 
-@pytest.mark.parametrize(("scene", "config"), CONFIGS)
-def test_look_ups_and_gradients_are_those_of_nvdiffrast(scene, config):
-    """Another colour or gradient than nvdiffrast's kernels give; tolerances are those measured
-    between its kernels in 32 and 64 bits (tests/golden/README.md)."""
-    arguments, grad_colour, expected = golden(scene, config)
-    gradients = texturing.texture_backward(grad_colour, **arguments)
-    got = dict(zip(("grad_image", "grad_uv", "grad_jacobian", "grad_bias"), gradients, strict=True))
-    got["colour"] = texturing.texture(**arguments)
-    for name, values in expected.items():
-        atol = 0 if name == "colour" and "nearest|" in config[:8] else TOLERANCE[name]
-        np.testing.assert_allclose(got[name], values, rtol=0, atol=atol, err_msg=name)
-
-
-def scene(rng, filter, pixels=(4, 5)):
-    """image, uv, jacobian and bias, with levels from below 0 to above the pyramid's end."""
-    image, uv = rng.random((8, 16, 3)), rng.uniform(-0.6, 1.6, (*pixels, 2))
-    jacobian = rng.normal(size=(*pixels, 2, 2)) * rng.uniform(0.02, 0.8, (*pixels, 1, 1))
-    return image, uv, jacobian, rng.normal(size=pixels) / 2
-
-
+@pytest.mark.parametrize("size", [1, 2, 3, 5, 8])
 @pytest.mark.parametrize("boundary", texturing.BOUNDARIES)
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_every_gradient_is_a_central_difference(filter, boundary):
-    """A gradient of another look-up than this one, in any filter and at any boundary."""
-    rng = np.random.default_rng(5)
-    image, uv, jacobian, bias = scene(rng, filter)
-    top = len(texturing.pyramid(image)) - 1
-    differentiable = {"nearest": [0], "linear-mipmap-linear": [0, 1, 2, 3]}.get(filter, [0, 1])
-
-    def decisions(image, uv, jacobian, bias):
-        level = texturing.mip_level(jacobian.reshape(-1, 2, 2), 16, 8) + bias.reshape(-1)
-        sides = np.array([16, 8]) / 2.0 ** np.arange(5)[:, None, None, None]
-        return (np.floor(np.clip(level, -1, top + 0.5)), np.floor(uv * np.maximum(sides, 1)),
-                np.floor(uv * np.maximum(sides, 1) - 0.5))
-
-    def backward(grad, *inputs):
-        gradients = texturing.texture_backward(grad, *inputs, filter, boundary)
-        return [gradients[k] for k in differentiable]
-
-    gradcheck(lambda *inputs: texturing.texture(*inputs, filter, boundary), backward,
-              (image, uv, jacobian, bias), differentiable=differentiable, decisions=decisions,
-              name=f"texture_{filter}_{boundary}")
-
-
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_gradients_that_do_not_matter_are_zero(filter):
-    """None or another shape, where the argument has no say; or a number's gradient is an array."""
-    image, uv, jacobian, bias = scene(np.random.default_rng(6), filter)
-    for given, number in ((jacobian, 0.25), (jacobian, bias), (None, bias), (None, 1.25)):
-        gradients = texturing.texture_backward(np.ones((4, 5, 3)), image, uv, given, number, filter)
-        shapes = [np.shape(gradient) for gradient in gradients]
-        assert shapes == [image.shape, uv.shape, np.shape(given), np.shape(number)]
-        assert (gradients[2] is None) == (given is None)
-        if filter != "linear-mipmap-linear":
-            assert not np.any(gradients[3]) and (given is None or not gradients[2].any())
-        assert gradients[1].any() == (filter != "nearest")
-
-
-def test_a_scalar_bias_collects_all_pixels():
-    """The gradient of one number is that of one pixel."""
-    image, uv, jacobian, bias = scene(np.random.default_rng(7), "")
-    rest = jacobian, 0.3, "linear-mipmap-linear"
-    each = jacobian, np.full(bias.shape, 0.3), "linear-mipmap-linear"
-    upstream = np.random.default_rng(8).normal(size=(4, 5, 3))
-    one = texturing.texture_backward(upstream, image, uv, *rest)[3]
-    many = texturing.texture_backward(upstream, image, uv, *each)[3]
-    np.testing.assert_allclose(one, many.sum(), rtol=1e-12)
-
-
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
-    """A point is lost where one chunk ends; or (H, W) pixels differ from a list of H W."""
-    image, uv, jacobian, bias = scene(np.random.default_rng(9), filter)
-    upstream = np.ones((4, 5, 3))
-    whole = (texturing.texture(image, uv, jacobian, bias, filter),
-             *texturing.texture_backward(upstream, image, uv, jacobian, bias, filter))
-    monkeypatch.setattr(texturing, "CHUNK", 3)
-    line = image, uv.reshape(-1, 2), jacobian.reshape(-1, 2, 2), bias.reshape(-1), filter
-    parts = texturing.texture(*line), *texturing.texture_backward(upstream.reshape(-1, 3), *line)
-    for one, other in zip(whole, parts, strict=True):
-        np.testing.assert_allclose(one, other.reshape(one.shape), rtol=1e-12, atol=1e-15)
-
-
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_no_pixels_are_no_error(filter):
-    """A mesh that is not in the picture ends in an error."""
-    empty = np.zeros((0, 2)), np.zeros((0, 2, 2)), np.zeros(0), filter
-    assert texturing.texture(np.ones((4, 2, 3)), *empty).shape == (0, 3)
-    gradients = texturing.texture_backward(np.zeros((0, 3)), np.ones((4, 2, 3)), *empty)
-    assert [g.shape for g in gradients] == [(4, 2, 3), (0, 2), (0, 2, 2), (0,)]
-    assert not gradients[0].any()
-
-
-@pytest.mark.parametrize("boundary", ["wrap", "clamp"])
-@pytest.mark.parametrize("filter", texturing.FILTERS)
-def test_a_texture_of_one_colour_stays_so(filter, boundary):
-    """Weights that do not add up to 1 at a border, between two levels or at the last one."""
-    _, uv, jacobian, bias = scene(np.random.default_rng(10), filter)
-    colour = texturing.texture(np.full((8, 16, 2), 0.7), uv, jacobian, bias, filter, boundary)
-    np.testing.assert_allclose(colour, 0.7, rtol=1e-12)
-
-
-def test_pyramids_end_where_a_side_is_odd():
-    """A level of half a texel, or a pyramid that never ends."""
-    def sides(*shape, max_level=None):
-        return [level.shape[:2] for level in texturing.pyramid(np.zeros((*shape, 1)), max_level)]
-
-    assert sides(8, 2) == [(8, 2), (4, 1), (2, 1), (1, 1)]
-    assert sides(8, 2, max_level=2) == [(8, 2), (4, 1), (2, 1)]
-    assert sides(8, 2, max_level=0) == [(8, 2)]
-    assert sides(12, 4) == [(12, 4), (6, 2), (3, 1)]
-    assert sides(12, 4, max_level=9) == [(12, 4), (6, 2), (3, 1)]
-    assert sides(5, 8) == [(5, 8)]
-    assert sides(1, 1) == [(1, 1)]
-
-
-def test_trilinear_is_nearer_to_the_truth_than_one_texel():
-    """Filters that do not filter: a texture of fine noise, pixels of 4 x 4 texels."""
-    rng = np.random.default_rng(11)
-    image, uv = rng.random((64, 64, 1)), rng.random((200, 2))
-    jacobian = np.broadcast_to(np.eye(2) * 4 / 64, (200, 2, 2))
-    truth = texturing.footprint_mean(image, uv, jacobian, 16)
-    error = {filter: np.abs(texturing.texture(image, uv, jacobian, 0.0, filter) - truth).mean()
-             for filter in texturing.FILTERS}
-    assert error["linear-mipmap-linear"] < 0.3 * error["linear"] < 0.3 * error["nearest"]
+@pytest.mark.parametrize("filter", ["nearest", "linear"])
+def test_the_texels_on_an_axis_are_those_of_exact_arithmetic(filter, boundary, size):
+    """A whole number, a tiny one or a huge one is off by a texel, or by all of them."""
+    near = texturing.near_texture(np.array(AWKWARD), boundary)
+    index, weight, inside = texturing.texels_on_axis(near, size, filter, boundary)
+    assert ((index >= 0) & (index < size)).all()
+    assert not weight[~inside].any()
+    for n, x in enumerate(AWKWARD):
+        expected = [float(part) for part in exact_texels(x, size, filter, boundary)]
+        np.testing.assert_allclose(np.bincount(index[:, n], weight[:, n], size), expected,
+                                   atol=1e-14, err_msg=x)
 
 
 def test_the_mean_of_a_footprint_of_whole_texels_is_exact():
@@ -161,43 +49,3 @@ def test_the_mean_of_a_footprint_of_whole_texels_is_exact():
     jacobian = np.array([[[2 / 8, 0.0], [0.0, 3 / 6]]])
     got = texturing.footprint_mean(image, np.array([[4 / 8, 1.5 / 6]]), jacobian, 6)
     np.testing.assert_allclose(got, image[0:3, 3:5].mean((0, 1))[None], rtol=1e-12)
-
-
-@pytest.mark.parametrize(("change", "sentence"), [
-    ({"filter": "trilinear"}, "a filter out of nearest, linear"),
-    ({"boundary": "mirror"}, "a boundary out of wrap, clamp, zero"),
-    ({"image": np.zeros((4, 4))}, r"an image \(h, w, C\)"),
-    ({"image": np.zeros((0, 4, 3))}, "at least one texel"),
-    ({"uv": np.zeros((5, 3))}, r"uv \(..., 2\)"),
-    ({"uv": np.full((5, 2), np.nan)}, "numbers below"),
-    ({"uv": np.full((5, 2), 1e19), "boundary": "clamp"}, "numbers below"),
-    ({"bias": np.zeros(4)}, r"a finite bias \(5,\)"),
-    ({"bias": np.inf}, "a finite bias"),
-    ({"bias": np.nan}, "NaN"),
-    ({"jacobian": np.zeros((5, 4))}, r"a jacobian \(5, 2, 2\)"),
-    ({"jacobian": np.full((5, 2, 2), 1e160)}, "numbers below"),
-    ({"max_level": -1}, "a max_level of 0 or more"),
-])
-def test_bad_input_is_told_in_a_sentence(change, sentence):
-    """An error from deep inside, or none at all."""
-    arguments = {"image": np.zeros((4, 4, 3)), "uv": np.zeros((5, 2))} | change
-    with pytest.raises(ValueError, match=f"texture expects .*{sentence}"):
-        texturing.texture(**arguments)
-    with pytest.raises(ValueError, match="texture"):
-        texturing.texture_backward(np.zeros((5, 3)), **arguments)
-
-
-def test_an_upstream_gradient_of_another_shape_is_told():
-    """The rows and columns of the pixels are swapped, and a gradient comes back all the same."""
-    with pytest.raises(ValueError, match=r"grad_colour .*\(4, 5, 3\), got \(5, 4, 3\)"):
-        texturing.texture_backward(np.zeros((5, 4, 3)), np.zeros((2, 2, 3)), np.zeros((4, 5, 2)))
-
-
-def test_memory_does_not_grow_with_the_filter():
-    """Forward, all weights of all pixels are held at once: 8 for each of 262,144 pixels."""
-    uv = np.random.default_rng(12).random((512, 512, 2))
-    tracemalloc.start()
-    texturing.texture(np.ones((64, 64, 3)), uv, None, 1.5, "linear-mipmap-linear")
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    assert peak < 30e6

@@ -5,7 +5,7 @@ from shadow_scenes import LIGHTS, PLACE, camera, scene
 
 from course.given import mesh, ray_casting
 from course.given.gradcheck import gradcheck
-from reference import inverse_rendering, lights, shadow_mapping, texturing, variance_shadows
+from reference import inverse_rendering, lights, mipmapping, shadow_mapping, variance_shadows
 
 
 def slab():
@@ -85,7 +85,7 @@ def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
         q = shadow_mapping.to_light(points, position, light.rotation)
         uv = shadow_mapping.map_position(q, light.clip_from_light, size, size) / size
         blurred = variance_shadows.box_blur(moments, radius)
-        return -q[:, 2], *texturing.texture(blurred, uv, boundary="clamp").T, uv
+        return -q[:, 2], *mipmapping.texture(blurred, uv, boundary="clamp").T, uv
 
     def forward(position):
         return variance_shadows.chebyshev(*looked_up(position)[:3], 1e-3)

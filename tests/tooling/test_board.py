@@ -8,9 +8,9 @@ import time
 
 import pytest
 
-from course import board, checks
+from course import board, exercises
+from course.checks.report import Check
 from course.given import places
-from course.upkeep import skeleton
 
 REFERENCE = '''\
 """Made up."""
@@ -368,9 +368,9 @@ def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_modu
 
 
 def entry(number, verdict, *verdicts):
-    found = [checks.Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0)
+    found = [Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0)
              for k, text in enumerate(verdicts)]
-    return board.Entry("transforms", skeleton.Exercise(number, "f", 2, 4, ()), verdict, found)
+    return board.Entry("transforms", exercises.Exercise(number, "f", 2, 4, ()), verdict, found)
 
 
 @pytest.mark.parametrize(("entries", "text"), [
@@ -434,7 +434,7 @@ LECTURE = {"cells": [
 def test_the_section_of_an_exercise_is_found(tmp_path, number, name, section):
     """A student is sent to the section before, to that of 2.15, or to a number that is none."""
     (tmp_path / "lecture.ipynb").write_text(json.dumps(LECTURE))
-    exercise = skeleton.Exercise(number, name, 1, 1, ())
+    exercise = exercises.Exercise(number, name, 1, 1, ())
     assert board.section_of(tmp_path / "lecture.ipynb", exercise) == section
 
 
@@ -449,7 +449,7 @@ def test_without_color_the_board_has_80_columns(check, monkeypatch):
 def test_every_row_of_the_course_fits_into_80_columns():
     """A long name is cut off."""
     entries = [board.Entry(topic, exercise, "blocked by 16.16", [])
-               for topic in skeleton.topics() for exercise in skeleton.topic_exercises(topic)]
+               for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)]
     console = board.Console(width=80, file=io.StringIO(), force_terminal=False)
     console.print(board.table(entries))
     rows = console.file.getvalue().splitlines()

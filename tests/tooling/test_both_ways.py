@@ -6,18 +6,19 @@ import json
 
 import pytest
 
-from course.upkeep import skeleton
+from course import exercises
+from course.upkeep.skeleton import skeleton
 
 EXERCISES = {exercise.number: (topic, exercise.name)
-             for topic in skeleton.topics() for exercise in skeleton.topic_exercises(topic)}
+             for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)}
 
 
 @pytest.fixture(scope="module")
 def board(tmp_path_factory, run_module, pytestconfig):
     """The board of the reference's own skeleton: (what was printed, {number: its entry})."""
     folder = tmp_path_factory.mktemp("skeleton")
-    for topic in skeleton.topics():
-        text = skeleton.skeleton(skeleton.read(skeleton.reference(topic)))
+    for topic in exercises.topics():
+        text = skeleton(exercises.read(exercises.reference(topic)))
         (folder / f"{topic}.py").write_bytes(text.encode("utf-8"))
     done = run_module(pytestconfig.rootpath, "course", "check", "--impl", folder,
                       "--json", folder / "board.json")

@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from course import checks
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture
+from course.checks.loader import Implementation
+from course.checks.pictures import GAP
+from course.checks.showing import layout, shown, shown_call
 from course.given import places
 
 # --- assertions -------------------------------------------------------------------------------
@@ -154,18 +156,18 @@ def test_a_picture_shows_expected_got_and_difference_upright(pictures, monkeypat
     assert "picture   out/checks/x_it_a_b.png" in text
     with Image.open(pictures / "x_it_a_b.png") as picture:
         pixels = np.asarray(picture)
-    side, step, top = 32, 8 * 32 + checks.GAP, checks.GAP + 4
+    side, step, top = 32, 8 * 32 + GAP, GAP + 4
 
     def shade(panel, row, column):
         return pixels[top + row * side + side // 2,
-                      checks.GAP + panel * step + column * side + side // 2].tolist()
+                      GAP + panel * step + column * side + side // 2].tolist()
 
     black, white, red = [0, 0, 0], [255, 255, 255], [255, 51, 0]
     assert [shade(0, 3, 0), shade(0, 0, 7)] == [white, black]
     assert [shade(1, 3, 0), shade(1, 0, 7)] == [white, white]
     assert [shade(2, 3, 0), shade(2, 0, 7)] == [black, red]
     assert shade(2, 0, 0)[0] < 255
-    boxed = np.argwhere((pixels == (255, 165, 0)).all(-1)) - (top, checks.GAP)
+    boxed = np.argwhere((pixels == (255, 165, 0)).all(-1)) - (top, GAP)
     assert boxed.min(0).tolist() == [-2, 7 * side - 2]
     assert boxed.max(0).tolist() == [side + 1, 2 * step + 8 * side + 1]
 
@@ -210,7 +212,7 @@ def test_a_picture_is_compared_within_atol_and_infinity_with_infinity():
 ], ids=repr)
 def test_values_are_shown_as_one_would_type_them(value, text):
     """np.float64(0.1), or a thousand numbers."""
-    assert checks.shown(value).replace("int32", "int64") == text
+    assert shown(value).replace("int32", "int64") == text
 
 
 def test_a_report_has_80_columns_and_a_command_stays_whole():
@@ -221,7 +223,7 @@ def test_a_report_has_80_columns_and_a_command_stays_whole():
     rng = np.random.default_rng(0)
     arrays = -rng.random((5, 4)), rng.random((9, 3, 2)) * 1e6, rng.random(20) + 1j
     prose = "one more word " * 20
-    text = checks.layout([("catches", prose), ("given", checks.shown_call(look, arrays, {})),
+    text = layout([("catches", prose), ("given", shown_call(look, arrays, {})),
                           ("wrong", f"It\n    x = {prose}"), ("again", prose.strip())])
     *lines, command = text.splitlines()
     assert max(map(len, lines)) <= 80 and command == f"again     {prose.strip()}"
@@ -232,7 +234,7 @@ def test_a_report_has_80_columns_and_a_command_stays_whole():
 
 
 def implementation(function):
-    return checks.Implementation(lambda name: function, {})
+    return Implementation(lambda name: function, {})
 
 
 @pytest.mark.parametrize(("returned", "sentence"), [
@@ -656,7 +658,7 @@ def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run
     for _, *sentences in UNUSABLE.values():
         for sentence in sentences:
             assert sentence in done.stdout
-    assert "course/checks/__init__.py" not in done.stdout
+    assert "course/checks/" not in done.stdout
 
 
 def test_any_folder_with_a_topics_file_can_be_checked(course, run_module, tmp_path):

@@ -72,6 +72,10 @@ def test_closest_points_are_the_nearest_of_all_faces():
                 for found, each in zip(every, p, strict=True)]
     got = distances.distance_to_surface(p, vertices, faces)
     np.testing.assert_allclose(got, expected, rtol=1e-12)
+    nearest, closest = distances.closest_faces(p, vertices, faces)
+    on_face = distances.closest_on_triangles(p, vertices[faces[nearest]])
+    np.testing.assert_allclose(np.linalg.norm(on_face - p, axis=1), expected, rtol=1e-12)
+    np.testing.assert_array_equal(closest, on_face)
 
 
 def test_corners_are_their_own_nearest_points():

@@ -4,17 +4,17 @@ import importlib
 
 import pytest
 
-from course.upkeep import skeleton
+from course import exercises
 
 
-@pytest.mark.parametrize("topic", skeleton.topics())
+@pytest.mark.parametrize("topic", exercises.topics())
 def test_the_examples_are_true(topic):
     """An example that does not give what it shows."""
     module = importlib.import_module(f"reference.{topic}")
     assert doctest.testmod(module).failed == 0
 
 
-@pytest.mark.parametrize("topic", skeleton.topics())
+@pytest.mark.parametrize("topic", exercises.topics())
 def test_every_function_says_what_it_does(topic):
     """A function without a docstring: the reader must guess shapes."""
     module = importlib.import_module(f"reference.{topic}")

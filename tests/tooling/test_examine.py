@@ -1,9 +1,9 @@
 """The course's own labs, graded."""
 import pytest
 
+from course import exercises
 from course.grading import grade, sandbox, submissions
 from course.grading.examine import Job
-from course.upkeep import skeleton
 
 
 @pytest.fixture(scope="module")
@@ -12,11 +12,11 @@ def level():
     return sandbox.available()[0]
 
 
-@pytest.mark.parametrize("topic", skeleton.topics())
+@pytest.mark.parametrize("topic", exercises.topics())
 def test_the_reference_gets_all_points(topic, level):
     """A check that a worker cannot serve; a lab that needs what is not there."""
-    assert submissions.foreign_imports(skeleton.read(skeleton.reference(topic))) == []
-    texts = {topic: skeleton.read(skeleton.reference(topic))}
+    assert submissions.foreign_imports(exercises.read(exercises.reference(topic))) == []
+    texts = {topic: exercises.read(exercises.reference(topic))}
     result, _ = grade.examine(Job(texts, {}, level)._asdict())
     assert (result["problem"], result["lost"]) == (None, {})
     failing = {entry["number"]: entry["checks"] for entry in result["board"]["exercises"]

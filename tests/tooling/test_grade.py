@@ -10,9 +10,10 @@ import zipfile
 import pytest
 from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
 
-from course import checks
+from course import exercises
+from course.checks.report import Check
 from course.grading import grade, report, sandbox
-from course.upkeep import skeleton
+from course.upkeep.skeleton import skeleton
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +33,7 @@ def graded(course, run_module, tmp_path_factory):
                        "bob/rasterization.py": SECOND,
                        "eve/rasterization.py": SECOND.replace("2 * x", "x"),
                        "eve/transforms.py": LAB.replace("return x / 2, x > 0", "while True: x"),
-                       "ann/transforms.py": skeleton.skeleton(LAB)}.items():
+                       "ann/transforms.py": skeleton(LAB)}.items():
         path = folder / "in" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
@@ -130,7 +131,7 @@ def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
     ("2-3", ["rasterization", "scanline", "sampling"]), ("3,1", ["transforms", "sampling"])])
 def test_labs_are_chosen_by_number(labs, topics, monkeypatch):
     """A lab's deeper modules are left out, or an order of one's own."""
-    monkeypatch.setattr(skeleton, "topics", lambda: skeleton.TOPICS[:4])
+    monkeypatch.setattr(exercises, "topics", lambda: exercises.TOPICS[:4])
     assert grade.topics_of(labs) == topics
     for wrong in ("4", "0-1", "x"):
         with pytest.raises(ValueError, match="there is no lab"):
@@ -148,7 +149,7 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
 
 def test_pages_escape_what_students_write():
     """A script in a message runs in the instructor's browser."""
-    check = checks.Check("1.1", "", "Claim", "failed", "<script>", "x/pic.png", 0.0)._asdict()
+    check = Check("1.1", "", "Claim", "failed", "<script>", "x/pic.png", 0.0)._asdict()
     entry = {"number": "1.1", "name": "f", "topic": "t", "points": 1, "verdict": "failing",
              "checks": [check]}
     record = {"student": "ada", "level": "strict", "digest": "0", "notes": ["<b>"], "seconds": 1.0,

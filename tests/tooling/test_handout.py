@@ -5,8 +5,9 @@ import shutil
 
 import pytest
 
+from course import exercises
 from course.grading import handout
-from course.upkeep import skeleton
+from course.upkeep.skeleton import skeleton
 
 LEAST = 30  # characters of a line that somebody could copy
 # Lines of answers that students may read elsewhere, as they stand in a check's own oracle, in a
@@ -30,8 +31,8 @@ def tidy(line):
 
 def solution_lines(topic):
     """The lines of a topic's answers that are in none of its questions."""
-    text = skeleton.read(skeleton.reference(topic))
-    asked = set(map(tidy, skeleton.skeleton(text).splitlines()))
+    text = exercises.read(exercises.reference(topic))
+    asked = set(map(tidy, skeleton(text).splitlines()))
     lines = set(map(tidy, text.splitlines())) - asked
     return {line for line in lines if len(line) >= LEAST} - ELSEWHERE
 
@@ -53,7 +54,7 @@ def handed_out(tmp_path_factory):
 
 def test_no_solution_is_handed_out_but_those_released(handed_out):
     """The reference, or an answer in a lab, a lecture, a check or a file of the course."""
-    secret = set().union(*(solution_lines(topic) for topic in skeleton.topics()
+    secret = set().union(*(solution_lines(topic) for topic in exercises.topics()
                            if topic != "transforms"))
     texts = [path for path in handed_out.rglob("*") if path.suffix in (".py", ".ipynb", ".md")]
     assert {path.name: found for path in texts if (found := secret & lines_of(path))} == {}
@@ -62,7 +63,8 @@ def test_no_solution_is_handed_out_but_those_released(handed_out):
 
 
 def test_labs_lectures_and_checks_are_there(handed_out):
-    """A lab without its checks, or lectures of labs that come later."""
+    """A lab without its checks, lectures of labs that come later, or no licence."""
+    assert "MIT License" in (handed_out / "LICENSE").read_text(encoding="utf-8")
     names = ["transforms", "rasterization", "scanline", "sampling", "msaa"]
     assert sorted(path.stem for path in handed_out.glob("labs/*.py")) == sorted(names)
     assert sorted(path.stem for path in handed_out.glob("tests/labs/test_*.py")) == sorted(
@@ -71,8 +73,8 @@ def test_labs_lectures_and_checks_are_there(handed_out):
         "00", "01", "02", "03", "04"]
     assert not (handed_out / "tests" / "project").exists()
     for path in handed_out.glob("labs/*.py"):
-        text = skeleton.read(skeleton.reference(path.stem))
-        assert path.read_text(encoding="utf-8") == skeleton.skeleton(text)
+        text = exercises.read(exercises.reference(path.stem))
+        assert path.read_text(encoding="utf-8") == skeleton(text)
 
 
 def test_lectures_import_the_labs(handed_out):
@@ -89,7 +91,7 @@ def test_its_checks_run_without_the_rest(handed_out, run_module):
     done = run_module(handed_out, "course", "check")
     assert done.returncode == 1, done.stderr
     assert "Next: 1.1" in done.stdout and "cannot be collected" not in done.stdout
-    shutil.copy(skeleton.reference("msaa"), handed_out / "labs")
+    shutil.copy(exercises.reference("msaa"), handed_out / "labs")
     done = run_module(handed_out, "course", "check", "msaa")
     assert done.returncode == 0 and "All that was asked for is done" in done.stdout, done.stdout
 

@@ -7,7 +7,7 @@ import time
 import numpy as np
 import pytest
 
-from course.given import mesh, places
+from course.given import inputs, mesh, places
 
 SHAPES = {  # name: faces per n^2, smallest n, V - E + F, boundary edges for n
     "cube":      (12, 1, 2, lambda n: 0),
@@ -73,7 +73,7 @@ def test_a_given_mesh_is_wound_outwards_with_y_up(given):
 def test_check_says_what_is_wrong(vertices, faces, sentence):
     """Negative indices count from the end in NumPy, NaN spreads: both without a word."""
     with pytest.raises(ValueError, match=re.escape(sentence)):
-        mesh.check(vertices, faces)
+        inputs.require_mesh(vertices, faces)
 
 
 # Shapes
@@ -87,7 +87,7 @@ def test_a_shape_has_the_fewest_faces_that_are_enough(name, n):
     for face_count, expected in ((per_square * n * n, n), (per_square * n * n + 1, n + 1)):
         vertices, faces = getattr(mesh, name)(face_count)
         assert len(faces) == per_square * expected ** 2
-        mesh.check(vertices, faces)
+        inputs.require_mesh(vertices, faces)
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -274,7 +274,7 @@ def test_faces_of_any_integers_give_the_same(kind):
     """uint64 and int64 together are float64; 0 - 1 is 255."""
     vertices, faces = mesh.icosphere(80)
     other = faces.astype(kind)
-    mesh.check(vertices, other)
+    inputs.require_mesh(vertices, other)
     for ours, expected in zip([*mesh.edges(other), mesh.edge_faces(other)],
                               [*mesh.edges(faces), mesh.edge_faces(faces)], strict=True):
         np.testing.assert_array_equal(ours, expected)

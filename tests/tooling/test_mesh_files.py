@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from course.given import mesh, mesh_files
+from course.given import inputs, mesh, mesh_files
 
 TRIANGLE = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]])
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 7 7 7\n"
@@ -306,7 +306,7 @@ def test_a_file_with_wrong_bytes_is_read_or_refused_in_a_sentence(seed, tmp_path
         except ValueError as error:
             assert str(error).startswith("cannot read ") and "\n" not in str(error)
         else:
-            mesh.check(vertices, faces)
+            inputs.require_mesh(vertices, faces)
 
 
 @pytest.mark.parametrize("ending", ["obj", "ply"])

@@ -6,11 +6,12 @@ import shutil
 import numpy as np
 import pytest
 
-from course import checks
+from course import exercises
+from course.checks.hints import HINTS, fingerprint, known_sentences
 from course.given import places
-from course.upkeep import mistakes, mutants, skeleton
+from course.upkeep import mistakes, mutants
 
-TOPICS = [topic for topic in skeleton.topics() if mistakes.library(topic)]
+TOPICS = [topic for topic in exercises.topics() if mistakes.library(topic)]
 MISREAD = 0.05  # of the hints another machine's rounding may spoil
 
 
@@ -26,7 +27,7 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
     marks = [(mistake.exercise.number, mark)
              for mistake, [(_, mark)] in zip(library, verdicts, strict=True) if mark]
     assert len({*marks}) == len(marks), "two mistakes of an exercise return the same"
-    known = checks.known_sentences()
+    known = known_sentences()
     silent = [f"{mistake.exercise.number}: when {mistake.sentence}"
               for mistake, [(_, mark)] in zip(library, verdicts, strict=True) if mark not in known]
     assert len(silent) <= MISREAD * len(library), silent
@@ -35,19 +36,19 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
 @pytest.mark.parametrize("topic", TOPICS)
 def test_every_exercise_has_one_to_three_mistakes_in_its_place(topic):
     """An exercise is left out or has the same sentence twice; a library grows without end."""
-    library, exercises = mistakes.library(topic), skeleton.topic_exercises(topic)
-    for exercise in exercises:
+    library, asked = mistakes.library(topic), exercises.topic_exercises(topic)
+    for exercise in asked:
         sentences = [mistake.sentence for mistake in library if mistake.exercise == exercise]
         assert 1 <= len(sentences) <= 3, exercise.number
         assert len(set(sentences)) == len(sentences), exercise.number
     assert [mistake.exercise for mistake in library] == sorted(
-        [mistake.exercise for mistake in library], key=exercises.index)
+        [mistake.exercise for mistake in library], key=asked.index)
 
 
 def excused(topic):
     """{(number, change): the place of the mutant that the topic's list excuses by that name}."""
     reasons, found = mutants.equivalents(topic), {}
-    for exercise in skeleton.topic_exercises(topic):
+    for exercise in exercises.topic_exercises(topic):
         function = mutants.function_of(topic, exercise)
         listed = mutants.listed(exercise, function, reasons)
         keys = [mutants.nameless(mutant.change, function)
@@ -75,9 +76,9 @@ def a_variable(function):
 
 def with_other_names(text, names):
     """The text of a reference, in which a variable of each of its exercises is called otherwise."""
-    functions = [node for node in skeleton.top_level_functions(text) if node.name in names]
+    functions = [node for node in exercises.top_level_functions(text) if node.name in names]
     changes = sorted((place, name) for name, found in map(a_variable, functions) for place in found)
-    lines = [line.encode("utf-8") for line in skeleton.text_lines(text)]
+    lines = [line.encode("utf-8") for line in exercises.text_lines(text)]
     for (line, start), name in reversed(changes):
         end = start + len(name)
         assert lines[line][start:end] == name.encode()
@@ -91,10 +92,10 @@ def test_a_variable_of_the_reference_may_get_another_name(tmp_path, monkeypatch)
     shutil.copytree(places.ROOT / "tests" / "mistakes", tmp_path / "tests" / "mistakes")
     (tmp_path / "reference").mkdir()
     for topic in TOPICS:
-        old = skeleton.read(skeleton.reference(topic))
-        names = {exercise.name for exercise in skeleton.topic_exercises(topic)}
+        old = exercises.read(exercises.reference(topic))
+        names = {exercise.name for exercise in exercises.topic_exercises(topic)}
         new = with_other_names(old, names)
-        changed = {one.name for one, other in zip(*map(skeleton.top_level_functions, (old, new)),
+        changed = {one.name for one, other in zip(*map(exercises.top_level_functions, (old, new)),
                                                   strict=True) if ast.dump(one) != ast.dump(other)}
         assert changed == names
         (tmp_path / "reference" / f"{topic}.py").write_text(new, encoding="utf-8")
@@ -104,14 +105,14 @@ def test_a_variable_of_the_reference_may_get_another_name(tmp_path, monkeypatch)
 
 def test_no_sentence_is_of_a_mistake_that_is_no_more():
     """hints.json was not made anew."""
-    made = json.loads(checks.HINTS.read_bytes())
+    made = json.loads(HINTS.read_bytes())
     there = {mistake.sentence for topic in TOPICS for mistake in mistakes.library(topic)}
     assert set(made) - there == set()
 
 
 def test_a_student_reads_the_sentence(run_module, pytestconfig, tmp_path):
     """The hint needs the library, or is that of another check."""
-    reference = skeleton.read(skeleton.reference("transforms"))
+    reference = exercises.read(exercises.reference("transforms"))
     own = ("    moved = [p @ matrix for p in points.reshape(-1, 4)]\n"
            "    return np.array(moved).reshape(points.shape)")  # the mistake, in other words
     (tmp_path / "transforms.py").write_text(
@@ -132,7 +133,7 @@ def test_a_student_reads_the_sentence(run_module, pytestconfig, tmp_path):
 ], ids=repr)
 def test_equal_numbers_have_one_fingerprint(one, other):
     """Rounding, -0 or a list in place of an array loses the hint."""
-    assert checks.fingerprint("test", one) == checks.fingerprint("test", other)
+    assert fingerprint("test", one) == fingerprint("test", other)
 
 
 @pytest.mark.parametrize(("one", "other"), [
@@ -141,8 +142,8 @@ def test_equal_numbers_have_one_fingerprint(one, other):
 ], ids=repr)
 def test_other_numbers_have_another(one, other):
     """A hint for something else."""
-    assert checks.fingerprint("test", one) != checks.fingerprint("test", other)
-    assert checks.fingerprint("test", one) != checks.fingerprint("test 2", one)
+    assert fingerprint("test", one) != fingerprint("test", other)
+    assert fingerprint("test", one) != fingerprint("test 2", one)
 
 
 def test_a_mistake_that_is_no_exercise_or_says_nothing_is_told(house, run_module):

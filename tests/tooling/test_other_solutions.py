@@ -9,13 +9,13 @@ import ast
 
 import pytest
 
+from course import exercises
 from course.given import places
-from course.upkeep import skeleton
 
 FOLDER = places.ROOT / "tests" / "other_solutions"
 
 
-@pytest.mark.parametrize("topic", skeleton.asking_topics())
+@pytest.mark.parametrize("topic", exercises.asking_topics())
 def test_another_right_answer_passes(run_module, topic):
     """A check asks for more than the docstring says, or finer than rounding is."""
     done = run_module(places.ROOT, "course", "check", topic, "--impl", FOLDER, seconds=300)
@@ -24,17 +24,17 @@ def test_another_right_answer_passes(run_module, topic):
 
 def answers(path):
     """{name: what the function does, as text without comments and docstring}."""
-    functions = skeleton.top_level_functions(skeleton.read(path))
+    functions = exercises.top_level_functions(exercises.read(path))
     return {function.name: [ast.unparse(line) for line in function.body
                             if ast.get_docstring(function) is None or line != function.body[0]]
             for function in functions}
 
 
-@pytest.mark.parametrize("topic", skeleton.asking_topics())
+@pytest.mark.parametrize("topic", exercises.asking_topics())
 def test_every_exercise_has_an_answer_that_is_not_the_references(topic):
     """An exercise is left out, or the reference's own body is copied."""
-    right, other = answers(skeleton.reference(topic)), answers(FOLDER / f"{topic}.py")
-    for exercise in skeleton.topic_exercises(topic):
+    right, other = answers(exercises.reference(topic)), answers(FOLDER / f"{topic}.py")
+    for exercise in exercises.topic_exercises(topic):
         assert other[exercise.name] != right[exercise.name], exercise.name
 
 
@@ -64,11 +64,11 @@ for name in {names!r}:
 '''
 
 
-@pytest.mark.parametrize("topic", skeleton.asking_topics())
+@pytest.mark.parametrize("topic", exercises.asking_topics())
 def test_neither_its_form_nor_the_seed_matters(run_module, tmp_path, topic):
     """A check takes C order, int64, NumPy's numbers or an array that it can write for granted; or
     it passes with the numbers of one seed only, and a class may be graded with any."""
-    names = [exercise.name for exercise in skeleton.topic_exercises(topic)]
+    names = [exercise.name for exercise in exercises.topic_exercises(topic)]
     for path in (places.ROOT / "reference").glob("*.py"):
         (tmp_path / path.name).write_text(path.read_text(encoding="utf-8"), encoding="utf-8")
     with (tmp_path / f"{topic}.py").open("a", encoding="utf-8") as file:

@@ -4,6 +4,7 @@ import os
 
 import pytest
 
+from course import exercises
 from course.given import places
 from course.upkeep import skeleton
 
@@ -102,7 +103,7 @@ def third(x):  # exercise 1.10 (12 points)
 
 def test_an_exercise_has_number_name_points_line_and_calls():
     """The line is a decorator's, 1.10 becomes 1.1, or calls through given functions are missed."""
-    assert skeleton.exercises(MODULE) == [
+    assert exercises.text_exercises(MODULE) == [
         ("1.1", "first", 2, 13, ()),
         ("1.2", "second", 1, 29, ("first",)),
         ("1.10", "third", 12, 45, ("first", "second")),
@@ -112,8 +113,8 @@ def test_an_exercise_has_number_name_points_line_and_calls():
 def test_what_a_called_exercise_calls_is_its_own_affair():
     """An exercise counts as waiting for all that stands before it."""
     text = "def a():\n    b()\ndef b():\n    c()\ndef c():\n    a()\n"
-    assert skeleton.calls(text, ["a", "b", "c"]) == {"a": ("b",), "b": ("c",), "c": ("a",)}
-    assert skeleton.calls(text, ["a", "c"]) == {"a": ("c",), "c": ("a",)}
+    assert exercises.calls(text, ["a", "b", "c"]) == {"a": ("b",), "b": ("c",), "c": ("a",)}
+    assert exercises.calls(text, ["a", "c"]) == {"a": ("c",), "c": ("a",)}
 
 
 @pytest.mark.parametrize("newline", ["\n", "\r\n"], ids=["LF", "CRLF"])
@@ -125,14 +126,14 @@ def test_only_the_answers_are_replaced(newline):
 def test_a_lab_is_the_lab_of_itself():
     """The generator cannot read what it has written."""
     assert skeleton.skeleton(LAB) == LAB
-    assert [found[:4] for found in skeleton.exercises(LAB)] == [
+    assert [found[:4] for found in exercises.text_exercises(LAB)] == [
         ("1.1", "first", 2, 13), ("1.2", "second", 1, 22), ("1.10", "third", 12, 38)]
 
 
 def test_a_module_without_exercises_stays_as_it_is():
     """Functions without a mark lose their bodies."""
     text = MODULE.replace("# exercise", "# not an exercise")
-    assert skeleton.exercises(text) == []
+    assert exercises.text_exercises(text) == []
     assert skeleton.skeleton(text) == text
 
 
@@ -171,7 +172,7 @@ QUESTION = '    """A question."""\n    return 1\n'
 ])
 def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
     """A mark is overlooked, and its answer stays in the lab."""
-    for read in skeleton.exercises, skeleton.skeleton:
+    for read in exercises.text_exercises, skeleton.skeleton:
         with pytest.raises(ValueError) as error:
             read(text)
         assert str(error.value).startswith(sentence)
@@ -180,7 +181,7 @@ def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
 
 def test_what_only_looks_like_a_mark_in_a_string_is_none():
     """Marks are looked for in the text, not among the comments."""
-    assert skeleton.exercises('x = """\ndef f():  # exercise 1.1 (2 points)\n"""\n') == []
+    assert exercises.text_exercises('x = """\ndef f():  # exercise 1.1 (2 points)\n"""\n') == []
 
 
 @pytest.fixture
@@ -197,8 +198,8 @@ def test_topics_are_those_of_the_reference_in_the_courses_order(course):
     """Topics come in the order of the alphabet, or one is listed that is not there."""
     (course / "reference" / "sampling.py").write_text("")
     (course / "reference" / "rasterization.py").write_text("")
-    assert skeleton.topics() == ("transforms", "rasterization", "sampling")
-    assert skeleton.lab_number("rasterization") == 2
+    assert exercises.topics() == ("transforms", "rasterization", "sampling")
+    assert exercises.lab_number("rasterization") == 2
 
 
 def test_an_exercise_bears_its_labs_number(course):

@@ -1,0 +1,133 @@
+"""The code under test: its folder, its modules, and what every call to it must keep to."""
+import copy
+import functools
+import importlib
+import sys
+import types
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ..given import places
+from .assertions import Mismatch
+from .showing import arguments, told
+
+PACKAGE = "implementation"  # the code under test is imported as a package of this name
+LAST_CALL = pytest.StashKey()    # of a check, to the code under test: function, args, kwargs
+LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
+FIND = pytest.StashKey()         # of the run: finds functions that run in another process
+
+
+class Implementation:
+    """The code under test: impl.edge_function(p, a, b) calls the function of that name.
+
+    find(name) -> the function, or what stands for it where it runs in another process: all that
+    is done with it is to call it, with arrays, numbers, strings and tuples of them.
+    stash keeps the last call, for the report. A call fails that returns None or changes its inputs.
+    """
+
+    def __init__(self, find, stash):
+        self._find = find
+        self._stash = stash
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        function = self._find(name)
+
+        @functools.wraps(function)
+        def call(*args, **kwargs):
+            inputs = copy.deepcopy((args, kwargs))
+            self._stash[LAST_CALL] = function, *inputs
+            self._stash[LAST_RETURN] = None
+            returned = self._stash[LAST_RETURN] = function(*args, **kwargs)
+            require_returned(name, returned)
+            require_unchanged(function, inputs, (args, kwargs))
+            return returned
+
+        vars(self)[name] = call
+        return call
+
+
+def require_returned(name, returned):
+    if returned is None:
+        raise Mismatch(("wrong", f"{name} returned None: is a return missing?"))
+    for number, output in enumerate(returned if isinstance(returned, tuple) else (), 1):
+        if output is None:
+            raise Mismatch(("wrong", f"{name} returned None as output {number} of {len(returned)}"))
+
+
+def require_unchanged(function, before, after):
+    """before, after: (args, kwargs) of a call to the function."""
+    if unchanged(before, after):
+        return
+    pairs = zip(arguments(function, *before), arguments(function, *after), strict=True)
+    changed = next(name for (name, old), (_, new) in pairs if not unchanged(old, new))
+    raise Mismatch(("wrong", f"{function.__name__} changed its input {changed}: "
+                             "let it work on a copy"))
+
+
+def unchanged(old, new):
+    if isinstance(old, tuple | list):
+        return all(map(unchanged, old, new))
+    if isinstance(old, dict):
+        return all(map(unchanged, old.values(), new.values()))
+    return not isinstance(old, np.ndarray) or old.tobytes() == new.tobytes()
+
+
+def folder(implementation):
+    """labs, reference or a path -> the folder of the code under test. ValueError: there is none."""
+    named = implementation in ("labs", "reference")
+    path = places.ROOT / implementation if named else Path(implementation).resolve()
+    if not path.is_dir():
+        raise ValueError(f"there is no folder {implementation} to check; give labs, reference, or "
+                         "the path of a folder with files like those in labs/")
+    return path
+
+
+def load_topic(path):
+    """Import FOLDER/<topic>.py. Mismatch: it cannot be imported.
+
+    No bytecode is written. Python takes it for up to date when a source was edited within the same
+    second and kept its length, as with a + made a -.
+    """
+    if not path.exists():
+        raise Mismatch(("wrong", f"there is no {places.shown_path(path)}; "
+                                 "python3 -m course skeleton makes the labs"))
+    writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    try:
+        return importlib.import_module(f"{PACKAGE}.{path.stem}")
+    except (Exception, SystemExit) as error:
+        raise Mismatch(("wrong", f"{places.shown_path(path)} cannot be imported: "
+                                 f"{told(error, path.parent)}")) from None
+    finally:
+        sys.dont_write_bytecode = writes
+
+
+def finder(code):
+    """(topic, name) -> the function in the code under test. Mismatch: there is none."""
+    package = types.ModuleType(PACKAGE)
+    package.__path__ = [str(code)]  # so `from . import x` works there
+    for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
+        del sys.modules[name]  # what an earlier run in this process has left
+    sys.modules[PACKAGE] = package
+
+    @functools.cache
+    def module_or_mismatch(topic):
+        try:
+            return load_topic(code / f"{topic}.py")
+        except Mismatch as mismatch:
+            return mismatch
+
+    def find(topic, name):
+        module = module_or_mismatch(topic)
+        if isinstance(module, Mismatch):
+            raise Mismatch(*module.rows)
+        if not callable(getattr(module, name, None)):
+            path = places.shown_path(module.__file__)
+            raise Mismatch(("wrong", f"{path} has no function {name}; "
+                                     "keep the names that the skeleton gives"))
+        return getattr(module, name)
+
+    return find

@@ -1,0 +1,63 @@
+"""The pytest plugin; tests/conftest.py loads it. It gives checks the code under test, and reports.
+
+The report of a failed check is short and shows the last call to the code under test. --tb=long
+gives pytest's own instead.
+"""
+import functools
+import zlib
+
+import numpy as np
+import pytest
+
+from . import loader, report
+
+
+def pytest_addoption(parser):
+    group = parser.getgroup("course")
+    group.addoption("--impl", default="reference", metavar="labs|reference|FOLDER",
+                    help="whose code to check; a folder holds files like those in labs/")
+    group.addoption("--seed", default=0, type=int, metavar="N",
+                    help="other random numbers in the checks")
+
+
+def pytest_configure(config):
+    config.addinivalue_line("markers", "exercise(number): this test is a check of that exercise")
+    config.addinivalue_line("markers", "notebook: executes a notebook; left out by test --quick")
+    try:
+        loader.folder(config.option.impl)
+    except ValueError as error:
+        raise pytest.UsageError(error) from None
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_makereport(item, call):
+    """The report of a check holds its Check, as a dict; of a failed one, a text for students."""
+    mark = item.get_closest_marker("exercise")
+    if mark and item.config.option.tbstyle == "auto":
+        item.repr_failure = str  # pytest's own text takes 0.2 s, and would be replaced
+    made = yield
+    if mark and (made.when == "call" or not made.passed):
+        report.judge(item, call.excinfo and call.excinfo.value, made, mark.args[0])
+    return made
+
+
+@pytest.fixture(scope="session")
+def find_function(pytestconfig):
+    """(topic, name) -> the function in the code under test. Mismatch: there is none."""
+    if loader.FIND in pytestconfig.stash:
+        return pytestconfig.stash[loader.FIND]
+    return loader.finder(loader.folder(pytestconfig.option.impl))
+
+
+@pytest.fixture
+def impl(request, find_function):
+    """The functions of the topic that the test's file is named after, see Implementation."""
+    topic = request.path.stem.removeprefix("test_")
+    return loader.Implementation(functools.partial(find_function, topic), request.node.stash)
+
+
+@pytest.fixture
+def rng(request):
+    """This check's own random numbers, made from --seed, its file's name and its own."""
+    name = zlib.crc32(f"{request.path.name}::{request.node.name}".encode())
+    return np.random.default_rng([request.config.option.seed, name])

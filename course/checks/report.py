@@ -1,0 +1,113 @@
+"""The verdict on a check, and the report of one that failed.
+
+A verdict is passed, failed, not started (the exercise raises its own NotImplementedError still) or
+blocked by 2.1 (another one does). A check that is skipped or expected to fail counts as failed.
+"""
+import inspect
+import re
+import traceback
+from pathlib import Path
+from typing import NamedTuple
+
+from ..given import places
+from .assertions import Mismatch
+from .hints import known_mistake, list_for_array
+from .loader import LAST_CALL, LAST_RETURN, folder
+from .showing import MOST_LINES, layout, shown, shown_call, told
+
+UNFINISHED = re.compile(r"exercise (\d+\.\d+): \w+")  # what an exercise of a skeleton raises
+
+
+class Check(NamedTuple):
+    """What became of a check. The board is made of these."""
+
+    exercise: str
+    nodeid: str
+    claim: str
+    verdict: str  # passed, failed, not started, blocked by 2.1
+    message: str
+    picture: str | None
+    seconds: float
+
+
+def judge(item, error, report, number):
+    """Set report.check; report.outcome, where the check did not run; and report.longrepr."""
+    if report.skipped or hasattr(report, "wasxfail") or (report.failed and error is None):
+        vars(report).pop("wasxfail", None)  # else pytest goes on to count it as expected
+        verdict = report.outcome = "failed"
+        rows = [("wrong", "a check has to run and pass; this one is skipped or expected to fail")]
+    elif report.passed:
+        verdict, rows = "passed", []
+    else:
+        verdict = verdict_of(error, number)
+        rows = [("verdict", f"{verdict} ({error})")]
+        if verdict == "failed":
+            rows = explained(error, item)
+    lines = report.capstdout.splitlines()[-MOST_LINES:]
+    printed = [("printed", "\n".join(lines))] if lines and rows else []
+    report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
+                         getattr(error, "picture", None), report.duration)._asdict()
+    if report.failed and item.config.option.tbstyle == "auto":
+        report.longrepr = layout([("claim", claim(item)), *rows,
+                                  ("again", "\n".join(commands(item, number)))])
+
+
+def verdict_of(error, number):
+    unfinished = isinstance(error, NotImplementedError) and UNFINISHED.fullmatch(str(error))
+    if not unfinished:
+        return "failed"
+    return "not started" if unfinished[1] == number else f"blocked by {unfinished[1]}"
+
+
+def explained(error, item):
+    """Rows: the mistake that the check catches, what it gave and what came of it, where, the seed.
+
+    Assertion errors of other kinds, as the gradient check's, tell by themselves what was given.
+    """
+    rows = list(error.rows) if isinstance(error, Mismatch) else [
+        ("wrong", told(error, folder(item.config.option.impl)))]
+    other_kind = isinstance(error, AssertionError) and type(error) not in (AssertionError, Mismatch)
+    last = item.stash.get(LAST_CALL, None)
+    if last and "given" not in dict(rows) and (
+            not other_kind or last[0].__name__.endswith("_backward")):
+        rows.insert(0, ("given", shown_call(*last)))
+    returned = item.stash.get(LAST_RETURN, None)
+    if returned is not None and "got" not in dict(rows) and not other_kind:
+        rows.append(("got", shown(returned)))
+    compared = other_kind or "expected" in dict(rows)
+    if item.function.__doc__ and compared:
+        paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
+        rows.insert(0, ("catches", " ".join(paragraph.split())))
+    known = known_mistake(item.nodeid, returned) or list_for_array(last, returned)
+    if known:
+        rows = [row for row in rows if row[0] != "hint"] + [("hint", known)]
+    return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
+
+
+def check_line(error, item):
+    """tests/labs/test_rasterization.py:31, and the code there."""
+    lines = [frame for frame in traceback.extract_tb(error.__traceback__)
+             if Path(frame.filename) == item.path]
+    if not lines:
+        return f"{places.shown_path(item.path)}:{item.location[1] + 1}"
+    return f"{places.shown_path(item.path)}:{lines[-1].lineno}\n{lines[-1].line}"
+
+
+def claim(item):
+    """test_a_shared_edge_is_covered_once -> 'A shared edge is covered once', and its parameters."""
+    words = item.originalname.removeprefix("test_").replace("_", " ")
+    case = f" [{item.callspec.id}]" if hasattr(item, "callspec") else ""
+    return words[:1].upper() + words[1:] + case
+
+
+def commands(item, number):
+    """What runs this exercise's checks again, and what runs this check alone."""
+    impl, seed = item.config.option.impl, item.config.option.seed
+    seeded = f" --seed {seed}" if seed else ""
+    return (rerun(number, impl, seed), f'pytest --impl={impl}{seeded} "{item.nodeid}"')
+
+
+def rerun(number, implementation="labs", seed=0):
+    """The command that runs an exercise's checks."""
+    other = "" if implementation == "labs" else f" --impl {implementation}"
+    return f"python3 -m course check {number}{other}{f' --seed {seed}' if seed else ''}"

@@ -1,0 +1,91 @@
+"""Runs the checks of some exercises in this process, and keeps what became of each."""
+import contextlib
+import io
+import sys
+
+import pytest
+from rich.console import Console
+from rich.progress import Progress
+
+from ..given import places
+from .loader import folder
+from .report import Check, claim
+from .showing import layout, told
+
+
+def run_checks(labs, numbers, implementation, seed, plugins=()):
+    """Run the checks of these exercises in this process -> ([Check], [problem]).
+
+    labs {topic: its exercises}; numbers: those whose checks run; plugins: more of pytest's.
+    """
+    topics = [topic for topic, lab in labs.items()
+              if any(exercise.number in numbers for exercise in lab)]
+    tests = [path for topic in topics
+             if (path := places.ROOT / "tests" / "labs" / f"test_{topic}.py").exists()]
+    if not tests:
+        return [], []
+    options = ["--rootdir", places.ROOT, "-c", places.ROOT / "pyproject.toml",
+               "-p", "no:cacheprovider", "--continue-on-collection-errors",
+               "--impl", implementation, "--seed", seed]
+    said = io.StringIO()
+    with (Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
+                   redirect_stdout=False, redirect_stderr=False,
+                   disable=not sys.stderr.isatty()) as progress,
+          pytest.MonkeyPatch.context() as environment, contextlib.redirect_stdout(said)):
+        environment.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # they only cost time
+        environment.delenv("PYTEST_ADDOPTS", raising=False)
+        collector = Collector(numbers, labs, folder(implementation), progress)
+        status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector, *plugins])
+    if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
+        collector.problems.append(f"pytest broke off\n{said.getvalue()}".rstrip())
+    return list((collector.planned | collector.found).values()), collector.problems
+
+
+class Collector:
+    """A pytest plugin: runs the checks of these exercises alone, and keeps what became of them."""
+
+    def __init__(self, numbers, labs, code, progress):
+        self.numbers = numbers
+        self.known = {exercise.number for lab in labs.values() for exercise in lab}
+        self.code = code
+        self.progress = progress
+        self.planned = {}   # nodeid -> the Check of one that did not run
+        self.found = {}     # nodeid -> Check
+        self.problems = []  # sentences
+        self.running = None
+
+    def pytest_collectreport(self, report):
+        if not report.passed:
+            reason = report.longreprtext.strip().splitlines()[-1].removeprefix("E").strip()
+            self.problems.append(f"{report.nodeid} cannot be collected: {reason}")
+
+    def pytest_collection_modifyitems(self, items):
+        marks = [(item, item.get_closest_marker("exercise")) for item in items]
+        self.problems += [f"{item.nodeid} names exercise {mark.args[0]}, and there is none"
+                          for item, mark in marks if mark and mark.args[0] not in self.known]
+        asked = [(item, mark.args[0]) for item, mark in marks
+                 if mark and mark.args[0] in self.numbers]
+        items[:] = [item for item, _ in asked]
+        self.planned = {item.nodeid: Check(number, item.nodeid, claim(item), "failed",
+                                                  layout([("wrong", "it did not run")]),
+                                                  None, 0.0) for item, number in asked}
+        self.task = self.progress.add_task("checks", total=len(items))
+
+    def pytest_runtest_logstart(self, nodeid):
+        self.running = nodeid
+
+    def pytest_runtest_logreport(self, report):
+        earlier = self.found.get(report.nodeid)  # a teardown can still spoil a check that passed
+        if hasattr(report, "check") and (earlier is None or earlier.verdict == "passed"):
+            self.found[report.nodeid] = Check(**report.check)
+
+    def pytest_runtest_logfinish(self):
+        self.progress.advance(self.task)
+        self.progress.refresh()
+
+    def pytest_keyboard_interrupt(self, excinfo):
+        """Say in which line the code under test was: there may be a loop without an end."""
+        self.problems.append("It was stopped. Checks that did not run count as failed.")
+        where = layout([("wrong", told(excinfo.value, self.code))])
+        if self.running in self.planned:
+            self.planned[self.running] = self.planned[self.running]._replace(message=where)

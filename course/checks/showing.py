@@ -1,0 +1,128 @@
+"""How values, calls and errors are shown to a student, and the rows that a report is made of."""
+import inspect
+import re
+import textwrap
+import traceback
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ..given import places
+
+COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
+MOST_NUMBERS = 24  # shown of an array; a larger one is shortened
+MOST_LINES = 12    # shown of an error's text, of frames, of printed output
+KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
+              "c": "complex numbers", "U": "strings"}  # by NumPy's dtype.kind
+
+
+# --- values and calls -------------------------------------------------------------------------
+
+
+def shown(value, name=""):
+    """A value as one would type it, after name=; a large array is shortened."""
+    name = f"{name}=" if name else ""
+    if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
+        return shown_array(np.asarray(value), name)
+    if isinstance(value, tuple):
+        return f"{name}({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
+    return name + cut(repr(value.item() if isinstance(value, np.generic) else value))
+
+
+def shown_array(array, name):
+    """All of a small array; the first and last numbers of a large one, after its type and shape."""
+    small = 0 < array.size <= MOST_NUMBERS
+    before = name if small else f"{name}{array.dtype} {shape_name(array)}: "
+    text = np.array2string(array if small else array.ravel(), separator=", ", prefix=before,
+                           max_line_width=COLUMNS - LABEL - 3, threshold=MOST_NUMBERS, edgeitems=3,
+                           precision=8 if small else 4)
+    return before + re.sub(r"\n\s*\n", "\n", text)  # no empty lines between parts of 3 dimensions
+
+
+def shown_call(function, args, kwargs):
+    """edge_function(p=[0.5, 0.5], a=...), on several lines where one is not enough."""
+    named = [shown(value, name) for name, value in arguments(function, args, kwargs)]
+    line = f"{function.__name__}({', '.join(named)})"
+    if len(line) <= COLUMNS - LABEL and "\n" not in line:
+        return line
+    lines = [text.replace("\n", "\n  ") + "," for text in named]
+    return "\n  ".join([f"{function.__name__}(", *lines]) + "\n)"
+
+
+def arguments(function, args, kwargs):
+    """[(parameter, argument)] of a call; where it does not fit, without the parameters' names."""
+    try:
+        return list(inspect.signature(function).bind(*args, **kwargs).arguments.items())
+    except (TypeError, ValueError):
+        return [("", argument) for argument in args] + list(kwargs.items())
+
+
+def kind_name(value):
+    name = f"a {type(value).__name__} that is no array of numbers"
+    return KIND_NAMES.get(as_array(value).dtype.kind, name)
+
+
+def shape_name(array):
+    return f"({', '.join(map(str, array.shape))}{',' * (array.ndim == 1)})"
+
+
+def index_name(index):
+    return f"[{', '.join(map(str, index))}]"
+
+
+def as_array(value):
+    """The value as an array; what makes none comes as an array of objects, as None does."""
+    try:
+        return np.asarray(value)
+    except ValueError:  # rows of different lengths
+        return np.array(None)
+
+
+# --- errors -----------------------------------------------------------------------------------
+
+
+def told(error, code):
+    """An error, and the lines in the folder with the code under test that led to it."""
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__)
+              if Path(frame.filename).resolve().is_relative_to(code)]
+    lines = shown_frames([(places.shown_path(frame.filename), frame.lineno, frame.name, frame.line)
+                          for frame in frames])
+    if isinstance(error, SyntaxError):
+        where = f"{places.shown_path(error.filename)}:{error.lineno}"
+        lines += [f"{where}\n    {(error.text or '').strip()}"]
+        return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
+    plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
+    text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
+    return "\n".join([cut(text), *lines])
+
+
+def cut(text):
+    lines = text.splitlines()
+    return "\n".join(lines[:MOST_LINES] + ["..."] * (len(lines) > MOST_LINES))
+
+
+def shown_frames(frames):
+    """(file, line, function, its text) of each call -> lines; of many, the first and last ones."""
+    lines = [f"{file}:{line} in {function}\n    {text}" for file, line, function, text in frames]
+    if len(lines) > MOST_LINES:
+        lines[4:-4] = [f"... {len(lines) - 8} more calls ..."]
+    return lines
+
+
+# --- rows -------------------------------------------------------------------------------------
+
+
+def layout(rows):
+    """Rows (label, text) in two columns, long lines broken; not in commands, which are copied."""
+    lines = ((label if number == 0 else "", line) for label, text in rows
+             for number, line in enumerate(text.splitlines() if label == "again" else broken(text)))
+    return "\n".join(f"{label:{LABEL}}{line}".rstrip() for label, line in lines)
+
+
+def broken(text):
+    """The lines of a text, none too long: what is over goes on below, indented alike."""
+    for line in text.splitlines() or [""]:
+        indent = line[:len(line) - len(line.lstrip())]
+        yield from textwrap.wrap(line, COLUMNS - LABEL, subsequent_indent=indent,
+                                 break_long_words=False, break_on_hyphens=False) or [""]

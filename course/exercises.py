@@ -1,0 +1,182 @@
+"""What exercises there are: the labs, their topics, and the marked functions of a topic's module.
+
+An exercise is a whole function with a mark on its def line, and nowhere else:
+
+    def edge_function(p, a, b):  # exercise 2.1 (2 points)
+
+Its docstring is the question, its body is the answer.
+"""
+import ast
+import functools
+import io
+import itertools
+import re
+import tokenize
+from typing import NamedTuple
+
+from .given import places
+
+LABS = (  # the topics of each lab, one module each: its lecture's own first, then deeper ones
+    ("transforms",),
+    ("rasterization", "scanline"),
+    ("sampling",),
+    ("msaa",),
+    ("interpolation",),
+    ("texturing", "mipmapping"),
+    ("vertex_gradients", "rasterizer_gradients"),
+    ("antialiasing", "diagnosis"),
+    ("inverse_rendering", "pipeline"),
+    ("neural_renderer", "texture_cubes", "sweep_gradient", "soft_rasterizer"),
+    ("subdivision", "loop_subdivision", "catmull_clark"),
+    ("simplification", "collapse_heap"),
+    ("regularization", "remeshing"),
+    ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
+    ("implicit_surfaces", "marching_tetrahedra"),
+    ("reconstruction", "multi_view_fit"),
+)
+TOPICS = tuple(itertools.chain(*LABS))
+
+MARK = re.compile(r"# exercise ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)")
+MEANT_AS_MARK = re.compile(r"\W*exercise\b", re.IGNORECASE)
+
+
+class Exercise(NamedTuple):
+    """A marked function. calls: names of the exercises that its body needs, see `calls`."""
+
+    number: str
+    name: str
+    points: int
+    line: int
+    calls: tuple
+
+
+def topics():
+    """The topics that there are, in the course's order."""
+    return tuple(topic for topic in TOPICS if questions(topic).exists())
+
+
+def asking_topics():
+    """The topics that have exercises, in the course's order: all but those of given code."""
+    return tuple(topic for topic in topics() if topic_exercises(topic))
+
+
+def lab_number(topic):
+    """The number of the lab that a topic belongs to; the first is 1."""
+    return next(number for number, topics in enumerate(LABS, 1) if topic in topics)
+
+
+def lecture(topic):
+    """The path of the notebook that a topic belongs to."""
+    number = lab_number(topic)
+    return places.ROOT / "notebooks" / f"{number:02}_{LABS[number - 1][0]}.ipynb"
+
+
+def reference(topic):
+    return places.ROOT / "reference" / f"{topic}.py"
+
+
+def questions(topic):
+    """Where a topic's exercises are listed: its reference, or in a hand-out without, its lab."""
+    path = reference(topic)
+    return path if path.exists() else places.ROOT / "labs" / f"{topic}.py"
+
+
+def read(path):
+    """A module's text, its line ends as they are."""
+    return places.read_whole(path).decode("utf-8")
+
+
+def topic_exercises(topic):
+    """The exercises of a topic of the course. ValueError: a mark is wrong, or of another lab."""
+    path = questions(topic)
+    place = f"{path.parent.name}/{path.name}"
+    try:
+        found = text_exercises(read(path))
+    except ValueError as error:
+        raise ValueError(f"{place}, {error}") from None
+    for number, name, _, line, _ in found:
+        if number.split(".")[0] != str(lab_number(topic)):
+            raise ValueError(f"{place}, line {line}: {name} is marked as exercise "
+                             f"{number}, but {topic} is lab {lab_number(topic)}; "
+                             f"number it {lab_number(topic)}.{number.split('.')[1]}")
+    return found
+
+
+def text_exercises(text):
+    """The exercises of a module's text, from top to bottom. ValueError: a mark is wrong."""
+    lines = text_lines(text)
+    functions = {function.lineno: function for function in top_level_functions(text)}
+    found = {}
+    for line, number, points in marks(text):
+        if line not in functions:
+            raise ValueError(f"line {line}: the mark of exercise {number} is on no def; move it to "
+                             "the line with the def of a function that stands in no other")
+        if number in found:
+            raise ValueError(f"line {line}: exercise {number} is there already, on line "
+                             f"{found[number].line}; give every exercise its own number")
+        if points < 1:
+            raise ValueError(f"line {line}: exercise {number} has {points} points; "
+                             "give it 1 or more")
+        require_question_and_answer(lines, functions[line], number)
+        found[number] = Exercise(number, functions[line].name, points, line, ())
+    needs = calls(text, [exercise.name for exercise in found.values()])
+    return [exercise._replace(calls=needs[exercise.name]) for exercise in found.values()]
+
+
+@functools.cache
+def top_level_functions(text):
+    """The nodes of a module's functions. ValueError: the text is not Python."""
+    try:
+        module = ast.parse(text)
+    except SyntaxError as error:
+        raise ValueError(f"line {error.lineno}: this is not Python ({error.msg}); "
+                         "mend it first") from None
+    return tuple(node for node in module.body if isinstance(node, ast.FunctionDef))
+
+
+def marks(text):
+    """Yield line, number, points of every mark. ValueError: a comment that is almost a mark."""
+    for token in tokenize.generate_tokens(io.StringIO(text, newline="").readline):
+        if token.type == tokenize.COMMENT and MEANT_AS_MARK.match(token.string):
+            mark, line = MARK.fullmatch(token.string), token.start[0]
+            if not mark:
+                raise ValueError(f'line {line}: the comment "{token.string}" is not a mark; '
+                                 'write it like "# exercise 2.1 (2 points)", or in other words')
+            yield line, mark[1], int(mark[2])
+
+
+def require_question_and_answer(lines, function, number):
+    """ValueError unless the docstring stands on lines of its own, and the answer below."""
+    title = f"line {function.lineno}: exercise {number}, {function.name},"
+    if not ast.get_docstring(function):
+        raise ValueError(f"{title} has no docstring; write the question there")
+    question, *answer = function.body
+    if lines[question.lineno - 1][:question.col_offset].strip():
+        raise ValueError(f"{title} has its docstring beside the def; move it to the next line")
+    if not answer or answer[0].lineno == question.end_lineno:
+        raise ValueError(f"{title} has no answer on the lines below its docstring; write it there")
+
+
+def calls(text, names):
+    """The exercises, out of names, that each one calls, itself or through other functions.
+
+    -> {name: names}. The way ends at an exercise: what that one calls is its own affair.
+    """
+    called = {function.name: {node.func.id for node in ast.walk(function)
+                              if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
+              for function in top_level_functions(text)}
+
+    def reached(name):
+        seen, ends = {name}, [name]
+        while ends:
+            new = called.get(ends.pop(), set()) - seen
+            seen |= new
+            ends += new.difference(names)
+        return tuple(other for other in names if other in seen and other != name)
+
+    return {name: reached(name) for name in names}
+
+
+def text_lines(text):
+    """The lines as Python counts them, each with its line end."""
+    return list(io.StringIO(text, newline=""))

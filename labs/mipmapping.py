@@ -1,0 +1,310 @@
+"""Mipmapping: textures that are filtered for the size of a pixel, beforehand.
+
+The equations go on from those of texturing.py; (u, v) and J are as there.
+
+    pyramid:  T_0 = the texture,  T_(l+1)[i, j] = mean of 2 x 2 texels of T_l                (5)
+    level = log2 of J's greatest singular value, J in texels = 1/2 log2 (S + R),
+    S = (A + B)/2,  R = sqrt((A - B)^2/4 + C^2),
+    A = s_x^2 + t_x^2,  B = s_y^2 + t_y^2,  C = s_x s_y + t_x t_y,  s = w u,  t = h v        (6)
+    trilinear = (1 - f) T_l + f T_(l+1),  l = floor(level),  f = level - l                   (7)
+
+s_x is ds/dx. (J must be in texels: with u and v as they are, nearly all levels are negative.)
+Beyond the lecture, as nvdiffrast has it: a bias is added to the level, and then it is clamped to
+the pyramid. All levels together are one long T, so a look-up is still one row of M.
+
+Sources: Williams 1983 (5), (7); lecture "Differentiable graphics 1" (6); nvdiffrast.
+"""
+from typing import NamedTuple
+
+import numpy as np
+
+from .texturing import (
+    BOUNDARIES,
+    Footprint,
+    bilinear_backward,
+    in_parts,
+    look_up,
+    look_up_backward,
+    near_texture,
+    require,
+    require_footprint,
+    texels_at,
+)
+
+FILTERS = "nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"
+
+
+class Sampler(NamedTuple):
+    """How a texture is read."""
+
+    filter: str
+    boundary: str
+    max_level: int | None
+
+
+class Mipmap(NamedTuple):
+    """A pyramid of L levels in one array."""
+
+    texels: np.ndarray           # (T, C), the levels one after the other
+    width: np.ndarray            # (L,) of each level
+    height: np.ndarray           # (L,)
+    start: np.ndarray            # (L,) the number of its first texel
+
+
+def halve(image):  # exercise 6.9 (2 points)
+    """Eq. (5): the next level of a pyramid: image (h, w, C) -> means of 2 x 2 texels.
+
+    A side of 1 stays 1, and then the means are of the two texels along the other side. Sides of
+    more than 1 are even; not both are 1.
+
+    >>> halve(np.array([[1.0, 3.0, 0.0, 8.0], [5.0, 7.0, 2.0, 2.0]])[..., None])[..., 0]
+    array([[4., 3.]])
+    >>> halve(np.array([[1.0], [4.0]])[..., None])[..., 0]
+    array([[2.5]])
+    """
+    raise NotImplementedError("exercise 6.9: halve")
+
+
+def halve_backward(grad_half, image):  # exercise 6.10 (2 points)
+    """Backward of `halve`: its gradient -> grad_image (h, w, C), as large as image.
+
+    >>> halve_backward(np.array([[4.0, 8.0]])[..., None], np.zeros((2, 4, 1)))[..., 0]
+    array([[1., 1., 2., 2.],
+           [1., 1., 2., 2.]])
+    """
+    raise NotImplementedError("exercise 6.10: halve_backward")
+
+
+def pyramid(image, max_level=None):
+    """Eq. (5): (T_0, T_1, ...), from image (h, w, C) down to 1 x 1, or to level max_level.
+
+    It ends earlier where a side is odd, and not 1. (nvdiffrast refuses such a texture, unless
+    max_level ends the pyramid there.)
+    """
+    levels = [np.asarray(image, float)]
+    while max_level is None or len(levels) <= max_level:
+        sides = levels[-1].shape[:2]
+        if max(sides) == 1 or any(side > 1 and side % 2 for side in sides):
+            break
+        levels.append(halve(levels[-1]))
+    return tuple(levels)
+
+
+def pyramid_backward(grad_levels):  # exercise 6.11 (2 points)
+    """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C) by level 0.
+
+    grad_levels: a tuple of arrays, the gradient by each level as if it stood alone; their shapes
+    are those of the levels. What a level was made of gets what comes down from it, and so on.
+
+    >>> top, middle = np.array([[[16.0]]]), np.array([[[4.0]], [[0.0]]])
+    >>> pyramid_backward((np.zeros((4, 2, 1)), middle, top))[..., 0]
+    array([[3., 3.],
+           [3., 3.],
+           [2., 2.],
+           [2., 2.]])
+    """
+    raise NotImplementedError("exercise 6.11: pyramid_backward")
+
+
+def mip_level(jacobian, width, height):  # exercise 6.12 (3 points)
+    """Eq. (6): the level whose texels are as large as the footprint is long, not clamped: (N,).
+
+    jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y, of u and v from 0 to 1; width and height of
+    the texture in texels. J = 0 has level -inf, without a warning.
+
+    >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.0, 0.03125], [0.0625, 0.0]]])
+    >>> mip_level(jacobian, 16, 16)
+    array([3., 0.])
+    """
+    raise NotImplementedError("exercise 6.12: mip_level")
+
+
+def mip_level_backward(grad_level, jacobian, width, height):  # exercise 6.13 (3 points)
+    """Backward of `mip_level`: grad_level (N,) -> grad_jacobian (N, 2, 2).
+
+    Where R of eq. (6) is 0, the pixel's footprint is a square, and R has a corner there, as |x|
+    has: the derivatives of R count as 0. Where J = 0, all of the gradient is 0.
+
+    >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]]])
+    >>> mip_level_backward(np.array([np.log(2.0)]), jacobian, 16, 16)
+    array([[[2., 0.],
+            [0., 0.]]])
+    """
+    raise NotImplementedError("exercise 6.13: mip_level_backward")
+
+
+def blend_levels(level, top):  # exercise 6.14 (2 points)
+    """Eq. (7): which two levels a pixel mixes: lower (N,), upper (N,), integers; fraction f (N,).
+
+    level (N,), any numbers, -inf and inf too, is first clamped to [0, top]; top is the pyramid's
+    last level. lower is its floor, upper the next level or top, the lesser of both.
+
+    >>> blend_levels(np.array([-np.inf, 0.25, 1.5, 2.0, 7.0]), 2)
+    (array([0, 0, 1, 2, 2]), array([1, 1, 2, 2, 2]), array([0.  , 0.25, 0.5 , 0.  , 0.  ]))
+    """
+    raise NotImplementedError("exercise 6.14: blend_levels")
+
+
+def blend_levels_backward(grad_fraction, level, top):  # exercise 6.15 (1 point)
+    """Backward of `blend_levels`: grad_fraction (N,) -> grad_level (N,).
+
+    0 unless 0 < level < top: a level that is clamped does not change, and at the ends it counts
+    as clamped. On a whole level between them, the one above it counts.
+
+    >>> blend_levels_backward(np.array([5.0, 5.0, 5.0, 5.0]), np.array([-1.0, 0.0, 1.0, 2.0]), 2)
+    array([0., 0., 5., 0.])
+    """
+    raise NotImplementedError("exercise 6.15: blend_levels_backward")
+
+
+def pack(levels):
+    """The levels of a pyramid as a Mipmap."""
+    height, width, channels = np.transpose([level.shape for level in levels])
+    start = np.cumsum(width * height) - width * height
+    rows = [level.reshape(-1, channels[0]) for level in levels]
+    texels = np.concatenate(rows) if len(rows) > 1 else rows[0]  # one level needs no copy
+    return Mipmap(texels, width, height, start)
+
+
+def unpack(texels, mipmap):
+    """Texels (T, C) in the order of a Mipmap -> arrays with the shapes of its levels."""
+    levels = np.split(texels, mipmap.start[1:])
+    return tuple(level.reshape(height, width, -1) for level, width, height in
+                 zip(levels, mipmap.width, mipmap.height, strict=True))
+
+
+def mixture(level, filter, top):
+    """Eq. (7): the levels that a look-up mixes, and their shares: [(level (N,), share (N, 1))]."""
+    whole = np.ones((len(level), 1))
+    if "mipmap" not in filter:
+        return [(np.zeros(len(level), int), whole)]
+    lower, upper, fraction = blend_levels(level, top)
+    if filter == "linear-mipmap-nearest":
+        return [(lower, whole)]
+    return [(lower, 1 - fraction[:, None]), (upper, fraction[:, None])]
+
+
+def taps(uv, level, mipmap, sampler):
+    """The texels that make a colour: index, weight (N, K), K = 1, 4, or 8 for trilinear.
+
+    uv (N, 2), level (N,) before it is clamped.
+    """
+    index, weight = [], []
+    for at, share in mixture(level, sampler.filter, len(mipmap.start) - 1):
+        texel, part, _ = texels_at(uv, mipmap.width[at], mipmap.height[at], sampler.filter,
+                                   sampler.boundary)
+        index.append(mipmap.start[at, None] + texel)
+        weight.append(share * part)
+    return np.concatenate(index, 1), np.concatenate(weight, 1)
+
+
+def taps_backward(grad_weight, uv, level, mipmap, sampler):
+    """Backward of `taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
+    grad_uv, grad_level = np.zeros(uv.shape), np.zeros(level.shape)
+    if sampler.filter == "nearest":
+        return grad_uv, grad_level
+    top = len(mipmap.start) - 1
+    looks = mixture(level, sampler.filter, top)
+    grads = np.split(np.asfortranarray(grad_weight), len(looks), 1)  # laid out as the weights are
+    trilinear = sampler.filter == "linear-mipmap-linear"
+    grad_share = []
+    for (at, share), grad in zip(looks, grads, strict=True):
+        width, height = mipmap.width[at], mipmap.height[at]
+        _, weight, inside = texels_at(uv, width, height, sampler.filter, sampler.boundary)
+        # A tap's weight is share * inside * (row weight) (column weight).
+        grad_uv += bilinear_backward(grad * inside * share, uv, width, height)
+        if trilinear:
+            grad_share.append(np.einsum("nk,nk->n", grad, weight))
+    if trilinear:  # the shares are 1 - f and f
+        grad_level = blend_levels_backward(grad_share[1] - grad_share[0], level, top)
+    return grad_uv, grad_level
+
+
+def footprint_level(footprint, mipmap, filter):
+    """Eq. (6) plus bias, not clamped: (N,) for N pixels. Only a pyramid's filters need J."""
+    uv, jacobian, bias = footprint
+    bias = np.broadcast_to(bias, uv.shape[:-1]).reshape(-1)
+    if jacobian is None or "mipmap" not in filter:
+        return bias
+    return mip_level(jacobian.reshape(-1, 2, 2), mipmap.width[0], mipmap.height[0]) + bias
+
+
+def footprint_level_backward(grad_level, footprint, mipmap):
+    """grad_level (N,) -> grad_jacobian, None if there is none, and grad_bias, of their shapes."""
+    _, jacobian, bias = footprint
+    grad_bias = grad_level.reshape(bias.shape) if bias.ndim else grad_level.sum()
+    if jacobian is None:
+        return None, grad_bias
+    if not grad_level.any():
+        return np.zeros(jacobian.shape), grad_bias
+    grad_jacobian = mip_level_backward(grad_level, jacobian.reshape(-1, 2, 2),
+                                       mipmap.width[0], mipmap.height[0])
+    return grad_jacobian.reshape(jacobian.shape), grad_bias
+
+
+def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap", max_level=None):
+    """The colour at (u, v), for each pixel of a picture.
+
+    image (h, w, C), uv (..., 2) -> colour (..., C). filter: "nearest" and "linear" look at the
+    texture alone. "linear-mipmap-nearest" and "linear-mipmap-linear" look at its pyramid: at the
+    floor of each pixel's level, or at two levels, eq. (7). The level is that of jacobian
+    (..., 2, 2), d(u, v)/d(x, y), plus bias, (...) or a number; without a jacobian it is the bias.
+    boundary: "wrap", "clamp" or "zero". max_level: the pyramid's last level, None for all.
+
+    All arrays are read as float64. ValueError for what does not fit, and for NaN or infinity in uv.
+    """
+    sampler = Sampler(filter, boundary, max_level)
+    image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
+    mipmap = pack(pyramid(image, max_level if "mipmap" in filter else 0))
+
+    def colours(uv, level):
+        return look_up(mipmap.texels, *taps(uv, level, mipmap, sampler)),
+
+    level = footprint_level(footprint, mipmap, filter)
+    colour, = in_parts(colours, near_texture(footprint.uv, boundary).reshape(-1, 2), level)
+    return colour.reshape(*footprint.uv.shape[:-1], image.shape[2])
+
+
+def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="linear",
+                     boundary="wrap", max_level=None):
+    """Backward of `texture`: grad_colour (..., C) -> grad_image, grad_uv, grad_jacobian, grad_bias.
+
+    Each has its argument's shape (None for a jacobian that is None), and is 0 where the argument
+    does not matter: uv for "nearest", jacobian and bias for all but "linear-mipmap-linear".
+    """
+    sampler = Sampler(filter, boundary, max_level)
+    image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
+    grad_colour = require_gradient(grad_colour, image, footprint)
+    mipmap = pack(pyramid(image, max_level if "mipmap" in filter else 0))
+    points = (near_texture(footprint.uv, boundary).reshape(-1, 2),
+              footprint_level(footprint, mipmap, filter))
+    # `texture` read upwards: the look-up, its taps, the level, the pyramid.
+    index, weight = in_parts(lambda *point: taps(*point, mipmap, sampler), *points)
+    grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
+    grad_uv, grad_level = in_parts(lambda *point: taps_backward(*point, mipmap, sampler),
+                                   grad_weight, *points)
+    grad_jacobian, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
+    grad_image = pyramid_backward(unpack(grad_texels, mipmap))
+    return grad_image, grad_uv.reshape(footprint.uv.shape), grad_jacobian, grad_bias
+
+
+def require_texture(image, footprint, sampler):
+    """The arguments of `texture` -> image, footprint as float64. ValueError if they do not fit."""
+    filter, boundary, max_level = sampler
+    require(filter in FILTERS, f"a filter out of {', '.join(FILTERS)}", repr(filter))
+    require(boundary in BOUNDARIES, f"a boundary out of {', '.join(BOUNDARIES)}", repr(boundary))
+    require(max_level is None or max_level >= 0, "a max_level of 0 or more, or None for all levels",
+            max_level)
+    image = np.asarray(image, float)
+    require(image.ndim == 3 and image.size, "an image (h, w, C) with at least one texel; "
+            "give a grey one as image[..., None]", image.shape)
+    return image, require_footprint(footprint)
+
+
+def require_gradient(grad_colour, image, footprint):
+    """The rows (N, C) of grad_colour, as float64. ValueError unless it has the colours' shape."""
+    grad_colour = np.asarray(grad_colour, float)
+    shape = *footprint.uv.shape[:-1], image.shape[2]
+    require(grad_colour.shape == shape, f"a grad_colour with the colours' shape {shape}",
+            grad_colour.shape)
+    return grad_colour.reshape(-1, image.shape[2])

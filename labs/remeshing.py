@@ -1,0 +1,250 @@
+"""Remeshing: other triangles for nearly the same surface, by edge flips and by sliding vertices.
+
+    gamma + delta > pi                          the edge is not Delaunay: flip it            (8)
+    x' = x + rate (I - n n^T) (mean of the neighbours - x)       tangential relaxation       (9)
+
+(1) to (7) and (10) are in `regularization.py`. An edge ab has the faces abc and bad, and a flip
+replaces it by the edge cd. gamma is the angle at c, delta the angle at d.
+
+A mesh is vertices (V, 3) and faces (F, 3), none of which names a vertex twice. Any number of faces
+may share an edge. Only an edge of two faces that wind alike can flip. All others are held.
+
+Sources: GAMES101's lecture on geometry; Botsch and Kobbelt 2004 (9).
+"""
+import numbers
+
+import numpy as np
+
+from course.given import inputs, mesh
+from course.given.distances import closest_faces, closest_on_triangles, closest_points
+
+from .regularization import area_vectors, corner_angles, smooth_explicit, unit
+
+STRAIGHT = 0.9        # cosine of the largest angle between normals over which an edge may flip
+LEAST_GAIN = 1e-9     # of a flip, so that rounding cannot flip to and fro
+MOST_PASSES = 100     # of flips; in the plane Delaunay flips come to an end, in space nearly always
+MOST_CUTS = 5         # of a triangle into four, to prove that all of it is near a surface
+
+
+def edge_quads(faces):
+    """The edges that can be flipped: quads (N, 4), their two faces (N, 2), held edges (H, 2).
+
+    Row a, b, c, d: the edge of vertices a < b, with the faces (a, b, c) and (b, a, d) in any turn.
+    Held are all others: at a hole, or where three faces meet or two wind against each other.
+    """
+    edges, face_edges = mesh.edges(faces)
+    # The edge opposite to corner k runs from k + 1 to k + 2: from a to b in one face, or back.
+    forward = np.roll(faces, -1, 1) < np.roll(faces, -2, 1)
+    corners = np.zeros((len(edges), 2), int)
+    sound = np.ones(len(edges), bool)
+    for side, runs in enumerate((forward, ~forward)):
+        corners[face_edges[runs], side] = np.flatnonzero(runs)
+        sound &= np.bincount(face_edges[runs], minlength=len(edges)) == 1
+    corners = corners[sound]
+    return np.hstack([edges[sound], faces.ravel()[corners]]), corners // 3, edges[~sound]
+
+
+def flip(quads):
+    """The faces after edge a b was replaced by c d: quads (N, 4) of a, b, c, d -> (N, 2, 3).
+
+    Before, they are (a, b, c) and (b, a, d); then (a, d, c), the one at a, and (b, c, d).
+    """
+    return quads[:, [[0, 3, 2], [1, 2, 3]]]
+
+
+def delaunay_gain(corners):  # exercise 13.14 (2 points)
+    """Eq. (8): gamma + delta - pi (N,), in radians, positive where an edge should be flipped.
+
+    corners (N, 4, 3): the positions of a, b, c, d as in `flip`. gamma is the angle at c, delta that
+    at d, each between the sides to a and b, both as exact as `corner_angles` has them.
+
+    >>> delaunay_gain(np.array([[[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, -3, 0]],
+    ...                         [[-3.0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 0]]])).round(6)
+    array([0.      , 1.570796])
+    """
+    raise NotImplementedError("exercise 13.14: delaunay_gain")
+
+
+def valence_gain(valence, target):
+    """How much nearer to their targets a flip brings four valences: (N,), integers.
+
+    valence, target (N, 4): how many edges meet at a, b, c, d of `flip`, and how many should.
+    """
+    after = valence + np.array([-1, -1, 1, 1])
+    return (np.abs(valence - target) - np.abs(after - target)).sum(1)
+
+
+def can_flip(vertices, faces, quads):
+    """Where a flip keeps a mesh sound and its surface nearly where it is: bool (N,).
+
+    The new edge must be new, and the normals of the four faces, old and new, nearly alike. An old
+    face without any area counts as lying in the other one's plane.
+    """
+    edges, _ = mesh.edges(faces)
+    new = np.sort(quads[:, 2:], axis=1) @ [len(vertices), 1]
+    corners = vertices[np.concatenate([quads[:, [[0, 1, 2], [1, 0, 3]]], flip(quads)], 1)]
+    normal = unit(area_vectors(corners))
+    empty = ~normal[:, :2].any(-1, keepdims=True)
+    normal[:, :2] = np.where(empty, normal[:, 1::-1], normal[:, :2])
+    alike = (normal @ normal.swapaxes(1, 2)).min((1, 2)) > STRAIGHT
+    return alike & ~np.isin(new, edges @ [len(vertices), 1])
+
+
+def flip_best(vertices, faces, quads, quad_faces, gain):
+    """Flip all edges at once that gain more than any other one at their four vertices -> faces."""
+    able = np.flatnonzero(gain > LEAST_GAIN)
+    able = able[can_flip(vertices, faces, quads[able])]
+    able = able[np.argsort(gain[able], kind="stable")]
+    best = np.full(len(vertices), -1)
+    rank = np.arange(len(able))
+    np.maximum.at(best, quads[able], rank[:, None])
+    chosen = able[(best[quads[able]] == rank[:, None]).all(1)]
+    faces = faces.copy()
+    faces[quad_faces[chosen]] = flip(quads[chosen])
+    return faces
+
+
+def flip_until_settled(vertices, faces, gain_of):
+    """`flip_best` again and again; gain_of(quads, held edges) -> the gain of each flip (N,)."""
+    for _ in range(MOST_PASSES):
+        quads, quad_faces, held = edge_quads(faces)
+        flipped = flip_best(vertices, faces, quads, quad_faces, gain_of(quads, held))
+        if np.array_equal(flipped, faces):
+            break
+        faces = flipped
+    return faces
+
+
+def flip_to_delaunay(vertices, faces):
+    """Faces (F, 3) of the same vertices, all edges Delaunay (8), but for those that cannot flip."""
+    return flip_until_settled(vertices, faces, lambda quads, _: delaunay_gain(vertices[quads]))
+
+
+def flip_to_valence_6(vertices, faces):
+    """Faces (F, 3) of the same vertices, valences nearer to 6, to 4 on the ends of held edges."""
+    def gain(quads, held):
+        edges = np.concatenate([quads[:, :2], held])
+        target = np.full(len(vertices), 6)
+        target[held] = 4
+        valence = np.bincount(edges.ravel(), minlength=len(vertices))
+        return valence_gain(valence[quads], target[quads])
+
+    return flip_until_settled(vertices, faces, gain)
+
+
+def relax_step(vertices, normals, edges, rate):  # exercise 13.15 (3 points)
+    """Eq. (9): vertices (V, 3) slide towards the mean of their neighbours -> x' (V, 3).
+
+    normals (V, 3), n of unit length, or 0 where there is none, and then nothing is taken away from
+    the move; edges (E, 2); rate from 0 to 1. A vertex of no edge stays.
+
+    >>> vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 2.0], [0.0, 8.0, 2.0], [9.0, 9.0, 9.0]])
+    >>> normals = np.array([[0.0, 0.0, 1.0]] * 4)
+    >>> relax_step(vertices, normals, np.array([[0, 1], [0, 2]]), 0.5)
+    array([[1., 2., 0.],
+           [2., 0., 2.],
+           [0., 4., 2.],
+           [9., 9., 9.]])
+    """
+    raise NotImplementedError("exercise 13.15: relax_step")
+
+
+def held_vertices(vertices, faces, tolerance):
+    """Which vertices must not slide: at a held edge, of no face, or standing out: bool (V,).
+
+    A vertex that stands above its neighbours' mean by more than the tolerance would be missed.
+    """
+    *_, held = edge_quads(faces)
+    edges, _ = mesh.edges(faces)
+    to_mean = relax_step(vertices, np.zeros_like(vertices), edges, 1.0) - vertices
+    out = np.abs((to_mean * mesh.vertex_normals(vertices, faces)).sum(1)) > tolerance
+    out[held] = True
+    out[np.setdiff1d(np.arange(len(vertices)), faces)] = True
+    return out
+
+
+def relax(vertices, faces, tolerance, steps=4):
+    """Thin triangles become rounder, the surface stays: -> vertices (V, 3), faces (F, 3).
+
+    Flips, eq. (9), and back onto the surface, in turn. No point of the old surface is farther than
+    2 tolerance from the new one, and none of the new from the old. ValueError for what is no mesh
+    (`inputs.require_mesh`) or has a face that names a vertex twice, and for a negative tolerance or
+    steps, or nan.
+    """
+    inputs.require_mesh(vertices, faces)
+    vertices, faces = np.asarray(vertices, float), np.asarray(faces, int)
+    if not (isinstance(tolerance, numbers.Real) and isinstance(steps, numbers.Integral)
+            and tolerance >= 0 and steps >= 0):
+        raise ValueError("relax needs a number tolerance >= 0 and a whole number steps >= 0, "
+                         f"got tolerance {tolerance} and steps {steps}")
+    frozen = np.zeros(len(vertices), bool)
+    while True:  # a face of frozen vertices stays as it was, so each turn freezes another vertex
+        moved, flipped = flip_and_slide(vertices, faces, tolerance, steps, frozen)
+        far = far_faces(vertices, faces, moved, flipped, 2 * tolerance)
+        if not far.any():
+            return moved, flipped
+        frozen[faces[far]] = frozen[flipped[far]] = True
+
+
+def flip_and_slide(vertices, faces, tolerance, steps, frozen):
+    """What `relax` does, around frozen vertices (V,): these keep their places and their faces."""
+    def gain(quads, _):
+        near = diagonal_distance(moved[quads]) <= tolerance
+        return np.where(near & ~frozen[quads].any(1), delaunay_gain(moved[quads]), 0)
+
+    free = ~held_vertices(vertices, faces, tolerance) & ~frozen
+    moved = vertices.copy()
+    flipped = flip_until_settled(moved, faces, gain)
+    for _ in range(steps):
+        edges, _ = mesh.edges(flipped)
+        slid = relax_step(moved, mesh.vertex_normals(moved, flipped), edges, 1.0)
+        moved[free] = closest_points(slid[free], vertices, faces)
+        flipped = flip_until_settled(moved, flipped, gain)
+    return moved, flipped
+
+
+def diagonal_distance(corners):
+    """How far a flip moves the surface: from line ab to line cd, corners (N, 4, 3) -> (N,)."""
+    a, b, c, d = corners.swapaxes(0, 1)
+    return np.abs(((c - a) * unit(np.cross(b - a, d - c))).sum(1))
+
+
+def far_faces(vertices, faces, moved, flipped, bound):
+    """Where two surfaces are not known to be within a bound of each other: bool (F,).
+
+    Face f of one may be far from the other surface, or face f of the other from the one.
+    """
+    far = (moved != vertices).any(1)[faces].any(1) | (flipped != faces).any(1)
+    changed = np.flatnonzero(far)
+    far[changed] = (leaves(vertices[faces[changed]], moved, flipped, bound)
+                    | leaves(moved[flipped[changed]], vertices, faces, bound))
+    return far
+
+
+def leaves(triangles, vertices, faces, bound):
+    """Which triangles (N, 3, 3) have a point beyond a bound from a surface, or may: bool (N,).
+
+    The distance to one face is convex: no point of a piece is farther from it than a corner is. So
+    pieces are cut in four until the face nearest to the middle is near enough to all corners.
+    """
+    far = np.zeros(len(triangles), bool)
+    pieces, owner = triangles, np.arange(len(triangles))
+    for _ in range(MOST_CUTS):
+        middle = pieces.mean(1)
+        nearest, closest = closest_faces(middle, vertices, faces)
+        far[owner[np.linalg.norm(middle - closest, axis=1) > bound]] = True
+        face = np.repeat(vertices[faces[nearest]], 3, 0)
+        corners = pieces.reshape(-1, 3)
+        apart = np.linalg.norm(corners - closest_on_triangles(corners, face), axis=1)
+        unproven = (apart.reshape(-1, 3).max(1) > bound) & ~far[owner]
+        pieces, owner = in_four(pieces[unproven]), np.repeat(owner[unproven], 4)
+    far[owner] = True
+    return far
+
+
+def in_four(triangles):
+    """Triangles (N, 3, 3), each cut at the middles of its sides -> (4 N, 3, 3)."""
+    middle = (np.roll(triangles, -1, 1) + np.roll(triangles, -2, 1)) / 2  # opposite to corner k
+    at_corner = [np.stack([triangles[:, k], middle[:, k - 1], middle[:, k - 2]], 1)
+                 for k in range(3)]
+    return np.stack([*at_corner, middle], 1).reshape(-1, 3, 3)

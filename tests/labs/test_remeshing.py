@@ -1,0 +1,108 @@
+"""What the exercises of lab 13 must do: flips and tangential relaxation."""
+import itertools
+
+import numpy as np
+
+from course.checks import assert_close, assert_equal, exercise
+
+
+def angle(corner, b, c):
+    """The angle at a corner between two other points, by the law of cosines."""
+    p, q, r = np.linalg.norm(b - corner), np.linalg.norm(c - corner), np.linalg.norm(b - c)
+    return np.arccos((p**2 + q**2 - r**2) / (2 * p * q))
+
+
+def graph(rng, vertex_count=7):
+    """Edges (E, 2), each once, weights (E,); the last vertex has no edge."""
+    pairs = np.array(list(itertools.combinations(range(vertex_count - 1), 2)))
+    edges = rng.permutation(pairs)[:2 * vertex_count - 4]
+    return edges, rng.uniform(0.5, 2.0, len(edges))
+
+
+def dense(edges, weights, vertex_count):
+    """Eq. (2) as a full matrix, edge by edge."""
+    L = np.zeros((vertex_count, vertex_count))
+    for (i, j), weight in zip(edges, weights, strict=True):
+        L[[i, j], [i, j]] += weight
+        L[[i, j], [j, i]] -= weight
+    return L
+
+
+@exercise("13.14")
+def test_gains_of_a_square_and_a_kite(impl):
+    """Degrees, the sign, or half of it; or it is the angle at a and b."""
+    square = [[-3.0, 0.0, 1.0], [3.0, 0.0, 1.0], [0.0, 3.0, 1.0], [0.0, -3.0, 1.0]]
+    kite = [[0.0, 0.0, -3.0], [0.0, 0.0, 3.0], [0.0, np.sqrt(27.0), 0.0], [0.0, -np.sqrt(3.0), 0.0]]
+    bent = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
+    expected = np.array([0.0, np.pi / 3 + 2 * np.pi / 3 - np.pi, np.pi / 2])
+    assert_close(impl.delaunay_gain(np.array([square, kite, bent])), expected)
+
+
+@exercise("13.14")
+def test_an_edge_is_delaunay_if_no_circle_holds_the_fourth_point(impl, rng):
+    """In the plane the sign is that of the determinant that asks if d lies in the circle abc."""
+    angles = (np.arange(4) + rng.uniform(0.1, 0.9, (60, 4))) * np.pi / 2
+    around = np.stack([np.cos(angles), np.sin(angles), 0 * angles], -1)
+    around *= rng.uniform(0.95, 1.05, (60, 4, 1))
+    corners = np.empty((60, 4, 3))
+    corners[:, [0, 2, 1, 3]] = around                               # a, c, b, d go round
+    lifted = np.concatenate([corners[..., :2], (corners[..., :2]**2).sum(-1, keepdims=True),
+                             np.ones((60, 4, 1))], -1)
+    inside = np.linalg.det(lifted)
+    a, b, c, _ = corners.swapaxes(0, 1)
+    winding = np.cross(b - a, c - a)[:, 2]
+    clear = np.abs(inside) > 1e-6
+    gain = np.asarray(impl.delaunay_gain(corners))
+    assert_equal(gain[clear] > 0, (inside * winding > 0)[clear])
+
+
+@exercise("13.14")
+def test_gains_are_sums_of_two_angles(impl, rng):
+    """In space; the four corners come in another order."""
+    corners = rng.normal(size=(9, 4, 3))
+    expected = [angle(c, a, b) + angle(d, a, b) - np.pi for a, b, c, d in corners]
+    assert_close(impl.delaunay_gain(corners), np.array(expected), atol=1e-7)
+
+
+@exercise("13.14")
+def test_gains_of_tiny_angles_and_of_none(impl):
+    """arccos: 1e-9 comes out as 0, and NaN where two corners coincide."""
+    a, b = [0.0, 0.0, 2.0], [0.0, 1e-9, 2.0]
+    c, d = [-1.0, 0.0, 2.0], [1e-9, 0.0, 2.0]
+    got = impl.delaunay_gain(np.array([[a, b, c, d], [a, b, a, d], [a, b, c, b]]))
+    expected = np.array([1e-9 + np.pi / 4 - np.pi, np.pi / 4 - np.pi, 1e-9 - np.pi])
+    assert_close(got, expected, rtol=1e-12)
+
+
+@exercise("13.15")
+def test_a_slide_on_paper(impl):
+    """Vertices leave the plane at right angles to n, or overshoot the rate."""
+    vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 2.0], [0.0, 8.0, 2.0], [9.0, 9.0, 9.0]])
+    expected = np.array([[1.0, 2.0, 0.0], [2.0, 0.0, 2.0], [0.0, 4.0, 2.0], [9.0, 9.0, 9.0]])
+    normals = np.tile([0.0, 0.0, 1.0], (4, 1))
+    assert_close(impl.relax_step(vertices, normals, np.array([[0, 1], [0, 2]]), 0.5), expected)
+
+
+@exercise("13.15")
+def test_slides_are_at_right_angles_to_each_normal(impl, rng):
+    """One normal for all; or the mean is weighted."""
+    edges, _ = graph(rng)
+    vertices, normals = rng.normal(size=(7, 3)), rng.normal(size=(7, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    expected = vertices.copy()
+    for i in range(6):
+        neighbours = [j for edge in edges.tolist() if i in edge for j in edge if j != i]
+        move = vertices[neighbours].mean(0) - vertices[i]
+        expected[i] += 0.3 * (move - (move @ normals[i]) * normals[i])
+    assert_close(impl.relax_step(vertices, normals, edges, 0.3), expected)
+
+
+@exercise("13.15")
+def test_without_a_normal_the_whole_move_counts(impl, rng):
+    """NaN, where the normal is 0."""
+    edges, _ = graph(rng)
+    vertices = rng.normal(size=(7, 3))
+    L = dense(edges, np.ones(len(edges)), 7)
+    valence = np.maximum(np.diag(L), 1)[:, None]
+    got = impl.relax_step(vertices, np.zeros((7, 3)), edges, 1.0)
+    assert_close(got, vertices - L @ vertices / valence)

@@ -1,0 +1,30 @@
+"""Lab 13's flips and slides once more: angle by angle, vertex by vertex."""
+import math
+
+import numpy as np
+
+
+def angle(corner, p, q):
+    """Between the sides to p and to q: Kahan's formula, from the two sides of equal length."""
+    u, v = p - corner, q - corner
+    if not u.any() or not v.any():
+        return 0.0
+    u, v = u / math.hypot(*u), v / math.hypot(*v)
+    return 2 * math.atan2(math.hypot(*(u - v)), math.hypot(*(u + v)))
+
+
+def delaunay_gain(corners):
+    return np.array([angle(c, a, b) + angle(d, a, b) - math.pi for a, b, c, d in corners])
+
+
+def relax_step(vertices, normals, edges, rate):
+    near = [[] for _ in vertices]
+    for a, b in edges:
+        near[a].append(b)
+        near[b].append(a)
+    moved = np.array(vertices, float)
+    for v, others in enumerate(near):
+        if others:
+            tangential = np.eye(3) - np.outer(normals[v], normals[v])
+            moved[v] += rate * tangential @ (vertices[others].mean(0) - vertices[v])
+    return moved
