@@ -1,4 +1,4 @@
-"""Mistakes of lab 10's sweep; each docstring goes on after "this is what comes out when"."""
+"""Mistakes of lab 10; each docstring goes on after "this is what comes out when"."""
 
 
 def edge_lines(a, b, height):

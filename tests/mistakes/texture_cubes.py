@@ -1,4 +1,4 @@
-"""Mistakes of lab 10's cubes; each docstring goes on after "this is what comes out when"."""
+"""Mistakes of lab 10; each docstring goes on after "this is what comes out when"."""
 
 
 def cube_taps(weight, depth, z, size):
