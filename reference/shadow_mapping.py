@@ -184,7 +184,8 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8
     w = w_of(q, clip_from_light)
     # Parallel light: n . dq = 0 with dq = (du, 0, -dd), so dd/du = n_x / n_z.
     # A cone: q = d ray and ray = (u, v, -1), so dd (n . ray) + d n_x du = 0.
-    along = (normal[:, :2] * q[:, :2]).sum(1) * -clip_from_light[3, 2] / w - normal[:, 2]
+    across = normal[:, 0] * q[:, 0] + normal[:, 1] * q[:, 1]
+    along = across * -clip_from_light[3, 2] / w - normal[:, 2]
     along = np.where(np.abs(along) < GRAZING, np.where(along < 0, -GRAZING, GRAZING), along)
     slope_x = -w * normal[:, 0] / along * (2 / (clip_from_light[0, 0] * width))
     slope_y = -w * normal[:, 1] / along * (2 / (clip_from_light[1, 1] * height))
