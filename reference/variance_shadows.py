@@ -229,8 +229,8 @@ def variance_shadow(points, vertices, faces, light, settings):
     distance_map = closed_map(vertices, faces, light, settings.size)
     blurred = box_blur(moments_of(distance_map), settings.radius)
     q = shadow_mapping.before_light(points, light)
-    uv = shadow_mapping.map_position(q, light.clip_from_light, settings.size,
-                                     settings.size) / settings.size
+    place = shadow_mapping.map_position(q, light.clip_from_light, settings.size, settings.size)
+    uv = np.ascontiguousarray(place) / settings.size
     mean = mipmapping.texture(blurred, uv, boundary="clamp")
     inside = ((uv >= 0) & (uv < 1)).all(1)
     lit = np.where(inside, chebyshev(-q[:, 2], *mean.T, settings.least_variance), 1.0)
