@@ -26,14 +26,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "regularization.large_step has more than 7 parameters",
     "regularization.uniform_adam_step has more than 7 parameters",
     "sampling has a docstring of more than 20 lines",
-    "shadow_mapping has a docstring of more than 20 lines",
-    "shadow_mapping has more than 350 lines",
-    "shadow_mapping.blocker_distance has more than 7 parameters",
-    "shadow_mapping.fit_position has more than 7 parameters",
-    "shadow_mapping.hard_shadow has more than 7 parameters",
-    "shadow_mapping.percentage_closer has more than 7 parameters",
-    "shadow_mapping.position_loss has more than 7 parameters",
-    "shadow_mapping.soft_shadow has more than 7 parameters",
     "transforms has a docstring of more than 20 lines",
 }
 
