@@ -206,14 +206,14 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 po
     return grad_loss * (both / either * (1 - target) - target) / either
 
 
-def laplacian(positions, edges):  # exercise 9.10 (2 points)
+def uniform_laplacian(positions, edges):  # exercise 9.10 (2 points)
     """Eq. (6): how far each vertex is from the middle of its neighbours: d (V, C).
 
     positions (V, C), C >= 1; edges (E, 2) integers: two neighbours each, every edge once, in
     either order. A vertex of no edge has d = 0.
 
     >>> positions = np.array([[0.0, 3.0], [4.0, 5.0], [8.0, 1.0], [9.0, 9.0]])
-    >>> laplacian(positions, np.array([[0, 1], [1, 2]]))
+    >>> uniform_laplacian(positions, np.array([[0, 1], [1, 2]]))
     array([[-4., -2.],
            [ 0.,  3.],
            [ 4., -4.],
@@ -225,14 +225,14 @@ def laplacian(positions, edges):  # exercise 9.10 (2 points)
     return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
 
 
-def laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 points)
+def uniform_laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 points)
     """Backward of eq. (6): grad_laplacian (V, C) -> grad_positions (V, C).
 
     Eq. (6) is linear, so that only the shape of positions counts.
 
     >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
     >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])
-    >>> laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
+    >>> uniform_laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
     array([[-0.5],
            [-9. ],
            [ 9.5],
@@ -246,12 +246,12 @@ def laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 po
     return np.where(valence > 0, grad_laplacian, 0) - total
 
 
-def laplacian_energy(positions, edges):
+def uniform_laplacian_energy(positions, edges):
     """The sum of |d_v|^2 over all vertices, a thin plate's energy: the less, the smoother."""
-    return (laplacian(positions, edges)**2).sum()
+    return (uniform_laplacian(positions, edges)**2).sum()
 
 
-def laplacian_energy_backward(grad_energy, positions, edges):
-    """Backward of `laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
-    grad_laplacian = 2 * grad_energy * laplacian(positions, edges)
-    return laplacian_backward(grad_laplacian, positions, edges)
+def uniform_laplacian_energy_backward(grad_energy, positions, edges):
+    """Backward of `uniform_laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
+    grad_laplacian = 2 * grad_energy * uniform_laplacian(positions, edges)
+    return uniform_laplacian_backward(grad_laplacian, positions, edges)
