@@ -190,8 +190,8 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0
 
 
 def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces, epsilon=0.0):
-    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2), by b and by
-    x and y in pixels -> grad_clip (V, 4). The rest as in `barycentrics_backward`.
+    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2), that of db/dx
+    and db/dy per pixel -> grad_clip (V, 4). The rest as in `barycentrics_backward`.
     """
     height, width = face_index.shape
     shown, corners, origin = seen_faces(face_index, clip, faces)
@@ -214,7 +214,7 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
 
 def depth_backward(grad_depth, face_index, clip, faces):
     """Backward of the depth that lab 2's `rasterize` gives: grad_depth (H, W) -> grad_clip (V, 4),
-    with a gradient by z. The rest as in `barycentrics_backward`.
+    z included. The rest as in `barycentrics_backward`.
     """
     shown, corners, origin = seen_faces(face_index, clip, faces)
     grad_planes = np.zeros((3, len(shown)))

@@ -61,7 +61,8 @@ def linear_texels(x, size):  # exercise 6.2 (2 points)
     """
     position = x * size - 0.5
     first = np.floor(position)
-    weight, first = position - first, first.astype(int)
+    weight = position - first
+    first = first.astype(int)
     return np.stack([first, first + 1]), np.stack([1 - weight, weight])
 
 
