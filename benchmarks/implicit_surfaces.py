@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments import demo
+from course.experiments import demo, representations
 from reference import implicit_surfaces
 
 CELLS = 16, 32, 64, 96
@@ -60,8 +60,9 @@ def rays(count):
 
 def trace(size):
     """One row: size x size rays."""
-    origins, directions = implicit_surfaces.camera_rays(demo.wheel_camera(LABS), size, size)
-    given = origins, directions, demo.WHEEL, 9.0
+    camera = representations.wheel_camera(LABS)
+    origins, directions = implicit_surfaces.camera_rays(camera, size, size)
+    given = origins, directions, representations.WHEEL, 9.0
     _, evaluations = implicit_surfaces.sphere_trace(*given)
     return {"pixels": f"{size}x{size}", "steps a ray": float(evaluations.mean()),
             **measure.medians({"forward": lambda: implicit_surfaces.sphere_trace(*given)})}

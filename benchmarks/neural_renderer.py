@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments import demo, fits
+from course.experiments import demo, fit_outlines
 from course.given import mesh
 from reference import neural_renderer, transforms
 
@@ -30,7 +30,7 @@ def main():
 def pictures():
     """{name: call}"""
     rng, (vertices, faces) = np.random.default_rng(0), mesh.teapot()
-    vertices, camera = mesh.normalize(vertices), fits.teapot_camera(LABS)
+    vertices, camera = mesh.normalize(vertices), fit_outlines.teapot_camera(LABS)
     textures = rng.random((len(faces), TEXELS, TEXELS, TEXELS, 3))
     faces, textures = neural_renderer.both_sides(faces, textures)
     lights = np.full(3, 0.5), np.full(3, 0.5), np.array([0.0, 1.0, 0.0])
@@ -51,15 +51,15 @@ def pictures():
 def silhouettes():
     """{name: call}"""
     ball, faces = mesh.icosphere(320)
-    clip = transforms.transform(transforms.to_homogeneous(0.7 * ball), fits.teapot_camera(LABS))
-    goal = fits.teapot_mask(LABS, 64)
+    clip = LABS.pipeline.to_clip(0.7 * ball, fit_outlines.teapot_camera(LABS))
+    goal = fit_outlines.teapot_mask(LABS, 64)
 
     def both(outline):
         picture, backward = outline(LABS, clip, faces, 64)
         backward(picture - goal)
 
     return {f"silhouette by {name}": lambda outline=outline: both(outline)
-            for name, outline in fits.OUTLINES.items()}
+            for name, outline in fit_outlines.OUTLINES.items()}
 
 
 if __name__ == "__main__":

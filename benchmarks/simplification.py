@@ -19,7 +19,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from course.given import distances, mesh, places
-from reference import simplification
+from reference import collapse_heap, simplification
 
 GROWTH = 1_000, 5_000, 20_000, 50_000
 TARGETS = 994, 532, 248, 64
@@ -28,7 +28,7 @@ TARGETS = 994, 532, 248, 64
 def main():
     print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}")
     bunny = mesh.split_longest(*mesh.bunny(), 5804)
-    seconds, (_, left, _) = timed(simplification.simplify, *bunny, 500)
+    seconds, (_, left, _) = timed(collapse_heap.simplify, *bunny, 500)
     times = [{"mesh": "bunny", "faces": len(bunny[1]), "left": len(left), "seconds": seconds}]
     times += [growth(count) for count in GROWTH]
     for row in times:
@@ -45,7 +45,7 @@ def growth(face_count):
     """A bumpy sphere, to a tenth of its faces."""
     vertices, faces = mesh.icosphere(face_count)
     vertices = vertices * (1 + 0.1 * np.sin(9 * vertices).sum(1, keepdims=True))
-    seconds, (_, left, _) = timed(simplification.simplify, vertices, faces, len(faces) // 10)
+    seconds, (_, left, _) = timed(collapse_heap.simplify, vertices, faces, len(faces) // 10)
     return {"mesh": "bumpy sphere", "faces": len(faces), "left": len(left), "seconds": seconds}
 
 
@@ -70,7 +70,7 @@ def distance(name, peer, original):
 
 def peers():
     """{name: function of vertices, faces, face_count}, of this lab and of what is installed."""
-    found = {"this lab": lambda *asked: simplification.simplify(*asked)[:2], "by area": by_area}
+    found = {"this lab": lambda *asked: collapse_heap.simplify(*asked)[:2], "by area": by_area}
     for name, wrap in ("libigl", libigl), ("VTK", vtk), ("fast-simplification", fast):
         try:
             found[name] = wrap()
@@ -86,7 +86,7 @@ def by_area(vertices, faces, face_count):
     quadrics = area * simplification.plane_quadrics(simplification.face_planes(vertices, faces))
     quadrics = simplification.vertex_quadrics(quadrics, faces, len(vertices))
     pairs = simplification.valid_pairs(vertices, faces, 0.0)
-    return simplification.simplify_heap(vertices, faces, quadrics, pairs, face_count)[:2]
+    return collapse_heap.simplify_heap(vertices, faces, quadrics, pairs, face_count)[:2]
 
 
 def libigl():

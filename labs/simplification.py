@@ -11,28 +11,26 @@ Q in blocks is [A  b; b^T  c], with A (3, 3). The best place for v is the first 
     x = x_i + t e,  t = -e.(A x_i + b) / e.A e        on the segment, e = x_j - x_i          (6)
     x_i, x_j or (x_i + x_j) / 2                       whichever costs least                  (7)
 
-A heap gives the cheapest pair; the two become one vertex, whose quadric is Q_i + Q_j; and again.
-A pair is refused if its collapse would break the surface. For a closed surface around edge i j:
+The cheapest pair is collapsed, and again. A pair i j is refused unless, on a closed surface,
 
     the neighbours that i and j share  =  the third vertices of the faces at i j             (8)
 
-An open surface is closed first: each boundary edge gets a face to one more vertex, `outside`.
-
-Sources: lecture "Geometry, advanced"; Garland and Heckbert 1997 (1)-(7); Dey et al. 1999, the link
-condition (8). The caller guarantees faces of three different vertices.
+Sources: lecture "Geometry, advanced"; Garland and Heckbert 1997 (1)-(7); Dey et al. 1999, (8). The
+caller guarantees faces of three different vertices.
 """
-import heapq
-import numbers
-import warnings
-
 import numpy as np
 from scipy.spatial import cKDTree
 
-from course.given import inputs, mesh
+from course.given import mesh
+
+from .interpolation import scatter
 
 LEAST_CURVATURE = 1e-3  # of the greatest eigenvalue of A: less is rounding, or nearly flat
 BOUNDARY_WEIGHT = 100   # of a plane through a boundary edge; that of a face has 1
-REASONS = "the link condition", "a repeated face", "a flipped face"
+LEAST_COSINE = 0.5**0.5  # of the angle by which a normal may turn in one collapse, 45 degrees
+LEAST_SHAPE = 0.01      # of what a triangle's shape was before a collapse
+LINK, TWINS, FLIP = 1, 2, 3  # the answers of why_refused, in words:
+REASONS = ("the link condition", "a repeated face", "a flipped face")
 
 
 def face_planes(vertices, faces):  # exercise 12.1 (2 points)
@@ -111,6 +109,14 @@ def boundary_planes(vertices, faces):  # exercise 12.6 (3 points)
     raise NotImplementedError("exercise 12.6: boundary_planes")
 
 
+def mesh_quadrics(vertices, faces):
+    """Eq. (3) with the planes of the boundary, BOUNDARY_WEIGHT times: (V, 4, 4)."""
+    quadrics = vertex_quadrics(plane_quadrics(face_planes(vertices, faces)), faces, len(vertices))
+    edges, planes = boundary_planes(vertices, faces)
+    held = np.stack(2 * [BOUNDARY_WEIGHT * plane_quadrics(planes)])
+    return quadrics + scatter(held, edges.T, len(vertices))
+
+
 def valid_pairs(vertices, faces, t):  # exercise 12.7 (2 points)
     """The pairs that may become one vertex: (N, 2), low < high, ascending, each once.
 
@@ -164,12 +170,6 @@ def best_position(q, a, b):  # exercise 12.10 (3 points)
     raise NotImplementedError("exercise 12.10: best_position")
 
 
-def close_boundary(faces, outside):
-    """The faces, and after them one more for each boundary edge: from the edge to `outside`."""
-    edges = mesh.boundary_edges(faces)
-    return np.concatenate([faces, np.column_stack([edges, np.full(len(edges), outside)])])
-
-
 def collapse_faces(faces, a, b):  # exercise 12.11 (2 points)
     """What becomes of faces (N, 3) when the vertices a and b become one, called a -> (M, 3).
 
@@ -205,37 +205,39 @@ def has_twins(faces):  # exercise 12.13 (1 point)
 
 
 def flips(before, after):  # exercise 12.14 (2 points)
-    """Does one of the triangles turn by 90 degrees or more, or lose its area? -> bool
+    """Does the normal n of a triangle turn by more than 45 degrees, or become uncertain? -> bool
 
-    before, after (N, 3, 3): the corners of N triangles. The two normals' product n . n' tells: not
-    greater than 0, it flips. One that had no area before (n = 0 exactly) never does; one that is
-    flat only up to rounding may, by chance.
+    before, after (N, 3, 3): the corners of N triangles. One is enough. A normal becomes uncertain
+    where the triangle's shape, |n| / (longest edge)^2, falls below LEAST_SHAPE times what it was:
+    after two or three such collapses a face could be a line up to rounding, or stand upright and
+    then turn over. A triangle that had no area before (n = 0 exactly) never flips.
 
     >>> before = np.array([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> flips(before, before + 1), flips(before, before[:, [1, 0, 2]])
     (False, True)
+    >>> flips(before, np.array([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 0.001, 0.0]]]))
+    True
     """
     raise NotImplementedError("exercise 12.14: flips")
 
 
 def why_refused(vertices, faces, a, b, position):
-    """May the pair a, b become one vertex at position (3,)?
+    """May the pair a, b become one vertex at position (3,)? -> 0 for yes, else LINK, TWINS or FLIP.
 
-    -> 0 for yes, else 1, 2 or 3 for the first of REASONS against it. faces (N, 3): all at a or b of
-    the closed surface, whose `outside` is len(vertices). A pair that is no edge joins two sheets:
-    what eq. (8) forbids is its very purpose.
+    faces (N, 3): all at a or b of the closed surface, whose `outside` is len(vertices). A pair that
+    is no edge joins two sheets: what eq. (8) forbids is its very purpose.
     """
+    vanish = (faces == a).any(1) & (faces == b).any(1)
+    is_edge = vanish.any()
+    if is_edge and not satisfies_link_condition(faces, a, b):
+        return LINK
     kept = collapse_faces(faces, a, b)
     real = (kept < len(vertices)).all(1)
-    is_edge = len(kept) < len(faces)
-    if is_edge and not satisfies_link_condition(faces, a, b):
-        return 1
     if has_twins(kept if is_edge else kept[real]):
-        return 2
-    stay = ~((faces == a).any(1) & (faces == b).any(1))
-    before, kept = vertices[faces[stay][real]], kept[real]
-    after = np.where(((kept == a) | (kept == b))[..., None], position, vertices[kept])
-    return 3 if flips(before, after) else 0
+        return TWINS
+    before = vertices[faces[~vanish][real]]
+    moves = (kept[real] == a)[..., None]
+    return FLIP if flips(before, np.where(moves, position, before)) else 0
 
 
 def simplify_loop(vertices, faces, quadrics, pairs, face_count):  # exercise 12.15 (4 points)
@@ -257,164 +259,3 @@ def simplify_loop(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     [20, 12, 4]
     """
     raise NotImplementedError("exercise 12.15: simplify_loop")
-
-
-def incidence(faces, vertex_count):
-    """faces (F, 3) as lists, and for each vertex the set of its faces' numbers."""
-    faces_at = [set() for _ in range(vertex_count)]
-    for f, face in enumerate(faces.tolist()):
-        for vertex in face:
-            faces_at[vertex].add(f)
-    return faces.tolist(), faces_at
-
-
-def merge(faces, faces_at, a, b):
-    """`collapse_faces` in lists of `incidence` -> how many faces went, those to outside left out.
-
-    What goes is []. Two faces to outside that have become twins go, too: there, two boundaries have
-    been sewn together.
-    """
-    outside = len(faces_at) - 1
-    gone = faces_at[a] & faces_at[b]
-    count = sum(outside not in faces[f] for f in gone)
-    for f in faces_at[b]:
-        faces[f] = [a if vertex == b else vertex for vertex in faces[f]]
-    faces_at[a], faces_at[b] = faces_at[a] | faces_at[b], set()
-    seams = [f for f in faces_at[a] - gone if outside in faces[f]]
-    sides = [set(faces[f]) for f in seams]
-    gone |= {f for f, side in zip(seams, sides, strict=True) if sides.count(side) == 2}
-    for f in gone:
-        for vertex in faces[f]:
-            faces_at[vertex].discard(f)
-        faces[f] = []
-    return count
-
-
-def entries(vertices, quadrics, pairs, age):
-    """What the heap holds of pairs (N, 2): cost, a, b, the pair's age when asked, position."""
-    a, b = pairs.T
-    q = quadrics[a] + quadrics[b]
-    positions = best_position(q, vertices[a], vertices[b])
-    costs = quadric_error(q, positions).tolist()
-    ages = (age[a] + age[b]).tolist()
-    return list(zip(costs, a.tolist(), b.tolist(), ages, positions.tolist(), strict=True))
-
-
-def root(became, vertex):
-    """What a vertex has become in all collapses so far, by a chain that is cut short on the way."""
-    while became[vertex] != vertex:
-        became[vertex] = vertex = became[became[vertex]]
-    return vertex
-
-
-def out_of_date(heap, became, age, known):
-    """Take what is out of date from the top of the heap -> the pairs (N, 2) to ask again.
-
-    An entry is out of date if a vertex of it has merged since it was made. What its two vertices
-    became stands for them; known holds the pairs, with their ages, that were asked before.
-    """
-    pairs = []
-    while heap:
-        _, a, b, then, _ = heap[0]
-        a, b = sorted((root(became, a), root(became, b)))
-        now = int(age[a] + age[b])
-        if then == now:
-            break
-        heapq.heappop(heap)
-        if a != b and (a, b, now) not in known:
-            known.add((a, b, now))
-            pairs.append((a, b))
-    return np.array(pairs, int).reshape(-1, 2)
-
-
-def has_cheapest(heap, vertices, quadrics, became, age, known):
-    """Lazy update: ask pairs anew until the top of the heap is up to date -> bool, is there one?"""
-    while len(pairs := out_of_date(heap, became, age, known)):
-        for entry in entries(vertices, quadrics, pairs, age):
-            heapq.heappush(heap, entry)
-    return len(heap) > 0
-
-
-def put_back(heap, waiting, around):
-    """Refused entries that wait for a change at one of the vertices around go back to the heap."""
-    for vertex in around:
-        for entry in waiting.pop(vertex, ()):
-            for other in {entry[1], entry[2]} & waiting.keys():
-                waiting[other].remove(entry)
-            heapq.heappush(heap, entry)
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.16 (6 points)
-    """`simplify_loop` by a heap with lazy updates; the faces may have a boundary.
-
-    -> vertices (V, 3), faces (F', 3) in their order, refused (3,): how often, for each of REASONS.
-
-    Ask all pairs once (`entries`), and make a heap of them. While there are more than face_count
-    faces, take the cheapest entry that is up to date (`has_cheapest`); if there is none, end.
-    If `why_refused` refuses it, count that, each time, and let it wait at both of its vertices.
-    Else it is collapsed as in `simplify_loop` (`merge`), the age of the vertex that stays becomes 1
-    more than the pair's, and all that waits at a, b or a neighbour of either (before the merge)
-    goes back to the heap (`put_back`). Faces to `outside` (`close_boundary`, which has the number
-    V) take part, but count neither in face_count nor in the result. What the given functions need,
-    and change:
-
-    rows, rows_at   `incidence` of the closed faces, with V + 1 vertices
-    became          a list: for each vertex what it has become, at first itself
-    age             an array of integers, one for each vertex, at first 0
-    waiting         a dict, at first empty: vertex -> a list of entries
-    known           a set, at first empty
-
-    >>> vertices, faces = mesh.grid(32)
-    >>> q, pairs = mesh_quadrics(vertices, faces), valid_pairs(vertices, faces, 0.0)
-    >>> vertices, faces, refused = simplify_heap(vertices, faces, q, pairs, 2)
-    >>> vertices[np.unique(faces)].round(9).astype(int).tolist()
-    [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
-    """
-    raise NotImplementedError("exercise 12.16: simplify_heap")
-
-
-def plain_faces(faces):
-    """Of faces (F, 3) with the same three vertices the first; none that names a vertex twice."""
-    ascending = np.sort(faces, axis=1)
-    first = np.unique(ascending, axis=0, return_index=True)[1]
-    return faces[np.intersect1d(first, np.flatnonzero((np.diff(ascending) > 0).all(1)))]
-
-
-def mesh_quadrics(vertices, faces):
-    """Eq. (3) with the planes of the boundary, BOUNDARY_WEIGHT times: (V, 4, 4)."""
-    quadrics = vertex_quadrics(plane_quadrics(face_planes(vertices, faces)), faces, len(vertices))
-    edges, planes = boundary_planes(vertices, faces)
-    for ends in edges.T:
-        np.add.at(quadrics, ends, BOUNDARY_WEIGHT * plane_quadrics(planes))
-    return quadrics
-
-
-def simplify(vertices, faces, face_count, t=0.0):
-    """A mesh of at most face_count faces -> vertices (V', 3), faces (F', 3), refused (3,).
-
-    Pairs nearer than t become one as well, which closes cracks and joins parts. With t = 0, what
-    was manifold stays so, boundary and topology included. If every pair that is left is refused, a
-    warning says so, and the mesh has more faces. refused counts by REASONS.
-    ValueError for what is no mesh, for a negative t or face_count, or nan.
-    """
-    inputs.require_mesh(vertices, faces)
-    vertices, faces = np.asarray(vertices, float), plain_faces(np.asarray(faces, int))
-    if not all(isinstance(number, numbers.Real) and number >= 0 for number in (face_count, t)):
-        raise ValueError("simplify needs face_count >= 0 and t >= 0, "
-                         f"got face_count {face_count} and t {t}")
-    if len(faces) == 0:
-        raise ValueError("every face names a vertex twice: there is no surface to simplify")
-    used, faces = np.unique(faces, return_inverse=True)
-    vertices, faces = vertices[used], faces.reshape(-1, 3)
-    # Near the origin and of size 1, the numbers of a quadric keep their digits.
-    centre = vertices.mean(0)
-    size = 2.0 ** np.frexp(np.abs(vertices - centre).max())[1]
-    vertices = (vertices - centre) / size
-    pairs, quadrics = valid_pairs(vertices, faces, t / size), mesh_quadrics(vertices, faces)
-    vertices, faces, refused = simplify_heap(vertices, faces, quadrics, pairs, face_count)
-    if len(faces) > face_count:
-        counts = ", ".join(f"{n} for {reason}" for n, reason in zip(refused, REASONS, strict=True))
-        warnings.warn(f"{len(faces)} faces are left, {face_count} were asked for: every other "
-                      f"collapse would break the surface (refused: {counts})", stacklevel=2)
-    used, faces = np.unique(faces, return_inverse=True)
-    return vertices[used] * size + centre, faces.reshape(-1, 3), refused

@@ -23,11 +23,14 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ..given import image, places
-from . import fits
 
 LONGEST = 128       # pixels of a picture's longer side, to which it is made smaller
 DIFFERENT = 20 / 255  # more than this from the background, in a channel, is object; less, JPEG's
 EVERY = 20          # steps from one mesh on disk to the next
+FINE_STAGES = (24, 1, 1, 100, 1.0), (32, 1, 1, 80, 0.5), (48, 1, 2, 120, 0.3)  # see lab 16's `fit`
+
+COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
+           TextColumn("{task.fields[told]}"))
 
 # --- what comes in -----------------------------------------------------------------------------
 
@@ -192,23 +195,16 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
     """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
     on disk, at path, every EVERY steps, and at the end, however it comes: also by Ctrl-C.
     """
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
-               TextColumn("{task.fields[told]}"))
     good = None
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task(path.stem, total=steps, told="")
         try:
             for step, (n, loss, x) in enumerate(fit, 1):
-                require(np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
-                        and (x[0] < 0).any(), f"the search came to nothing at step {step}: are the "
-                        "cameras right, and is the object in the ball?")
+                require_surface(loss, x, step)
                 good = x
                 if step % EVERY == 0 or step == steps:
-                    faces = labs.reconstruction.surface(x)[1]
-                    _, genus = labs.reconstruction.genus(faces)
-                    told = f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
                     save(labs, x, path, world_from_grid)
-                    progress.update(task, told=told)
+                    progress.update(task, told=told(labs, loss, x))
                 progress.update(task, completed=step)
                 yield n, loss, x
         except KeyboardInterrupt:
@@ -220,13 +216,33 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
                 save(labs, good, path, world_from_grid)
 
 
+def require_surface(loss, x, step):
+    """ValueError unless all of x is finite, and something of it is inside."""
+    finite = np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
+    distance, *_ = x
+    require(finite and (distance < 0).any(), f"the search came to nothing at step {step}: are the "
+            "cameras right, and is the object in the ball?")
+
+
+def told(labs, loss, x):
+    """Loss, faces and genus, in words."""
+    _, faces, *_ = labs.reconstruction.surface(x)
+    _, genus = labs.reconstruction.genus(faces)
+    return f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
+
+
+def steps_of(stages):
+    """How many steps lab 16's `fit` takes."""
+    return sum(steps for _, _, _, steps, _ in stages)
+
+
 def run(labs, folder):
     """Reconstruct what a folder's pictures show; says where the mesh is. -> 0"""
     pictures, cameras, background, world_from_grid = read(labs, folder)
-    stages, name = fits.FINE_STAGES, Path(folder).resolve().name
-    path = places.out("demo", "reconstruct", f"{name}.glb")
-    fit = labs.reconstruction.fit(pictures, cameras, background, stages)
-    for _, loss, x in watched(labs, fit, fits.steps_of(stages), path, world_from_grid):  # noqa: B007
+    path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
+    fit = labs.reconstruction.fit(pictures, cameras, background, FINE_STAGES)
+    steps = steps_of(FINE_STAGES)
+    for _, loss, x in watched(labs, fit, steps, path, world_from_grid):  # noqa: B007
         pass  # an x is 7 MB: only the last one is kept
     _, faces, *_ = labs.reconstruction.surface(x)
     pieces, genus = labs.reconstruction.genus(faces)

@@ -308,24 +308,39 @@ def has_twins(faces):
 
 
 def flips(before, after):
-    """a right angle does not flip; it does"""
-    both = np.stack([before, after])
-    n, n1 = np.cross(both[:, :, 1] - both[:, :, 0], both[:, :, 2] - both[:, :, 0])
-    return bool(((n * n1).sum(1) < 0)[n.any(1)].any())
+    """a face that becomes a needle is left alone; its normal is uncertain"""
+    corners = np.stack([before, after])
+    edges = corners[:, :, [1, 2, 0]] - corners
+    n = np.cross(edges[:, :, 0], edges[:, :, 1])
+    length, new_length = np.sqrt((n * n).sum(2))
+    longest, new_longest = (edges * edges).sum(3).max(2)
+    turns = (n[0] * n[1]).sum(1) < LEAST_COSINE * length * new_length
+    thins = new_length * longest < LEAST_SHAPE * length * new_longest
+    return bool(turns.any())
 
 
 def flips(before, after):
     """all triangles must flip; one is enough"""
-    both = np.stack([before, after])
-    n, n1 = np.cross(both[:, :, 1] - both[:, :, 0], both[:, :, 2] - both[:, :, 0])
-    return bool(((n * n1).sum(1) <= 0)[n.any(1)].all())
+    corners = np.stack([before, after])
+    edges = corners[:, :, [1, 2, 0]] - corners
+    n = np.cross(edges[:, :, 0], edges[:, :, 1])
+    length, new_length = np.sqrt((n * n).sum(2))
+    longest, new_longest = (edges * edges).sum(3).max(2)
+    turns = (n[0] * n[1]).sum(1) < LEAST_COSINE * length * new_length
+    thins = new_length * longest < LEAST_SHAPE * length * new_longest
+    return bool((turns | thins).all())
 
 
 def flips(before, after):
-    """sides are measured from the origin, not from a corner"""
-    both = np.stack([before, after])
-    n, n1 = np.cross(both[:, :, 1], both[:, :, 2])
-    return bool(((n * n1).sum(1) <= 0)[n.any(1)].any())
+    """a normal may turn by 90 degrees; 45 are the most"""
+    corners = np.stack([before, after])
+    edges = corners[:, :, [1, 2, 0]] - corners
+    n = np.cross(edges[:, :, 0], edges[:, :, 1])
+    length, new_length = np.sqrt((n * n).sum(2))
+    longest, new_longest = (edges * edges).sum(3).max(2)
+    turns = (n[0] * n[1]).sum(1) < 0
+    thins = new_length * longest < LEAST_SHAPE * length * new_longest
+    return bool((turns | thins).any())
 
 
 def simplify_loop(vertices, faces, quadrics, pairs, face_count):
@@ -386,80 +401,3 @@ def simplify_loop(vertices, faces, quadrics, pairs, face_count):
         pairs = np.sort(np.where(pairs == b[k], a[k], pairs), axis=1)
         pairs = np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
     return vertices, faces
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """a vertex keeps its own quadric; it gets the sum of both"""
-    vertices, quadrics, count = vertices.copy(), quadrics.copy(), len(faces)
-    rows, rows_at = incidence(close_boundary(faces, len(vertices)), len(vertices) + 1)
-    became, age = np.arange(len(vertices)).tolist(), np.zeros(len(vertices), int)
-    heap = entries(vertices, quadrics, pairs, age)
-    heapq.heapify(heap)
-    waiting, known, refused = {}, set(), np.zeros(3, int)
-    while count > face_count and has_cheapest(heap, vertices, quadrics, became, age, known):
-        entry = heapq.heappop(heap)
-        _, a, b, now, position = entry
-        around = np.array([rows[f] for f in rows_at[a] | rows_at[b]])
-        reason = why_refused(vertices, around, a, b, np.array(position))
-        if reason:
-            refused[reason - 1] += 1
-            for vertex in (a, b):
-                waiting.setdefault(vertex, []).append(entry)
-        else:
-            count -= merge(rows, rows_at, a, b)
-            vertices[a], quadrics[a] = position, quadrics[a]
-            became[b], age[a] = a, now + 1
-            put_back(heap, waiting, set(around.ravel().tolist()))
-    left = [row for row in rows if row and len(vertices) not in row]
-    return vertices, np.array(left, int).reshape(-1, 3), refused
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """it goes on where there are just as many faces as asked for"""
-    vertices, quadrics, count = vertices.copy(), quadrics.copy(), len(faces)
-    rows, rows_at = incidence(close_boundary(faces, len(vertices)), len(vertices) + 1)
-    became, age = np.arange(len(vertices)).tolist(), np.zeros(len(vertices), int)
-    heap = entries(vertices, quadrics, pairs, age)
-    heapq.heapify(heap)
-    waiting, known, refused = {}, set(), np.zeros(3, int)
-    while count >= face_count and has_cheapest(heap, vertices, quadrics, became, age, known):
-        entry = heapq.heappop(heap)
-        _, a, b, now, position = entry
-        around = np.array([rows[f] for f in rows_at[a] | rows_at[b]])
-        reason = why_refused(vertices, around, a, b, np.array(position))
-        if reason:
-            refused[reason - 1] += 1
-            for vertex in (a, b):
-                waiting.setdefault(vertex, []).append(entry)
-        else:
-            count -= merge(rows, rows_at, a, b)
-            vertices[a], quadrics[a] = position, quadrics[a] + quadrics[b]
-            became[b], age[a] = a, now + 1
-            put_back(heap, waiting, set(around.ravel().tolist()))
-    left = [row for row in rows if row and len(vertices) not in row]
-    return vertices, np.array(left, int).reshape(-1, 3), refused
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """what was refused once never comes back"""
-    vertices, quadrics, count = vertices.copy(), quadrics.copy(), len(faces)
-    rows, rows_at = incidence(close_boundary(faces, len(vertices)), len(vertices) + 1)
-    became, age = np.arange(len(vertices)).tolist(), np.zeros(len(vertices), int)
-    heap = entries(vertices, quadrics, pairs, age)
-    heapq.heapify(heap)
-    waiting, known, refused = {}, set(), np.zeros(3, int)
-    while count > face_count and has_cheapest(heap, vertices, quadrics, became, age, known):
-        entry = heapq.heappop(heap)
-        _, a, b, now, position = entry
-        around = np.array([rows[f] for f in rows_at[a] | rows_at[b]])
-        reason = why_refused(vertices, around, a, b, np.array(position))
-        if reason:
-            refused[reason - 1] += 1
-            for vertex in (a, b):
-                waiting.setdefault(vertex, []).append(entry)
-        else:
-            count -= merge(rows, rows_at, a, b)
-            vertices[a], quadrics[a] = position, quadrics[a] + quadrics[b]
-            became[b], age[a] = a, now + 1
-    left = [row for row in rows if row and len(vertices) not in row]
-    return vertices, np.array(left, int).reshape(-1, 3), refused

@@ -1,21 +1,11 @@
 """Lab 12 once more: plane by plane, pair by pair, with sets; and errors as sums over planes."""
-import heapq
 import itertools
 from collections import Counter
 
 import numpy as np
 
 from course.given import mesh
-from reference.simplification import (
-    LEAST_CURVATURE,
-    close_boundary,
-    entries,
-    has_cheapest,
-    incidence,
-    merge,
-    put_back,
-    why_refused,
-)
+from reference.simplification import LEAST_COSINE, LEAST_CURVATURE, LEAST_SHAPE, why_refused
 
 
 def face_planes(vertices, faces):
@@ -133,7 +123,11 @@ def has_twins(faces):
 def flips(before, after):
     for old, new in zip(before, after, strict=True):
         n, m = (np.cross(x[1] - x[0], x[2] - x[0]) for x in (old, new))
-        if n.any() and not n @ m > 0:
+        size, new_size = np.linalg.norm(n), np.linalg.norm(m)
+        long, new_long = (max(np.linalg.norm(x[k] - x[k - 1]) for k in range(3))
+                          for x in (old, new))
+        if n.any() and (new_size / new_long**2 < LEAST_SHAPE * size / long**2
+                        or n @ m / (size * new_size) < LEAST_COSINE):
             return True
     return False
 
@@ -158,27 +152,3 @@ def simplify_loop(vertices, faces, quadrics, pairs, face_count):
         renamed = {tuple(sorted(a if end == b else end for end in pair)) for pair in pairs}
         pairs = sorted(pair for pair in renamed if pair[0] != pair[1])
     return np.array(x), faces
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    x, q, outside = np.array(vertices, float), np.array(quadrics), len(vertices)
-    rows, rows_at = incidence(close_boundary(faces, outside), outside + 1)
-    became, age = list(range(outside)), np.zeros(outside, int)
-    waiting, known, refused, left = {}, set(), [0, 0, 0], len(faces)
-    heap = sorted(entries(x, q, pairs, age)) if len(pairs) else []
-    while left > face_count and has_cheapest(heap, x, q, became, age, known):
-        entry = heapq.heappop(heap)
-        _, a, b, then, place = entry
-        around = np.array([rows[f] for f in sorted(rows_at[a].union(rows_at[b]))])
-        reason = why_refused(x, around, a, b, np.array(place))
-        if reason:
-            refused[reason - 1] += 1
-            for end in (a, b):
-                waiting.setdefault(end, []).append(entry)
-            continue
-        left -= merge(rows, rows_at, a, b)
-        x[a], became[b], age[a] = place, a, then + 1
-        q[a] = q[a] + q[b]
-        put_back(heap, waiting, {a, b, *around.ravel().tolist()})
-    kept = [face for face in rows if face and outside not in face]
-    return x, np.array(kept, int).reshape(-1, 3), np.array(refused)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import scipy.sparse
 
-from course.experiments import demo, fits
+from course.experiments import demo, drawing, fit_volume, representations
 from course.given import inputs, mesh
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, transforms
@@ -20,7 +20,7 @@ SHAPES = {
     "intersection": ("intersection", BOX, ("sphere", 0.5)),
     "complement": ("intersection", BALL, ("complement", BOX)),
     "smooth union": ("smooth union", 0.3, ("torus", 0.6, 0.2), BOX),
-    "wheel": demo.WHEEL,
+    "wheel": representations.WHEEL,
 }
 RIPPLED = ("rippled", 0.1, 8.0, BALL)
 LIGHT, COLOUR, BACKGROUND = np.array([-0.5, 0.8, 0.6]), np.array([0.8, 0.6, 0.4]), np.full(3, 0.9)
@@ -262,7 +262,7 @@ def test_area_and_volume_converge_with_the_square_of_the_cell(shape, true_area, 
 
 def test_the_wheel_has_five_holes():
     """A spoke or the bore is lost: V - E + F = 2 - 2 genus."""
-    vertices, faces = marched(demo.WHEEL, 48)
+    vertices, faces = marched(representations.WHEEL, 48)
     assert_closed_manifold(len(vertices), faces)
     assert len(vertices) - len(mesh.edges(faces)[0]) + len(faces) == 2 - 2 * 5
 
@@ -302,7 +302,7 @@ def test_64_cubed_cells_take_half_a_second_at_most():
 
 def test_three_representations_are_one_object():
     """A picture is mirrored, shifted by half a pixel, or of another object."""
-    given = demo.WHEEL, camera(), 60, 40, LIGHT, COLOUR, BACKGROUND
+    given = representations.WHEEL, camera(), 60, 40, LIGHT, COLOUR, BACKGROUND
     traced, evaluations = implicit_surfaces.render_distance(*given)
     meshed = implicit_surfaces.render_mesh(*given, n=48)
     foggy = implicit_surfaces.render_volume(*given, 1.5, 4.0, beta=0.004, count=160)
@@ -339,9 +339,9 @@ def test_a_ball_opens_to_a_ring():
 def test_a_density_grid_is_found_from_pictures():
     """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
     labs, size = demo.Labs("reference"), 12
-    seen = fits.saturn_rays(labs, fits.cameras_around(labs, 16, longitude=0.2), size)
-    density, colour, losses = fits.volume_fit(labs, *seen, 12, 100, batch=300)
-    *rays, truth = fits.saturn_rays(labs, fits.cameras_around(labs, 3, longitude=0.7), size)
-    picture = fits.volume_seen(labs, *rays, density, colour)
+    given = fit_volume.saturn_rays(labs, drawing.cameras_around(labs, 16, longitude=0.2), size)
+    volume, losses = fit_volume.fit(labs, given, 12, 100, batch=300)
+    new = fit_volume.saturn_rays(labs, drawing.cameras_around(labs, 3, longitude=0.7), size)
+    picture = fit_volume.seen(labs, new, volume)
     assert np.mean(losses[-10:]) < losses[0] / 15
-    assert -10 * np.log10(np.mean((picture - truth)**2)) > 20
+    assert -10 * np.log10(np.mean((picture - new.colours)**2)) > 20

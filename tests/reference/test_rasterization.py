@@ -1,9 +1,24 @@
 """Whole pictures of lab 2: the textbook's rasterizer beside the exact one; place on the face."""
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from course.checks import assert_close
 from reference import rasterization, scanline
+
+GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
+
+
+@pytest.mark.parametrize("scene", ["single_tri_64x64", "cube_64x64"])
+def test_the_textbooks_picture_is_that_of_nvdiffrast(scene):
+    """Another face or depth than nvdiffrast's kernels give."""
+    clip, faces = GOLDEN[f"{scene}/clip"].astype(float), GOLDEN[f"{scene}/faces"].astype(int)
+    expected = GOLDEN[f"{scene}/face_index"]
+    face_index, depth = rasterization.rasterize_loop(clip, faces, *expected.shape[::-1])
+    np.testing.assert_array_equal(face_index, expected)
+    seen = expected >= 0
+    np.testing.assert_allclose(depth[seen], GOLDEN[f"{scene}/depth"][seen], rtol=0, atol=2e-5)
 
 
 @pytest.mark.parametrize("seed", range(8))

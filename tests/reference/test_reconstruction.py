@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from course import cli
-from course.experiments import captures, demo, fits
+from course.experiments import captures, demo, drawing, fit_triangle, reconstruct
 from course.given import image, mesh, mesh_files
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, reconstruction
@@ -31,9 +31,9 @@ def unknowns(n, seed=0):
 def views(count=2, size=40):
     """Pictures of a ring that is another shape than x."""
     vertices, faces = mesh.torus(400, 0.5, 0.25)
-    cameras = fits.cameras_around(LABS, count)
-    pictures = fits.photographs(LABS, vertices, faces, fits.paint(vertices), fits.daylight(LABS),
-                                cameras, size)
+    cameras = drawing.cameras_around(LABS, count)
+    ring = reconstruct.Painted(vertices, faces, reconstruct.paint(vertices))
+    pictures = reconstruct.photographs(LABS, ring, reconstruct.daylight(LABS), cameras, size)
     return [(camera, picture, reconstruction.is_outside(picture))
             for camera, picture in zip(cameras, pictures, strict=True)]
 
@@ -99,7 +99,7 @@ def test_vertices_that_lie_unevenly_in_a_plane_are_no_bumps():
 def test_carving_pushes_the_surface_in_where_nothing_should_be_seen():
     """The sign of eq. (6): a ball before an empty picture must shrink, and only where it is seen.
     """
-    x, camera = reconstruction.start(8), fits.cameras_around(LABS, 2)[0]
+    x, camera = reconstruction.start(8), drawing.cameras_around(LABS, 2)[0]
     empty = np.broadcast_to(BEHIND, (30, 30, 4))
     view = camera, empty, np.ones((30, 30), bool)
     given = x, [view], 1, BEHIND
@@ -107,7 +107,7 @@ def test_carving_pushes_the_surface_in_where_nothing_should_be_seen():
              for weight in (1.0, 0.0)]
     push, ends = grads[0] - grads[1], reconstruction.surface(x)[2]
     assert push.max() <= 1e-15 and push.min() < 0
-    assert -push.sum() == pytest.approx((fits.seen_mask(LABS, *reconstruction.surface(x)[:2],
+    assert -push.sum() == pytest.approx((drawing.seen_mask(LABS, *reconstruction.surface(x)[:2],
                                                         camera, 30)).mean())
     assert set(np.flatnonzero(push)) <= set(ends.ravel())
 
@@ -182,7 +182,7 @@ def test_a_run_is_reproducible_from_its_seed():
 def test_a_hole_opens():
     """The search finds no topology: a ring stays a ball."""
     stages = (12, 1, 1, 50, 1.0), (16, 1, 1, 15, 0.5)
-    course = list(fits.reconstruction(LABS, "ring", stages, size=48, count=10))
+    course = list(reconstruct.fit(LABS, "ring", stages, size=48, count=10))
     _, loss, x = course[-1]
     assert reconstruction.genus(reconstruction.surface(x)[1]) == (1, 1)
     assert loss < 0.2 * course[0][1]
@@ -191,10 +191,10 @@ def test_a_hole_opens():
 def test_without_edges_outlines_have_no_gradient():
     """The ablation leaves a way for outlines open."""
     vertices, faces = mesh.icosphere(80)
-    render, render_backward = fits.without_edges(LABS)
+    render, render_backward = fit_triangle.without_edges(LABS)
     scene = (LABS.pipeline.make_mesh(vertices, faces),
              LABS.pipeline.Colours(np.ones((len(vertices), 1))),
-             LABS.pipeline.View(fits.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
+             LABS.pipeline.View(drawing.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
     picture, buffers = render(*scene)
     assert set(np.unique(picture.round(9))) == {0, 1}
     upstream = np.random.default_rng(0).normal(size=picture.shape)
@@ -206,7 +206,7 @@ def test_decibels_on_paper():
     """A mean of decibels, or pictures that nobody sees."""
     truth = [np.zeros((2, 2, 4)), np.zeros((2, 2, 4))]
     found = [truth[0], truth[1] + image.to_linear(0.2)]
-    assert fits.decibels(found, truth) == pytest.approx(-10 * np.log10(0.02))
+    assert reconstruct.decibels(found, truth) == pytest.approx(-10 * np.log10(0.02))
 
 
 # --- what goes out -----------------------------------------------------------------------------
@@ -266,7 +266,7 @@ def folder(tmp_path):
         centre = np.array([1.0, 2.0, 3.0])
         view = LABS.transforms.look_at(centre + side, centre, np.array([0.0, 1.0, 0.0]))
         camera = LABS.transforms.perspective(np.radians(30), 1.5, 0.5, 10.0) @ view
-        seen = fits.seen_mask(LABS, vertices + centre, faces, camera, 24)[::1, :]
+        seen = drawing.seen_mask(LABS, vertices + centre, faces, camera, 24)[::1, :]
         picture = np.dstack([np.full((24, 24, 3), 0.5), seen])[4:20]
         image.write(tmp_path / f"{k}.png", picture)
         views.append({"picture": f"{k}.png", "world_from_camera": np.linalg.inv(view).tolist()})

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from course.given import distances, mesh
-from reference import simplification
+from reference import collapse_heap, simplification
 
 # Mean distances of the bunny in 5,804 faces, both ways, in 1/10,000 of its diagonal: the less of
 # libigl's qslim and VTK's quadric decimation. From benchmarks/simplification.py.
@@ -47,7 +47,7 @@ def bunny():
 def test_the_lectures_picture(bunny, face_count):
     """5,804 faces at 994, 532, 248 and 64: a hole, a handle, a face too many; or it is farther from
     the bunny than what others make of it."""
-    vertices, faces, _ = simplification.simplify(*bunny, face_count)
+    vertices, faces, _ = collapse_heap.simplify(*bunny, face_count)
     assert len(faces) == face_count and is_manifold(faces) and euler(faces) == 2
     assert len(mesh.boundary_edges(faces)) == 0
     assert len(np.unique(faces)) == len(vertices)
@@ -67,44 +67,44 @@ def test_the_heap_does_what_the_loop_does():
         asked = vertices, faces, simplification.mesh_quadrics(vertices, faces), pairs
         for face_count in 100, 50, 4:
             loop = simplification.simplify_loop(*asked, face_count)
-            heap = simplification.simplify_heap(*asked, face_count)
+            heap = collapse_heap.simplify_heap(*asked, face_count)
             assert all(np.array_equal(a, b) for a, b in zip(loop, heap, strict=False))
 
 
 def test_it_does_not_matter_where_and_how_large_a_mesh_is():
     """Quadrics lose their digits far from the origin."""
     vertices, faces = mesh.bunny()
-    expected = simplification.simplify(vertices, faces, 3400)
-    moved = simplification.simplify(0.001 * vertices + [50.0, -30.0, 70.0], faces, 3400)
+    expected = collapse_heap.simplify(vertices, faces, 3400)
+    moved = collapse_heap.simplify(0.001 * vertices + [50.0, -30.0, 70.0], faces, 3400)
     np.testing.assert_array_equal(moved[1], expected[1])
     np.testing.assert_allclose(moved[0], 0.001 * expected[0] + [50, -30, 70], atol=1e-8)
     for size in 2.0**-500, 2.0**500:  # whose squares would be 0 or infinite
-        huge = simplification.simplify(size * vertices, faces, 3400)
+        huge = collapse_heap.simplify(size * vertices, faces, 3400)
         np.testing.assert_array_equal(huge[0], size * expected[0])
 
 
 def test_a_vertex_of_no_face_does_not_matter():
     """The middle of all vertices is taken for that of the mesh: its digits are gone."""
     vertices, faces = mesh.bunny()
-    expected = simplification.simplify(vertices, faces, 3400)
+    expected = collapse_heap.simplify(vertices, faces, 3400)
     for far in 1e20, -1e300:
-        got = simplification.simplify(np.vstack([vertices, [[far, 0, 0]]]), faces, 3400)
+        got = collapse_heap.simplify(np.vstack([vertices, [[far, 0, 0]]]), faces, 3400)
         assert all(np.array_equal(*each) for each in zip(got, expected, strict=True))
 
 
 def test_lists_and_other_kinds_of_integers_are_meshes_too():
     """An error from deep inside."""
     vertices, faces = mesh.icosphere(80)
-    expected = simplification.simplify(vertices, faces, 40)
+    expected = collapse_heap.simplify(vertices, faces, 40)
     for other in faces.tolist(), faces.astype(np.uint64), faces.astype(np.int8):
-        got = simplification.simplify(vertices.tolist(), other, 40)
+        got = collapse_heap.simplify(vertices.tolist(), other, 40)
         assert all(np.array_equal(*each) for each in zip(got, expected, strict=True))
 
 
 def test_a_plane_becomes_two_faces_and_keeps_its_outline():
     """Boundary edges give way inwards."""
     vertices, faces = mesh.plane(200)
-    vertices, faces, _ = simplification.simplify(vertices, faces, 2)
+    vertices, faces, _ = collapse_heap.simplify(vertices, faces, 2)
     assert len(faces) == 2
     np.testing.assert_allclose(np.abs(vertices[:, [0, 2]]), 1, atol=1e-9)
     np.testing.assert_allclose(vertices[:, 1], 0, atol=1e-9)
@@ -112,9 +112,43 @@ def test_a_plane_becomes_two_faces_and_keeps_its_outline():
 
 def test_a_cube_becomes_twelve_faces():
     """A cube's corners are moved although its sides cost nothing."""
-    vertices, faces, _ = simplification.simplify(*mesh.cube(300), 12)
+    vertices, faces, _ = collapse_heap.simplify(*mesh.cube(300), 12)
     assert len(faces) == 12
     np.testing.assert_allclose(np.abs(vertices), 1, atol=1e-9)
+
+
+def test_no_face_of_a_turned_cube_loses_its_area():
+    """On a flat part that is not along an axis, rounding decides whether a line is a face."""
+    vertices, faces = mesh.cube(1200)
+    x, y, z = np.array([1.0, 2.0, 3.0]) / np.sqrt(14)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    turn = np.eye(3) + np.sin(1) * cross + (1 - np.cos(1)) * cross @ cross
+    for kind in np.float64, np.float32:
+        turned = (vertices @ turn.T).astype(kind).astype(np.float64)
+        points, left, _ = collapse_heap.simplify(turned, faces, 400)
+        a, b, c = points[left.T]
+        longest = np.max([((b - a)**2).sum(1), ((c - b)**2).sum(1), ((a - c)**2).sum(1)], axis=0)
+        assert len(left) == 400
+        assert (np.linalg.norm(np.cross(b - a, c - a), axis=1) > 1e-3 * longest).all()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_no_face_of_a_terrain_turns_over(seed):
+    """A face stands up in one collapse, and falls over to the other side in the next."""
+    rng = np.random.default_rng(seed)
+    vertices, faces = mesh.grid(450)
+    vertices = vertices / 15 + 0.003 * rng.normal(size=vertices.shape) * [0, 0, 1]
+    waves, phase = rng.normal(0, 6, (6, 2)), rng.uniform(0, 6, 6)
+    vertices[:, 2] += 0.01 * np.sin(vertices[:, :2] @ waves.T + phase) @ rng.normal(size=6)
+    away = np.abs(vertices[faces].mean(1)[:, :2] - rng.uniform(0.35, 0.65, 2))
+    faces = faces[(away > rng.uniform(0.1, 0.2, 2)).any(1)]         # a hole
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for face_count in 100, 40, 0:
+            points, left, _ = collapse_heap.simplify(vertices, faces, face_count)
+            a, b, c = points[left.T][:, :, :2]
+            side, other = b - a, c - a
+            assert (side[:, 0] * other[:, 1] > side[:, 1] * other[:, 0]).all()
 
 
 @pytest.mark.parametrize("face_count", [500, 60, 0])
@@ -127,7 +161,7 @@ def test_genus_and_boundary_stay(face_count):
         part = np.delete(faces, removed, axis=0)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            _, left, _ = simplification.simplify(vertices, part, face_count)
+            _, left, _ = collapse_heap.simplify(vertices, part, face_count)
         assert is_manifold(left) and euler(left) == euler(part)
         assert (len(mesh.boundary_edges(left)) > 0) == bool(removed)
         assert len(left) == face_count or face_count == 0
@@ -136,17 +170,17 @@ def test_genus_and_boundary_stay(face_count):
 def test_a_target_that_cannot_be_reached_is_said():
     """Nothing is said, or it says so where the target is reached."""
     with pytest.warns(UserWarning, match=r"4 faces are left, 2 were asked for.*6 for a repeated"):
-        _, faces, refused = simplification.simplify(*mesh.icosphere(20), 2)
+        _, faces, refused = collapse_heap.simplify(*mesh.icosphere(20), 2)
     assert len(faces) == 4 and refused[1] == 6
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        simplification.simplify(*mesh.icosphere(20), 4)
+        collapse_heap.simplify(*mesh.icosphere(20), 4)
 
 
 def test_what_is_small_enough_comes_back():
     """Faces in another order, or vertices moved by the shift to the origin and back."""
     vertices, faces = mesh.teapot()
-    same, left, refused = simplification.simplify(vertices, faces, len(faces))
+    same, left, refused = collapse_heap.simplify(vertices, faces, len(faces))
     np.testing.assert_allclose(same, vertices, rtol=0, atol=1e-13)
     np.testing.assert_array_equal(left, faces)
     assert not refused.any()
@@ -155,8 +189,8 @@ def test_what_is_small_enough_comes_back():
 def test_cracks_are_closed_by_near_pairs():
     """The teapot's 32 patches come apart, or are never joined."""
     vertices, faces = mesh.teapot()
-    _, apart, _ = simplification.simplify(vertices, faces, 400)
-    _, joined, _ = simplification.simplify(vertices, faces, 400, t=1e-6)
+    _, apart, _ = collapse_heap.simplify(vertices, faces, 400)
+    _, joined, _ = collapse_heap.simplify(vertices, faces, 400, t=1e-6)
     assert len(mesh.boundary_edges(apart)) > 150
     assert len(mesh.boundary_edges(joined)) <= 64
 
@@ -171,11 +205,11 @@ def test_broken_meshes_give_a_right_answer():
     book = which.ravel()[np.concatenate([faces, faces + len(vertices)])]
     book = np.concatenate([book, book[:5], book[:3, [1, 0, 2]], book[:4, [0, 1, 1]]])
     book = rng.permutation(book)
-    points, left, _ = simplification.simplify(names, book, 20)
+    points, left, _ = collapse_heap.simplify(names, book, 20)
     assert 8 <= len(left) <= 20
     assert np.bincount(mesh.edges(left)[1].ravel()).max() == 3
-    there = distances.surface_distances(points, left, names, simplification.plain_faces(book))
-    back = distances.surface_distances(names, simplification.plain_faces(book), points, left)
+    there = distances.surface_distances(points, left, names, collapse_heap.plain_faces(book))
+    back = distances.surface_distances(names, collapse_heap.plain_faces(book), points, left)
     assert max(there[1], back[1]) < 1e-9
     assert len(points) == len(np.unique(left))
 
@@ -192,7 +226,7 @@ def test_broken_meshes_give_a_right_answer():
 def test_what_is_no_mesh_gets_one_sentence(vertices, faces, face_count, t, message):
     """A traceback from deep inside, or a result."""
     with pytest.raises(ValueError, match=message):
-        simplification.simplify(vertices, faces, face_count, t)
+        collapse_heap.simplify(vertices, faces, face_count, t)
 
 
 def test_the_longest_edges_are_halved_and_rounded():

@@ -1,0 +1,142 @@
+"""What the experiments share: cameras, smooth shading, and pictures on disk."""
+import numpy as np
+
+from ..given import image, mesh, places
+
+SIZE = 512
+LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
+BACKGROUND = np.array([0.93, 0.95, 0.97])
+BRASS = np.array([0.85, 0.66, 0.48])
+WHITE = np.ones(3)
+UP = np.array([0.0, 1.0, 0.0])
+
+# --- cameras and poses --------------------------------------------------------------------------
+
+
+def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
+    """Vertices (V, 3) in world space -> clip (V, 4), for a camera at eye that looks at target."""
+    points = labs.transforms.to_homogeneous(vertices)
+    return labs.transforms.transform(points, clip_from_world(labs, eye, target, near))
+
+
+def clip_from_world(labs, eye, target=(0.0, 0.0, 0.0), near=0.1, fov_y=48):
+    """The matrix (4, 4) of a camera at eye that looks at target; fov_y in degrees."""
+    view_from_world = labs.transforms.look_at(np.asarray(eye), np.asarray(target), UP)
+    return labs.transforms.perspective(np.radians(fov_y), 1.0, near, 10.0) @ view_from_world
+
+
+def cameras_around(labs, count, longitude=0.0):
+    """Cameras 3 away from the origin, spread evenly on a spiral from pole to pole that starts at
+    longitude, in turns: clip_from_world (count, 4, 4).
+    """
+    golden = (1 + np.sqrt(5)) / 2
+    step = np.arange(count) + 0.5
+    north = np.arccos(1 - 2 * step / count) / np.pi
+    return cameras_at(labs, directions(golden * step + longitude, north))
+
+
+def random_cameras(labs, count, seed=0):
+    """Cameras 3 away from the origin, from all sides alike: clip_from_world (count, 4, 4)."""
+    eyes = np.random.default_rng(seed).normal(size=(count, 3))
+    return cameras_at(labs, eyes / np.linalg.norm(eyes, axis=1, keepdims=True))
+
+
+def cameras_at(labs, sides):
+    """Cameras that see the origin from 3 away, on the sides (N, 3): clip_from_world (N, 4, 4)."""
+    clip_from_view = labs.transforms.perspective(np.radians(40), 1.0, 0.5, 10.0)
+    return np.array([clip_from_view @ labs.transforms.look_at(3 * side, np.zeros(3), UP)
+                     for side in sides])
+
+
+def directions(u, v):
+    """u (east) and v (north), from 0 to 1 (...) -> points of the unit sphere (..., 3)."""
+    longitude, latitude = 2 * np.pi * u, np.pi * (v - 0.5)
+    return np.stack([np.cos(latitude) * np.sin(longitude), np.sin(latitude),
+                     np.cos(latitude) * np.cos(longitude)], -1)
+
+
+def random_pose(labs, rng, shift=0.0):
+    """Any rotation, all equally likely, then a shift by up to so much along x, y, z: (4, 4)."""
+    rotation = labs.transforms.look_at(np.zeros(3), rng.normal(size=3), rng.normal(size=3))
+    return labs.transforms.translate(rng.uniform(-shift, shift, 3)) @ rotation
+
+
+# --- meshes, and what is seen of them -----------------------------------------------------------
+
+
+def unit_bunny():
+    """The Stanford bunny, scaled to the unit sphere -> vertices, faces."""
+    vertices, faces = mesh.bunny()
+    return mesh.normalize(vertices), faces
+
+
+def told(vertices, faces):
+    """The size of a mesh that was read, in words."""
+    return f"read {len(vertices):,} vertices, {len(faces):,} faces"
+
+
+def seen_mask(labs, vertices, faces, camera, size):
+    """Where a mesh is seen at the pixels' centres: bool (size, size)."""
+    clip = labs.pipeline.to_clip(vertices, camera)
+    return labs.scanline.rasterize(clip, faces, size, size)[0] >= 0
+
+
+def intersection_over_union(a, b):
+    """The share of two masks (H, W): 1 for equal ones, 0 for two that do not meet."""
+    return (a & b).sum() / (a | b).sum()
+
+
+def smooth(labs, vertices, faces, clip, size=SIZE):
+    """A mesh with smooth shading: a picture (size, size, 3)."""
+    seen = labs.pipeline.visible(clip, faces, size, size)
+    return shaded(vertices, faces, seen.face_index, seen.barycentric)
+
+
+def shaded(vertices, faces, face_index, barycentric):
+    """Face index and barycentrics of a picture -> the picture with `lit` faces."""
+    seen = face_index >= 0
+    corners = mesh.vertex_normals(vertices, faces)[faces[face_index[seen]]]
+    return painted(seen, image.to_srgb(lit(barycentric[seen], corners)))
+
+
+def lit(barycentric, corners):
+    """One light on smooth normals, mixed by the barycentrics; it also reaches round the edge.
+
+    barycentric (N, 3), the corners' normals (N, 3, 3) -> linear colour (N, 3).
+    """
+    normal = (barycentric[:, :, None] * corners).sum(1)
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    light = (0.5 + 0.5 * normal @ LIGHT / np.linalg.norm(LIGHT)) ** 2
+    return light[:, None] * BRASS
+
+
+def wireframe(seen, barycentric, derivatives):
+    """Edges one pixel wide, hidden ones hidden: b_k / |db_k| is the distance to edge k in pixels.
+
+    After Baerentzen et al. 2006, "Single-pass wireframe rendering".
+    """
+    distance = barycentric[seen] / np.linalg.norm(derivatives[seen], axis=-1)
+    ink = np.clip(1.2 - distance.min(1), 0, 1)[:, None]
+    return painted(seen, ink * np.array([0.10, 0.15, 0.30]) + (1 - ink) * np.ones(3))
+
+
+# --- pictures -----------------------------------------------------------------------------------
+
+
+def painted(seen, colours):
+    """Colours (N, 3) of the seen pixels (H, W) -> picture (H, W, 3) on the background."""
+    picture = np.tile(BACKGROUND, (*seen.shape, 1))
+    picture[seen] = colours
+    return picture
+
+
+def enlarged(picture, times):
+    """Each pixel of a picture (H, W) or (H, W, C) as a square of times x times."""
+    return picture.repeat(times, 0).repeat(times, 1)
+
+
+def save(scene, name, picture):
+    """Write a picture of a scene -> its path."""
+    path = places.out("demo", scene, f"{name}.png")
+    image.write(path, picture)
+    return path

@@ -1,0 +1,93 @@
+"""A cube's shape and colours from tiny pictures (lab 9), as in nvdiffrast's sample."""
+import time
+from typing import NamedTuple
+
+import numpy as np
+from rich.progress import track
+
+from .drawing import SIZE, enlarged, random_pose, save
+
+CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+SQUARES = np.array([[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5],
+                    [2, 6, 3, 7], [0, 4, 2, 6], [1, 3, 5, 7]])
+HALVES = np.array([[0, 1, 2], [2, 1, 3]])
+FACES = SQUARES[:, HALVES].reshape(12, 3)
+
+
+class Cube(NamedTuple):
+    """What is unknown about a cube of FACES: positions (8, 3), colours (8, 3)."""
+
+    positions: np.ndarray
+    colours: np.ndarray
+
+
+TRUTH = Cube(CORNERS - 0.5, CORNERS)
+
+
+def fit_cube(labs):
+    """A cube's shape and colours from tiny pictures (lab 9)."""
+    for size, goal in (16, 0.001), (8, 0.01), (4, None):
+        seeds, start = range(5), time.process_time()
+        fitted = [fit(labs, size, seed) for seed in track(seeds, f"{size}", transient=True)]
+        seconds = (time.process_time() - start) / len(seeds)
+        last, settled = np.sort([(errors[-1], np.median(errors[-100:])) for errors, *_ in fitted],
+                                axis=0).T
+        median = np.median(last)
+        yield (f"{size} x {size}: error {median:.5f}", None,
+               (f"{goal}", median <= goal) if goal else ("none: it need not converge", True))
+        yield f"  {last[0]:.5f} to {last[-1]:.5f}, {seconds:.1f} s each", None
+        yield f"  median of the last 100 steps {np.median(settled):.5f}", None
+        pose = camera(labs) @ labs.transforms.rotate(np.array([1.0, 1.0, 0.2]), 0.9)
+        seen = [enlarged(shown(labs, TRUTH, pose, size), SIZE // 2 // size),
+                *(shown(labs, cube, pose, SIZE // 2) for cube in (fitted[0][2], TRUTH))]
+        yield "  a picture, the fit, the truth", save("fit_cube", f"{size}", np.hstack(seen))
+
+
+def fit(labs, size, seed, steps=1000):
+    """A cube seen in one random pose at every step, in size x size pixels: at first its positions
+    are wrong by up to 1/2, and its colours are noise.
+
+    -> errors (steps + 1,), the mean distance of the vertices from the cube's; losses (steps,); the
+    Cube at the end.
+    """
+    lab9, rng = labs.inverse_rendering, np.random.default_rng(seed)
+    x = Cube(TRUTH.positions + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3)))
+
+    def gradient(x):
+        pose = camera(labs) @ random_pose(labs, rng, 0.25)
+        target, *_ = seen(labs, TRUTH, pose, size)
+        picture, *given = seen(labs, x, pose, size)
+        grad_picture = lab9.squared_error_backward(1.0, picture, target)
+        grads = labs.pipeline.render_backward(grad_picture, *given)
+        return lab9.squared_error(picture, target), Cube(grads.positions, grads.surface.colours)
+
+    rates = [1e-2 * max(0.01, 10**(-0.0005 * step)) for step in range(steps)]
+    errors, losses = [error(x.positions)], []
+    for x, loss in lab9.descend(x, gradient, rates):  # noqa: B020
+        errors.append(error(x.positions))
+        losses.append(loss)
+    return np.array(errors), np.array(losses), x
+
+
+def error(positions):
+    """How far vertices (8, 3) are from those of a cube of side 1: the mean of their distances."""
+    return np.linalg.norm(np.abs(positions) - 0.5, axis=1).mean()
+
+
+def seen(labs, cube, clip_from_model, size):
+    """A Cube on black, (size, size, 3), and what `render_backward` takes."""
+    given = (labs.pipeline.make_mesh(cube.positions, FACES), labs.pipeline.Colours(cube.colours),
+             labs.pipeline.View(clip_from_model, size, size, background=np.zeros(3)))
+    picture, buffers = labs.pipeline.render(*given)
+    return picture, buffers, *given
+
+
+def shown(labs, cube, clip_from_model, size):
+    """What a Cube looks like on black, in colours from 0 to 1: (size, size, 3)."""
+    return np.clip(seen(labs, cube, clip_from_model, size)[0], 0, 1)
+
+
+def camera(labs, distance=3.5):
+    """clip_from_world (4, 4) of the sample: it sees 0.4 to each side of the axis at distance 1."""
+    away = labs.transforms.translate(np.array([0.0, 0.0, -distance]))
+    return labs.transforms.frustum(-0.4, 0.4, -0.4, 0.4, 1.0, 50.0) @ away

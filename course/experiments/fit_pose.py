@@ -1,0 +1,129 @@
+"""The pose of a known cube, from one picture (lab 9): random search, then Adam.
+
+The cube has 24 vertices, so that each side has a colour of its own.
+"""
+import time
+
+import numpy as np
+from rich.progress import track
+
+from .drawing import SIZE, save
+from .fit_cube import CORNERS, HALVES, SQUARES, camera
+
+BLOCK = CORNERS[SQUARES].reshape(24, 3) - 0.5
+FACES = np.arange(24).reshape(6, 4)[:, HALVES].reshape(12, 3)
+COLOURS = np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1],
+                    [1, 1, 0], [1, 0, 1], [0, 1, 1]]).repeat(4, 0)
+
+
+def fit_pose(labs):
+    """How a cube is rotated: search, then gradient (lab 9)."""
+    still = symmetries()[:1]
+    for name, title, seeds, settings in (
+            ("search", "search by symmetries", range(10), {}),
+            ("failure", "the same from start 23", [23], {}),
+            ("trapped", "search without them", range(10), {"allowed": still}),
+            ("gradient", "no search", range(10), {"proposals": 0})):
+        start = time.process_time()
+        fitted = [fit(labs, seed, **settings) for seed in track(seeds, transient=True)]
+        seconds = (time.process_time() - start) / len(fitted)
+        yield f"{title}, {seconds:.1f} s each:", None
+        yield from judged(labs, fitted, [8] if name == "search" else [])
+        yield "  worst: start, fit, truth", save("fit_pose", name, worst(labs, fitted))
+
+
+def judged(labs, fitted, least):
+    """How many of the fits are near, and how far off the others are; least: [a goal] or []."""
+    angles = degrees_off(labs, fitted)
+    near, far = angles[angles < 0.01], np.sort(angles[angles >= 0.01])
+    reached = [(f"{count}", len(near) >= count) for count in least]
+    yield f"  {len(near)} of {len(fitted)} under 0.01 degrees", None, *reached
+    if len(near):
+        yield f"  they are up to {near.max():.4f} off", None
+    if len(far):
+        yield "  " + " ".join(f"{angle:.0f}" for angle in far) + " degrees off", None
+
+
+def worst(labs, fitted):
+    """Start, end and goal of the fit that ended farthest off, side by side."""
+    rotations, goal = fitted[np.argmax(degrees_off(labs, fitted))]
+    pictures = [seen(labs, q, SIZE // 2)[0] for q in (rotations[0], rotations[-1], goal)]
+    return np.clip(np.hstack(pictures), 0, 1)
+
+
+def degrees_off(labs, fitted):
+    """By how many degrees each fit's last rotation differs from its goal."""
+    return np.degrees([labs.inverse_rendering.rotation_angle(rotations[-1], goal)
+                       for rotations, goal in fitted])
+
+
+def fit(labs, seed, proposals=400, allowed=None, stages=((64, 40, 5e-3), (256, 40, 3e-4))):
+    """A cube's rotation, from one picture: greedy random search, in pictures of 16 x 16, then Adam,
+    in each stage (size, steps, first rate).
+
+    allowed (K, 4) are rotations to try beside small ones, `symmetries` if None.
+    -> rotations (proposals + all steps + 1, 4), quaternions from start to end; the right one (4,).
+    """
+    rng = np.random.default_rng(seed)
+    start, goal = (q / np.linalg.norm(q) for q in rng.normal(size=(2, 4)))
+    allowed = symmetries() if allowed is None else allowed
+    rotations = search(labs, rng, start, goal, proposals, allowed)
+    for size, steps, rate in stages:
+        rotations += descent(labs, rotations[-1], goal, size, steps, rate)
+    return np.array(rotations), goal
+
+
+def search(labs, rng, start, goal, proposals, allowed):
+    """Greedy: a proposed rotation is taken if its picture is nearer to the goal's. They become
+    smaller and smaller; every second one is one of the allowed rotations besides.
+    """
+    lab9, rotations = labs.inverse_rendering, [start]
+    target = seen(labs, goal, 16)[0]
+    least = lab9.squared_error(seen(labs, start, 16)[0], target)
+    for n in range(proposals):
+        half_angle = np.pi / 2 * rng.uniform() * 0.01**(n / proposals)
+        axis = rng.normal(size=3)
+        axis *= np.sin(half_angle) / np.linalg.norm(axis)
+        proposal = lab9.quaternion_product(rotations[-1], np.append(np.cos(half_angle), axis))
+        if n % 2:
+            symmetry = allowed[rng.integers(len(allowed))]
+            proposal = lab9.quaternion_product(proposal, symmetry)
+        loss = lab9.squared_error(seen(labs, proposal, 16)[0], target)
+        rotations.append(proposal if loss < least else rotations[-1])
+        least = min(loss, least)
+    return rotations
+
+
+def descent(labs, q, goal, size, steps, rate):
+    """Adam on the quaternion, in pictures of size x size; the rate falls to a 50th."""
+    lab9, target = labs.inverse_rendering, seen(labs, goal, size)[0]
+
+    def gradient(q):
+        picture, *given = seen(labs, q, size)
+        grad_picture = lab9.squared_error_backward(1.0, picture, target)
+        grad_matrix = labs.pipeline.render_backward(grad_picture, *given).clip_from_model
+        grad_q = lab9.quaternion_matrix_backward(camera(labs).T @ grad_matrix, q)
+        return lab9.squared_error(picture, target), grad_q
+
+    found = lab9.descend(q, gradient, lab9.decay(rate, 0.02, steps),
+                         project=lambda q: q / np.linalg.norm(q))
+    return [q for q, _ in found]
+
+
+def seen(labs, q, size):
+    """The cube with coloured sides, rotated by q: its picture, and what `render_backward` takes."""
+    clip_from_model = camera(labs) @ labs.inverse_rendering.quaternion_matrix(q)
+    given = (labs.pipeline.make_mesh(BLOCK, FACES), labs.pipeline.Colours(COLOURS),
+             labs.pipeline.View(clip_from_model, size, size, np.zeros(3)))
+    picture, buffers = labs.pipeline.render(*given)
+    return picture, buffers, *given
+
+
+def symmetries():
+    """The 24 rotations that bring a cube back to itself, as quaternions (24, 4)."""
+    signs = np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T
+    thirds = np.concatenate([np.ones((8, 1)), signs], 1)  # about a diagonal
+    pairs = [np.eye(4)[i] + sign * np.eye(4)[j] for i in range(4) for j in range(i) for sign in
+             (-1, 1)]
+    found = np.concatenate([np.eye(4), thirds, pairs])
+    return found / np.linalg.norm(found, axis=1, keepdims=True)

@@ -1,0 +1,101 @@
+"""A triangle finds its template by the antialiased edges alone (lab 9).
+
+In pixels of a picture of SIDE x SIDE; the triangle's colour is 1, the background's is 0.
+"""
+import numpy as np
+
+from .drawing import enlarged, save
+
+SIDE = 64
+TEMPLATE = np.array([[50.0, 50.0], [10.0, 38.0], [38.0, 8.0]])
+START = np.array([[42.0, 58.0], [21.0, 22.0], [56.0, 26.0]])
+
+
+def fit_triangle(labs):
+    """A triangle moves to its template: with antialiasing alone (lab 9)."""
+    goal = template(labs)
+    for name, antialiased in ("without", False), ("with", True):
+        x, _, gradients = fit(labs, goal, antialiased)
+        yield f"{name} antialiasing, {len(gradients)} steps:", None
+        largest = np.abs(gradients).max()
+        off = np.linalg.norm(x[-1] - TEMPLATE, axis=1).max()
+        reached = [] if antialiased else [("exactly 0", largest == 0)]
+        yield f"  largest gradient {largest:.2g}", None, *reached
+        reached = [("0.1", off <= 0.1)] if antialiased else []
+        yield (f"  {off:.3f} px off",
+               save("fit_triangle", name, enlarged(over(labs, goal, x), 8)), *reached)
+
+
+def fit(labs, goal, antialiased, steps=300):
+    """Three vertices move until the triangle looks like its template, goal (SIDE, SIDE, 1).
+
+    -> vertices (steps + 1, 3, 2) in pixels, at first START; losses, gradients (steps, 3, 2).
+    """
+    lab9, gradients = labs.inverse_rendering, []
+    mesh, surface, view = scene(labs)
+    render, render_backward = with_edges(labs) if antialiased else without_edges(labs)
+
+    def gradient(x):
+        moved = mesh._replace(positions=in_space(x))
+        picture, buffers = render(moved, surface, view)
+        grad_picture = lab9.squared_error_backward(1.0, picture, goal)
+        grads = render_backward(grad_picture, buffers, moved, surface, view)
+        gradients.append(grads.positions[:, :2])
+        return lab9.squared_error(picture, goal), gradients[-1]
+
+    x, losses = zip(*lab9.descend(START, gradient, schedule(steps)), strict=True)
+    return np.array([START, *x]), np.array(losses), np.array(gradients)
+
+
+def with_edges(labs):
+    """The pipeline's `render` and its backward pass."""
+    return labs.pipeline.render, labs.pipeline.render_backward
+
+
+def without_edges(labs):
+    """The same without antialiasing."""
+    pipeline = labs.pipeline
+
+    def render(mesh, surface, view):
+        _, buffers = pipeline.render(mesh, surface, view)
+        return buffers.colour, buffers
+
+    def render_backward(grad_picture, buffers, mesh, surface, view):
+        grad_surface, grad_clip = pipeline.shade_backward(grad_picture, buffers, mesh.faces,
+                                                          surface)
+        grad_positions, grad_matrix = pipeline.to_clip_backward(grad_clip, mesh.positions,
+                                                                view.clip_from_model)
+        return pipeline.Gradients(grad_positions, grad_surface, grad_matrix)
+
+    return render, render_backward
+
+
+def template(labs):
+    """TEMPLATE as a picture (SIDE, SIDE, 1): its exact area in each pixel (lab 3)."""
+    return labs.sampling.pixel_coverage(TEMPLATE, SIDE, SIDE)[..., None]
+
+
+def scene(labs):
+    """A white triangle on black, its positions in pixels: Mesh, Colours, View."""
+    mesh = labs.pipeline.make_mesh(in_space(START), np.array([[0, 1, 2]]))
+    clip_from_pixels = np.diag([2 / SIDE, 2 / SIDE, 1.0, 1.0])
+    clip_from_pixels[:2, 3] = -1
+    view = labs.pipeline.View(clip_from_pixels, SIDE, SIDE, np.zeros(1))
+    return mesh, labs.pipeline.Colours(np.ones((3, 1))), view
+
+
+def in_space(points):
+    """points (3, 2) in pixels -> (3, 3), all equally deep."""
+    return np.pad(points, ((0, 0), (0, 1)))
+
+
+def schedule(steps):
+    """The learning rate of each step, in pixels."""
+    return [0.6 * 0.01**(step / steps) for step in range(1, steps + 1)]
+
+
+def over(labs, goal, x):
+    """The template in blue; in orange where the triangle began, where it was and where it ended."""
+    steps = [labs.sampling.pixel_coverage(x[step], SIDE, SIDE) for step in (0, 40, -1)]
+    return np.concatenate([np.stack([1 - goal[..., 0], 1 - (goal[..., 0] + step) / 2, 1 - step],
+                                    -1) for step in steps], 1)

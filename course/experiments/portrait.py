@@ -1,0 +1,41 @@
+"""The bunny and the teapot through labs 1 and 2: all that they say about a mesh, as pictures."""
+import numpy as np
+
+from ..given import mesh, plot
+from .drawing import SIZE, clip_positions, painted, save, shaded, told, wireframe
+
+BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
+TEAPOT_EYE = np.array([0.6, 1.2, 2.2])
+
+
+def bunny(labs):
+    """The Stanford bunny through labs 1 and 2."""
+    yield from portrait(labs, "bunny", mesh.bunny, BUNNY_EYE)
+
+
+def teapot(labs):
+    """The Utah teapot through labs 1 and 2."""
+    yield from portrait(labs, "teapot", mesh.teapot, TEAPOT_EYE)
+
+
+def portrait(labs, name, load, eye):
+    """What lab 2 says about a mesh, pixel by pixel, as pictures."""
+    vertices, faces = load()
+    vertices = mesh.normalize(vertices)
+    yield told(vertices, faces), None
+
+    clip = clip_positions(labs, vertices, eye)
+    yield "vertices to clip space", None
+    face_index, depth = labs.scanline.rasterize(clip, faces, SIZE, SIZE)
+    yield "rasterize: face index and depth", None
+    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    yield "barycentrics", None
+    derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
+    yield "derivatives of the barycentrics", None
+
+    yield "face index", save(name, "face_index", plot.face_colours(face_index))
+    yield "depth", save(name, "depth", plot.depth_colours(depth))
+    seen = face_index >= 0
+    yield "barycentrics", save(name, "barycentric", painted(seen, barycentric[seen]))
+    yield "wireframe", save(name, "wireframe", wireframe(seen, barycentric, derivatives))
+    yield "normals", save(name, "normals", shaded(vertices, faces, face_index, barycentric))

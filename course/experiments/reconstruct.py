@@ -1,0 +1,189 @@
+"""Shape, albedo and light of objects that the code has never seen, from 24 pictures (lab 16).
+
+A folder of your own pictures instead: captures.py.
+"""
+import itertools
+import time
+from typing import NamedTuple
+
+import numpy as np
+
+from ..given import distances, image, mesh, places
+from . import captures
+from .drawing import WHITE, cameras_around, save, unit_bunny
+
+BALL_STAGES = (16, 2, 1, 80, 1.0), (24, 2, 1, 60, 0.5), (32, 1, 1, 60, 0.3)  # see lab 16's `fit`
+TWO_RINGS = ("smooth union", 0.1, *(("moved", np.array([x, 0.0, 0.0]), ("torus", 0.34, 0.15))
+                                    for x in (-0.4, 0.4)))
+BUNNY_SIZE = 0.85
+
+
+class Painted(NamedTuple):
+    """An object that can be photographed: vertices (V, 3), faces (F, 3), albedo (V, 3)."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    albedo: np.ndarray
+
+
+def reconstruct(labs):
+    """Shape, albedo and light from 24 pictures, or from FOLDER (lab 16)."""
+    for name, stages, seconds, genus, percent in (
+            ("ring", BALL_STAGES, 180, 1, 1.0), ("two rings", BALL_STAGES, 180, 2, 1.0),
+            ("bunny", captures.FINE_STAGES, 360, 0, 1.2)):
+        path = places.out("demo", "reconstruct", f"{name.replace(' ', '_')}.glb")
+        camera, frames = new_cameras(labs)[5], []
+        start, steps = time.process_time(), captures.steps_of(stages)
+        found = captures.watched(labs, fit(labs, name, stages), steps, path)
+        for step, (_, _, x) in enumerate(found, 1):
+            if step % 5 == 1 or step == steps:
+                frames.append(portrait(labs, x, camera, 128))
+        spent = time.process_time() - start
+        yield f"{name}: {spent:.0f} s", path, (f"{seconds} s", spent <= seconds)
+        animation = path.with_name(f"{path.stem}_on_its_way.png")
+        image.write_animation(animation, frames + 12 * frames[-1:], 0.12)
+        yield "  on its way", animation
+        yield from compared(labs, x, name, genus, percent)
+
+
+def compared(labs, x, name, genus, percent):
+    """What was found, beside the truth and lab 16's goals."""
+    found = judged(labs, x, name)
+    pieces, holes = found["pieces, genus"]
+    off = 100 * found["distance"]
+    yield f"  pieces {pieces}, genus {holes}", None, (f"1, {genus}", (pieces, holes) == (1, genus))
+    yield f"  {off:.2f} % of the diagonal off", None, (f"{percent} %", off <= percent)
+    for title, least in ("new views", 27), ("relit", 24):
+        yield f"  {title}: {found[title]:.1f} dB", None, (f"{least} dB", found[title] >= least)
+    scale = " ".join(f"{factor:.2f}" for factor in found["scale"])
+    yield f"  light {found['light']:.0%} off, up to factors {scale}", None
+    sheet = np.hstack([np.vstack([picture[..., :3] for picture in pictures[::2]])
+                       for pictures in found["pictures"]])
+    yield ("  fit, truth; relit, truth",
+           save("reconstruct", name.replace(" ", "_"), image.to_srgb(np.clip(sheet, 0, 1))))
+
+
+def fit(labs, name, stages, size=128, count=24, **settings):
+    """What lab 16's `fit` yields, for pictures of one of the `unseen` objects by daylight."""
+    cameras = cameras_around(labs, count)
+    pictures = photographs(labs, unseen(labs, name), daylight(labs), cameras, size)
+    return labs.reconstruction.fit(pictures, cameras, WHITE, stages, **settings)
+
+
+def new_cameras(labs):
+    """8 cameras that the search did not have."""
+    return cameras_around(labs, 8, longitude=1.1)
+
+
+# --- what is photographed, and in what light ----------------------------------------------------
+
+
+def unseen(labs, name):
+    """An object to reconstruct, "ring", "two rings" or "bunny": a Painted."""
+    if name == "ring":
+        vertices, faces = mesh.torus(60_000, 0.6, 0.25)
+    elif name == "two rings":
+        points, tetrahedra = labs.implicit_surfaces.tetrahedral_grid(72)
+        distance = labs.implicit_surfaces.signed_distance(points, TWO_RINGS)
+        vertices, faces, _ = labs.implicit_surfaces.marching_tetrahedra(points, distance,
+                                                                        tetrahedra)
+    else:
+        vertices, faces = mesh.split_longest(*unit_bunny(), 60_000)
+        vertices = BUNNY_SIZE * vertices
+    return Painted(vertices, faces, paint(vertices))
+
+
+def paint(points):
+    """Soft bands and spots in three colours: points (P, 3) -> albedo (P, 3)."""
+    x, y, z = points.T
+    band = 0.5 + 0.5 * np.tanh(3 * np.sin(9 * y + 2 * np.sin(4 * x) + 1))[:, None]
+    spot = 0.5 + 0.5 * np.tanh(4 * np.sin(7 * x + 1) * np.sin(7 * z) - 1)[:, None]
+    cream, teal, coral = np.array([[0.85, 0.72, 0.45], [0.06, 0.35, 0.5], [0.8, 0.2, 0.12]])
+    return (1 - spot) * (band * cream + (1 - band) * teal) + spot * coral
+
+
+def daylight(labs):
+    """Sun, sky, and some light from the ground (9, 3)."""
+    towards = np.array([[0.5, 0.7, 0.5], [-0.8, 0.3, 0.3], [0.0, -1.0, 0.0], [0.0, 0.4, -0.9]])
+    return lamps(labs, towards, [[0.97, 0.88, 0.75], [0.2, 0.3, 0.45], [0.2, 0.12, 0.1],
+                                 [0.25, 0.3, 0.4]], 0.12)
+
+
+def evening(labs):
+    """A red sun from the other side, and a blue lamp (9, 3)."""
+    towards = np.array([[-0.8, 0.3, -0.5], [0.9, 0.1, 0.4]])
+    return lamps(labs, towards, [[1.0, 0.6, 0.35], [0.25, 0.4, 0.75]], 0.15)
+
+
+def lamps(labs, towards, strength, even):
+    """The light (9, 3) of lamps in these directions (N, 3), and of an even sky."""
+    lab16 = labs.reconstruction
+    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+    light = lab16.distant_light(towards, np.array(strength))
+    light[0] += even / lab16.C0
+    return light
+
+
+def photographs(labs, painted, light, cameras, size, samples=4):
+    """Pictures (size, size, 4) of a Painted on white: colour, and coverage; samples^2 to a pixel.
+    """
+    normals = mesh.vertex_normals(painted.vertices, painted.faces)
+    colours = labs.reconstruction.shade(painted.albedo, normals, light)
+    given = (labs.pipeline.make_mesh(painted.vertices, painted.faces),
+             labs.pipeline.Colours(np.hstack([colours, np.ones((len(colours), 1))])))
+    views = [labs.pipeline.View(camera, samples * size, samples * size, np.append(WHITE, 0))
+             for camera in cameras]
+    return [labs.msaa.box_resolve(labs.pipeline.render(*given, view)[0], samples)
+            for view in views]
+
+
+def portrait(labs, x, camera, size, samples=2):
+    """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
+    *_, light = x
+    painted = found_object(labs, x)
+    clay = painted._replace(albedo=np.full(painted.albedo.shape, 0.8))
+    seen = [photographs(labs, each, lamp, [camera], size, samples)[0][..., :3]
+            for each, lamp in ((painted, light), (clay, daylight(labs)))]
+    return image.to_srgb(np.clip(np.hstack(seen), 0, 1))
+
+
+def found_object(labs, x):
+    """The surface of x as a Painted."""
+    vertices, faces, *_, albedo = labs.reconstruction.surface(x)
+    return Painted(vertices, faces, albedo)
+
+
+# --- how good it is -----------------------------------------------------------------------------
+
+
+def judged(labs, x, name, size=128):
+    """How good x is: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of
+    these in the evening's light, relative error of the light; and the two times two kinds of
+    pictures, as found and as they are.
+    """
+    truth, found, (*_, found_light) = unseen(labs, name), found_object(labs, x), x
+    at_truth = distances.closest_points(found.vertices, truth.vertices, truth.faces)
+    scale = labs.reconstruction.best_scale(found.albedo, paint(at_truth))
+    scaled = found._replace(albedo=scale * found.albedo)
+    light, other_light = daylight(labs), evening(labs)
+    pictures = [photographs(labs, each, lamp, new_cameras(labs), size) for each, lamp in (
+        (found, found_light), (truth, light), (scaled, other_light), (truth, other_light))]
+    return {"pieces, genus": labs.reconstruction.genus(found.faces),
+            "distance": relative_distance(found, truth),
+            "new views": decibels(*pictures[:2]), "relit": decibels(*pictures[2:]),
+            "light": np.linalg.norm(found_light / scale - light) / np.linalg.norm(light),
+            "scale": scale, "pictures": pictures}
+
+
+def relative_distance(found, truth):
+    """How far two Painted are from each other, a mean of both ways, in parts of the diagonal."""
+    both = itertools.permutations([(found.vertices, found.faces), (truth.vertices, truth.faces)])
+    mean = [distances.surface_distances(*a, *b)[0] for a, b in both]
+    return np.mean(mean) / np.linalg.norm(np.ptp(truth.vertices, axis=0))
+
+
+def decibels(pictures, truth):
+    """Colours of pictures (H, W, 4), as seen on a screen, against the truth: mean PSNR in dB."""
+    errors = [((image.to_srgb(np.clip(a, 0, 1)) - image.to_srgb(np.clip(b, 0, 1)))[..., :3]**2)
+              .mean() for a, b in zip(pictures, truth, strict=True)]
+    return -10 * np.log10(np.mean(errors))

@@ -1,0 +1,45 @@
+"""The teapot's thin triangles made rounder, its surface kept (lab 13)."""
+import numpy as np
+
+from ..given import mesh
+from .drawing import SIZE, clip_positions, save, wireframe
+from .portrait import TEAPOT_EYE
+
+
+def relaxation(labs):
+    """The teapot's thin triangles made rounder, its surface kept (lab 13)."""
+    vertices, faces = split_teapot()
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
+    moved, flipped = labs.remeshing.relax(vertices, faces, 0.004 * size)
+    yield "flips and slides, four times", None
+    for name, shape, triangles in ("before", vertices, faces), ("after", moved, flipped):
+        angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())
+        yield (f"{name}: mean least angle {angle:.1f} degrees",
+               save("relaxation", name, drawn(labs, shape, triangles)))
+
+
+def split_teapot():
+    """The teapot without seams, each face split in four -> vertices, faces."""
+    return split_in_four(*closed_seams(*mesh.teapot()))
+
+
+def closed_seams(vertices, faces):
+    """A mesh whose vertices at the same place became one."""
+    vertices, index = np.unique(vertices, axis=0, return_inverse=True)
+    return vertices, index.reshape(-1)[faces]
+
+
+def split_in_four(vertices, faces):
+    """Each face as four of its own shape: the surface stays, and so do its angles."""
+    edges, face_edges = mesh.edges(faces)
+    (a, b, c), (bc, ca, ab) = faces.T, (len(vertices) + face_edges).T
+    faces = np.stack([a, ab, ca,  b, bc, ab,  c, ca, bc,  ab, bc, ca], 1).reshape(-1, 3)
+    return np.concatenate([vertices, vertices[edges].mean(1)]), faces
+
+
+def drawn(labs, vertices, faces, size=SIZE):
+    """The visible edges of a mesh, seen as the teapot is: a picture (size, size, 3)."""
+    clip = clip_positions(labs, mesh.normalize(vertices), TEAPOT_EYE)
+    seen = labs.pipeline.with_derivatives(labs.pipeline.visible(clip, faces, size, size), faces)
+    return wireframe(seen.face_index >= 0, seen.barycentric, seen.derivatives)

@@ -1,0 +1,251 @@
+"""A heap for lab 12: the cheapest pair without looking at all of them, and `simplify` itself.
+
+    least error under Q_a + Q_b  >=  least error under Q_a            of any pair          (1)
+
+Quadrics are only ever added to, so by (1) the least error of a pair never falls. An entry of the
+heap that is out of date comes to the top too early, never too late: it is soon enough to compute
+its cost again there (a lazy update). Where eq. (6) or (7) of lab 12 gave the position a cost may
+fall, though seldom. The order then differs from that of `simplify_loop`.
+
+An open surface is closed first: each boundary edge gets a face to one more vertex, `outside`. Then
+the link condition protects holes and rims as well.
+
+Sources: lecture "Geometry, advanced"; Garland and Heckbert 1997.
+"""
+import heapq
+import numbers
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from course.given import inputs, mesh
+
+from .simplification import (
+    REASONS,
+    best_position,
+    mesh_quadrics,
+    quadric_error,
+    valid_pairs,
+    why_refused,
+)
+
+
+class State(NamedTuple):
+    """Where the collapses stand. All of it changes in place; after each colon: who changes it.
+
+    An entry is (cost, a, b, the pair's age when the entry was made, position). A pair's age is the
+    sum of its vertices' ages.
+    """
+
+    vertices: np.ndarray  # (V, 3): simplify_heap
+    quadrics: np.ndarray  # (V, 4, 4): simplify_heap
+    became: list  # what each vertex has become, at first itself: simplify_heap (root: shortcuts)
+    age: np.ndarray  # (V,) integers, at first 0: simplify_heap
+    rows: list  # the faces of the closed surface, [] for one that is gone: merge
+    rows_at: list  # for each vertex and `outside`, the set of its rows' numbers: merge
+    heap: list  # of entries: simplify_heap, out_of_date, has_cheapest, put_back
+    known: set  # (a, b, age) of the pairs that were brought up to date: out_of_date
+    waiting: dict  # vertex -> the refused entries there: simplify_heap, put_back
+
+
+def start(vertices, faces, quadrics, pairs):
+    """The state before the first collapse, with copies of vertices and quadrics."""
+    rows, rows_at = incidence(close_boundary(faces, len(vertices)), len(vertices) + 1)
+    state = State(vertices.copy(), quadrics.copy(), list(range(len(vertices))),
+                  np.zeros(len(vertices), int), rows, rows_at, [], set(), {})
+    state.heap.extend(entries(state, pairs))
+    heapq.heapify(state.heap)
+    return state
+
+
+def close_boundary(faces, outside):
+    """The faces, and after them one more for each boundary edge: from the edge to `outside`."""
+    edges = mesh.boundary_edges(faces)
+    return np.concatenate([faces, np.column_stack([edges, np.full(len(edges), outside)])])
+
+
+def incidence(faces, vertex_count):
+    """faces (F, 3) as lists, and for each vertex the set of its faces' numbers."""
+    faces_at = [set() for _ in range(vertex_count)]
+    for f, face in enumerate(faces.tolist()):
+        for vertex in face:
+            faces_at[vertex].add(f)
+    return faces.tolist(), faces_at
+
+
+def merge(state, a, b):
+    """`collapse_faces` in rows and rows_at -> how many faces went, those to outside left out.
+
+    Two faces to outside that have become twins go, too: there, two boundaries are sewn together.
+    """
+    rows, rows_at = state.rows, state.rows_at
+    outside = len(state.vertices)
+    gone = rows_at[a] & rows_at[b]
+    count = sum(outside not in rows[f] for f in gone)
+    for f in rows_at[b]:
+        rows[f] = [a if vertex == b else vertex for vertex in rows[f]]
+    rows_at[a] = rows_at[a] | rows_at[b]
+    rows_at[b] = set()
+    for f in gone | seam(state, rows_at[a] - gone):
+        for vertex in rows[f]:
+            rows_at[vertex].discard(f)
+        rows[f] = []
+    return count
+
+
+def seam(state, numbers):
+    """The rows of these numbers that have a twin, both faces to outside -> their numbers."""
+    outside = len(state.vertices)
+    sides = {f: set(state.rows[f]) for f in numbers if outside in state.rows[f]}
+    return {f for f, side in sides.items() if list(sides.values()).count(side) == 2}
+
+
+def entries(state, pairs):
+    """What the heap holds of pairs (N, 2), see `State`."""
+    a, b = pairs.T
+    q = state.quadrics[a] + state.quadrics[b]
+    positions = best_position(q, state.vertices[a], state.vertices[b])
+    costs = quadric_error(q, positions).tolist()
+    ages = (state.age[a] + state.age[b]).tolist()
+    return list(zip(costs, a.tolist(), b.tolist(), ages, positions.tolist(), strict=True))
+
+
+def root(became, vertex):
+    """What a vertex has become in all collapses so far. The chain is cut short on the way."""
+    while became[vertex] != vertex:
+        became[vertex] = became[became[vertex]]
+        vertex = became[vertex]
+    return vertex
+
+
+def out_of_date(state):
+    """Take what is out of date from the top of the heap -> its pairs (N, 2), to be made anew.
+
+    An entry is out of date if a vertex of it has merged since it was made. The pair of what its
+    vertices became stands for it, once at each age (`known`).
+    """
+    pairs = []
+    while state.heap:
+        _, *ends, then, _ = state.heap[0]
+        a, b = sorted(root(state.became, end) for end in ends)
+        now = int(state.age[a] + state.age[b])
+        if then == now:
+            break
+        heapq.heappop(state.heap)
+        if a != b and (a, b, now) not in state.known:
+            state.known.add((a, b, now))
+            pairs.append((a, b))
+    return np.array(pairs, int).reshape(-1, 2)
+
+
+def has_cheapest(state):
+    """Lazy update: make entries anew until the heap's top is up to date -> bool, is there one?"""
+    while len(pairs := out_of_date(state)):
+        for entry in entries(state, pairs):
+            heapq.heappush(state.heap, entry)
+    return len(state.heap) > 0
+
+
+def put_back(state, around):
+    """Refused entries that wait at one of the vertices around go back to the heap."""
+    for vertex in around:
+        for entry in state.waiting.pop(vertex, ()):
+            for other in {entry[1], entry[2]} & state.waiting.keys():
+                state.waiting[other].remove(entry)
+            heapq.heappush(state.heap, entry)
+
+
+def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.16 (6 points)
+    """`simplify_loop` by a heap with lazy updates. The faces may have a boundary.
+
+    -> vertices (V, 3), faces (F', 3) in their order, refused (3,): how often, for each of REASONS.
+
+    `start` gives the state. While there are more than face_count faces and `has_cheapest`, pop the
+    entry at the top of the heap and ask `why_refused`; its faces are the rows at a or b. If it is
+    refused, count that, each time, and append the entry to waiting[a] and to waiting[b]. Else:
+
+    - `merge` the rows, which says how many faces went;
+    - you set vertices[a] and quadrics[a] as in `simplify_loop`, became[b] = a, and age[a] to 1 more
+      than the pair's age; the given functions only read them;
+    - `put_back` what waits at a, b or a neighbour of either (before the merge).
+
+    Faces to `outside`, the vertex number V, count neither in face_count nor in the result.
+
+    >>> vertices, faces = mesh.grid(32)
+    >>> q, pairs = mesh_quadrics(vertices, faces), valid_pairs(vertices, faces, 0.0)
+    >>> vertices, faces, refused = simplify_heap(vertices, faces, q, pairs, 2)
+    >>> vertices[np.unique(faces)].round(9).astype(int).tolist()
+    [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
+    """
+    state = start(vertices, faces, quadrics, pairs)
+    count = len(faces)
+    refused = np.zeros(3, int)
+    while count > face_count and has_cheapest(state):
+        entry = heapq.heappop(state.heap)
+        _, a, b, age, position = entry
+        around = np.array([state.rows[f] for f in state.rows_at[a] | state.rows_at[b]])
+        reason = why_refused(state.vertices, around, a, b, np.array(position))
+        if reason:
+            refused[reason - 1] += 1
+            state.waiting.setdefault(a, []).append(entry)
+            state.waiting.setdefault(b, []).append(entry)
+        else:
+            count -= merge(state, a, b)
+            state.vertices[a] = position
+            state.quadrics[a] += state.quadrics[b]
+            state.became[b] = a
+            state.age[a] = age + 1
+            put_back(state, set(around.ravel().tolist()))
+    return state.vertices, open_faces(state), refused
+
+
+def open_faces(state):
+    """The rows that are left, without those to outside: (F, 3)."""
+    outside = len(state.vertices)
+    left = [row for row in state.rows if row and outside not in row]
+    return np.array(left, int).reshape(-1, 3)
+
+
+def plain_faces(faces):
+    """Of faces (F, 3) with the same three vertices the first; none that names a vertex twice."""
+    ascending = np.sort(faces, axis=1)
+    first = np.unique(ascending, axis=0, return_index=True)[1]
+    return faces[np.intersect1d(first, np.flatnonzero((np.diff(ascending) > 0).all(1)))]
+
+
+def simplify(vertices, faces, face_count, t=0.0):
+    """A mesh of at most face_count faces -> vertices (V', 3), faces (F', 3), refused (3,).
+
+    Pairs nearer than t become one as well, which closes cracks and joins parts. With t = 0, what
+    was manifold stays so, boundary and topology included. If every pair that is left is refused, a
+    warning says so, and the mesh has more faces. refused counts by REASONS.
+    ValueError for what is no mesh, for a negative t or face_count, or nan.
+    """
+    inputs.require_mesh(vertices, faces)
+    faces = plain_faces(np.asarray(faces, int))
+    if not all(isinstance(number, numbers.Real) and number >= 0 for number in (face_count, t)):
+        raise ValueError("simplify needs face_count >= 0 and t >= 0, "
+                         f"got face_count {face_count} and t {t}")
+    if len(faces) == 0:
+        raise ValueError("every face names a vertex twice: there is no surface to simplify")
+    vertices, faces = without_unused(np.asarray(vertices, float), faces)
+    # Near the origin and of size 1, the numbers of a quadric keep their digits.
+    centre = vertices.mean(0)
+    size = 2.0 ** np.frexp(np.abs(vertices - centre).max())[1]
+    vertices = (vertices - centre) / size
+    pairs = valid_pairs(vertices, faces, t / size)
+    quadrics = mesh_quadrics(vertices, faces)
+    vertices, faces, refused = simplify_heap(vertices, faces, quadrics, pairs, face_count)
+    if len(faces) > face_count:
+        counts = ", ".join(f"{n} for {reason}" for n, reason in zip(refused, REASONS, strict=True))
+        warnings.warn(f"{len(faces)} faces are left, {face_count} were asked for: every other "
+                      f"collapse would break the surface (refused: {counts})", stacklevel=2)
+    vertices, faces = without_unused(vertices, faces)
+    return vertices * size + centre, faces, refused
+
+
+def without_unused(vertices, faces):
+    """The mesh without the vertices of no face, in their order."""
+    used, faces = np.unique(faces, return_inverse=True)
+    return vertices[used], faces.reshape(-1, 3)

@@ -1,0 +1,292 @@
+"""What the exercise of lab 12's heap must do."""
+import itertools
+
+import numpy as np
+
+from course.checks import assert_close, assert_equal, exercise
+from course.given import mesh
+
+LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-3, 0.5**0.5, 0.01  # as in `simplification`
+
+# A double pyramid: 0 above, 4 below, and the ring 1 2 3, whose edges belong to no face inside.
+DOUBLE = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
+TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+
+
+def outer(p):
+    """p p^T, number by number."""
+    return np.array([[p[i] * p[j] for j in range(4)] for i in range(4)])
+
+
+def planes_of(*rows):
+    """The sum of the quadrics of planes, (1, 4, 4)."""
+    return sum(outer(np.array(row, float)) for row in rows)[None]
+
+
+def error(q, x):
+    v = np.append(x, 1.0)
+    return sum(v[i] * q[i, j] * v[j] for i in range(4) for j in range(4))
+
+
+def quadrics_of(vertices, faces):
+    """Eq. (3), face by face."""
+    q = np.zeros((len(vertices), 4, 4))
+    for face in faces:
+        a, b, c = vertices[face]
+        n = np.cross(b - a, c - a)
+        n = n / np.linalg.norm(n)
+        for vertex in face:
+            q[vertex] += outer(np.append(n, -n @ a))
+    return q
+
+
+def bumpy(face_count, rng, noise=0.05):
+    """A closed mesh without symmetries: no two costs are equal."""
+    vertices, faces = mesh.icosphere(face_count)
+    return vertices + noise * rng.normal(size=vertices.shape), faces
+
+
+def edges_of(faces):
+    return np.array(sorted({tuple(sorted(pair)) for face in faces.tolist()
+                            for pair in itertools.combinations(face, 2)}))
+
+
+def place_and_cost(q, a, b):
+    """Eq. (5), or (6), or (7), for one pair."""
+    A, offset, e = q[:3, :3], q[:3, 3], b - a
+    spread = np.sort(np.linalg.eigvalsh(A))
+    if spread[0] > LEAST_CURVATURE * spread[2]:
+        x = -np.linalg.inv(A) @ offset
+    elif e @ A @ e > LEAST_CURVATURE * np.trace(A) * (e @ e):
+        x = a + np.clip(-e @ (A @ a + offset) / (e @ A @ e), 0, 1) * e
+    else:
+        x = min((a, b, (a + b) / 2), key=lambda x: error(q, x))
+    return x, error(q, x)
+
+
+def shape(a, b, c):
+    """Twice the area over the square of the longest edge."""
+    longest = max((b - a) @ (b - a), (c - b) @ (c - b), (a - c) @ (a - c))
+    return np.linalg.norm(np.cross(b - a, c - a)) / longest
+
+
+def is_allowed(vertices, faces, a, b, x):
+    """Of a closed surface: is a proper edge, makes no face twice, and flips none."""
+    faces = [face for face in faces if a in face or b in face]
+    both = [face for face in faces if a in face and b in face]
+    others = [face for face in faces if face not in both]
+    shared = ({v for face in faces if a in face for v in face}
+              & {v for face in faces if b in face for v in face}) - {a, b}
+    renamed = [{a if v == b else v for v in face} for face in others]
+    if shared != {v for face in both for v in face} - {a, b} \
+            or any(renamed.count(face) > 1 for face in renamed):
+        return False
+    for face in others:
+        p, q, r = vertices[face]
+        p1, q1, r1 = (x if v in (a, b) else vertices[v] for v in face)
+        n, n1 = np.cross(q - p, r - p), np.cross(q1 - p1, r1 - p1)
+        if n @ n1 < LEAST_COSINE * np.linalg.norm(n) * np.linalg.norm(n1) \
+                or shape(p1, q1, r1) < LEAST_SHAPE * shape(p, q, r):
+            return False
+    return True
+
+
+def greedy(vertices, faces, face_counts):
+    """The whole algorithm, slowly: yields positions (V, 3) and faces (F', 3) at each face count."""
+    vertices, quadrics, faces = vertices.copy(), quadrics_of(vertices, faces), faces.tolist()
+    known = {}
+    for face_count in face_counts:
+        while len(faces) > face_count:
+            for a, b in map(tuple, edges_of(np.array(faces)).tolist()):
+                if (a, b) not in known:
+                    x, cost = place_and_cost(quadrics[a] + quadrics[b], vertices[a], vertices[b])
+                    known[a, b] = cost, a, b, x
+            asked = sorted(known.values(), key=lambda pair: pair[0])
+            allowed = (pair for pair in asked if is_allowed(vertices, faces, *pair[1:]))
+            _, a, b, x = next(allowed, [None] * 4)
+            if x is None:
+                break
+            vertices[a], quadrics[a] = x, quadrics[a] + quadrics[b]
+            faces = [[a if v == b else v for v in face] for face in faces if not {a, b} <= {*face}]
+            known = {pair: cost for pair, cost in known.items() if not {a, b} & {*pair}}
+        yield vertices.copy(), np.array(faces)
+
+
+def euler(faces):
+    return len(np.unique(faces)) - len(edges_of(faces)) + len(faces)
+
+
+def rows(faces):
+    """Faces (F, 3), in their order, each from its lowest vertex on."""
+    return np.array([np.roll(face, -int(np.argmin(face))) for face in np.asarray(faces)])
+
+
+def heap(impl, vertices, faces, face_count):
+    return impl.simplify_heap(vertices, faces, quadrics_of(vertices, faces), edges_of(faces),
+                              face_count)[:2]
+
+
+@exercise("12.16")
+def test_nothing_to_do(impl, rng):
+    """One collapse too many, where there are just as many faces as asked for."""
+    vertices, faces = bumpy(20, rng)
+    for face_count in 20, 21:
+        assert_equal(heap(impl, vertices, faces, face_count), (vertices, faces))
+
+
+@exercise("12.16")
+def test_one_collapse(impl, rng):
+    """The upper vertex stays, or the lower one stays where it was; or it is another pair."""
+    vertices, faces = bumpy(20, rng, 0.2)
+    [(expected, left)] = greedy(vertices, faces, [19])
+    got, got_left = heap(impl, vertices, faces, 19)
+    assert_equal(rows(got_left), rows(left))
+    assert_close(got, expected, atol=1e-9)
+
+
+def gone(before, after):
+    """In words, which vertices the last collapse took."""
+    return f"gone from the faces: {np.setdiff1d(before, after).tolist()}"
+
+
+@exercise("12.16")
+def test_all_collapses_are_those_of_the_slow_heap(impl, rng):
+    """Quadrics are not summed, costs are out of date, pairs of the upper vertex are lost, refused
+    pairs never come back. The first collapse that differs is shown."""
+    for noise in 0.05, 0.3:
+        vertices, faces = bumpy(45, rng, noise)
+        face_counts = range(len(faces), 3, -2)
+        slow = dict(zip(face_counts, greedy(vertices, faces, face_counts), strict=True))
+        fast = {n: heap(impl, vertices, faces, n) for n in (60, 34, 16, 4)}
+        if any(not np.array_equal(rows(got[1]), rows(slow[n][1])) for n, got in fast.items()):
+            fast = {}
+            for face_count in face_counts:
+                fast[face_count] = heap(impl, vertices, faces, face_count)
+                got, expected = fast[face_count][1], slow[face_count][1]
+                before = slow[min(face_count + 2, len(faces))][1]
+                assert_equal(gone(before, got), gone(before, expected))
+                assert_equal(rows(got), rows(expected))
+        for face_count, (got, left) in fast.items():
+            used = np.unique(left)
+            assert_close(np.asarray(got)[used], slow[face_count][0][used], rtol=1e-6, atol=1e-6)
+
+
+@exercise("12.16")
+def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
+    """A torus becomes a sphere, an edge gets four faces or one, or a face comes twice."""
+    for vertices, faces in mesh.torus(100), mesh.torus(36):
+        vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
+        left = np.asarray(heap(impl, vertices, faces, 0)[1])
+        assert_equal("none left" if len(left) == 0 else "some left", "some left")
+        assert_equal("as many faces as before" if len(left) == len(faces) else "fewer", "fewer")
+        assert_equal(euler(left), 0)
+        faces_at_edge = np.bincount(mesh.edges(left)[1].ravel())
+        assert_equal(faces_at_edge, np.full(len(faces_at_edge), 2))
+        assert_equal(len({frozenset(face) for face in left.tolist()}), len(left))
+
+
+@exercise("12.16")
+def test_it_ends_with_a_tetrahedron(impl, rng):
+    """The target cannot be reached: an endless loop, or nothing is left."""
+    vertices, faces = bumpy(20, rng)
+    left = np.asarray(heap(impl, vertices, faces, 0)[1])
+    assert_equal((len(left), len(np.unique(left))), (4, 4))
+
+
+@exercise("12.16")
+def test_refused_pairs_are_counted_by_their_reason(impl):
+    """Reasons are swapped, or a pair is counted again though nothing around it has changed."""
+    vertices = np.array([[0.0, 0, 3], [1, 0, 0], [-1, 2, 0], [-1, -2, 0], [0, 0, -2]])
+    ring, q = np.array([[1, 2], [1, 3], [2, 3]]), quadrics_of(vertices, DOUBLE)
+    got = impl.simplify_heap(vertices, DOUBLE, q, ring, 0)
+    assert_equal(got[1:], (DOUBLE, np.array([3, 0, 0])))
+    four, q = vertices[:4], quadrics_of(vertices[:4], TETRAHEDRON)
+    assert_equal(impl.simplify_heap(four, TETRAHEDRON, q, edges_of(TETRAHEDRON), 0)[1:],
+                 (TETRAHEDRON, np.array([0, 6, 0])))
+    far = planes_of([1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 9])  # the corner (0, 0, -9)
+    got = impl.simplify_heap(vertices, DOUBLE, np.repeat(far, 5, 0), np.array([[0, 1]]), 0)
+    assert_equal(got[1:], (DOUBLE, np.array([0, 0, 1])))
+
+
+@exercise("12.16")
+def test_a_pair_that_is_refused_again_counts_again(impl, rng):
+    """A pair is counted once, though it went back to the heap; or all go back, also far away."""
+    vertices, faces = mesh.icosphere(80)
+    vertices = vertices + 0.02 * rng.normal(size=vertices.shape)
+    pairs, q = edges_of(faces), quadrics_of(vertices, faces)
+    a, b = pairs[0]
+    around = {*faces[((faces == a) | (faces == b)).any(1)].ravel().tolist()}
+    near = next(pair for pair in pairs.tolist() if not {a, b} & {*pair} and around & {*pair})
+    far = pairs[np.argmin((vertices[pairs] @ vertices[a]).max(1))]
+    for pair in (a, b), far:  # they would like to be on the other side of the ball, far out
+        x, y, z = 9 * vertices[pair[0]]
+        q[list(pair)] = planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])
+    asked = np.array(sorted([[a, b], near, far.tolist()]))
+    _, left, refused = impl.simplify_heap(vertices, faces, q, asked, 0)
+    assert_equal((len(left), refused), (78, np.array([0, 0, 3])))
+
+
+@exercise("12.16")
+def test_a_refused_pair_has_its_turn_when_an_end_has_changed(impl, rng):
+    """What was refused never comes back, not even where its own vertex has become another one."""
+    vertices, faces = mesh.icosphere(320)
+    vertices = vertices + 0.02 * rng.normal(size=vertices.shape)
+    pairs, q = edges_of(faces), quadrics_of(vertices, faces)
+    a, b = pairs[0].tolist()
+    around = {*pairs[(pairs == a).any(1)].ravel().tolist()}
+    c = next(v for pair in pairs.tolist() if b in pair for v in pair if v not in around)
+    x, y, z = 9 * vertices[a]      # a and b would like to be on the other side, at no cost,
+    q[[a, b]] = planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])
+    x, y, z = -vertices[c]         # and c to stay, at any cost
+    q[c] = 1e4 * planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])[0]
+    asked = np.array(sorted([[a, b], sorted([b, c])]))
+    _, left, refused = impl.simplify_heap(vertices, faces, q, asked, 0)
+    assert_equal((len(left), refused), (316, np.array([0, 0, 1])))
+
+
+@exercise("12.16")
+def test_an_open_surface_keeps_its_boundary(impl, rng):
+    """A flat disc loses a corner; an ear is torn off; a hole is sewn up; the two sides of a ring
+    touch."""
+    vertices, faces = mesh.grid(72)
+    hole = (np.abs(vertices[faces].mean(1)[:, :2] - 3) < 1).all(1)
+    faces = faces[~hole]
+    vertices = vertices + 0.1 * rng.normal(size=vertices.shape) * [0, 0, 1]
+    boundary = quadrics_of(vertices, faces)
+    for a, b in edges_of(faces):
+        if ((faces == a) | (faces == b)).sum(1).tolist().count(2) == 1:
+            n = np.array([vertices[b, 1] - vertices[a, 1], vertices[a, 0] - vertices[b, 0], 0])
+            n /= np.linalg.norm(n)
+            boundary[[a, b]] += 100 * outer(np.append(n, -n @ vertices[a]))
+    for face_count in 40, 0:
+        place, left, _ = impl.simplify_heap(vertices, faces, boundary, edges_of(faces), face_count)
+        left = np.asarray(left)
+        assert_equal("none left" if len(left) == 0 else "some left", "some left")
+        assert_equal(euler(left), 0)                    # a disc with one hole
+        sides = np.sort(left[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2))
+        pairs, numbers = np.unique(sides, axis=0, return_counts=True)
+        assert_equal(numbers.max(), 2)
+        assert_equal("closed" if (numbers == 2).all() else "with a boundary", "with a boundary")
+        ends = np.bincount(pairs[numbers == 1].ravel())
+        assert_equal(np.unique(ends[ends > 0]), [2])    # two boundary edges at a boundary vertex
+        if face_count:
+            # A collapse takes two faces, at the boundary one: the last may take one too many.
+            enough = face_count - 1 <= len(left) <= face_count
+            assert_equal("40 or 39 faces" if enough else f"{len(left)} faces", "40 or 39 faces")
+            corners = np.asarray(place)[np.unique(left), :2]
+            for corner in itertools.product((0, 6), (0, 6)):
+                near = (np.abs(corners - corner).max(1) < 0.1).any()
+                assert_equal(f"corner {corner} {'stays' if near else 'is lost'}",
+                             f"corner {corner} stays")
+
+
+@exercise("12.16")
+def test_two_boundaries_are_sewn_together(impl):
+    """Pairs that are no edges, of two squares side by side, with a crack between."""
+    vertices = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0],
+                         [1, 0, 0], [2, 0, 0], [1, 1, 0], [2, 1, 0]])
+    faces = np.array([[0, 1, 3], [0, 3, 2], [4, 5, 7], [4, 7, 6]])
+    q = quadrics_of(vertices, faces)
+    got = impl.simplify_heap(vertices, faces, q, np.array([[1, 4], [3, 6]]), 0)
+    expected = np.array([[0, 1, 3], [0, 3, 2], [1, 5, 7], [1, 7, 3]])
+    assert_equal(got[1:], (expected, np.zeros(3, int)))
