@@ -32,7 +32,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "reconstruction.fit has more than 7 parameters",
     "regularization.large_step has more than 7 parameters",
     "regularization.uniform_adam_step has more than 7 parameters",
-    "sampling has a docstring of more than 20 lines",
     "shadow_mapping has a docstring of more than 20 lines",
     "shadow_mapping has more than 350 lines",
     "shadow_mapping.blocker_distance has more than 7 parameters",
@@ -41,7 +40,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "shadow_mapping.percentage_closer has more than 7 parameters",
     "shadow_mapping.position_loss has more than 7 parameters",
     "shadow_mapping.soft_shadow has more than 7 parameters",
-    "transforms has a docstring of more than 20 lines",
 }
 
 
