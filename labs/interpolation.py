@@ -19,26 +19,10 @@ faces (F, 3) may name other vertices than those of the positions, as uv with sea
 
 Source: lecture "Differentiable graphics 1".
 """
-import math
-
 import numpy as np
 import scipy.sparse
 
-from .rasterization import normalize_derivative, seen_pixels
-
-
-def scatter(values, index, count):
-    """The transpose of the gather x[index]: row index[n] of the result sums the values[n].
-
-    values (*index.shape, ...), index of integers below count -> (count, ...).
-
-    >>> scatter(np.array([1.0, 10.0, 100.0]), np.array([2, 0, 2]), 3)
-    array([ 10.,   0., 101.])
-    """
-    shape = values.shape[index.ndim:]
-    columns = values.reshape(index.size, math.prod(shape)).T
-    sums = [np.bincount(index.ravel(), column, count) for column in columns]
-    return np.stack(sums, -1).reshape(count, *shape)
+from .rasterization import normalize_derivative, scatter, seen_pixels  # noqa: F401
 
 
 def lerp(a, b, t):  # exercise 5.1 (1 point)

@@ -23,7 +23,7 @@ from scipy.sparse.linalg import spsolve
 
 from course.given import mesh
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this it has none
 

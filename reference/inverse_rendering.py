@@ -16,7 +16,7 @@ Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Shoemake 1
 """
 import numpy as np
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 
 def squared_error(picture, target):  # exercise 9.1 (1 point)

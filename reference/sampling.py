@@ -168,14 +168,21 @@ def folded_energy(spectrum, step):  # exercise 3.11 (2 points)
     return (np.abs(spectrum[folds]) ** 2).sum() / spectrum.size**2
 
 
+def box(width):
+    """The kernel (width, width) that takes a mean. ValueError if the width is not odd."""
+    if width % 2 != 1 or width < 1:
+        raise ValueError(f"a box needs an odd width, 1 or more, for its middle pixel, got {width}")
+    return np.full((width, width), width**-2.0)
+
+
 def filter_then_sample(picture, step):
     """The mean of step x step pixels around every step-th one. step is odd."""
-    return convolve(picture, np.full((step, step), step**-2.0))[::step, ::step]
+    return convolve(picture, box(step))[::step, ::step]
 
 
 def sample_then_blur(picture, step, width=3):
-    """Every step-th pixel, then the mean of width x width of those: too late."""
-    return convolve(picture[::step, ::step], np.full((width, width), width**-2.0))
+    """Every step-th pixel, then the mean of width x width of those, width odd: too late."""
+    return convolve(picture[::step, ::step], box(width))
 
 
 def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
