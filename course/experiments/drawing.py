@@ -75,6 +75,16 @@ def told(vertices, faces):
     return f"read {len(vertices):,} vertices, {len(faces):,} faces"
 
 
+def on_black(labs, shape, colours, clip_from_model, size):
+    """A pipeline.Mesh of colours (V, C) on black: the picture (size, size, C), and what
+    `render_backward` takes besides its gradient.
+    """
+    given = (shape, labs.pipeline.Colours(colours),
+             labs.pipeline.View(clip_from_model, size, size, np.zeros(colours.shape[1])))
+    picture, buffers = labs.pipeline.render(*given)
+    return picture, buffers, *given
+
+
 def seen_mask(labs, vertices, faces, camera, size):
     """Where a mesh is seen at the pixels' centres: bool (size, size)."""
     clip = labs.pipeline.to_clip(vertices, camera)

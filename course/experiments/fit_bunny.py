@@ -8,6 +8,7 @@ from .drawing import (
     cameras_around,
     clip_positions,
     intersection_over_union,
+    on_black,
     random_cameras,
     save,
     seen_mask,
@@ -79,10 +80,7 @@ def silhouettes(labs, vertices, faces, cameras, size):
 
 def silhouette(labs, white, clip_from_world, size):
     """A Mesh in white on black: the picture (size, size, 1), and what `render_backward` takes."""
-    given = (white, labs.pipeline.Colours(np.ones((len(white.positions), 1))),
-             labs.pipeline.View(clip_from_world, size, size, np.zeros(1)))
-    picture, buffers = labs.pipeline.render(*given)
-    return picture, buffers, *given
+    return on_black(labs, white, np.ones((len(white.positions), 1)), clip_from_world, size)
 
 
 def shared_silhouettes(labs, shape, other, cameras, size=256):

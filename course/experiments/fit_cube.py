@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from rich.progress import track
 
-from .drawing import SIZE, enlarged, random_pose, save
+from .drawing import SIZE, enlarged, on_black, random_pose, save
 
 CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
 SQUARES = np.array([[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5],
@@ -76,10 +76,8 @@ def error(positions):
 
 def seen(labs, cube, clip_from_model, size):
     """A Cube on black, (size, size, 3), and what `render_backward` takes."""
-    given = (labs.pipeline.make_mesh(cube.positions, FACES), labs.pipeline.Colours(cube.colours),
-             labs.pipeline.View(clip_from_model, size, size, background=np.zeros(3)))
-    picture, buffers = labs.pipeline.render(*given)
-    return picture, buffers, *given
+    shape = labs.pipeline.make_mesh(cube.positions, FACES)
+    return on_black(labs, shape, cube.colours, clip_from_model, size)
 
 
 def shown(labs, cube, clip_from_model, size):

@@ -7,7 +7,7 @@ import time
 import numpy as np
 from rich.progress import track
 
-from .drawing import SIZE, save
+from .drawing import SIZE, on_black, save
 from .fit_cube import CORNERS, HALVES, SQUARES, camera
 
 BLOCK = CORNERS[SQUARES].reshape(24, 3) - 0.5
@@ -113,10 +113,7 @@ def descent(labs, q, goal, size, steps, rate):
 def seen(labs, q, size):
     """The cube with coloured sides, rotated by q: its picture, and what `render_backward` takes."""
     clip_from_model = camera(labs) @ labs.inverse_rendering.quaternion_matrix(q)
-    given = (labs.pipeline.make_mesh(BLOCK, FACES), labs.pipeline.Colours(COLOURS),
-             labs.pipeline.View(clip_from_model, size, size, np.zeros(3)))
-    picture, buffers = labs.pipeline.render(*given)
-    return picture, buffers, *given
+    return on_black(labs, labs.pipeline.make_mesh(BLOCK, FACES), COLOURS, clip_from_model, size)
 
 
 def symmetries():

@@ -388,6 +388,26 @@ def test_a_face_is_seen_from_behind_too(impl):
 
 
 @exercise("2.13")
+def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
+    """Rows and columns of the box are swapped, or a small area counts as none."""
+    x, y = np.array([5.2, 5.9, 5.3]) / 3 - 1, np.array([0.2, 0.4, 0.9]) / 2 - 1
+    clip = np.stack([x, y, np.zeros(3), np.ones(3)], -1)
+    for faces in ([[0, 1, 2]], [[0, 2, 1]]):
+        face_index, _ = impl.rasterize_loop(clip, np.array(faces), 6, 4)
+        assert_picture(face_index, np.array([[-1, -1, -1, -1, -1, 0], *[[-1] * 6] * 3]))
+
+
+@exercise("2.13")
+@pytest.mark.parametrize("z", [-1.0, 1.0])
+def test_the_near_and_the_far_plane_are_part_of_the_picture(impl, z):
+    """< for <= where the depth is compared with the planes."""
+    clip = np.array([[-1.0, -1.0, z, 1.0], [3.0, -1.0, z, 1.0], [-1.0, 3.0, z, 1.0]])
+    face_index, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
+    assert_picture(face_index, np.zeros((4, 4), int))
+    assert_close(depth, np.full((4, 4), z))
+
+
+@exercise("2.13")
 def test_depth_is_linear_on_the_screen(impl):
     """z is interpolated and then divided by w: both must be done, or z/w be taken as linear."""
     clip = np.array([[-1.0, -1.0, -1.0, 1.0], [3.0, -3.0, 2.4, 3.0], [-1.0, 3.0, -1.0, 1.0]])

@@ -1,4 +1,4 @@
-"""`project` of lab 1: the whole chain of transforms, and its gradient."""
+"""Whole chains of lab 1: `project`, and its gradient."""
 import numpy as np
 
 from course.given.gradcheck import gradcheck
