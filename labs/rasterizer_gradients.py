@@ -16,8 +16,8 @@ Source: nvdiffrast's conventions; Laine et al. 2020.
 """
 import numpy as np
 
-from .interpolation import normalize_backward, scatter
-from .rasterization import EDGES, normalize_derivative, seen_pixels
+from .interpolation import normalize_backward
+from .rasterization import EDGES, normalize_derivative, scatter, seen_pixels
 
 
 def cross(p, q):

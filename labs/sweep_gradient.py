@@ -22,8 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import neural_renderer, scanline
-from .interpolation import scatter
-from .rasterization import EDGES
+from .rasterization import EDGES, scatter
 
 
 def edge_lines(a, b, height):  # exercise 10.12 (2 points)

@@ -16,6 +16,7 @@ meshes, in front of the camera and behind it, is in scanline.py.
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), GAMES101 homework 2 (4).
 """
 import itertools
+import math
 
 import numpy as np
 
@@ -280,6 +281,20 @@ def in_chunks(items):
 def seen_pixels(face_index):
     """The pixels that see a face: yields row * width + column (N,), in chunks."""
     yield from in_chunks(np.flatnonzero(face_index >= 0))
+
+
+def scatter(values, index, count):
+    """The transpose of the gather x[index]: row index[n] of the result sums the values[n].
+
+    values (*index.shape, ...), index of integers below count -> (count, ...).
+
+    >>> scatter(np.array([1.0, 10.0, 100.0]), np.array([2, 0, 2]), 3)
+    array([ 10.,   0., 101.])
+    """
+    shape = values.shape[index.ndim:]
+    columns = values.reshape(index.size, math.prod(shape)).T
+    sums = [np.bincount(index.ravel(), column, count) for column in columns]
+    return np.stack(sums, -1, dtype=float).reshape(count, *shape)  # floats, also of no index
 
 
 def seen_corners(face_index, clip, faces):

@@ -236,14 +236,14 @@ def bumps(vertices, normals, edges):
     normals (V, 3); edges (E, 2). Only the part along the normal counts: the rest is how marching
     spreads the vertices over the surface, and no matter of shape.
     """
-    return ((inverse_rendering.laplacian(vertices, edges) * normals).sum(1)**2).mean()
+    return ((inverse_rendering.uniform_laplacian(vertices, edges) * normals).sum(1)**2).mean()
 
 
 def bumps_backward(grad_bumps, vertices, normals, edges):
     """Backward of `bumps`, normals held: grad_bumps, a number -> grad_vertices (V, 3)."""
-    out = (inverse_rendering.laplacian(vertices, edges) * normals).sum(1, keepdims=True)
+    out = (inverse_rendering.uniform_laplacian(vertices, edges) * normals).sum(1, keepdims=True)
     grad_laplacian = 2 * grad_bumps / len(vertices) * out * normals
-    return inverse_rendering.laplacian_backward(grad_laplacian, vertices, edges)
+    return inverse_rendering.uniform_laplacian_backward(grad_laplacian, vertices, edges)
 
 
 # --- the step: eq. (8) --------------------------------------------------------------------------

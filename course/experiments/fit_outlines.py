@@ -134,7 +134,7 @@ def teapot(labs, outline, steps=150, size=64, weight=2e-3):
         grad_clip = backward(lab9.silhouette_loss_backward(1.0, picture, goal))
         grad_x, _ = pipeline.to_clip_backward(grad_clip, x, camera)
         return (lab9.silhouette_loss(picture, goal),
-                grad_x + lab9.laplacian_energy_backward(weight, x, edges))
+                grad_x + lab9.uniform_laplacian_energy_backward(weight, x, edges))
 
     found = lab9.descend(start, gradient, lab9.decay(0.02, 0.1, steps))
     return np.array([start, *(x for x, _ in found)]), faces

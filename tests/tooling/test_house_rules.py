@@ -25,8 +25,6 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
     "reconstruction.fit has more than 7 parameters",
     "regularization.large_step has more than 7 parameters",
     "regularization.uniform_adam_step has more than 7 parameters",
-    "sampling has a docstring of more than 20 lines",
-    "transforms has a docstring of more than 20 lines",
 }
 
 
