@@ -72,8 +72,9 @@ def files(topics, released):
     for topic in topics:
         text = exercises.read(exercises.reference(topic))
         yield f"labs/{topic}.py", skeleton(text).encode("utf-8")
-        check = f"tests/labs/test_{topic}.py"
-        yield check, (places.ROOT / check).read_bytes()
+        if exercises.topic_exercises(topic):
+            check = f"tests/labs/test_{topic}.py"
+            yield check, (places.ROOT / check).read_bytes()
         if topic in released:
             yield f"reference/{topic}.py", text.encode("utf-8")
     for path in sorted(places.ROOT.glob("notebooks/*.ipynb")):
