@@ -70,9 +70,9 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
 def neighbour_pairs(face_index, outlined):  # exercise 8.3 (2 points)
     """The pairs of neighbouring pixels between which the picture may jump.
 
-    face_index (H, W), -1 for no face; outlined (H, W) bool: pixels that may own a silhouette.
-    -> first, second (N,): numbers of pixels, row * W + column. In a pair, second is the right or
-    the upper neighbour of first, their face_index differ, and at least one of them is outlined.
+    face_index (H, W), -1 for no face, outlined (H, W) bool, the pixels that may own a silhouette
+    -> first, second (N,): pixels, numbered row * W + column. In a pair, second is the right or the
+    upper neighbour of first, the two see different faces, and at least one of them is outlined.
     All pairs side by side come first, then those above each other, both by ascending first.
 
     >>> neighbour_pairs(np.array([[0, 0, 1], [0, 2, 1]]), np.array([[1, 1, 0], [0, 0, 0]]) > 0)
@@ -84,12 +84,14 @@ def neighbour_pairs(face_index, outlined):  # exercise 8.3 (2 points)
 def owner_and_other(first, second, depth):  # exercise 8.4 (1 point)
     """Which pixel of each pair sees the nearer face, and so owns the edge?
 
-    first, second (N,): numbers of pixels, row * W + column; depth (H, W), np.inf for no face
-    -> owner, other (N,). Of equally deep ones the second is the owner.
+    first, second (N,): pixels, numbered row * W + column, depth (H, W), np.inf for no face
+    -> owner, other (N,).
 
     >>> depth = np.array([[0.5, np.inf], [0.25, 0.5]])
     >>> owner_and_other(np.array([0, 2, 0]), np.array([1, 3, 2]), depth)
     (array([0, 2, 2]), array([1, 3, 0]))
+
+    Fine print. If both are equally deep, the second is the owner.
     """
     raise NotImplementedError("exercise 8.4: owner_and_other")
 
@@ -104,7 +106,7 @@ def pair_step(owner, other, width):
 def pair_frame(screen_x, screen_y, owner, other, width):  # exercise 8.5 (2 points)
     """Eq. (2): points in their pair's frame: the owner's centre at 0, the other's at x = 1.
 
-    screen_x, screen_y (K, N): K points for each pair; owner, other (N,): numbers of pixels,
+    screen_x, screen_y (K, N): K points for each pair. owner, other (N,): pixels, numbered
     row * width + column -> x, y (K, N). Only x is ever mirrored. `pair_step` is given.
 
     >>> x, y = np.full((2, 1, 2), [[[3.0]], [[4.0]]])
@@ -141,7 +143,7 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (3 p
     """Backward of eq. (3): grad_c (...) -> grad_x0, grad_y0, grad_x1, grad_y1, each (...).
 
     y0 and y1 are different. With r = 1 / (y1 - y0), c = (x0 y1 - x1 y0) r, dc/dx0 = r y1 and
-    dc/dy0 = r (c - x1). To exchange the two ends must exchange their gradients, and no more.
+    dc/dy0 = r (c - x1). If the ends are exchanged, so are their gradients, and nothing else is.
 
     >>> grad_c, x0, y0, x1, y1 = np.array([[1.0], [1.0], [-1.0], [4.0], [3.0]])
     >>> np.stack(crossing_backward(grad_c, x0, y0, x1, y1)).T
@@ -167,10 +169,10 @@ def last_crossing(x, y, w):  # exercise 8.9 (3 points)
     >>> last_crossing(x, y, np.ones((3, 1)))
     (array([0]), array([2.]))
 
-    Fine print. Of equal c, the first edge. If no edge crosses, edge 0 with c = -np.inf. Nothing is
-    divided by 0. A corner behind the camera (w < 0) is mirrored on screen, so y w counts instead of
-    y, and the point where an edge crosses must be in front of the camera. It is if
-    w_i |y_j w_j| + w_j |y_i w_i| > 0, where i and j are the ends.
+    Fine print. Where two edges have the same c, the first one counts. If no edge crosses, the
+    answer is edge 0 with c = -np.inf. Nothing is divided by 0. A corner behind the camera (w < 0)
+    is mirrored on screen, so y w counts instead of y, and an edge must cross in front of the
+    camera: w_i |y_j w_j| + w_j |y_i w_i| > 0, where i and j are its ends.
     """
     raise NotImplementedError("exercise 8.9: last_crossing")
 
@@ -211,7 +213,7 @@ def blend_weight_backward(grad_alpha, c):  # exercise 8.12 (1 point)
 def blend(colour, owner, other, alpha):  # exercise 8.13 (3 points)
     """Eq. (5) for all pairs: colour (H, W, C), owner, other, alpha (N,) -> output (H, W, C).
 
-    owner, other: numbers of pixels, row * W + column. A pixel may be in several pairs. All of
+    owner and other are pixels, numbered row * W + column. A pixel may be in several pairs. All of
     them read `colour`, so that their order does not matter, and their changes add up.
 
     >>> blend(np.array([[[0.0], [1.0], [5.0]]]), np.array([0, 2]), np.array([1, 1]),
@@ -233,7 +235,7 @@ def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (
     (array([[[  7.5],
             [102.5]]]), array([10.]))
 
-    Fine print. At alpha = 0, eq. (5) has a kink: to one side the owner changes, to the other side
-    the other. There, unlike for alpha < 0, count the change of the owner.
+    Fine print. At alpha = 0, eq. (5) has a kink: the owner changes on one side of it, the other
+    pixel on the other side. There, unlike for alpha < 0, count the change of the owner.
     """
     raise NotImplementedError("exercise 8.14: blend_backward")
