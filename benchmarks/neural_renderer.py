@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
 from course.experiments import demo, fit_outlines
 from course.given import mesh
-from reference import neural_renderer, transforms
+from reference import neural_renderer, pipeline, sweep_gradient, texture_cubes
 
 SIZE, TEXELS = 256, 4
 LABS = demo.Labs("reference")
@@ -32,20 +32,17 @@ def pictures():
     rng, (vertices, faces) = np.random.default_rng(0), mesh.teapot()
     vertices, camera = mesh.normalize(vertices), fit_outlines.teapot_camera(LABS)
     textures = rng.random((len(faces), TEXELS, TEXELS, TEXELS, 3))
-    faces, textures = neural_renderer.both_sides(faces, textures)
-    lights = np.full(3, 0.5), np.full(3, 0.5), np.array([0.0, 1.0, 0.0])
-    scene = vertices, faces, textures, camera, lights
-    clip = transforms.transform(transforms.to_homogeneous(vertices), camera)
-    corners = neural_renderer.corners_of(clip, faces)
-    screen = SIZE, SIZE, np.zeros(3)
-    picture, buffers = neural_renderer.render(*scene, *screen, 1)
+    lights = texture_cubes.Lights(np.full(3, 0.5), np.full(3, 0.5), np.array([0.0, 1.0, 0.0]))
+    scene = texture_cubes.Scene(vertices, *texture_cubes.both_sides(faces, textures), lights)
+    view = pipeline.View(camera, SIZE, SIZE, np.zeros(3))
+    picture, buffers = texture_cubes.render(scene, view, 1)
     grad_picture = rng.normal(size=picture.shape)
     return {
-        "three maps": lambda: neural_renderer.rasterize(corners, SIZE, SIZE),
-        "teapot, 1 x 1 samples": lambda: neural_renderer.render(*scene, *screen, 1),
-        "teapot, 2 x 2 samples": lambda: neural_renderer.render(*scene, *screen, 2),
-        "its gradients, 1 x 1": lambda: neural_renderer.render_backward(grad_picture, buffers,
-                                                                        *scene, 1)}
+        "three maps": lambda: neural_renderer.rasterize(buffers.corners, SIZE, SIZE),
+        "teapot, 1 x 1 samples": lambda: texture_cubes.render(scene, view, 1),
+        "teapot, 2 x 2 samples": lambda: texture_cubes.render(scene, view, 2),
+        "its gradients, 1 x 1": lambda: texture_cubes.render_backward(
+            grad_picture, buffers, scene, view, sweep_gradient.sweep_backward, 1)}
 
 
 def silhouettes():

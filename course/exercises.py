@@ -26,7 +26,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("vertex_gradients", "rasterizer_gradients"),
     ("antialiasing", "outlines", "diagnosis"),
     ("inverse_rendering", "pipeline"),
-    ("neural_renderer", "sweep_gradient", "soft_rasterizer"),
+    ("neural_renderer", "texture_cubes", "sweep_gradient", "soft_rasterizer"),
     ("subdivision", "loop_subdivision", "catmull_clark"),
     ("simplification", "collapse_heap"),
     ("regularization", "remeshing"),

@@ -5,7 +5,7 @@ Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j
     e(p) = det [x y 1; a_x a_y 1; b_x b_y 1] = n . (p - a),   n = (a_y - b_y, b_x - a_x)     (1)
     covered  <=>  every e_k > 0, or e_k = 0 on an edge that the top-left rule owns           (2)
     b_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
-    depth = sum b_k z_k,   z_k = z / w of the corner; the least depth is seen                (4)
+    depth = z_0 + b_1 (z_1 - z_0) + b_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
     b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     place on the face in space, not (3)  (5)
     db_k = (dc_k - b_k ds) / s                                                               (6)
 
@@ -35,7 +35,8 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points)
 
     Fine print. Two faces share an edge and walk it in opposite directions. The picture has no
     holes if their values are exact opposites, and exactly 0 at both ends (unless they overflow).
-    Measure p from the same end in both, say the one with the smaller x, for each element alone.
+    Measure p from the same end in both, say the one with the smaller x. At equal x either will do.
+    a and b may be arrays of edges: choose for each edge.
     """
     raise NotImplementedError("exercise 2.1: edge_function")
 
@@ -175,6 +176,7 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
            [0.5, inf, inf]]))
 
     Fine print. Of two equally deep faces the first is seen. A face without area covers nothing.
+    Eq. (4) is exact where all three z are equal; sum b_k z_k is not.
     """
     raise NotImplementedError("exercise 2.13: rasterize_loop")
 
@@ -207,7 +209,8 @@ def barycentric_on_face(px, py, x, y, w):  # exercise 2.16 (3 points)
 def normalize_derivative(dc, b, s, axis=0):  # exercise 2.17 (2 points)
     """Eq. (6), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
 
-    dc, b (3, ...); s (...), or of length 1 along the axis of the three -> db, of dc's shape.
+    dc, b of one shape, the three weights along the axis; s, of length 1 along that axis, or (for
+    axis 0) without it -> db, of dc's shape.
 
     >>> b, s = np.array([0.25, 0.25, 0.5]), 4.0
     >>> normalize_derivative(np.array([4.0, 0.0, 0.0]), b, s)

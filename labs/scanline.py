@@ -1,8 +1,8 @@
 """Scanlines: whole meshes at once, exact on every shared edge, also behind the camera.
 
-Corners are rows of (3, F) arrays. c of rasterization.py decides, with any sign of w:
+Corners are rows of (3, F) arrays. With w of any sign, c of rasterization.py over 2A decides:
 
-    seen    <=>  every c_k = e_k / (2A w_k) >= 0                                             (1)
+    seen    <=>  every e_k / (2A w_k) >= 0                                                   (1)
             <=>  every n . (p - from) >= 0: three half-planes, without positive factors      (2)
     depth   =    z_0 + dz/dx (x - x_0) + dz/dy (y - y_0),   z_k = z / w of the corner        (3)
 
@@ -34,7 +34,7 @@ def twice_area(x, y):
 def half_planes(x, y, w):  # exercise 2.11 (4 points)
     """Eq. (2): n_x, n_y, from_x, from_y, each (3, F), such that
 
-        c_k >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
+        e_k / (2A w_k) >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
 
     x, y, w (3, F), finite: the faces' corners, row k of corner k. (n_x[k], n_y[k]) is the normal
     of the edge opposite to corner k, times the sign of w_k and the sign of the given `twice_area`.
@@ -47,8 +47,8 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
     >>> from_x.T, from_y.T
     (array([[4., 0., 4.]]), array([[0., 0., 0.]]))
 
-    Fine print. Both faces at an edge measure from the same end: the one of greater |w| (the other
-    may be near infinity), of equal |w| that of smaller x, of equal x that of smaller y.
+    Fine print. Both faces at an edge measure from the same end. Choose it by greater |w| (the other
+    end may be near infinity), then by smaller x, then by smaller y.
     """
     raise NotImplementedError("exercise 2.11: half_planes")
 
@@ -62,7 +62,7 @@ def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
     (array([0.1]), array([0.]))
 
     Fine print. Corner 0 is the best one to measure from. Of equal z, both slopes are exactly 0. A
-    face without area gets inf or nan, and nothing is raised.
+    face without area gets inf or nan; NumPy's warnings do not matter.
     """
     raise NotImplementedError("exercise 2.12: depth_slopes")
 
@@ -166,7 +166,8 @@ def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     (array([0., 0.]), array([3., 1.]))
 
     Fine print. The e of a horizontal edge is one number on the whole row, so that `first_column` is
-    0 or width. With n = 0, e is 0: it ends the interval at 0.
+    0 or width. It needs a slope > 0: where n_x = 0, give it TINY, and from_x = 0. With n = 0, e is 0:
+    it ends the interval at 0.
     """
     raise NotImplementedError("exercise 2.15: row_interval")
 
@@ -181,7 +182,8 @@ def expand(start, count):
 
 def chunks(count):
     """Slices of count, each with a sum of at most CHUNK (or of one element that is larger)."""
-    total, start = np.cumsum(count), 0
+    total = np.cumsum(count)
+    start = 0
     while start < len(count):
         done = total[start - 1] if start else 0
         end = max(start + 1, np.searchsorted(total, done + CHUNK, "right"))

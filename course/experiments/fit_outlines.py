@@ -57,30 +57,32 @@ def teapot_found(labs, title, outline):
 
 def sweep_outline(labs, clip, faces, size, eps=1e-4):
     """neural_renderer's: 1 where a face is seen, and its sweep."""
-    lab10, corners = labs.neural_renderer, labs.neural_renderer.corners_of(clip, faces)
-    face_index, *_ = lab10.rasterize(corners, size, size)
+    lab10 = labs.neural_renderer
+    corners = lab10.corners_of(clip, faces)
+    face_index = lab10.rasterize(corners, size, size).face_index
     picture = (face_index >= 0).astype(float)
 
     def backward(grad_picture):
-        grad_corners = lab10.sweep_backward(grad_picture[..., None], picture[..., None],
-                                            face_index, corners, eps)
-        return lab10.clip_backward(lab10.per_vertex(grad_corners, faces, len(clip)), clip)
+        grad_corners = labs.sweep_gradient.sweep_backward(
+            grad_picture[..., None], picture[..., None], face_index, corners, eps)
+        return lab10.corners_backward(grad_corners, clip, faces)
 
     return picture, backward
 
 
 def soft_outline(labs, clip, faces, size, sigma=0.05):
     """SoftRas's: a probability, sigma in pixels^2."""
-    lab10, corners = labs.neural_renderer, labs.neural_renderer.corners_of(clip, faces)
+    lab10, soft = labs.neural_renderer, labs.soft_rasterizer
+    corners = lab10.corners_of(clip, faces)
     screen = lab10.on_screen(corners, size, size)
 
     def backward(grad_picture):
-        grad_corners, grad_screen = np.zeros(corners.shape), lab10.soft_silhouette_backward(
-            grad_picture, screen, sigma)
+        grad_corners = np.zeros(corners.shape)
+        grad_screen = soft.soft_silhouette_backward(grad_picture, screen, sigma)
         grad_corners[..., :2] = grad_screen * size / 2
-        return lab10.clip_backward(lab10.per_vertex(grad_corners, faces, len(clip)), clip)
+        return lab10.corners_backward(grad_corners, clip, faces)
 
-    return lab10.soft_silhouette(screen, size, size, sigma), backward
+    return soft.soft_silhouette(screen, size, size, sigma), backward
 
 
 def blend_outline(labs, clip, faces, size):

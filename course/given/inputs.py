@@ -76,9 +76,9 @@ def require_texture(faces, uv, uv_faces, image, background):
     require_reals("background", background, _channels("image", image))
 
 
-def require_cubes(vertices, faces, textures, clip_from_world, lights, width, height, background,
-                  samples):
-    """What lab 10's `render` needs: faces with a cube each, a camera, three lights, a screen."""
+def require_cubes(scene, view, samples):
+    """What lab 10's `render` needs: faces with a cube each, three lights, a camera, a screen."""
+    vertices, faces, textures, lights = scene
     require_reals("vertices", vertices, "V", 3)
     require_faces(faces, len(vertices))
     require_reals("textures", textures, len(faces), "T", "T", "T", "C", hint=", a cube per face")
@@ -86,13 +86,13 @@ def require_cubes(vertices, faces, textures, clip_from_world, lights, width, hei
     require(size >= 2 and textures.shape[1:4] == (size,) * 3, "textures (F, T, T, T, C) with one "
             "T, 2 or more", textures.shape)
     channels = _channels("textures", textures)
-    require_reals("clip_from_world", clip_from_world, 4, 4)
     require(len(lights) == 3, "lights (ambient, directional, towards)", f"{len(lights)} of them")
     for name, light, length in zip(("ambient", "directional", "towards"), lights,
                                    (channels, channels, 3), strict=True):
         require_reals(name, light, length)
-    require_reals("background", background, channels)
-    for name, count in ("width", width), ("height", height), ("samples", samples):
+    require_reals("clip_from_model", view.clip_from_model, 4, 4)
+    require_reals("background", view.background, channels)
+    for name, count in ("width", view.width), ("height", view.height), ("samples", samples):
         require(isinstance(count, numbers.Integral) and count >= 1, f"{name}, an integer of 1 or "
                 "more", repr(count))
 

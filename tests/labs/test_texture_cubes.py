@@ -1,0 +1,233 @@
+"""What the exercises of lab 10's texture cubes and light must do."""
+import itertools
+
+import numpy as np
+import pytest
+
+from course.checks import assert_close, assert_equal, exercise
+from course.given.gradcheck import gradcheck
+
+# --- texture cubes -----------------------------------------------------------------------------
+
+def some_pixels(rng, count):
+    """weight, depth, z of count pixels."""
+    weight, z = rng.dirichlet(np.ones(3), count), rng.uniform(1, 4, (count, 3))
+    return weight, 1 / (weight / z).sum(1), z
+
+
+def place(weight, depth, z, size):
+    return (size - 1) * weight * depth[:, None] / z
+
+
+@exercise("10.6")
+def test_a_third_of_the_way_along_each_axis(impl):
+    """Another texel first, or the weight of the upper one for the lower one."""
+    index, tap = impl.cube_taps(np.array([[0.5, 0.25, 0.25]]), np.array([1.0]), np.ones((1, 3)), 2)
+    assert_equal(index, np.array([[0, 4, 2, 6, 1, 5, 3, 7]]))
+    assert_close(tap, np.array([[9, 9, 3, 3, 3, 3, 1, 1]]) / 32)
+
+
+@exercise("10.6")
+def test_a_corner_reads_its_own_texel(impl):
+    """A texel beyond the cube's end, where the original stays 1e-4 away from it."""
+    index, tap = impl.cube_taps(np.eye(3), np.array([2.0, 3.0, 5.0]),
+                                np.array([[2.0, 3.0, 5.0]] * 3), 4)
+    assert_equal(bool((index >= 0).all() and (index < 64).all()), True)
+    assert_close((tap * (index == np.array([[48], [12], [3]]))).sum(1), np.ones(3))
+
+
+@exercise("10.6")
+@pytest.mark.parametrize("size", [2, 3, 6])
+def test_eight_taps_give_back_the_place(impl, rng, size):
+    """z / z_k is left out: a texture in perspective that bends; or T for T - 1."""
+    weight, depth, z = some_pixels(rng, 40)
+    index, tap = impl.cube_taps(weight, depth, z, size)
+    texel = np.stack(np.unravel_index(index, (size,) * 3), -1)
+    assert_close((tap[..., None] * texel).sum(1), place(weight, depth, z, size), atol=1e-9)
+    assert_close(tap.sum(1), np.ones(40))
+    assert_equal(bool((tap > -1e-12).all()), True)
+    corners = np.ptp(texel, axis=1)
+    assert_equal(corners, np.ones((40, 3), int))
+
+
+@exercise("10.6")
+def test_rounding_does_not_lead_out_of_the_cube(impl):
+    """A depth that is rounded up gives t = T - 1 + 1e-16."""
+    weight = np.array([[1.0, 0.0, 0.0], [0.0, 0.5, 0.5]])
+    index, tap = impl.cube_taps(weight, np.array([1 + 1e-15, 1.0]), np.ones((2, 3)), 3)
+    assert_equal(bool((index >= 0).all() and (index < 27).all()), True)
+    assert_close((tap * (index == 18)).sum(1), np.array([1.0, 0.0]))
+    assert_equal(bool(((tap >= 0) & (tap <= 1)).all()), True)
+
+
+def taps(weight, depth, z, size):
+    """(N, 8) weights as products, tap by tap."""
+    t = place(weight, depth, z, size)
+    part = t - np.minimum(np.floor(t), size - 2)
+    return np.stack([np.prod([part[:, k] if n >> k & 1 else 1 - part[:, k] for k in range(3)], 0)
+                     for n in range(8)], 1)
+
+
+@exercise("10.7")
+def test_a_sum_of_all_taps_cannot_change(impl, rng):
+    """The sign of the lower texels."""
+    weight, depth, z = some_pixels(rng, 6)
+    got = impl.cube_taps_backward(np.ones((6, 8)), weight, depth, z, 4)
+    assert_close(got, (np.zeros((6, 3)), np.zeros(6), np.zeros((6, 3))), atol=1e-12)
+
+
+@exercise("10.7")
+@pytest.mark.parametrize("size", [2, 5])
+def test_gradients_of_the_taps_are_central_differences(impl, rng, size):
+    """The factor T - 1, depth / z, the sign by z, or two axes swapped."""
+    pixels = some_pixels(rng, 8)
+    gradcheck(lambda *pixels: taps(*pixels, size),
+              lambda grad, *pixels: impl.cube_taps_backward(grad, *pixels, size), pixels,
+              decisions=lambda *pixels: np.floor(place(*pixels, size)), name="taps")
+
+
+@exercise("10.7")
+def test_at_a_corner_the_last_cell_counts(impl):
+    """At t = T - 1 the derivative of the cell beyond, which is not there."""
+    grad_tap = np.zeros((1, 8))
+    grad_tap[0, [0, 1]] = -3.0, 5.0
+    got = impl.cube_taps_backward(grad_tap, np.array([[1.0, 0.0, 0.0]]), np.array([2.0]),
+                                  np.array([[2.0, 1.0, 4.0]]), 3)
+    grad_weight, grad_z = np.array([[16.0, -20.0, -5.0]]), np.array([[-8.0, 0.0, 0.0]])
+    assert_close(got, (grad_weight, np.array([8.0]), grad_z))
+
+
+@exercise("10.8")
+def test_a_pixel_mixes_texels_of_its_own_face(impl):
+    """Texels of another face, or the mean instead of the weighted sum."""
+    textures = np.arange(48.0).reshape(3, 2, 2, 2, 2)
+    index, tap = np.array([[7, 0, 0, 0, 0, 0, 0, 3]]), np.array([[0.5, 0, 0, 0, 0, 0, 0, 0.25]])
+    assert_close(impl.sample_cubes(textures, np.array([2]), index, tap), np.array([[32.5, 33.25]]))
+
+
+@exercise("10.8")
+def test_samples_are_those_of_a_loop(impl, rng):
+    """The cube's axes in another order, or channels mixed."""
+    textures, face = rng.random((5, 3, 3, 3, 2)), rng.integers(0, 5, 7)
+    index, tap = rng.integers(0, 27, (7, 8)), rng.random((7, 8))
+    expected = np.zeros((7, 2))
+    for n, m in itertools.product(range(7), range(8)):
+        i, j, k = np.unravel_index(index[n, m], (3, 3, 3))
+        expected[n] += tap[n, m] * textures[face[n], i, j, k]
+    assert_close(impl.sample_cubes(textures, face, index, tap), expected)
+
+
+def samples(textures, face, index, tap):
+    texels = textures.reshape(len(textures), -1, textures.shape[-1])
+    return np.einsum("nm,nmc->nc", tap, texels[face[:, None], index])
+
+
+@exercise("10.9")
+def test_pixels_that_read_one_texel_add_up(impl):
+    """The last write wins; a texel that is read twice by a pixel counts once."""
+    textures, face = np.zeros((2, 2, 2, 2, 1)), np.array([1, 1, 0])
+    index, tap = np.zeros((3, 8), int), np.full((3, 8), 0.125)
+    index[2] = 5
+    grad_textures, grad_tap = impl.sample_cubes_backward(np.array([[2.0], [3.0], [7.0]]), textures,
+                                                         face, index, tap)
+    expected = np.zeros((2, 2, 2, 2, 1))
+    expected[1, 0, 0, 0], expected[0, 1, 0, 1] = 5.0, 7.0
+    assert_close(grad_textures, expected)
+    assert_close(grad_tap, np.zeros((3, 8)))
+
+
+@exercise("10.9")
+def test_gradients_of_samples_are_central_differences(impl, rng):
+    """Gradients to another face or channel, or grad_tap of one channel alone."""
+    textures, face = rng.normal(size=(4, 3, 3, 3, 2)), rng.integers(0, 4, 9)
+    index, tap = rng.integers(0, 27, (9, 8)), rng.random((9, 8))
+    gradcheck(lambda textures, tap: samples(textures, face, index, tap),
+              lambda grad, textures, tap: impl.sample_cubes_backward(grad, textures, face, index,
+                                                                     tap),
+              (textures, tap), name="cubes")
+
+
+# --- light -------------------------------------------------------------------------------------
+
+LYING = np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 3.0], [2.0, 0.0, 0.0]]])  # looks up, n = (0, 1, 0)
+RED, BLUE = np.array([1.0, 0.0, 0.25]), np.array([0.0, 2.0, 1.0])
+
+
+@exercise("10.10")
+def test_light_from_above_shines_on_what_looks_up(impl):
+    """The original's order of the cross product, for its left-handed space: the other side."""
+    both = np.concatenate([LYING, LYING[:, ::-1]])
+    got = impl.face_light(both, RED, BLUE, np.array([0.0, 1.0, 0.0]))
+    assert_close(got, np.array([[1.0, 2.0, 1.25], [1.0, 0.0, 0.25]]))
+
+
+@exercise("10.10")
+def test_light_falls_off_with_the_cosine(impl):
+    """A normal of another length, or a direction that is made a unit vector."""
+    got = impl.face_light(5 * LYING, RED, BLUE, np.array([0.0, 0.5, -7.0]))
+    assert_close(got, np.array([[1.0, 1.0, 0.75]]))
+
+
+@exercise("10.10")
+def test_lights_of_many_faces(impl, rng):
+    """Normals of neighbouring faces are mixed. Its angle by vectors."""
+    corners, towards = rng.normal(size=(6, 3, 3)), rng.normal(size=3)
+    expected = []
+    for a, b, c in corners:
+        e, f = b - a, c - a
+        n = np.array([e[i] * f[j] - e[j] * f[i] for i, j in ((1, 2), (2, 0), (0, 1))])
+        expected.append(RED + max((n @ towards) / np.sqrt(n @ n), 0) * BLUE)
+    assert_close(impl.face_light(corners, RED, BLUE, towards), np.array(expected))
+
+
+@exercise("10.10")
+def test_a_face_without_area_has_ambient_light_alone(impl):
+    """0 / 0."""
+    got = impl.face_light(np.ones((2, 3, 3)), RED, BLUE, np.array([1.0, 1.0, 1.0]))
+    assert_close(got, np.stack([RED, RED]))
+
+
+def light(corners, ambient, directional, towards):
+    a, b, c = np.moveaxis(corners, 1, 0)
+    normal = np.cross(b - a, c - a)
+    normal = normal / np.sqrt((normal**2).sum(1, keepdims=True))
+    return ambient + np.maximum((normal * towards).sum(1), 0)[:, None] * directional
+
+
+@exercise("10.11")
+def test_the_gradient_of_the_colours_is_a_sum_over_faces(impl):
+    """The mean, or the directional light without its cosine."""
+    corners = np.concatenate([LYING, 2 * LYING, LYING[:, ::-1]])
+    grad_light = np.array([[1.0, 2.0], [10.0, 20.0], [100.0, 200.0]])
+    _, *got = impl.face_light_backward(grad_light, corners, np.ones(2), np.array([3.0, 4.0]),
+                                       np.array([0.0, 0.5, 0.0]))
+    assert_close(tuple(got), (np.array([111.0, 222.0]), np.array([5.5, 11.0]),
+                              np.array([0.0, 121.0, 0.0])))
+
+
+@exercise("10.11")
+def test_gradients_of_light_are_central_differences(impl, rng):
+    """The part along the normal, the length of N, or the order of a cross product."""
+    inputs = (rng.normal(size=(9, 3, 3)), *rng.random((2, 2)), rng.normal(size=3))
+
+    def lit(corners, ambient, directional, towards):
+        return light(corners, 0 * ambient, 1 + 0 * directional, towards) > 0
+
+    gradcheck(light, impl.face_light_backward, inputs, decisions=lit, name="light")
+
+
+@exercise("10.11")
+def test_what_looks_away_is_constant(impl):
+    """Light from below has a gradient on what looks up, or grazing light, n . l = 0, has one."""
+    for towards in ([1.0, -1.0, 0.0], [1.0, 0.0, 0.0]):
+        got = impl.face_light_backward(np.ones((1, 3)), LYING, RED, BLUE, np.array(towards))
+        assert_close(got, (np.zeros((1, 3, 3)), np.ones(3), np.zeros(3), np.zeros(3)))
+
+
+@exercise("10.11")
+def test_a_face_without_area_has_no_gradient(impl):
+    """NaN for one face, which the sum over vertices spreads."""
+    corners = np.concatenate([np.ones((1, 3, 3)), LYING])
+    got = impl.face_light_backward(np.ones((2, 3)), corners, RED, BLUE, np.array([0.0, 2.0, 0.0]))
+    towards = np.array([0.0, BLUE.sum(), 0.0])
+    assert_close(got, (np.zeros((2, 3, 3)), np.full(3, 2.0), np.full(3, 2.0), towards))

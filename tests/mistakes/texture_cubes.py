@@ -1,0 +1,205 @@
+"""Mistakes of lab 10; each docstring goes on after "this is what comes out when"."""
+
+
+def cube_taps(weight, depth, z, size):
+    """z / z_k is missing: the texture bends in perspective"""
+    t = np.minimum((size - 1) * weight, size - 1)
+    low = np.minimum(np.floor(t), size - 2).astype(int)
+    index, tap = np.zeros((len(t), 8), int), np.ones((len(t), 8))
+    for n in range(8):
+        for k in range(3):
+            upper = n >> k & 1
+            index[:, n] = index[:, n] * size + low[:, k] + upper
+            tap[:, n] *= t[:, k] - low[:, k] if upper else 1 - (t[:, k] - low[:, k])
+    return index, tap
+
+
+def cube_taps(weight, depth, z, size):
+    """the cube is T long; from the first texel to the last it is T - 1"""
+    t = np.minimum(size * weight * depth[:, None] / z, size - 1)
+    low = np.minimum(np.floor(t), size - 2).astype(int)
+    index, tap = np.zeros((len(t), 8), int), np.ones((len(t), 8))
+    for n in range(8):
+        for k in range(3):
+            upper = n >> k & 1
+            index[:, n] = index[:, n] * size + low[:, k] + upper
+            tap[:, n] *= t[:, k] - low[:, k] if upper else 1 - (t[:, k] - low[:, k])
+    return index, tap
+
+
+def cube_taps(weight, depth, z, size):
+    """the weights of the lower and the upper texel are swapped"""
+    t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
+    low = np.minimum(np.floor(t), size - 2).astype(int)
+    index, tap = np.zeros((len(t), 8), int), np.ones((len(t), 8))
+    for n in range(8):
+        for k in range(3):
+            upper = n >> k & 1
+            index[:, n] = index[:, n] * size + low[:, k] + upper
+            tap[:, n] *= 1 - (t[:, k] - low[:, k]) if upper else t[:, k] - low[:, k]
+    return index, tap
+
+
+def cube_taps_backward(grad_tap, weight, depth, z, size):
+    """a lower texel's weight falls where t grows: its sign is missing"""
+    scale = (size - 1) / z
+    t = scale * weight * depth[:, None]
+    part = t - np.minimum(np.floor(t), size - 2)
+    grad_t = np.zeros(t.shape)
+    for n in range(8):
+        factor = [part[:, k] if n >> k & 1 else 1 - part[:, k] for k in range(3)]
+        for k, (i, j) in enumerate(EDGES):
+            sign = 1
+            grad_t[:, k] += sign * grad_tap[:, n] * factor[i] * factor[j]
+    grad_weight = grad_t * scale * depth[:, None]
+    return grad_weight, (grad_t * scale * weight).sum(1), -grad_weight * weight / z
+
+
+def cube_taps_backward(grad_tap, weight, depth, z, size):
+    """the factor T - 1 is missing"""
+    scale = 1 / z
+    t = scale * weight * depth[:, None]
+    part = t - np.minimum(np.floor(t), size - 2)
+    grad_t = np.zeros(t.shape)
+    for n in range(8):
+        factor = [part[:, k] if n >> k & 1 else 1 - part[:, k] for k in range(3)]
+        for k, (i, j) in enumerate(EDGES):
+            sign = 1 if n >> k & 1 else -1
+            grad_t[:, k] += sign * grad_tap[:, n] * factor[i] * factor[j]
+    grad_weight = grad_t * scale * depth[:, None]
+    return grad_weight, (grad_t * scale * weight).sum(1), -grad_weight * weight / z
+
+
+def cube_taps_backward(grad_tap, weight, depth, z, size):
+    """the gradient by z has the wrong sign"""
+    scale = (size - 1) / z
+    t = scale * weight * depth[:, None]
+    part = t - np.minimum(np.floor(t), size - 2)
+    grad_t = np.zeros(t.shape)
+    for n in range(8):
+        factor = [part[:, k] if n >> k & 1 else 1 - part[:, k] for k in range(3)]
+        for k, (i, j) in enumerate(EDGES):
+            sign = 1 if n >> k & 1 else -1
+            grad_t[:, k] += sign * grad_tap[:, n] * factor[i] * factor[j]
+    grad_weight = grad_t * scale * depth[:, None]
+    return grad_weight, (grad_t * scale * weight).sum(1), grad_weight * weight / z
+
+
+def sample_cubes(textures, face, index, tap):
+    """all pixels read the cube of face 0"""
+    texels = textures.reshape(-1, textures.shape[-1])
+    return sum(tap[:, n, None] * texels[index[:, n]] for n in range(8))
+
+
+def sample_cubes(textures, face, index, tap):
+    """a cube is taken to have T^2 texels; it has T^3"""
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**2
+    return sum(tap[:, n, None] * texels[first + index[:, n]] for n in range(8))
+
+
+def sample_cubes(textures, face, index, tap):
+    """the taps' weights are left out"""
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
+    return sum(texels[first + index[:, n]] for n in range(8))
+
+
+def sample_cubes_backward(grad_colour, textures, face, index, tap):
+    """the taps' weights are left out of the texels' gradient"""
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
+    cell = first[:, None] + index
+    grad_textures = [np.bincount(cell.ravel(), grad.repeat(8), len(texels))
+                     for grad in grad_colour.T]
+    grad_tap = [(texels[cell[:, n]] * grad_colour).sum(1) for n in range(8)]
+    return np.stack(grad_textures, -1).reshape(textures.shape), np.stack(grad_tap, 1)
+
+
+def sample_cubes_backward(grad_colour, textures, face, index, tap):
+    """a texel that is read several times keeps its last gradient; they add up"""
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
+    cell = first[:, None] + index
+    grad_textures = np.zeros(texels.T.shape)
+    for own, grad in zip(grad_textures, grad_colour.T, strict=True):
+        own[cell] = tap * grad[:, None]
+    grad_tap = [(texels[cell[:, n]] * grad_colour).sum(1) for n in range(8)]
+    return np.stack(grad_textures, -1).reshape(textures.shape), np.stack(grad_tap, 1)
+
+
+def sample_cubes_backward(grad_colour, textures, face, index, tap):
+    """grad_tap is the mean over the channels instead of the sum"""
+    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
+    cell = first[:, None] + index
+    grad_textures = [np.bincount(cell.ravel(), (tap * grad[:, None]).ravel(), len(texels))
+                     for grad in grad_colour.T]
+    grad_tap = [(texels[cell[:, n]] * grad_colour).mean(1) for n in range(8)]
+    return np.stack(grad_textures, -1).reshape(textures.shape), np.stack(grad_tap, 1)
+
+
+def face_light(corners, ambient, directional, towards):
+    """normals point to the side that sees the corners clockwise, or l away from the light"""
+    a, b, c = corners.swapaxes(0, 1)
+    area = np.cross(c - a, b - a)
+    length = np.linalg.norm(area, axis=1, keepdims=True)
+    cosine = (area / np.where(length > 0, length, 1)) @ towards
+    return ambient + np.maximum(cosine, 0)[:, None] * directional
+
+
+def face_light(corners, ambient, directional, towards):
+    """the normal is not brought to length 1"""
+    a, b, c = corners.swapaxes(0, 1)
+    area = np.cross(b - a, c - a)
+    cosine = area @ towards
+    return ambient + np.maximum(cosine, 0)[:, None] * directional
+
+
+def face_light(corners, ambient, directional, towards):
+    """light from behind takes brightness away: max(0, ...) is missing"""
+    a, b, c = corners.swapaxes(0, 1)
+    area = np.cross(b - a, c - a)
+    length = np.linalg.norm(area, axis=1, keepdims=True)
+    cosine = (area / np.where(length > 0, length, 1)) @ towards
+    return ambient + cosine[:, None] * directional
+
+
+def face_light_backward(grad_light, corners, ambient, directional, towards):
+    """faces that look away from the light have a gradient"""
+    a, b, c = corners.swapaxes(0, 1)
+    area = np.cross(b - a, c - a)
+    length = np.linalg.norm(area, axis=1, keepdims=True)
+    length[length == 0] = 1
+    normal = area / length
+    cosine = (normal @ towards)[:, None]
+    grad_cosine = (grad_light * directional).sum(1, keepdims=True)
+    grad_area = grad_cosine * (towards - cosine * normal) / length
+    grad_b, grad_c = np.cross(c - a, grad_area), np.cross(grad_area, b - a)
+    return (np.stack([-grad_b - grad_c, grad_b, grad_c], 1), grad_light.sum(0),
+            (grad_light * np.maximum(cosine, 0)).sum(0), (grad_cosine * normal).sum(0))
+
+
+def face_light_backward(grad_light, corners, ambient, directional, towards):
+    """the length of N is taken for a constant: the part along n is not taken away"""
+    a, b, c = corners.swapaxes(0, 1)
+    area = np.cross(b - a, c - a)
+    length = np.linalg.norm(area, axis=1, keepdims=True)
+    length[length == 0] = 1
+    normal = area / length
+    cosine = (normal @ towards)[:, None]
+    grad_cosine = np.where(cosine > 0, (grad_light * directional).sum(1, keepdims=True), 0)
+    grad_area = grad_cosine * (towards) / length
+    grad_b, grad_c = np.cross(c - a, grad_area), np.cross(grad_area, b - a)
+    return (np.stack([-grad_b - grad_c, grad_b, grad_c], 1), grad_light.sum(0),
+            (grad_light * np.maximum(cosine, 0)).sum(0), (grad_cosine * normal).sum(0))
+
+
+def face_light_backward(grad_light, corners, ambient, directional, towards):
+    """the corners' gradients have the wrong sign: a cross product is turned round"""
+    a, b, c = corners.swapaxes(0, 1)
+    area = np.cross(b - a, c - a)
+    length = np.linalg.norm(area, axis=1, keepdims=True)
+    length[length == 0] = 1
+    normal = area / length
+    cosine = (normal @ towards)[:, None]
+    grad_cosine = np.where(cosine > 0, (grad_light * directional).sum(1, keepdims=True), 0)
+    grad_area = grad_cosine * (towards - cosine * normal) / length
+    grad_b, grad_c = np.cross(grad_area, c - a), np.cross(b - a, grad_area)
+    return (np.stack([-grad_b - grad_c, grad_b, grad_c], 1), grad_light.sum(0),
+            (grad_light * np.maximum(cosine, 0)).sum(0), (grad_cosine * normal).sum(0))

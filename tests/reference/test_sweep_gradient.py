@@ -1,0 +1,79 @@
+"""The reference's gradients of whole outlines, by Kato's sweep."""
+import numpy as np
+import pytest
+from loose_faces import some_corners
+
+from reference import neural_renderer, scanline, sweep_gradient
+
+WIDTH, HEIGHT = 23, 17
+
+
+OUTSIDE = [[0.8, 0.8, 1.0], [0.0, -0.5, 1.0], [0.2, -0.4, 1.0]]
+INSIDE = [[0.8, 0.8, 1.0], [-0.5, -0.8, 1.0], [0.8, -0.8, 1.0]]
+
+
+def sweep_of_one_pixel(sweep, corners, row_from_top, column, gradient):
+    """A white triangle on black, 64 x 64; the loss asks one pixel alone."""
+    corners, grad_colour = np.array([corners]), np.zeros((64, 64, 3))
+    face_index, *_ = neural_renderer.rasterize(corners, 64, 64)
+    colour = np.repeat((face_index >= 0)[..., None] * 1.0, 3, -1)
+    grad_colour[63 - row_from_top, column] = gradient / 3
+    return sweep(grad_colour, colour, face_index, corners)[0]
+
+
+SWEEPS = pytest.mark.parametrize("sweep", [sweep_gradient.sweep_backward_loop,
+                                           sweep_gradient.sweep_backward])
+
+
+@SWEEPS
+def test_a_pixel_outside_by_hand_and_as_in_the_original(sweep):
+    """Row 25 from the top, column 35; the original's test allows 1e-2 of its own figures."""
+    got = sweep_of_one_pixel(sweep, OUTSIDE, 25, 35, -1.0)
+    # On screen (57.6, 57.6), (32, 16), (38.4, 19.2); the pixel's centre is (35.5, 38.5).
+    # By x: on row y = 38.5 edge 0-1 is at u = 22.5 / 41.6 of its height. By y: on column x = 35.5
+    # at v = 3.5 / 25.6 of its width, and no other edge has the pixel on its outer side.
+    u, v = 22.5 / 41.6, 3.5 / 25.6
+    x, y = (32 + 25.6 * u - 35.5) / 32, (38.5 - 16 - 41.6 * v) / 32
+    expected = [[1 / (x / u + 1e-4), -1 / (y / v + 1e-4), 0],
+                [1 / (x / (1 - u) + 1e-4), -1 / (y / (1 - v) + 1e-4), 0], [0, 0, 0]]
+    np.testing.assert_allclose(got, expected, rtol=1e-9)
+    original = [[1.6725862, -0.26021874, 0], [1.41986704, -1.64284933, 0], [0, 0, 0]]
+    np.testing.assert_allclose(got, original, rtol=1e-4)
+
+
+@SWEEPS
+def test_a_pixel_inside_by_hand_and_as_in_the_original(sweep):
+    """Row 40 from the top, column 50; all three edges could leave it behind."""
+    got = sweep_of_one_pixel(sweep, INSIDE, 40, 50, 1.0)
+    # On screen (57.6, 57.6), (16, 6.4), (57.6, 6.4); the pixel's centre is (50.5, 23.5).
+    # By x: edge 0-1 at u of its height, and the upright edge 2-0. By y: edge 0-1 at v of its width,
+    # and the flat edge 1-2.
+    u, v = 17.1 / 51.2, 34.5 / 41.6
+    left, right = (50.5 - 16 - 41.6 * u) / 32, 7.1 / 32
+    above, below = (6.4 + 51.2 * v - 23.5) / 32, 17.1 / 32
+    expected = [[1 / (right / u + 1e-4) - 1 / (left / u + 1e-4), 1 / (above / v + 1e-4), 0],
+                [-1 / (left / (1 - u) + 1e-4),
+                 1 / (above / (1 - v) + 1e-4) - 1 / (below / (1 - v) + 1e-4), 0],
+                [1 / (right / (1 - u) + 1e-4), -1 / (below / v + 1e-4), 0]]
+    np.testing.assert_allclose(got, expected, rtol=1e-9)
+    original = [[0.98646867, 1.04628897, 0], [-1.03415668, -0.10403691, 0],
+                [3.00094461, -1.55173182, 0]]
+    np.testing.assert_allclose(got, original, rtol=1e-4)
+
+
+@pytest.mark.parametrize("eps", [0.0, 1e-4, 0.1])
+def test_the_sweep_of_whole_meshes_is_that_of_the_loop(rng, eps):
+    """A line, an end or a chunk that is lost; the sign of columns; width for height."""
+    corners = some_corners(rng)
+    face_index, *_ = neural_renderer.rasterize(corners, WIDTH, HEIGHT)
+    colour, grad_colour = rng.random((HEIGHT, WIDTH, 2)), rng.normal(size=(HEIGHT, WIDTH, 2))
+    scene = grad_colour, colour, face_index, corners, eps
+    got = sweep_gradient.sweep_backward(*scene)
+    expected = sweep_gradient.sweep_backward_loop(*scene)
+    np.testing.assert_allclose(got, expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_the_sweep_of_many_chunks_is_that_of_the_loop(rng, monkeypatch):
+    """A chunk of lines that begins anew."""
+    monkeypatch.setattr(scanline, "CHUNK", 64)
+    test_the_sweep_of_whole_meshes_is_that_of_the_loop(rng, 1e-4)

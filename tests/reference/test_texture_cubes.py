@@ -1,0 +1,234 @@
+"""The reference's whole pictures of lab 10: cubes, light, and all of it together."""
+import numpy as np
+import pytest
+from loose_faces import camera, some_corners
+
+from course.given import mesh
+from course.given.gradcheck import gradcheck
+from reference import (
+    interpolation,
+    neural_renderer,
+    pipeline,
+    rasterization,
+    sweep_gradient,
+    texture_cubes,
+)
+
+WIDTH, HEIGHT = 23, 17
+BACKGROUND = np.array([0.1, 0.2])
+
+
+def test_a_linear_picture_comes_back_in_perspective():
+    """A cube read without z / z_k bends the picture; texels beside the face hold other values."""
+    clip = np.array([[-1.0, -1.0, 0, 1.0], [4.0, -3.5, 0, 5.0], [2.0, 2.4, 0, 2.5],
+                     [-1.2, 2.0, 0, 3.0]])
+    faces, uv = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0.0, 0.0], [1, 0], [1, 1], [0, 1]])
+    corners = neural_renderer.corners_of(clip, faces)
+    for size in 2, 3, 5:
+        textures = texture_cubes.texel_weights(size).reshape(-1, 3) @ uv[faces]
+        textures = textures.reshape(2, size, size, size, 2)
+        maps = neural_renderer.rasterize(corners, 32, 24)
+        got = texture_cubes.shade_cubes(maps, corners, textures, np.ones((2, 2)), np.zeros(2))
+        face_index = maps.face_index
+        barycentric = rasterization.barycentrics(face_index, clip, faces)
+        expected = interpolation.interpolate(uv, faces, face_index, barycentric)
+        assert (face_index >= 0).sum() > 200
+        np.testing.assert_allclose(got, expected, atol=1e-9)
+
+
+def test_a_photograph_is_baked_where_uv_say(rng):
+    """Image axes swapped, or texels at corners that are not those of uv."""
+    image, uv = rng.random((8, 16, 3)), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
+    cube = texture_cubes.bake(image, uv, np.array([[0, 1, 2]]), 4)[0]
+    assert cube.shape == (4, 4, 4, 3)
+    for corner, texel in zip(uv, (cube[3, 0, 0], cube[0, 3, 0], cube[0, 0, 3]), strict=True):
+        x, y = corner * [16, 8] - 0.5
+        column, row = int(np.floor(x)), int(np.floor(y))
+        a, b = x - column, y - row
+        expected = ((1 - a) * (1 - b) * image[row, column] + a * (1 - b) * image[row, column + 1]
+                    + (1 - a) * b * image[row + 1, column] + a * b * image[row + 1, column + 1])
+        np.testing.assert_allclose(texel, expected, atol=1e-12)
+
+
+def test_from_behind_a_face_looks_mirrored(rng):
+    """Reversed corners with the cube's axes left in their order."""
+    faces, textures = np.array([[0, 1, 2]]), rng.random((1, 3, 3, 3, 2))
+    clip = np.array([[-0.9, -0.8, 0, 1.0], [0.9, -0.6, 0, 2.0], [0.3, 0.9, 0, 1.5]])
+    both, cubes = texture_cubes.both_sides(faces, textures)
+    light = np.ones((2, 2))
+
+    def picture(clip):
+        corners = neural_renderer.corners_of(clip, both)
+        maps = neural_renderer.rasterize(corners, 24, 16)
+        colour = texture_cubes.shade_cubes(maps, corners, cubes, light, BACKGROUND)
+        return colour, maps.face_index
+
+    front, front_index = picture(clip)
+    back, back_index = picture(clip * [-1, 1, 1, 1])
+    assert front_index.max() == 0 and back_index.max() == 1
+    np.testing.assert_allclose(back[:, ::-1], front, atol=1e-12)
+
+
+@pytest.mark.parametrize("size, reached", [(2, 8), (3, 20), (4, 37), (8, 155)])
+def test_most_texels_of_a_large_cube_are_never_read(rng, size, reached):
+    """The face is the plane i + j + k = T - 1 of its cube, and reads the cells that this cuts."""
+    weight = rng.dirichlet(np.ones(3), 20_000)
+    index, tap = texture_cubes.cube_taps(weight, np.ones(len(weight)), np.ones((len(weight), 3)),
+                                           size)
+    cell = np.indices((size - 1,) * 3).reshape(3, -1).T
+    cell = cell[(cell.sum(1) < size - 1) & (cell.sum(1) + 3 > size - 1)]
+    corners = (cell[:, None] + np.indices((2, 2, 2)).reshape(3, -1).T).reshape(-1, 3)
+    expected = np.unique(np.ravel_multi_index(corners.T, (size,) * 3))
+    np.testing.assert_array_equal(np.unique(index[tap > 0]), expected)
+    assert len(expected) == reached
+
+
+def test_gradients_inside_of_faces_are_central_differences(rng):
+    """A way from the colour back to corners, texels or light that is lost."""
+    corners, textures, light = some_corners(rng), rng.random((12, 3, 3, 3, 2)), rng.random((12, 2))
+
+    def maps(corners):
+        return neural_renderer.rasterize(corners, WIDTH, HEIGHT)
+
+    def shade(corners, textures, light):
+        return texture_cubes.shade_cubes(maps(corners), corners, textures, light, BACKGROUND)
+
+    def decisions(corners, *_):
+        face_index, weight, depth = maps(corners)
+        seen = face_index >= 0
+        return face_index, texture_cubes.cube_taps(weight[seen], depth[seen],
+                                                   corners[face_index[seen], :, 2], 3)[0]
+
+    def backward(grad, corners, textures, light):
+        return texture_cubes.shade_cubes_backward(grad, maps(corners), corners, textures, light)
+
+    gradcheck(shade, backward, (corners, textures, light), decisions=decisions, name="cubes")
+
+
+LIGHTS = texture_cubes.Lights(np.array([0.3, 0.2]), np.array([0.6, 0.9]), np.array([0.4, 0.7, 0.5]))
+SWEEP = sweep_gradient.sweep_backward
+
+
+def ball(rng):
+    """A small ball, and a View of it."""
+    vertices, faces = mesh.icosphere(20)
+    textures = rng.random((len(faces), 2, 2, 2, 2))
+    return (texture_cubes.Scene(vertices, faces, textures, LIGHTS),
+            pipeline.View(camera(), 12, 8, BACKGROUND))
+
+
+def test_a_pixel_is_the_mean_of_four(rng):
+    """The sum, or one of the four."""
+    scene, view = ball(rng)
+    fine, _ = texture_cubes.render(scene, view._replace(width=24, height=16), samples=1)
+    got, _ = texture_cubes.render(scene, view)
+    np.testing.assert_allclose(got, fine.reshape(8, 2, 12, 2, 2).mean((1, 3)), atol=1e-12)
+
+
+def test_gradients_of_texels_and_lights_are_central_differences(rng):
+    """Supersampling without its quarter, a light that is applied to the background."""
+    scene, view = ball(rng)
+
+    def lit(textures, lights):
+        return scene._replace(textures=textures, lights=texture_cubes.Lights(*lights))
+
+    def picture(textures, *lights):
+        return texture_cubes.render(lit(textures, lights), view)[0]
+
+    def backward(grad_picture, textures, *lights):
+        changed = lit(textures, lights)
+        _, buffers = texture_cubes.render(changed, view)
+        grads = texture_cubes.render_backward(grad_picture, buffers, changed, view, SWEEP)
+        return grads.textures, *grads.lights
+
+    gradcheck(picture, backward, (scene.textures, *LIGHTS), name="render")
+
+
+def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences(rng):
+    """A missing term of the divide, of the light's normals or of z."""
+    vertices = np.array([[-30.0, -20.0, -2.0], [40.0, -25.0, 1.0], [0.5, 45.0, -6.0]])
+    faces, textures = np.array([[0, 1, 2]]), rng.random((1, 2, 2, 2, 2))
+    scene = texture_cubes.Scene(vertices, faces, textures, LIGHTS)
+    view = pipeline.View(camera((0.0, 0.3, 9.0)), 9, 7, BACKGROUND)
+
+    def render(vertices):
+        return texture_cubes.render(scene._replace(vertices=vertices), view)
+
+    def backward(grad_picture, vertices):
+        _, buffers = render(vertices)
+        moved = scene._replace(vertices=vertices)
+        grads = texture_cubes.render_backward(grad_picture, buffers, moved, view, SWEEP)
+        return (grads.vertices,)
+
+    assert (render(vertices)[1].maps.face_index == 0).all()
+    gradcheck(lambda vertices: render(vertices)[0], backward, (vertices,), name="vertices")
+
+
+def test_edges_have_the_gradient_that_outline_gives(rng):
+    """The sweep is left out, counted twice, or told of the pixels instead of the samples."""
+    scene, view = ball(rng)
+    picture, buffers = texture_cubes.render(scene, view)
+    grad_picture, told = rng.normal(size=picture.shape), []
+
+    def outline(*inputs):
+        told.append(inputs)
+        return np.full((len(scene.faces), 3, 3), 0.5) * [1, 1, 0]
+
+    def backward(outline):
+        return texture_cubes.render_backward(grad_picture, buffers, scene, view, outline).vertices
+
+    got = backward(outline) - backward(lambda *_: 0)
+    expected = neural_renderer.corners_backward(outline(), buffers.clip, scene.faces)
+    by_vertex = expected @ view.clip_from_model
+    np.testing.assert_allclose(got, by_vertex[:, :3], atol=1e-12)
+    grad_colour, colour, face_index, corners = told[0]
+    np.testing.assert_allclose(grad_colour[::2, ::2] * 4, grad_picture)
+    assert colour.shape[:2] == face_index.shape == (16, 24) and corners.shape == (20, 3, 3)
+
+
+def test_an_empty_picture_has_no_gradient(rng):
+    """Division by no pixels at all."""
+    scene, view = ball(rng)
+    away = scene._replace(vertices=scene.vertices + [0.0, 0.0, 50.0])
+    picture, buffers = texture_cubes.render(away, view._replace(width=6, height=4))
+    np.testing.assert_allclose(picture, np.tile(BACKGROUND, (4, 6, 1)))
+    grad_picture = rng.normal(size=picture.shape)
+    grads = texture_cubes.render_backward(grad_picture, buffers, away, view, SWEEP)
+    assert not grads.vertices.any() and not grads.textures.any()
+
+
+def test_a_vertex_in_the_camera_plane_has_no_gradient(rng):
+    """w = 0: its row is 0 / 0, and the fit that moves it is NaN from then on."""
+    scene, view = ball(rng)
+    behind = np.array([[0.0, 0.0, 2.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    vertices = np.concatenate([scene.vertices, behind])
+    faces, textures = np.array([[12, 13, 14]]), rng.random((1, 2, 2, 2, 2))
+    scene = scene._replace(vertices=vertices, faces=np.concatenate([scene.faces, faces]),
+                           textures=np.concatenate([scene.textures, textures]))
+    view = view._replace(clip_from_model=np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0],
+                                                   [0, 0, -1, 2]]))
+    picture, buffers = texture_cubes.render(scene, view)
+    assert buffers.clip[12, 3] == 0 and (buffers.maps.face_index >= 0).any()
+    grad_picture = rng.normal(size=picture.shape)
+    grads = texture_cubes.render_backward(grad_picture, buffers, scene, view, SWEEP)
+    assert np.isfinite(grads.vertices).all() and grads.vertices[:12].any()
+    np.testing.assert_array_equal(grads.vertices[12], 0)
+
+
+@pytest.mark.parametrize("wrong", [
+    {"textures": np.ones((19, 2, 2, 2, 2))}, {"textures": np.ones((20, 1, 1, 1, 2))},
+    {"lights": LIGHTS[:2]}])
+def test_a_scene_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
+    """19 cubes for 20 faces drew a picture."""
+    scene, view = ball(rng)
+    with pytest.raises(ValueError, match="render expects"):
+        texture_cubes.render(scene._replace(**wrong), view)
+
+
+@pytest.mark.parametrize("wrong", [{"samples": 0}, {"background": np.zeros(3)}])
+def test_a_view_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
+    """No samples were a picture of NaN."""
+    scene, view = ball(rng)
+    with pytest.raises(ValueError, match="render expects"):
+        texture_cubes.render(scene, view._replace(background=wrong.get("background", BACKGROUND)),
+                             wrong.get("samples", 2))
