@@ -24,7 +24,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("interpolation",),
     ("texturing", "mipmapping"),
     ("vertex_gradients", "rasterizer_gradients"),
-    ("antialiasing", "diagnosis"),
+    ("antialiasing", "outlines", "diagnosis"),
     ("inverse_rendering", "pipeline"),
     ("neural_renderer", "texture_cubes", "sweep_gradient", "soft_rasterizer"),
     ("subdivision", "loop_subdivision", "catmull_clark"),

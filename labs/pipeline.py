@@ -21,6 +21,7 @@ from . import (
     antialiasing,
     interpolation,
     mipmapping,
+    outlines,
     rasterization,
     rasterizer_gradients,
     scanline,
@@ -105,8 +106,8 @@ def render(mesh, surface, view):
     clip = to_clip(mesh.positions, view.clip_from_model)                           # lab 1
     seen = visible(clip, mesh.faces, view.width, view.height)                      # lab 2
     buffers = shade(seen, mesh.faces, surface, view.background)                    # labs 5, 6
-    picture = antialiasing.antialias(buffers.colour, buffers.face_index, buffers.depth, clip,
-                                     mesh.faces, mesh.opposite)                    # lab 8
+    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip,
+                                 mesh.faces, mesh.opposite)                        # lab 8
     return picture, buffers
 
 
@@ -119,7 +120,7 @@ def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None)
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
-    grad_colour, through_edges = antialiasing.antialias_backward(
+    grad_colour, through_edges = outlines.antialias_backward(
         grad_picture, buffers.colour, buffers.face_index, buffers.depth, buffers.clip, mesh.faces,
         mesh.opposite)                                                             # lab 8
     grad_surface, through_colours = shade_backward(grad_colour, buffers, mesh.faces, surface,

@@ -106,12 +106,14 @@ def test_the_whole_course_can_be_handed_out(tmp_path):
 
 
 def test_labs_that_are_imported_come_along(tmp_path, capsys):
-    """A lab that cannot be imported, for one that it needs is not there."""
+    """A lab that cannot be imported, for one that it needs is not there; or a module without
+    exercises, and so without checks, is an error.
+    """
     handout.run(tmp_path / "new", "8")
     assert sorted(path.stem for path in tmp_path.glob("new/labs/*.py")) == [
-        "antialiasing", "rasterization", "transforms"]
+        "antialiasing", "diagnosis", "interpolation", "outlines", "rasterization", "transforms"]
     assert not (tmp_path / "new" / "reference").exists()
-    assert "transforms, rasterization was added" in capsys.readouterr().out
+    assert "transforms, rasterization, interpolation was added" in capsys.readouterr().out
 
 
 def test_nothing_is_overwritten(tmp_path):
