@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import antialiasing, scanline
+from reference import antialiasing, outlines, scanline
 
 
 def main():
@@ -29,13 +29,13 @@ def row(face_count, size):
     colour, grad_output = np.random.default_rng(0).normal(size=(2, size, size, 3))
     took = measure.medians({
         "topology": lambda: antialiasing.opposite_vertices(faces),
-        "pairs": lambda: antialiasing.blended_pairs(*scene),
-        "forward": lambda: antialiasing.antialias(colour, *scene),
-        "backward": lambda: antialiasing.antialias_backward(grad_output, colour, *scene),
+        "pairs": lambda: outlines.blended_pairs(*scene),
+        "forward": lambda: outlines.antialias(colour, *scene),
+        "backward": lambda: outlines.antialias_backward(grad_output, colour, *scene),
         "copy": colour.copy,
     })
     return {"faces": len(faces), "pixels": size**2,
-            "blended": len(antialiasing.blended_pairs(*scene)[0]), **took}
+            "blended": len(outlines.blended_pairs(*scene)[0]), **took}
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@ from benchmarks import measure, peers
 from reference import (
     antialiasing,
     interpolation,
+    outlines,
     pipeline,
     rasterization,
     rasterizer_gradients,
@@ -62,8 +63,8 @@ def stages(clip, faces, attributes, size):
         "barycentrics": lambda: rasterization.barycentrics(face_index, clip, faces),
         "interpolate": lambda: interpolation.interpolate(attributes, faces, face_index,
                                                          barycentric),
-        "antialias": lambda: antialiasing.antialias(colour, *edges),
-        "d antialias": lambda: antialiasing.antialias_backward(grad, colour, *edges),
+        "antialias": lambda: outlines.antialias(colour, *edges),
+        "d antialias": lambda: outlines.antialias_backward(grad, colour, *edges),
         "d interpolate": lambda: interpolation.interpolate_backward(grad, attributes, faces,
                                                                     face_index, barycentric),
         "d barycentrics": lambda: rasterizer_gradients.barycentrics_backward(grad_barycentric,

@@ -16,13 +16,13 @@ Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Shoemake 1
 """
 import numpy as np
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 
 def squared_error(picture, target):  # exercise 9.1 (1 point)
-    """Eq. (2): the mean, over all pixels and channels, of squared differences: a number.
+    """Eq. (2): how far is a picture from its target? The mean squared difference, a number.
 
-    picture, target: floats of one shape, any.
+    picture, target: floats of one shape, any. The mean is over all pixels and channels.
 
     >>> squared_error(np.array([[[1.0, 2.0], [3.0, 4.0]]]), np.array([[[1.0, 0.0], [3.0, 0.0]]]))
     np.float64(5.0)
@@ -43,9 +43,9 @@ def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
               beta_1=0.9, beta_2=0.999, epsilon=1e-8):
     """Eq. (3): one step of Adam downhill -> x, mean, square after it, the arguments unchanged.
 
-    x, grad_x, mean (m), square (s): arrays of one shape, any; step (n) = 1 is the first one, to
-    which mean and square come as 0. Every element goes its own way: the first step is nearly by
-    rate in each, whatever the size of its gradient, if that is far above epsilon.
+    x, grad_x, mean (m), square (s): arrays of one shape, any. step (n) is 1 for the first step, for
+    which mean and square are 0. Every element goes its own way: the first step changes each by
+    nearly rate, whatever the size of its gradient, if that is far above epsilon.
 
     >>> x, grad_x, zero = np.array([5.0, 5.0]), np.array([4.0, -100.0]), np.zeros(2)
     >>> x, mean, square = adam_step(x, grad_x, zero, zero, 1, rate=0.25)
@@ -60,10 +60,9 @@ def descend(x, gradient, schedule, update=adam_step, project=lambda x: x):
 
     x: the parameters, an array or a NamedTuple of arrays. gradient(x) -> loss, grad_x, which has
     the form of x. It is called once a step, and may draw views or record what it sees. schedule:
-    the learning rate of each step, such as `decay` makes. A rate is one number, or a NamedTuple
-    like x, of one number for each array. update: a function with the arguments and results of
-    `adam_step`, or a NamedTuple like x, of one such function for each array. project(x): the
-    nearest x that is allowed, such as a quaternion of length 1.
+    the learning rate of each step, such as `decay` makes. update: a function with the arguments and
+    results of `adam_step`. A rate, and update, may also be a NamedTuple like x, with one for each
+    array. project(x): the nearest x that is allowed, such as a quaternion of length 1.
 
     >>> def gradient(x):
     ...     return (x**2).sum(), 2 * x
@@ -75,31 +74,32 @@ def descend(x, gradient, schedule, update=adam_step, project=lambda x: x):
     means = squares = [np.zeros_like(array) for array in arrays_of(x, x)]
     for step, rate in enumerate(schedule, 1):
         loss, grad_x = gradient(x)
-        moved = [update_one(*state, step, rate_one) for update_one, rate_one, *state in zip(
-            arrays_of(update, x), arrays_of(rate, x), arrays_of(x, x), arrays_of(grad_x, x),
-            means, squares, strict=True)]
+        fields = zip(arrays_of(x, x), arrays_of(grad_x, x), means, squares,
+                     arrays_of(rate, x), arrays_of(update, x), strict=True)
+        moved = [update_one(array, grad, mean, square, step, rate_one)
+                 for array, grad, mean, square, rate_one, update_one in fields]
         arrays, means, squares = zip(*moved, strict=True)
         x = project(type(x)(*arrays) if isinstance(x, tuple) else arrays[0])
         yield x, loss
 
 
 def arrays_of(value, x):
-    """What value holds for each array of x: its fields, or where it has none, itself for all."""
+    """What a value holds for each array of x: its fields or, if it has none, itself each time."""
     count = len(x) if isinstance(x, tuple) else 1
     return value if isinstance(value, tuple) else (value,) * count
 
 
 def decay(rate, factor, steps):
-    """A schedule for `descend`: by equal factors from rate down to rate * factor, not included."""
+    """A schedule for `descend`: from rate by equal factors down to rate * factor, not included."""
     return [rate * factor**(step / steps) for step in range(steps)]
 
 
 def quaternion_product(p, q):  # exercise 9.4 (2 points)
-    """The product p q of quaternions: of the two rotations, first q's, then p's.
+    """The product p q of quaternions: it rotates first as q does, then as p does.
 
-    p, q (..., 4), shapes that broadcast, elements (w, x, y, z) -> (..., 4). They are w + x i + y j
-    + z k, with i i = j j = k k = -1, i j = k, j k = i, k i = j and, in the other order, j i = -k,
-    k j = -i, i k = -j.
+    p, q (..., 4), shapes that broadcast -> (..., 4). The elements (w, x, y, z) stand for
+    w + x i + y j + z k, with i i = j j = k k = -1 and i j = k, j k = i, k i = j. In the other order
+    the sign is the other: j i = -k, k j = -i, i k = -j.
 
     >>> quaternion_product(np.array([0.0, 1.0, 0.0, 0.0]), np.array([2.0, 0.0, 3.0, 0.0]))
     array([0., 2., 0., 3.])
@@ -111,11 +111,13 @@ def quaternion_matrix(q):  # exercise 9.5 (2 points)
     """Eq. (4): the matrix (4, 4) that rotates points as q (4,) does.
 
     q = (cos(angle/2), sin(angle/2) axis) rotates by angle about an axis of length 1, as lab 1's
-    rotate; so does any multiple of it, of a length from 1e-100 to 1e100. In eq. (4) the point v is
-    the quaternion (0, v), and q* has the other sign in x, y, z. `cross_matrix`, below, is given.
+    rotate does. So does any multiple of q. In eq. (4) the point v is the quaternion (0, v), and q*
+    has the other sign in x, y, z. `cross_matrix`, below, is given.
 
     >>> quaternion_matrix(np.array([2.0, 0.0, 0.0, 2.0])).round(9) @ np.array([1.0, 5.0, 7.0, 1.0])
     array([-5.,  1.,  7.,  1.])
+
+    Fine print. q has a length from 1e-100 to 1e100.
     """
     raise NotImplementedError("exercise 9.5: quaternion_matrix")
 
@@ -123,7 +125,7 @@ def quaternion_matrix(q):  # exercise 9.5 (2 points)
 def quaternion_matrix_backward(grad_matrix, q):  # exercise 9.6 (4 points)
     """Backward of `quaternion_matrix`: grad_matrix (4, 4) -> grad_q (4,).
 
-    The last row and column of the matrix are constant. All four numbers of q count as free; its
+    The last row and column of the matrix are constant. All four numbers of q count as free. Its
     length makes no difference to the matrix, so grad_q is at right angles to q.
 
     >>> grad_matrix = np.zeros((4, 4))
@@ -135,7 +137,7 @@ def quaternion_matrix_backward(grad_matrix, q):  # exercise 9.6 (4 points)
 
 
 def cross_matrix(u):
-    """The matrix K (3, 3) with K v = u x v; u (3,)."""
+    """The matrix K (3, 3) with K v = u x v, for u (3,)."""
     x, y, z = u
     return np.array([[ 0, -z,  y],
                      [ z,  0, -x],
@@ -145,12 +147,14 @@ def cross_matrix(u):
 def rotation_angle(p, q):  # exercise 9.7 (2 points)
     """By what angle, from 0 to pi, do two rotations differ? p, q (..., 4) of length 1 -> (...).
 
-    It is the angle of the rotation from one to the other. q and -q are the same rotation. Every
-    angle must keep its digits: one of 1e-9 comes out right to 1e-15, one of pi - 1e-6 to 1e-14.
+    It is the angle of the rotation from one to the other. q and -q are the same rotation.
 
     >>> quarter = np.array([1.0, 0.0, 0.0, 1.0]) / np.sqrt(2)
     >>> rotation_angle(quarter, np.array([1.0, 0.0, 0.0, 0.0])).round(6)
     np.float64(1.570796)
+
+    Fine print. Every angle keeps its digits: one of 1e-9 is right to 1e-15, one of pi - 1e-6 to
+    1e-14.
     """
     raise NotImplementedError("exercise 9.7: rotation_angle")
 
@@ -158,12 +162,14 @@ def rotation_angle(p, q):  # exercise 9.7 (2 points)
 def silhouette_loss(coverage, target):  # exercise 9.8 (1 point)
     """Eq. (5), soft IoU (Jaccard): 1 - intersection over union of two silhouettes, a number.
 
-    coverage, target: floats of one shape, any, from 0 to 1: how much of each pixel is covered. Not
-    both are 0 everywhere. It is 1 for two that do not meet, and 0 for equal ones of 0 and 1. Pixels
-    covered in part count in part: with c = t = 1/2 it is 2/3, and its least is not at c = t.
+    coverage, target: floats of one shape, any, from 0 to 1: how much of each pixel is covered. The
+    loss is 1 for two that do not meet, and 0 for equal ones of 0 and 1.
 
     >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])).round(9)
     np.float64(0.5)
+
+    Fine print. Pixels covered in part count in part: with c = t = 1/2 the loss is 2/3, and its
+    least is not at c = t. coverage and target are not both 0 everywhere.
     """
     raise NotImplementedError("exercise 9.8: silhouette_loss")
 
@@ -178,44 +184,44 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 po
     raise NotImplementedError("exercise 9.9: silhouette_loss_backward")
 
 
-def laplacian(positions, edges):  # exercise 9.10 (2 points)
-    """Eq. (6): how far each vertex is from the middle of its neighbours: d (V, C).
+def uniform_laplacian(positions, edges):  # exercise 9.10 (2 points)
+    """Eq. (6): how far is each vertex from the mean of its neighbours? d (V, C).
 
-    positions (V, C), C >= 1; edges (E, 2) integers: two neighbours each, every edge once, in
+    positions (V, C), C >= 1. edges (E, 2), integers, are pairs of neighbours: every edge once, in
     either order. A vertex of no edge has d = 0.
 
     >>> positions = np.array([[0.0, 3.0], [4.0, 5.0], [8.0, 1.0], [9.0, 9.0]])
-    >>> laplacian(positions, np.array([[0, 1], [1, 2]]))
+    >>> uniform_laplacian(positions, np.array([[0, 1], [1, 2]]))
     array([[-4., -2.],
            [ 0.,  3.],
            [ 4., -4.],
            [ 0.,  0.]])
     """
-    raise NotImplementedError("exercise 9.10: laplacian")
+    raise NotImplementedError("exercise 9.10: uniform_laplacian")
 
 
-def laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 points)
+def uniform_laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 points)
     """Backward of eq. (6): grad_laplacian (V, C) -> grad_positions (V, C).
 
-    Eq. (6) is linear, so that only the shape of positions counts.
+    Eq. (6) is linear, so only the shape of positions counts.
 
     >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
     >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])
-    >>> laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
+    >>> uniform_laplacian_backward(grad_laplacian, positions, np.array([[0, 1], [1, 2]]))
     array([[-0.5],
            [-9. ],
            [ 9.5],
            [ 0. ]])
     """
-    raise NotImplementedError("exercise 9.11: laplacian_backward")
+    raise NotImplementedError("exercise 9.11: uniform_laplacian_backward")
 
 
-def laplacian_energy(positions, edges):
-    """The sum of |d_v|^2 over all vertices, a thin plate's energy: the less, the smoother."""
-    return (laplacian(positions, edges)**2).sum()
+def uniform_laplacian_energy(positions, edges):
+    """The sum of |d_v|^2 over all vertices, the energy of a thin plate: less is smoother."""
+    return (uniform_laplacian(positions, edges)**2).sum()
 
 
-def laplacian_energy_backward(grad_energy, positions, edges):
-    """Backward of `laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
-    grad_laplacian = 2 * grad_energy * laplacian(positions, edges)
-    return laplacian_backward(grad_laplacian, positions, edges)
+def uniform_laplacian_energy_backward(grad_energy, positions, edges):
+    """Backward of `uniform_laplacian_energy`: grad_energy, a number -> grad_positions (V, C)."""
+    grad_laplacian = 2 * grad_energy * uniform_laplacian(positions, edges)
+    return uniform_laplacian_backward(grad_laplacian, positions, edges)

@@ -91,10 +91,10 @@ def pyramid(image, max_level=None):
 
 
 def pyramid_backward(grad_levels):  # exercise 6.11 (2 points)
-    """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C) by level 0.
+    """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C), that of level 0.
 
-    grad_levels: a tuple of arrays, the gradient by each level as if it stood alone; their shapes
-    are those of the levels. What a level was made of gets what comes down from it, and so on.
+    grad_levels: a tuple of arrays, of the levels' shapes: the gradient of each level as if it stood
+    alone. What a level was made of gets what comes down from it, and so on.
 
     >>> top, middle = np.array([[[16.0]]]), np.array([[[4.0]], [[0.0]]])
     >>> pyramid_backward((np.zeros((4, 2, 1)), middle, top))[..., 0]
@@ -189,7 +189,8 @@ def taps(uv, level, mipmap, sampler):
 
     uv (N, 2), level (N,) before it is clamped.
     """
-    index, weight = [], []
+    index = []
+    weight = []
     for at, share in mixture(level, sampler.filter, len(mipmap.start) - 1):
         texel, part, _ = texels_at(uv, mipmap.width[at], mipmap.height[at], sampler.filter,
                                    sampler.boundary)
@@ -200,7 +201,8 @@ def taps(uv, level, mipmap, sampler):
 
 def taps_backward(grad_weight, uv, level, mipmap, sampler):
     """Backward of `taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
-    grad_uv, grad_level = np.zeros(uv.shape), np.zeros(level.shape)
+    grad_uv = np.zeros(uv.shape)
+    grad_level = np.zeros(level.shape)
     if sampler.filter == "nearest":
         return grad_uv, grad_level
     top = len(mipmap.start) - 1

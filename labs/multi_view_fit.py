@@ -10,7 +10,7 @@ Before each step, (8) spreads what belongs to distances and albedo over the grid
 
 The caller guarantees that the cameras are right, and that the object is within [-1, 1]^3.
 
-Sources: lecture "Differentiable graphics 1" (its last part); Shen et al. 2021, Munkberg et al.
+Sources: lecture "Differentiable graphics 1" (its last part), Shen et al. 2021, Munkberg et al.
 2022.
 """
 import functools

@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import interpolation, scanline, transforms
-from .rasterization import EDGES, edge_function, signed_area
+from .rasterization import EDGES, edge_function, scatter, signed_area
 
 
 class Maps(NamedTuple):
@@ -48,7 +48,7 @@ def corners_backward(grad_corners, clip, faces):
     """Backward of `corners_of`: grad_corners (F, 3, 3) -> grad_clip (V, 4)."""
     # A corner is gathered from its vertex, so gradients are scattered. x and y take lab 1's way
     # back through the divide; z = w, so dw = dz.
-    grad_vertex = interpolation.scatter(grad_corners, faces, len(clip))
+    grad_vertex = scatter(grad_corners, faces, len(clip))
     grad_ndc = grad_vertex * [1, 1, 0]
     grad_clip = transforms.perspective_divide_backward(grad_ndc, divisible(clip))
     grad_clip[:, 3] += grad_vertex[:, 2]
@@ -234,7 +234,7 @@ def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     grads = weights_and_depth_backward(grad_weight[row, column], grad_depth[row, column],
                                        inverse[pixel_face], z[face], column + 0.5, row + 0.5)
     # Each pixel gathers M^-1 and z of its face, so their gradients are scattered.
-    grad_inverse, grad_z = (interpolation.scatter(grad, pixel_face, len(seen)) for grad in grads)
+    grad_inverse, grad_z = (scatter(grad, pixel_face, len(seen)) for grad in grads)
     grad_screen = face_inverse_backward(grad_inverse, inverse)
     grad_corners = np.zeros(corners.shape)
     grad_corners[seen, :, :2] = grad_screen * [width / 2, height / 2]

@@ -19,8 +19,8 @@ import numpy as np
 
 from course.given import inputs
 
-from . import interpolation, mipmapping, msaa, neural_renderer, pipeline, texturing
-from .rasterization import EDGES
+from . import mipmapping, msaa, neural_renderer, pipeline, texturing
+from .rasterization import EDGES, scatter
 
 
 class Lights(NamedTuple):
@@ -211,14 +211,14 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
     # colour = sample * light: the product rule. Each pixel gathers its face's light and z, so
     # their gradients are scattered.
     grad_lit, lit = grad_colour[seen], sample_cubes(textures, face, index, tap)
-    grad_light = interpolation.scatter(grad_lit * lit, face, len(corners))
+    grad_light = scatter(grad_lit * lit, face, len(corners))
     grad_textures, grad_tap = sample_cubes_backward(grad_lit * light[face], textures, face, index,
                                                     tap)
     grad_weight, grad_depth = np.zeros(maps.weight.shape), np.zeros(maps.depth.shape)
     grad_weight[seen], grad_depth[seen], grad_z = cube_taps_backward(grad_tap, *samples)
     grad_corners = neural_renderer.rasterize_backward(grad_weight, grad_depth, maps.face_index,
                                                       corners)
-    grad_corners[..., 2] += interpolation.scatter(grad_z, face, len(corners))
+    grad_corners[..., 2] += scatter(grad_z, face, len(corners))
     return grad_corners, grad_textures, grad_light
 
 
@@ -252,5 +252,5 @@ def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
     on_screen, _ = pipeline.to_clip_backward(grad_clip, scene.vertices, view.clip_from_model)
     grad_world, *grad_lights = face_light_backward(grad_light, scene.vertices[scene.faces],
                                                    *scene.lights)
-    in_light = interpolation.scatter(grad_world, scene.faces, len(clip))
+    in_light = scatter(grad_world, scene.faces, len(clip))
     return Scene(on_screen + in_light, None, grad_textures, Lights(*grad_lights))

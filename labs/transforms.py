@@ -1,15 +1,13 @@
 """Transforms: from a vertex of the model to a point on the screen.
 
-Spaces: model -> world -> view (camera) -> clip -> ndc -> screen. Points are rows, matrices act on
-columns, so points (..., 4) are moved by points @ matrix.T. Right-handed; the camera looks down -z.
+Spaces: model -> world -> view (camera) -> clip -> ndc -> screen. Points are rows, and matrices act
+on columns: points (..., 4) become points @ matrix.T. Right-handed. The camera looks down -z.
 
     (x, y, z)  ->  (x, y, z, 1)                             homogeneous coordinates           (1)
     clip = P V M (x, y, z, 1)                               model, view, projection           (2)
     ndc = (x, y, z) / w                                     the divide                        (3)
     screen = ((x + 1) width / 2, (y + 1) height / 2, z)     the viewport                      (4)
-
     t = near tan(fov_y / 2),  r = aspect t,  aspect = width / height,  l = -r,  b = -t        (5)
-
         [2 near/(r-l)      0        (r+l)/(r-l)     0  ]    alpha = (far+near) / (near-far)
     P = [    0        2 near/(t-b)  (t+b)/(t-b)     0  ]    beta  = 2 far near / (near-far)   (6)
         [    0             0           alpha      beta ]
@@ -17,14 +15,14 @@ columns, so points (..., 4) are moved by points @ matrix.T. Right-handed; the ca
 
 What is visible has -w <= x, y, z <= w in clip space. Angles are in radians.
 
-Sources: lecture "Differentiable graphics 1" (its field of view holds for half the height, and its
-last matrix mixes up the two angles: (5) and (6) are right); GAMES101 lecture 5; OpenGL 1.0 manual.
+Sources: GAMES101 lecture 5, OpenGL 1.0 manual, lecture "Differentiable graphics 1". (Its angle is
+that of half the height, and its last matrix swaps the two angles. Here, (5) and (6) are right.)
 """
 import numpy as np
 
 
 def to_homogeneous(points):  # exercise 1.1 (1 point)
-    """Eq. (1): points (..., 3) -> (..., 4).
+    """Eq. (1): append a 1 to each point: points (..., 3) -> (..., 4).
 
     >>> to_homogeneous(np.array([[1.0, 2.0, 3.0]]))
     array([[1., 2., 3., 1.]])
@@ -33,7 +31,7 @@ def to_homogeneous(points):  # exercise 1.1 (1 point)
 
 
 def transform(points, matrix):  # exercise 1.2 (1 point)
-    """Eq. (2), one matrix of it: points (..., 4), matrix (4, 4) -> (..., 4).
+    """One matrix of eq. (2): where does it move points? points (..., 4), matrix (4, 4) -> (..., 4).
 
     >>> transform(np.array([[1.0, 2.0, 3.0, 1.0]]), np.diag([2.0, 1.0, 1.0, 1.0]))
     array([[2., 2., 3., 1.]])
@@ -44,7 +42,7 @@ def transform(points, matrix):  # exercise 1.2 (1 point)
 def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
     """Backward of `transform`: grad_output (..., 4) -> grad_points (..., 4), grad_matrix (4, 4).
 
-    Every point adds to the one grad_matrix, however many axes the points have.
+    All points add to the one grad_matrix, however many axes they have.
 
     >>> point, matrix = np.array([5.0, 6.0, 8.0, 1.0]), np.diag([1.0, 2.0, 3.0, 4.0])
     >>> grad_point, grad_matrix = transform_backward(np.array([0.0, 10.0, 0.0, 0.0]), point, matrix)
@@ -55,7 +53,7 @@ def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
 
 
 def translate(offset):  # exercise 1.4 (1 point)
-    """Matrix (4, 4) that moves points by offset (3,).
+    """The matrix (4, 4) that moves points by offset (3,).
 
     >>> translate(np.array([5.0, 6.0, 7.0])) @ np.array([1.0, 1.0, 1.0, 1.0])
     array([6., 7., 8., 1.])
@@ -64,7 +62,7 @@ def translate(offset):  # exercise 1.4 (1 point)
 
 
 def scale(factors):  # exercise 1.5 (1 point)
-    """Matrix (4, 4) that scales x, y, z by factors (3,).
+    """The matrix (4, 4) that scales x, y, z by factors (3,).
 
     >>> scale(np.array([2.0, 3.0, 4.0])) @ np.array([1.0, 1.0, 1.0, 1.0])
     array([2., 3., 4., 1.])
@@ -73,11 +71,11 @@ def scale(factors):  # exercise 1.5 (1 point)
 
 
 def rotate(axis, angle):  # exercise 1.6 (3 points)
-    """Matrix (4, 4) that turns by angle about axis (3,), of any length but 0: Rodrigues' formula.
+    """The matrix (4, 4) that turns by an angle about an axis (3,), which has any length but 0.
 
     Right-handed: seen from the tip of the axis, a positive angle turns counter-clockwise.
 
-        R = cos I + (1 - cos) n n^T + sin [n]x,   [n]x v = n x v,   n = axis / |axis|
+        R = cos I + (1 - cos) n n^T + sin [n]x,   [n]x v = n x v,   n = axis / |axis|  (Rodrigues)
 
     >>> rotate(np.array([0.0, 0.0, 2.0]), np.pi / 2).round(3) @ np.array([1.0, 0.0, 0.0, 1.0])
     array([0., 1., 0., 1.])
@@ -88,11 +86,13 @@ def rotate(axis, angle):  # exercise 1.6 (3 points)
 def look_at(eye, target, up):  # exercise 1.7 (3 points)
     """view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
 
-    The target is not the eye, and up (3,) is not along the look. The matrix takes eye to the origin
-    and target to the -z axis; up ends in the y-z plane, where y > 0.
+    The matrix takes eye to the origin and target to the -z axis. The direction up (3,) ends in the
+    y-z plane, where y > 0.
 
     >>> look_at(np.array([0.0, 0.0, 5.0]), np.zeros(3), np.array([0.0, 1.0, 0.0]))[2]
     array([ 0.,  0.,  1., -5.])
+
+    Fine print. The target is not the eye, and up is not parallel to the line between them.
     """
     raise NotImplementedError("exercise 1.7: look_at")
 
@@ -100,8 +100,8 @@ def look_at(eye, target, up):  # exercise 1.7 (3 points)
 def normal_matrix(matrix):  # exercise 1.8 (2 points)
     """The matrix N (3, 3) for normals of a surface whose points are moved by matrix (4, 4).
 
-    (N n) . (A v) = n . v for all n and v, A the upper left 3 x 3 of the matrix: a normal stays at
-    right angles to its surface. Its length may change.
+    Let A be the upper left 3 x 3 of the matrix. N has (N n) . (A v) = n . v for all n and v, so a
+    normal stays at right angles to its surface. Its length may change.
 
     >>> normal_matrix(np.diag([2.0, 1.0, 1.0, 1.0])) @ np.array([1.0, 1.0, 0.0])
     array([0.5, 1. , 0. ])
@@ -110,9 +110,9 @@ def normal_matrix(matrix):  # exercise 1.8 (2 points)
 
 
 def pinhole(f):  # exercise 1.9 (1 point)
-    """Matrix (4, 4) of a pinhole camera of focal length f: after the divide (f x/z, f y/z, f).
+    """The matrix (4, 4) of a pinhole camera of focal length f: after the divide (f x/z, f y/z, f).
 
-    The textbook's camera, which looks down +z and keeps no depth; `perspective` mends both.
+    It is the textbook's camera, which looks down +z and keeps no depth. `perspective` mends both.
 
     >>> pinhole(2.0) @ np.array([1.0, 3.0, 4.0, 1.0])
     array([2., 6., 8., 4.])
@@ -121,7 +121,7 @@ def pinhole(f):  # exercise 1.9 (1 point)
 
 
 def frustum_sides(fov_y, aspect, near):  # exercise 1.10 (2 points)
-    """Eq. (5): l, r, b, t of the near plane; fov_y is the angle from the bottom to the top.
+    """Eq. (5): l, r, b, t of the near plane, four numbers. fov_y is the angle from bottom to top.
 
     >>> np.round(frustum_sides(np.pi / 2, 2.0, 0.5), 3)
     array([-1. ,  1. , -0.5,  0.5])
@@ -130,7 +130,7 @@ def frustum_sides(fov_y, aspect, near):  # exercise 1.10 (2 points)
 
 
 def frustum(l, r, b, t, near, far):  # exercise 1.11 (3 points)
-    """Eq. (6): clip_from_view (4, 4); the plane z = -near is seen from l to r and from b to t.
+    """Eq. (6): clip_from_view (4, 4) of a camera that sees l to r and b to t of its near plane.
 
     >>> frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 3.0)
     array([[ 1.,  0.,  0.,  0.],
@@ -144,8 +144,8 @@ def frustum(l, r, b, t, near, far):  # exercise 1.11 (3 points)
 def orthographic(l, r, b, t, near, far):  # exercise 1.12 (2 points)
     """clip_from_view (4, 4) without perspective: the box l..r, b..t, z = -near..-far fills ndc.
 
-    Of an object that is shallow beside its distance it gives nearly the picture that `frustum`
-    does, if l, r, b, t are those of the plane through the object: weak perspective.
+    Weak perspective: an object that is shallow beside its distance looks nearly as through
+    `frustum`, if l, r, b, t are the sides of the view in the plane through the object.
 
     >>> orthographic(0.0, 4.0, -1.0, 1.0, 1.0, 3.0) @ np.array([4.0, 1.0, -1.0, 1.0])
     array([ 1.,  1., -1.,  1.])
@@ -154,7 +154,7 @@ def orthographic(l, r, b, t, near, far):  # exercise 1.12 (2 points)
 
 
 def perspective_divide(clip):  # exercise 1.13 (1 point)
-    """Eq. (3): clip (..., 4), w not 0 -> ndc (..., 3).
+    """Eq. (3): divide by w, which is not 0: clip (..., 4) -> ndc (..., 3).
 
     >>> perspective_divide(np.array([2.0, 4.0, -2.0, 2.0]))
     array([ 1.,  2., -1.])
@@ -172,7 +172,7 @@ def perspective_divide_backward(grad_ndc, clip):  # exercise 1.14 (2 points)
 
 
 def viewport(width, height):  # exercise 1.15 (2 points)
-    """Eq. (4) as screen_from_ndc (4, 4): x and y from [-1, 1] to [0, width], [0, height]; z stays.
+    """Eq. (4) as screen_from_ndc (4, 4): x from [-1, 1] to [0, width], y to [0, height], z stays.
 
     >>> viewport(640, 480) @ np.array([-1.0, 1.0, 0.5, 1.0])
     array([  0. , 480. ,   0.5,   1. ])
@@ -181,7 +181,7 @@ def viewport(width, height):  # exercise 1.15 (2 points)
 
 
 def to_screen(ndc, width, height):  # exercise 1.16 (1 point)
-    """Eq. (4): ndc (..., 3) -> screen (..., 3); x and y in pixels, y up, depth as it is.
+    """Eq. (4): ndc (..., 3) -> screen (..., 3), with x and y in pixels, y up, and z as it is.
 
     >>> to_screen(np.array([0.0, 0.0, 0.5]), 640, 480)
     array([320. , 240. ,   0.5])
@@ -204,15 +204,16 @@ def perspective(fov_y, aspect, near, far):
 
 
 def project(positions, clip_from_model, width, height):
-    """Eqs. (1) to (4): positions (V, 3) in model space -> screen (V, 3). Also lines and points, so
-    nothing is clipped: what lies behind the camera comes out mirrored.
+    """Eqs. (1) to (4): positions (V, 3) in model space -> screen (V, 3).
+
+    Nothing is clipped: what lies behind the camera comes out mirrored.
     """
     clip = transform(to_homogeneous(positions), clip_from_model)
     return to_screen(perspective_divide(clip), width, height)
 
 
 def project_backward(grad_screen, positions, clip_from_model, width, height):
-    """`project` read upwards: -> grad_positions (V, 3), grad_clip_from_model (4, 4)."""
+    """Backward of `project`: -> grad_positions (V, 3), grad_clip_from_model (4, 4)."""
     points = to_homogeneous(positions)
     clip = transform(points, clip_from_model)
     grad_ndc = to_screen_backward(grad_screen, width, height)

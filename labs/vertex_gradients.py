@@ -72,8 +72,8 @@ def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
     """Backward of eq. (2): grad_f, a number -> grad_values (3,), grad_m (3, 3), grad_a (3,),
     grad_target, a number.
 
-    No loop over elements. Rows 0 and 1 of grad_m are the vertices' gradients by x and y; what row 2
-    holds is of use in perspective. m and a count as free numbers, also where they are 1.
+    No loop over elements. Rows 0 and 1 of grad_m are the gradients with respect to the vertices' x
+    and y. Row 2 is of use in perspective. m and a count as free numbers, also where they are 1.
 
     >>> m = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
     >>> a = np.array([1.0, 1.0, 1.0])
@@ -106,8 +106,8 @@ def residuals_jacobian(values, triangle, points):  # exercise 7.6 (3 points)
 def gauss_newton_step(residuals, jacobian):  # exercise 7.7 (2 points)
     """The step (U,) that would make the sum of squares least, if residuals were linear.
 
-    residuals (R,), jacobian (R, U): their derivatives by U unknowns. |residuals + jacobian step|
-    is least; of several such steps, it is the shortest. R may be smaller than U.
+    residuals (R,), jacobian (R, U): their derivatives with respect to U unknowns. The step makes
+    |residuals + jacobian step| least. It is the shortest such step. R may be smaller than U.
 
     >>> gauss_newton_step(np.array([2.0, 6.0]), np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0]]))
     array([-1., -1., -3.])

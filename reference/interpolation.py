@@ -19,35 +19,21 @@ faces (F, 3) may name other vertices than those of the positions, as uv with sea
 
 Source: lecture "Differentiable graphics 1".
 """
-import math
-
 import numpy as np
 import scipy.sparse
 
-from .rasterization import normalize_derivative, seen_pixels
-
-
-def scatter(values, index, count):
-    """The transpose of the gather x[index]: row index[n] of the result sums the values[n].
-
-    values (*index.shape, ...), index of integers below count -> (count, ...).
-
-    >>> scatter(np.array([1.0, 10.0, 100.0]), np.array([2, 0, 2]), 3)
-    array([ 10.,   0., 101.])
-    """
-    shape = values.shape[index.ndim:]
-    columns = values.reshape(index.size, math.prod(shape)).T
-    sums = [np.bincount(index.ravel(), column, count) for column in columns]
-    return np.stack(sums, -1).reshape(count, *shape)
+from .rasterization import normalize_derivative, scatter, seen_pixels  # noqa: F401
 
 
 def lerp(a, b, t):  # exercise 5.1 (1 point)
-    """Linear interpolation: a at t = 0, b at t = 1, both to the last bit; halfway at t = 1/2.
+    """Linear interpolation: what lies at the fraction t of the way from a to b?
 
-    a, b, t, finite: shapes that broadcast. t may lie outside of 0 ... 1.
+    a, b, t: finite, of shapes that broadcast. t may lie outside of 0 ... 1.
 
     >>> lerp(2.0, 4.0, np.array([0.0, 0.25, 1.0, 2.0]))
     array([2. , 2.5, 4. , 6. ])
+
+    Fine print. It is a at t = 0 and b at t = 1, both to the last bit.
     """
     return (1 - t) * a + t * b
 
@@ -55,7 +41,7 @@ def lerp(a, b, t):  # exercise 5.1 (1 point)
 def fraction_in_space(t, w_0, w_1):  # exercise 5.2 (2 points)
     """Eq. (1): how far along a segment in space is the point seen at fraction t on the screen?
 
-    t, w_0, w_1: shapes that broadcast; w_0, w_1 > 0 (or both < 0) are those of the two ends.
+    t, w_0, w_1: shapes that broadcast. w_0 and w_1 are those of the two ends, of one sign.
 
     >>> fraction_in_space(np.array([0.0, 0.5, 1.0]), 1.0, 3.0)
     array([0.  , 0.25, 1.  ])
@@ -80,7 +66,7 @@ def fraction_in_space_backward(grad_q, t, w_0, w_1):  # exercise 5.3 (3 points)
 def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # exercise 5.4 (2 points)
     """Eq. (2): attributes along a segment, at fractions t (N,) of its picture -> (N, C).
 
-    a_0, a_1 (C,): the attributes of its ends, of any C; w_0, w_1: their w, of one sign.
+    a_0, a_1 (C,): the attributes of its ends. w_0, w_1: their w, two numbers of one sign.
 
     >>> attribute_on_segment(np.array([0.0, 0.5]), np.array([8.0, 0.0]), np.array([0.0, 4.0]), 1, 3)
     array([[8., 0.],
@@ -93,11 +79,12 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # exercise 5.4 (2 points)
 def corrected_barycentrics(e, w):  # exercise 5.5 (2 points)
     """Eq. (3): the weights on the screen, e (..., 3), and the corners' w (..., 3) -> b (..., 3).
 
-    b are the weights on the face in space, with sum 1. e and w may have any sign and e any sum, as
-    long as s is not 0: e multiplied by a number gives the same b.
+    b are the weights on the face in space, with sum 1. A multiple of e gives the same b.
 
     >>> corrected_barycentrics(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
     array([0.75, 0.25, 0.  ])
+
+    Fine print. e and w may have any sign, and e any sum, as long as s is not 0.
     """
     n = e / w
     return n / n.sum(-1, keepdims=True)
@@ -106,14 +93,14 @@ def corrected_barycentrics(e, w):  # exercise 5.5 (2 points)
 def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (3 points)
     """Backward of b = n / s with s = sum n, the quotient rule: grad_b -> grad_n.
 
-    grad_b, b of one shape, the three weights along the axis; s, of length 1 along that axis, or
-    (for axis 0) without it.
+    grad_b and b have one shape, with the three weights along the axis. s has length 1 along that
+    axis, or (for axis 0) lacks it.
 
     >>> normalize_backward(np.array([8.0, 0.0, 0.0]), np.array([0.25, 0.25, 0.5]), 4.0)
     array([ 1.5, -0.5, -0.5])
     """
-    # By eq. (4), L changes by sum_k grad_b_k (dn_k - b_k sum_j dn_j) / s: collected by dn_k. Every
-    # n_k is in s, so that corner k feels what all three weights want.
+    # By eq. (4), dL = sum_k grad_b_k (dn_k - b_k sum_j dn_j) / s. Collect what stands with each
+    # dn_k. Every n_k is in s, so corner k feels what all three weights want.
     return (grad_b - (grad_b * b).sum(axis, keepdims=True)) / s
 
 
@@ -130,9 +117,9 @@ def corrected_barycentrics_backward(grad_b, e, w):
 
 
 def corrected_barycentrics_derivatives(de, e, w):
-    """Eq. (4): how b of eq. (3) changes where e does: de (..., 3, D) -> db (..., 3, D).
+    """Eq. (4): how does b of eq. (3) change where e does? de (..., 3, D) -> db (..., 3, D).
 
-    de: D derivatives of e (..., 3), such as those with respect to x and to y; w (..., 3) stays.
+    de: D derivatives of e (..., 3), such as those with respect to x and to y. w (..., 3) stays.
     """
     n = (e / w)[..., None]
     s = n.sum(-2, keepdims=True)
@@ -142,14 +129,15 @@ def corrected_barycentrics_derivatives(de, e, w):
 def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), pixel by pixel: -> (H, W, C), 0 where no face is seen. Slow and obvious.
 
-    attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3). At pixels without a
-    face the weights may be anything, NaN too.
+    attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3).
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
     >>> interpolate_loop(np.array([[9.0], [4.0], [6.0], [8.0]]), faces, seen, b)
     array([[[6.],
             [0.]]])
+
+    Fine print. At pixels without a face the weights may be anything, NaN too.
     """
     output = np.zeros((*face_index.shape, attributes.shape[1]))
     for i, j in np.argwhere(face_index >= 0):
@@ -160,19 +148,22 @@ def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.
 
 def interpolate_backward_loop(grad_output, attributes, faces, face_index,  # exercise 5.9 (3 points)
                               barycentric):
-    """Eq. (8), pixel by pixel: grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric
-    (H, W, 3). Slow and obvious.
+    """Eq. (8), pixel by pixel: what does each vertex, and each weight, get? Slow and obvious.
 
-    The three weights of a pixel count as free, although their sum is 1. A pixel without a face adds
-    to nothing, whatever its grad_output and weights (NaN, too), and its grad_barycentric is 0.
+    grad_output (H, W, C) -> grad_attributes (V, C), grad_barycentric (H, W, 3). The three weights
+    of a pixel count as free, although their sum is 1.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])
     >>> grads = interpolate_backward_loop(grad_output, attributes, faces, np.array([[0]]), b)
     >>> grads[0].T, grads[1]
     (array([[0., 2., 4., 2.]]), array([[[48., 32., 64.]]]))
+
+    Fine print. A pixel without a face adds to nothing, whatever its grad_output and weights (NaN,
+    too), and its grad_barycentric is 0.
     """
-    grad_attributes, grad_barycentric = np.zeros(attributes.shape), np.zeros(barycentric.shape)
+    grad_attributes = np.zeros(attributes.shape)
+    grad_barycentric = np.zeros(barycentric.shape)
     for i, j in np.argwhere(face_index >= 0):
         for k, vertex in enumerate(faces[face_index[i, j]]):
             grad_attributes[vertex] += barycentric[i, j, k] * grad_output[i, j]
@@ -183,10 +174,10 @@ def interpolate_backward_loop(grad_output, attributes, faces, face_index,  # exe
 def weight_rows(faces, face_index, barycentric):  # exercise 5.10 (3 points)
     """B of eq. (7) in compressed sparse rows: start (H W + 1,), vertex (3 N,), weight (3 N,).
 
-    The rows of B are the pixels, row by row of the picture; N of them see a face. Row p has the
+    The rows of B are the pixels, row by row of the picture. N of them see a face. Row p has the
     entries n = start[p], start[p] + 1, ... below start[p + 1]: weight[n] is in column vertex[n]. A
-    pixel that sees a face has three, in the order of its corners, one without has none. start and
-    vertex are integers, start[0] = 0.
+    pixel that sees a face has three entries, in the order of its corners. One without has none.
+    start and vertex are integers, start[0] = 0.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> weight_rows(faces, seen, np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]]))
@@ -216,16 +207,18 @@ def interpolate(attributes, faces, face_index, barycentric):  # exercise 5.11 (2
     """Eq. (7): what `interpolate_loop` gives, without a loop over pixels -> (H, W, C).
 
     attributes (V, C), faces (F, 3), face_index (H, W), barycentric (H, W, 3). The given
-    `interpolation_matrix` is B; arrays are multiplied by it with @. H and W
-    may be 0.
+    `interpolation_matrix` makes B. B @ x multiplies an array by it.
+
+    Fine print. H and W may be 0.
     """
     weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
     return (weights @ attributes).reshape(*face_index.shape, attributes.shape[1])
 
 
 def seen_corners(face_index, faces):
-    """The pixels that see a face, in chunks that stay in the cache: yields pixel (N,) = row * width
-    + column, and corners (3, N): the vertices of the face that each one sees.
+    """The pixels that see a face, in chunks that stay in the cache.
+
+    Yields pixel (N,) = row * width + column, and corners (3, N), the vertices of each one's face.
     """
     for pixel in seen_pixels(face_index):
         yield pixel, faces.take(face_index.reshape(-1)[pixel], 0).T
@@ -252,13 +245,15 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # exercise
 def interpolate_derivatives(attributes, faces, face_index, derivatives):  # exercise 5.13 (2 points)
     """Eq. (6): dA/dx and dA/dy per pixel -> (H, W, C, 2), 0 where no face is seen.
 
-    derivatives (H, W, 3, 2): db/dx and db/dy, as lab 2's barycentrics_derivatives gives them; at
-    pixels without a face they may be anything, NaN too. The others as for `interpolate`.
+    derivatives (H, W, 3, 2): db/dx and db/dy, as lab 2's barycentrics_derivatives gives them. The
+    others are as for `interpolate`.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])
     >>> interpolate_derivatives(attributes, faces, np.array([[0]]), db)
     array([[[[-1. , -0.5]]]])
+
+    Fine print. At pixels without a face the derivatives may be anything, NaN too.
     """
     # (6) is (5) with other weights.
     by_x, by_y = (interpolate(attributes, faces, face_index, derivatives[..., axis])
@@ -268,11 +263,10 @@ def interpolate_derivatives(attributes, faces, face_index, derivatives):  # exer
 
 def interpolate_derivatives_backward(grad_output, attributes,  # exercise 5.14 (3 points)
                                      faces, face_index, derivatives):
-    """Backward of eq. (6): grad_output (H, W, C, 2) -> grad_attributes (V, C), grad_derivatives
-    (H, W, 3, 2).
+    """Backward of eq. (6): what do the attributes and the weights' derivatives get?
 
-    The six derivatives of a pixel count as free. A pixel without a face adds to nothing, whatever
-    its grad_output and derivatives (NaN, too), and its grad_derivatives are 0.
+    grad_output (H, W, C, 2) -> grad_attributes (V, C), grad_derivatives (H, W, 3, 2). The six
+    derivatives of a pixel count as free.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> db = np.array([[[[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]]])
@@ -282,7 +276,11 @@ def interpolate_derivatives_backward(grad_output, attributes,  # exercise 5.14 (
     (array([[ 0.,  1.,  0., -1.]]), array([[[[12., 24.],
              [ 8., 16.],
              [16., 32.]]]]))
+
+    Fine print. A pixel without a face adds to nothing, whatever its grad_output and derivatives
+    (NaN, too), and its grad_derivatives are 0.
     """
+    # As in `interpolate_derivatives`, (6) is (5) twice: the attributes get the sum of both.
     by_x, by_y = (interpolate_backward(grad_output[..., axis], attributes, faces, face_index,
                                        derivatives[..., axis]) for axis in (0, 1))
     return by_x[0] + by_y[0], np.stack([by_x[1], by_y[1]], -1)

@@ -94,10 +94,10 @@ def pyramid(image, max_level=None):
 
 
 def pyramid_backward(grad_levels):  # exercise 6.11 (2 points)
-    """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C) by level 0.
+    """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C), that of level 0.
 
-    grad_levels: a tuple of arrays, the gradient by each level as if it stood alone; their shapes
-    are those of the levels. What a level was made of gets what comes down from it, and so on.
+    grad_levels: a tuple of arrays, of the levels' shapes: the gradient of each level as if it stood
+    alone. What a level was made of gets what comes down from it, and so on.
 
     >>> top, middle = np.array([[[16.0]]]), np.array([[[4.0]], [[0.0]]])
     >>> pyramid_backward((np.zeros((4, 2, 1)), middle, top))[..., 0]
@@ -123,7 +123,8 @@ def mip_level(jacobian, width, height):  # exercise 6.12 (3 points)
     array([3., 0.])
     """
     s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
-    A, B, C = s_x**2 + t_x**2, s_y**2 + t_y**2, s_x * s_y + t_x * t_y
+    A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
+    C = s_x * s_y + t_x * t_y
     with np.errstate(divide="ignore"):
         return np.log2((A + B) / 2 + np.sqrt((A - B)**2 / 4 + C**2)) / 2
 
@@ -140,8 +141,10 @@ def mip_level_backward(grad_level, jacobian, width, height):  # exercise 6.13 (3
             [0., 0.]]])
     """
     s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
-    A, B, C = s_x**2 + t_x**2, s_y**2 + t_y**2, s_x * s_y + t_x * t_y
-    S, R = (A + B) / 2, np.sqrt((A - B)**2 / 4 + C**2)
+    A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
+    C = s_x * s_y + t_x * t_y
+    S = (A + B) / 2
+    R = np.sqrt((A - B)**2 / 4 + C**2)
     # level = ln(S + R) / (2 ln 2), with dS = (dA + dB)/2 and dR = (A - B)/(4 R) (dA - dB) + C/R dC.
     grad_sum = grad_level / (2 * np.log(2) * np.where(S > 0, S + R, np.inf))
     corner = np.where(R > 0, R, np.inf)
@@ -211,7 +214,8 @@ def taps(uv, level, mipmap, sampler):
 
     uv (N, 2), level (N,) before it is clamped.
     """
-    index, weight = [], []
+    index = []
+    weight = []
     for at, share in mixture(level, sampler.filter, len(mipmap.start) - 1):
         texel, part, _ = texels_at(uv, mipmap.width[at], mipmap.height[at], sampler.filter,
                                    sampler.boundary)
@@ -222,7 +226,8 @@ def taps(uv, level, mipmap, sampler):
 
 def taps_backward(grad_weight, uv, level, mipmap, sampler):
     """Backward of `taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
-    grad_uv, grad_level = np.zeros(uv.shape), np.zeros(level.shape)
+    grad_uv = np.zeros(uv.shape)
+    grad_level = np.zeros(level.shape)
     if sampler.filter == "nearest":
         return grad_uv, grad_level
     top = len(mipmap.start) - 1

@@ -8,28 +8,28 @@
     supersampling:   f(corner + o_s) = shade(corner + o_s, face seen there)                  (6)
     MSAA:            f(corner + o_s) = shade(centre,       face seen there)                  (7)
 
-A pattern is an array (S, 2) of positions x, y in the unit pixel, 0 ... 1. By (4) lab 2's rasterize
-finds face and depth of every sample, picture by picture: face_index (S, H, W), -1 for no face.
-By (7) a pixel needs one shade for each face that its samples see: inside a face that is one, not S.
+A pattern is an array (S, 2) of positions x, y in the unit pixel, from 0 to 1. By (4), lab 2's
+rasterize finds the face and depth of every sample: face_index (S, H, W), -1 for no face. By (7), a
+pixel needs one shade for each face that its samples see. Inside a face that is one, not S.
 
-In a lattice each of S columns and, if k and S + 1 have no common divisor, each of S rows holds one
-sample: S = 4, k = 2 or 3 is known as the rotated grid. None of these pictures has a useful gradient
-by the vertices: a sample sees one face or another. By the colours it has: `resolve_backward`.
+In a lattice each of S columns holds one sample. Each of S rows does, too, if k and S + 1 have no
+common divisor. S = 4 with k = 2 or 3 is known as the rotated grid. A sample sees one face or
+another, so the vertices have no useful gradient here. The colours have: `resolve_backward`.
 
-Sources: GAMES101 lecture 6 and homework 2; Lottes 2009 (FXAA); Karis 2014 (TAA).
+Sources: GAMES101 lecture 6 and homework 2, Lottes 2009 (FXAA), Karis 2014 (TAA).
 """
 import numpy as np
 from scipy import ndimage
 
 from . import rasterization, scanline
 
-STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples; no two of them come near
+STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples, none near another
 LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
 FLAT = 1e-12                             # a slope of brightness below this has no direction
 
 
 def regular_grid(n):  # exercise 4.1 (1 point)
-    """Eq. (2): the centres of n x n small squares, row by row from the bottom -> (n * n, 2).
+    """Eq. (2): the centres of n x n small squares, row by row from the bottom -> (n^2, 2).
 
     >>> regular_grid(2)
     array([[0.25, 0.25],
@@ -42,7 +42,7 @@ def regular_grid(n):  # exercise 4.1 (1 point)
 
 
 def lattice(count, step):  # exercise 4.2 (2 points)
-    """Eq. (3): count = S samples on S columns, sample s on column s -> (S, 2). step = k.
+    """Eq. (3): count = S samples, sample s on column s of S -> (S, 2). step is k.
 
     >>> lattice(4, 3)
     array([[0.125, 0.625],
@@ -56,21 +56,28 @@ def lattice(count, step):  # exercise 4.2 (2 points)
 
 
 def standard_pattern(count):
-    """The lattice of 1, 2, 4, 8 or 16 samples -> (S, 2). Four are those of Mesa's OpenGL."""
+    """The lattice of 1, 2, 4, 8 or 16 samples -> (S, 2), or ValueError for another count.
+
+    The four samples are those of Mesa's OpenGL.
+    """
+    if count not in STEPS:
+        raise ValueError(f"a standard pattern has 1, 2, 4, 8 or 16 samples, got {count}: give one "
+                         "of these, or make a pattern with regular_grid or lattice")
     return lattice(count, STEPS[count])
 
 
 def centre_sample(clip, offset, width, height):  # exercise 4.3 (2 points)
     """Eq. (4): clip (V, 4) moved so that what was at offset (2,) in a pixel is at its centre.
 
-    -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2 and y alike: all
-    vertices move by the same part of a pixel there, whatever their w (also w < 0), so not in clip
-    space. The offset (1/2, 1/2) changes no bit.
+    -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2 and y alike. All
+    vertices move there by the same part of a pixel. So in clip space they do not.
 
     >>> clip = np.array([[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 2.0]])
     >>> centre_sample(clip, np.array([0.25, 1.0]), 8, 4)
     array([[ 0.0625, -0.25  ,  0.    ,  1.    ],
            [ 0.125 , -0.5   ,  0.    ,  2.    ]])
+
+    Fine print. This holds for w < 0, too. The offset (1/2, 1/2) changes no bit.
     """
     # One pixel is 2 / width of ndc = clip / w.
     moved = clip.copy()
@@ -81,19 +88,22 @@ def centre_sample(clip, offset, width, height):  # exercise 4.3 (2 points)
 def rasterize_samples(clip, faces, width, height, pattern):
     """Face and depth of every sample: face_index (S, H, W), depth (S, H, W), as of `rasterize`.
 
-    clip (V, 4), faces (F, 3), pattern (S, 2). Two faces at an edge share out the samples, too: the
-    vertices of both move by the same numbers.
+    clip (V, 4), faces (F, 3), pattern (S, 2), S >= 1. At an edge of two faces each sample belongs
+    to one of them, as the vertices of both move by the same numbers.
     """
+    if len(pattern) == 0:
+        raise ValueError("a pattern (S, 2) needs at least one sample, got none: give "
+                         "regular_grid(1) for the centre alone")
     face_index = np.empty((len(pattern), height, width), int)
     depth = np.empty(face_index.shape)
     for s, offset in enumerate(pattern):
-        moved = centre_sample(clip, offset, width, height)
+        moved = centre_sample(clip, offset, max(width, 1), max(height, 1))  # it may be empty
         face_index[s], depth[s] = scanline.rasterize(moved, faces, width, height)
     return face_index, depth
 
 
 def coverage(face_index):  # exercise 4.4 (1 point)
-    """Eq. (1) of the function that is 1 on faces: the fraction of a pixel's samples that see one.
+    """Which fraction of a pixel's samples see a face? Eq. (1), with f = 1 on faces and else 0.
 
     face_index (S, H, W), -1 for no face -> (H, W), from 0 to 1.
 
@@ -104,9 +114,9 @@ def coverage(face_index):  # exercise 4.4 (1 point)
 
 
 def observed_order(n, error):  # exercise 4.5 (2 points)
-    """Eq. (5): the p that fits measured errors best: n (M,), error (M,), all positive -> number.
+    """Eq. (5): which p fits measured errors best? n (M,), error (M,), all positive -> a number.
 
-    Best by least squares of log error: -p is the slope of the line that it forms over log n.
+    Best is the least sum of squares in log error: -p is the slope of the best line over log n.
 
     >>> observed_order(np.array([1.0, 2.0, 4.0]), np.array([3.0, 0.75, 0.1875])).round(9)
     np.float64(2.0)
@@ -127,14 +137,15 @@ def box_resolve(picture, n):  # exercise 4.6 (2 points)
 
 
 def box_resolve_backward(grad_output, picture, n):  # exercise 4.7 (2 points)
-    """grad_output (H, W, C), picture (n H, n W, C) -> grad_picture (n H, n W, C)."""
+    """Backward: grad_output (H, W, C), picture (n H, n W, C) -> grad_picture (n H, n W, C)."""
+    # A pixel is the sum of n^2 pixels / n^2, so each of them gets its gradient / n^2.
     return grad_output.repeat(n, 0).repeat(n, 1) / n**2
 
 
 def barycentric_at(px, py, face, clip, faces, width, height):
-    """Where on its face a point of the screen lies: px, py (N,) in pixels, face (N,) -> (N, 3).
+    """Where on its face does a screen point lie? px, py (N,) in pixels, face (N,) -> b (N, 3).
 
-    A point beside the face is taken as in the face's plane: some weight is negative then.
+    A point beside the face is taken as one in the face's plane. Some weight is then negative.
     """
     x, y, w = rasterization.screen_points(clip, width, height)
     corners = faces.take(face, 0).T.copy()  # rows side by side
@@ -145,8 +156,10 @@ def supersample(clip, faces, width, height, n, shade, background):
     """Eq. (6) on the regular grid: a picture n times as wide and high, then `box_resolve`.
 
     shade(px, py, face) -> colours (N, C) at screen points px, py (N,), in pixels, on face (N,).
-    background (C,) -> picture (H, W, C).
+    background (C,) -> picture (H, W, C). n is 1 or more.
     """
+    if n < 1:
+        raise ValueError(f"supersampling needs n x n samples with n of 1 or more, got n = {n}")
     face_index, _ = scanline.rasterize(clip, faces, n * width, n * height)
     row, column = np.nonzero(face_index >= 0)
     picture = np.tile(background, (*face_index.shape, 1))
@@ -155,17 +168,18 @@ def supersample(clip, faces, width, height, n, shade, background):
 
 
 def shading_requests_loop(face_index):  # exercise 4.8 (2 points)
-    """Eq. (7): what must be shaded: every face that any sample of a pixel sees, once per pixel.
+    """Eq. (7): what must be shaded? Every face that any sample of a pixel sees, once per pixel.
 
-    face_index (S, H, W) -> pixel (N,) = row * W + column and face (N,), the N different pairs in
-    any order; and request (S, H, W): which pair, 0 ... N - 1, a sample uses, -1 where it sees no
-    face. All are integers.
+    face_index (S, H, W) -> pixel (N,), face (N,), request (S, H, W), all integers. pixel =
+    row * W + column and face are the N different pairs, in any order. request says which pair,
+    0 ... N - 1, a sample uses, or -1 where it sees no face.
 
     >>> shading_requests_loop(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
     [[[0, -1]], [[0, 2]], [[1, 3]]]
     """
     count, height, width = face_index.shape
-    pairs, request = {}, np.full(face_index.shape, -1)
+    pairs = {}
+    request = np.full(face_index.shape, -1)
     for i, j, s in np.ndindex(height, width, count):
         if face_index[s, i, j] >= 0:
             pair = i * width + j, face_index[s, i, j]
@@ -175,19 +189,20 @@ def shading_requests_loop(face_index):  # exercise 4.8 (2 points)
 
 
 def shading_requests(face_index):  # exercise 4.9 (4 points)
-    """What `shading_requests_loop` returns, for whole pictures; the pairs in any order.
+    """What `shading_requests_loop` returns, without a loop over pixels. The pairs in any order.
 
-    With whole arrays, instead of a loop over pixels. In most pixels all samples see the same face,
-    or none: such a pixel is one pair or none, and only the others have to be searched for pairs
-    that are equal.
+    In most pixels all samples see the same face, or none: such a pixel is one pair or none. Only
+    the others have to be searched for samples that see the same face.
     """
     seen = face_index.reshape(len(face_index), -1)  # (S, H W)
-    mixed = (seen[1:] != seen[0]).any(0)
-    pixel, mixed = np.flatnonzero((seen[0] >= 0) & ~mixed), np.flatnonzero(mixed)
-    face, request = seen[0, pixel], np.full(seen.shape[1], -1)
+    is_mixed = (seen[1:] != seen[0]).any(0)
+    pixel = np.flatnonzero((seen[0] >= 0) & ~is_mixed)
+    face = seen[0, pixel]
+    request = np.full(seen.shape[1], -1)
     request[pixel] = np.arange(len(pixel))
     request = np.tile(request, (len(seen), 1))
     # A mixed pixel's sample has the request of the last sample there that sees the same face.
+    mixed = np.flatnonzero(is_mixed)
     seen = seen[:, mixed]
     last = np.zeros(seen.shape, int)
     for s in range(1, len(seen)):
@@ -196,21 +211,24 @@ def shading_requests(face_index):  # exercise 4.9 (4 points)
     number = np.full(seen.shape, -1)
     number[s, k] = len(pixel) + np.arange(len(k))
     request[:, mixed] = np.take_along_axis(number, last, 0)
-    pixel, face = np.concatenate([pixel, mixed[k]]), np.concatenate([face, seen[s, k]])
+    pixel = np.concatenate([pixel, mixed[k]])
+    face = np.concatenate([face, seen[s, k]])
     return pixel, face, request.reshape(face_index.shape)
 
 
 def resolve(shade, request, background):  # exercise 4.10 (3 points)
-    """Eq. (1) from a pixel's samples: the mean of their colours.
+    """Eq. (1): the mean colour of each pixel's samples -> picture (H, W, C).
 
-    shade (N, C); request (S, H, W): the row of shade that a sample uses, or -1 for background (C,)
-    -> picture (H, W, C). N may be 0. A pixel whose samples all have one colour gets it to the last
-    bit, be it one request or several of equal colour. (Sums are rounded: 0.1 + 0.1 + 0.1 is not
-    3 * 0.1.) Colours that are nearly equal are mixed like others.
+    shade (N, C), background (C,). request (S, H, W) is the row of shade that a sample uses, or -1
+    for the background.
 
     >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]
     array([[3. , 1. , 0.1]])
+
+    Fine print. A pixel whose samples all have one colour gets it to the last bit, be it one request
+    or several of equal colour. (Sums are rounded: 0.1 + 0.1 + 0.1 is not 3 * 0.1.) Colours that are
+    nearly equal are mixed like others. N may be 0, and the picture empty.
     """
     colour = np.concatenate([shade, background[None]])  # row -1 is the background
     used = request.reshape(len(request), -1)
@@ -220,26 +238,26 @@ def resolve(shade, request, background):  # exercise 4.10 (3 points)
     first = picture[mixed]
     others = sum(colour.take(sample, 0) - first for sample in used[1:, mixed])
     picture[mixed] += others / len(request)
-    return picture.reshape(*request.shape[1:], -1)
+    return picture.reshape(*request.shape[1:], len(background))
 
 
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
-    """grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
+    """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    shade, request, background: as for `resolve`. This is linear: no value of a colour is needed.
+    shade, request, background: as for `resolve`, which is linear: no value of a colour is needed.
     """
     # The picture gathers colours, so its gradient is scattered: each sample brings its S-th part.
-    used = request.reshape(-1) + 1  # entry 0 is the background
-    parts = np.tile(grad_picture.reshape(-1, len(background)), (len(request), 1)) / len(request)
-    grad_colour = np.stack([np.bincount(used, part, len(shade) + 1) for part in parts.T], -1)
+    parts = np.broadcast_to(grad_picture / len(request), (len(request), *grad_picture.shape))
+    # Entry 0 is the background.
+    grad_colour = rasterization.scatter(parts, request + 1, len(shade) + 1)
     return grad_colour[1:], grad_colour[0]
 
 
 def msaa(clip, faces, width, height, pattern, shade, background):
     """Eq. (7): many samples, few shades -> picture (H, W, C).
 
-    shade and background: as for `supersample`; shade is asked at the centre of a pixel, which the
-    face may pass by, see `barycentric_at`.
+    shade and background: as for `supersample`, but shade gets the centres of pixels. A face may
+    miss the centre of a pixel that it covers in part, see `barycentric_at`.
     """
     face_index, _ = rasterize_samples(clip, faces, width, height, pattern)
     pixel, face, request = shading_requests(face_index)
@@ -248,10 +266,10 @@ def msaa(clip, faces, width, height, pattern, shade, background):
 
 
 def cost(face_index, sample_bytes):  # exercise 4.12 (2 points)
-    """What face_index (S, H, W) costs -> three integers: samples, shades, bytes.
+    """What does face_index (S, H, W) cost? -> three integers: samples, shades, bytes.
 
-    samples: all that are stored, of all pixels; shades: the different faces >= 0 that the samples
-    of a pixel see, counted pixel by pixel; bytes: sample_bytes for each sample.
+    samples counts all that are stored, of all pixels. shades counts the different faces >= 0 that
+    the samples of a pixel see, pixel by pixel. bytes are sample_bytes for each sample.
 
     >>> cost(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]), 8)
     (6, 4, 48)
@@ -265,10 +283,12 @@ def cost(face_index, sample_bytes):  # exercise 4.12 (2 points)
 def rate_times_colour(clip, faces, colours, width, height, pattern, background):
     """A KNOWN MISTAKE, that of homework 2: rate x colour, with one depth for each pixel.
 
-    colours (F, C). A face that covers the fraction rate of a pixel and is nearest at its centre
-    sets the pixel to rate x its colour. What else the pixel showed is lost: it gets too dark.
+    colours (F, C), background (C,) -> picture (H, W, C). A face that covers the fraction rate of a
+    pixel, and is nearest at its centre, sets the pixel to rate x its colour. What else the pixel
+    showed is lost, so it gets too dark.
     """
-    picture, nearest = np.tile(background, (height, width, 1)), np.full((height, width), np.inf)
+    picture = np.tile(background, (height, width, 1))
+    nearest = np.full((height, width), np.inf)
     x, y, w = rasterization.screen_points(clip, width, height)
     z = clip[:, 2] / w
     column, row = np.arange(width) + 0.5, np.arange(height)[:, None] + 0.5
@@ -278,15 +298,16 @@ def rate_times_colour(clip, faces, colours, width, height, pattern, background):
         dz_dx, dz_dy = scanline.depth_slopes(*(value[face][:, None] for value in (x, y, z)))
         depth = z[face[0]] + dz_dx * (column - x[face[0]]) + dz_dy * (row - y[face[0]])
         wins = (rate > 0) & (depth < nearest)
-        nearest[wins], picture[wins] = depth[wins], rate[wins][:, None] * colour
+        nearest[wins] = depth[wins]
+        picture[wins] = rate[wins][:, None] * colour
     return picture
 
 
 def fxaa(picture, contrast=0.1):
     """FXAA in short: where brightness has an edge, blur along it. picture (H, W, 3) -> (H, W, 3).
 
-    After the idea of Lottes 2009: only the finished picture is known. An edge is where brightness
-    differs by more than contrast among 3 x 3 pixels; it runs at right angles to the slope of the
+    After the idea of Lottes 2009, only the finished picture is known. An edge is where brightness
+    differs by more than contrast among 3 x 3 pixels. It runs at right angles to the slope of the
     brightness. Such a pixel becomes the mean of itself and one step along the edge to each side.
     """
     luma = picture @ LUMA
@@ -303,10 +324,10 @@ def fxaa(picture, contrast=0.1):
 
 
 def taa(frames, weight):
-    """TAA in short: frames (T, H, W, C), each with another sample of a pattern -> (H, W, C).
+    """TAA in short: the running mean of frames (T, H, W, C), T >= 1 -> (H, W, C).
 
-    A running mean: each frame counts for weight (0 ... 1) when it comes, and less with every frame
-    after it. Where something moves, its old places fade out slowly: ghosts.
+    Each frame has another sample of a pattern. It counts for weight (0 ... 1) when it comes, and
+    for less with every frame after it. Where something moves, its old places fade slowly: ghosts.
     """
     history = frames[0]
     for frame in frames[1:]:

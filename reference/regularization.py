@@ -23,7 +23,7 @@ from scipy.sparse.linalg import spsolve
 
 from course.given import mesh
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this it has none
 
@@ -211,7 +211,8 @@ def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # exercise
     """
     # E = y . z with y = L x and z = y / m, and L is symmetric:
     # dE = 2 z . L dx + 2 sum dw_ij (z_i - z_j) . (x_i - x_j) - sum dm_i z_i . z_i, each edge once.
-    L, (i, j) = laplacian(edges, weights, len(x)), edges.T
+    L = laplacian(edges, weights, len(x))
+    i, j = edges.T
     z = per_mass(L @ x, mass)
     grad_y = 2 * grad_energy * z
     grad_weights = ((grad_y[i] - grad_y[j]) * (x[i] - x[j])).sum(1)
@@ -323,8 +324,7 @@ def precondition(x, edges, weights, amount):
 def uniform_adam_step(x, grad_x, mean, square, step, rate, beta_1=0.9, beta_2=0.999, epsilon=1e-8):
     """Lab 9's `adam_step`, but all elements go at the rate of the one with the largest square.
 
-    x, grad_x, mean, square: arrays of one shape, any -> x, mean, square after the step, which is
-    1 for the first one. Where Adam turns each element its own way, this keeps grad_x's direction.
+    Arguments and results are as there. Adam changes grad_x's direction, and this step keeps it.
     """
     mean = beta_1 * mean + (1 - beta_1) * grad_x
     square = beta_2 * square + (1 - beta_2) * grad_x**2
@@ -336,8 +336,8 @@ def large_step(x, grad_x, mean, square, step, rate,  # exercise 13.16 (4 points)
                edges, weights, amount):
     """Eq. (10): downhill in u instead of x, with `uniform_adam_step` -> x, mean, square after it.
 
-    x, grad_x (V, C); mean, square (V, C) and step belong to the gradients by u; the rate is that of
-    u. edges (E, 2), weights (E,) >= 0; the amount is lambda >= 0.
+    x, grad_x (V, C). mean, square (V, C) and step are those of grad_u, and the rate is that of u.
+    edges (E, 2), weights (E,) >= 0. The amount is lambda >= 0.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     >>> x, *_ = large_step(x, grad_x, zero, zero, 1, 2.0, np.array([[0, 1]]), np.ones(1), 1.0)

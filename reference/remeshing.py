@@ -176,7 +176,8 @@ def relax(vertices, faces, tolerance, steps=4):
     steps, or nan.
     """
     inputs.require_mesh(vertices, faces)
-    vertices, faces = np.asarray(vertices, float), np.asarray(faces, int)
+    vertices = np.asarray(vertices, float)
+    faces = np.asarray(faces, int)
     if not (isinstance(tolerance, numbers.Real) and isinstance(steps, numbers.Integral)
             and tolerance >= 0 and steps >= 0):
         raise ValueError("relax needs a number tolerance >= 0 and a whole number steps >= 0, "
@@ -232,7 +233,8 @@ def leaves(triangles, vertices, faces, bound):
     pieces are cut in four until the face nearest to the middle is near enough to all corners.
     """
     far = np.zeros(len(triangles), bool)
-    pieces, owner = triangles, np.arange(len(triangles))
+    pieces = triangles
+    owner = np.arange(len(triangles))
     for _ in range(MOST_CUTS):
         middle = pieces.mean(1)
         nearest, closest = closest_faces(middle, vertices, faces)
@@ -241,7 +243,8 @@ def leaves(triangles, vertices, faces, bound):
         corners = pieces.reshape(-1, 3)
         apart = np.linalg.norm(corners - closest_on_triangles(corners, face), axis=1)
         unproven = (apart.reshape(-1, 3).max(1) > bound) & ~far[owner]
-        pieces, owner = in_four(pieces[unproven]), np.repeat(owner[unproven], 4)
+        pieces = in_four(pieces[unproven])
+        owner = np.repeat(owner[unproven], 4)
     far[owner] = True
     return far
 

@@ -11,16 +11,13 @@
     d area = sum |q - p| integral n . ((1 - t) dp + t dq) dt,   over edges p + t (q - p)     (9)
 
 Sampling lays copies of the spectrum on top of each other, 1/s apart (6). Where they overlap is
-aliasing. A filter before sampling makes the spectrum narrower, so that less overlaps; a filter
-after sampling comes too late, for it cannot tell the copies apart.
+aliasing. A filter before sampling narrows the spectrum, so that less overlaps. A filter after
+sampling comes too late, for it cannot tell the copies apart. In (9), the polygon is
+counter-clockwise, n is an edge's outward unit normal, and t runs over what lies in the pixel.
+Pictures (H, W) go round at their borders. Their frequencies along y and x are in cycles per pixel.
+Screen coordinates are those of lab 2.
 
-(9): n is an edge's outward unit normal, the polygon counter-clockwise; t runs over the part of the
-edge inside the pixel, from 0 to 1 if that is all of it.
-
-Pictures are (H, W), with frequencies along y and along x in cycles per pixel; their rows and
-columns go round. Screen coordinates are those of lab 2.
-
-Sources: GAMES101 lecture 6; Sutherland and Hodgman 1974 (clipping).
+Sources: GAMES101 lecture 6, Sutherland and Hodgman 1974 (clipping).
 """
 import numpy as np
 
@@ -28,8 +25,9 @@ import numpy as np
 def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
     """Eq. (1): the slowest frequency whose samples are the same, in [-rate / 2, rate / 2).
 
-    frequency (...) in cycles, rate in samples per unit of time or length -> (...). Negative: a
-    wheel seems to turn backwards; a cosine has no direction, and is seen at the absolute value.
+    frequency (...) in cycles, rate in samples per unit of time or length -> (...). It is negative
+    where a wheel seems to turn backwards. A cosine, which has no direction, is seen at its absolute
+    value.
 
     >>> alias_frequency(np.array([1.0, 9.0, 10.0, 15.0]), 10.0)
     array([ 1., -1.,  0., -5.])
@@ -45,7 +43,7 @@ def dft_matrix(n):  # exercise 3.2 (2 points)
            [ 1.+0.j,  0.-1.j, -1.+0.j,  0.+1.j]])
     """
     k = np.arange(n)
-    # A whole number of turns changes nothing; without it, the angles are small and exact.
+    # A whole number of turns changes nothing. Without it, the angles are small and exact.
     return np.exp(-2j * np.pi * (np.outer(k, k) % n) / n)
 
 
@@ -85,7 +83,10 @@ def frequencies(n):  # exercise 3.5 (1 point)
 def band_pass(picture, low, high):  # exercise 3.6 (2 points)
     """The part of a picture (H, W) whose frequencies have a length low <= |(f_y, f_x)| < high.
 
-    -> (H, W). Low-pass: low = 0; high-pass: high = np.inf, and then the mean is 0.
+    -> (H, W). A low-pass filter has low = 0. A high-pass filter has high = np.inf.
+
+    >>> band_pass(np.array([[1.0, 3.0]]), 0.25, np.inf)
+    array([[-1.,  1.]])
     """
     height, width = picture.shape
     length = np.hypot(frequencies(height)[:, None], frequencies(width))
@@ -95,8 +96,8 @@ def band_pass(picture, low, high):  # exercise 3.6 (2 points)
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
-    h and w are odd, and may be larger than H and W; the kernel's middle is its number (0, 0). Rows
-    and columns go round.
+    h and w are odd, and may be larger than H and W. The kernel's middle is g_0 of eq. (3), and
+    n - m is modulo H or W.
 
     >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
     array([[3., 0., 1., 2.]])
@@ -110,20 +111,24 @@ def convolve(picture, kernel):  # exercise 3.7 (3 points)
 
 
 def convolve_by_spectrum(picture, kernel):  # exercise 3.8 (2 points)
-    """Eq. (4): `convolve` as a product of spectra. h <= H, w <= W.
+    """Eq. (4): `convolve` as a product of spectra, for h <= H and w <= W.
 
     The kernel must first become a picture (H, W), its middle at [0, 0] and the rest around it.
+
+    >>> convolve_by_spectrum(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]])).round(9)
+    array([[3., 0., 1., 2.]])
     """
-    (height, width), (h, w) = picture.shape, kernel.shape
+    height, width = picture.shape
+    h, w = kernel.shape
     padded = np.pad(kernel, ((0, height - h), (0, width - w)))
     centred = np.roll(padded, (-(h // 2), -(w // 2)), (0, 1))
     return picture_of(spectrum_of(picture) * spectrum_of(centred))
 
 
 def box_spectrum(width, n):  # exercise 3.9 (2 points)
-    """Eq. (5): the spectrum (n,), real, of a box filter on n samples; 1 at frequency 0.
+    """Eq. (5): the spectrum (n,), real, of a box filter on n samples. It is 1 at frequency 0.
 
-    The box: 1 / width at each of width samples, the middle one at 0. width is odd, at most n.
+    The box is 1 / width at each of width samples, the middle one at 0. width is odd, at most n.
 
     >>> box_spectrum(3, 4).round(9)
     array([ 1.        ,  0.33333333, -0.33333333,  0.33333333])
@@ -135,11 +140,12 @@ def box_spectrum(width, n):  # exercise 3.9 (2 points)
 def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
     """Eq. (6) along both axes: the spectrum of picture[::step, ::step].
 
-    spectrum (H, W), complex or real, of any picture, a complex one, too; step divides H and W
-    -> (H / step, W / step).
+    spectrum (H, W), complex or real -> (H / step, W / step). step divides H and W.
 
     >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2)
     array([[3.5, 0.5]])
+
+    Fine print. The picture may be complex, so its spectrum need not be symmetric.
     """
     height, width = spectrum.shape
     copies = spectrum.reshape(step, height // step, step, width // step)
@@ -147,11 +153,11 @@ def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
 
 
 def folded_energy(spectrum, step):  # exercise 3.11 (2 points)
-    """How much of a picture every step-th sample cannot hold: this part comes back as aliasing.
+    """How much of a picture is too fast for every step-th sample? It comes back as aliasing.
 
-    spectrum (H, W) -> the mean square of the pixels of what has |f_y| or |f_x| >= 1 / (2 step),
-    either of them: what is kept is a square of frequencies, not a disc.
-    Parseval: the sum of |pixel|^2 is the sum of |F|^2 divided by H W.
+    spectrum (H, W) -> the mean square of the pixels of the part with |f_y| >= 1 / (2 step) or
+    |f_x| >= 1 / (2 step). So what is kept is a square of frequencies, not a disc. By Parseval's
+    theorem, the sum of |pixel|^2 is the sum of |F|^2 divided by H W.
 
     >>> folded_energy(np.array([[8.0, 1.0, 2.0, 1.0]]), 2)  # the mean square of all is 70 / 16
     np.float64(0.375)
@@ -162,29 +168,38 @@ def folded_energy(spectrum, step):  # exercise 3.11 (2 points)
     return (np.abs(spectrum[folds]) ** 2).sum() / spectrum.size**2
 
 
+def box(width):
+    """The kernel (width, width) that takes a mean. ValueError if the width is not odd."""
+    if width % 2 != 1 or width < 1:
+        raise ValueError(f"a box needs an odd width, 1 or more, for its middle pixel, got {width}")
+    return np.full((width, width), width**-2.0)
+
+
 def filter_then_sample(picture, step):
-    """The mean of step x step pixels (step odd) around every step-th one."""
-    return convolve(picture, np.full((step, step), step**-2.0))[::step, ::step]
+    """The mean of step x step pixels around every step-th one. step is odd."""
+    return convolve(picture, box(step))[::step, ::step]
 
 
 def sample_then_blur(picture, step, width=3):
-    """Every step-th pixel, then the mean of width x width of those: too late."""
-    return convolve(picture[::step, ::step], np.full((width, width), width**-2.0))
+    """Every step-th pixel, then the mean of width x width of those, width odd: too late."""
+    return convolve(picture[::step, ::step], box(width))
 
 
 def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
     """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2).
 
-    Sutherland and Hodgman: walk once round, from the first vertex. A vertex inside (or on the line)
-    stays; then, if the edge to the next vertex has one end inside and one outside, the point where
-    it crosses the line follows. (So a vertex on the line comes once more for each neighbour that is
-    outside.) N may be 0; if nothing is left, (0, 2).
+    Sutherland and Hodgman: walk once round, from the first vertex. A vertex inside stays. If the
+    edge to the next vertex has one end inside and one outside, the point where it crosses the line
+    follows.
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],
            [1., 0.],
            [1., 1.],
            [0., 2.]])
+
+    Fine print. A vertex on the line is inside. It comes once more for each neighbour outside, as
+    the crossing of that edge. N may be 0. If nothing is left, the result is (0, 2).
     """
     kept = []
     for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
@@ -197,22 +212,27 @@ def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
 
 
 def polygon_area(polygon):  # exercise 3.13 (1 point)
-    """Eq. (8): polygon (..., N, 2) -> area (...), negative if clockwise.
-
-    N = 0 has area 0. Measured from one of the polygon's own points: otherwise a small polygon far
-    from the origin is the difference of large numbers.
+    """Eq. (8): the area of a polygon (..., N, 2) -> (...), negative if clockwise.
 
     >>> polygon_area(np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]]))
     np.float64(6.0)
+
+    Fine print. Measure x and y from one of the polygon's own points: otherwise, the area of a small
+    polygon far from the origin is a difference of large numbers. N = 0 has area 0.
     """
     x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
 def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (2 points)
-    """Backward of `polygon_area`: grad_area (...) -> grad_polygon (..., N, 2)."""
-    # x_n meets y_(n+1) and -y_(n-1), y_n meets x_(n-1) and -x_(n+1). The area is the same from
-    # wherever it is measured, so that the first point is no exception.
+    """Backward of `polygon_area`: grad_area (...) -> grad_polygon (..., N, 2).
+
+    >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    >>> polygon_area_backward(np.array(2.0), square)[2]  # its upper right corner
+    array([1., 1.])
+    """
+    # x_n meets y_(n+1) and -y_(n-1), y_n meets x_(n-1) and -x_(n+1). The area does not depend on
+    # where it is measured from, so the first point is no exception.
     x, y = polygon[..., 0], polygon[..., 1]
     by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
     by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
@@ -220,9 +240,9 @@ def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (2 points)
 
 
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
-    """Eq. (7): how much of each pixel a triangle (3, 2) covers -> (height, width), from 0 to 1.
+    """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width), 0 to 1.
 
-    For either winding: clip the triangle by the four sides of each pixel, and take the area.
+    Clip the triangle by the four sides of each pixel, and take the area, for either winding.
     """
     coverage = np.zeros((height, width))
     for i in range(height):
@@ -235,12 +255,14 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
 
 
 def cuts(polygon, x, y):  # exercise 3.16 (2 points)
-    """Where the edges of a polygon (N, 2) cross the four lines through the sides of unit squares.
+    """Where do the edges of a polygon (N, 2) cross the four lines through a unit square's sides?
 
-    x, y (P,): the squares' lower left corners -> t (P, N, 6), each row sorted from 0 to 1: of the
-    edge from vertex n to the next, the two ends, 0 and 1, and the crossings p + t (q - p) with the
-    lines x, x + 1, y, y + 1. For a line that an edge does not cross or runs along, any number in
-    [0, 1], never NaN.
+    x, y (P,): the squares' lower left corners -> t (P, N, 6), sorted along the last axis. Edge n
+    runs from vertex n, p, to the next, q. Its six numbers are its ends, 0 and 1, and t of its
+    crossings p + t (q - p) with the lines x, x + 1, y, y + 1.
+
+    Fine print. For a line that an edge does not cross, or runs along, t is any number in [0, 1],
+    but never NaN.
     """
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]      # (N, 1, 2)
     sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)       # (P, 2, 2)
@@ -251,11 +273,11 @@ def cuts(polygon, x, y):  # exercise 3.16 (2 points)
 
 
 def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
-    """What a polygon (N, 2) has in common with unit squares: area (P,), with the polygon's sign.
+    """How much of each unit square does a polygon (N, 2) cover? area (P,), with the polygon's sign.
 
-    x, y (P,): the squares' lower left corners. No clipping: take the points of all edges at their
-    `cuts`, in order, and clamp each to the square. What lay outside now runs along the border and
-    encloses nothing there. The polygon of all these points has the area.
+    x, y (P,): the squares' lower left corners. No clipping is needed: take the points of all edges
+    at their `cuts`, in order, and clamp each to the square. What lay outside now runs along the
+    border and encloses nothing there. The polygon of all these points has the area.
     """
     t = cuts(polygon, x, y)[..., None]
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
@@ -267,16 +289,19 @@ def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
 def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
-    A piece between two neighbouring `cuts` lies inside a square where its middle does. Along a side
-    that two squares share it counts in one of them, for x <= middle < x + 1 and y alike.
+    A piece between two neighbouring `cuts` lies inside a square if its middle does.
+
+    Fine print. A piece along a side that two squares share counts in one of them: it is inside if
+    x <= middle < x + 1, and y alike.
     """
-    p, edge = polygon[:, None], (np.roll(polygon, -1, axis=0) - polygon)[:, None]
+    p = polygon[:, None]
+    edge = np.roll(polygon, -1, axis=0)[:, None] - p
     corner = np.stack([x, y], -1)[:, None, None]
     t = cuts(polygon, x, y)
     t0, t1 = t[..., :-1], t[..., 1:]
     middle = p + (t0 + t1)[..., None] / 2 * edge - corner               # (P, N, 5, 2)
     inside = ((middle >= 0) & (middle < 1)).all(-1)
-    # |q - p| n = (edge_y, -edge_x); the integral of t is (t1^2 - t0^2) / 2, that of 1 - t the rest.
+    # |q - p| n = (edge_y, -edge_x). The integral of t is (t1^2 - t0^2) / 2, that of 1 - t the rest.
     by_q = np.einsum("p,pni->n", grad_area, inside * (t1**2 - t0**2) / 2)
     by_p = np.einsum("p,pni->n", grad_area, inside * (t1 - t0)) - by_q
     normal = np.concatenate([edge[..., 1], -edge[..., 0]], -1)
@@ -284,7 +309,7 @@ def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
 
 
 def classify_pixels(triangle, width, height):
-    """Which pixels lie wholly inside a triangle (3, 2), and which does its border touch?
+    """Which pixels lie wholly inside a triangle (3, 2), and which ones does its border touch?
 
     -> inside, touched, bool (height, width) each. A pixel that is just missed may count as touched.
     """
@@ -301,7 +326,10 @@ def classify_pixels(triangle, width, height):
 
 
 def pixel_coverage(triangle, width, height):
-    """Eq. (7) for whole pictures: `pixel_coverage_loop`, by areas of the touched pixels alone."""
+    """Eq. (7) for whole pictures: only where the border touches a pixel is an area needed.
+
+    triangle (3, 2) -> (height, width), as `pixel_coverage_loop`.
+    """
     inside, touched = classify_pixels(triangle, width, height)
     coverage = inside.astype(float)
     y, x = np.nonzero(touched)

@@ -23,7 +23,7 @@ from scipy.spatial import cKDTree
 
 from course.given import mesh
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 LEAST_CURVATURE = 1e-3  # of the greatest eigenvalue of A: less is rounding, or nearly flat
 BOUNDARY_WEIGHT = 100   # of a plane through a boundary edge; that of a face has 1

@@ -15,8 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import neural_renderer, scanline
-from .interpolation import scatter
-from .rasterization import EDGES
+from .rasterization import EDGES, scatter
 
 LEAST_PROBABILITY = 1e-6  # a face with less than this does not count in a pixel, eq. (9)
 

@@ -61,7 +61,8 @@ def linear_texels(x, size):  # exercise 6.2 (2 points)
     """
     position = x * size - 0.5
     first = np.floor(position)
-    weight, first = position - first, first.astype(int)
+    weight = position - first
+    first = first.astype(int)
     return np.stack([first, first + 1]), np.stack([1 - weight, weight])
 
 
@@ -128,7 +129,7 @@ def look_up_backward(grad_colour, texels, index, weight):  # exercise 6.6 (3 poi
            [30., 30.]]))
     """
     # colour = M texels, so grad_texels = M^T grad_colour: what was gathered is scattered. This is
-    # `scatter` of lab 5, four times as fast. With respect to weight[n, k], the derivative of
+    # `scatter` of lab 2, four times as fast. With respect to weight[n, k], the derivative of
     # colour[n] is texels[index[n, k]].
     start = np.arange(0, index.size + 1, index.shape[1])
     matrix = csr_array((weight.ravel(), index.ravel(), start), (len(index), len(texels)))

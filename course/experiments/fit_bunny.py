@@ -32,10 +32,14 @@ def fit(labs, weight, steps=300, size=128, seed=0):
     """The ball's vertices move until its silhouettes are the bunny's, by Adam, with weight times
     the Laplacian energy added to the loss. -> what `carve` returns.
     """
-    lab9, edges = labs.inverse_rendering, mesh.edges(ball()[1])[0]
+    lab9 = labs.inverse_rendering
+    edges, _ = mesh.edges(ball()[1])
     schedule = lab9.decay(0.02, 0.1, steps)
-    return carve(labs, lambda x: lab9.laplacian_energy_backward(weight, x, edges), lab9.adam_step,
-                 schedule, size, seed)
+
+    def penalty_backward(x):
+        return lab9.uniform_laplacian_energy_backward(weight, x, edges)
+
+    return carve(labs, penalty_backward, lab9.adam_step, schedule, size, seed)
 
 
 def carve(labs, penalty_backward, update, schedule, size, seed):

@@ -87,15 +87,14 @@ def soft_outline(labs, clip, faces, size, sigma=0.05):
 
 def blend_outline(labs, clip, faces, size):
     """Lab 8's: white faces on black, antialiased."""
-    lab8 = labs.antialiasing
     face_index, depth = labs.scanline.rasterize(clip, faces, size, size)
-    edges = face_index, depth, clip, faces, lab8.opposite_vertices(faces)
+    edges = face_index, depth, clip, faces, labs.antialiasing.opposite_vertices(faces)
     colour = (face_index >= 0)[..., None].astype(float)
 
     def backward(grad_picture):
-        return lab8.antialias_backward(grad_picture[..., None], colour, *edges)[1]
+        return labs.outlines.antialias_backward(grad_picture[..., None], colour, *edges)[1]
 
-    return lab8.antialias(colour, *edges)[..., 0], backward
+    return labs.outlines.antialias(colour, *edges)[..., 0], backward
 
 
 OUTLINES = {"sweep": sweep_outline, "soft": soft_outline, "blend": blend_outline}
@@ -134,7 +133,7 @@ def teapot(labs, outline, steps=150, size=64, weight=2e-3):
         grad_clip = backward(lab9.silhouette_loss_backward(1.0, picture, goal))
         grad_x, _ = pipeline.to_clip_backward(grad_clip, x, camera)
         return (lab9.silhouette_loss(picture, goal),
-                grad_x + lab9.laplacian_energy_backward(weight, x, edges))
+                grad_x + lab9.uniform_laplacian_energy_backward(weight, x, edges))
 
     found = lab9.descend(start, gradient, lab9.decay(0.02, 0.1, steps))
     return np.array([start, *(x for x, _ in found)]), faces

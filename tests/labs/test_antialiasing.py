@@ -515,6 +515,17 @@ def test_edges_along_the_line_are_not_divided_by(impl):
 
 
 @exercise("8.9")
+def test_an_edge_that_crosses_at_infinity_does_not_count(impl):
+    """>= 0 for > 0: its two ends have the same y, one of them behind the camera."""
+    x, y = column((0.0, -1.0), (2.0, -1.0), (1.0, -0.5))
+    w = np.array([[1.0], [-1.0], [1.0]])  # edge 2 crosses at infinity, edge 0 at 0
+    with np.errstate(all="raise"):
+        edge, c = impl.last_crossing(x, y, w)
+    assert_equal(edge, np.array([0]))
+    assert_close(c, np.array([0.0]))
+
+
+@exercise("8.9")
 def test_edges_to_behind_the_camera_cross_where_they_are_in_front(impl, rng):
     """An end behind the camera is mirrored, so the part of the edge on screen lies elsewhere."""
     q = rng.normal(size=(3, 3, 200))  # corner, (x w, y w, w), face

@@ -190,49 +190,49 @@ def silhouette_loss_backward(grad_loss, coverage, target):
     return grad_loss * (both * (1 - target) - target) / either
 
 
-def laplacian(positions, edges):
+def uniform_laplacian(positions, edges):
     """the sign is wrong: d points from the neighbours' mean to the vertex"""
-    count, (vertex, neighbour) = len(positions), np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=count)[:, None]
-    total = np.stack([np.bincount(vertex, x[neighbour], count) for x in positions.T], -1)
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    total = scatter(positions[neighbour], vertex, len(positions))
     return np.where(valence > 0, total / np.maximum(valence, 1) - positions, 0)
 
 
-def laplacian(positions, edges):
+def uniform_laplacian(positions, edges):
     """the neighbours are summed; it is their mean"""
-    count, (vertex, neighbour) = len(positions), np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=count)[:, None]
-    total = np.stack([np.bincount(vertex, x[neighbour], count) for x in positions.T], -1)
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    total = scatter(positions[neighbour], vertex, len(positions))
     return np.where(valence > 0, positions - total, 0)
 
 
-def laplacian(positions, edges):
+def uniform_laplacian(positions, edges):
     """of a vertex's neighbours only the last one counts: += with an index adds once"""
-    count, (vertex, neighbour) = len(positions), np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=count)[:, None]
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
     total = np.zeros(positions.shape)
     total[vertex] = positions[neighbour]
     return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
 
 
-def laplacian_backward(grad_laplacian, positions, edges):
+def uniform_laplacian_backward(grad_laplacian, positions, edges):
     """it is the forward once more; the matrix must be transposed"""
-    return laplacian(grad_laplacian, edges)
+    return uniform_laplacian(grad_laplacian, edges)
 
 
-def laplacian_backward(grad_laplacian, positions, edges):
+def uniform_laplacian_backward(grad_laplacian, positions, edges):
     """a neighbour gets the whole gradient, not its share of it"""
-    count, (vertex, neighbour) = len(positions), np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=count)[:, None]
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
     share = grad_laplacian
-    total = np.stack([np.bincount(neighbour, g[vertex], count) for g in share.T], -1)
+    total = scatter(share[vertex], neighbour, len(positions))
     return np.where(valence > 0, grad_laplacian, 0) - total
 
 
-def laplacian_backward(grad_laplacian, positions, edges):
+def uniform_laplacian_backward(grad_laplacian, positions, edges):
     """of a vertex's neighbours only the last one counts: += with an index adds once"""
-    count, (vertex, neighbour) = len(positions), np.concatenate([edges, edges[:, ::-1]]).T
-    valence = np.bincount(vertex, minlength=count)[:, None]
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
     share = grad_laplacian / np.maximum(valence, 1)
     total = np.zeros(positions.shape)
     total[neighbour] = share[vertex]

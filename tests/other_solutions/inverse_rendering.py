@@ -80,7 +80,7 @@ def silhouette_loss_backward(grad_loss, coverage, target):
     return grad_loss * ((1 - target) * shared / either - target) / either
 
 
-def laplacian(positions, edges):
+def uniform_laplacian(positions, edges):
     neighbours = [[] for _ in positions]
     for a, b in edges:
         neighbours[a].append(b)
@@ -89,7 +89,8 @@ def laplacian(positions, edges):
                      for x, near in zip(positions, neighbours, strict=True)])
 
 
-def laplacian_backward(grad_laplacian, positions, edges):
+def uniform_laplacian_backward(grad_laplacian, positions, edges):
     # The matrix of eq. (6), column by column.
-    matrix = np.array([laplacian(unit[:, None], edges)[:, 0] for unit in np.eye(len(positions))])
+    units = np.eye(len(positions))
+    matrix = np.array([uniform_laplacian(unit[:, None], edges)[:, 0] for unit in units])
     return matrix @ grad_laplacian

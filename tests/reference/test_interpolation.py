@@ -143,14 +143,3 @@ def test_a_face_that_names_no_vertex_is_told(row):
         with pytest.raises(IndexError, match="which have 4: give the faces"):
             call(face_index)
         call(np.minimum(face_index, 0))  # a face that nobody sees does no harm
-
-
-@pytest.mark.parametrize(("index", "columns"), [((7,), ()), ((4, 3), ()), ((4, 3), (2,)),
-                                                ((0, 3), (2,)), ((5,), (2, 4))])
-def test_a_scatter_is_the_transpose_of_a_gather(rng, index, columns):
-    """A row that several values go to keeps the last one alone."""
-    index = rng.integers(0, 6, index)
-    values, x = rng.normal(size=(*index.shape, *columns)), rng.normal(size=(6, *columns))
-    total = interpolation.scatter(values, index, 6)
-    assert total.shape == x.shape
-    np.testing.assert_allclose((values * x[index]).sum(), (total * x).sum(), rtol=1e-12, atol=1e-12)

@@ -100,8 +100,9 @@ def test_the_energy_of_a_laplacian_has_a_gradient():
     """The 2 is missing, or grad_energy."""
     positions, faces = mesh.icosphere(80)
     edges, _ = mesh.edges(faces)
-    gradcheck(inverse_rendering.laplacian_energy, inverse_rendering.laplacian_energy_backward,
-              (positions, edges), differentiable=[0], name="laplacian_energy")
+    gradcheck(inverse_rendering.uniform_laplacian_energy,
+              inverse_rendering.uniform_laplacian_energy_backward,
+              (positions, edges), differentiable=[0], name="uniform_laplacian_energy")
 
 
 def test_a_rough_mesh_has_more_energy():
@@ -109,7 +110,8 @@ def test_a_rough_mesh_has_more_energy():
     positions, faces = mesh.icosphere(320)
     edges, _ = mesh.edges(faces)
     rough = positions + np.random.default_rng(0).normal(0, 0.05, positions.shape)
-    smooth, rougher = (inverse_rendering.laplacian_energy(x, edges) for x in (positions, rough))
-    gradient = inverse_rendering.laplacian_energy_backward(1.0, rough, edges)
-    smoothed = inverse_rendering.laplacian_energy(rough - 0.1 * gradient, edges)
+    smooth = inverse_rendering.uniform_laplacian_energy(positions, edges)
+    rougher = inverse_rendering.uniform_laplacian_energy(rough, edges)
+    gradient = inverse_rendering.uniform_laplacian_energy_backward(1.0, rough, edges)
+    smoothed = inverse_rendering.uniform_laplacian_energy(rough - 0.1 * gradient, edges)
     assert smooth < smoothed < rougher

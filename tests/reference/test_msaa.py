@@ -58,6 +58,35 @@ def test_standard_patterns_spread_their_samples(count):
     assert np.linalg.norm(pattern[i] - pattern[j], axis=1).min() > 0.75 / np.sqrt(count)
 
 
+@pytest.mark.parametrize("count", [0, 3, 32])
+def test_a_count_without_a_standard_pattern_is_told(count):
+    """A bare KeyError that names a number and no way out."""
+    with pytest.raises(ValueError, match=f"1, 2, 4, 8 or 16 samples, got {count}: give one of"):
+        msaa.standard_pattern(count)
+
+
+def test_a_picture_needs_a_sample():
+    """NumPy's error about a shape, or a division by 0, that does not say what is missing."""
+    clip, faces = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
+    shade, background = flat(np.ones((1, 3))), np.zeros(3)
+    with pytest.raises(ValueError, match="at least one sample, got none: give regular_grid"):
+        msaa.msaa(clip, faces, 12, 8, np.zeros((0, 2)), shade, background)
+    for n in (0, -1):
+        with pytest.raises(ValueError, match=f"n of 1 or more, got n = {n}"):
+            msaa.supersample(clip, faces, 12, 8, n, shade, background)
+
+
+@pytest.mark.parametrize(("width", "height"), [(0, 0), (12, 0), (0, 8)])
+def test_a_picture_without_pixels_is_empty(width, height):
+    """One pixel of a picture 0 wide is 2 / 0 of ndc; or NumPy cannot guess the channels."""
+    clip, faces = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
+    shade, background = flat(np.ones((1, 3))), np.zeros(3)
+    with np.errstate(all="raise"):
+        few = msaa.msaa(clip, faces, width, height, msaa.regular_grid(2), shade, background)
+        many = msaa.supersample(clip, faces, width, height, 2, shade, background)
+    assert few.shape == many.shape == (height, width, 3)
+
+
 @pytest.mark.parametrize("n", [2, 3, 4])
 def test_a_regular_grid_is_a_finer_picture(n):
     """The samples are those of another place, or in another order."""

@@ -6,14 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import (
-    antialiasing,
-    inverse_rendering,
-    mipmapping,
-    pipeline,
-    scanline,
-    transforms,
-)
+from reference import inverse_rendering, mipmapping, outlines, pipeline, scanline, transforms
 from reference.pipeline import Colours, Mesh, Texture, View
 
 WIDTH, HEIGHT = 26, 19
@@ -62,8 +55,8 @@ def scene(name):
 def decided(buffers, shape):
     """What a picture decides: faces, pairs, edges, which pixel changes, what is saturated."""
     clip, face_index, depth, *_ = buffers
-    owner, other, c, ends, *_ = antialiasing.blended_pairs(face_index, depth, clip, shape.faces,
-                                                           shape.opposite)
+    owner, other, c, ends, *_ = outlines.blended_pairs(face_index, depth, clip, shape.faces,
+                                                       shape.opposite)
     return face_index, owner, other, ends, c > 0.5, (c > 0) & (c < 1)
 
 
@@ -216,7 +209,7 @@ def test_the_two_paths_to_a_position_add_up():
     picture, buffers = pipeline.render(shape, surface, view)
     clip, face_index, depth, *_ = buffers
     inside = np.zeros(picture.shape)
-    blended = antialiasing.blended_pairs(face_index, depth, clip, shape.faces, shape.opposite)[:2]
+    blended = outlines.blended_pairs(face_index, depth, clip, shape.faces, shape.opposite)[:2]
     untouched = np.setdiff1d(np.flatnonzero(face_index >= 0), np.concatenate(blended))
     assert len(untouched) > 20
     inside.reshape(-1, 2)[untouched] = 1.0

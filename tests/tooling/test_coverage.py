@@ -81,3 +81,13 @@ def test_only_a_filter_before_sampling_removes_an_alias():
                 abs(np.sin(3 * np.pi * g) / (3 * np.sin(np.pi * g)))]
     np.testing.assert_allclose(weakened, expected, atol=1e-12)
     assert weakened[0] < 0.2 < 0.8 < weakened[1]
+
+
+@pytest.mark.parametrize("width", [0, 2, -3])
+def test_a_box_without_a_middle_is_refused(width):
+    """The mean of 2 x 2 pixels moves the picture by half a pixel, and nobody is told."""
+    sentence = f"odd width, 1 or more, .* got {width}"
+    with pytest.raises(ValueError, match=sentence):
+        sampling.filter_then_sample(np.eye(6), width)
+    with pytest.raises(ValueError, match=sentence):
+        sampling.sample_then_blur(np.eye(6), 2, width)

@@ -1,10 +1,10 @@
-"""The reference's whole pictures of lab 8: antialias, its gradient, and what it says of zeros."""
+"""The reference's whole pictures of lab 8: antialias and its gradient."""
 import numpy as np
 import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import antialiasing, sampling, scanline, transforms
+from reference import antialiasing, outlines, sampling, scanline, transforms
 
 GOLDEN = np.load("tests/golden/antialias.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
@@ -26,7 +26,7 @@ def test_pairs_and_pictures_are_those_of_nvdiffrast(scene):
     """Another edge, weight or colour than nvdiffrast's kernels give (tests/golden/README.md)."""
     inputs = golden_inputs(scene)
     expected, expected_alpha, output = golden(scene, "pairs", "alpha", "output")
-    owner, other, c, ends, _, _ = antialiasing.blended_pairs(*inputs[1:])
+    owner, other, c, ends, *_ = outlines.blended_pairs(*inputs[1:])
     corners = inputs[4][inputs[1].ravel()[owner]]
     edge = (~(corners[:, :, None] == ends.T[:, None]).any(2)).argmax(1)
     got = np.stack([owner, other, edge], 1)
@@ -34,14 +34,14 @@ def test_pairs_and_pictures_are_those_of_nvdiffrast(scene):
     np.testing.assert_array_equal(got[order], expected[expected_order])
     alpha = antialiasing.blend_weight(c)
     np.testing.assert_allclose(alpha[order], expected_alpha[expected_order], rtol=0, atol=1e-5)
-    np.testing.assert_allclose(antialiasing.antialias(*inputs), output, rtol=0, atol=1e-5)
+    np.testing.assert_allclose(outlines.antialias(*inputs), output, rtol=0, atol=1e-5)
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_gradients_are_those_of_nvdiffrast(scene):
     """A gradient to another pixel or vertex, or with another epsilon."""
     grad_output, grad_colour, grad_clip = golden(scene, "grad_output", "grad_colour", "grad_clip")
-    got = antialiasing.antialias_backward(grad_output, *golden_inputs(scene), epsilon=1e-3)
+    got = outlines.antialias_backward(grad_output, *golden_inputs(scene), epsilon=1e-3)
     np.testing.assert_allclose(got[0], grad_colour, rtol=0, atol=1.5e-5)
     np.testing.assert_allclose(got[1], grad_clip, rtol=0, atol=1e-9 * np.abs(grad_clip).max())
 
@@ -167,7 +167,7 @@ def test_pictures_are_those_of_one_pair_after_the_other(seed):
     expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
     opposite = antialiasing.opposite_vertices(faces)
     assert count > 15
-    got = antialiasing.antialias(colour, face_index, depth, clip, faces, opposite)
+    got = outlines.antialias(colour, face_index, depth, clip, faces, opposite)
     np.testing.assert_allclose(got, expected, rtol=0, atol=1e-9)
 
 
@@ -181,7 +181,7 @@ def test_meshes_are_those_of_one_pair_after_the_other(shape):
     expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
     opposite = antialiasing.opposite_vertices(faces)
     assert count > 30
-    got = antialiasing.antialias(colour, face_index, depth, clip, faces, opposite)
+    got = outlines.antialias(colour, face_index, depth, clip, faces, opposite)
     np.testing.assert_allclose(got, expected, rtol=0, atol=1e-9)
 
 
@@ -195,7 +195,7 @@ def test_pictures_of_one_row_or_column(width, height):
     colour, face_index, depth = drawn(clip, faces, width, height, rng)
     expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
     assert count == (width * height > 1)
-    got = antialiasing.antialias(colour, face_index, depth, clip, faces, np.full((1, 3), -1))
+    got = outlines.antialias(colour, face_index, depth, clip, faces, np.full((1, 3), -1))
     np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
 
 
@@ -203,8 +203,8 @@ def test_pictures_without_faces_or_with_hostile_vertices():
     """A crash or NaN where nothing is seen, or from vertices that no seen face has."""
     empty = np.full((4, 5), -1), np.full((4, 5), np.inf), np.zeros((0, 4)), np.zeros((0, 3), int)
     colour, no_faces = np.ones((4, 5, 3)), np.zeros((0, 3), int)
-    np.testing.assert_array_equal(antialiasing.antialias(colour, *empty, no_faces), colour)
-    grad_colour, grad_clip = antialiasing.antialias_backward(colour, colour, *empty, no_faces)
+    np.testing.assert_array_equal(outlines.antialias(colour, *empty, no_faces), colour)
+    grad_colour, grad_clip = outlines.antialias_backward(colour, colour, *empty, no_faces)
     np.testing.assert_array_equal(grad_colour, colour)
     assert grad_clip.shape == (0, 4)
 
@@ -214,9 +214,24 @@ def test_pictures_without_faces_or_with_hostile_vertices():
     colour, face_index, depth = drawn(clip, faces, 9, 8, rng)
     arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
     with np.errstate(all="raise"):
-        grad_colour, grad_clip = antialiasing.antialias_backward(colour, colour, *arguments)
+        grad_colour, grad_clip = outlines.antialias_backward(colour, colour, *arguments)
     assert np.isfinite(grad_colour).all() and np.isfinite(grad_clip).all()
     assert grad_clip[:3, [0, 1, 3]].all() and not grad_clip[3:].any()
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.int8, np.uint32, np.uint64])
+def test_faces_may_be_integers_of_any_kind(kind):
+    """-1 is written into faces that know none; or uint64 beside int64 becomes float64."""
+    rng = np.random.default_rng(2)
+    clip, faces = soup(rng)
+    opposite = antialiasing.opposite_vertices(faces)
+    colour, face_index, depth = drawn(clip, faces, 30, 22, rng)
+    expected = outlines.antialias_backward(colour, colour, face_index, depth, clip, faces, opposite)
+    faces = faces.astype(kind)
+    np.testing.assert_array_equal(antialiasing.opposite_vertices(faces), opposite)
+    got = outlines.antialias_backward(colour, colour, face_index, depth, clip, faces, opposite)
+    for one, same in zip(got, expected, strict=True):
+        np.testing.assert_array_equal(one, same)
 
 
 def test_a_floor_is_blended_however_it_is_cut_into_faces():
@@ -236,7 +251,7 @@ def test_a_floor_is_blended_however_it_is_cut_into_faces():
         face_index, depth = scanline.rasterize(clip, faces, 40, 30)
         colour = (face_index >= 0)[..., None].astype(float)
         opposite = antialiasing.opposite_vertices(faces)
-        pictures.append(antialiasing.antialias(colour, face_index, depth, clip, faces, opposite))
+        pictures.append(outlines.antialias(colour, face_index, depth, clip, faces, opposite))
     assert (clip[:, 3] < 0).any() and np.count_nonzero(pictures[0] % 1) > 30
     for picture in pictures[1:]:  # but for a few pairs whose last edge is one of the cuts
         differs = np.abs(picture - pictures[0]) > 1e-9
@@ -254,7 +269,7 @@ def test_a_seen_vertex_in_the_camera_plane_has_a_gradient():
         colour = (face_index >= 0)[..., None].astype(float)
         grad_output = np.arange(192.0).reshape(12, 16, 1) % 7
         arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
-        return antialiasing.antialias_backward(grad_output, colour, *arguments)[1]
+        return outlines.antialias_backward(grad_output, colour, *arguments)[1]
 
     np.testing.assert_allclose(gradient(0.0)[:2], gradient(1e-7)[:2], rtol=1e-4)
     assert np.isfinite(gradient(0.0)).all() and gradient(0.0)[2].any()
@@ -264,7 +279,7 @@ def test_a_seen_vertex_in_the_camera_plane_has_a_gradient():
 
 def decisions(face_index, depth, clip, faces, opposite):
     """What a picture decides: its faces, pairs, edges, which pixel changes, what is saturated."""
-    owner, other, c, ends, *_ = antialiasing.blended_pairs(face_index, depth, clip, faces, opposite)
+    owner, other, c, ends, *_ = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
     return face_index, owner, other, ends, c > 0.5, (c > 0) & (c < 1)
 
 
@@ -277,12 +292,12 @@ def test_whole_pictures_have_the_gradients_of_central_differences(seed):
 
     def forward(clip):
         face_index, depth = scanline.rasterize(clip, faces, 26, 19)
-        return antialiasing.antialias(shades[face_index], face_index, depth, clip, faces, opposite)
+        return outlines.antialias(shades[face_index], face_index, depth, clip, faces, opposite)
 
     def backward(grad_output, clip):
         face_index, depth = scanline.rasterize(clip, faces, 26, 19)
         arguments = face_index, depth, clip, faces, opposite
-        return antialiasing.antialias_backward(grad_output, shades[face_index], *arguments)[1]
+        return outlines.antialias_backward(grad_output, shades[face_index], *arguments)[1]
 
     def decide(clip):
         return decisions(*scanline.rasterize(clip, faces, 26, 19), clip, faces, opposite)
@@ -297,8 +312,8 @@ def test_colours_have_the_gradients_of_central_differences():
     clip, faces = soup(rng)
     colour, face_index, depth = drawn(clip, faces, 26, 19, rng)
     rest = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
-    gradcheck(lambda colour: antialiasing.antialias(colour, *rest),
-              lambda grad, colour: antialiasing.antialias_backward(grad, colour, *rest)[0],
+    gradcheck(lambda colour: outlines.antialias(colour, *rest),
+              lambda grad, colour: outlines.antialias_backward(grad, colour, *rest)[0],
               (colour,), name="antialias by colour")
 
 
@@ -312,10 +327,10 @@ def one_triangle(triangle, width, height):
     arguments = face_index, depth, clip, faces, np.full((1, 3), -1)
 
     def backward(grad):
-        grad_clip = antialiasing.antialias_backward(grad[..., None], colour, *arguments)[1]
+        grad_clip = outlines.antialias_backward(grad[..., None], colour, *arguments)[1]
         return grad_clip[:, :2] * 2 / [width, height]
 
-    return antialiasing.antialias(colour, *arguments)[..., 0], backward
+    return outlines.antialias(colour, *arguments)[..., 0], backward
 
 
 def test_coverage_is_exact_along_rows_and_columns():
@@ -346,72 +361,3 @@ def test_coverage_and_its_gradient_are_near_the_exact_ones():
     assert max(errors) < 0.5  # at corners
     assert min(angles) > 0.999
     assert 0.95 < min(lengths) and max(lengths) < 1.02
-
-
-# --- zeros -------------------------------------------------------------------------------------
-
-@pytest.mark.parametrize("seed", range(4))
-def test_why_zero_names_exactly_what_has_no_gradient(seed):
-    """A vertex or pixel with a gradient is said to have none, or the other way round."""
-    rng = np.random.default_rng(seed)
-    clip, faces = soup(rng, behind=True)
-    colour, face_index, depth = drawn(clip, faces, 30, 22, rng)
-    arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
-    pixel, vertex = antialiasing.why_zero(*arguments)
-    grad_output = rng.normal(size=colour.shape)
-    grad_clip = antialiasing.antialias_backward(grad_output, colour, *arguments)[1]
-    np.testing.assert_array_equal(grad_clip.any(1), vertex == 8)
-    owner, other, c, *_ = antialiasing.blended_pairs(*arguments)
-    live = (c > 0) & (c < 1)
-    expected = np.zeros(face_index.size, bool)
-    expected[owner[live]] = expected[other[live]] = True
-    np.testing.assert_array_equal(pixel == 8, expected.reshape(face_index.shape))
-    assert len(set(vertex)) > 2 and len(set(pixel.ravel())) > 4
-
-
-def test_why_zero_tells_the_reasons_apart():
-    """Another reason than the true one, in scenes made for one reason each."""
-    def reasons(clip, faces, width=8, height=6):
-        face_index, depth = scanline.rasterize(clip, faces, width, height)
-        opposite = antialiasing.opposite_vertices(faces)
-        pixel, vertex = antialiasing.why_zero(face_index, depth, clip, faces, opposite)
-        names = antialiasing.REASONS
-        return [names[r] for r in vertex], {names[r] for r in pixel.flat}
-
-    face, two = np.array([[0, 1, 2]]), np.array([[0, 1, 2], [3, 4, 5]])
-    whole = on_screen([-9, 30, -9], [-9, -9, 30], 8, 6)
-    assert reasons(whole, face) == (["no pair"] * 3, {"no pair"})
-    small = on_screen([2.1, 3.2, 2.2], [2.1, 2.3, 3.3], 8, 6, -0.5)
-    hidden = "not seen: hidden or outside"
-    assert reasons(np.concatenate([whole, small + [0, 0, 0.9, 0]]), two)[0][3:] == [hidden] * 3
-    assert reasons(small + [100, 0, 0, 0], face) == ([hidden] * 3, {hidden})
-    behind = small * [-1, -1, -1, -1]
-    assert reasons(behind, face)[0] == ["behind the camera"] * 3
-    assert reasons(small, face)[0].count("has a gradient") >= 2
-    square = on_screen([-9, 4.3, 4.3, -9], [-9, -9, 30, 30], 8, 6)
-    # The right half of the square is thinner than a pixel: its left edge is the last to cross.
-    strip = np.concatenate([square, on_screen([4.4, 4.4], [-9, 30], 8, 6)])
-    faces = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]])
-    vertex, pixel = reasons(strip, faces)
-    assert "last edge is another one" in pixel and "has a gradient" not in vertex
-    snapped = on_screen([-9, 4.5, 4.5], [-9, -9, 30], 8, 6)  # an edge on the centres of pixels
-    assert "alpha saturated, or 0" in reasons(snapped, face)[0]
-
-
-def test_too_many_edges_in_one_pixel_are_found():
-    """A pixel between four edges goes beyond white, and nobody tells."""
-    # Four white strips end just before the centre of one black pixel, each to another side of it.
-    x0, y0 = np.array([0.0, 2.6, 2.1, 2.1]), np.array([2.1, 2.1, 0.0, 2.6])
-    x1, y1 = np.array([2.4, 5.0, 2.9, 2.9]), np.array([2.9, 2.9, 2.4, 5.0])
-    corners = np.stack([np.stack([x0, x1, x1, x0], 1), np.stack([y0, y0, y1, y1], 1)], -1)
-    clip = on_screen(*corners.reshape(-1, 2).T, 5, 6)
-    faces = (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
-    face_index, depth = scanline.rasterize(clip, faces, 5, 6)
-    colour = (face_index >= 0)[..., None].astype(float)
-    rest = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
-    output = antialiasing.antialias(colour, *rest)[..., 0]
-    beyond = antialiasing.overblended(colour, *rest)
-    np.testing.assert_array_equal(beyond, (output > 1 + 1e-9) | (output < -1e-9))
-    np.testing.assert_array_equal(np.argwhere(beyond), [[2, 2]])
-    np.testing.assert_allclose(output[2, 2], 4 * 0.4)
-    assert not antialiasing.overblended(0 * colour + 0.3, *rest).any()

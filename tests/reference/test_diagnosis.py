@@ -1,0 +1,81 @@
+"""What lab 8 says of zero gradients, and of pixels with too many edges."""
+import numpy as np
+import pytest
+
+from reference import antialiasing, diagnosis, outlines, scanline
+
+
+def on_screen(x, y, width, height, z=0.0):
+    """Clip positions of screen points, w = 1."""
+    x, y, z = np.broadcast_arrays(np.asarray(x, float), y, z)
+    return np.stack([2 * x / width - 1, 2 * y / height - 1, z, np.ones(x.shape)], -1)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_why_zero_names_exactly_what_has_no_gradient(seed):
+    """A vertex or pixel with a gradient is said to have none, or the other way round."""
+    rng = np.random.default_rng(seed)
+    clip = rng.uniform([-2, -2, -1.0, 1.0], [2, 2, 1.0, 2.0], (24, 4))
+    clip[:4, 3] *= -0.5  # behind the camera
+    faces = rng.integers(0, 24, (30, 3))
+    face_index, depth = scanline.rasterize(clip, faces, 30, 22)
+    colour = rng.normal(size=(22, 30, 2))
+    arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
+    pixel, vertex = diagnosis.why_zero(*arguments)
+    grad_output = rng.normal(size=colour.shape)
+    grad_clip = outlines.antialias_backward(grad_output, colour, *arguments)[1]
+    np.testing.assert_array_equal(grad_clip.any(1), vertex == 8)
+    owner, other, c, *_ = outlines.blended_pairs(*arguments)
+    live = (c > 0) & (c < 1)
+    expected = np.zeros(face_index.size, bool)
+    expected[owner[live]] = expected[other[live]] = True
+    np.testing.assert_array_equal(pixel == 8, expected.reshape(face_index.shape))
+    assert len(set(vertex)) > 2 and len(set(pixel.ravel())) > 4
+
+
+def test_why_zero_tells_the_reasons_apart():
+    """Another reason than the true one, in scenes made for one reason each."""
+    def reasons(clip, faces, width=8, height=6):
+        face_index, depth = scanline.rasterize(clip, faces, width, height)
+        opposite = antialiasing.opposite_vertices(faces)
+        pixel, vertex = diagnosis.why_zero(face_index, depth, clip, faces, opposite)
+        names = diagnosis.REASONS
+        return [names[r] for r in vertex], {names[r] for r in pixel.flat}
+
+    face, two = np.array([[0, 1, 2]]), np.array([[0, 1, 2], [3, 4, 5]])
+    whole = on_screen([-9, 30, -9], [-9, -9, 30], 8, 6)
+    assert reasons(whole, face) == (["no pair"] * 3, {"no pair"})
+    small = on_screen([2.1, 3.2, 2.2], [2.1, 2.3, 3.3], 8, 6, -0.5)
+    hidden = "not seen: hidden or outside"
+    assert reasons(np.concatenate([whole, small + [0, 0, 0.9, 0]]), two)[0][3:] == [hidden] * 3
+    assert reasons(small + [100, 0, 0, 0], face) == ([hidden] * 3, {hidden})
+    behind = small * [-1, -1, -1, -1]
+    assert reasons(behind, face)[0] == ["behind the camera"] * 3
+    assert reasons(small, face)[0].count("has a gradient") >= 2
+    square = on_screen([-9, 4.3, 4.3, -9], [-9, -9, 30, 30], 8, 6)
+    # The right half of the square is thinner than a pixel: its left edge is the last to cross.
+    strip = np.concatenate([square, on_screen([4.4, 4.4], [-9, 30], 8, 6)])
+    faces = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]])
+    vertex, pixel = reasons(strip, faces)
+    assert "last edge is another one" in pixel and "has a gradient" not in vertex
+    snapped = on_screen([-9, 4.5, 4.5], [-9, -9, 30], 8, 6)  # an edge on the centres of pixels
+    assert "alpha saturated, or 0" in reasons(snapped, face)[0]
+
+
+def test_too_many_edges_in_one_pixel_are_found():
+    """A pixel between four edges goes beyond white, and nobody tells."""
+    # Four white strips end just before the centre of one black pixel, each to another side of it.
+    x0, y0 = np.array([0.0, 2.6, 2.1, 2.1]), np.array([2.1, 2.1, 0.0, 2.6])
+    x1, y1 = np.array([2.4, 5.0, 2.9, 2.9]), np.array([2.9, 2.9, 2.4, 5.0])
+    corners = np.stack([np.stack([x0, x1, x1, x0], 1), np.stack([y0, y0, y1, y1], 1)], -1)
+    clip = on_screen(*corners.reshape(-1, 2).T, 5, 6)
+    faces = (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
+    face_index, depth = scanline.rasterize(clip, faces, 5, 6)
+    colour = (face_index >= 0)[..., None].astype(float)
+    rest = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
+    output = outlines.antialias(colour, *rest)[..., 0]
+    beyond = diagnosis.overblended(colour, *rest)
+    np.testing.assert_array_equal(beyond, (output > 1 + 1e-9) | (output < -1e-9))
+    np.testing.assert_array_equal(np.argwhere(beyond), [[2, 2]])
+    np.testing.assert_allclose(output[2, 2], 4 * 0.4)
+    assert not diagnosis.overblended(0 * colour + 0.3, *rest).any()
