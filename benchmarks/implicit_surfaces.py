@@ -12,7 +12,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
 from course.experiments import demo, representations
-from reference import implicit_surfaces
+from reference import implicit_surfaces, marching_tetrahedra
 
 CELLS = 16, 32, 64, 96
 SAMPLES = 16, 64, 256
@@ -33,15 +33,15 @@ def main():
 
 def march(n):
     """One row: n^3 cells, 6 n^3 tetrahedra."""
-    points, tetrahedra = implicit_surfaces.tetrahedral_grid(n)
+    points, tetrahedra = marching_tetrahedra.tetrahedral_grid(n)
     distance = implicit_surfaces.signed_distance(points, TORUS)
-    vertices, faces, ends = implicit_surfaces.marching_tetrahedra(points, distance, tetrahedra)
+    vertices, faces, ends = marching_tetrahedra.marching_tetrahedra(points, distance, tetrahedra)
     inside = distance < 0
     took = measure.medians({
-        "grid": lambda: implicit_surfaces.tetrahedral_grid(n),
-        "forward": lambda: implicit_surfaces.marching_tetrahedra(points, distance, tetrahedra),
-        "backward": lambda: implicit_surfaces.marching_tetrahedra_backward(vertices, ends, points,
-                                                                           distance),
+        "grid": lambda: marching_tetrahedra.tetrahedral_grid(n),
+        "forward": lambda: marching_tetrahedra.marching_tetrahedra(points, distance, tetrahedra),
+        "backward": lambda: marching_tetrahedra.marching_tetrahedra_backward(
+            vertices, ends, points, distance),
         "gather": lambda: inside[tetrahedra]})
     return {"cells": f"{n}^3", "faces": len(faces), **took,
             "forward / gather": took["forward"] / took["gather"]}

@@ -31,7 +31,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("simplification", "collapse_heap"),
     ("regularization", "remeshing"),
     ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
-    ("implicit_surfaces", "marching_tetrahedra"),
+    ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
     ("reconstruction", "multi_view_fit"),
 )
 TOPICS = tuple(itertools.chain(*LABS))

@@ -1,4 +1,4 @@
-"""Reconstruction: shape, albedo and light of an object, found from pictures of it.
+"""Reconstruction: what the fit of shape, albedo and light to pictures is made of.
 
     E(n) = sum_k Y_k(n) l_k,   k = 0 ... 8         light on a unit normal, order 2               (1)
     l_k = A_k Y_k(d) strength                      of a distant light in the direction d         (2)
@@ -10,15 +10,12 @@
     (I + amount Laplacian)^-1 g                    a gradient spread over the grid               (8)
     genus = pieces - (V - E + F) / 2               holes through a closed surface                (9)
 
-The unknowns x are four arrays: distance s (G,), offsets of the grid's points (G, 3), albedo (G, 3),
-all on lab 15's grid of G = (n + 1)^3 points, and light l (9, 3). Where the surface crosses an edge
-of the grid, the albedo is mixed as the position is, lab 15's eq. (8). The light has a number for
-each colour, and no shadows: it comes from far away, and reaches all.
-
-The caller guarantees cameras that are right, and an object within [-1, 1]^3.
+s are distances on lab 15's grid of G points, s_a < 0 <= s_b those at the ends of a crossed edge.
+The light (9, C) has nine numbers for each colour. It comes from far away and casts no shadows.
+multi_view_fit.py joins these pieces.
 
 Sources: lecture "Differentiable graphics 1" (its last part); Ramamoorthi and Hanrahan 2001 (1),
-(2); Shen et al. 2021 and Munkberg et al. 2022 (7), and the plan of it all; Nicolet et al. 2021 (8).
+(2); Shen et al. 2021 and Munkberg et al. 2022 (7); Nicolet et al. 2021 (8).
 """
 import numpy as np
 import scipy.fft
@@ -26,22 +23,11 @@ import scipy.sparse.csgraph
 
 from course.given import mesh
 
-from . import (
-    implicit_surfaces,
-    interpolation,
-    inverse_rendering,
-    msaa,
-    pipeline,
-    regularization,
-)
+from . import inverse_rendering
+from .interpolation import scatter
 
 C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
-
-WEIGHTS = 1.0, 4.0, 1e-3, 1e-2  # in the loss: of coverage, carving, sign changes, bumps
-RATES = 1.0, 0.02, 0.05, 0.1    # of distance and offsets (in cells of the grid), albedo, light
-FREE = 1 / 6.01                 # of a cell: offsets of less than 1/6 turn no tetrahedron over
-SPREAD = 1.0                    # the amount of eq. (8)
 
 # --- light and shading: eq. (1) to (3) ----------------------------------------------------------
 
@@ -111,12 +97,11 @@ def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 poi
 
 
 def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 points)
-    """Backward of eq. (4), which is `course.given.mesh.vertex_normals`: grad_normals (V, 3) ->
-    grad_vertices (V, 3).
+    """Backward of eq. (4), which is `course.given.mesh.vertex_normals`.
 
-    vertices (V, 3); faces (F, 3). Of a vertex whose m is 0 (it has no face, or
-    they cancel), the normal is 0, and hands nothing back. A longer m is no other normal: grad_m is
-    at right angles to it.
+    grad_normals, vertices (V, 3); faces (F, 3) -> grad_vertices (V, 3). Where m is 0 (a vertex has
+    no face, or its faces cancel), the normal is 0 and hands nothing back. A longer m gives the same
+    normal: grad_m is at right angles to it.
 
     >>> vertices = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     >>> grad_normals = np.array([[8.0, 4.0, 7.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
@@ -126,13 +111,6 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 
            [ 0.,  0., -4.]])
     """
     raise NotImplementedError("exercise 16.6: vertex_normals_backward")
-
-
-def to_vertices(corners, faces, vertex_count):
-    """What comes to the corners of faces (F, 3, C), summed up for each vertex: (V, C)."""
-    at = faces.ravel()
-    corners = corners.reshape(len(at), corners.shape[-1])
-    return np.stack([np.bincount(at, g, vertex_count) for g in corners.T], -1)
 
 
 # --- what the pictures say: eq. (5) and (6) -----------------------------------------------------
@@ -174,7 +152,7 @@ def level_backward(grad_level, ends, distance):  # exercise 16.9 (2 points)
     raise NotImplementedError("exercise 16.9: level_backward")
 
 
-# --- what is asked of every surface: eq. (7), and no bumps --------------------------------------
+# --- what every surface should be: eq. (7), and no bumps ----------------------------------------
 
 
 def sign_changes(distance, edges):  # exercise 16.10 (2 points)
@@ -213,6 +191,7 @@ def bumps(vertices, normals, edges):
 
 def bumps_backward(grad_bumps, vertices, normals, edges):
     """Backward of `bumps`, normals held: grad_bumps, a number -> grad_vertices (V, 3)."""
+    # With h = d . n at each of V vertices: dL = 2 / V h n . dd, and back through the Laplacian d.
     out = (inverse_rendering.uniform_laplacian(vertices, edges) * normals).sum(1, keepdims=True)
     grad_laplacian = 2 * grad_bumps / len(vertices) * out * normals
     return inverse_rendering.uniform_laplacian_backward(grad_laplacian, vertices, edges)
@@ -260,164 +239,3 @@ def best_scale(found, truth):  # exercise 16.14 (1 point)
     array([2. , 0.5])
     """
     raise NotImplementedError("exercise 16.14: best_scale")
-
-
-# --- the loop: from the unknowns to pictures, and back ------------------------------------------
-
-
-def start(n):
-    """Where every search begins: a ball, grey, in even light. -> x on a grid of n^3 cells."""
-    points, _ = implicit_surfaces.tetrahedral_grid(n)
-    light = np.zeros((9, 3))
-    light[0] = 1 / C0
-    return (np.linalg.norm(points, axis=1) - 0.85, np.zeros((len(points), 3)),
-            np.full((len(points), 3), 0.5), light)
-
-
-def refine(x, n):
-    """x on a grid of n^3 cells, read from its own grid. The offsets go back to 0, and the surface
-    moves a little by that.
-    """
-    distance, _, albedo, light = x
-    points, _ = implicit_surfaces.tetrahedral_grid(n)
-    weights = implicit_surfaces.grid_weights(points, round(len(distance)**(1 / 3)) - 1)
-    return weights @ distance, np.zeros((len(points), 3)), weights @ albedo, light
-
-
-def crossed_cubes(distance):
-    """Which cubes of the grid have corners of both signs: bool (n^3,), in their order."""
-    m = round(len(distance)**(1 / 3))
-    corners = np.lib.stride_tricks.sliding_window_view((distance < 0).reshape(m, m, m), (2, 2, 2))
-    inside = corners.sum((3, 4, 5)).ravel()
-    return (0 < inside) & (inside < 8)
-
-
-def surface(x):
-    """The mesh of x, its normals and its albedo: vertices, faces, ends, normals, albedo (V, 3)."""
-    distance, offsets, albedo, _ = x
-    points, tetrahedra = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
-    near = tetrahedra.reshape(-1, 6, 4)[crossed_cubes(distance)].reshape(-1, 4)
-    vertices, faces, ends = implicit_surfaces.marching_tetrahedra(points + offsets, distance, near)
-    a, b = ends.T
-    mixed = implicit_surfaces.crossing(albedo[a], albedo[b], distance[a], distance[b])
-    return vertices, faces, ends, mesh.vertex_normals(vertices, faces), mixed
-
-
-def surface_backward(grad_vertices, grad_albedo, ends, x):
-    """`surface` read upwards: grad_vertices, grad_albedo (V, 3) -> gradients like x, but light's.
-
-    A normal's gradient has come to grad_vertices before (`vertex_normals_backward`).
-    """
-    distance, offsets, albedo, _ = x
-    points, _ = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
-    back = implicit_surfaces.marching_tetrahedra_backward
-    grad_offsets, by_place = back(grad_vertices, ends, points + offsets, distance)
-    grad_field, by_colour = back(grad_albedo, ends, albedo, distance)
-    return by_place + by_colour, grad_offsets, grad_field
-
-
-def look(shape, colours, view, samples, background, weights, eye):
-    """One view, forward and back: loss, grad_vertices (V, 3), grad_colours (V, 4), grad_level (V,).
-
-    shape: a pipeline.Mesh; colours (V, 4), the last one 1; view: clip_from_world, target
-    (H, W, 4), outside (H, W), where nothing is to be seen. Each pixel is the mean of samples^2.
-    """
-    (camera, target, outside), (render, render_backward) = view, eye
-    (height, width), surface = outside.shape, pipeline.Colours(colours)
-    screen = pipeline.View(camera, samples * width, samples * height, background)
-    fine, buffers = render(shape, surface, screen)
-    picture = msaa.box_resolve(fine, samples)
-    grad_picture = picture_loss_backward(1.0, picture, target, weights[0])
-    grad_fine = msaa.box_resolve_backward(grad_picture, fine, samples)
-    gradients = render_backward(grad_fine, buffers, shape, surface, screen)
-    grad_seen = msaa.box_resolve_backward(-weights[1] / outside.size * outside[..., None],
-                                          fine[..., :1], samples)
-    grad_level, _ = interpolation.interpolate_backward(
-        grad_seen, np.zeros((len(shape.positions), 1)), shape.faces, buffers.face_index,
-        buffers.barycentric)
-    return (picture_loss(picture, target, weights[0]), gradients.positions,
-            gradients.surface.colours, grad_level[:, 0])
-
-
-def loss_and_gradients(x, views, samples, background, weights, eye):
-    """The mean loss (5) of views; and the gradients of it, of carving and of all regularizers
-    together, which the loss does not count -> loss, four arrays.
-
-    weights: as WEIGHTS. eye: a way to `render`, and back.
-    """
-    distance, _, _, light = x
-    vertices, faces, ends, normals, albedo = surface(x)
-    if not len(faces):
-        raise ValueError("no surface is left, for nothing is inside: are the cameras right?")
-    cell = 2 / (round(len(distance)**(1 / 3)) - 1)  # regularizers count in cells: alike on any grid
-    colours = np.hstack([shade(albedo, normals, light), np.ones((len(vertices), 1))])
-    shape = pipeline.make_mesh(vertices, faces)
-    seen = [look(shape, colours, view, samples, background, weights, eye) for view in views]
-    loss, grad_vertices, grad_colours, grad_level = (
-        sum(parts) / len(views) for parts in zip(*seen, strict=True))
-
-    grad_albedo, grad_normals, grad_light = shade_backward(grad_colours[:, :3], albedo, normals,
-                                                           light)
-    grad_vertices = (grad_vertices + vertex_normals_backward(grad_normals, vertices, faces)
-                     + bumps_backward(weights[3] / cell**2, vertices, normals,
-                                      mesh.edges(faces)[0]))
-    grad_distance, *grads = surface_backward(grad_vertices, grad_albedo, ends, x)
-    grad_distance += level_backward(grad_level, ends, distance)
-    grad_distance += sign_changes_backward(weights[2] / len(vertices), distance / cell, ends) / cell
-    return loss, (grad_distance, *grads, grad_light)
-
-
-def descend(x, grads, means, squares, step, rates):
-    """A step downhill -> x, means, squares. Gradients in space are spread by eq. (8), but for the
-    offsets; lab 13's `uniform_adam_step` keeps their direction. The light goes by lab 9's Adam.
-    """
-    ways = [regularization.uniform_adam_step] * 3 + [inverse_rendering.adam_step]
-    grads = [spread(grads[0], SPREAD), grads[1], spread(grads[2], SPREAD), grads[3]]
-    moved = [way(*each, step, rate, beta_2=0.99) for way, *each, rate in
-             zip(ways, x, grads, means, squares, rates, strict=True)]
-    x, means, squares = zip(*moved, strict=True)
-    return bounded(x), means, squares
-
-
-def bounded(x):
-    """x with all that is not allowed put right: a surface that leaves the grid, colours beyond 0 to
-    1, and offsets that could turn a tetrahedron over.
-    """
-    distance, offsets, albedo, light = x
-    points, _ = implicit_surfaces.tetrahedral_grid(round(len(distance)**(1 / 3)) - 1)
-    cell = points[1, 2] - points[0, 2]
-    at_border = (np.abs(points) == 1).any(1)
-    return (np.where(at_border, np.maximum(distance, cell / 100), distance),
-            np.clip(offsets, -FREE * cell, FREE * cell), np.clip(albedo, 0, 1), light)
-
-
-def fit(pictures, cameras, background, stages, seed=0, weights=WEIGHTS, per_step=4,
-        eye=(pipeline.render, pipeline.render_backward)):
-    """Reconstruction, from coarse to fine: yields n, loss, x for each step; the loss is that before
-    it, eq. (5) of the views drawn, and x that after it.
-
-    pictures: (H, W, 4) each, colours and coverage; cameras: clip_from_world (4, 4) each; background
-    (3,). stages: (n, shrink, samples, steps, rate): cells along an axis, how often smaller the
-    pictures are, samples^2 a pixel, how many steps, and the factor of RATES, of which a third is
-    left at the end of the stage. Each step looks at per_step of the views, drawn by the seed.
-    """
-    rng, x = np.random.default_rng(seed), None
-    for n, shrink, samples, steps, rate in stages:
-        x = start(n) if x is None else refine(x, n)
-        small = [msaa.box_resolve(picture, shrink) for picture in pictures]
-        views = [(camera, target, is_outside(target))
-                 for camera, target in zip(cameras, small, strict=True)]
-        means = squares = tuple(0 * each for each in x)
-        for step in range(1, steps + 1):
-            chosen = [views[k] for k in rng.permutation(len(views))[:per_step]]
-            loss, grads = loss_and_gradients(x, chosen, samples, np.append(background, 0.0),
-                                             weights, eye)
-            rates = rate * 3**-(step / steps) * np.array(RATES) * [2 / n, 2 / n, 1, 1]
-            x, means, squares = descend(x, grads, means, squares, step, rates)
-            yield n, loss, x
-
-
-def is_outside(target):
-    """Which pixels, and all around them, show nothing of the object: bool (H, W)."""
-    around = np.pad(target[..., 3] > 0, 1, mode="edge")
-    return ~np.lib.stride_tricks.sliding_window_view(around, (3, 3)).any((2, 3))

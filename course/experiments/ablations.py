@@ -8,10 +8,11 @@ from .reconstruct import fit, judged, new_cameras, portrait
 def ablations(labs):
     """What lab 16's search is without one of its parts."""
     stages, camera = FINE_STAGES[:2], new_cameras(labs)[5]
-    weights = *labs.reconstruction.WEIGHTS[:2], 0.0, 0.0
-    for name, settings in (("all of it", {}), ("no antialiasing", {"eye": without_edges(labs)}),
+    weights = labs.multi_view_fit.WEIGHTS._replace(sign_changes=0.0, bumps=0.0)
+    for name, settings in (("all of it", {}),
+                           ("no antialiasing", {"renderer": without_edges(labs)}),
                            ("no regularizers", {"weights": weights}), ("4 views", {"count": 4})):
-        for _, _, x in fit(labs, "bunny", stages, **settings):  # noqa: B007
+        for x, _ in fit(labs, "bunny", stages, **settings):  # noqa: B007
             pass
         found = judged(labs, x, "bunny")
         yield (f"{name}: {found['new views']:.1f} dB, {found['distance']:.2%} off",

@@ -160,7 +160,7 @@ def camera(labs, view, fov_y, aspect, centre, radius):
 
 def save(labs, x, path, world_from_grid):
     """The mesh of x in the world, its albedo as vertex colours, as path.glb and path.obj."""
-    vertices, faces, _, normals, albedo = labs.reconstruction.surface(x)
+    vertices, faces, _, normals, albedo = labs.multi_view_fit.surface(x)
     vertices = vertices @ world_from_grid[:3, :3].T + world_from_grid[:3, 3]
     places.write_whole(path.with_suffix(".glb"), glb(vertices, faces, normals, albedo))
     places.write_whole(path.with_suffix(".obj"), obj(vertices, faces, albedo))
@@ -199,14 +199,14 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
     with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task(path.stem, total=steps, told="")
         try:
-            for step, (n, loss, x) in enumerate(fit, 1):
+            for step, (x, loss) in enumerate(fit, 1):
                 require_surface(loss, x, step)
                 good = x
                 if step % EVERY == 0 or step == steps:
                     save(labs, x, path, world_from_grid)
                     progress.update(task, told=told(labs, loss, x))
                 progress.update(task, completed=step)
-                yield n, loss, x
+                yield x, loss
         except KeyboardInterrupt:
             progress.print("stopped before the first mesh" if good is None else
                            f"stopped; the last good mesh is in {places.shown_path(path)}")
@@ -219,14 +219,13 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
 def require_surface(loss, x, step):
     """ValueError unless all of x is finite, and something of it is inside."""
     finite = np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
-    distance, *_ = x
-    require(finite and (distance < 0).any(), f"the search came to nothing at step {step}: are the "
-            "cameras right, and is the object in the ball?")
+    require(finite and (x.distance < 0).any(), f"the search came to nothing at step {step}: are "
+            "the cameras right, and is the object in the ball?")
 
 
 def told(labs, loss, x):
     """Loss, faces and genus, in words."""
-    _, faces, *_ = labs.reconstruction.surface(x)
+    faces = labs.multi_view_fit.surface(x).faces
     _, genus = labs.reconstruction.genus(faces)
     return f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
 
@@ -240,11 +239,12 @@ def run(labs, folder):
     """Reconstruct what a folder's pictures show; says where the mesh is. -> 0"""
     pictures, cameras, background, world_from_grid = read(labs, folder)
     path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
-    fit = labs.reconstruction.fit(pictures, cameras, background, FINE_STAGES)
+    capture = labs.multi_view_fit.Capture(pictures, cameras, background)
+    fit = labs.multi_view_fit.fit(capture, FINE_STAGES)
     steps = steps_of(FINE_STAGES)
-    for _, loss, x in watched(labs, fit, steps, path, world_from_grid):  # noqa: B007
+    for x, loss in watched(labs, fit, steps, path, world_from_grid):  # noqa: B007
         pass  # an x is 7 MB: only the last one is kept
-    _, faces, *_ = labs.reconstruction.surface(x)
+    faces = labs.multi_view_fit.surface(x).faces
     pieces, genus = labs.reconstruction.genus(faces)
     print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"
           f"{path} and .obj")

@@ -2,6 +2,9 @@
 
 In pixels of a picture of SIDE x SIDE; the triangle's colour is 1, the background's is 0.
 """
+from collections.abc import Callable
+from typing import NamedTuple
+
 import numpy as np
 
 from .drawing import enlarged, save
@@ -33,13 +36,13 @@ def fit(labs, goal, antialiased, steps=300):
     """
     lab9, gradients = labs.inverse_rendering, []
     mesh, surface, view = scene(labs)
-    render, render_backward = with_edges(labs) if antialiased else without_edges(labs)
+    renderer = labs.pipeline if antialiased else without_edges(labs)
 
     def gradient(x):
         moved = mesh._replace(positions=in_space(x))
-        picture, buffers = render(moved, surface, view)
+        picture, buffers = renderer.render(moved, surface, view)
         grad_picture = lab9.squared_error_backward(1.0, picture, goal)
-        grads = render_backward(grad_picture, buffers, moved, surface, view)
+        grads = renderer.render_backward(grad_picture, buffers, moved, surface, view)
         gradients.append(grads.positions[:, :2])
         return lab9.squared_error(picture, goal), gradients[-1]
 
@@ -47,13 +50,15 @@ def fit(labs, goal, antialiased, steps=300):
     return np.array([START, *x]), np.array(losses), np.array(gradients)
 
 
-def with_edges(labs):
-    """The pipeline's `render` and its backward pass."""
-    return labs.pipeline.render, labs.pipeline.render_backward
+class Renderer(NamedTuple):
+    """What can take the pipeline's place."""
+
+    render: Callable
+    render_backward: Callable
 
 
 def without_edges(labs):
-    """The same without antialiasing."""
+    """The pipeline without antialiasing: a Renderer."""
     pipeline = labs.pipeline
 
     def render(mesh, surface, view):
@@ -67,7 +72,7 @@ def without_edges(labs):
                                                                 view.clip_from_model)
         return pipeline.Gradients(grad_positions, grad_surface, grad_matrix)
 
-    return render, render_backward
+    return Renderer(render, render_backward)
 
 
 def template(labs):

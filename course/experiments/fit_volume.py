@@ -26,7 +26,7 @@ class Volume(NamedTuple):
 
 def fit_volume(labs):
     """Density and colour in a grid, found from 30 pictures (lab 15)."""
-    lab15, n, size = labs.implicit_surfaces, 24, 32
+    lab15, n, size = labs.marching_tetrahedra, 24, 32
     rays = saturn_rays(labs, cameras_around(labs, 30, longitude=0.2), size)
     yield f"30 views, {size} x {size} pixels", None
     volume, _ = fit(labs, rays, n, 500)
@@ -85,7 +85,7 @@ def looked_up(labs, origins, directions, volume, count=40):
     """
     n = round(len(volume.density)**(1 / 3)) - 1
     points, spacing = labs.implicit_surfaces.ray_samples(origins, directions, 1.2, 3.8, count)
-    weights = labs.implicit_surfaces.grid_weights(points.reshape(-1, 3), n)
+    weights = labs.marching_tetrahedra.grid_weights(points.reshape(-1, 3), n)
     return (weights, (weights @ volume.density).reshape(spacing.shape),
             (weights @ volume.colour).reshape(*spacing.shape, 3), spacing, WHITE)
 

@@ -35,7 +35,7 @@ def reconstruct(labs):
         camera, frames = new_cameras(labs)[5], []
         start, steps = time.process_time(), captures.steps_of(stages)
         found = captures.watched(labs, fit(labs, name, stages), steps, path)
-        for step, (_, _, x) in enumerate(found, 1):
+        for step, (x, _) in enumerate(found, 1):
             if step % 5 == 1 or step == steps:
                 frames.append(portrait(labs, x, camera, 128))
         spent = time.process_time() - start
@@ -67,7 +67,8 @@ def fit(labs, name, stages, size=128, count=24, **settings):
     """What lab 16's `fit` yields, for pictures of one of the `unseen` objects by daylight."""
     cameras = cameras_around(labs, count)
     pictures = photographs(labs, unseen(labs, name), daylight(labs), cameras, size)
-    return labs.reconstruction.fit(pictures, cameras, WHITE, stages, **settings)
+    capture = labs.multi_view_fit.Capture(pictures, cameras, WHITE)
+    return labs.multi_view_fit.fit(capture, stages, **settings)
 
 
 def new_cameras(labs):
@@ -83,10 +84,10 @@ def unseen(labs, name):
     if name == "ring":
         vertices, faces = mesh.torus(60_000, 0.6, 0.25)
     elif name == "two rings":
-        points, tetrahedra = labs.implicit_surfaces.tetrahedral_grid(72)
+        lab15 = labs.marching_tetrahedra
+        points, tetrahedra = lab15.tetrahedral_grid(72)
         distance = labs.implicit_surfaces.signed_distance(points, TWO_RINGS)
-        vertices, faces, _ = labs.implicit_surfaces.marching_tetrahedra(points, distance,
-                                                                        tetrahedra)
+        vertices, faces, _ = lab15.marching_tetrahedra(points, distance, tetrahedra)
     else:
         vertices, faces = mesh.split_longest(*unit_bunny(), 60_000)
         vertices = BUNNY_SIZE * vertices
@@ -139,18 +140,17 @@ def photographs(labs, painted, light, cameras, size, samples=4):
 
 def portrait(labs, x, camera, size, samples=2):
     """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
-    *_, light = x
     painted = found_object(labs, x)
     clay = painted._replace(albedo=np.full(painted.albedo.shape, 0.8))
     seen = [photographs(labs, each, lamp, [camera], size, samples)[0][..., :3]
-            for each, lamp in ((painted, light), (clay, daylight(labs)))]
+            for each, lamp in ((painted, x.light), (clay, daylight(labs)))]
     return image.to_srgb(np.clip(np.hstack(seen), 0, 1))
 
 
 def found_object(labs, x):
     """The surface of x as a Painted."""
-    vertices, faces, *_, albedo = labs.reconstruction.surface(x)
-    return Painted(vertices, faces, albedo)
+    found = labs.multi_view_fit.surface(x)
+    return Painted(found.vertices, found.faces, found.albedo)
 
 
 # --- how good it is -----------------------------------------------------------------------------
@@ -161,17 +161,17 @@ def judged(labs, x, name, size=128):
     these in the evening's light, relative error of the light; and the two times two kinds of
     pictures, as found and as they are.
     """
-    truth, found, (*_, found_light) = unseen(labs, name), found_object(labs, x), x
+    truth, found = unseen(labs, name), found_object(labs, x)
     at_truth = distances.closest_points(found.vertices, truth.vertices, truth.faces)
     scale = labs.reconstruction.best_scale(found.albedo, paint(at_truth))
     scaled = found._replace(albedo=scale * found.albedo)
     light, other_light = daylight(labs), evening(labs)
     pictures = [photographs(labs, each, lamp, new_cameras(labs), size) for each, lamp in (
-        (found, found_light), (truth, light), (scaled, other_light), (truth, other_light))]
+        (found, x.light), (truth, light), (scaled, other_light), (truth, other_light))]
     return {"pieces, genus": labs.reconstruction.genus(found.faces),
             "distance": relative_distance(found, truth),
             "new views": decibels(*pictures[:2]), "relit": decibels(*pictures[2:]),
-            "light": np.linalg.norm(found_light / scale - light) / np.linalg.norm(light),
+            "light": np.linalg.norm(x.light / scale - light) / np.linalg.norm(light),
             "scale": scale, "pictures": pictures}
 
 

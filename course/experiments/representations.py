@@ -13,17 +13,18 @@ WHEEL = ("intersection",
 
 def representations(labs):
     """A hand wheel as signed distance, as volume and as mesh (lab 15)."""
-    lab15, size = labs.implicit_surfaces, 144
-    given = WHEEL, wheel_camera(labs), size, size, LIGHT, BRASS, BACKGROUND
-    picture, evaluations = lab15.render_distance(*given)
+    lab15 = labs.shape_rendering
+    view = labs.pipeline.View(wheel_camera(labs), 144, 144, BACKGROUND)
+    scene = WHEEL, view, lab15.Lighting(LIGHT, BRASS)
+    picture, evaluations = lab15.render_distance(*scene)
     yield (f"distance: {evaluations.mean():.0f} steps a ray",
            save("representations", "distance", enlarged(picture, 2)))
     for beta in 0.1, 0.03, 0.01:
-        picture = lab15.render_volume(*given, 1.7, 3.9, beta, count=96)
+        picture = lab15.render_volume(*scene, 1.7, 3.9, beta, count=96)
         yield (f"volume, beta {beta}",
                save("representations", f"volume_{beta}", enlarged(picture, 2)))
     for n in 16, 32, 64:
-        picture = lab15.render_mesh(*given, n=n)
+        picture = lab15.render_mesh(*scene, n=n)
         yield f"mesh, {n}^3 cells", save("representations", f"mesh_{n}", enlarged(picture, 2))
 
 

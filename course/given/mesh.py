@@ -185,7 +185,7 @@ def face_normals(vertices, faces):
 
     Zero for a degenerate face.
     """
-    return _unit(_area_vectors(vertices, faces))
+    return unit(_area_vectors(vertices, faces))
 
 
 def vertex_normals(vertices, faces):
@@ -195,7 +195,7 @@ def vertex_normals(vertices, faces):
     """
     total = np.zeros_like(vertices)
     np.add.at(total, faces, _area_vectors(vertices, faces)[:, None])
-    return _unit(total)
+    return unit(total)
 
 
 def _area_vectors(vertices, faces):
@@ -208,8 +208,9 @@ def _area_vectors(vertices, faces):
     return area * (np.linalg.norm(area, axis=1) > rounding * scale)[:, None]
 
 
-def _unit(vectors):
-    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+def unit(vectors):
+    """Vectors (..., 3) divided by their length -> (..., 3); 0 stays 0."""
+    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return vectors / np.where(length > 0, length, 1)
 
 

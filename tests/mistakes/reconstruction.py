@@ -103,32 +103,32 @@ def shade_backward(grad_colour, albedo, normals, light):
 def vertex_normals_backward(grad_normals, vertices, faces):
     """the part of the gradient along the normal stays: m's length would change the normal"""
     a, b, c = vertices[faces.T]
-    m = to_vertices(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
+    m = scatter(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
     length = np.linalg.norm(m, axis=1, keepdims=True)
     length = np.where(length > 0, length, np.inf)
     grad_m = (grad_normals) / length
     g = grad_m[faces].sum(1)
     corners = np.stack([np.cross(b - c, g), np.cross(c - a, g), np.cross(a - b, g)], 1)
-    return to_vertices(corners, faces, len(vertices))
+    return scatter(corners, faces, len(vertices))
 
 
 def vertex_normals_backward(grad_normals, vertices, faces):
     """the gradient is not divided by the length of m"""
     a, b, c = vertices[faces.T]
-    m = to_vertices(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
+    m = scatter(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
     length = np.linalg.norm(m, axis=1, keepdims=True)
     length = np.where(length > 0, length, np.inf)
     n = m / length
     grad_m = grad_normals - (grad_normals * n).sum(1, keepdims=True) * n
     g = grad_m[faces].sum(1)
     corners = np.stack([np.cross(b - c, g), np.cross(c - a, g), np.cross(a - b, g)], 1)
-    return to_vertices(corners, faces, len(vertices))
+    return scatter(corners, faces, len(vertices))
 
 
 def vertex_normals_backward(grad_normals, vertices, faces):
     """a vertex keeps what its last face gives; the faces' shares add up"""
     a, b, c = vertices[faces.T]
-    m = to_vertices(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
+    m = scatter(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
     length = np.linalg.norm(m, axis=1, keepdims=True)
     length = np.where(length > 0, length, np.inf)
     n = m / length

@@ -1,5 +1,4 @@
-"""Lab 15 once more: nearest points, ray by ray, and a tetrahedron that is looked at."""
-import itertools
+"""Lab 15 once more: nearest points, and volumes ray by ray."""
 import math
 
 import numpy as np
@@ -101,43 +100,3 @@ def volume_render_backward(grad_output, density, colour, spacing, background):
             grad_colour[r, i] = before[i] * (1 - kept[i]) * grad_output[r]
             behind = kept[i] * behind + (1 - kept[i]) * colour[r, i]
     return grad_density, grad_colour
-
-
-CORNERS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])  # the last sees the others ccw
-
-
-def tetrahedron_triangles(inside):
-    inner, outer = np.flatnonzero(inside).tolist(), np.flatnonzero(~inside).tolist()
-    ring = [(i, j) for n, i in enumerate(inner) for j in (outer if n % 2 == 0 else outer[::-1])]
-    outward = (CORNERS[outer].mean(0) - CORNERS[inner].mean(0)) if ring else None
-    triangles = []
-    for n in range(1, len(ring) - 1):
-        triangle = [ring[0], ring[n], ring[n + 1]]
-        a, b, c = (CORNERS[list(pair)].mean(0) for pair in triangle)
-        triangles.append(triangle if np.cross(b - a, c - a) @ outward > 0 else triangle[::-1])
-    return np.array(triangles, int).reshape(-1, 3, 2)
-
-
-def crossing(p_a, p_b, s_a, s_b):
-    t = s_a / (s_a - s_b)
-    return (1 - t)[:, None] * p_a + t[:, None] * p_b
-
-
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    t = s_a / (s_a - s_b)
-    grad_t = np.einsum("ec,ec->e", grad_p, p_b - p_a)
-    return ((1 - t)[:, None] * grad_p, t[:, None] * grad_p,
-            grad_t * (1 - t) * t / s_a, grad_t * t**2 / s_a)
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    triangles = [[(int(tetrahedron[i]), int(tetrahedron[j])) for i, j in triangle]
-                 for tetrahedron in tetrahedra
-                 for triangle in tetrahedron_triangles(distance[tetrahedron] < 0).tolist()]
-    ends = sorted(set(itertools.chain.from_iterable(triangles)))
-    number = {pair: n for n, pair in enumerate(ends)}
-    faces = [[number[pair] for pair in triangle] for triangle in triangles]
-    ends = np.array(ends, int).reshape(-1, 2)
-    a, b = ends.T
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
-    return vertices, np.array(faces, int).reshape(-1, 3), ends

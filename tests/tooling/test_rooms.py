@@ -91,7 +91,7 @@ def test_imports_go_one_way():
      "reference.msaa imports course.experiments.demo"),
     ("reference/msaa.py", "import matplotlib.pyplot",
      "reference.msaa imports matplotlib.pyplot"),
-    ("reference/msaa.py", "from . import reconstruction", "a circle: "),
+    ("reference/msaa.py", "from . import multi_view_fit", "a circle: "),
     ("course/experiments/demo.py", "def late():\n    from reference import msaa",
      "course.experiments.demo imports reference.msaa"),
     ("course/checks/loader.py", "import reference.msaa",

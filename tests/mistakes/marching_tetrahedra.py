@@ -1,0 +1,127 @@
+"""Mistakes of lab 15; each docstring goes on after "this is what comes out when"."""
+
+
+def tetrahedron_triangles(inside):
+    """odd permutations are taken for turns: these cases are wound the wrong way"""
+    count, order = inside.sum(), np.argsort(~inside, kind="stable")
+    a, b, c, d = order
+    around = {1: [(a, b), (a, c), (a, d)],
+              2: [(a, c), (a, d), (b, d), (b, c)],
+              3: [(a, d), (b, d), (c, d)]}.get(count, [])
+    fan = [(around[0], *pair) for pair in itertools.pairwise(around[1:])]
+    return np.array(fan, int).reshape(-1, 3, 2)
+
+
+def tetrahedron_triangles(inside):
+    """four corners are not in their order around: the two triangles cross as a bow tie"""
+    count, order = inside.sum(), np.argsort(~inside, kind="stable")
+    if is_odd(order):
+        swapped = [0, 1] if count > 1 else [2, 3]
+        order[swapped] = order[swapped[::-1]]
+    a, b, c, d = order
+    around = {1: [(a, b), (a, c), (a, d)],
+              2: [(a, c), (a, d), (b, c), (b, d)],
+              3: [(a, d), (b, d), (c, d)]}.get(count, [])
+    fan = [(around[0], *pair) for pair in itertools.pairwise(around[1:])]
+    return np.array(fan, int).reshape(-1, 3, 2)
+
+
+def tetrahedron_triangles(inside):
+    """inside and outside are swapped"""
+    count, order = (~inside).sum(), np.argsort(inside, kind="stable")
+    if is_odd(order):
+        swapped = [0, 1] if count > 1 else [2, 3]
+        order[swapped] = order[swapped[::-1]]
+    a, b, c, d = order
+    around = {1: [(a, b), (a, c), (a, d)],
+              2: [(a, c), (a, d), (b, d), (b, c)],
+              3: [(a, d), (b, d), (c, d)]}.get(count, [])
+    fan = [(around[0], *pair) for pair in itertools.pairwise(around[1:])]
+    return np.array(fan, int).reshape(-1, 3, 2)
+
+
+def crossing(p_a, p_b, s_a, s_b):
+    """each point is weighted with its own distance; it is that of the other one"""
+    return (p_a * s_a[:, None] - p_b * s_b[:, None]) / (s_b - s_a)[:, None]
+
+
+def crossing(p_a, p_b, s_a, s_b):
+    """it is not divided by s_b - s_a"""
+    return p_a * s_b[:, None] - p_b * s_a[:, None]
+
+
+def crossing(p_a, p_b, s_a, s_b):
+    """it is divided by the sum; s_a is negative"""
+    return (p_a * s_b[:, None] - p_b * s_a[:, None]) / (s_b + s_a)[:, None]
+
+
+def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+    """the weights of both ends are swapped"""
+    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
+    grad_t = (grad_p * (p_b - p_a)).sum(-1)
+    return t * grad_p, (1 - t) * grad_p, -grad_t * s_b / span**2, grad_t * s_a / span**2
+
+
+def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+    """the gradients by the distances have the wrong sign"""
+    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
+    grad_t = (grad_p * (p_b - p_a)).sum(-1)
+    return (1 - t) * grad_p, t * grad_p, grad_t * s_b / span**2, -grad_t * s_a / span**2
+
+
+def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+    """it is divided by s_b - s_a once; the derivative of the quotient has its square"""
+    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
+    grad_t = (grad_p * (p_b - p_a)).sum(-1)
+    return (1 - t) * grad_p, t * grad_p, -grad_t * s_b / span, grad_t * s_a / span
+
+
+def marching_tetrahedra(points, distance, tetrahedra):
+    """0 counts as inside; it is outside"""
+    inside = distance <= 0
+    case = inside[tetrahedra] @ np.array([1, 2, 4, 8], np.uint8)
+    crossed = (0 < case) & (case < 15)
+    tetrahedra, case = tetrahedra[crossed], case[crossed]
+    corners = [np.empty((0, 3, 2), int)]
+    for number in range(1, 15):
+        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
+        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
+    edge = np.concatenate(corners) @ np.array([len(points), 1])
+    edge, faces = np.unique(edge, return_inverse=True)
+    a, b = ends = np.divmod(edge, len(points))
+    vertices = crossing(points[a], points[b], distance[a], distance[b])
+    return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
+
+
+def marching_tetrahedra(points, distance, tetrahedra):
+    """the bits of a case are read in reverse"""
+    inside = distance < 0
+    case = inside[tetrahedra] @ np.array([8, 4, 2, 1], np.uint8)
+    crossed = (0 < case) & (case < 15)
+    tetrahedra, case = tetrahedra[crossed], case[crossed]
+    corners = [np.empty((0, 3, 2), int)]
+    for number in range(1, 15):
+        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
+        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
+    edge = np.concatenate(corners) @ np.array([len(points), 1])
+    edge, faces = np.unique(edge, return_inverse=True)
+    a, b = ends = np.divmod(edge, len(points))
+    vertices = crossing(points[a], points[b], distance[a], distance[b])
+    return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
+
+
+def marching_tetrahedra(points, distance, tetrahedra):
+    """the distances of both ends are swapped"""
+    inside = distance < 0
+    case = inside[tetrahedra] @ np.array([1, 2, 4, 8], np.uint8)
+    crossed = (0 < case) & (case < 15)
+    tetrahedra, case = tetrahedra[crossed], case[crossed]
+    corners = [np.empty((0, 3, 2), int)]
+    for number in range(1, 15):
+        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
+        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
+    edge = np.concatenate(corners) @ np.array([len(points), 1])
+    edge, faces = np.unique(edge, return_inverse=True)
+    a, b = ends = np.divmod(edge, len(points))
+    vertices = crossing(points[a], points[b], -distance[b], -distance[a])
+    return vertices, faces.reshape(-1, 3), np.stack(ends, -1)

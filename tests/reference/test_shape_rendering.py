@@ -1,0 +1,26 @@
+"""The reference's pictures of one object as distance, as volume and as mesh (lab 15)."""
+import numpy as np
+
+from course.experiments import representations
+from reference import pipeline, shape_rendering, transforms
+
+LIGHTING = shape_rendering.Lighting(np.array([-0.5, 0.8, 0.6]), np.array([0.8, 0.6, 0.4]))
+
+
+def test_three_representations_are_one_object():
+    """A picture is mirrored, shifted by half a pixel, or of another object."""
+    eye, up = np.array([1.0, 2.2, 1.4]), np.array([0.0, 1.0, 0.0])
+    from_above = transforms.look_at(eye, np.zeros(3), up)
+    camera = transforms.perspective(np.radians(40), 1.5, 0.1, 10.0) @ from_above
+    scene = representations.WHEEL, pipeline.View(camera, 60, 40, np.full(3, 0.9)), LIGHTING
+    traced, evaluations = shape_rendering.render_distance(*scene)
+    meshed = shape_rendering.render_mesh(*scene, n=48)
+    foggy = shape_rendering.render_volume(*scene, 1.5, 4.0, beta=0.004, count=160)
+    assert traced.shape == meshed.shape == foggy.shape == (40, 60, 3)
+    assert evaluations.min() >= 1
+    for other, mean, limit in (meshed, 0.015, 0.05), (foggy, 0.03, 0.05):
+        difference = np.abs(traced - other).max(-1)
+        assert difference.mean() < mean
+        assert np.median(difference[evaluations > 8]) < limit
+    assert np.abs(traced - traced[:, ::-1]).mean() > 0.03  # so that a mirrored one would be told
+    assert np.abs(traced - traced[::-1]).mean() > 0.03
