@@ -15,8 +15,8 @@ A shape is a tuple, and may hold other shapes:
     ("union", shape, shape)    ("intersection", shape, shape)    ("complement", shape)
     ("smooth union", k, shape, shape)    ("rippled", height, frequency, shape)
 
-Sources: lecture "Differentiable graphics 1"; Hart 1996 (2), (4); Quilez 2013 (3); Max 1995 and
-Mildenhall et al. 2020 (5), (6); Yariv et al. 2021 (7).
+Sources: lecture "Differentiable graphics 1", Hart 1996 (2) and (4), Quilez 2013 (3), Max 1995 and
+Mildenhall et al. 2020 (5) and (6), Yariv et al. 2021 (7).
 """
 import numpy as np
 
@@ -31,7 +31,7 @@ def sphere(points, radius):
 
 
 def sphere_backward(grad_distance, points, radius):
-    """Backward of `sphere`: grad_distance (...) -> grad_points (..., 3); 0 at the centre."""
+    """Backward of `sphere`: grad_distance (...) -> grad_points (..., 3), 0 at the centre."""
     return grad_distance[..., None] * unit(points)
 
 
@@ -39,7 +39,7 @@ def box(points, half_size):  # exercise 15.1 (2 points)
     """Eq. (1) of a box around the origin, its sides along the axes: points (..., 3) -> (...).
 
     half_size (3,), positive: the box goes from -half_size to half_size. Outside, the nearest point
-    may lie on a side, on an edge or on a corner; inside, it is on the nearest of the six sides.
+    may lie on a side, on an edge or on a corner. Inside, it is on the nearest of the six sides.
 
     >>> box(np.array([[4.0, 6.0, 0.0], [0.0, 1.0, -2.5]]), np.array([1.0, 2.0, 3.0]))
     array([ 5. , -0.5])
@@ -51,8 +51,8 @@ def box_backward(grad_distance, points, half_size):  # exercise 15.2 (2 points)
     """Backward of `box`: grad_distance (...) -> grad_points (..., 3).
 
     Outside, the distance grows fastest straight away from the nearest point of the box. Inside and
-    on the surface it does toward the nearest side, and only along that axis; of equally near ones,
-    take the first axis, and of two opposite sides, the positive one.
+    on the surface it does toward the nearest side, and only along that axis. If several are equally
+    near, take the first axis, and the positive one of two opposite sides.
 
     >>> points = np.array([[4.0, 6.0, 0.0], [0.0, 1.0, -2.5]])
     >>> box_backward(np.array([10.0, 7.0]), points, np.array([1.0, 2.0, 3.0]))
@@ -66,7 +66,7 @@ def torus(points, radius, tube):  # exercise 15.3 (1 point)
     """Eq. (1) of a ring around the y axis: points (..., 3) -> distance (...).
 
     The ring is all that is nearer than tube to a circle of this radius around the origin in the
-    plane y = 0; 0 < tube < radius.
+    plane y = 0. 0 < tube < radius.
 
     >>> torus(np.array([[0.0, 4.0, 8.0], [3.0, 0.5, 4.0]]), 5.0, 1.0)
     array([ 4. , -0.5])
@@ -77,7 +77,7 @@ def torus(points, radius, tube):  # exercise 15.3 (1 point)
 def torus_backward(grad_distance, points, radius, tube):  # exercise 15.4 (2 points)
     """Backward of `torus`: grad_distance (...) -> grad_points (..., 3).
 
-    On the y axis, x and z get 0; on the circle in the middle of the tube all three do.
+    On the y axis, x and z get 0. On the circle in the middle of the tube all three do.
 
     >>> torus_backward(np.array([10.0]), np.array([[4.8, 4.0, 6.4]]), 5.0, 1.0).round(9)
     array([[3.6, 8. , 4.8]])
@@ -88,20 +88,20 @@ def torus_backward(grad_distance, points, radius, tube):  # exercise 15.4 (2 poi
 def union(a, b):
     """What belongs to one shape or the other: distances a, b (...) -> distance (...).
 
-    Outside of both it is exact, if a and b are; inside, it can be nearer to 0 than the surface is.
+    Outside of both it is exact, if a and b are. Inside, it can be nearer to 0 than the surface is.
     """
     return np.minimum(a, b)
 
 
 def union_backward(grad_distance, a, b):
-    """Backward of `union`: grad_distance (...) -> grad_a, grad_b; of equals, a gets all."""
+    """Backward of `union`: grad_distance (...) -> grad_a, grad_b. If a = b, a gets all."""
     return np.where(a <= b, grad_distance, 0), np.where(a <= b, 0, grad_distance)
 
 
 def intersection(a, b):
     """What belongs to both: the complement of the union of the complements. a, b (...) -> (...).
 
-    Within both it is exact, if a and b are; outside, it can be nearer to 0 than the surface is.
+    Within both it is exact, if a and b are. Outside, it can be nearer to 0 than the surface is.
     """
     return -union(-a, -b)
 
@@ -236,7 +236,7 @@ def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
     -> t (R,), evaluations (R,).
 
     Each ray begins at t = 0. Evaluate s by `signed_distance` at its present t. If s < epsilon, the
-    ray has hit, and this t is its t. If not, go on by eq. (4), with L = lipschitz; beyond far, the
+    ray has hit, and this t is its t. If not, go on by eq. (4), with L = lipschitz. Beyond far, the
     ray has missed. So has a ray that did not hit in `most` evaluations. The t of a miss is np.inf.
     evaluations, integers: how many times s was evaluated for the ray. R may be 0.
 
@@ -254,9 +254,9 @@ def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
 def ray_weights(density, spacing):  # exercise 15.8 (2 points)
     """Eq. (5): how much each sample on a ray adds to its colour, and what light passes them all.
 
-    density (R, N), not negative: sigma of N samples on each of R rays, from front to back; spacing
-    (R, N): delta -> weights (R, N), remaining (R,), which is T_end, T behind the last sample. The
-    sum of a ray's weights and its remaining is 1.
+    density (R, N), not negative: sigma of N samples on each of R rays, from front to back, and
+    spacing (R, N): delta -> weights (R, N), remaining (R,), which is T_end, T behind the last
+    sample. The sum of a ray's weights and its remaining is 1.
 
     >>> weights, remaining = ray_weights(np.log(2) * np.array([[1.0, 1, 0, 2]]), np.ones((1, 4)))
     >>> weights.round(9), remaining.round(9)
@@ -275,7 +275,7 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 poi
                            spacing, background):
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
-    density, colour, spacing, background as in `volume_render`; the last two are given. A sample
+    density, colour, spacing, background as in `volume_render`. The last two are given. A sample
     that becomes denser adds more of its own colour, and hides some of all that is behind it, the
     background included. It must hold where no light passes, as with a density of 1e9, and where a
     density is 0: divide by no weight and no T.

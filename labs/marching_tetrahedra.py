@@ -7,20 +7,20 @@ tetrahedron s is linear. Where it is 0 there is a triangle or two: their corners
 eq. (8) on the edges that are crossed. Which edges are crossed is a decision without a gradient. The
 gradient of p goes to the distances and to the points.
 
-Sources: Doi and Koide 1991, Shen et al. 2021 (8); Freudenthal 1942 for the grid.
+Sources: Doi and Koide 1991 and Shen et al. 2021 (8), Freudenthal 1942 (the grid).
 """
 import itertools
 
 import numpy as np
 import scipy.sparse
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 
 def tetrahedral_grid(n):
     """[-1, 1]^3 in n^3 cubes, each cut into 6 tetrahedra, which fit those of its neighbours.
 
-    -> points ((n + 1)^3, 3), of which z changes fastest; tetrahedra (6 n^3, 4): vertex 3 sees
+    -> points ((n + 1)^3, 3), of which z changes fastest, and tetrahedra (6 n^3, 4): vertex 3 sees
     vertices 0, 1, 2 counter-clockwise. Each path from a cube's lowest corner to its highest along
     three edges, one for each axis, has the four corners of a tetrahedron.
     """
@@ -72,7 +72,7 @@ def tetrahedron_triangles(inside):  # exercise 15.10 (4 points)
 
     Of the 16 cases, derive all from 1, 2 or 3 vertices inside: an even permutation of the four
     vertices, as (1, 2, 0, 3) or (1, 0, 3, 2), is a turn of the tetrahedron, and changes nothing
-    else; `is_odd` tells which are not even.
+    else. `is_odd` tells which are not even.
 
     >>> tetrahedron_triangles(np.array([True, False, False, False])).tolist()
     [[[0, 1], [0, 2], [0, 3]]]
@@ -105,14 +105,14 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
 def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.13 (3 points)
     """The surface of all tetrahedra as a mesh: vertices (V, 3), integers faces (F, 3), ends (V, 2).
 
-    points (G, 3), distance (G,); tetrahedra (T, 4) integers, vertex 3 sees 0, 1, 2
+    points (G, 3), distance (G,), and tetrahedra (T, 4), integers: vertex 3 sees 0, 1, 2
     counter-clockwise. T may be a million: loop over the 16 cases, not over the tetrahedra. A point
-    is inside where its distance is < 0; so 0 is outside. Then vertices may be at one place and
-    faces have no area; they stay.
-    Each tetrahedron has its `tetrahedron_triangles`, whose corners are points of eq. (8); where
+    is inside where its distance is < 0, so 0 is outside. Then vertices may be at one place and
+    faces have no area. They stay.
+    Each tetrahedron has its `tetrahedron_triangles`, whose corners are points of eq. (8). Where
     tetrahedra share an edge they share its point. ends: the two points of the grid on whose edge
-    a vertex lies, the inside one first; each crossed edge once, sorted by the first, then by the
-    second. The order of the faces and their first corner are free. No surface: V = F = 0.
+    a vertex lies, the inside one first. Each crossed edge comes once, sorted by the first, then by
+    the second. The order of the faces and their first corner are free. No surface: V = F = 0.
 
     >>> points = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]])
     >>> distance, tetrahedra = np.array([2.0, -1.0, 1.0, 2.0]), np.array([[0, 1, 2, 3]])

@@ -14,7 +14,7 @@ import itertools
 import numpy as np
 import scipy.sparse
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 
 def tetrahedral_grid(n):
@@ -125,8 +125,8 @@ def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.13 (3 poin
     faces have no area. They stay.
     Each tetrahedron has its `tetrahedron_triangles`, whose corners are points of eq. (8). Where
     tetrahedra share an edge they share its point. ends: the two points of the grid on whose edge
-    a vertex lies, the inside one first. Each crossed edge comes once, sorted by the first, then by the
-    second. The order of the faces and their first corner are free. No surface: V = F = 0.
+    a vertex lies, the inside one first. Each crossed edge comes once, sorted by the first, then by
+    the second. The order of the faces and their first corner are free. No surface: V = F = 0.
 
     >>> points = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]])
     >>> distance, tetrahedra = np.array([2.0, -1.0, 1.0, 2.0]), np.array([[0, 1, 2, 3]])
