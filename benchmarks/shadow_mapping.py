@@ -14,12 +14,19 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
 from course.given import mesh, ray_casting
-from reference import shadow_mapping, transforms
+from reference import (
+    inverse_rendering,
+    lights,
+    shadow_mapping,
+    soft_shadows,
+    transforms,
+    variance_shadows,
+)
 
 SIZE = 512
 MAPS = 256, 512, 1024, 2048
 PLACE = np.array([-2.6, 2.4, 1.4])
-VARIANCE = 6, 1e-3  # radius of the blur, least variance
+SETTINGS = variance_shadows.Settings(size=192, radius=6, least_variance=1e-3)
 STARTS, STEPS = 8, 100
 
 
@@ -49,24 +56,27 @@ def seen(vertices, faces, size, eye=(-0.7, 1.3, 3.3)):
 
 
 def times():
-    """Milliseconds, by the rows and columns of the map"""
+    """Milliseconds, by the rows and columns of the map; hard shadow and PCSS without the map"""
     vertices, faces = scene()
-    light = shadow_mapping.point_light(PLACE, vertices)
+    light = lights.point_light(PLACE, vertices)
     _, points, normals = seen(vertices, faces, SIZE)
     offsets, rows = ray_casting.disc_offsets(32), []
-    given = points, normals, vertices, faces, light
+    given = points, normals, light
     for size in MAPS:
-        variance = points, vertices, faces, light, size, *VARIANCE
-        lit, buffers = shadow_mapping.variance_shadow(*variance)
+        distance_map = shadow_mapping.depth_map(vertices, faces, light, size)
+        settings = SETTINGS._replace(size=size)
+        variance = points, vertices, faces, light, settings
+        lit, buffers = variance_shadows.variance_shadow(*variance)
         rows.append({"map": size, "points": len(points), **measure.medians({
             "what is seen": lambda: seen(vertices, faces, SIZE),
             "map alone": lambda size=size: shadow_mapping.depth_map(vertices, faces, light, size),
-            "hard shadow": lambda size=size: shadow_mapping.hard_shadow(*given, size, 1e-3),
-            "PCSS, 32 places": lambda size=size: shadow_mapping.soft_shadow(
-                *given, 0.2, size, 0.02, offsets),
-            "variance": lambda variance=variance: shadow_mapping.variance_shadow(*variance),
-            "its backward": lambda lit=lit, buffers=buffers:
-                shadow_mapping.variance_shadow_backward(lit, buffers, points, light, *VARIANCE),
+            "hard shadow": lambda given=(*given, distance_map):
+                shadow_mapping.hard_shadow(*given, 1e-3),
+            "PCSS, 32 places": lambda given=(*given, distance_map):
+                soft_shadows.soft_shadow(*given, 0.2, 0.02, offsets),
+            "variance": lambda variance=variance: variance_shadows.variance_shadow(*variance),
+            "its backward": lambda lit=lit, buffers=buffers, settings=settings:
+                variance_shadows.variance_shadow_backward(lit, buffers, points, light, settings),
             "ray casting": lambda: ray_casting.ray_cast(points, vertices, faces, light),
         }, runs=5)})
     return rows
@@ -76,18 +86,19 @@ def errors():
     """% wrongly dark and wrongly lit: no bias, constant, slope-scaled (0.001 and factor 1)"""
     vertices, faces = scene()
     _, points, normals = seen(vertices, faces, SIZE)
-    lights = {"point": shadow_mapping.point_light(PLACE, vertices),
-              "direction": shadow_mapping.directional_light(-PLACE, vertices)}
+    both = {"point": lights.point_light(PLACE, vertices),
+            "direction": lights.directional_light(-PLACE, vertices)}
     rows = []
-    for name, light in lights.items():
-        toward = light[0] - points if name == "point" else light[1][2]
+    for name, light in both.items():
+        toward = light.position - points if name == "point" else light.rotation[2]
         facing = (normals * toward).sum(1) > 0
         truth = ray_casting.ray_cast(points, vertices, faces, light)[facing]
         for size in MAPS:
             row = {"light": name, "map": size}
+            distance_map = shadow_mapping.depth_map(vertices, faces, light, size)
             for bias, given in {"none": (0.0, 0.0), "0.05": (0.05, 0.0),
                                 "slope": (1e-3, 1.0)}.items():
-                lit = shadow_mapping.hard_shadow(points, normals, vertices, faces, light, size,
+                lit = shadow_mapping.hard_shadow(points, normals, light, distance_map,
                                                  *given)[facing]
                 dark, leak = ray_casting.error_shares(lit, truth)
                 row[f"bias {bias}"] = f"{100 * dark:.2f} + {100 * leak:.2f}"
@@ -98,7 +109,7 @@ def errors():
 def soft_errors():
     """Root mean square error against 256 point lights on a disc; PCF over 4 texels"""
     vertices, faces = scene()
-    light = shadow_mapping.point_light(PLACE, vertices)
+    light = lights.point_light(PLACE, vertices)
     face_index, points, normals = seen(vertices, faces, 96)
     facing = (normals * (PLACE - points)).sum(1) > 0
     ground = (face_index[face_index >= 0] >= len(faces) - 2)[facing]
@@ -109,12 +120,10 @@ def soft_errors():
     for radius in 0.1, 0.25, 0.5:
         truth = ray_casting.area_light_truth(points, vertices, faces, light, radius,
                                                 ray_casting.disc_offsets(256))
-        soft = {"hard": shadow_mapping.hard_shadow(points, normals, vertices, faces, light, 1024,
-                                                   1e-3),
-                "PCF": shadow_mapping.percentage_closer(distance_map, *on_map, 0.02,
-                                                                  offsets, 4.0),
-                "PCSS": shadow_mapping.soft_shadow(points, normals, vertices, faces, light, radius,
-                                                   1024, 0.02, offsets)}
+        soft = {"hard": shadow_mapping.hard_shadow(points, normals, light, distance_map, 1e-3),
+                "PCF": soft_shadows.percentage_closer(distance_map, *on_map, 0.02, offsets, 4.0),
+                "PCSS": soft_shadows.soft_shadow(points, normals, light, distance_map, radius, 0.02,
+                                                 offsets)}
         rows.append({"radius": radius} | {
             f"{name}{where}": round(float(np.sqrt(np.mean((lit - truth)[among] ** 2))), 3)
             for where, among in (("", slice(None)), (" ground", ground))
@@ -129,13 +138,13 @@ def fits():
     face_index, points, _ = seen(vertices, faces, 80, (0.6, 3.6, 2.2))
     points = points[face_index[face_index >= 0] >= len(faces) - 2]
     target = ray_casting.ray_cast(points, vertices, faces,
-                                     shadow_mapping.point_light(place, vertices))
+                                     lights.point_light(place, vertices))
     size, rows = np.linalg.norm(np.ptp(vertices, axis=0)), []
     for start in range(STARTS):
         off = rng.normal(size=3)
         guess, began = place + off / np.linalg.norm(off), time.perf_counter()
-        path = shadow_mapping.fit_position(target, points, vertices, faces, guess, 192, STEPS, 0.08,
-                                           *VARIANCE)
+        path = variance_shadows.fit_position(target, points, vertices, faces, guess, SETTINGS,
+                                             inverse_rendering.decay(0.08, 0.1, STEPS))
         distance = 100 * np.linalg.norm(path - place, axis=1) / size
         rows.append({"start": start, "before": round(distance[0], 2),
                      "after": round(distance[-1], 2),

@@ -30,7 +30,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("subdivision", "loop_subdivision", "catmull_clark"),
     ("simplification", "collapse_heap"),
     ("regularization", "remeshing"),
-    ("shadow_mapping", "variance_shadows"),
+    ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
     ("implicit_surfaces", "marching_tetrahedra"),
     ("reconstruction", "multi_view_fit"),
 )

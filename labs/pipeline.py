@@ -111,7 +111,7 @@ def render(mesh, surface, view):
 
 
 def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None):
-    """`render` read upwards: grad_picture (H, W, C) -> Gradients.
+    """The backward pass of `render`, its steps in reverse: grad_picture (H, W, C) -> Gradients.
 
     The face of each pixel and the blended edges are taken as given. A loss may look at the buffer
     depth, too: grad_depth (H, W) is its gradient.
@@ -180,14 +180,13 @@ def shade_backward(grad_colour, buffers, faces, surface, grad_depth=None):
 
 
 def coloured_backward(grad_colour, buffers, faces, surface):
-    """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3), None.
-
-    A face of one colour looks the same wherever its corners are: they get exactly 0.
+    """grad_colour (H, W, C) -> Colours of gradients; grad_barycentric (H, W, 3), corner 0's value
+    subtracted; None for the derivatives.
     """
     grad_colours, grad_barycentric = interpolation.interpolate_backward(
         grad_colour, surface.colours, faces, buffers.face_index, buffers.barycentric)
-    for corner in (1, 2, 0):  # the sum of the weights is 1: only differences matter
-        grad_barycentric[..., corner] -= grad_barycentric[..., 0]
+    # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0.
+    grad_barycentric -= grad_barycentric[..., :1].copy()
     return Colours(grad_colours), grad_barycentric, None
 
 

@@ -92,7 +92,7 @@ def both_sweeps(grad_colour, colour, face_index, corners):
     height, width = face_index.shape
     screen = neural_renderer.on_screen(corners, width, height)
     drawn = np.flatnonzero(neural_renderer.front_faces(screen, corners[..., 2]))
-    across = (array.swapaxes(0, 1) for array in (grad_colour, colour, face_index))
+    across = (array.swapaxes(0, 1).copy() for array in (grad_colour, colour, face_index))
     return (Sweep(grad_colour, colour, face_index, screen, drawn, 1),
             Sweep(*across, screen[..., ::-1], drawn, -1))
 
@@ -165,9 +165,9 @@ def crossings(sweep, i, j):
     inner = np.where(side > 0, np.floor(crossing - 0.5), np.ceil(crossing - 0.5))
     outer = inner + side
     kept = (np.minimum(inner, outer) >= 0) & (np.maximum(inner, outer) < width)
+    inner = np.where(kept, inner, 0).astype(int)
     found = Crossings(sweep.drawn[edge], row, crossing, share, side, inner)
-    found = Crossings(*(values[kept] for values in found))
-    return found._replace(inner=found.inner.astype(int))
+    return found if kept.all() else Crossings(*(values[kept] for values in found))
 
 
 def pulls(sweep, found, eps):
@@ -194,7 +194,8 @@ def pulling_pixels(sweep, wants, lines):
     """
     sees = sweep.face_index[lines.row] == lines.face[:, None]
     inner_sees = sweep.face_index[lines.row, lines.inner] == lines.face
-    is_out = (np.arange(sees.shape[1]) - lines.inner[:, None]) * lines.side[:, None] > 0
+    pixel, inner = np.arange(sees.shape[1]), lines.inner[:, None]
+    is_out = np.where(lines.side[:, None] > 0, pixel > inner, pixel < inner)
     counts = np.where(is_out, inner_sees[:, None], sees)
     line, pixel = np.nonzero(counts & wants[lines.row])
     row, inner, is_out = lines.row[line], lines.inner[line], is_out[line, pixel]

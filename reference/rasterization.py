@@ -4,13 +4,13 @@ Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j
 
     e(p) = det [x y 1; a_x a_y 1; b_x b_y 1] = n . (p - a),   n = (a_y - b_y, b_x - a_x)     (1)
     covered  <=>  every e_k > 0, or e_k = 0 on an edge that the top-left rule owns           (2)
-    b_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
-    depth = sum b_k z_k,   z_k = z / w of the corner; the least depth is seen                (4)
-    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     place on the face in space, not (3)  (5)
+    l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
+    depth = z_0 + l_1 (z_1 - z_0) + l_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
+    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     weights on the face in space         (5)
     db_k = (dc_k - b_k ds) / s                                                               (6)
 
-c is M^-1 (x, y, 1) but for a factor, where column k of M is w_k (x_k, y_k, 1). So edge functions,
-the inverse of lab 7 and the face_inv of lab 10 are the same numbers. The fast rasterizer for whole
+Up to a common factor, c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): the edge
+functions, lab 7's inverse and lab 10's face_inv are the same numbers. The fast rasterizer for whole
 meshes, in front of the camera and behind it, is in scanline.py.
 
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), GAMES101 homework 2 (4).
@@ -36,7 +36,8 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points)
 
     Fine print. Two faces share an edge and walk it in opposite directions. The picture has no
     holes if their values are exact opposites, and exactly 0 at both ends (unless they overflow).
-    Measure p from the same end in both, say the one with the smaller x, for each element alone.
+    Measure p from the same end in both, say the one with the smaller x. At equal x either will do.
+    a and b may be arrays of edges: choose for each edge.
     """
     x,  y  = p[..., 0], p[..., 1]
     x0, y0 = a[..., 0], a[..., 1]
@@ -120,7 +121,7 @@ def is_covered(p, triangle):  # exercise 2.6 (3 points)
 
 
 def barycentric_coordinates(p, triangle):  # exercise 2.7 (2 points)
-    """Eq. (3): the weights b (..., 3) with b @ triangle = p and sum b = 1.
+    """Eq. (3): the weights l (..., 3) with l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
 
@@ -200,6 +201,7 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
            [0.5, inf, inf]]))
 
     Fine print. Of two equally deep faces the first is seen. A face without area covers nothing.
+    Eq. (4) is exact where all three z are equal; sum l_k z_k is not.
     """
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
@@ -213,7 +215,9 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
-                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                z0, z1, z2 = clip[corners, 2] / w[corners]
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z
     return face_index, depth
@@ -248,7 +252,8 @@ def barycentric_on_face(px, py, x, y, w):  # exercise 2.16 (3 points)
 def normalize_derivative(dc, b, s, axis=0):  # exercise 2.17 (2 points)
     """Eq. (6), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
 
-    dc, b (3, ...); s (...), or of length 1 along the axis of the three -> db, of dc's shape.
+    dc, b of one shape, the three weights along the axis; s, of length 1 along that axis, or (for
+    axis 0) without it -> db, of dc's shape.
 
     >>> b, s = np.array([0.25, 0.25, 0.5]), 4.0
     >>> normalize_derivative(np.array([4.0, 0.0, 0.0]), b, s)
@@ -299,7 +304,7 @@ def seen_corners(face_index, clip, faces):
     height, width = face_index.shape
     x, y, w = screen_points(clip, width, height)
     for pixel in seen_pixels(face_index):
-        corners = faces.take(face_index.reshape(-1)[pixel], 0).T.copy()  # rows side by side
+        corners = faces.take(face_index.reshape(-1)[pixel], 0).T.copy()  # contiguous rows: faster
         row = pixel // width
         yield pixel, pixel - row * width + 0.5, row + 0.5, x[corners], y[corners], w[corners]
 

@@ -1,16 +1,16 @@
 """The rasterizer's backward pass: lab 7's vertex gradients for whole meshes, no matrix inverted.
 
-q_k = (x_k, y_k, w_k) are a face's corners in clip space, a = (x, y, 1) is a pixel in ndc. The place
-on the face b is the same for c = M^-1 a and for e = det(M) c:
+q_k = (x_k, y_k, w_k) are a face's corners in clip space, M = [q_0 q_1 q_2], and a = (x, y, 1) is a
+pixel in ndc. The weights b on the face are the same for c = M^-1 a and for e = det(M) c:
 
     e_k = (q_i x q_j) . a,   (i, j) = (1, 2), (2, 0), (0, 1) for k = 0, 1, 2                     (1)
-    b = e / (s + epsilon),   s = sum e,   db/dx = (e_x - b sum e_x) / (s + epsilon)              (2)
+    b = e / d,   s = sum e,   d = s + sign(s) epsilon,   db/dx = (e_x - b sum e_x) / d           (2)
     grad_(q_i x q_j) = sum of grad_e_k a over the pixels that see the face: nine numbers         (3)
     depth = z^T M^-1 a,   z of clip space                                                        (4)
 
 q_i x q_j are the rows of M^-1, times det(M), so the e_k are lab 2's edge functions. Matrices are
-(3, 3), or (3, 3, F) for many faces. epsilon is 0 in a picture and for the backward pass. nvdiffrast
-has 1e-6, in its backward pass only.
+(3, 3), or (3, 3, F) for many faces. epsilon is 0 here; nvdiffrast uses 1e-6, in its backward pass
+only.
 
 Source: nvdiffrast's conventions; Laine et al. 2020.
 """
@@ -60,9 +60,13 @@ def edge_functions_backward(grad_edges, corners):  # exercise 7.11 (3 points)
 
 
 def padded_sum(e, epsilon):
-    """s + epsilon of eq. (2): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, of either sign."""
+    """d of eq. (2): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, of either sign.
+
+    A face without area has d = 0. It gets infinity, so that its gradient is 0.
+    """
     s = e.sum(0)
-    return s + np.copysign(epsilon, s)
+    s = s + np.copysign(epsilon, s)
+    return np.where(s == 0, np.inf, s)
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):  # exercise 7.15 (4 points)
@@ -76,8 +80,9 @@ def normalize_derivative_backward(grad_db, dc, b, s):  # exercise 7.15 (4 points
     array([[-0.5,  0.5, -0.5],
            [ 1. , -0. ,  1. ]])
     """
-    # db = (dc - b sum dc) / s is to dc what b is to c. Where c moves, b by db' and s by ds', db
-    # moves by -(sum dc / s) db' - db ds' / s; and grad_b -> grad_c is the same rule once more.
+    # grad_dc: db is linear in dc. Where c moves, b changes by b' and s by s', and db by
+    # -(sum dc) b' / s - db s' / s. The first term goes through b = c / s: -(sum dc / s) grad_dc.
+    # The second one goes through s = sum c.
     grad_dc = normalize_backward(grad_db, b, s)
     through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
     return grad_dc, -(dc.sum(0) * grad_dc + through_s) / s
@@ -99,6 +104,13 @@ def sum_per_face(u, x, y, face, count):  # exercise 7.16 (2 points)
                       np.bincount(face, u_k, count)] for u_k in u])
 
 
+def inverses(corners):
+    """M^-1 of faces: corners (3, 3, F) -> (3, 3, F), 0 for a face without area."""
+    e = edge_functions(corners)
+    det = (e[0] * corners[:, 0]).sum(0)
+    return e / np.where(det == 0, np.inf, det)
+
+
 def depth_planes(z, corners):  # exercise 7.17 (2 points)
     """Eq. (4) as depth = planes . a: planes (3, F), one for each face.
 
@@ -108,16 +120,14 @@ def depth_planes(z, corners):  # exercise 7.17 (2 points)
     >>> depth_planes(np.array([[0.0], [2.0], [1.0]]), corners[..., None]).T
     array([[1. , 0.5, 0. ]])
     """
-    e = edge_functions(corners)
-    det = (e[0] * corners[:, 0]).sum(0)
-    return (z[:, None] * e).sum(0) / det
+    return (z[:, None] * inverses(corners)).sum(0)
 
 
 def depth_planes_backward(grad_planes, z, corners):  # exercise 7.18 (3 points)
     """Backward of `depth_planes`: grad_planes (3, F) -> grad_z (3, F), grad_corners (3, 3, F).
 
-    `residual_backward` for all faces at once: grad_planes is the sum of grad_depth a over the
-    pixels.
+    `vertex_gradients.residual_backward` for all faces at once: grad_planes is the sum of
+    grad_depth a over the pixels.
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> z, a = np.array([[0.0], [2.0], [1.0]]), np.array([[1.0], [0.0], [1.0]])
@@ -129,9 +139,7 @@ def depth_planes_backward(grad_planes, z, corners):  # exercise 7.18 (3 points)
            [-0.375, -0.25 ,  0.   ],
            [ 0.   ,  0.   ,  0.   ]])
     """
-    e = edge_functions(corners)
-    det = (e[0] * corners[:, 0]).sum(0)
-    grad_z = (e * grad_planes).sum(1) / det
+    grad_z = (inverses(corners) * grad_planes).sum(1)
     return grad_z, -depth_planes(z, corners)[:, None] * grad_z
 
 
@@ -149,10 +157,10 @@ def seen_faces(face_index, clip, faces):
     which is one of the pixels that see the face: a small face far out keeps its digits.
     """
     height, width = face_index.shape
-    some_pixel = np.full(len(faces) + 1, -1)  # the last one is for pixels that see none
+    some_pixel = np.full(len(faces), -1)
     seen = np.flatnonzero(face_index >= 0)
     some_pixel[face_index.ravel()[seen]] = seen
-    shown = np.flatnonzero(some_pixel[:-1] >= 0)
+    shown = np.flatnonzero(some_pixel >= 0)
     origin = ndc_of_pixels(some_pixel[shown], width, height)
     x, y, w = (clip[:, axis][faces[shown].T] for axis in (0, 1, 3))
     return shown, np.stack([x - origin[0] * w, y - origin[1] * w, w]), origin
@@ -196,17 +204,18 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0
     grad_planes = np.zeros(planes.shape)
     for pixel, face, x, y in pixels_on_faces(face_index, shown, origin):
         e = at_pixels(planes, face, x, y)
-        grad_b = grad_barycentric.reshape(-1, 3).take(pixel, 0).T.copy()  # rows side by side
+        grad_b = grad_barycentric.reshape(-1, 3).take(pixel, 0).T.copy()  # contiguous rows: faster
         s = padded_sum(e, epsilon)
         grad_e = normalize_backward(grad_b, e / s, s)
         grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
     grad_corners = edge_functions_backward(grad_planes, corners)
-    return sum_per_vertex(grad_corners, 0 * grad_corners[2], origin, faces[shown].T, len(clip))
+    grad_z = np.zeros_like(grad_corners[2])
+    return sum_per_vertex(grad_corners, grad_z, origin, faces[shown].T, len(clip))
 
 
 def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces, epsilon=0.0):
-    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2), that of db/dx
-    and db/dy per pixel -> grad_clip (V, 4). The rest as in `barycentrics_backward`.
+    """Backward of lab 2's `barycentrics_derivatives`: grad_derivatives (H, W, 3, 2) -> grad_clip
+    (V, 4). Axis 2: which weight, axis 3: x or y in pixels. The rest as in `barycentrics_backward`.
     """
     height, width = face_index.shape
     shown, corners, origin = seen_faces(face_index, clip, faces)
@@ -224,12 +233,13 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
             grad_planes[:, axis] += [step * np.bincount(face, by, len(shown)) for by in by_e_x]
         grad_planes += sum_per_face(grad_e, x, y, face, len(shown))
     grad_corners = edge_functions_backward(grad_planes, corners)
-    return sum_per_vertex(grad_corners, 0 * grad_corners[2], origin, faces[shown].T, len(clip))
+    grad_z = np.zeros_like(grad_corners[2])
+    return sum_per_vertex(grad_corners, grad_z, origin, faces[shown].T, len(clip))
 
 
 def depth_backward(grad_depth, face_index, clip, faces):
     """Backward of the depth that lab 2's `rasterize` gives: grad_depth (H, W) -> grad_clip (V, 4),
-    z included. The rest as in `barycentrics_backward`.
+    including the gradient with respect to z. The rest as in `barycentrics_backward`.
     """
     shown, corners, origin = seen_faces(face_index, clip, faces)
     grad_planes = np.zeros((3, len(shown)))

@@ -1,17 +1,18 @@
 """Scanlines: whole meshes at once, exact on every shared edge, also behind the camera.
 
-Corners are rows of (3, F) arrays. c of rasterization.py decides, with any sign of w:
+Corners are rows of (3, F) arrays, their w of any sign. A face covers a sample p = (x, y) if
 
-    seen    <=>  every c_k = e_k / (2A w_k) >= 0                                             (1)
-            <=>  every n . (p - from) >= 0: three half-planes, without positive factors      (2)
-    depth   =    z_0 + dz/dx (x - x_0) + dz/dy (y - y_0),   z_k = z / w of the corner        (3)
+    every e_k / (2A w_k) >= 0                                                                (1)
+    <=>  every n_k . (p - from_k) >= 0,   n_k = sign(2A w_k) times the normal of edge k,
+         from_k: one end of edge k; ties by the top-left rule                                (2)
+    depth = z_0 + dz/dx (x - x_0) + dz/dy (y - y_0),   z_k = z / w of the corner             (3)
 
 So a face is an intersection of three half-planes, also where it crosses the camera plane. Nothing
 is clipped, and on a row of pixels it covers one interval: start <= column < end.
 
 Watertight: the two faces at an edge compute the same e with opposite sign, to the last bit, and e
 is exactly 0 at its ends. Only faces thinner than rounding (1e-15 of their length) can lose or
-double a sample. Hardware rounds all vertices to 1/256 pixel before.
+double a sample. Hardware avoids this by rounding vertices to 1/256 pixel first.
 
 Sources: Olano and Greer 1997 (1), lecture "Differentiable graphics 1" (3).
 """
@@ -34,7 +35,7 @@ def twice_area(x, y):
 def half_planes(x, y, w):  # exercise 2.11 (4 points)
     """Eq. (2): n_x, n_y, from_x, from_y, each (3, F), such that
 
-        c_k >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
+        e_k / (2A w_k) >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
 
     x, y, w (3, F), finite: the faces' corners, row k of corner k. (n_x[k], n_y[k]) is the normal
     of the edge opposite to corner k, times the sign of w_k and the sign of the given `twice_area`.
@@ -47,8 +48,8 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
     >>> from_x.T, from_y.T
     (array([[4., 0., 4.]]), array([[0., 0., 0.]]))
 
-    Fine print. Both faces at an edge measure from the same end: the one of greater |w| (the other
-    may be near infinity), of equal |w| that of smaller x, of equal x that of smaller y.
+    Fine print. Both faces at an edge measure from the same end. Choose it by greater |w| (the other
+    end may be near infinity), then by smaller x, then by smaller y.
     """
     n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
     winding = np.sign(twice_area(x, y))
@@ -70,8 +71,8 @@ def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
     >>> depth_slopes(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
     (array([0.1]), array([0.]))
 
-    Fine print. Corner 0 is the best one to measure from. Of equal z, both slopes are exactly 0. A
-    face without area gets inf or nan, and nothing is raised.
+    Fine print. Measure from corner 0: the callers put the most accurate one there. Of equal z, both
+    slopes are exactly 0. A face without area gets inf or nan; NumPy's warnings do not matter.
     """
     x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
     x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
@@ -90,13 +91,14 @@ def can_be_seen(clip, x, y, faces):
     # One bit for each plane, and the last bit is 1 for a vertex that is finite.
     outcode = np.packbits([*beyond, np.isfinite(x + y + z + w)], axis=0)[0]
     k0, k1, k2 = faces.T
-    return outcode[k0] & outcode[k1] & outcode[k2] == 1
+    return (outcode[k0] & outcode[k1] & outcode[k2]) == 1
 
 
 def farthest_first(corners, w):
     """The corners (3, F) of faces, the one of greatest |w| swapped to the front; w (V,).
 
-    It lies best on screen. Where w is nearly 0, x, y and z / w are nearly infinite.
+    Its place on screen is the most accurate. Where w is nearly 0, x, y and z / w are nearly
+    infinite.
     """
     first, second, third = corners
     swap = np.abs(w[second]) > np.abs(w[first])
@@ -137,10 +139,11 @@ def half_plane_loop(clip, faces, width, height):
     points = np.stack([x, y], -1)
     setup = triangle_setup(x, y, clip[:, 2] / w, w, faces)
     for f in np.flatnonzero(can_be_seen(clip, x, y, faces)):
-        covered = np.full((height, width), (w[faces[f]] <= 0).any())
-        if not covered.all():
+        x0, y0, x1, y1 = 0, 0, width, height
+        if (w[faces[f]] > 0).all():
             x0, y0, x1, y1 = bounding_box(points[faces[f]], width, height)
-            covered[y0:y1, x0:x1] = True
+        covered = np.zeros((height, width), bool)
+        covered[y0:y1, x0:x1] = True
         for n_x, n_y, from_x, from_y in np.stack(setup.planes)[:, :, f].T:
             e = n_x * (px - from_x) + n_y * (py - from_y)
             covered &= (e > 0) | ((e == 0) & is_top_left(n_x, n_y))
@@ -182,21 +185,22 @@ def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     (array([0., 0.]), array([3., 1.]))
 
     Fine print. The e of a horizontal edge is one number on the whole row, so that `first_column` is
-    0 or width. With n = 0, e is 0: it ends the interval at 0.
+    0 or width. It needs a slope > 0: where n_x = 0, give it TINY, and from_x = 0. With n = 0, e is
+    0: it ends the interval at 0.
     """
     start = np.zeros(len(y))
     end = np.full(len(y), float(width))
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1  # from here on, e grows from left to right
+        opens = is_top_left(n_x, n_y)
+        sign = np.where(opens, 1, -1)  # from here on, e grows from left to right
         # A horizontal edge's e is offset, and has its sign with a slope of TINY from x = 0 as well.
         slope = np.where(n_x == 0, TINY, sign * n_x)
         from_x = np.where(n_x == 0, 0, from_x)
         offset = (sign * n_y)[face] * (y - from_y[face])
         column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]  # 1: column is the start; 0: it is the end
-        start = np.maximum(start, opens * column)
-        end = np.minimum(end, opens * width + column)
+        opens = opens[face]
+        start = np.maximum(start, np.where(opens, column, 0))
+        end = np.minimum(end, np.where(opens, width, column))
     return start, end
 
 
@@ -210,7 +214,8 @@ def expand(start, count):
 
 def chunks(count):
     """Slices of count, each with a sum of at most CHUNK (or of one element that is larger)."""
-    total, start = np.cumsum(count), 0
+    total = np.cumsum(count)
+    start = 0
     while start < len(count):
         done = total[start - 1] if start else 0
         end = max(start + 1, np.searchsorted(total, done + CHUNK, "right"))
@@ -255,7 +260,8 @@ def spans(clip, faces, width, height):
     bottom, top = sample_range(y, w > 0, faces, height)
     drawn = can_be_seen(clip, x, y, faces) & (left < right) & (bottom < top)
     drawn = np.flatnonzero(drawn)[::-1]
-    for part in (drawn[part] for part in chunks((top - bottom)[drawn])):
+    for some in chunks((top - bottom)[drawn]):
+        part = drawn[some]
         setup = triangle_setup(x, y, z, w, faces[part])
         face, row = expand(bottom[part], (top - bottom)[part])
         start, end = row_interval(setup.planes, face, row + 0.5, width)

@@ -10,20 +10,21 @@ GROUND = np.array([0.62, 0.66, 0.70])
 def shadow(labs):
     """The bunny's shadow on the ground, hard and soft (lab 14)."""
     lab14, (vertices, faces) = labs.shadow_mapping, on_the_ground(*unit_bunny())
-    light = lab14.point_light(np.array([-2.6, 2.4, 1.4]), vertices)
+    light = labs.lights.point_light(np.array([-2.6, 2.4, 1.4]), vertices)
     camera = clip_from_world(labs, [-0.7, 1.3, 3.3], [0.1, -0.15, 0.0])
     yield told(vertices, faces), None
 
     face_index, points, normals = lab14.visible_points(vertices, faces, camera, SIZE, SIZE)
     yield "what the eye sees, as points in the world", None
-    hard = lab14.hard_shadow(points, normals, vertices, faces, light, 2 * SIZE, 2e-3)
+    distance_map = lab14.depth_map(vertices, faces, light, 2 * SIZE)
+    hard = lab14.hard_shadow(points, normals, light, distance_map, 2e-3)
     yield "hard shadow: the light's map, comparison", None
-    soft = lab14.soft_shadow(points, normals, vertices, faces, light, 0.2, 2 * SIZE, 1e-2,
-                             ray_casting.disc_offsets(32))
+    soft = labs.soft_shadows.soft_shadow(points, normals, light, distance_map, 0.2, 1e-2,
+                                         ray_casting.disc_offsets(32))
     yield "soft shadow of a disc, PCSS with 32 places", None
 
     seen = face_index >= 0
-    facing = np.clip(cosine(light[0] - points, normals), 0, 1)
+    facing = np.clip(cosine(light.position - points, normals), 0, 1)
     colour = np.where(face_index[seen][:, None] < len(faces) - 2, BRASS, GROUND)
     for name, share in ("hard", hard), ("soft", soft):
         shades = image.to_srgb((0.12 + 0.88 * share * facing)[:, None] * colour)

@@ -40,9 +40,8 @@ def require_faces(faces, vertex_count):
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
         raise ValueError(f"{expected}; got {faces.shape} of {faces.dtype}: give three integers for "
                          "each triangle")
-    outside = (faces < 0) | (faces >= vertex_count)
-    if outside.any():
-        face, corner = np.argwhere(outside)[0]
+    if faces.size and (faces.min() < 0 or faces.max() >= vertex_count):
+        face, corner = np.argwhere((faces < 0) | (faces >= vertex_count))[0]
         raise ValueError(f"{expected}; got {faces.min()} to {faces.max()}: face {face} names "
                          f"vertex {faces[face, corner]}, but there are {vertex_count} vertices, "
                          "counted from 0; mend that face, or give all vertices")

@@ -1,14 +1,12 @@
 """Triangle meshes from OBJ and PLY files, and into them.
 
-trimesh reads the numbers. Left alone, it splits vertices at the seams of uv and normals, changes
-the order of faces that have four corners, and takes many broken files for other meshes. So each
-file goes through a door first: `_plain_obj` and `_plain_ply` refuse what is not whole, and hand on
-its positions and triangles alone, as they stand there.
+Libraries split vertices at the seams of uv and normals, change the order of faces that have four
+corners, round, or take a broken file for another mesh. Here a mesh is read as it stands in its
+file, and a file that is not whole is refused.
 
 OBJ: Wavefront, "Advanced Visualizer Manual", appendix B1. PLY: Turk 1994, "The PLY polygon file
 format".
 """
-import io
 import itertools
 import re
 import struct
@@ -16,7 +14,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-import trimesh
 
 from . import inputs, places
 
@@ -63,8 +60,7 @@ def read(path):
     ending = _ending(path)
     content = places.read_whole(path)
     try:
-        plain = _plain_obj(content) if ending == "obj" else _plain_ply(content)
-        vertices, faces = _parse(plain, ending)
+        vertices, faces = _read_obj(content) if ending == "obj" else _read_ply(content)
         inputs.require_mesh(vertices, faces)
     except ValueError as error:
         raise ValueError(f"cannot read {path} as a mesh: {error}") from None
@@ -74,17 +70,12 @@ def read(path):
 def write(path, vertices, faces):
     """vertices, faces -> an OBJ file or a binary PLY file. `read` gives them back to the bit.
 
-    trimesh would round: it writes float32 into a PLY and a fixed number of decimals into an OBJ.
     ValueError for a broken mesh or an unknown ending, OSError where the file cannot be written.
     """
     ending = _ending(path)
     inputs.require_mesh(vertices, faces)
     vertices, faces = np.asarray(vertices, np.float64), np.asarray(faces, np.int64)
-    if ending == "obj":
-        content = _obj(vertices.tolist(), (faces + 1).tolist())
-    else:
-        vertex = Element(len(vertices), [Property(axis, "double", None) for axis in "xyz"])
-        content = _ply("binary_little_endian", vertex, vertices.astype("<f8").tobytes(), faces)
+    content = _obj(vertices, faces) if ending == "obj" else _ply(vertices, faces)
     places.write_whole(path, content)
 
 
@@ -96,22 +87,14 @@ def _ending(path):
     return ending[1:]
 
 
-def _parse(plain, ending):
-    """A plain file's content -> vertices, faces."""
-    try:
-        with np.errstate(over="ignore"):  # of a float, it is infinity, which `check` refuses
-            whole = trimesh.load_mesh(io.BytesIO(plain), file_type=ending, process=False,
-                                      maintain_order=True)
-        return np.array(whole.vertices, np.float64), np.array(whole.faces, np.int64)
-    except Exception:  # whatever the parser stumbles over
-        raise ValueError(f"it is broken or of a rare kind, {AGAIN} as triangles") from None
-
-
 def _fans(polygons):
     """The corners of each face, three or more -> triangles (F, 3) around the first of them."""
-    lengths = set(map(len, polygons))
-    if not lengths:
+    if len(polygons) == 0:
         raise ValueError(f"a mesh needs at least one face, got none: {AGAIN}, with its faces")
+    if isinstance(polygons, np.ndarray):
+        lengths = {polygons.shape[1]}
+    else:
+        lengths = set(map(len, polygons))
     if min(lengths) < 3:
         raise ValueError(f"expected faces of three or more corners, got {min(lengths)}: {AGAIN}")
     if lengths == {3}:
@@ -123,8 +106,8 @@ def _fans(polygons):
 # OBJ
 
 
-def _plain_obj(content):
-    """An OBJ's content -> the same with nothing but positions and triangles, counted from 1."""
+def _read_obj(content):
+    """An OBJ's content -> vertices, faces."""
     text = re.sub(r"\\\r?\n", " ", content.decode("utf-8-sig", errors="replace"))
     positions, polygons = [], []
     for line in re.split(r"[\r\n]+", text):
@@ -140,7 +123,7 @@ def _plain_obj(content):
     if highest > len(positions):
         raise ValueError(f"a face names vertex {highest}, but the file has {len(positions)}: "
                          f"{AGAIN}")
-    return _obj(positions, triangles.tolist())
+    return np.array(positions, np.float64), triangles - 1
 
 
 def _require_words(line, words, pattern):
@@ -159,24 +142,35 @@ def _vertex(corner, vertex_count):
     return vertex if vertex > 0 else vertex_count + 1 + vertex
 
 
-def _obj(positions, triangles):
-    """Rows of three numbers, rows of three corners counted from 1 -> an OBJ's content."""
-    lines = [f"v {x} {y} {z}" for x, y, z in positions]
-    lines += [f"f {a} {b} {c}" for a, b, c in triangles]
+def _obj(vertices, faces):
+    """vertices, faces -> an OBJ's content."""
+    lines = [f"v {x} {y} {z}" for x, y, z in vertices.tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     return ("\n".join(lines) + "\n").encode()
 
 
 # PLY
 
 
-def _plain_ply(content):
-    """A PLY's content -> the same with nothing but vertices and triangles."""
+def _read_ply(content):
+    """A PLY's content -> vertices, faces."""
     form, elements, body = _header(content)
-    rows = _ascii_rows if form == "ascii" else _binary_rows
-    vertices, polygons = rows(elements, body, form)
+    if form == "ascii":
+        tables = _ascii_tables(elements, body)
+    else:
+        tables = _binary_tables(elements, body, ">" if form == "binary_big_endian" else "<")
+    axes = [_reals(tables["vertex"][p.name], p.type) for axis in "xyz"
+            for p in elements["vertex"].properties if p.name == axis]
+    polygons = next(tables["face"][name] for name in CORNERS if name in tables["face"])
     triangles = _fans(polygons)
     inputs.require_faces(triangles, elements["vertex"].count)
-    return _ply(form, elements["vertex"], vertices, triangles)
+    return np.stack(axes, axis=1), triangles.astype(np.int64)
+
+
+def _reals(column, type):
+    """A column of numbers or words -> float64. A float's digits beyond float32 are dropped."""
+    with np.errstate(over="ignore"):  # infinity, which `read` refuses
+        return np.ravel(column).astype("f4" if TYPES[type] == "f" else "f8").astype(np.float64)
 
 
 def _header(content):
@@ -218,117 +212,108 @@ def _require_mesh(forms, elements):
                          f"twice: {AGAIN}")
 
 
-def _ascii_rows(elements, body, form):
-    """An ASCII PLY's rows -> those of its vertices, as they stand; the corners of its faces."""
+def _ascii_tables(elements, body):
+    """An ASCII PLY's rows -> for each element, its columns by name. A number is a list of one."""
     lines = re.split(r"[\r\n]+", body.decode("ascii", errors="replace"))
     rows = [line.strip() for line in lines if line.strip()]
     announced = sum(element.count for element in elements.values())
     if len(rows) != announced:
         raise ValueError(f"its header announces {announced} rows, but {len(rows)} follow: {AGAIN}")
-    start = 0
+    tables, rows = {}, iter(rows)
     for name, (count, properties) in elements.items():
-        block = rows[start:start + count]
-        corners = [_ascii_corners(row, properties) for row in block]
-        if name == "vertex":
-            vertices = "".join(f"{row}\n" for row in block).encode()
-        elif name == "face":
-            polygons = corners
-        start += count
-    return vertices, polygons
+        fields = [_fields(row, properties) for row in itertools.islice(rows, count)]
+        columns = zip(*fields, strict=True) if fields else [[]] * len(properties)
+        tables[name] = {p.name: column for p, column in zip(properties, columns, strict=True)}
+    return tables
 
 
-def _ascii_corners(row, properties):
-    """A row, which must have the numbers that are announced -> its corners, if it has any."""
-    words, start, corners = row.split(), 0, []
+def _fields(row, properties):
+    """A row, which must have the numbers that are announced -> for each property a list of them."""
+    words, start, fields = row.split(), 0, []
     try:
         for p in properties:
             length = 1
             if p.length:
                 length = int(words[start])
                 start += 1
-            if p.name in CORNERS:
-                corners = [int(word) for word in words[start:start + length]]
+            field = words[start:start + length]
+            fields.append([int(word) for word in field] if p.name in CORNERS else field)
             start += max(length, 0)
     except (ValueError, IndexError):
         start = None
     if start != len(words) or not all(map(REAL.fullmatch, words)):
         raise ValueError(f"the row {row[:60]!r} does not have the numbers that the header and the "
                          f"lengths of lists announce: {AGAIN}")
-    return corners
+    return fields
 
 
-def _binary_rows(elements, body, form):
-    """A binary PLY's rows -> those of its vertices, as they stand; the corners of its faces."""
-    start = 0
+def _binary_tables(elements, body, order):
+    """A binary PLY's rows -> for each element, its columns by name."""
+    tables, start = {}, 0
     try:
         for name, element in elements.items():
-            corners, end = (_alike_corners(element, body, start, _order(form))
-                            or _binary_corners(element, body, start, _order(form)))
-            if name == "vertex":
-                vertices = body[start:end]
-            elif name == "face":
-                polygons = corners
-            start = end
+            tables[name], start = (_alike(element, body, start, order)
+                                   or _mixed(element, body, start, order))
     except struct.error:
         raise ValueError(f"it is cut short, or a list's length is wrong: {AGAIN}") from None
-    if start > len(body) or body[start:].strip():
+    if body[start:].strip():
         raise ValueError(f"its header announces {start} bytes, but {len(body)} follow: {AGAIN}")
-    return vertices, polygons
+    return tables
 
 
-def _alike_corners(element, body, start, order):
-    """`_binary_corners`, at once, of rows that are one list each, all of one length. Else None."""
-    p = element.properties[0]
-    if len(element.properties) > 1 or p.length not in ("uchar", "uint8") or start >= len(body):
+def _alike(element, body, start, order):
+    """`_mixed`, at once, of rows whose lists are all as long as those of the first. Else None."""
+    row, lengths = _first_row(element, body, start, order)
+    end = start + element.count * row.itemsize
+    if end > len(body):
+        if lengths:
+            return None
+        raise struct.error  # at once, however many rows are announced
+    table = np.ndarray(element.count, row, body, start)
+    if not all((table[key] == length).all() for key, length in lengths.items()):
         return None
-    length, size = body[start], struct.calcsize(order + TYPES[p.type])
-    step = 1 + length * size
-    end = start + element.count * step
-    if end > len(body) or set(body[start:end:step]) != {length}:
-        return None
-    corners = np.ndarray((element.count, length), order + TYPES[p.type], body, start + 1,
-                         (step, size))
-    return corners, end
+    return {p.name: table[p.name] for p in element.properties}, end
 
 
-def _binary_corners(element, body, start, order):
-    """An element's rows, from start on -> the corners in each that has any, where the rows end."""
-    codes = [TYPES[p.type] for p in element.properties]
-    if not any(p.length for p in element.properties):
-        return [], start + element.count * struct.calcsize(order + "".join(codes))
-    polygons = []
+def _first_row(element, body, start, order):
+    """The row at start -> its NumPy type, and the lengths of its lists."""
+    types, lengths = [], {}
+    for p in element.properties:
+        shape = ()
+        if p.length:
+            key, code, place = f"length of {p.name}", TYPES[p.length], np.dtype(types).itemsize
+            shape = struct.unpack_from(order + code, body, start + place) if element.count else (0,)
+            if not 0 <= shape[0] <= len(body):
+                raise struct.error
+            types.append((key, order + code))
+            lengths[key] = shape[0]
+        types.append((p.name, order + TYPES[p.type], shape))
+    return np.dtype(types), lengths
+
+
+def _mixed(element, body, start, order):
+    """An element's rows, from start on -> its columns by name, where the rows end."""
+    columns = {p.name: [] for p in element.properties}
+    codes = {p.name: (TYPES[p.type], p.length and order + TYPES[p.length])
+             for p in element.properties}
     for _ in range(element.count):
-        for p, code in zip(element.properties, codes, strict=True):
+        for name, (code, length_code) in codes.items():
             length = 1
-            if p.length:
-                (length,) = struct.unpack_from(order + TYPES[p.length], body, start)
-                start += struct.calcsize(order + TYPES[p.length])
+            if length_code:
+                (length,) = struct.unpack_from(length_code, body, start)
+                start += struct.calcsize(length_code)
             numbers = f"{order}{length}{code}"
-            if p.name in CORNERS:
-                polygons.append(struct.unpack_from(numbers, body, start))
+            columns[name].append(struct.unpack_from(numbers, body, start))
             start += struct.calcsize(numbers)
-    return polygons, start
+    return columns, start
 
 
-def _order(form):
-    return ">" if form == "binary_big_endian" else "<"
-
-
-def _ply(form, vertex, rows, triangles):
-    """A PLY's format, its vertex Element and its rows, triangles -> the PLY's content.
-
-    Only x, y and z keep their names: trimesh would look at uv, normals and colours.
-    """
-    lines = ["ply", f"format {form} 1.0", f"element vertex {vertex.count}"]
-    for k, (name, kind, _) in enumerate(vertex.properties):
-        kind = "double" if form == "ascii" and kind in WHOLE else kind
-        lines.append(f"property {kind} {name if name in ('x', 'y', 'z') else f'other_{k}'}")
-    lines += [f"element face {len(triangles)}", "property list uchar int vertex_indices"]
-    if form == "ascii":
-        corners = "".join(f"3 {a} {b} {c}\n" for a, b, c in triangles.tolist()).encode()
-    else:
-        table = np.empty(len(triangles), [("length", "u1"), ("corners", f"{_order(form)}i4", 3)])
-        table["length"] = 3
-        table["corners"] = triangles
-        corners = table.tobytes()
-    return "\n".join([*lines, "end_header\n"]).encode() + rows + corners
+def _ply(vertices, faces):
+    """vertices, faces -> a binary PLY's content."""
+    axes = "".join(f"property double {axis}\n" for axis in "xyz")
+    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\n{axes}"
+              f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
+    rows = np.empty(len(faces), [("length", "u1"), ("corners", "<i4", 3)])
+    rows["length"] = 3
+    rows["corners"] = faces
+    return header.encode() + vertices.astype("<f8").tobytes() + rows.tobytes()

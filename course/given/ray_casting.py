@@ -1,7 +1,7 @@
 """Shadows by ray casting: exact, without a map. The truth that lab 14 is measured by.
 
-A light is a tuple, as in lab 14: position (3,), rotation (3, 3), clip_from_light (4, 4). Nothing
-here needs a lab's exercise.
+A light is a tuple, such as lab 14's Light: position (3,), rotation (3, 3), clip_from_light (4, 4).
+Nothing here needs a lab's exercise. Each distance is an axial depth: along the light's axis.
 """
 import numpy as np
 
@@ -25,6 +25,9 @@ def ray_cast(points, vertices, faces, light, cells=128):
     if not np.isfinite(points).all():
         raise ValueError("ray_cast expects finite points, got some that are not; give the points "
                          "of pixels that see a face")
+    if cells < 1:
+        raise ValueError(f"ray_cast expects at least one cell a side, got {cells}; ask for 1 or "
+                         "more")
     corners, corner_distance, x, y = seen_from(light, vertices, cells)
     face, start = faces_in_cells(x[faces.T], y[faces.T], cells)
     planes, face_distance = edge_planes(*corners[faces.T])[face], corner_distance[faces][face]

@@ -42,7 +42,7 @@ def run(folder, labs=None, solutions=None):
     asked = topics_of(labs)
     topics = with_siblings(asked)
     released = topics_of(solutions) if solutions else []
-    for name, content in files(topics, released):
+    for name, content in [*files(topics, released)]:  # all of them are there, or none is written
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         places.write_whole(path, content)
@@ -72,8 +72,9 @@ def files(topics, released):
     for topic in topics:
         text = exercises.read(exercises.reference(topic))
         yield f"labs/{topic}.py", skeleton(text).encode("utf-8")
-        check = f"tests/labs/test_{topic}.py"
-        yield check, (places.ROOT / check).read_bytes()
+        if topic in exercises.asking_topics():
+            check = f"tests/labs/test_{topic}.py"
+            yield check, (places.ROOT / check).read_bytes()
         if topic in released:
             yield f"reference/{topic}.py", text.encode("utf-8")
     for path in sorted(places.ROOT.glob("notebooks/*.ipynb")):

@@ -92,7 +92,7 @@ def test_which_edges_have_n_0(impl, x, y, w, dead):
 
 @exercise("2.12")
 def test_a_tilted_plane_on_paper(impl):
-    """a and b are swapped, or the slope is per area instead of per pixel."""
+    """The two slopes are swapped, or they are per area instead of per pixel."""
     x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None]
     dz_dx, dz_dy = impl.depth_slopes(x, y, z)
     assert_close(dz_dx, np.array([0.1]))
@@ -144,7 +144,7 @@ def test_the_first_column_on_paper(impl):
 
 @exercise("2.14")
 def test_the_sum_decides_and_not_the_quotient(impl, rng):
-    """The column where -offset / a says so: one off where the edge passes through a centre."""
+    """The column where -offset / slope says so: one off where the edge passes through a centre."""
     a, x0 = 10.0 ** rng.uniform(-30, 6, 3000), rng.uniform(-5, 5, 3000)
     offset = -a * (rng.integers(-3, 20, 3000) + 0.5 - x0)
     offset *= 1 + rng.choice([0, 1, -1, 2, -2], 3000) * 2.0 ** -52
@@ -193,7 +193,7 @@ def test_a_row_of_pixels_is_half_open(impl):
 
 @exercise("2.15")
 def test_horizontal_edges_take_all_or_nothing(impl):
-    """0 / 0, or a slope of 0 that is turned into NaN."""
+    """0 / 0, a slope of 0 that is turned into NaN, or e = 0 decided by TINY times the column."""
     # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
     n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])
     n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])

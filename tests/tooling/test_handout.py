@@ -96,6 +96,15 @@ def test_its_checks_run_without_the_rest(handed_out, run_module):
     assert done.returncode == 0 and "All that was asked for is done" in done.stdout, done.stdout
 
 
+def test_the_whole_course_can_be_handed_out(tmp_path):
+    """A module of given code has no checks, and stops the hand-out half way."""
+    handout.run(tmp_path / "new")
+    labs = {path.stem for path in tmp_path.glob("new/labs/*.py")}
+    assert labs == set(exercises.topics())
+    assert len(list(tmp_path.glob("new/notebooks/*.ipynb"))) == 17
+    assert (tmp_path / "new" / "README.md").exists()
+
+
 def test_labs_that_are_imported_come_along(tmp_path, capsys):
     """A lab that cannot be imported, for one that it needs is not there."""
     handout.run(tmp_path / "new", "8")

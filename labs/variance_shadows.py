@@ -1,0 +1,286 @@
+"""Variance shadows: a shadow that changes smoothly, and its gradient to the light's position.
+
+A comparison is a step, and so is a mean of comparisons. Instead, the map holds two moments in each
+texel, which may be blurred. Distances, lights and eqs. (1) to (7) are those of `shadow_mapping`.
+
+    E = blur of (stored, stored^2),   variance = E_1 - E_0^2                                 (8)
+    lit share = variance / (variance + (distance - E_0)^2) beyond E_0, else 1                (9)
+    dE = -(1, 2 stored) dq_z - sum over the 4 borders of shift (step of E across it) / 2    (10)
+
+The light moves without turning. Then all points move in its frame: those that receive the shadow,
+and by (10) all that the map shows. The fit finds the light by the gradient of both.
+
+Source: Donnelly and Lauritzen 2006 (8), (9).
+"""
+import functools
+import numbers
+from typing import NamedTuple
+
+import numpy as np
+
+from . import inverse_rendering, lights, mipmapping, shadow_mapping
+
+PAIRS = ((0, np.s_[:, :-1], np.s_[:, 1:]),  # neighbours in x: the left ones, the right ones
+         (1, np.s_[:-1], np.s_[1:]))        # in y: the lower ones, the upper ones
+
+
+class Settings(NamedTuple):
+    """How a variance shadow is made.
+
+    size: rows and columns of the map; radius of the blur: a whole number of texels; least_variance
+    > 0: this shadow's bias, in squares of the world's unit, about (a thousandth of the scene)^2.
+    """
+
+    size: int
+    radius: int
+    least_variance: float
+
+
+class Buffers(NamedTuple):
+    """What was found on the way to a variance shadow, which the way back needs.
+
+    distance_map (S, S), blurred (S, S, 2): its moments; of each point q (N, 3), uv (N, 2) on the
+    map, the moments mean (N, 2) there, and whether it lies inside (N,) the map.
+    """
+
+    distance_map: np.ndarray
+    blurred: np.ndarray
+    q: np.ndarray
+    uv: np.ndarray
+    mean: np.ndarray
+    inside: np.ndarray
+
+
+def window_sums(picture, radius):  # exercise 14.14 (2 points)
+    """Sums over squares: of the pixels up to radius rows and columns away -> (H, W, C).
+
+    picture (H, W, C); radius a whole number >= 0. Squares end at the picture's border.
+
+    >>> window_sums(np.array([[[1.0], [2.0], [4.0], [8.0]]]), 1)[..., 0]
+    array([[ 3.,  7., 14., 12.]])
+    """
+    raise NotImplementedError("exercise 14.14: window_sums")
+
+
+def box_blur(picture, radius):  # exercise 14.15 (1 point)
+    """The mean over the squares of `window_sums`: picture (H, W, C) -> (H, W, C).
+
+    At the border, the mean of the pixels that there are.
+
+    >>> box_blur(np.array([[[1.0], [2.0], [6.0], [10.0]]]), 1)[..., 0]
+    array([[1.5, 3. , 6. , 8. ]])
+    """
+    raise NotImplementedError("exercise 14.15: box_blur")
+
+
+def box_blur_backward(grad_output, radius):  # exercise 14.16 (2 points)
+    """Backward of `box_blur`: grad_output (H, W, C) -> grad_picture (H, W, C).
+
+    >>> box_blur_backward(np.array([[[6.0], [0.0], [0.0], [0.0]]]), 1)[..., 0]
+    array([[3., 3., 0., 0.]])
+    """
+    raise NotImplementedError("exercise 14.16: box_blur_backward")
+
+
+def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.17 (2 points)
+    """Eq. (9): at most how much of a filtered map lies at `distance` or beyond? -> (N,), 0 to 1.
+
+    distance, mean E_0, mean_square E_1 (N,). The variance is at least the number least_variance
+    > 0: it stands in for the slope inside a texel, and for rounding. Where distance <= mean: 1.
+
+    >>> chebyshev(np.array([2.0, 5.0, 5.0]), np.array([3.0, 3.0, 4.0]), np.array([11, 11, 16.0]), 1)
+    array([1.        , 0.33333333, 0.5       ])
+    """
+    raise NotImplementedError("exercise 14.17: chebyshev")
+
+
+def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.18 (3 points)
+                       least_variance):
+    """Backward of eq. (9): grad_lit (N,) -> grad_distance, grad_mean, grad_mean_square, each (N,).
+
+    The variance has a gradient only where it is greater than least_variance.
+
+    >>> E_0, E_1 = np.array([3.0, 3.0]), np.array([12.0, 10.0])                # variances 3 and 2
+    >>> grads = chebyshev_backward(np.ones(2), np.array([5.0, 5.0]), E_0, E_1, 2.0)
+    >>> grads[0] * [49, 36], grads[1] * [49, 36], grads[2] * [49, 36]
+    (array([-12.,  -8.]), array([-12.,   8.]), array([4., 0.]))
+    """
+    raise NotImplementedError("exercise 14.18: chebyshev_backward")
+
+
+def map_motion(distance_map, clip_from_light):  # exercise 14.19 (3 points)
+    """How far the content of each texel moves on the map when all points move in the light's frame.
+
+    distance_map (H, W), finite -> motion (H, W, 2, 3): the partial derivatives of eq. (2), x and y
+    in texels, by q_x, q_y and q_z, at the texel's centre, for the point at its distance.
+    clip_from_light C as in `map_position`.
+
+    >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
+    >>> map_motion(np.array([[4.0, 2.0, 4.0]]), C)[0, 2] + 0.0
+    array([[0.75, 0.  , 0.25],
+           [0.  , 0.5 , 0.  ]])
+    """
+    raise NotImplementedError("exercise 14.19: map_motion")
+
+
+def moments_of(distance_map):
+    """Eq. (8) before the blur: distance_map (H, W) -> the distance and its square (H, W, 2)."""
+    return np.stack([distance_map, distance_map**2], -1)
+
+
+def moved_moments(distance_map, motion, move):  # exercise 14.20 (4 points)
+    """Eq. (10): the moments when all points have moved by a little in the light's frame.
+
+    distance_map (H, W), finite; motion (H, W, 2, 3) of `map_motion`; move (3,): q becomes q + move
+    -> moments (H, W, 2). With d = distance_map: first, each texel has d - move_z and its square.
+    Then, of each pair of neighbours a and b, b to the right of a or above it: the border between
+    them moves with the surface in front, by s texels to the right (or up). s is x (or y) of motion
+    @ move, of the texel with the smaller d. (Equal ones have no step between them.) Each of the two
+    loses s / 2 times (moments of b - moments of a), the moments as they were before: d and d^2.
+
+    >>> C = np.diag([1.0, 1.0, -1.0, 1.0])
+    >>> distance_map = np.array([[2.0, 2.0, 3.0]])
+    >>> motion = map_motion(distance_map, C)                        # 1.5 texels to the unit of q_x
+    >>> moved_moments(distance_map, motion, np.array([0.2, 0.0, 0.0]))[0]
+    array([[2.  , 4.  ],
+           [1.85, 3.25],
+           [2.85, 8.25]])
+    """
+    raise NotImplementedError("exercise 14.20: moved_moments")
+
+
+def moved_moments_backward(grad_moments, distance_map, motion, move):  # exercise 14.21 (4 points)
+    """Backward of `moved_moments` with respect to move: grad_moments (H, W, 2) -> grad_move (3,).
+
+    distance_map and motion are held.
+
+    >>> C = np.diag([1.0, 1.0, -1.0, 1.0])
+    >>> distance_map = np.array([[2.0, 2.0, 3.0]])
+    >>> grad_moments = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 1.0]]])
+    >>> motion = map_motion(distance_map, C)
+    >>> moved_moments_backward(grad_moments, distance_map, motion, np.zeros(3)) + 0.0
+    array([ -6.75,   0.  , -10.  ])
+    """
+    raise NotImplementedError("exercise 14.21: moved_moments_backward")
+
+
+# --- a shadow with a gradient -----------------------------------------------------------------
+
+
+def closed_map(vertices, faces, light, size):
+    """`depth_map` with the far plane's distance where the light sees nothing: (size, size)."""
+    distance_map = shadow_mapping.depth_map(vertices, faces, light, size)
+    far = shadow_mapping.distance_of_depth(np.ones(1), light.clip_from_light)
+    return np.where(np.isfinite(distance_map), distance_map, far)
+
+
+def variance_shadow(points, vertices, faces, light, settings):
+    """Eqs. (8) and (9): the lit share of points (N, 3) -> (N,), and the Buffers for its backward.
+
+    The map of moments is blurred over (2 radius + 1)^2 texels, and read bilinearly. Points outside
+    the map are lit. ValueError for what does not fit.
+    """
+    require_settings(settings)
+    distance_map = closed_map(vertices, faces, light, settings.size)
+    blurred = box_blur(moments_of(distance_map), settings.radius)
+    q = shadow_mapping.before_light(points, light)
+    place = shadow_mapping.map_position(q, light.clip_from_light, settings.size, settings.size)
+    uv = np.ascontiguousarray(place) / settings.size
+    mean = mipmapping.texture(blurred, uv, boundary="clamp")
+    inside = ((uv >= 0) & (uv < 1)).all(1)
+    lit = np.where(inside, chebyshev(-q[:, 2], *mean.T, settings.least_variance), 1.0)
+    return lit, Buffers(distance_map, blurred, q, uv, mean, inside)
+
+
+def variance_shadow_backward(grad_lit, buffers, points, light, settings):
+    """Backward of `variance_shadow` with respect to the light's position: grad_lit (N,) -> (3,).
+
+    A texel of the map jumps when an edge passes its centre; (10) moves the edge evenly instead. So
+    this is the slope of sums over many texels, and not of single ones. At a round body's rim, the
+    texels' centres are nearer than the rim, and seem to move too far: this error falls with the
+    root of the texel's size. In parallel light the gradient is 0 up to such errors: the shadow
+    depends on the direction alone, and that is held.
+    """
+    # Two ways from q to the shadow, read upwards: the receivers' places and distances (9), (2), and
+    # the moments of the map (10). When the light moves, all points of its frame move the other way.
+    size, radius, least_variance = settings
+    distance_map, blurred, q, uv, mean, inside = buffers
+    grad_distance, *grad_mean = chebyshev_backward(
+        np.where(inside, grad_lit, 0.0), -q[:, 2], *mean.T, least_variance)
+    grad_blurred, grad_uv, *_ = mipmapping.texture_backward(
+        np.stack(grad_mean, -1), blurred, uv, boundary="clamp")
+    grad_q = shadow_mapping.map_position_backward(grad_uv / size, q, light.clip_from_light, size,
+                                                  size)
+    grad_q[:, 2] -= grad_distance
+    motion = map_motion(distance_map, light.clip_from_light)
+    grad_move = moved_moments_backward(box_blur_backward(grad_blurred, radius), distance_map,
+                                       motion, np.zeros(3))
+    _, grad_position = shadow_mapping.to_light_backward(grad_q, points, light.position,
+                                                        light.rotation)
+    return grad_position - grad_move @ light.rotation
+
+
+def position_loss(target, points, vertices, faces, light, settings):
+    """The mean square error of a shadow against target (N,), and its gradient with respect to the
+    light's position (3,); the others as in `variance_shadow`.
+    """
+    if np.shape(target) != (len(points),) or len(points) == 0:
+        raise ValueError("position_loss expects a target (N,), one number for each point, and at "
+                         f"least one point, got {np.shape(target)} for {len(points)} points; "
+                         "give the shadow at the points")
+    lit, buffers = variance_shadow(points, vertices, faces, light, settings)
+    loss = inverse_rendering.squared_error(lit, target)
+    grad_lit = inverse_rendering.squared_error_backward(1.0, lit, target)
+    return loss, variance_shadow_backward(grad_lit, buffers, points, light, settings)
+
+
+def moved_light(light, move, vertices):
+    """The point light after a move (3,), halved until `point_light` accepts the place."""
+    for part in 0.5 ** np.arange(20):
+        try:
+            return lights.point_light(light.position + part * move, vertices)
+        except ValueError:
+            continue
+    return light
+
+
+def step_in_light(position, grad_position, mean, square, step, rate, vertices):
+    """`inverse_rendering.adam_step` for a point light's position, in the axes of that light.
+
+    To go nearer or farther changes a shadow the least: in these axes it has a step size of its own.
+    """
+    light = lights.point_light(position, vertices)
+    move, mean, square = inverse_rendering.adam_step(
+        np.zeros(3), light.rotation @ grad_position, mean, square, step, rate, 0.9, 0.99)
+    return moved_light(light, move @ light.rotation, vertices).position, mean, square
+
+
+def fit_position(target, points, vertices, faces, guess, settings, schedule):
+    """Where does the point light stand that casts this shadow? -> positions (steps + 1, 3).
+
+    target (N,): the lit shares of points (N, 3); guess (3,): the first position; schedule: the
+    length of each step, in the world's unit, as `inverse_rendering.decay` makes. The blur's radius
+    falls as the rate does. The light looks at the scene anew in each step. Found from within about
+    20 % of the scene's size and a light well above the ground; from farther it may end elsewhere.
+    """
+    radii = iter([round(settings.radius * rate / schedule[0]) for rate in schedule])
+
+    def gradient(position):
+        light = lights.point_light(position, vertices)
+        return position_loss(target, points, vertices, faces, light,
+                             settings._replace(radius=next(radii)))
+
+    start = lights.point_light(guess, vertices).position
+    update = functools.partial(step_in_light, vertices=vertices)
+    path = inverse_rendering.descend(start, gradient, schedule, update)
+    return np.array([start, *(position for position, _ in path)])
+
+
+def require_settings(settings):
+    """ValueError, in one sentence, unless `variance_shadow` can take settings like these."""
+    if not (isinstance(settings.radius, numbers.Integral) and settings.radius >= 0):
+        raise ValueError("variance_shadow expects a blur by a whole number of texels, at least 0, "
+                         f"got {settings.radius!r}; round it")
+    if not settings.least_variance > 0:
+        raise ValueError("variance_shadow expects a least variance above 0, got "
+                         f"{settings.least_variance}; try (a thousandth of the scene's size)^2")

@@ -1,0 +1,142 @@
+"""What the exercises of lab 14 must do: means of comparisons, and the width of a soft border."""
+import math
+
+import numpy as np
+
+from course.checks import assert_close, assert_equal, exercise
+
+CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 0]])
+
+
+@exercise("14.10")
+def test_the_plane_is_measured_at_the_texels_centre(impl):
+    """At the place itself; or from the centre of the receiver's own texel."""
+    receiver = np.array([[2.75, 1.25]]), np.array([10.0]), np.array([[2.0, -4.0]])
+    got = impl.on_plane(*receiver, np.array([0.5, -1.0]))
+    assert_close(got, (np.array([[3.25, 0.25]]), np.array([10 + 2 * 0.75 + 4 * 0.75])))
+    got = impl.on_plane(*receiver, np.zeros((1, 2)))
+    assert_close(got[1], np.array([10 - 2 * 0.25 - 4 * 0.25]))
+
+
+@exercise("14.10")
+def test_texels_left_of_the_map_have_centres_too(impl, rng):
+    """Cutting off decimals is not floor: -0.3 lies in the texel whose centre is -0.5."""
+    place, slope, step = rng.uniform(-3, 3, (3, 20, 2))
+    distance = rng.uniform(-3, 3, 20)
+    plane = [distance[k] + sum(slope[k, axis] * (math.floor(place[k, axis] + step[k, axis]) + 0.5
+                                                 - place[k, axis]) for axis in (0, 1))
+             for k in range(20)]
+    assert_close(impl.on_plane(place, distance, slope, step), (place + step, np.array(plane)))
+
+
+def places(distance_map, place, distance, slope, bias, offsets, radius):
+    """Of each receiver, one by one: what its places store, inf outside; which of them are lit."""
+    height, width = distance_map.shape
+    for k, (x, y) in enumerate(place):
+        stored, lit = [], []
+        for dx, dy in offsets:
+            j = math.floor(x + radius[k] * dx)
+            i = math.floor(y + radius[k] * dy)
+            inside = 0 <= i < height and 0 <= j < width
+            stored.append(distance_map[i, j] if inside else math.inf)
+            plane = distance[k] + slope[k] @ [j + 0.5 - x, i + 0.5 - y]
+            lit.append(plane <= stored[-1] + bias[k])
+        yield np.array(stored), np.array(lit)
+
+
+def around(rng, count=40):
+    """A map, receivers over it and beside it, with slopes, biases, places and radii."""
+    distance_map = rng.uniform(2, 6, (6, 9))
+    distance_map[rng.random((6, 9)) < 0.2] = np.inf
+    place = rng.uniform(-1, [10, 7], (count, 2))
+    slope = 0.3 * rng.normal(size=(count, 2))
+    return (distance_map, place, rng.uniform(3, 5, count), slope, rng.uniform(0, 0.5, count),
+            rng.uniform(-1, 1, (11, 2)), rng.uniform(0, 3, count))
+
+
+FLAT = np.zeros((2, 2))
+CROSS = np.array([[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 0.0]])
+
+
+@exercise("14.11")
+def test_shares_on_paper(impl):
+    """The distances are averaged; the dark share is returned; x and y are swapped."""
+    distance_map = np.array([[3.0, 3.0, 9.0, 9.0], [3.0, 3.0, 9.0, 1.0]])
+    got = impl.percentage_closer(distance_map, np.array([[1.5, 1.5], [2.5, 1.5]]),
+                                 np.array([5.0, 5.0]), FLAT, 0.0, CROSS, 1.0)
+    assert_close(got, np.array([0.25, 0.5]))
+
+
+@exercise("14.11")
+def test_each_receiver_has_its_radius_and_bias(impl, rng):
+    """One radius for all, a place off by a half, a slope that is left out, or dark outside."""
+    given = around(rng)
+    expected = np.array([lit.mean() for _, lit in places(*given)])
+    assert_close(impl.percentage_closer(*given), expected)
+
+
+@exercise("14.11")
+def test_a_slanted_plane_does_not_darken_itself(impl, rng):
+    """Every neighbour is compared with the distance at the middle: acne comes back."""
+    slope = np.array([0.7, -0.4])
+    column, row = np.meshgrid(np.arange(9) + 0.5, np.arange(6) + 0.5)
+    distance_map = 5 + slope[0] * column + slope[1] * row
+    place = rng.uniform(2, [7, 4], (20, 2))
+    got = impl.percentage_closer(distance_map, place, 5 + place @ slope, np.tile(slope, (20, 1)),
+                                 1e-9, CROSS, 1.5)
+    assert_close(got, np.ones(20))
+
+
+@exercise("14.12")
+def test_blockers_on_paper(impl):
+    """Lit places count, too; or the sum is divided by all places."""
+    distance_map = np.array([[3.0, 4.0, 9.0, 9.0], [2.0, 3.0, 9.0, 1.0]])
+    got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5], [2.5, 1.5]]),
+                                np.array([5.0, 5.0]), FLAT, 0.0, CROSS, 1.0)
+    assert_close(got, np.array([3.0, 2.0]))
+
+
+@exercise("14.12")
+def test_what_is_just_lit_is_no_blocker(impl):
+    """A place at the very distance that is stored, and its bias, counts as dark."""
+    distance_map = np.array([[3.0, 4.0, 9.0, 9.0], [2.0, 3.0, 9.0, 1.0]])
+    got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5]] * 2), np.array([4.0, 4.5]),
+                                FLAT, np.array([0.0, 0.5]), CROSS, 1.0)
+    assert_close(got, np.array([2.5, 2.5]))
+
+
+@exercise("14.12")
+def test_blockers_are_the_places_that_are_not_lit(impl, rng):
+    """The bias or the plane is left out; what lies outside the map blocks."""
+    given = around(rng)
+    expected = np.array([stored[~lit].mean() if not lit.all() else np.inf
+                         for stored, lit in places(*given)])
+    assert_equal(bool(np.isinf(expected).any() and np.isfinite(expected).any()), True)
+    with np.errstate(all="raise"):
+        assert_close(impl.blocker_distance(*given), expected)
+
+
+@exercise("14.13")
+def test_a_border_grows_with_the_distance_behind_the_blocker(impl):
+    """Distances are swapped, or the border is measured in the world and not on the map."""
+    distance, blocker = np.array([4.0, 4.0, 8.0, 2.0]), np.array([4.0, 2.0, 2.0, 1.0])
+    assert_close(impl.penumbra_radius(distance, blocker, 0.5, CONE, 16),
+                 np.array([0.0, 1.5, 2.25, 3.0]))
+
+
+@exercise("14.13")
+def test_no_blocker_has_no_border(impl):
+    """A negative radius, NaN, or a warning."""
+    with np.errstate(all="raise"):
+        got = impl.penumbra_radius(np.array([3.0, 3.0]), np.array([np.inf, 3.5]), 0.5, CONE, 16)
+    assert_close(got, np.zeros(2))
+
+
+@exercise("14.13")
+def test_the_border_ends_where_the_rays_to_the_rim_pass(impl, rng):
+    """The diameter in place of the radius, or the blocker's distance from the receiver."""
+    distance, x = rng.uniform(3, 6, 10), rng.normal(size=10)
+    blocker = distance * rng.uniform(0.2, 0.9, 10)
+    at_blocker = x + (0.3 - x) * (distance - blocker) / distance   # of the ray to the rim, at 0.3
+    expected = (at_blocker / blocker - x / distance) * 1.5 * 20 / 2
+    assert_close(impl.penumbra_radius(distance, blocker, 0.3, CONE, 20), expected)

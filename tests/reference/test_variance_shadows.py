@@ -1,0 +1,181 @@
+"""Whole variance shadows of lab 14, and their gradient, against ray casting and differences."""
+import numpy as np
+import pytest
+from shadow_scenes import LIGHTS, PLACE, camera, scene
+
+from course.given import mesh, ray_casting
+from course.given.gradcheck import gradcheck
+from reference import inverse_rendering, lights, mipmapping, shadow_mapping, variance_shadows
+
+
+def slab():
+    """A slanted square without thickness."""
+    vertices, faces = mesh.plane(2)
+    return vertices @ np.array([[0.9, 0.1, 0.5], [0.0, 1.0, 0.0], [-0.5, 0.2, 0.9]]), faces
+
+
+def on_the_ground(load, light, size):
+    """A shadow on the ground, weighted: loss of the position -> loss and buffers, the light, and
+    backward by its position.
+    """
+    vertices, faces = scene(load, lift=0.35)
+    light = light(vertices)
+    face_index, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 96, 80)
+    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    weight = np.sin(2 * points @ [1.0, 0.0, 0.4]) / len(points)
+    settings = variance_shadows.Settings(size, 6, 1e-3)
+
+    def loss(position):
+        lit, buffers = variance_shadows.variance_shadow(
+            points, vertices, faces, light._replace(position=position), settings)
+        return weight @ lit, buffers
+
+    def backward():
+        _, buffers = loss(light.position)
+        return variance_shadows.variance_shadow_backward(weight, buffers, points, light, settings)
+
+    return loss, light, backward
+
+
+def gradient_error(load, size):
+    """Backward less differences, relative. A single texel jumps: the steps are some texels long."""
+    loss, light, backward = on_the_ground(load, LIGHTS["point"], size)
+    slopes = np.zeros(3)
+    for axis, step in np.ndindex(3, 4):
+        h = np.eye(3)[axis] * (0.05 + 0.01 * step)
+        change = loss(light.position + h)[0] - loss(light.position - h)[0]
+        slopes[axis] += change / (2 * h.sum()) / 4
+    return np.linalg.norm(backward() - slopes) / np.linalg.norm(slopes)
+
+
+@pytest.mark.parametrize(("load", "within"), [(slab, 0.05), (mesh.bunny, 0.15)],
+                         ids=["slab", "bunny"])
+def test_the_gradient_of_the_position_is_the_slope_of_the_shadow(load, within):
+    """The border's motion is left out, or counted twice: the rest even has the wrong sign."""
+    assert gradient_error(load, 320) < within
+
+
+def test_at_a_round_rim_a_finer_map_has_a_better_gradient():
+    """The error of a rim that moves too fast is not that of the texels, and stays."""
+    error = [gradient_error(lambda: mesh.icosphere(1280), size) for size in (120, 480)]
+    assert error[1] < 0.8 * error[0]
+
+
+def test_the_place_of_parallel_light_has_no_gradient(monkeypatch):
+    """The map does not move with the receivers: a shadow of the sun that follows its position."""
+    _, _, backward = on_the_ground(mesh.bunny, LIGHTS["direction"], 320)
+    whole, motion = backward(), variance_shadows.map_motion
+    monkeypatch.setattr(variance_shadows, "map_motion", lambda *given: 0 * motion(*given))
+    assert np.linalg.norm(whole) < 0.03 * np.linalg.norm(backward())
+
+
+def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
+    """A part of the way from the position to the shadow is missing, or has another sign."""
+    vertices, faces = scene(slab, lift=0.35)
+    light, size, radius = LIGHTS["point"](vertices), 48, 2
+    settings = variance_shadows.Settings(size, radius, 1e-3)
+    face_index, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 12, 10)
+    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    _, buffers = variance_shadows.variance_shadow(points, vertices, faces, light, settings)
+    motion = variance_shadows.map_motion(buffers.distance_map, light.clip_from_light)
+
+    def looked_up(position):
+        moments = variance_shadows.moved_moments(buffers.distance_map, motion,
+                                                 -light.rotation @ (position - light.position))
+        q = shadow_mapping.to_light(points, position, light.rotation)
+        uv = shadow_mapping.map_position(q, light.clip_from_light, size, size) / size
+        blurred = variance_shadows.box_blur(moments, radius)
+        return -q[:, 2], *mipmapping.texture(blurred, uv, boundary="clamp").T, uv
+
+    def forward(position):
+        return variance_shadows.chebyshev(*looked_up(position)[:3], 1e-3)
+
+    def backward(grad_lit, position):
+        return variance_shadows.variance_shadow_backward(grad_lit, buffers, points, light, settings)
+
+    def decisions(position):
+        distance, mean, mean_square, uv = looked_up(position)
+        return distance > mean, mean_square - mean**2 > 1e-3, np.floor(uv * size - 0.5)
+
+    assert (forward(light.position) < 0.5).any()
+    gradcheck(forward, backward, (light.position,), decisions=decisions, name="variance_shadow")
+
+
+@pytest.mark.parametrize("off", [[0.6, 0.4, -0.6], [0.5, -0.5, 0.4]])
+def test_a_light_is_found_by_its_shadow(off):
+    """The fit ends farther than 2 % of the scene's size from the light."""
+    vertices, faces = scene(lift=0.35)
+    from_above = camera((1.6, 2.8, 0.8))                 # the bunny does not hide its shadow
+    face_index, points, _ = shadow_mapping.visible_points(vertices, faces, from_above, 64, 64)
+    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    target = ray_casting.ray_cast(points, vertices, faces, LIGHTS["point"](vertices))
+    path = variance_shadows.fit_position(
+        target, points, vertices, faces, PLACE + off, variance_shadows.Settings(192, 6, 1e-3),
+        inverse_rendering.decay(0.08, 0.1, 100))
+    size = np.linalg.norm(np.ptp(vertices, axis=0))
+    distance = np.linalg.norm(path - PLACE, axis=1) / size
+    assert distance[0] > 0.15 and distance[-1] < 0.02
+
+
+@pytest.mark.parametrize("off", [[0.5, -0.4, 0.3], [0.9, -0.9, -0.5]])
+def test_the_fit_of_a_low_light_stays_where_a_cone_sees_the_scene(off):
+    """A step too far, and the fit ends with point_light's refusal."""
+    vertices, faces = scene(lift=0.35)
+    place = np.array([-3.0, 2.2, 1.0])
+    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 32, 28)
+    target = ray_casting.ray_cast(points, vertices, faces,
+                                  lights.point_light(place, vertices))
+    path = variance_shadows.fit_position(
+        target, points, vertices, faces, place + off, variance_shadows.Settings(64, 3, 1e-3),
+        inverse_rendering.decay(0.5, 0.1, 12))
+    assert len(path) == 13
+    for position in path:
+        lights.point_light(position, vertices)
+
+
+def test_a_light_goes_its_whole_way_or_a_half_of_it():
+    """A move that is fine is shortened; one into the scene is refused, or not taken at all."""
+    vertices, _ = scene()
+    light, move = LIGHTS["point"](vertices), np.array([0.3, 0.2, -0.1])
+    moved = variance_shadows.moved_light(light, move, vertices)
+    np.testing.assert_allclose(moved.position, PLACE + move)
+    light = variance_shadows.moved_light(light, -0.9 * PLACE, vertices)
+    np.testing.assert_allclose(light.position, 0.55 * PLACE)
+    light = variance_shadows.moved_light(light, np.full(3, np.nan), vertices)
+    np.testing.assert_allclose(light.position, 0.55 * PLACE)
+
+
+def test_what_does_not_fit_a_variance_shadow_is_one_sentence():
+    """A map without texels, a blur by half a texel, no point: NaN, or an error from inside."""
+    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    light = LIGHTS["point"](vertices)
+    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
+
+    def refused(match, size=8, radius=1, least_variance=1e-3, points=points, faces=faces,
+                target=None):
+        target = np.ones(len(points)) if target is None else target
+        with pytest.raises(ValueError, match=match):
+            variance_shadows.position_loss(
+                target, points, vertices, faces, light,
+                variance_shadows.Settings(size, radius, least_variance))
+
+    refused("one number for each point", target=np.ones((len(points), 1)))
+    refused("at least one point", points=points[:0])
+    refused("finite points", points=points * np.nan)
+    refused("before the light", points=points + 2 * PLACE)
+    refused("at least one face", faces=faces[:0])
+    for radius in 2.5, 1.0, -1, np.inf:
+        refused("whole number of texels", radius=radius)
+    for least_variance in 0.0, -1.0, np.nan:
+        refused("variance above 0", least_variance=least_variance)
+    for size in 0, -1, 2.5:
+        refused("whole number of rows and columns", size=size)
+
+
+def test_a_fit_of_no_steps_stays():
+    """An empty schedule: an error from inside."""
+    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
+    path = variance_shadows.fit_position(np.ones(len(points)), points, vertices, faces, PLACE,
+                                         variance_shadows.Settings(8, 1, 1e-3), [])
+    np.testing.assert_array_equal(path, [PLACE])
