@@ -22,7 +22,7 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
-from .rasterization import normalize_derivative, scatter, seen_pixels  # noqa: F401
+from .rasterization import normalize_derivative, seen_pixels
 
 
 def lerp(a, b, t):  # exercise 5.1 (1 point)

@@ -40,12 +40,13 @@ def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point
 
 
 def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
-              beta_1=0.9, beta_2=0.999, epsilon=1e-8):
+              constants=(0.9, 0.999, 1e-8)):
     """Eq. (3): one step of Adam downhill -> x, mean, square after it, the arguments unchanged.
 
     x, grad_x, mean (m), square (s): arrays of one shape, any. step (n) is 1 for the first step, for
     which mean and square are 0. Every element goes its own way: the first step changes each by
-    nearly rate, whatever the size of its gradient, if that is far above epsilon.
+    nearly rate, whatever the size of its gradient, if that is far above epsilon. The constants are
+    b1, b2 and epsilon.
 
     >>> x, grad_x, zero = np.array([5.0, 5.0]), np.array([4.0, -100.0]), np.zeros(2)
     >>> x, mean, square = adam_step(x, grad_x, zero, zero, 1, rate=0.25)
@@ -71,14 +72,15 @@ def descend(x, gradient, schedule, update=adam_step, project=lambda x: x):
     [2.] 9.0
     [1.515] 4.0
     """
-    means = squares = [np.zeros_like(array) for array in arrays_of(x, x)]
+    means = [np.zeros_like(array) for array in arrays_of(x, x)]
+    squares = [np.zeros_like(array) for array in arrays_of(x, x)]
     for step, rate in enumerate(schedule, 1):
         loss, grad_x = gradient(x)
-        fields = zip(arrays_of(x, x), arrays_of(grad_x, x), means, squares,
-                     arrays_of(rate, x), arrays_of(update, x), strict=True)
-        moved = [update_one(array, grad, mean, square, step, rate_one)
-                 for array, grad, mean, square, rate_one, update_one in fields]
-        arrays, means, squares = zip(*moved, strict=True)
+        arrays = list(arrays_of(x, x))
+        grads, rates, updates = (arrays_of(value, x) for value in (grad_x, rate, update))
+        for k, array in enumerate(arrays):
+            arrays[k], means[k], squares[k] = updates[k](
+                array, grads[k], means[k], squares[k], step, rates[k])
         x = project(type(x)(*arrays) if isinstance(x, tuple) else arrays[0])
         yield x, loss
 

@@ -14,7 +14,7 @@ import itertools
 import numpy as np
 import scipy.sparse
 
-from .interpolation import scatter
+from .rasterization import scatter
 
 
 def tetrahedral_grid(n):

@@ -32,8 +32,7 @@ from .antialiasing import (
     pair_frame_backward,
     silhouette_edges,
 )
-from .interpolation import scatter
-from .rasterization import EDGES, screen_points
+from .rasterization import EDGES, scatter, screen_points
 
 
 class Pairs(NamedTuple):

@@ -11,11 +11,10 @@
 
 Equations (8) and (9) are in `remeshing.py`. alpha and beta lie opposite to the edge in its two
 faces. M is diagonal: m_i is a valence with uniform weights, an area with cotangents. Lab 9's
-Laplacian is M^-1 L x with w = 1 and m = valence, and its energy is (4) with m = valence^2.
-Edges (E, 2) and face_edges (F, 3) are those of `mesh.edges`: no face may name a vertex twice.
+Laplacian is M^-1 L x with w = 1 and m = valence. Edges (E, 2) and face_edges (F, 3) are those of
+`mesh.edges`: no face may name a vertex twice.
 
-Sources: GAMES101's lecture on geometry; Pinkall and Polthier 1993 (3), Desbrun et al. 1999 (6),
-Taubin 1995, Nicolet, Jacobson and Jakob 2021 (10).
+Sources: GAMES101; Pinkall and Polthier 1993 (3), Desbrun 1999 (6), Taubin 1995, Nicolet 2021 (10).
 """
 import numpy as np
 import scipy.sparse
@@ -321,11 +320,12 @@ def precondition(x, edges, weights, amount):
     return smooth_implicit(x, edges, weights, np.ones(len(x)), amount)
 
 
-def uniform_adam_step(x, grad_x, mean, square, step, rate, beta_1=0.9, beta_2=0.999, epsilon=1e-8):
+def uniform_adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     """Lab 9's `adam_step`, but all elements go at the rate of the one with the largest square.
 
     Arguments and results are as there. Adam changes grad_x's direction, and this step keeps it.
     """
+    beta_1, beta_2, epsilon = constants
     mean = beta_1 * mean + (1 - beta_1) * grad_x
     square = beta_2 * square + (1 - beta_2) * grad_x**2
     steepest = np.sqrt(square.max(initial=0) / (1 - beta_2**step)) + epsilon

@@ -112,7 +112,7 @@ def test_the_first_step_is_by_the_rate(impl):
 def test_a_step_in_the_middle_on_paper(impl):
     """m^ and s^ come back for m' and s' (mean, square), or are not by this step's number."""
     given = np.array([5.0]), np.array([2.0]), np.array([4.0]), np.array([3.0])
-    x, mean, square = impl.adam_step(*given, 2, 0.5, beta_1=0.5, beta_2=0.75, epsilon=0.0)
+    x, mean, square = impl.adam_step(*given, 2, 0.5, constants=(0.5, 0.75, 0.0))
     # m = 2 + 1, s = 2.25 + 1; corrected by 1 - 1/4 and by 1 - 9/16.
     assert_close(mean, np.array([3.0]))
     assert_close(square, np.array([3.25]))
@@ -123,7 +123,7 @@ def test_a_step_in_the_middle_on_paper(impl):
 def test_epsilon_is_added_to_the_root(impl):
     """epsilon is under the root, or is added before the correction; or 0 is divided by 0."""
     x, grad_x, zero = np.array([1.0, 1.0]), np.array([3.0, 0.0]), np.zeros(2)
-    x, _, _ = impl.adam_step(x, grad_x, zero, zero, 1, 0.5, epsilon=2.0)
+    x, _, _ = impl.adam_step(x, grad_x, zero, zero, 1, 0.5, (0.9, 0.999, 2.0))
     assert_close(x, np.array([0.7, 1.0]))
 
 
@@ -131,11 +131,11 @@ def test_epsilon_is_added_to_the_root(impl):
 def test_many_steps_are_sums_over_all_gradients(impl, rng):
     """The two betas are swapped, or the defaults are others: 0.9, 0.999 and 1e-8."""
     gradients, x = rng.normal(size=(6, 2, 3)), rng.normal(size=(2, 3))
-    for betas in (), (0.8, 0.95, 1e-3):
-        expected = adam_by_sums(x, gradients, 0.1, *(betas or (0.9, 0.999, 1e-8)))
+    for given, constants in ((), (0.9, 0.999, 1e-8)), (((0.8, 0.95, 1e-3),), (0.8, 0.95, 1e-3)):
+        expected = adam_by_sums(x, gradients, 0.1, *constants)
         state = x, np.zeros((2, 3)), np.zeros((2, 3))
         for step, grad_x in enumerate(gradients, 1):
-            state = impl.adam_step(state[0], grad_x, *state[1:], step, 0.1, *betas)
+            state = impl.adam_step(state[0], grad_x, *state[1:], step, 0.1, *given)
             assert_close(state[0], expected[step - 1])
 
 

@@ -31,24 +31,27 @@ def squared_error_backward(grad_loss, picture, target):
     return grad_loss * 2 * (target - picture) / picture.size
 
 
-def adam_step(x, grad_x, mean, square, step, rate, beta_1=0.9, beta_2=0.999, epsilon=1e-8):
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     """the step goes uphill"""
+    beta_1, beta_2, epsilon = constants
     mean = beta_1 * mean + (1 - beta_1) * grad_x
     square = beta_2 * square + (1 - beta_2) * grad_x**2
     corrected_mean, corrected_square = mean / (1 - beta_1**step), square / (1 - beta_2**step)
     return x + rate * corrected_mean / (np.sqrt(corrected_square) + epsilon), mean, square
 
 
-def adam_step(x, grad_x, mean, square, step, rate, beta_1=0.9, beta_2=0.999, epsilon=1e-8):
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     """mean and square are not corrected for their start at 0"""
+    beta_1, beta_2, epsilon = constants
     mean = beta_1 * mean + (1 - beta_1) * grad_x
     square = beta_2 * square + (1 - beta_2) * grad_x**2
     corrected_mean, corrected_square = mean, square
     return x - rate * corrected_mean / (np.sqrt(corrected_square) + epsilon), mean, square
 
 
-def adam_step(x, grad_x, mean, square, step, rate, beta_1=0.9, beta_2=0.999, epsilon=1e-8):
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     """epsilon is under the root; it is added to the root"""
+    beta_1, beta_2, epsilon = constants
     mean = beta_1 * mean + (1 - beta_1) * grad_x
     square = beta_2 * square + (1 - beta_2) * grad_x**2
     corrected_mean, corrected_square = mean / (1 - beta_1**step), square / (1 - beta_2**step)

@@ -1,4 +1,4 @@
-"""Mistakes of lab 15's meshes; each docstring goes on after "this is what comes out when"."""
+"""Mistakes of lab 15; each docstring goes on after "this is what comes out when"."""
 
 
 def tetrahedron_triangles(inside):
