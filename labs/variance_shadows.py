@@ -251,7 +251,7 @@ def step_in_light(position, grad_position, mean, square, step, rate, vertices):
     """
     light = lights.point_light(position, vertices)
     move, mean, square = inverse_rendering.adam_step(
-        np.zeros(3), light.rotation @ grad_position, mean, square, step, rate, 0.9, 0.99)
+        np.zeros(3), light.rotation @ grad_position, mean, square, step, rate, (0.9, 0.99, 1e-8))
     return moved_light(light, move @ light.rotation, vertices).position, mean, square
 
 

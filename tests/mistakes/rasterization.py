@@ -223,7 +223,9 @@ def rasterize_loop(clip, faces, width, height):
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
-                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                z0, z1, z2 = clip[corners, 2] / w[corners]
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z
     return face_index[::-1], depth[::-1]
@@ -243,7 +245,9 @@ def rasterize_loop(clip, faces, width, height):
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
-                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                z0, z1, z2 = clip[corners, 2] / w[corners]
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1:
                     face_index[i, j], depth[i, j] = f, z
     return face_index, depth
@@ -261,7 +265,9 @@ def rasterize_loop(clip, faces, width, height):
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
-                z = barycentric_coordinates(p, triangle) @ (clip[corners, 2] / w[corners])
+                z0, z1, z2 = clip[corners, 2] / w[corners]
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z
     return face_index, depth

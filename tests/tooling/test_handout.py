@@ -111,9 +111,9 @@ def test_labs_that_are_imported_come_along(tmp_path, capsys):
     """
     handout.run(tmp_path / "new", "8")
     assert sorted(path.stem for path in tmp_path.glob("new/labs/*.py")) == [
-        "antialiasing", "diagnosis", "interpolation", "outlines", "rasterization", "transforms"]
+        "antialiasing", "diagnosis", "outlines", "rasterization", "transforms"]
     assert not (tmp_path / "new" / "reference").exists()
-    assert "transforms, rasterization, interpolation was added" in capsys.readouterr().out
+    assert "transforms, rasterization was added" in capsys.readouterr().out
 
 
 def test_nothing_is_overwritten(tmp_path):
