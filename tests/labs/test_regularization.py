@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import scipy.spatial
+from regularization_graphs import angle, dense, graph
 
 from course.checks import assert_close, assert_equal, exercise
 from course.given import mesh
@@ -20,28 +21,6 @@ def triangles(rng, *shape):
     triangles = rng.normal(size=(*shape, 3, 3))
     triangles[..., 2, :] += 2 * np.cross(triangles[..., 0, :], triangles[..., 1, :])
     return triangles
-
-
-def angle(corner, b, c):
-    """The angle at a corner between two other points, by the law of cosines."""
-    p, q, r = np.linalg.norm(b - corner), np.linalg.norm(c - corner), np.linalg.norm(b - c)
-    return np.arccos((p**2 + q**2 - r**2) / (2 * p * q))
-
-
-def graph(rng, vertex_count=7):
-    """Edges (E, 2), each once, weights (E,); the last vertex has no edge."""
-    pairs = np.array(list(itertools.combinations(range(vertex_count - 1), 2)))
-    edges = rng.permutation(pairs)[:2 * vertex_count - 4]
-    return edges, rng.uniform(0.5, 2.0, len(edges))
-
-
-def dense(edges, weights, vertex_count):
-    """Eq. (2) as a full matrix, edge by edge."""
-    L = np.zeros((vertex_count, vertex_count))
-    for (i, j), weight in zip(edges, weights, strict=True):
-        L[[i, j], [i, j]] += weight
-        L[[i, j], [j, i]] -= weight
-    return L
 
 
 def bumpy_sphere(rng):

@@ -1,0 +1,123 @@
+"""What the tests of lab 12 share: meshes, and a slow greedy simplification."""
+import itertools
+
+import numpy as np
+
+from course.given import mesh
+
+LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-3, 0.5**0.5, 0.01  # as in the module
+# A double pyramid: 0 above, 4 below, and the ring 1 2 3, whose edges belong to no face inside.
+DOUBLE = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
+
+
+def outer(p):
+    """p p^T, number by number."""
+    return np.array([[p[i] * p[j] for j in range(4)] for i in range(4)])
+
+
+def planes_of(*rows):
+    """The sum of the quadrics of planes, (1, 4, 4)."""
+    return sum(outer(np.array(row, float)) for row in rows)[None]
+
+
+def error(q, x):
+    v = np.append(x, 1.0)
+    return sum(v[i] * q[i, j] * v[j] for i in range(4) for j in range(4))
+
+
+def quadrics_of(vertices, faces):
+    """Eq. (3), face by face."""
+    q = np.zeros((len(vertices), 4, 4))
+    for face in faces:
+        a, b, c = vertices[face]
+        n = np.cross(b - a, c - a)
+        n = n / np.linalg.norm(n)
+        for vertex in face:
+            q[vertex] += outer(np.append(n, -n @ a))
+    return q
+
+
+def bumpy(face_count, rng, noise=0.05):
+    """A closed mesh without symmetries: no two costs are equal."""
+    vertices, faces = mesh.icosphere(face_count)
+    return vertices + noise * rng.normal(size=vertices.shape), faces
+
+
+def edges_of(faces):
+    return np.array(sorted({tuple(sorted(pair)) for face in faces.tolist()
+                            for pair in itertools.combinations(face, 2)}))
+
+
+def shape(a, b, c):
+    """Twice the area over the square of the longest edge."""
+    longest = max((b - a) @ (b - a), (c - b) @ (c - b), (a - c) @ (a - c))
+    return np.linalg.norm(np.cross(b - a, c - a)) / longest
+
+
+def place_and_cost(q, a, b):
+    """Eq. (5), or (6), or (7), for one pair."""
+    A, offset, e = q[:3, :3], q[:3, 3], b - a
+    spread = np.sort(np.linalg.eigvalsh(A))
+    if spread[0] > LEAST_CURVATURE * spread[2]:
+        x = -np.linalg.inv(A) @ offset
+    elif e @ A @ e > LEAST_CURVATURE * np.trace(A) * (e @ e):
+        x = a + np.clip(-e @ (A @ a + offset) / (e @ A @ e), 0, 1) * e
+    else:
+        x = min((a, b, (a + b) / 2), key=lambda x: error(q, x))
+    return x, error(q, x)
+
+
+def is_allowed(vertices, faces, a, b, x):
+    """Of a closed surface: is a proper edge, makes no face twice, and flips none."""
+    faces = [face for face in faces if a in face or b in face]
+    both = [face for face in faces if a in face and b in face]
+    others = [face for face in faces if face not in both]
+    shared = ({v for face in faces if a in face for v in face}
+              & {v for face in faces if b in face for v in face}) - {a, b}
+    renamed = [{a if v == b else v for v in face} for face in others]
+    if shared != {v for face in both for v in face} - {a, b} \
+            or any(renamed.count(face) > 1 for face in renamed):
+        return False
+    for face in others:
+        p, q, r = vertices[face]
+        p1, q1, r1 = (x if v in (a, b) else vertices[v] for v in face)
+        n, n1 = np.cross(q - p, r - p), np.cross(q1 - p1, r1 - p1)
+        if n @ n1 < LEAST_COSINE * np.linalg.norm(n) * np.linalg.norm(n1) \
+                or shape(p1, q1, r1) < LEAST_SHAPE * shape(p, q, r):
+            return False
+    return True
+
+
+def greedy(vertices, faces, face_counts):
+    """The whole algorithm, slowly: yields positions (V, 3) and faces (F', 3) at each face count."""
+    vertices, quadrics, faces = vertices.copy(), quadrics_of(vertices, faces), faces.tolist()
+    known = {}
+    for face_count in face_counts:
+        while len(faces) > face_count:
+            for a, b in map(tuple, edges_of(np.array(faces)).tolist()):
+                if (a, b) not in known:
+                    x, cost = place_and_cost(quadrics[a] + quadrics[b], vertices[a], vertices[b])
+                    known[a, b] = cost, a, b, x
+            asked = sorted(known.values(), key=lambda pair: pair[0])
+            allowed = (pair for pair in asked if is_allowed(vertices, faces, *pair[1:]))
+            _, a, b, x = next(allowed, [None] * 4)
+            if x is None:
+                break
+            vertices[a], quadrics[a] = x, quadrics[a] + quadrics[b]
+            faces = [[a if v == b else v for v in face] for face in faces if not {a, b} <= {*face}]
+            known = {pair: cost for pair, cost in known.items() if not {a, b} & {*pair}}
+        yield vertices.copy(), np.array(faces)
+
+
+def euler(faces):
+    return len(np.unique(faces)) - len(edges_of(faces)) + len(faces)
+
+
+def rows(faces):
+    """Faces (F, 3), in their order, each from its lowest vertex on."""
+    return np.array([np.roll(face, -int(np.argmin(face))) for face in np.asarray(faces)])
+
+
+def gone(before, after):
+    """In words, which vertices the last collapse took."""
+    return f"gone from the faces: {np.setdiff1d(before, after).tolist()}"
