@@ -93,7 +93,7 @@ def greedy(vertices, faces, face_counts):
     vertices, quadrics, faces = vertices.copy(), quadrics_of(vertices, faces), faces.tolist()
     known = {}
     for face_count in face_counts:
-        while len(faces) > face_count:
+        while face_count < len(faces):
             for a, b in map(tuple, edges_of(np.array(faces)).tolist()):
                 if (a, b) not in known:
                     x, cost = place_and_cost(quadrics[a] + quadrics[b], vertices[a], vertices[b])
