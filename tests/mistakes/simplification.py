@@ -330,13 +330,13 @@ def flips(before, after):
 
 
 def flips(before, after):
-    """a normal may turn by 90 degrees; 45 are the most"""
+    """the faces whose normal stays flip; it is those whose normal turns"""
     corners = np.stack([before, after])
     edges = corners[:, :, [1, 2, 0]] - corners
     n = np.cross(edges[:, :, 0], edges[:, :, 1])
     length, new_length = np.sqrt((n * n).sum(2))
     longest, new_longest = (edges * edges).sum(3).max(2)
-    turns = (n[0] * n[1]).sum(1) < 0
+    turns = (n[0] * n[1]).sum(1) > LEAST_COSINE * length * new_length
     thins = new_length * longest < LEAST_SHAPE * length * new_longest
     return bool((turns | thins).any())
 
