@@ -455,6 +455,14 @@ def test_a_huge_step_goes_to_the_centre_of_mass_and_no_farther(impl, rng):
     assert_close(got, np.tile(centre, (8, 1)), rtol=1e-5, atol=1e-5)
 
 
+@exercise("13.10")
+def test_without_vertices_there_is_nothing_to_smooth(impl):
+    """An error from deep inside, of a system without rows."""
+    nothing = np.zeros(0)
+    x = impl.smooth_implicit(np.zeros((0, 3)), np.zeros((0, 2), int), nothing, nothing, 1.0)
+    assert_close(x, np.zeros((0, 3)))
+
+
 @exercise("13.11")
 def test_a_round_on_paper(impl):
     """Both steps go the same way, or the second one starts from the first x."""
