@@ -27,7 +27,7 @@ def teapot():
 
 
 def _read(name):
-    from . import mesh_files  # here, for labs are graded where there is no trimesh
+    from . import mesh_files  # here, for a worker that grades has no files to read
     return mesh_files.read(places.DATA / name)
 
 
