@@ -40,9 +40,9 @@ def stand_in(monkeypatch):
     ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("autograder github .", "grading.autograder.github", (".",), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
-     "--scheduler tcp://a --seconds 3", "grading.grade.run", ("in", "out"),
+     "--scheduler tcp://a --seconds 3 --extra", "grading.grade.run", ("in", "out"),
      {"labs": "1", "jobs": 2, "resume": True, "seed": 7, "isolation": "process",
-      "scheduler": "tcp://a", "seconds": 3.0}),
+      "scheduler": "tcp://a", "seconds": 3.0, "extra": True}),
 ])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):
