@@ -45,17 +45,18 @@ class Entry(NamedTuple):
         return f"{self.verdict}{', fine print open' * bool(self.open_fine_print)}"
 
 
-def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False):
+def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False, extra=False):
     """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all; show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
+    extra: extras that are closed are checked as well.
     -> 0 if all that was asked for is done, else 1.
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
     labs, asked = asked_for(target)
     code = folder(implementation)
-    closed = closed_extras(labs, code) if implementation != "reference" else set()
+    closed = set() if extra else closed_extras(labs, code)
     if not set(asked) - closed:
         raise ValueError(not_open(target, labs, asked))
     asked = [number for number in asked if number not in closed]
@@ -132,15 +133,14 @@ def exercise_range(topic):
 
 
 def closed_extras(labs, code):
-    """The numbers of the extras that are complete in the code under test, as they came."""
-    opened = set()
+    """The numbers of the extras that the code under test marks as closed: complete as they came."""
+    closed = set()
     for topic in labs:
         with contextlib.suppress(OSError, ValueError):  # not there, or not Python
-            opened |= {exercise.number for exercise in
+            closed |= {exercise.number for exercise in
                        exercises.text_exercises(exercises.read(code / f"{topic}.py"))
-                       if exercise.is_open}
-    return {exercise.number for lab in labs.values() for exercise in lab
-            if exercise.is_extra and exercise.number not in opened}
+                       if not exercise.is_open}
+    return closed
 
 
 def not_open(target, labs, asked):

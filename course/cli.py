@@ -111,6 +111,7 @@ def arguments():
     option("--pictures", action="store_true", help="open a page with all that failed, and pictures")
     option("--json", metavar="FILE", help="write the board to this file as well")
     option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+    option("--extra", action="store_true", help="check extras that are not open as well")
 
     for command in open_extras, close:
         option = add(command)
@@ -182,7 +183,7 @@ def check(asked):
     import course.board
     run = course.board.watch if asked.watch else course.board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
-               pictures=asked.pictures)
+               pictures=asked.pictures, extra=asked.extra)
 
 
 def open_extras(asked):
