@@ -69,7 +69,7 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
     board = [entry for entry in everything if entry.exercise.number in asked]
 
     all_is_done = all(entry.verdict == "done" for entry in board)
-    Console().print(table(board, closed if len(asked) > 1 else ()))
+    Console().print(table(board, () if target in asked else closed))
     print("", *problems, *broken.values(), sep="\n")
     if all_is_done:
         print(all_done(board, labs))
@@ -327,7 +327,8 @@ def open_pictures(board, seed):
 def all_done(board, labs):
     reached, of = points(board)
     topic, last = board[-1].topic, board[-1].exercise
-    rest = labs[topic][labs[topic].index(last) + 1:]
+    rest = [exercise for exercise in labs[topic][labs[topic].index(last) + 1:]
+            if not exercise.is_extra]
     asking = exercises.asking_topics()
     later = asking[asking.index(topic) + 1:]
     coming = ([f"{exercise.number} {exercise.name}" for exercise in rest]
