@@ -28,10 +28,10 @@ WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer
 
 
 def opposite_vertices(faces):  # exercise 8.1 (3 points)
-    """Which vertex lies across each edge of each face? -1 for none, at a boundary.
+    """Which vertex lies across each edge of each face? -1 for none.
 
-    faces (F, 3) integers -> opposite (F, 3). Edge k of a face joins its vertices other than vertex
-    k. The face across has the same two, in either order, and its third vertex is the answer.
+    faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
+    is the third vertex of the other face at this edge, wound either way.
 
     >>> opposite_vertices(np.array([[0, 1, 2], [2, 1, 3]]))
     array([[ 3, -1, -1],
@@ -59,11 +59,10 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
 
 
 def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
-    """Eq. (1): which edges of faces are silhouettes, where the surface ends or folds on screen?
+    """Eq. (1): at which edges does the surface end, or fold on screen?
 
-    x, y, w (V,) of `screen_points`, w > 0; faces, opposite (F, 3) -> bool (F, 3). The surface ends
-    where opposite is -1. It folds where vertex k and the vertex across lie on the same side of
-    edge k.
+    x, y, w (V,) of `screen_points`, w > 0, faces, opposite (F, 3) -> bool (F, 3). It folds where
+    vertex k and the vertex across lie on the same side of edge k.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
@@ -201,19 +200,19 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 p
 
 
 def last_crossing(x, y, w):  # extra 8.9 (3 points)
-    """By which edge does the line y = 0 leave a face, on the way from the owner to the other?
+    """By which edge does the line y = 0 leave a face, on the way from owner to other?
 
     x, y, w (3, N), a face's corners in the pair's frame -> edge (N,), c (N,) of eq. (3). Edge k
-    crosses if one end has y < 0 and the other y >= 0. The last crossing, of greatest c, counts.
+    crosses if one end has y < 0 and the other y >= 0. The greatest c counts.
 
     >>> x, y = np.array([[-1.0], [3.0], [1.0]]), np.array([[-1.0], [-1.0], [1.0]])
     >>> last_crossing(x, y, np.ones((3, 1)))
     (array([0]), array([2.]))
 
-    Fine print. The first of two edges with the same c counts. If no edge crosses, the answer is
-    edge 0 with c = -np.inf. Nothing is divided by 0. A corner behind the camera (w < 0) comes out
-    mirrored: compare y w with 0. The crossing must lie in front of the camera, where
-    w_i |y_j w_j| + w_j |y_i w_i| > 0 for the ends i and j.
+    Fine print. The first of equal crossings counts. Without any, the answer is edge 0 with
+    c = -np.inf. Nothing is divided by 0. A corner behind the camera (w < 0) comes out mirrored, so
+    compare y w with 0. The crossing lies in front of the camera if
+    w_i |y_j w_j| + w_j |y_i w_i| > 0, for ends i and j.
     """
     above = y * w
     c = np.full(x.shape, -np.inf)
@@ -228,9 +227,9 @@ def last_crossing(x, y, w):  # extra 8.9 (3 points)
 def is_blended(c, is_silhouette, x0, y0, x1, y1):  # extra 8.10 (2 points)
     """Is the pair blended by this edge, a steep silhouette that crosses between the centres?
 
-    c (N,) of eq. (3), is_silhouette (N,) bool, the edge's ends in the pair's frame, each (N,)
-    -> bool (N,). Steep edges are at least as long in y as in x: pairs of the other direction take
-    the rest. c lies between 0 and 1, or less than WINDOW outside.
+    c (N,) of eq. (3), is_silhouette (N,) bool, the edge's ends in the pair's frame, (N,) each
+    -> bool (N,). Steep edges are at least as long in y as in x. c lies between 0 and 1, or less
+    than WINDOW outside.
 
     >>> one = np.ones(4)
     >>> is_blended(np.array([0.5, -0.05, -0.07, 0.5]), one > 0, 0 * one, -one, np.arange(4.0), one)
