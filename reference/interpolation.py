@@ -1,8 +1,7 @@
 """Interpolation: what a face's corners know, seen at every pixel, in perspective.
 
 A point is divided by its w to get on the screen. What is linear on the face is not linear there,
-but A / w and 1 / w are. Along a segment, t is the fraction of the way on screen, and q is the
-fraction in space.
+but A / w and 1 / w are. t and q are fractions of a segment: t on the screen, q in space.
 
     q = t w_0 / (t w_0 + (1 - t) w_1)                          0 at corner 0, 1 at corner 1  (1)
     A = lerp(A_0/w_0, A_1/w_1, t) / lerp(1/w_0, 1/w_1, t)      which is lerp(A_0, A_1, q)    (2)
