@@ -83,7 +83,7 @@ def corrected_barycentrics(e, w):  # exercise 5.5 (1 point)
     raise NotImplementedError("exercise 5.5: corrected_barycentrics")
 
 
-def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (3 points)
+def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
     """Backward of b = n / s, s = sum n, the quotient rule: grad_b -> grad_n.
 
     The three weights lie along the axis, and s broadcasts with them.

@@ -84,7 +84,7 @@ def corrected_barycentrics(e, w):  # exercise 5.5 (1 point)
     return n / n.sum(-1, keepdims=True)
 
 
-def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (3 points)
+def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
     """Backward of b = n / s, s = sum n, the quotient rule: grad_b -> grad_n.
 
     The three weights lie along the axis, and s broadcasts with them.
