@@ -1,4 +1,4 @@
-"""The exercises that join the labs before them: blocked by what is missing, and never gone round."""
+"""The exercises that join the labs: blocked by what is missing, and never gone round."""
 import json
 
 import numpy as np
