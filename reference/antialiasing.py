@@ -61,8 +61,8 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
 def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     """Eq. (1): at which edges does the surface end, or fold on screen?
 
-    x, y, w (V,) of `screen_points`, w > 0, faces, opposite (F, 3) -> bool (F, 3). It folds where
-    vertex k and the vertex across lie on the same side of edge k.
+    x, y, w > 0 (V,) of `screen_points`, faces, opposite (F, 3) -> bool (F, 3). It folds if vertex k
+    and the one across lie on one side of edge k.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
@@ -140,8 +140,8 @@ def pair_step(owner, other, width):
 def pair_frame(screen_x, screen_y, owner, other, width):  # extra 8.5 (2 points)
     """Eq. (2): points in their pair's frame, the owner's centre at x = 0, the other's at x = 1.
 
-    screen_x, screen_y (K, N), K points for each of N pairs; owner, other (N,), pixels numbered
-    row * width + column -> x, y (K, N). `pair_step` is given.
+    screen_x, screen_y (K, N) are K points for each of N pairs. owner, other (N,) are pixels,
+    numbered row * width + column -> x, y (K, N). `pair_step` is given.
 
     >>> x, y = np.full((2, 1, 2), [[[3.0]], [[4.0]]])
     >>> pair_frame(x, y, np.array([10, 10]), np.array([9, 2]), 8)  # (2.5, 1.5): left, below
@@ -264,8 +264,7 @@ def blend_weight_backward(grad_alpha, c):
 def blend(colour, owner, other, alpha):  # exercise 8.13 (2 points)
     """Eq. (5) for all pairs: colour (H, W, C), owner, other, alpha (N,) -> output (H, W, C).
 
-    Pixels are numbered row * W + column. A pixel may be in several pairs: all of them read
-    `colour`, and their changes add up.
+    Pixels are numbered row * W + column, and a pixel may be in several pairs.
 
     >>> blend(np.array([[[0.0], [1.0], [5.0]]]), np.array([0, 2]), np.array([1, 1]),
     ...       np.array([0.25, -0.5]))

@@ -68,8 +68,8 @@ class View(NamedTuple):
 class Buffers(NamedTuple):
     """What was found on the way to a picture, which the way back needs.
 
-    clip (V, 4); face_index, depth (H, W); barycentric (H, W, 3); with a texture derivatives
-    (H, W, 3, 2); after shading colour (H, W, C), which is the picture before antialiasing.
+    clip (V, 4), face_index and depth (H, W), and barycentric (H, W, 3) come first. `shade` adds
+    derivatives (H, W, 3, 2), for a texture, and colour (H, W, C), the picture before antialiasing.
     """
 
     clip: np.ndarray
@@ -128,7 +128,7 @@ def draw(clip, faces, opposite, surface, width, height, background):  # exercise
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. `shade`
-    takes the first four of the Buffers and adds the others. Lecture 09 shows pictures by `draw`.
+    takes the first four of the Buffers and adds the others. All of lecture 09 is drawn by it.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh = clip, np.array([[0, 1, 2]]), np.full((1, 3), -1)
@@ -149,14 +149,14 @@ def draw_backward(grad_picture, buffers, faces, opposite, surface,  # exercise 9
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_surface, grad_clip (V, 4).
 
-    Add what reaches clip through edges and through colours. `surface_backward` undoes `shade`, and
-    grad_depth goes to `rasterize_backward`. Watch it at work:
+    buffers is a plain tuple: unpack it. Add what reaches clip by edges and by colours.
+    `surface_backward` undoes `shade`, `rasterize_backward` takes grad_depth. Watch it:
     `python3 -m course demo --impl labs fit_bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh, colours = (np.array([[0, 1, 2]]), np.full((1, 3), -1)), Colours(np.ones((3, 1)))
     >>> picture, buffers = draw(clip, *mesh, colours, 4, 1, np.zeros(1))
-    >>> grad_surface, grad_clip = draw_backward(np.ones((1, 4, 1)), buffers, *mesh, colours)
+    >>> grad_surface, grad_clip = draw_backward(np.ones((1, 4, 1)), tuple(buffers), *mesh, colours)
     >>> grad_surface.colours.sum().round(9), grad_clip[:, 0].round(9)
     (np.float64(1.75), array([1., 1., 0.]))
     """
@@ -234,8 +234,8 @@ def shade_backward(grad_colour, buffers, faces, surface):
 
 
 def coloured_backward(grad_colour, buffers, faces, surface):
-    """grad_colour (H, W, C) -> Colours of gradients; grad_barycentric (H, W, 3), corner 0's value
-    subtracted; None for the derivatives.
+    """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
+    corner 0, and None for the derivatives.
     """
     grad_colours, grad_barycentric = interpolation.interpolate_backward(
         grad_colour, surface.colours, faces, buffers.face_index, buffers.barycentric)
@@ -254,7 +254,7 @@ def footprints(uv, uv_faces, buffers):
 
 
 def textured(buffers, surface):
-    """The texture's colour (H, W, C), filtered for the footprint of each pixel; 0 outside."""
+    """The texture's colour (H, W, C), filtered for the footprint of each pixel, 0 outside."""
     at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
     colour = np.zeros((*buffers.face_index.shape, surface.image.shape[2]))
     colour[buffers.face_index >= 0] = mipmapping.texture(surface.image, at, footprint,

@@ -44,8 +44,7 @@ def by_hand(clip, colours):
 
 
 def crossing(ends, right, up):
-    """Where an edge crosses the way from (0, 0) to (right, up): from 0 to 1. -1: not steep, or not
-    at all."""
+    """Where an edge crosses the way from (0, 0) to (right, up). -1: not steep, or not at all."""
     (x0, y0), (x1, y1) = ends @ np.array([[right, abs(up)], [up, abs(right)]])
     if y0 * y1 >= 0 or abs(y1 - y0) < abs(x1 - x0):
         return -1.0
