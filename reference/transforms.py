@@ -79,9 +79,9 @@ def scale(factors):
 
 
 def rotate(axis, angle):  # exercise 1.6 (2 points)
-    """Rodrigues' formula (3) as a matrix (4, 4): it turns points by an angle about an axis (3,).
+    """Eq. (3), Rodrigues: the matrix (4, 4) that turns points by an angle about an axis (3,).
 
-    The axis has any length but 0, and R is the upper left 3 x 3.
+    R is its upper left 3 x 3.
 
     >>> rotate(np.array([0.0, 0.0, 2.0]), np.pi / 2).round(3) @ np.array([1.0, 0.0, 0.0, 1.0])
     array([0., 1., 0., 1.])
@@ -100,7 +100,7 @@ def rotate(axis, angle):  # exercise 1.6 (2 points)
 def look_at(eye, target, up):  # exercise 1.7 (3 points)
     """Eq. (4): view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
 
-    up (3,) points roughly upwards. The eye goes to the origin and the target to the -z axis.
+    up (3,) points roughly upwards.
 
     >>> look_at(np.array([0.0, 0.0, 5.0]), np.zeros(3), np.array([0.0, 1.0, 0.0]))[2]
     array([ 0.,  0.,  1., -5.])
