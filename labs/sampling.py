@@ -227,9 +227,8 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
 def cuts(polygon, x, y):  # extra 3.16 (2 points)
     """Where do the edges of a polygon (N, 2) cross the four lines through a unit square's sides?
 
-    x, y (P,): the squares' lower left corners -> t (P, N, 6), sorted along the last axis. Edge n is
-    p + t (q - p), from vertex n to the next. Its six numbers are 0 and 1, its ends, and t of its
-    crossings with the lines x, x + 1, y, y + 1.
+    x, y (P,): the lower left corners -> t (P, N, 6), sorted along the last axis. Edge n leads from
+    vertex n to the next, p + t (q - p). Its t are 0, 1 and the crossings with x, x + 1, y, y + 1.
 
     Fine print. If an edge does not cross a line, or runs along it, t is any number in [0, 1], but
     never NaN.
@@ -245,9 +244,8 @@ def cuts(polygon, x, y):  # extra 3.16 (2 points)
 def clamped_area(polygon, x, y):  # extra 3.17 (3 points)
     """How much of each unit square does a polygon (N, 2) cover? area (P,), with the polygon's sign.
 
-    x, y (P,): the squares' lower left corners. Take the points of all edges at their `cuts`, in
-    order, and clamp each to the square. What lay outside now runs along the border, where it
-    encloses nothing. The polygon of all these points has the area.
+    x, y (P,): the lower left corners. Clamp the points of all edges at their `cuts`, in order, to
+    the square. What lay outside now encloses nothing. These points are the polygon of this area.
     """
     t = cuts(polygon, x, y)[..., None]
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]

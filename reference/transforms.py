@@ -6,7 +6,7 @@ on columns: points (..., 4) become points @ matrix.T. Right-handed. The camera l
     (x, y, z)  ->  (x, y, z, 1)                             homogeneous coordinates           (1)
     clip = P V M (x, y, z, 1)                               model, view, projection           (2)
     R = cos I + (1 - cos) n n^T + sin [n]x                  n = axis/|axis|, [n]x v = n x v   (3)
-    V = [right; above; back] T(-eye),  above = back x right           rows, after a move      (4)
+    V = [right above back]^T T(-eye),  above = back x right       the camera's axes as rows   (4)
         back = (eye - target) / |eye - target|,  right = (up x back) / |up x back|
     t = near tan(fov_y / 2),  r = aspect t,  aspect = width / height,  l = -r,  b = -t        (5)
         [2 near/(r-l)      0        (r+l)/(r-l)     0  ]    alpha = (far+near) / (near-far)
@@ -17,7 +17,7 @@ on columns: points (..., 4) become points @ matrix.T. Right-handed. The camera l
     screen = ((x + 1) width / 2, (y + 1) height / 2, z)     the viewport                      (8)
 
 What is visible has -w <= x, y, z <= w in clip space. Angles are in radians.
-Sources: GAMES101 lecture 5, OpenGL 1.0 manual, lecture "Differentiable graphics 1" (errata: 01).
+Sources: GAMES101 lecture 5, OpenGL 1.0 manual, "Differentiable graphics 1" (errata in lecture 1).
 """
 import numpy as np
 
