@@ -5,7 +5,8 @@
         \"\"\"a and b are swapped.\"\"\"
         assert_close(impl.edge_function(p, a, b), 2.0)
 
-Its name is the claim, its docstring the mistake that it catches.
+Its name is the claim, its docstring the mistake that it catches. With fine_print=True it is of the
+exercise's fine print, which gives no points of the core.
 
     assertions   what a check asserts
     hints        which common mistake explains a wrong answer
