@@ -34,7 +34,7 @@ def barycentric_coordinates(p, triangle):
 def rasterize_loop(clip, faces, width, height):
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
-    x, y, w = screen_points(clip, width, height)
+    x, y, _ = screen_points(clip, width, height)
     z = clip[:, 2] / clip[:, 3]
     for f, face in enumerate(faces):
         if signed_area(np.stack([x[face], y[face]], -1)) < 0:
@@ -45,7 +45,7 @@ def rasterize_loop(clip, faces, width, height):
             for j in range(x0, x1):
                 p = np.array([j + 0.5, i + 0.5])
                 if is_covered(p, triangle):
-                    l0, l1, l2 = barycentric_coordinates(p, triangle)
+                    _, l1, l2 = barycentric_coordinates(p, triangle)
                     d = z[face[0]] + l1 * (z[face[1]] - z[face[0]]) + l2 * (z[face[2]] - z[face[0]])
                     if -1 <= d <= 1 and d < depth[i, j]:
                         face_index[i, j] = f
