@@ -149,6 +149,7 @@ def arguments():
     option("folder", metavar="DIR", help="a new folder")
     option("--labs", metavar="1-4", help="hand out these labs; without, all of them")
     option("--solutions", metavar="1-2", help="and the reference of these")
+    option("--extra", action="store_true", help="with the extras open, too")
 
     option = add(solutions)
     option("labs", metavar="LABS", help="of these labs, as in 1-2")
@@ -234,7 +235,8 @@ def pack(asked):
 def handout(asked):
     """Write what students get to a folder: no solutions but those released."""
     import course.grading.handout
-    return course.grading.handout.run(asked.folder, asked.labs, asked.solutions)
+    return course.grading.handout.run(asked.folder, asked.labs, asked.solutions,
+                                       extra=asked.extra)
 
 
 def solutions(asked):

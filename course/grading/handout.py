@@ -33,24 +33,30 @@ Begin with the lecture `notebooks/00_start_here.ipynb`. To open it,
     python3 -m course
     .venv/bin/jupyter lab notebooks/00_start_here.ipynb
 
-On Windows, the second line is `.venv\\Scripts\\jupyter lab notebooks\\00_start_here.ipynb`. If there
-is no `.venv` after the first line, your own Python has all that is needed: write `jupyter lab`. An
-editor that opens notebooks does as well: choose the Python in `.venv` as the kernel.
+On Windows, the second line is `.venv\\Scripts\\jupyter lab notebooks\\00_start_here.ipynb`. If
+there is no `.venv` after the first line, your own Python has all that is needed: write
+`jupyter lab`. An editor that opens notebooks does as well: choose the Python in `.venv` as kernel.
 
-Then open `labs/{first}.py`. An exercise is a function whose docstring is the question.
-Write its body, then see what is right and what is next:
+Then open `labs/{first}.py`. An exercise is a function whose docstring is the question. Write its
+body, then see what is right and what is next:
 
     python3 -m course check                  all labs
     python3 -m course check {lab:17}one lab
     python3 -m course check {number:17}one exercise
     python3 -m course demo                   pictures, with your code
 
+Extras are complete in `labs/`. To write those of a lab yourself, empty them with
+`python3 -m course open {lab}`.
+
 {labs}
 
-Stuck? `check` with an exercise's number shows the first claim that fails, the call that fails it, and
-where to read on: the question and the section of the lecture. Then ask your teacher.
-Solutions that have been released are in `reference/`, a file for each topic. At first, {released}.
-When your teacher sends a zip of solutions, unpack it in this folder.
+Stuck? `check` with an exercise's number shows the first claim that fails, and the call that fails
+it. It says where to read on: the question, and the section of the lecture. Then ask your teacher.
+Solutions that have been released are in `reference/`, a file for each topic. At first,
+{released}. When your teacher sends a zip of solutions, unpack it in this folder. A solution that is
+there is put into an exercise for which you have written nothing by
+
+    python3 -m course close {number} --core
 
 When you are done,
 
@@ -61,10 +67,10 @@ NumPy, SciPy, Python's own library, and what a lab imports already: import nothi
 """
 
 
-def run(folder, labs=None, solutions=None):
-    """Write the hand-out to a folder that is new or empty -> 0. ValueError: it is not, or
+def run(folder, labs=None, solutions=None, extra=False):
+    """Write the hand-out to a folder that is new or empty -> 0. extra: with the extras open.
 
-    solutions are of a lab that is not handed out.
+    ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
     """
     folder = Path(folder)
     if folder.exists() and any(folder.iterdir()):
@@ -74,10 +80,11 @@ def run(folder, labs=None, solutions=None):
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
     given = [topic for topic in needed(asked) if topic not in asked]
-    for name, content in [*files(asked, given, released)]:  # all are there, or none is written
+    content = dict(files(asked, given, released, extra))  # all is there, or nothing is written
+    for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        places.write_whole(path, content)
+        places.write_whole(path, part)
     print(f"{folder}: {', '.join(asked)}; solutions of {', '.join(released) or 'none'}")
     if given:
         print(f"{', '.join(given)} came along, complete: the labs asked for, or their lectures, "
@@ -98,7 +105,7 @@ def release(labs, path):
     return 0
 
 
-def files(asked, given, released):
+def files(asked, given, released, extra):
     """Yield (name, bytes) of all that is handed out."""
     for pattern in WHOLE:
         for path in sorted(places.ROOT.glob(pattern)):
@@ -107,8 +114,8 @@ def files(asked, given, released):
                 yield name, path.read_bytes()
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        yield f"labs/{topic}.py", skeleton(text).encode("utf-8")
-        if topic in exercises.asking_topics():
+        yield f"labs/{topic}.py", skeleton(text, extra).encode("utf-8")
+        if exercises.topic_exercises(topic):
             check = f"tests/labs/test_{topic}.py"
             yield check, (places.ROOT / check).read_bytes()
         if topic in released:
@@ -119,21 +126,23 @@ def files(asked, given, released):
     yield "notebooks/00_start_here.ipynb", (
         places.ROOT / "notebooks" / "00_start_here.ipynb").read_bytes()
     for path in lectures(asked):
-        whole = set(needed([], path)) <= set(released)
-        text = path.read_text("utf-8")
-        yield f"notebooks/{path.name}", (text if whole else switched(text)).encode()
+        text = exercises.read(path)
+        if not released or not set(needed([], path)) <= set(released):
+            text = switched(text)
+        yield f"notebooks/{path.name}", text.encode()
     yield "README.md", readme(asked, given, released).encode()
 
 
 def readme(asked, given, released):
-    first = exercises.topic_exercises(asked[0])[0]
+    first = next(exercise for topic in asked for exercise in exercises.topic_exercises(topic)
+                 if not exercise.is_extra)
 
     def listed(topics):
         return ", ".join(f"`{topic}`" for topic in topics)
 
     about = f"The labs here: {listed(asked)}."
     if given:
-        about += f" They use {listed(given)}, which came along complete and asks nothing."
+        about += f" They use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
     return README.format(
         first=asked[0], lab=str(exercises.lab_number(asked[0])), number=first.number,
@@ -159,6 +168,7 @@ def needed(topics, *more):
 
 def uses(path):
     """Yield the files in reference/ and course/experiments/ that a module or a notebook uses."""
+    rooms = places.ROOT / "reference", places.ROOT / "course" / "experiments"
     for node in ast.walk(ast.parse(code_of(path))):
         found = []
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":
@@ -168,7 +178,6 @@ def uses(path):
             module = folder.joinpath(*(node.module or "").split("."))
             found = [module.with_suffix(".py"), *(module / f"{name.name}.py"
                                                   for name in node.names)]
-        rooms = places.ROOT / "reference", places.ROOT / "course" / "experiments"
         yield from (file for file in found if file.parent in rooms and file.exists()
                     and file.stem != "demo")  # it knows all scenes, and loads labs when they run
 
