@@ -15,13 +15,14 @@ from ..given import places
 from ..upkeep.skeleton import skeleton
 from .grade import topics_of
 
-WHOLE = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
-         "tests/conftest.py", "tests/labs/[!t]*.py",  # what checks share
-         "tests/golden/*", "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
+WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
+         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
+         "tests/labs/[!t]*.py",  # what checks share
+         "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
          ".gitignore")
 TEACHERS = {f"course/{name}.py" for name in (  # a copy without these is one for students: cli.py
     "grading/handout", "grading/autograder", "grading/grade", "grading/examine", "grading/report",
-    "grading/worker", "upkeep/mistakes", "upkeep/mutants")}
+    "grading/worker", "grading/files/autograder", "upkeep/mistakes", "upkeep/mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 
@@ -44,9 +45,7 @@ body, then see what is right and what is next:
     python3 -m course check {lab:17}one lab
     python3 -m course check {number:17}one exercise
     python3 -m course demo                   pictures, with your code
-
-Extras are complete in `labs/`. To write those of a lab yourself, empty them with
-`python3 -m course open {lab}`.
+    python3 -m course open {lab:18}empties a lab's extras, which come complete
 
 {labs}
 
@@ -144,9 +143,10 @@ def readme(asked, given, released):
     if given:
         about += f" They use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
-    return README.format(
-        first=asked[0], lab=str(exercises.lab_number(asked[0])), number=first.number,
-        labs=textwrap.fill(about, 100, break_on_hyphens=False), released=now)
+    text = README.format(first=asked[0], lab=str(exercises.lab_number(asked[0])),
+                         number=first.number, labs=about, released=now)
+    return "\n\n".join(part if part.startswith((" ", "#")) else textwrap.fill(
+        part, 100, break_on_hyphens=False) for part in text.split("\n\n")) + "\n"
 
 
 def lectures(topics):
