@@ -12,6 +12,7 @@ to do the labs
 
 to teach
   handout DIR           what students get: labs, checks, lectures, and no solutions
+  solutions LABS FILE   release solutions later: a zip that students unpack in their copy
   grade SUBMISSIONS     grade what was handed in, each submission in a sandbox
   autograder KIND PATH  files for Gradescope, GitHub Actions and Classroom 50
 
@@ -33,6 +34,7 @@ examples
 """
 import argparse
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -40,6 +42,8 @@ import traceback
 from pathlib import Path
 
 from course.given.places import ROOT
+
+FOR_TEACHERS = [part for part in __doc__.split("\n\n") if part.startswith(("to teach", "to work"))]
 
 
 def main(argv=None):
@@ -49,7 +53,10 @@ def main(argv=None):
     """
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="replace")  # for consoles that lack a character
+    argv = sys.argv[1:] if argv is None else argv
     parser = arguments()
+    if argv and argv[0] in withheld():
+        parser.error(f"{argv[0]} is for teachers, and this is a copy for students")
     asked = parser.parse_args(argv)
     if asked.command is None:
         parser.print_help()
@@ -74,6 +81,21 @@ def can_be_mended(error):
     return isinstance(error, OSError) or (ours and cause.line.startswith("raise "))
 
 
+def withheld():
+    """The names of teachers' commands, in a copy for students: one that cannot be handed out."""
+    if (ROOT / "course" / "grading" / "handout.py").exists():
+        return []
+    return re.findall(r"^  (\w+)", "\n".join(FOR_TEACHERS), re.MULTILINE)
+
+
+def page():
+    """This module's docstring; in a copy for students, what is for students."""
+    shown = __doc__
+    for part in FOR_TEACHERS if withheld() else ():
+        shown = re.sub(r".*--impl reference.*\n", "", shown.replace(f"{part}\n\n", ""))
+    return shown
+
+
 class Parser(argparse.ArgumentParser):
     """Tells a mistake in one line, without the usage."""
 
@@ -82,7 +104,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def arguments():
-    parser = Parser(prog="python3 -m course", usage="%(prog)s COMMAND ...", description=__doc__,
+    parser = Parser(prog="python3 -m course", usage="%(prog)s COMMAND ...", description=page(),
                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.set_defaults(command=None)
     commands = parser.add_subparsers(prog=parser.prog, metavar="COMMAND", help=argparse.SUPPRESS)
@@ -97,8 +119,9 @@ def arguments():
     option("names", nargs="*", metavar="NAME",
            help="a scene, or: reconstruct FOLDER; without a name, all quick scenes")
     option("--list", action="store_true", help="say which scenes there are")
-    option("--impl", choices=("reference", "labs"), default="reference",
-           help="whose code renders: the reference's, or yours in labs/")
+    option("--impl", choices=("reference", "labs"),
+           help="whose code renders: the reference's, or yours in labs/; without, the reference's "
+                "if it is all there")
 
     option = add(notebooks)
     option("names", nargs="*", metavar="NAME", help="a topic or a number; without, all of them")
@@ -126,6 +149,11 @@ def arguments():
     option("folder", metavar="DIR", help="a new folder")
     option("--labs", metavar="1-4", help="hand out these labs; without, all of them")
     option("--solutions", metavar="1-2", help="and the reference of these")
+    option("--extra", action="store_true", help="with the extras open, too")
+
+    option = add(solutions)
+    option("labs", metavar="LABS", help="of these labs, as in 1-2")
+    option("file", metavar="FILE", help="the zip's name")
 
     option = add(autograder)
     option("kind", choices=("gradescope", "github"))
@@ -157,15 +185,14 @@ def arguments():
 
     option = add(test)
     option("--quick", action="store_true", help="leave the notebooks out")
+    for name in withheld():
+        del commands.choices[name]
     return parser
 
 
 def demo(asked):
     """Render the course's scenes and say where the pictures are."""
-    from course.experiments import captures, demo
-    first, *more = asked.names or [None]
-    if first == "reconstruct" and len(more) == 1 and more[0] not in demo.SCENES:
-        return captures.run(demo.Labs(asked.impl), more[0])
+    from course.experiments import demo
     if not asked.list:
         return demo.run(asked.names, implementation=asked.impl)
     for name, title in demo.scenes().items():
@@ -208,7 +235,14 @@ def pack(asked):
 def handout(asked):
     """Write what students get to a folder: no solutions but those released."""
     import course.grading.handout
-    return course.grading.handout.run(asked.folder, asked.labs, asked.solutions)
+    return course.grading.handout.run(asked.folder, asked.labs, asked.solutions,
+                                       extra=asked.extra)
+
+
+def solutions(asked):
+    """Write a zip of solutions, for students to unpack in their copy of the course."""
+    import course.grading.handout
+    return course.grading.handout.release(asked.labs, asked.file)
 
 
 def autograder(asked):

@@ -93,8 +93,8 @@ def load_topic(path):
     second and kept its length, as with a + made a -.
     """
     if not path.exists():
-        raise Mismatch(("wrong", f"there is no {places.shown_path(path)}; "
-                                 "python3 -m course skeleton makes the labs"))
+        raise Mismatch(("wrong", f"there is no {places.shown_path(path)}; take it "
+                                 "from the hand-out, or run python3 -m course skeleton"))
     writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:
         return importlib.import_module(f"{PACKAGE}.{path.stem}")

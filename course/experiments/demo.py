@@ -4,7 +4,9 @@ A scene is a function of the labs' modules that yields (what was made, path or N
 Where there is a goal, it yields a third thing: (the goal, whether it is met). Each scene has a file
 of its own, with its numbers and its pictures. All of the rendering is the labs' own code.
 """
+import contextlib
 import importlib
+import re
 import time
 
 from rich import box
@@ -15,6 +17,7 @@ from ..given import places
 from . import (
     ablations,
     aliasing,
+    captures,
     fit_bunny,
     fit_cube,
     fit_outlines,
@@ -42,40 +45,107 @@ SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "lar
         "fit_volume", "reconstruct", "ablations")
 
 
-class Labs:
-    """The labs' modules of one package, loaded when first used."""
+class Lacking(ValueError):
+    """A module of the labs is not there, or an exercise is not written: which, in one sentence."""
 
-    def __init__(self, package):
-        self.package = package
+
+class Labs:
+    """The labs' modules of one package, loaded when first used. Lacking: one is not there.
+
+    package: labs or reference; without, reference if it has all that labs/ has.
+    """
+
+    def __init__(self, package=None):
+        self.package = package or preferred()
 
     def __getattr__(self, topic):
-        return importlib.import_module(f"{self.package}.{topic}")
+        if topic.startswith("_"):
+            raise AttributeError(topic)
+        try:
+            return importlib.import_module(f"{self.package}.{topic}")
+        except ModuleNotFoundError as error:
+            package, _, module = error.name.partition(".")
+            if package != self.package:
+                raise
+        raise Lacking(f"{package}/{module or topic}.py is not in this copy of the course")
 
 
-def run(names, implementation="reference"):
+def preferred():
+    """reference, if it has all that labs/ has; else labs."""
+    labs, reference = ({path.name for path in places.ROOT.glob(f"{package}/*.py")}
+                       for package in ("labs", "reference"))
+    return "reference" if reference and labs <= reference else "labs"
+
+
+@contextlib.contextmanager
+def exercises_named():
+    """What an exercise that is not written raises becomes Lacking."""
+    try:
+        yield
+    except NotImplementedError as error:
+        match = re.match(r"\w+ ([\d.]+): (\w+)", str(error))
+        if not match:
+            raise
+        raise Lacking(f"exercise {match[1]}, {match[2]}, is not written yet; "
+                      f"python3 -m course check {match[1]} shows where its question is") from None
+
+
+@contextlib.contextmanager
+def when_written():
+    """In a notebook: a block that needs what is not there or not written says so, and no more."""
+    try:
+        with exercises_named():
+            yield
+    except Lacking as error:
+        print(f"Nothing to see yet: {error}")
+
+
+def run(names, implementation=None):
     """Render the named scenes, or all quick ones -> exit status: 1 if a goal was missed, else 0.
 
-    ValueError: a name that is no scene's.
+    Without names, scenes that lack something are left out, and what they lack is said; 1 if all do.
+    ["reconstruct", FOLDER] is what `captures` does. ValueError: a name that is no scene's. Lacking.
     """
+    labs = Labs(implementation)
+    if len(names) == 2 and names[0] == "reconstruct" and names[1] not in SCENES:
+        with exercises_named():
+            return captures.run(labs, names[1])
     unknown = [name for name in names if name not in SCENES]
     if unknown:
         raise ValueError(f"there is no scene {unknown[0]}: choose from {', '.join(SCENES)}")
-    console, missed = Console(), 0
-    for name in names or [name for name in SCENES if name not in SLOW]:
-        rows = list(timed(SCENES[name](Labs(implementation))))
-        table = Table(title=f"{name}: {scenes()[name]}", box=box.SIMPLE_HEAD, title_justify="left",
-                      title_style="bold", pad_edge=False, min_width=72)
-        for column in "step", "goal" if any(row[1] for row in rows) else "", "ms", "picture":
-            table.add_column(column, justify="right" if column == "ms" else "left")
-        for row in rows:
-            table.add_row(*row)
-        missed += sum("MISSED" in row[1] for row in rows)
-        console.print(table)
+    console, missed, lacks = Console(), 0, {}
+    wanted = names or [name for name in SCENES if name not in SLOW]
+    for name in wanted:
+        try:
+            with exercises_named():
+                rows = list(timed(SCENES[name](labs)))
+        except Lacking as error:
+            if names:
+                raise
+            lacks.setdefault(str(error), []).append(name)
+        else:
+            missed += sum("MISSED" in row[1] for row in rows)
+            console.print(table(name, rows))
+    for lack, without in lacks.items():
+        console.print(f"{', '.join(without)} left out: {lack}", soft_wrap=True, highlight=False)
+    if sum(map(len, lacks.values())) == len(wanted):
+        return 1
     console.print(f"The pictures are in {places.out('demo')}", soft_wrap=True)
     if not names:
         console.print("Half a minute to five minutes each, asked for by name: "
                       f"python3 -m course demo {' '.join(SLOW)}", soft_wrap=True)
     return 1 if missed else 0
+
+
+def table(name, rows):
+    """A scene's rows, as they are printed."""
+    made = Table(title=f"{name}: {scenes()[name]}", box=box.SIMPLE_HEAD, title_justify="left",
+                 title_style="bold", pad_edge=False, min_width=72)
+    for column in "step", "goal" if any(row[1] for row in rows) else "", "ms", "picture":
+        made.add_column(column, justify="right" if column == "ms" else "left")
+    for row in rows:
+        made.add_row(*row)
+    return made
 
 
 def timed(steps):

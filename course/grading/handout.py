@@ -1,7 +1,13 @@
-"""What students get: the labs, their checks and lectures, and no solution but those released."""
+"""What students get: the labs, their checks and lectures, and no solution but those released.
+
+What a lab needs from labs that are not handed out comes with it, complete: it is given code there.
+"""
 import ast
+import io
 import json
 import re
+import textwrap
+import zipfile
 from pathlib import Path
 
 from .. import exercises
@@ -9,101 +15,197 @@ from ..given import places
 from ..upkeep.skeleton import skeleton
 from .grade import topics_of
 
-WHOLE = ("course/**/*.py", "course/**/*.md", "course/given/data/*.ply", "course/checks/hints.json",
-         "course/grading/files/*", "tests/conftest.py", "tests/labs/[!t]*.py",  # what checks share
-         "tests/golden/*", "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
+WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
+         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
+         "tests/labs/[!t]*.py",  # what checks share
+         "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
          ".gitignore")
-IMPORT = re.compile(r"^from reference import ([\w, ]+?)(  #.*)?$")
+TEACHERS = {f"course/{name}.py" for name in (  # a copy without these is one for students: cli.py
+    "grading/handout", "grading/autograder", "grading/grade", "grading/examine", "grading/report",
+    "grading/worker", "grading/files/autograder", "upkeep/mistakes", "upkeep/mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 
-Begin with `notebooks/00_start_here.ipynb`, then open `labs/{first}.py`. An exercise is a
-function whose docstring is the question; write its body, then see what is right and what is next:
+Nothing needs to be installed first but Python 3.11 or newer (on Windows, write `py` for `python3`).
+The first command sets up what the course needs, in the folder `.venv`. Run all commands from here.
+
+Begin with the lecture `notebooks/00_start_here.ipynb`. To open it,
+
+    python3 -m course
+    .venv/bin/jupyter lab notebooks/00_start_here.ipynb
+
+On Windows, the second line is `.venv\\Scripts\\jupyter lab notebooks\\00_start_here.ipynb`. If
+there is no `.venv` after the first line, your own Python has all that is needed: write
+`jupyter lab`. An editor that opens notebooks does as well: choose the Python in `.venv` as kernel.
+
+Then open `labs/{first}.py`. An exercise is a function whose docstring is the question. Write its
+body, then see what is right and what is next:
 
     python3 -m course check                  all labs
-    python3 -m course check {first}       one lab
-    python3 -m course check {number}              one exercise
+    python3 -m course check {lab:17}one lab
+    python3 -m course check {number:17}one exercise
+    python3 -m course demo                   pictures, with your code
+    python3 -m course open {lab:18}empties a lab's extras, which come complete
 
-Nothing needs to be installed first but Python 3.11 or newer (on Windows, write `py` for `python3`);
-the first start sets up what the course needs. When you are done,
+{labs}
+
+Stuck? `check` with an exercise's number shows the first claim that fails, and the call that fails
+it. It says where to read on: the question, and the section of the lecture. Then ask your teacher.
+Solutions that have been released are in `reference/`, a file for each topic. At first,
+{released}. When your teacher sends a zip of solutions, unpack it in this folder. A solution that is
+there is put into an exercise for which you have written nothing by
+
+    python3 -m course close {number} --core
+
+When you are done,
 
     python3 -m course pack
 
 makes labs.zip, checks what is in it, and prints its hash: hand in that file. Labs are graded with
 NumPy, SciPy, Python's own library, and what a lab imports already: import nothing else in them.
-{released}"""
+"""
 
 
-def run(folder, labs=None, solutions=None):
-    """Write the hand-out to a folder that is new or empty -> 0. ValueError: it is not."""
+def run(folder, labs=None, solutions=None, extra=False):
+    """Write the hand-out to a folder that is new or empty -> 0. extra: with the extras open.
+
+    ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
+    """
     folder = Path(folder)
     if folder.exists() and any(folder.iterdir()):
         raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
-    asked = topics_of(labs)
-    topics = with_siblings(asked)
-    released = topics_of(solutions) if solutions else []
-    for name, content in [*files(topics, released)]:  # all of them are there, or none is written
+    asked, released = topics_of(labs), topics_of(solutions) if solutions else []
+    if other := [topic for topic in released if topic not in asked]:
+        raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
+                         "in --solutions only labs that are named in --labs")
+    given = [topic for topic in needed(asked) if topic not in asked]
+    content = dict(files(asked, given, released, extra))  # all is there, or nothing is written
+    for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        places.write_whole(path, content)
-    print(f"{folder}: {', '.join(topics)}; solutions of {', '.join(released) or 'none'}")
-    if more := [topic for topic in topics if topic not in asked]:
-        print(f"{', '.join(more)} was added: the labs asked for import it")
+        places.write_whole(path, part)
+    print(f"{folder}: {', '.join(asked)}; solutions of {', '.join(released) or 'none'}")
+    if given:
+        print(f"{', '.join(given)} came along, complete: the labs asked for, or their lectures, "
+              "use them")
     return 0
 
 
-def with_siblings(topics):
-    """The topics, and those that their modules import."""
-    needed, ends = set(topics), list(topics)
-    while ends:
-        text = exercises.read(exercises.reference(ends.pop()))
-        found = {node.module or alias.name for node in ast.walk(ast.parse(text))
-                 if isinstance(node, ast.ImportFrom) and node.level == 1 for alias in node.names}
-        ends += found - needed
-        needed |= found
-    return [topic for topic in exercises.topics() if topic in needed]
+def release(labs, path):
+    """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
+    content, topics = io.BytesIO(), topics_of(labs)
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        for topic in topics:
+            archive.writestr(zipfile.ZipInfo(f"reference/{topic}.py", (2000, 1, 1, 0, 0, 0)),
+                             exercises.reference(topic).read_bytes())
+    places.write_whole(path, content.getvalue())
+    print(f"{path}: unpack it in the hand-out's folder; it adds the solutions of "
+          f"{', '.join(topics)} to reference/")
+    return 0
 
 
-def files(topics, released):
+def files(asked, given, released, extra):
     """Yield (name, bytes) of all that is handed out."""
     for pattern in WHOLE:
         for path in sorted(places.ROOT.glob(pattern)):
-            yield path.relative_to(places.ROOT).as_posix(), path.read_bytes()
-    for topic in topics:
+            name = path.relative_to(places.ROOT).as_posix()
+            if name not in TEACHERS:
+                yield name, path.read_bytes()
+    for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        yield f"labs/{topic}.py", skeleton(text).encode("utf-8")
-        if topic in exercises.asking_topics():
+        yield f"labs/{topic}.py", skeleton(text, extra).encode("utf-8")
+        if exercises.topic_exercises(topic):
             check = f"tests/labs/test_{topic}.py"
             yield check, (places.ROOT / check).read_bytes()
         if topic in released:
             yield f"reference/{topic}.py", text.encode("utf-8")
-    for path in sorted(places.ROOT.glob("notebooks/*.ipynb")):
-        topic = path.stem.partition("_")[2]
-        if topic in topics or topic == "start_here":
-            yield f"notebooks/{path.name}", switched(path.read_text("utf-8"), released).encode()
-    first = exercises.topic_exercises(topics[0])[0]
-    told = f"\nSolutions: {', '.join(f'`reference/{topic}.py`' for topic in released)}.\n"
-    yield "README.md", README.format(first=topics[0], number=first.number,
-                                     released=told if released else "").encode()
+    for topic in given:
+        text = exercises.read(exercises.reference(topic))
+        yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
+    yield "notebooks/00_start_here.ipynb", (
+        places.ROOT / "notebooks" / "00_start_here.ipynb").read_bytes()
+    for path in lectures(asked):
+        text = exercises.read(path)
+        if not released or not set(needed([], path)) <= set(released):
+            text = switched(text)
+        yield f"notebooks/{path.name}", text.encode()
+    yield "README.md", readme(asked, given, released).encode()
 
 
-def switched(text, released):
-    """A notebook that imports its modules from labs, those released from reference."""
+def readme(asked, given, released):
+    first = next(exercise for topic in asked for exercise in exercises.topic_exercises(topic)
+                 if not exercise.is_extra)
+
+    def listed(topics):
+        return ", ".join(f"`{topic}`" for topic in topics)
+
+    about = f"The labs here: {listed(asked)}."
+    if given:
+        about += f" They use {listed(given)}, which came along complete and ask nothing."
+    now = f"these are {listed(released)}" if released else "there are none"
+    text = README.format(first=asked[0], lab=str(exercises.lab_number(asked[0])),
+                         number=first.number, labs=about, released=now)
+    return "\n\n".join(part if part.startswith((" ", "#")) else textwrap.fill(
+        part, 100, break_on_hyphens=False) for part in text.split("\n\n")) + "\n"
+
+
+def lectures(topics):
+    """The notebooks of the labs of these topics, as far as they are there."""
+    paths = dict.fromkeys(map(exercises.lecture, topics))
+    return [path for path in paths if path.exists()]
+
+
+def needed(topics, *more):
+    """The topics that these topics, their lectures and more files need, in the course's order."""
+    ends = [*map(exercises.reference, topics), *lectures(topics), *more]
+    seen = set(ends)
+    while ends:
+        new = set(uses(ends.pop())) - seen
+        seen |= new
+        ends += new
+    return [topic for topic in exercises.topics() if exercises.reference(topic) in seen]
+
+
+def uses(path):
+    """Yield the files in reference/ and course/experiments/ that a module or a notebook uses."""
+    rooms = places.ROOT / "reference", places.ROOT / "course" / "experiments"
+    for node in ast.walk(ast.parse(code_of(path))):
+        found = []
+        if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":
+            found = [exercises.reference(node.attr)]  # labs.pipeline in an experiment
+        if isinstance(node, ast.ImportFrom):
+            folder = path.parents[node.level - 1] if node.level else places.ROOT
+            module = folder.joinpath(*(node.module or "").split("."))
+            found = [module.with_suffix(".py"), *(module / f"{name.name}.py"
+                                                  for name in node.names)]
+        yield from (file for file in found if file.parent in rooms and file.exists()
+                    and file.stem != "demo")  # it knows all scenes, and loads labs when they run
+
+
+def code_of(path):
+    """The text of a module, or of a notebook's code cells without Jupyter's own commands."""
+    text = exercises.read(path)
+    if path.suffix != ".ipynb":
+        return text
+    cells = [cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "code"]
+    return re.sub(r"^\s*%.*", "", "\n".join("".join(cell["source"]) for cell in cells), flags=re.M)
+
+
+def without_marks(text):
+    """A module whose exercises are given code."""
+    lines = exercises.text_lines(text)
+    for line, *_ in exercises.marks(text):
+        code, _, _ = lines[line - 1].rpartition("#")
+        end = lines[line - 1].removeprefix(lines[line - 1].rstrip("\r\n"))
+        lines[line - 1] = code.rstrip() + end
+    return "".join(lines)
+
+
+def switched(text):
+    """A notebook that imports from labs what it imports from reference."""
     notebook = json.loads(text)
     for cell in notebook["cells"]:
         if cell["cell_type"] == "code":
-            cell["source"] = [line for old in cell["source"]
-                              for line in switched_line(old, released)]
+            cell["source"] = [re.sub(r"^from reference import (.*?)(  #.*)?$",
+                                     r"from labs import \1", line) for line in cell["source"]]
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
-
-
-def switched_line(line, released):
-    match = IMPORT.match(line.rstrip("\n"))
-    if not match:
-        return [line]
-    names = [name.strip() for name in match[1].split(",")]
-    end = "\n" * line.endswith("\n")
-    lines = [f"from {package} import {', '.join(found)}" for package, found in (
-        ("labs", [name for name in names if name not in released]),
-        ("reference", [name for name in names if name in released])) if found]
-    return [f"{line}\n" for line in lines[:-1]] + [lines[-1] + end]

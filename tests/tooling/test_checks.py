@@ -637,7 +637,7 @@ UNUSABLE = {
                  "wrong     labs/sampling.py cannot be imported: ImportError: cannot import name",
                  "          labs/sampling.py:1 in <module>\n"),
     "msaa": (None,
-             "wrong     there is no labs/msaa.py; python3 -m course skeleton makes the labs\n"),
+             "wrong     there is no labs/msaa.py; take it from the hand-out, or run python3 -m"),
     "interpolation": ("def twice(x):\n    return 2 * x\n",
                       "wrong     labs/interpolation.py has no function double; keep the names"),
     "texturing": ("double = 2\n", "wrong     labs/texturing.py has no function double"),

@@ -20,7 +20,7 @@ def stand_in(monkeypatch):
 
 
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
-    ("demo", "experiments.demo.run", ([],), {"implementation": "reference"}),
+    ("demo", "experiments.demo.run", ([],), {"implementation": None}),
     ("demo bunny teapot --impl labs", "experiments.demo.run", (["bunny", "teapot"],),
      {"implementation": "labs"}),
     ("check", "board.check", (None, "labs"),
@@ -41,7 +41,10 @@ def stand_in(monkeypatch):
     ("skeleton --force", "upkeep.skeleton.run", (), {"check": False, "force": True}),
     ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],), {}),
     ("pack", "grading.pack.run", ("labs.zip",), {}),
-    ("handout new --labs 1-4 --solutions 1", "grading.handout.run", ("new", "1-4", "1"), {}),
+    ("handout new --labs 1-4 --solutions 1", "grading.handout.run", ("new", "1-4", "1"),
+     {"extra": False}),
+    ("handout new --extra", "grading.handout.run", ("new", None, None), {"extra": True}),
+    ("solutions 1-2 a.zip", "grading.handout.release", ("1-2", "a.zip"), {}),
     ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("autograder github .", "grading.autograder.github", (".",), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
