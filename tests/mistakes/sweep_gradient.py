@@ -31,46 +31,19 @@ def edge_lines(a, b, height):
     return row, a[0] + toward_b * (b[0] - a[0]), np.stack([toward_b, 1 - toward_b], -1)
 
 
-def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
-    """the gradient has the wrong sign: descent goes away from the pixel that asks"""
-    inner = int(np.floor(crossing - 0.5) if side > 0 else np.ceil(crossing - 0.5))
-    outer, pixel = inner + side, np.arange(len(colour))
-    if not (0 <= min(inner, outer) and max(inner, outer) < len(colour)):
-        return np.zeros(2)
-    is_out = (pixel - inner) * side > 0
-    beyond = np.where(is_out[:, None], colour[inner], colour[outer])
-    pull = ((colour - beyond) * grad_colour).sum(1)
-    asked = (pull > 0) & np.where(is_out, sees[inner], sees)
-    way = np.where(is_out, side, -side)[asked] * eps
-    distance = 2 / len(colour) * (pixel[asked] + 0.5 - crossing)
-    return np.array([(pull[asked] / (distance / s + way)).sum() if s > 0 else 0.0 for s in share])
+def pull_on_edge(grad_colour, colour, beyond, way, share, eps):
+    """the sign is wrong: descent goes away from the pixel that pulls"""
+    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))
+    return np.array([(pull / (way / s + eps)).sum() if s > 0 else 0.0 for s in share])
 
 
-def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
+def pull_on_edge(grad_colour, colour, beyond, way, share, eps):
     """max(0, ...) is missing: a change that raises the loss counts, too"""
-    inner = int(np.floor(crossing - 0.5) if side > 0 else np.ceil(crossing - 0.5))
-    outer, pixel = inner + side, np.arange(len(colour))
-    if not (0 <= min(inner, outer) and max(inner, outer) < len(colour)):
-        return np.zeros(2)
-    is_out = (pixel - inner) * side > 0
-    beyond = np.where(is_out[:, None], colour[inner], colour[outer])
     pull = ((colour - beyond) * grad_colour).sum(1)
-    asked = (pull != 0) & np.where(is_out, sees[inner], sees)
-    way = np.where(is_out, side, -side)[asked] * eps
-    distance = 2 / len(colour) * (pixel[asked] + 0.5 - crossing)
-    return np.array([-(pull[asked] / (distance / s + way)).sum() if s > 0 else 0.0 for s in share])
+    return np.array([-(pull / (way / s + eps)).sum() if s > 0 else 0.0 for s in share])
 
 
-def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
-    """d is in pixels; it is in ndc, where the line has length 2"""
-    inner = int(np.floor(crossing - 0.5) if side > 0 else np.ceil(crossing - 0.5))
-    outer, pixel = inner + side, np.arange(len(colour))
-    if not (0 <= min(inner, outer) and max(inner, outer) < len(colour)):
-        return np.zeros(2)
-    is_out = (pixel - inner) * side > 0
-    beyond = np.where(is_out[:, None], colour[inner], colour[outer])
-    pull = ((colour - beyond) * grad_colour).sum(1)
-    asked = (pull > 0) & np.where(is_out, sees[inner], sees)
-    way = np.where(is_out, side, -side)[asked] * eps
-    distance = pixel[asked] + 0.5 - crossing
-    return np.array([-(pull[asked] / (distance / s + way)).sum() if s > 0 else 0.0 for s in share])
+def pull_on_edge(grad_colour, colour, beyond, way, share, eps):
+    """the way is multiplied by the share; an end of a small share must go farther"""
+    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))
+    return np.array([-(pull / (way * s + eps)).sum() if s > 0 else 0.0 for s in share])

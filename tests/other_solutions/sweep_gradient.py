@@ -14,20 +14,12 @@ def edge_lines(a, b, height):
     return np.array(rows, int), np.array(crossings, float), np.reshape(shares, (-1, 2))
 
 
-def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
-    width, grad = len(colour), np.zeros(2)
-    reached = [j for j in range(width) if side * (j + 0.5 - crossing) <= 0]
-    beyond = [j for j in range(width) if j not in reached]
-    if not reached or not beyond:
-        return grad
-    inner, outer = (max(reached), min(beyond)) if side > 0 else (min(reached), max(beyond))
-    ways = [(side, beyond if sees[inner] else [], colour[inner]),
-            (-side, [j for j in reached if sees[j]], colour[outer])]
-    for sign, pixels, other in ways:
-        for j in pixels:
-            gain = max(0.0, float((colour[j] - other) @ grad_colour[j]))
-            for end in range(2):
-                if share[end]:
-                    distance = 2 / width * (j + 0.5 - crossing) / share[end]
-                    grad[end] -= gain / (distance + sign * eps) if gain else 0.0
-    return grad
+def pull_on_edge(grad_colour, colour, beyond, way, share, eps):
+    grad = [0.0, 0.0]
+    for before, after, slope, length, more in zip(colour, beyond, grad_colour, way, eps,
+                                                  strict=True):
+        gain = max(0.0, float(slope @ before - slope @ after))
+        for end in range(2):
+            # A way of length / share, without a division by 0.
+            grad[end] -= gain * share[end] / (length + more * share[end]) if share[end] else 0.0
+    return np.array(grad)
