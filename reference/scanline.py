@@ -68,8 +68,8 @@ def depth_slopes(x, y, z):  # extra 2.12 (3 points)
     >>> depth_slopes(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
     (array([0.1]), array([0.]))
 
-    Fine print. Measure from corner 0: the callers put the most accurate one there. Of equal z, both
-    slopes are exactly 0. A face without area gets inf or nan; NumPy's warnings do not matter.
+    Fine print. Measure from corner 0: the callers put the most accurate one there. Both slopes
+    are exactly 0 where all z are equal. A face without area gets inf or nan.
     """
     x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
     x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
