@@ -61,9 +61,9 @@ class Buffers(NamedTuple):
 def cube_taps(weight, depth, z, size):  # extra 10.6 (3 points)
     """Eqs. (4) and (5): which 8 texels does a pixel read, with which weights prod_k a_k?
 
-    weight (N, 3), depth (N,), z (N, 3), size T -> index (N, 8), tap (N, 8). Tap n takes texel
-    low_k + n // 2^k % 2 along axis k. low_k is t_k rounded down, but T - 2 at most. Texel [i, j, k]
-    has index i T^2 + j T + k.
+    weight (N, 3), depth (N,), z (N, 3), size T -> index, tap (N, 8). Along axis k, tap n takes
+    texel low_k + n // 2^k % 2, and low_k is min(floor(t_k), T - 2). Texel [i, j, k] has the index
+    i T^2 + j T + k.
 
     >>> weight, z = np.array([[0.25, 0.25, 0.5]]), np.array([[1.0, 1.0, 4.0]])
     >>> index, tap = cube_taps(weight, np.array([1.6]), z, 2)  # t = 0.4, 0.4, 0.2
@@ -176,8 +176,8 @@ def both_sides(faces, textures):
 def face_light(corners, ambient, directional, towards):  # exercise 10.10 (2 points)
     """Eq. (6): the light (F, C) on faces with corners (F, 3, 3) in space.
 
-    A = ambient (C,), D = directional (C,), l = towards (3,) of any length. The corners are
-    counter-clockwise seen from the side to which n points.
+    A = ambient (C,), D = directional (C,), l = towards (3,) of any length. From the side to which
+    n points, the corners are counter-clockwise.
 
     >>> corners = np.array([[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> face_light(corners, np.array([0.5, 0.0]), np.array([0.0, 2.0]), np.array([1.0, 0.0, 0.25]))

@@ -180,9 +180,8 @@ def pixel_box(screen, width, height):
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.5 (4 points)
     """Your picture of a mesh: the nearest of the `front_faces` that `covers` each pixel's centre.
 
-    corners (F, 3, 3) -> face_index (height, width), weight (height, width, 3), depth
-    (height, width): -1, 0 and np.inf where no face has near < depth < far. `on_screen` and
-    `pixel_box` are given. The lecture draws it in section 1.
+    corners (F, 3, 3) -> face_index, weight, depth, as `Maps` has them. Only depths with
+    near < depth < far are seen. Section 1 of the lecture shows the teapot.
 
     >>> corners = np.array([[[-1.0, -1.0, 2.0], [1.0, -1.0, 2.0], [-1.0, 1.0, 2.0]]])
     >>> face_index, weight, depth = rasterize_loop(corners, 4, 2)

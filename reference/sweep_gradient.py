@@ -26,10 +26,10 @@ from .rasterization import EDGES, scatter
 
 
 def edge_lines(a, b, height):  # exercise 10.12 (2 points)
-    """Eq. (8): where does the edge from a to b (2,), on screen, cross the rows' centres?
+    """Eq. (8): where does the edge from a to b (2,) cross the rows of a picture?
 
-    -> row (K,), ascending: those with 0 <= row < height whose y = row + 1/2 lies between a_y and
-    b_y. crossing (K,) is x_edge there, share (K, 2) is share_a, share_b.
+    -> row (K,): those 0 <= row < height, ascending, with y = row + 1/2 between a_y and b_y.
+    crossing (K,): x_edge. share (K, 2): share_a, share_b.
 
     >>> row, crossing, share = edge_lines(np.array([8.0, 3.0]), np.array([4.0, 1.0]), 9)
     >>> row, crossing, share.T
