@@ -62,8 +62,7 @@ def cube_taps(weight, depth, z, size):  # extra 10.6 (3 points)
     """Eqs. (4) and (5): which 8 texels does a pixel read, with which weights prod_k a_k?
 
     weight (N, 3), depth (N,), z (N, 3), size T -> index, tap (N, 8). Along axis k, tap n takes
-    texel low_k + n // 2^k % 2, and low_k is min(floor(t_k), T - 2). Texel [i, j, k] has the index
-    i T^2 + j T + k.
+    texel low_k + n // 2^k % 2, low_k = min(floor(t_k), T - 2). [i, j, k] has index (i T + j) T + k.
 
     >>> weight, z = np.array([[0.25, 0.25, 0.5]]), np.array([[1.0, 1.0, 4.0]])
     >>> index, tap = cube_taps(weight, np.array([1.6]), z, 2)  # t = 0.4, 0.4, 0.2
