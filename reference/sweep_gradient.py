@@ -25,42 +25,47 @@ from . import neural_renderer, scanline
 from .rasterization import EDGES, scatter
 
 
-def edge_lines(a, b, height):  # exercise 10.12 (2 points)
-    """Eq. (8): where does the edge from a to b (2,) cross the rows of a picture?
+def edge_crossing(a, b, y):  # exercise 10.12 (1 point)
+    """Eq. (8): where does the edge from a to b cross the row y? -> x_edge (...), share (..., 2).
 
-    -> row (K,): those 0 <= row < height, ascending, with y = row + 1/2 between a_y and b_y.
-    crossing (K,): x_edge. share (K, 2): share_a, share_b.
+    a, b (..., 2), y (...), shapes that broadcast. share is share_a, share_b.
 
-    >>> row, crossing, share = edge_lines(np.array([8.0, 3.0]), np.array([4.0, 1.0]), 9)
-    >>> row, crossing, share.T
-    (array([1, 2]), array([5., 7.]), array([[0.25, 0.75],
+    >>> edge_crossing(np.array([8.0, 3.0]), np.array([4.0, 1.0]), np.array([1.5, 2.5]))
+    (array([5., 7.]), array([[0.25, 0.75],
            [0.75, 0.25]]))
+    """
+    share_b = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
+    return a[..., 0] + share_b * (b[..., 0] - a[..., 0]), np.stack([1 - share_b, share_b], -1)
 
-    Fine print. A centre at exactly a_y or b_y counts. An edge with a_y = b_y crosses no row.
+
+def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 (2 points)
+    """The terms of eq. (7), with their minus: how P pixels pull on the ends of their edges: (P, 2).
+
+    grad_colour, colour, beyond (P, C): dL/dI_j, I_j and I_beyond. way, eps (P,), share (P, 2).
+
+    >>> colour, beyond = np.array([[0.0], [0.5]]), np.array([[1.0], [1.0]])
+    >>> grad_colour, share = np.array([[-3.0], [2.0]]), np.array([[0.25, 0.75], [0.5, 0.5]])
+    >>> edge_pulls(grad_colour, colour, beyond, np.array([0.5, 0.1]), share, np.zeros(2)) + 0.0
+    array([[-1.5, -4.5],
+           [ 0. ,  0. ]])
+
+    Fine print. An end of share 0 does not move the crossing. It gets 0.
+    """
+    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))[:, None]
+    # 1 / (way / share + eps) is share / (way + eps share), which is 0 for a share of 0.
+    scaled = way[:, None] + eps[:, None] * share
+    return -pull * share / np.where(share > 0, scaled, 1)
+
+
+def edge_lines(a, b, height):
+    """The rows of a picture that the edge from a to b (2,) crosses: row (K,), and `edge_crossing`
+    there. These are the rows whose centre row + 1/2 is from a_y to b_y. A flat edge crosses none.
     """
     low, high = min(a[1], b[1]), max(a[1], b[1])
     row = np.arange(max(np.ceil(low - 0.5), 0), min(np.floor(high + 0.5), height)).astype(int)
     if a[1] == b[1]:
         row = row[:0]
-    toward_b = (row + 0.5 - a[1]) / (b[1] - a[1])
-    return row, a[0] + toward_b * (b[0] - a[0]), np.stack([1 - toward_b, toward_b], -1)
-
-
-def pull_on_edge(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 (2 points)
-    """Eq. (7): how P pixels of a line pull on an edge: g (2,), one number for each of its ends.
-
-    grad_colour, colour, beyond (P, C): dL/dI_j, I_j and I_beyond. way, eps (P,): way_j and eps_j.
-    share (2,): share_a, share_b.
-
-    >>> colour, beyond, none = np.array([[0.0], [0.5]]), np.array([[1.0], [1.0]]), np.zeros(2)
-    >>> grad_colour, way = np.array([[-3.0], [2.0]]), np.array([0.5, 0.1])
-    >>> pull_on_edge(grad_colour, colour, beyond, way, np.array([0.25, 0.75]), none)
-    array([-1.5, -4.5])
-
-    Fine print. An end of share 0 does not move the crossing. It gets 0.
-    """
-    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))
-    return np.array([-(pull / (way / s + eps)).sum() if s > 0 else 0.0 for s in share])
+    return row, *edge_crossing(a, b, row + 0.5)
 
 
 def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
@@ -84,8 +89,9 @@ def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
     beyond = np.where(is_out[:, None], colour[inner], colour[outer])
     way = 2 / len(colour) * (pixel + 0.5 - crossing)
     signed_eps = np.where(is_out, side, -side) * eps
-    return pull_on_edge(grad_colour[counts], colour[counts], beyond[counts], way[counts], share,
-                        signed_eps[counts])
+    terms = edge_pulls(grad_colour[counts], colour[counts], beyond[counts], way[counts],
+                       np.tile(share, (counts.sum(), 1)), signed_eps[counts])
+    return terms.sum(0)
 
 
 class Sweep(NamedTuple):
@@ -144,7 +150,7 @@ def sweep_backward(grad_colour, colour, face_index, corners, eps=1e-4):
     for axis, sweep in enumerate(both_sweeps(grad_colour, colour, face_index, corners)):
         for ends in map(list, EDGES):
             for face, terms in pulls(sweep, crossings(sweep, *ends), eps):
-                grad_corners[:, ends, axis] -= scatter(terms, face, len(corners))
+                grad_corners[:, ends, axis] += scatter(terms, face, len(corners))
     return grad_corners
 
 
@@ -165,10 +171,7 @@ def all_edge_lines(a, b, height):
     first = np.clip(np.ceil(low - 0.5), 0, height).astype(int)
     last = np.where(low == high, first, np.clip(np.floor(high + 0.5), first, height)).astype(int)
     edge, row = scanline.expand(first, last - first)
-    a, b = a[edge], b[edge]
-    toward_b = (row + 0.5 - a[:, 1]) / (b[:, 1] - a[:, 1])
-    crossing = a[:, 0] + toward_b * (b[:, 0] - a[:, 0])
-    return edge, row, crossing, np.stack([1 - toward_b, toward_b], -1)
+    return edge, row, *edge_crossing(a[edge], b[edge], row + 0.5)
 
 
 def crossings(sweep, i, j):
@@ -187,26 +190,27 @@ def crossings(sweep, i, j):
 
 
 def pulls(sweep, found, eps):
-    """`sweep_line` at all Crossings: yields, for chunks of their pixels, the face (N,) and the
-    terms of eq. (7) for both ends (N, 2).
+    """`sweep_line` at all Crossings: yields, for chunks of their pixels, the face (N,) and its
+    `edge_pulls` (N, 2).
     """
     width = sweep.colour.shape[1]
     wants = (sweep.grad_colour != 0).any(2)
     for part in scanline.chunks(np.full(len(found.row), width)):
         lines = Crossings(*(values[part] for values in found))
-        line, pixel, is_out, pull = pulling_pixels(sweep, wants, lines)
-        share = lines.share[line]
-        distance = 2 / width * (pixel + 0.5 - lines.crossing[line])
-        signed_eps = np.where(is_out, lines.side[line], -lines.side[line]) * eps
-        # pull / (distance / share + eps), 0 for share 0
-        scaled = distance[:, None] + signed_eps[:, None] * share
-        yield lines.face[line], pull[:, None] * share / np.where(share > 0, scaled, 1)
+        line, pixel, is_out = pulling_pixels(sweep, wants, lines)
+        row, side = lines.row[line], lines.side[line]
+        beyond = sweep.colour[row, np.where(is_out, lines.inner[line], lines.inner[line] + side)]
+        way = 2 / width * (pixel + 0.5 - lines.crossing[line])
+        signed_eps = np.where(is_out, side, -side) * eps
+        terms = edge_pulls(sweep.grad_colour[row, pixel], sweep.colour[row, pixel], beyond, way,
+                           lines.share[line], signed_eps)
+        yield lines.face[line], terms
 
 
 def pulling_pixels(sweep, wants, lines):
-    """Which pixels pull at which of the Crossings, and how strongly: max(0, ...) of eq. (7).
+    """Which pixels count at which of the Crossings: line, pixel, is_out (N,).
 
-    wants (H, W) says where grad_colour is not 0 -> line, pixel, is_out, pull (N,), all pulls > 0.
+    wants (H, W) says where grad_colour is not 0. is_out: the edge moves out to the pixel.
     """
     sees = sweep.face_index[lines.row] == lines.face[:, None]
     inner_sees = sweep.face_index[lines.row, lines.inner] == lines.face
@@ -214,8 +218,4 @@ def pulling_pixels(sweep, wants, lines):
     is_out = np.where(lines.side[:, None] > 0, pixel > inner, pixel < inner)
     counts = np.where(is_out, inner_sees[:, None], sees)
     line, pixel = np.nonzero(counts & wants[lines.row])
-    row, inner, is_out = lines.row[line], lines.inner[line], is_out[line, pixel]
-    beyond = sweep.colour[row, np.where(is_out, inner, inner + lines.side[line])]
-    pull = ((sweep.colour[row, pixel] - beyond) * sweep.grad_colour[row, pixel]).sum(1)
-    lowers = pull > 0
-    return line[lowers], pixel[lowers], is_out[lowers], pull[lowers]
+    return line, pixel, is_out[line, pixel]

@@ -1,25 +1,18 @@
-"""Lab 10's sweep once more: row by row, pixel by pixel."""
+"""Lab 10's sweep once more: edge by edge, pixel by pixel."""
 import numpy as np
 
 
-def edge_lines(a, b, height):
-    rows, crossings, shares = [], [], []
-    for row in range(height):
-        below, above = sorted((a[1], b[1]))
-        if below <= row + 0.5 <= above and below < above:
-            share = np.array([b[1] - (row + 0.5), (row + 0.5) - a[1]]) / (b[1] - a[1])
-            rows.append(row)
-            crossings.append(share[0] * a[0] + share[1] * b[0])
-            shares.append(share)
-    return np.array(rows, int), np.array(crossings, float), np.reshape(shares, (-1, 2))
+def edge_crossing(a, b, y):
+    a, b = np.broadcast_arrays(a, b)
+    length = b[..., 1] - a[..., 1]
+    share = np.stack([b[..., 1] - y, y - a[..., 1]], -1) / length[..., None]
+    return (share * np.stack([a[..., 0], b[..., 0]], -1)).sum(-1), share
 
 
-def pull_on_edge(grad_colour, colour, beyond, way, share, eps):
-    grad = [0.0, 0.0]
-    for before, after, slope, length, more in zip(colour, beyond, grad_colour, way, eps,
-                                                  strict=True):
-        gain = max(0.0, float(slope @ before - slope @ after))
-        for end in range(2):
-            # A way of length / share, without a division by 0.
-            grad[end] -= gain * share[end] / (length + more * share[end]) if share[end] else 0.0
-    return np.array(grad)
+def edge_pulls(grad_colour, colour, beyond, way, share, eps):
+    terms = np.zeros(np.shape(share))
+    for j, end in np.ndindex(terms.shape):
+        gain = float(grad_colour[j] @ colour[j] - grad_colour[j] @ beyond[j])
+        if gain > 0 and share[j, end]:
+            terms[j, end] = -gain / (way[j] / share[j, end] + eps[j])
+    return terms
