@@ -39,7 +39,8 @@ def edge_crossing(a, b, y):  # exercise 10.12 (1 point)
 
 
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 (2 points)
-    """The terms of eq. (7), with their minus: how P pixels pull on the ends of their edges: (P, 2).
+    """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), minus included,
+    (P, 2). Their sum is g.
 
     grad_colour, colour, beyond (P, C): dL/dI_j, I_j and I_beyond. way, eps (P,), share (P, 2).
 
