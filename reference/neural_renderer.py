@@ -2,15 +2,15 @@
 
 A face is its three corners: x, y in ndc, y up, and z, the distance in front of the camera (w of
 clip space). On screen, p = (1 + ndc) size / 2 and centres are at j + 1/2, as everywhere here. The
-original counts from centres: its p is ours - 1/2, from -1/2 to size - 1/2.
+original counts from the first centre: its p is ours - 1/2, from -1/2 to size - 1/2.
 
     M = [p_0 p_1 p_2; 1 1 1]                       columns: a face's corners on screen         (1)
     c = M^-1 (x, y, 1),  u = clamp(c, 0, 1),  w = u / sum u         weights on screen          (2)
     z = 1 / sum_k w_k / z_k                        depth, right in perspective                 (3)
 
 M^-1 is face_inv. Its rows are the edge functions of lab 2 over 2A, and it is the M^-1 of lab 7.
-Texels and light, eqs. (4) to (6), are in texture_cubes.py. What an edge does to the picture has a
-gradient in two approximate ways, beside lab 8's: sweep_gradient.py and soft_rasterizer.py.
+Texels and light, eqs. (4) to (6), are in texture_cubes.py. Two approximate gradients for outlines,
+beside lab 8's, are in sweep_gradient.py and soft_rasterizer.py.
 
 Sources: Kato, Ushiku, Harada 2018, and a reading of their rasterizer, neural_renderer. Where its
 kernel does something else, the functions say so.
@@ -47,7 +47,7 @@ def corners_of(clip, faces):
 def corners_backward(grad_corners, clip, faces):
     """Backward of `corners_of`: grad_corners (F, 3, 3) -> grad_clip (V, 4)."""
     # A corner is gathered from its vertex, so gradients are scattered. x and y take lab 1's way
-    # back through the divide; z = w, so dw = dz.
+    # back through the divide. z is w, so dw = dz.
     grad_vertex = scatter(grad_corners, faces, len(clip))
     grad_ndc = grad_vertex * [1, 1, 0]
     grad_clip = transforms.perspective_divide_backward(grad_ndc, divisible(clip))
@@ -56,8 +56,8 @@ def corners_backward(grad_corners, clip, faces):
 
 
 def divisible(clip):
-    """clip (V, 4) with 1 for w = 0, in the camera plane. None of such a vertex's faces is drawn, so
-    it may be anywhere on screen, and its gradient is 0.
+    """clip (V, 4) with w = 1 for vertices in the camera plane, where w = 0. Their faces are not
+    drawn, so they may be anywhere on screen, and their gradient is 0.
     """
     return np.column_stack([clip[:, :3], np.where(clip[:, 3] == 0, 1, clip[:, 3])])
 
@@ -67,11 +67,11 @@ def on_screen(corners, width, height):
     return (corners[..., :2] + 1) * [width / 2, height / 2]
 
 
-def front_faces(screen, z):  # exercise 10.1 (1 point)
+def front_faces(screen, z):
     """Which faces are drawn? Those counter-clockwise on screen, y up, with all three z > 0.
 
     screen (F, 3, 2), z (F, 3) -> bool (F,). A face without area is not drawn. (The original draws
-    it, and any z.)
+    it, and does not look at z.)
 
     >>> a, b, c = [0.0, 0.0], [4.0, 0.0], [0.0, 3.0]
     >>> front_faces(np.array([[a, b, c], [a, c, b], [a, b, b], [a, b, c]]),
@@ -81,10 +81,8 @@ def front_faces(screen, z):  # exercise 10.1 (1 point)
     return (signed_area(screen) > 0) & (z > 0).all(1)
 
 
-def face_inverse(screen):  # exercise 10.2 (2 points)
-    """The inverse of eq. (1): screen (..., 3, 2), of an area other than 0 -> (..., 3, 3).
-
-    Its product with (x, y, 1) is c: row k belongs to corner k.
+def face_inverse(screen):  # exercise 10.2 (1 point)
+    """The inverse of M in eq. (1): screen (..., 3, 2), one corner in each row -> (..., 3, 3).
 
     >>> face_inverse(np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]))
     array([[-0.25, -0.5 ,  1.  ],
@@ -100,7 +98,7 @@ def face_inverse(screen):  # exercise 10.2 (2 points)
 
 
 def face_inverse_backward(grad_inverse, inverse):
-    """Backward of `face_inverse`, by its result: both (..., 3, 3) -> grad_screen (..., 3, 2)."""
+    """Backward of `face_inverse`: grad_inverse, inverse (..., 3, 3) -> grad_screen (..., 3, 2)."""
     # d M^-1 = -M^-1 dM M^-1, so grad_M = -M^-T grad_inverse M^-T, as in lab 7. Its first two rows
     # are x and y of the corners.
     transposed = np.swapaxes(inverse, -1, -2)
@@ -112,16 +110,13 @@ def face_inverse_backward(grad_inverse, inverse):
 
 
 def weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
-    """Eqs. (2) and (3) at points of the screen: weight (..., 3), depth (...).
+    """Eqs. (2) and (3) at points of the screen: weight w (..., 3) and depth z (...).
 
-    inverse (..., 3, 3) of `face_inverse`, z (..., 3), all positive, x, y (...).
+    inverse (..., 3, 3) is M^-1, z (..., 3) are the z_k, x, y (...).
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
     >>> weights_and_depth(inverse, np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0))
     (array([0.25, 0.25, 0.5 ]), np.float64(1.6))
-
-    The clamp is for points on an edge, where rounding makes some c_k negative. It does not bring a
-    point far outside to the nearest point of the face: c = (1/4, 3/2, -3/4) becomes (1/5, 4/5, 0).
     """
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = np.clip(c, 0, 1)
@@ -130,7 +125,7 @@ def weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
     return weight, 1 / (part[..., 0] + part[..., 1] + part[..., 2])
 
 
-def weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 (3 points)
+def weights_and_depth_backward(grad_weight, grad_depth,  # extra 10.4 (3 points)
                                inverse, z, x, y):
     """Backward of eqs. (2) and (3): grad_weight (..., 3), grad_depth (...) -> grad_inverse
     (..., 3, 3), grad_z (..., 3).
@@ -144,7 +139,7 @@ def weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 (3 poin
            [-24., -24., -24.],
            [ 24.,  24.,  24.]]), array([16., 16.,  2.]))
 
-    Fine print. Where the clamp changes c_k, it counts as constant. A c_k of exactly 0 or 1 is not
+    Fine print. Where the clamp changes c_k, c_k has no gradient. A c_k of exactly 0 or 1 is not
     changed.
     """
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
@@ -165,8 +160,7 @@ def weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 (3 poin
 def covers(screen, x, y):
     """Is (x, y) in a face, border included? screen (..., 3, 2), counter-clockwise, x, y (...).
 
-    Both faces at an edge cover a point that lies on it. There is no top-left rule: the z-buffer
-    decides.
+    Both faces at an edge cover a point on it. There is no top-left rule: the z-buffer decides.
     """
     p = np.stack([x, y], -1)
     e = np.stack([edge_function(p, screen[..., i, :], screen[..., j, :]) for i, j in EDGES])
@@ -183,13 +177,11 @@ def pixel_box(screen, width, height):
     return low[..., 0], low[..., 1], high[..., 0], high[..., 1]
 
 
-def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.5 (3 points)
-    """Three maps, face by face and pixel by pixel: which face is seen, where on it, and how deep.
+def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.5 (4 points)
+    """Your picture of a mesh: the nearest of the `front_faces` that `covers` each pixel's centre.
 
-    corners (F, 3, 3) -> face_index (height, width), -1 where no face is seen, weight
-    (height, width, 3) of eq. (2), 0 there, and depth (height, width) of eq. (3), np.inf there. Of
-    the `front_faces`, those count that have the pixel's centre in their `pixel_box`, that `covers`
-    it, and that have near < depth < far. The nearest of them is seen.
+    corners (F, 3, 3) -> face_index, weight, depth, as `Maps` has them. Only depths with
+    near < depth < far are seen. Section 1 of the lecture shows the teapot.
 
     >>> corners = np.array([[[-1.0, -1.0, 2.0], [1.0, -1.0, 2.0], [-1.0, 1.0, 2.0]]])
     >>> face_index, weight, depth = rasterize_loop(corners, 4, 2)
@@ -200,7 +192,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.
     >>> weight[0, 1]
     array([0.375, 0.375, 0.25 ])
 
-    Fine print. Of equally deep faces, the first is seen.
+    Fine print. The first of two equally deep faces is seen, as in lab 2.
     """
     face_index = np.full((height, width), -1)
     weight = np.zeros((height, width, 3))
@@ -219,9 +211,10 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.
 
 
 def fragments(corners, width, height, near, far):
-    """Every pixel that every face covers: yields pixel (N,) = row * width + column, face (N,),
-    weight (N, 3), depth (N,) in chunks. The last face comes first: whoever writes last then keeps
-    the first.
+    """All pixels that each face covers, in chunks: yields pixel, face, weight, depth.
+
+    pixel (N,) is row * width + column. face (N,), weight (N, 3), depth (N,). The last face comes
+    first, so that the first of equally deep faces is written last.
     """
     screen, z = on_screen(corners, width, height), corners[..., 2]
     drawn = np.flatnonzero(front_faces(screen, z))[::-1]
@@ -256,8 +249,8 @@ def rasterize(corners, width, height, near=0.1, far=100.0):
 def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     """Backward of `rasterize`: grad_weight (H, W, 3), grad_depth (H, W) -> grad_corners (F, 3, 3).
 
-    Exact, the face of each pixel taken as given. Where no face is seen, both gradients are left
-    out. (The original has it for the depth alone.)
+    It is exact as long as each pixel sees the same face. Pixels that see no face are ignored. (The
+    original has such a gradient for the depth alone.)
     """
     height, width = face_index.shape
     screen, z = on_screen(corners, width, height), corners[..., 2]

@@ -6,10 +6,10 @@ pixel in ndc. The weights b on the face are the same for c = M^-1 a and for e = 
     e_k = (q_i x q_j) . a,   (i, j) = (1, 2), (2, 0), (0, 1) for k = 0, 1, 2                     (1)
     b = e / d,   s = sum e,   d = s + sign(s) epsilon,   db/dx = (e_x - b sum e_x) / d           (2)
     grad_(q_i x q_j) = sum of grad_e_k a over the pixels that see the face: nine numbers         (3)
-    depth = z^T M^-1 a,   z of clip space                                                        (4)
+    depth = z^T M^-1 a,   z in clip space                                                        (4)
 
-q_i x q_j are the rows of M^-1, times det(M), so the e_k are lab 2's edge functions. Matrices are
-(3, 3), or (3, 3, F) for many faces. epsilon is 0 here; nvdiffrast uses 1e-6, in its backward pass
+The q_i x q_j are the rows of det(M) M^-1, so the e_k are lab 2's edge functions. Matrices are
+(3, 3), or (3, 3, F) for many faces. epsilon is 0 here. nvdiffrast uses 1e-6, in its backward pass
 only.
 
 Source: nvdiffrast's conventions; Laine et al. 2020.
@@ -27,11 +27,11 @@ def cross(p, q):
                      p[0] * q[1] - p[1] * q[0]])
 
 
-def edge_functions(corners):  # exercise 7.10 (2 points)
-    """Eq. (1): the edge functions of faces: edges (3, 3, ...), row k of each face's is q_i x q_j.
+def edge_functions(corners):  # extra 7.10 (2 points)
+    """Eq. (1): the edge functions of faces, as edges (3, 3, ...): edges[k] is q_i x q_j.
 
-    corners (3, 3, ...): the matrices M, so corners[:, k] is q_k. The result is det(M) M^-1, but
-    exists also where det(M) = 0.
+    corners (3, 3, ...): the matrices M, so corners[:, k] is q_k. The result is det(M) M^-1, and
+    exists even where det(M) = 0.
 
     >>> edge_functions(np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]]))
     array([[-1., -2.,  4.],
@@ -43,6 +43,8 @@ def edge_functions(corners):  # exercise 7.10 (2 points)
 
 def edge_functions_backward(grad_edges, corners):  # exercise 7.11 (3 points)
     """Backward of `edge_functions`: grad_edges (3, 3, ...) -> grad_corners (3, 3, ...).
+
+    edges[k] is q_i x q_j, and corners[:, k] is q_k. Use g . (p x q) = p . (q x g) = q . (g x p).
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> grad_edges = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
@@ -60,39 +62,40 @@ def edge_functions_backward(grad_edges, corners):  # exercise 7.11 (3 points)
 
 
 def padded_sum(e, epsilon):
-    """d of eq. (2): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, of either sign.
+    """d of eq. (2): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, whatever the sign of s.
 
-    A face without area has d = 0. It gets infinity, so that its gradient is 0.
+    A face without area has s = 0. Its d is infinity, so that its gradient is 0.
     """
     s = e.sum(0)
     s = s + np.copysign(epsilon, s)
     return np.where(s == 0, np.inf, s)
 
 
-def normalize_derivative_backward(grad_db, dc, b, s):  # exercise 7.15 (4 points)
-    """Backward of lab 2's `normalize_derivative`, where b = c / s and s = sum c depend on c, too.
+def normalize_derivative_backward(grad_db, dc, b, s):  # extra 7.15 (4 points)
+    """Backward of db/dx in eq. (2), lab 2's `normalize_derivative`: dc stands for e_x, c for e.
 
-    grad_db, dc, b (3, N), s (N,) -> grad_dc (3, N), grad_c (3, N).
+    grad_db, dc, b (3, N), s (N,) -> grad_dc (3, N), grad_c (3, N). Both b = c / s and s = sum c
+    depend on c.
 
-    >>> dc, b = np.array([[1.0], [0.0], [3.0]]), np.array([[0.25], [0.5], [0.25]])
+    >>> dc, b = np.array([[1.0], [2.0], [5.0]]), np.array([[0.25], [0.5], [0.25]])
     >>> grad_db = np.array([[0.0], [4.0], [0.0]])
     >>> np.stack(normalize_derivative_backward(grad_db, dc, b, np.array([4.0])))[..., 0]
     array([[-0.5,  0.5, -0.5],
-           [ 1. , -0. ,  1. ]])
+           [ 1.5, -0.5,  1.5]])
     """
-    # grad_dc: db is linear in dc. Where c moves, b changes by b' and s by s', and db by
-    # -(sum dc) b' / s - db s' / s. The first term goes through b = c / s: -(sum dc / s) grad_dc.
+    # db is linear in dc, which gives grad_dc. Where c moves, b changes by b' and s by s', and db
+    # by -(sum dc) b' / s - db s' / s. The first term goes through b = c / s: -(sum dc / s) grad_dc.
     # The second one goes through s = sum c.
     grad_dc = normalize_backward(grad_db, b, s)
     through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
     return grad_dc, -(dc.sum(0) * grad_dc + through_s) / s
 
 
-def sum_per_face(u, x, y, face, count):  # exercise 7.16 (2 points)
+def sum_per_face(u, x, y, face, count):
     """Eq. (3): the sums of u a^T, a = (x, y, 1), over the pixels of each face -> (K, 3, count).
 
-    u (K, N), x (N,), y (N,); face (N,): the face that pixel n sees, 0 <= face < count. A face that
-    no pixel sees gets 0.
+    u (K, N), x (N,), y (N,). Pixel n sees face[n], with 0 <= face < count. A face that no pixel
+    sees has the sum 0.
 
     >>> x, y = np.array([1.0, 2.0, 4.0]), np.array([0.0, 1.0, 3.0])
     >>> sum_per_face(np.array([[1.0, 10.0, 100.0]]), x, y, np.array([2, 0, 2]), 3)
@@ -111,10 +114,10 @@ def inverses(corners):
     return e / np.where(det == 0, np.inf, det)
 
 
-def depth_planes(z, corners):  # exercise 7.17 (2 points)
+def depth_planes(z, corners):  # extra 7.17 (2 points)
     """Eq. (4) as depth = planes . a: planes (3, F), one for each face.
 
-    z (3, F) of clip space, at the corners (3, 3, F), whose determinants are not 0.
+    z (3, F) in clip space. corners (3, 3, F), with determinants other than 0. `inverses` is given.
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> depth_planes(np.array([[0.0], [2.0], [1.0]]), corners[..., None]).T
@@ -123,11 +126,11 @@ def depth_planes(z, corners):  # exercise 7.17 (2 points)
     return (z[:, None] * inverses(corners)).sum(0)
 
 
-def depth_planes_backward(grad_planes, z, corners):  # exercise 7.18 (3 points)
+def depth_planes_backward(grad_planes, z, corners):  # extra 7.18 (3 points)
     """Backward of `depth_planes`: grad_planes (3, F) -> grad_z (3, F), grad_corners (3, 3, F).
 
-    `vertex_gradients.residual_backward` for all faces at once: grad_planes is the sum of
-    grad_depth a over the pixels.
+    It is `vertex_gradients.residual_backward` for all faces at once. grad_planes is the sum of
+    grad_depth a over the pixels of each face.
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> z, a = np.array([[0.0], [2.0], [1.0]]), np.array([[1.0], [0.0], [1.0]])
@@ -151,10 +154,10 @@ def ndc_of_pixels(pixel, width, height):
 
 
 def seen_faces(face_index, clip, faces):
-    """The S faces that are seen: shown (S,), their numbers; corners (3, 3, S); origin (2, S).
+    """The S faces that are seen: their numbers (S,), corners (3, 3, S) and origins (2, S).
 
-    face_index (H, W), clip (V, 4), faces (F, 3). The corners are measured from the origin, in ndc,
-    which is one of the pixels that see the face: a small face far out keeps its digits.
+    face_index (H, W), clip (V, 4), faces (F, 3). A face's origin, in ndc, is one of the pixels that
+    see it. Its corners are measured from there, so that a small face far out keeps its digits.
     """
     height, width = face_index.shape
     some_pixel = np.full(len(faces), -1)
@@ -167,8 +170,10 @@ def seen_faces(face_index, clip, faces):
 
 
 def pixels_on_faces(face_index, shown, origin):
-    """The pixels that see a face, in chunks: pixel (N,) = row * width + column; face (N,), from 0
-    to S - 1; x, y (N,), measured from the face's origin.
+    """The pixels that see a face, in chunks: yields pixel, face, x, y, each (N,).
+
+    pixel is row * width + column. face is from 0 to S - 1. x and y are measured from the face's
+    origin.
     """
     number = np.zeros(shown.max(initial=0) + 1, int)
     number[shown] = np.arange(len(shown))
@@ -179,14 +184,14 @@ def pixels_on_faces(face_index, shown, origin):
 
 
 def at_pixels(planes, face, x, y):
-    """planes (K, 3, S) . (x, y, 1), of each pixel's own face (N,) -> (K, N)."""
+    """planes (K, 3, S) . (x, y, 1), the planes being those of each pixel's face (N,) -> (K, N)."""
     return np.stack([p[face] * x + q[face] * y + r[face] for p, q, r in planes])
 
 
 def sum_per_vertex(grad_corners, grad_z, origin, corner_index, count):
     """Backward of the corners of `seen_faces`: (3, 3, S), and grad_z (3, S) -> grad_clip (V, 4).
 
-    corner_index (3, S): the vertex at each corner; count = V.
+    corner_index (3, S) is the vertex at each corner, and count is V.
     """
     grad_x, grad_y, grad_w = grad_corners
     grad_w = grad_w - origin[0] * grad_x - origin[1] * grad_y
@@ -196,8 +201,8 @@ def sum_per_vertex(grad_corners, grad_z, origin, corner_index, count):
 def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0):
     """Backward of lab 2's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
 
-    face_index (H, W), clip (V, 4), faces (F, 3). z has no part in it. What grad_barycentric holds
-    where no face is seen is ignored. epsilon of eq. (2): 0 is the derivative, 1e-6 nvdiffrast's.
+    face_index (H, W), clip (V, 4), faces (F, 3). The gradient with respect to z is 0. Pixels that
+    see no face are ignored. epsilon of eq. (2): 0 gives the derivative, 1e-6 nvdiffrast's numbers.
     """
     shown, corners, origin = seen_faces(face_index, clip, faces)
     planes = edge_functions(corners)
@@ -251,9 +256,9 @@ def depth_backward(grad_depth, face_index, clip, faces):
 
 def rasterize_backward(grad_barycentric, grad_derivatives, grad_depth, face_index, clip, faces,
                        epsilon=0.0):
-    """The rasterizer's backward pass, all that it gives of a face -> grad_clip (V, 4).
+    """The rasterizer's whole backward pass -> grad_clip (V, 4).
 
-    grad_barycentric (H, W, 3); grad_derivatives (H, W, 3, 2) or None; grad_depth (H, W) or None.
+    grad_barycentric (H, W, 3). grad_derivatives (H, W, 3, 2) or None. grad_depth (H, W) or None.
     """
     grad_clip = barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon)
     if grad_derivatives is not None:

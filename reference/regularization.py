@@ -1,18 +1,18 @@
 """Regularization: round triangles, smooth surfaces, and gradients that move a surface as a whole.
 
-    q = 2 r / R                      radii of a triangle's inscribed, circumscribed circle   (1)
+    q = 2 r / R             r, R: radii of a triangle's inscribed and circumscribed circle   (1)
     (L x)_i = sum_j w_ij (x_i - x_j)                 Laplacian, over the edges at vertex i   (2)
-    w_ij = 1    or    w_ij = (cot alpha + cot beta) / 2             uniform, or cotangents   (3)
+    w_ij = 1   or   w_ij = (cot alpha + cot beta) / 2,    cot = p . q / |p x q|              (3)
     E = sum_i |(L x)_i|^2 / m_i                                           Laplacian energy   (4)
     x' = x - s M^-1 L x                            explicit smoothing: a step of diffusion   (5)
     (M + s L) x' = M x                             implicit smoothing: stable for any s      (6)
     6 volume = sum x_0 . (x_1 x x_2)                      tetrahedra from the origin         (7)
     u = (I + lambda L) x,   grad_u = (I + lambda L)^-1 grad_x    large steps                (10)
 
-Equations (8) and (9) are in `remeshing.py`. alpha and beta lie opposite to the edge in its two
-faces. M is diagonal: m_i is a valence with uniform weights, an area with cotangents. Lab 9's
-Laplacian is M^-1 L x with w = 1 and m = valence. Edges (E, 2) and face_edges (F, 3) are those of
-`mesh.edges`: no face may name a vertex twice.
+Equations (8) and (9) are in `remeshing.py`. The angles alpha and beta lie opposite to the edge in
+its two faces, between sides p and q. M is diagonal: m_i is a valence with uniform weights, an area
+with cotangents. Lab 9's Laplacian is M^-1 L x with w = 1 and m = valence. edges (E, 2) and
+face_edges (F, 3) are those of `mesh.edges`: no face may name a vertex twice.
 Sources: GAMES101; Pinkall and Polthier 1993 (3), Desbrun 1999 (6), Taubin 1995, Nicolet 2021 (10).
 """
 import numpy as np
@@ -27,7 +27,7 @@ NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this
 
 
 def sides(triangles):
-    """From each corner k of triangles (..., 3, 3) to corner k + 1, and to k + 2, modulo 3."""
+    """The sides p, q at each corner: from corner k of triangles (..., 3, 3) to k + 1 and k + 2."""
     return np.roll(triangles, -1, -2) - triangles, np.roll(triangles, -2, -2) - triangles
 
 
@@ -38,7 +38,7 @@ def area_vectors(triangles):
 
 
 def twice_areas(triangles):
-    """Twice the area of triangles (..., 3, 3): (...), also of a needle with all its digits.
+    """Twice the area of triangles (..., 3, 3): (...), exact to all digits even for a needle.
 
     |p x q| is the same at every corner. Between the two shortest sides, the fewest digits cancel.
     """
@@ -47,42 +47,44 @@ def twice_areas(triangles):
     return np.take_along_axis(np.linalg.norm(np.cross(p, q), axis=-1), corner, -1)[..., 0]
 
 
-def corner_angles(triangles):  # exercise 13.1 (2 points)
+def corner_angles(triangles):  # extra 13.1 (2 points)
     """The angle at each corner, from 0 to pi: triangles (..., 3, 3) -> (..., 3), in radians.
 
-    Its tangent is twice the area over p . q, where p and q are the sides at the corner. At a corner
-    that coincides with another one, the angle is 0.
-
-    Fine print. Every angle is right to 1e-14. Between two long sides, an angle of 1e-9 is right to
-    a relative 1e-9: `twice_areas` has the digits, and the cross product of the two has lost half.
+    Its tangent is twice the area over p . q, where p and q are the sides at the corner.
 
     >>> corner_angles(np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])).round(6)
     array([1.570796, 0.785398, 0.785398])
+
+    Fine print. The angle is 0 at a corner that coincides with another one. Every angle is right to
+    1e-14, and a tiny one between two long sides to a relative 1e-9. `twice_areas` has these digits.
     """
     p, q = sides(triangles)
     return np.arctan2(twice_areas(triangles)[..., None], (p * q).sum(-1))
 
 
-def radius_ratio(triangles):  # exercise 13.2 (2 points)
-    """Eq. (1): triangles (..., 3, 3) -> q (...), 1 for an equilateral one, 0 for one without area.
+def radius_ratio(triangles):  # extra 13.2 (2 points)
+    """Eq. (1): how round are triangles (..., 3, 3)? -> q (...), 1 for an equilateral one.
+
+    With sides a, b, c and area A, r = 2 A / (a + b + c) and R = a b c / (4 A).
 
     >>> radius_ratio(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])).round(9)
     np.float64(0.8)
+
+    Fine print. It is 0 for a triangle without area, even where corners coincide.
     """
-    # r = 2 A / (a + b + c) and R = a b c / (4 A).
     length = np.linalg.norm(sides(triangles)[0], axis=-1)
     below = length.prod(-1) * length.sum(-1)
     return 4 * (area_vectors(triangles)**2).sum(-1) / np.where(below > 0, below, 1)
 
 
 def cotangents(triangles):  # exercise 13.3 (2 points)
-    """The cotangent of the angle at each corner: triangles (..., 3, 3) -> (..., 3).
-
-    Where twice the area is at most NO_AREA times the longest side squared, all three are 0: such a
-    triangle takes no part in anything.
+    """Eq. (3): the cotangent at each corner of triangles (..., 3, 3) -> (..., 3), by its `sides`.
 
     >>> cotangents(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]]))
     array([0. , 2. , 0.5])
+
+    Fine print. A triangle without area takes no part in anything: all three are 0 if twice its area
+    is at most NO_AREA times its longest side squared.
     """
     p, q = sides(triangles)
     twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
@@ -90,15 +92,16 @@ def cotangents(triangles):  # exercise 13.3 (2 points)
     return np.where(flat, 0, (p * q).sum(-1) / np.where(flat, 1, twice_area))
 
 
-def cotangents_backward(grad_cotangents, triangles):  # exercise 13.4 (4 points)
-    """Backward of `cotangents`: grad_cotangents (..., 3) -> grad_triangles (..., 3, 3),
-    0 for a triangle whose cotangents are set to 0.
+def cotangents_backward(grad_cotangents, triangles):  # extra 13.4 (4 points)
+    """Backward of `cotangents`: grad_cotangents (..., 3) -> grad_triangles (..., 3, 3).
 
     >>> triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
     >>> cotangents_backward(np.array([0.0, 1.0, 0.0]), triangle)  # x_1 / y_2 if the rest stays
     array([[ 0.  ,  1.25,  0.  ],
            [ 0.5 , -0.25,  0.  ],
            [-0.5 , -1.  ,  0.  ]])
+
+    Fine print. It is 0 for a triangle whose cotangents are set to 0.
     """
     # cot_k = p_k . q_k / s, where s = |p_0 x q_0| = 2 A is the same at all corners. A corner that
     # rises over the opposite side makes s grow by that side: ds/dx_k = n x (q_k - p_k), |n| = 1.
@@ -114,11 +117,10 @@ def cotangents_backward(grad_cotangents, triangles):  # exercise 13.4 (4 points)
             + by_s * np.cross(area_vector / s, q - p))
 
 
-def cotangent_weights(cotangents, face_edges, edge_count):  # exercise 13.5 (2 points)
-    """Eq. (3): the cotangents (F, 3) of all faces' corners -> weight of each edge (edge_count,).
+def cotangent_weights(cotangents, face_edges, edge_count):
+    """Eq. (3): the cotangents (F, 3) at all faces' corners -> the edges' weights (edge_count,).
 
-    An edge of one face has half of one cotangent, and an edge of three faces half of three. Where
-    gamma + delta > pi, eq. (8), a weight is negative.
+    An edge of one face has half of one cotangent. A weight is negative where gamma + delta > pi.
 
     >>> cotangent_weights(np.array([[1.0, 2.0, 3.0], [5.0, 7.0, 9.0]]),
     ...                   np.array([[0, 1, 2], [3, 2, 4]]), 5)
@@ -150,8 +152,8 @@ def vertex_areas_backward(grad_areas, triangles, faces):
 def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
-    edges (E, 2), weights (E,). In any order; several entries at one place are meant to be added.
-    vertex_count, the number of rows, is there for those who want to list every diagonal entry.
+    edges (E, 2), weights (E,), vertex_count V. The entries come in any order. Several at one place
+    are added up.
 
     >>> rows, columns, values = laplacian_entries(np.array([[0, 2]]), np.array([5.0]), 3)
     >>> scipy.sparse.coo_array((values, (rows, columns)), shape=(3, 3)).toarray()
@@ -165,47 +167,46 @@ def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
 
 
 def laplacian(edges, weights, vertex_count):
-    """The Laplacian of eq. (2) as a sparse matrix (V, V). It is symmetric, its rows sum to 0, and
-    x . L x >= 0 for weights >= 0 and for cotangents.
-    """
+    """The Laplacian of eq. (2) as a sparse matrix (V, V). It is symmetric, its rows sum to 0."""
     rows, columns, values = laplacian_entries(edges, weights, vertex_count)
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
 
 
 def cotangent_laplacian(vertices, faces):
-    """L and M of a surface, by its own shape: edges (E, 2), weights (E,) and areas (V,)."""
+    """L and M of a surface with cotangents: edges (E, 2), weights (E,) and areas (V,)."""
     edges, face_edges = mesh.edges(faces)
     weights = cotangent_weights(cotangents(vertices[faces]), face_edges, len(edges))
     return edges, weights, vertex_areas(vertices[faces], faces, len(vertices))
 
 
 def per_mass(x, mass):
-    """M^-1 x, where a mass is 0: 0. x (V, C), mass (V,) >= 0, both float."""
+    """M^-1 x, but 0 where a mass is 0: x (V, C), mass (V,) >= 0, both float -> (V, C)."""
     return np.divide(x, mass[:, None], out=np.zeros_like(x), where=mass[:, None] > 0)
 
 
-def laplacian_energy(x, edges, weights, mass):  # exercise 13.7 (1 point)
-    """Eq. (4): the sum over all vertices and channels of (L x)^2 / m, a number: a regularizer.
-
-    x (V, C), edges (E, 2), weights (E,), mass (V,) >= 0. A vertex of mass 0 adds nothing.
+def laplacian_energy(x, edges, weights, mass):  # extra 13.7 (1 point)
+    """Eq. (4): the Laplacian energy E, a number: x (V, C), edges (E, 2), weights (E,), mass (V,).
 
     >>> x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
     >>> laplacian_energy(x, edges, np.ones(2), np.array([1.0, 2.0, 4.0]))  # L x is -1, -1, 2
     np.float64(2.5)
+
+    Fine print. A vertex of mass 0 adds nothing.
     """
     y = laplacian(edges, weights, len(x)) @ x
     return (y * per_mass(y, mass)).sum()
 
 
-def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # exercise 13.8 (4 points)
-    """Backward of eq. (4): grad_energy, a number -> grad_x (V, C), grad_weights (E,),
-    grad_mass (V,), which is 0 where the mass is 0.
+def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # extra 13.8 (4 points)
+    """Backward of eq. (4): grad_energy -> grad_x (V, C), grad_weights (E,), grad_mass (V,).
 
     >>> x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
     >>> grad_x, grad_weights, grad_mass = laplacian_energy_backward(
     ...     0.5, x, edges, np.ones(2), np.array([1.0, 2.0, 4.0]))
     >>> grad_x[:, 0], grad_weights, grad_mass
     (array([-0.5, -0.5,  1. ]), array([0.5, 2. ]), array([-0.5  , -0.125, -0.125]))
+
+    Fine print. A vertex of mass 0 adds nothing, so its grad_mass is 0.
     """
     # E = y . z with y = L x and z = y / m, and L is symmetric:
     # dE = 2 z . L dx + 2 sum dw_ij (z_i - z_j) . (x_i - x_j) - sum dm_i z_i . z_i, each edge once.
@@ -218,17 +219,17 @@ def laplacian_energy_backward(grad_energy, x, edges, weights, mass):  # exercise
 
 
 def bending_energy(vertices, faces):
-    """Eq. (4) of a surface's own vertices, with its own cotangents and areas -> a number.
+    """Eq. (4) for a surface's own vertices, cotangents and areas -> a number.
 
     On a fine mesh |L x| is 2 (mean curvature) (area of the vertex), and the energy comes near the
-    integral of 4 (mean curvature)^2: 16 pi for every sphere, more for all else that is closed.
+    integral of 4 (mean curvature)^2: 16 pi for all spheres, more for other closed surfaces.
     """
     return laplacian_energy(vertices, *cotangent_laplacian(vertices, faces))
 
 
 def bending_energy_backward(grad_energy, vertices, faces):
-    """Backward of `bending_energy`, through weights and areas, too -> grad_vertices (V, 3)."""
-    # A vertex moves L x itself, and by its triangles the weights and the areas around it.
+    """Backward of `bending_energy`: grad_energy, a number -> grad_vertices (V, 3)."""
+    # A vertex changes L x itself, and with its triangles the weights and the areas around it.
     grad_vertices, grad_weights, grad_areas = laplacian_energy_backward(
         grad_energy, vertices, *cotangent_laplacian(vertices, faces))
     _, face_edges = mesh.edges(faces)
@@ -237,37 +238,39 @@ def bending_energy_backward(grad_energy, vertices, faces):
     return grad_vertices + scatter(grad_triangles, faces, len(vertices))
 
 
-def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (2 points)
-    """Eq. (5): x (V, C) -> x' (V, C); s is the step, the diagonal of M is the mass (V,).
+def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (1 point)
+    """Eq. (5): smooth x (V, C) by one step s -> x' (V, C).
 
-    A vertex of mass 0 stays where it is. With uniform weights and the valences as mass, a step of 1
-    puts each vertex at the mean of its neighbours, and a longer one may be unstable.
+    edges (E, 2), weights (E,). The mass (V,) is the diagonal of M. `laplacian` gives L.
 
-    >>> x, edges = np.array([[0.0], [4.0], [10.0], [7.0]]), np.array([[0, 1], [1, 2]])
-    >>> smooth_explicit(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0, 0.0]), 0.5)[:, 0]
-    array([2. , 4.5, 7. , 7. ])
+    >>> x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
+    >>> smooth_explicit(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5)[:, 0]
+    array([2. , 4.5, 7. ])
+
+    Fine print. A vertex of mass 0, say of no edge, stays where it is. `per_mass` sees to that.
     """
     return x - step * per_mass(laplacian(edges, weights, len(x)) @ x, mass)
 
 
-def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (3 points)
-    """Eq. (6): x (V, C) -> x' (V, C), by one sparse solve.
+def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
+    """Eq. (6) with the parameters of `smooth_explicit`, by one sparse solve -> x' (V, C).
 
-    mass (V,); a vertex of mass 0 belongs to no edge of a weight other than 0, and stays.
+    >>> x, mass = np.array([[0.0], [3.0]]), np.array([1.0, 2.0])
+    >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), mass, 2.0)
+    array([[1.5 ],
+           [2.25]])
 
-    >>> x = np.array([[0.0], [3.0], [7.0]])
-    >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), np.array([1.0, 2.0, 0.0]), 2.0)[:, 0]
-    array([1.5 , 2.25, 7.  ])
+    Fine print. A vertex of mass 0 has no edge of a weight other than 0. It stays where it is.
     """
     mass = np.where(mass > 0, mass, 1)  # of no edge: x' = x whatever its mass
     system = scipy.sparse.diags_array(mass) + step * laplacian(edges, weights, len(x))
     return spsolve(system.tocsc(), mass[:, None] * x).reshape(x.shape)
 
 
-def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13.11 (2 points)
-    """Smoothing that keeps the size: in each round eq. (5) by shrink, then the other way by grow.
+def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13.11 (1 point)
+    """Smoothing that keeps the size: in each round eq. (5) with s = shrink, then with s = -grow.
 
-    x (V, C) -> (V, C). 0 < shrink < grow: what is slow grows a little, and what is fast shrinks.
+    x (V, C) -> (V, C), with 0 < shrink < grow. The lecture's section 4 shows the bunny after it.
 
     >>> x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
     >>> smooth_taubin(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5, 1.0, 1)[:, 0]
@@ -279,8 +282,8 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13
     return x
 
 
-def enclosed_volume(triangles):  # exercise 13.12 (1 point)
-    """Eq. (7): what triangles (F, 3, 3) enclose, a number; positive if all are counter-clockwise
+def enclosed_volume(triangles):
+    """Eq. (7): the volume that triangles (F, 3, 3) enclose, positive if they are counter-clockwise
     seen from outside. For an open surface, it is the volume between it and the origin.
 
     >>> enclosed_volume(np.array([[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]]))
@@ -293,6 +296,8 @@ def enclosed_volume(triangles):  # exercise 13.12 (1 point)
 def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
     """Backward of eq. (7): grad_volume, a number -> grad_triangles (F, 3, 3).
 
+    With it, `restore_volume` gives a smoothed surface its volume back.
+
     >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
     >>> enclosed_volume_backward(6.0, triangle[None])
     array([[[2., 0., 0.],
@@ -304,7 +309,7 @@ def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 point
 
 
 def restore_volume(vertices, faces, volume):
-    """The vertices (V, 3), moved along their volume's gradient to a wanted volume not far away."""
+    """Vertices (V, 3), moved along the gradient of their volume until it has the wanted value."""
     for _ in range(5):  # Newton's steps: after three the rest is rounding
         missing = volume - enclosed_volume(vertices[faces])
         direction = scatter(enclosed_volume_backward(1.0, vertices[faces]), faces, len(vertices))
@@ -326,19 +331,20 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate,  # exercise 13.16 (4 points)
-               edges, weights, amount):
-    """Eq. (10): downhill in u instead of x, with `uniform_adam_step` -> x, mean, square after it.
+def large_step(x, grad_x, mean, square, step, rate, spread):  # extra 13.16 (3 points)
+    """Eq. (10): go downhill in u instead of x, by `uniform_adam_step` -> the new x, mean, square.
 
-    x, grad_x (V, C). mean, square (V, C) and step are those of grad_u, and the rate is that of u.
-    edges (E, 2), weights (E,) >= 0. The amount is lambda >= 0.
+    x, grad_x (V, C). mean, square (V, C) and step belong to grad_u, and the rate to u. spread is
+    edges (E, 2), weights (E,) >= 0 and the amount lambda >= 0.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
-    >>> x, *_ = large_step(x, grad_x, zero, zero, 1, 2.0, np.array([[0, 1]]), np.ones(1), 1.0)
-    >>> x[:, 0].round(6)  # grad_u = (1, 2), u goes by (-1, -2), and x by a third of (-4, -5)
+    >>> spread = np.array([[0, 1]]), np.ones(1), 1.0
+    >>> x, *_ = large_step(x, grad_x, zero, zero, 1, 2.0, spread)
+    >>> x[:, 0].round(6)  # grad_u = (1, 2), u moves by (-1, -2), and x by a third of (-4, -5)
     array([-1.333333, -1.666667])
     """
+    edges, weights, amount = spread
     u = x + amount * laplacian(edges, weights, len(x)) @ x
-    grad_u = precondition(grad_x, edges, weights, amount)
+    grad_u = precondition(grad_x, *spread)
     u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
-    return precondition(u, edges, weights, amount), mean, square
+    return precondition(u, *spread), mean, square

@@ -1,19 +1,19 @@
 """sweep_gradient: Kato's approximate gradient of outlines.
 
-A pixel sees a face or not, so the picture's derivative by an edge is 0. Kato follows a line of
-pixels that an edge crosses. How far must the edge go to reach pixel j, and how much would the loss
-fall if I_j became I_beyond, the colour on the other side of the edge?
+A pixel sees a face or not, so the picture's derivative with respect to an edge is 0. Kato follows a
+line of pixels that an edge crosses. How far must the edge go to reach pixel j, and how much would
+the loss fall if I_j became I_beyond, the colour on the other side of the edge?
 
-    g_i = -sum_j max(0, (I_j - I_beyond) . dL/dI_j) / (d_j + eps)   corner i, by ndc           (7)
-    d_j = (2 / W) (x_j - x_edge) / share_i         how far corner i must go to bring it there  (8)
+    g_i = -sum_j max(0, (I_j - I_beyond) . dL/dI_j) / (d_j + eps_j)    for end i of the edge   (7)
+    d_j = way_j / share_i,   way_j = (2 / W) (x_j - x_edge)            eps_j has way_j's sign
+    share_b = (y - a_y) / (b_y - a_y) = 1 - share_a,   x_edge = share_a a_x + share_b b_x      (8)
 
-Rows of pixels give the gradients by x. Columns give those by y: they are rows of the transposed
-picture.
+Moving end i alone by 1 moves the crossing by share_i. Rows of pixels give the gradients in x.
+Columns give those in y: they are rows of the transposed picture.
 
-The paper lets no gradient pass where something hides the edge. The kernel, and so this, asks for
-that only where the edge moves out. Two slips of the kernel, where the edge moves in, are not
-repeated here. For d_j = 0 its eps has one sign on both sides, which is wrong on one of them. Its
-bound divides by 0 where the third edge is parallel to the line and the line meets a corner.
+The paper lets no gradient pass where something hides the edge. The kernel, and so this module, asks
+for that only where the edge moves out. Two slips of the kernel are not repeated here. For d_j = 0
+its eps has one sign on both sides. Its bound for edges that move in may divide by 0.
 
 Sources: Kato, Ushiku, Harada 2018, and a reading of their rasterizer, neural_renderer.
 """
@@ -25,54 +25,60 @@ from . import neural_renderer, scanline
 from .rasterization import EDGES, scatter
 
 
-def edge_lines(a, b, height):  # exercise 10.12 (2 points)
-    """Where the edge from a to b (2,), on screen, crosses the rows of a picture's centres.
+def edge_crossing(a, b, y):  # exercise 10.12 (1 point)
+    """Eq. (8): where does the edge from a to b cross the row y? -> x_edge (...), share (..., 2).
 
-    -> row (K,) integers, ascending, those with 0 <= row < height whose centre y = row + 1/2 is
-    from a_y to b_y. crossing (K,) is x there. share (K, 2) is by how much the crossing moves if a
-    alone, or b alone, is moved by 1 along x.
+    a, b (..., 2), y (...), shapes that broadcast. share is share_a, share_b.
 
-    >>> row, crossing, share = edge_lines(np.array([8.0, 3.5]), np.array([4.0, 1.5]), 3)
-    >>> row, crossing, share.T
-    (array([1, 2]), array([4., 6.]), array([[0. , 0.5],
-           [1. , 0.5]]))
+    >>> edge_crossing(np.array([8.0, 3.0]), np.array([4.0, 1.0]), np.array([1.5, 2.5]))
+    (array([5., 7.]), array([[0.25, 0.75],
+           [0.75, 0.25]]))
+    """
+    share_b = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
+    return a[..., 0] + share_b * (b[..., 0] - a[..., 0]), np.stack([1 - share_b, share_b], -1)
 
-    Fine print. A centre at a_y or b_y counts, but an edge with a_y = b_y crosses no row.
+
+def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 (2 points)
+    """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), minus included,
+    (P, 2). Their sum is g.
+
+    grad_colour, colour, beyond (P, C): dL/dI_j, I_j and I_beyond. way, eps (P,), share (P, 2).
+
+    >>> colour, beyond = np.array([[0.0], [0.5]]), np.array([[1.0], [1.0]])
+    >>> grad_colour, share = np.array([[-3.0], [2.0]]), np.array([[0.25, 0.75], [0.5, 0.5]])
+    >>> edge_pulls(grad_colour, colour, beyond, np.array([0.5, 0.1]), share, np.zeros(2)) + 0.0
+    array([[-1.5, -4.5],
+           [ 0. ,  0. ]])
+
+    Fine print. An end of share 0 does not move the crossing. It gets 0.
+    """
+    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))[:, None]
+    # 1 / (way / share + eps) is share / (way + eps share), which is 0 for a share of 0.
+    scaled = way[:, None] + eps[:, None] * share
+    return -pull * share / np.where(share > 0, scaled, 1)
+
+
+def edge_lines(a, b, height):
+    """The rows of a picture that the edge from a to b (2,) crosses: row (K,), and `edge_crossing`
+    there. These are the rows whose centre row + 1/2 is from a_y to b_y. A flat edge crosses none.
     """
     low, high = min(a[1], b[1]), max(a[1], b[1])
     row = np.arange(max(np.ceil(low - 0.5), 0), min(np.floor(high + 0.5), height)).astype(int)
     if a[1] == b[1]:
         row = row[:0]
-    toward_b = (row + 0.5 - a[1]) / (b[1] - a[1])
-    return row, a[0] + toward_b * (b[0] - a[0]), np.stack([1 - toward_b, toward_b], -1)
+    return row, *edge_crossing(a, b, row + 0.5)
 
 
-def sweep_line(grad_colour, colour, sees, crossing, side,  # exercise 10.13 (3 points)
-               share, eps=1e-4):
-    """Eqs. (7) and (8): one edge on one line of pixels -> the gradient (2,) of its ends, by ndc.
+def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
+    """Which pixels of a line pull on an edge, and how: the gradient (2,) of its ends, in ndc.
 
-    grad_colour, colour (W, C) are the line's, with centres at j + 1/2. sees (W,), bool, says which
-    pixels see the edge's face. The edge is at crossing, and side is 1 if outside is where j grows,
-    else -1. share (2,) is that of `edge_lines`.
+    grad_colour, colour (W, C) are the line's. sees (W,) says which pixels see the edge's face.
+    Outside of the edge is where j grows if side is 1, and where it falls if side is -1.
 
-    inner is the last pixel whose centre is not outside of the crossing. outer is its neighbour
-    outside. If one of them is not in the picture, the gradient is 0. Else it has two sums:
-
-    - The edge moves out, if inner sees the face: over outer and all pixels beyond it, up to the
-      picture's border, whatever they see. I_beyond is inner's colour.
-    - The edge moves in: over inner and all pixels on its side, those that see the face. I_beyond
-      is outer's colour.
-
-    I_j becoming I_beyond must lower the loss, else max(0, ...) is 0. d_j is in ndc, where the line
-    has length 2 = W pixels. It has the sign of the edge's motion, side or -side, and so has eps.
-
-    >>> colour, grad_colour = np.array([[0.0], [1.0], [1.0], [0.0], [0.0]]), np.zeros((5, 1))
-    >>> grad_colour[4] = -1.0   # it should be brighter: the edge at 2.75 is to go to 4.5
-    >>> sees = colour[:, 0] > 0
-    >>> sweep_line(grad_colour, colour, sees, 2.75, 1, np.array([0.25, 0.75]), eps=0.0).round(6)
-    array([-0.357143, -1.071429])
-
-    Fine print. eps has that sign where d_j = 0, too. An end of share 0 has gradient 0.
+    inner is the last pixel that is not outside, and outer is its neighbour outside. Unless both are
+    in the picture, the gradient is 0. If inner sees the face, the edge can move out to all pixels
+    outside, whatever they see, and I_beyond is inner's colour. It can move in to those pixels that
+    see the face, and I_beyond is outer's colour. eps has the sign of the edge's motion.
     """
     inner = int(np.floor(crossing - 0.5) if side > 0 else np.ceil(crossing - 0.5))
     outer = inner + side
@@ -80,20 +86,20 @@ def sweep_line(grad_colour, colour, sees, crossing, side,  # exercise 10.13 (3 p
         return np.zeros(2)
     pixel = np.arange(len(colour))
     is_out = (pixel - inner) * side > 0
+    counts = np.where(is_out, sees[inner], sees)
     beyond = np.where(is_out[:, None], colour[inner], colour[outer])
-    pull = ((colour - beyond) * grad_colour).sum(1)
-    counts = (pull > 0) & np.where(is_out, sees[inner], sees)
-    signed_eps = np.where(is_out, side, -side)[counts] * eps
-    distance = 2 / len(colour) * (pixel[counts] + 0.5 - crossing)
-    return np.array([-(pull[counts] / (distance / s + signed_eps)).sum() if s > 0 else 0.0
-                     for s in share])
+    way = 2 / len(colour) * (pixel + 0.5 - crossing)
+    signed_eps = np.where(is_out, side, -side) * eps
+    terms = edge_pulls(grad_colour[counts], colour[counts], beyond[counts], way[counts],
+                       np.tile(share, (counts.sum(), 1)), signed_eps[counts])
+    return terms.sum(0)
 
 
 class Sweep(NamedTuple):
     """What is swept along its rows: grad_colour, colour (H, W, C), face_index (H, W).
 
-    The faces drawn (D,) of those at screen (F, 3, 2) have a gradient. winding is 1 if they are
-    counter-clockwise, -1 if not.
+    Of the faces at screen (F, 3, 2), only those drawn (D,) have a gradient. winding is 1 if they
+    are counter-clockwise, -1 if not.
     """
 
     grad_colour: np.ndarray
@@ -105,7 +111,7 @@ class Sweep(NamedTuple):
 
 
 def both_sweeps(grad_colour, colour, face_index, corners):
-    """The Sweep along rows, and that along columns: x and y are swapped, and so is the winding."""
+    """The Sweep along rows, and the one along columns, where x and y swap and the winding turns."""
     height, width = face_index.shape
     screen = neural_renderer.on_screen(corners, width, height)
     drawn = np.flatnonzero(neural_renderer.front_faces(screen, corners[..., 2]))
@@ -145,12 +151,12 @@ def sweep_backward(grad_colour, colour, face_index, corners, eps=1e-4):
     for axis, sweep in enumerate(both_sweeps(grad_colour, colour, face_index, corners)):
         for ends in map(list, EDGES):
             for face, terms in pulls(sweep, crossings(sweep, *ends), eps):
-                grad_corners[:, ends, axis] -= scatter(terms, face, len(corners))
+                grad_corners[:, ends, axis] += scatter(terms, face, len(corners))
     return grad_corners
 
 
 class Crossings(NamedTuple):
-    """Where edges cross rows of pixels: (K,) each, share (K, 2). The words are `sweep_line`'s."""
+    """Where edges cross rows of pixels: (K,) each, share (K, 2). See `sweep_line` for the words."""
 
     face: np.ndarray
     row: np.ndarray
@@ -166,10 +172,7 @@ def all_edge_lines(a, b, height):
     first = np.clip(np.ceil(low - 0.5), 0, height).astype(int)
     last = np.where(low == high, first, np.clip(np.floor(high + 0.5), first, height)).astype(int)
     edge, row = scanline.expand(first, last - first)
-    a, b = a[edge], b[edge]
-    toward_b = (row + 0.5 - a[:, 1]) / (b[:, 1] - a[:, 1])
-    crossing = a[:, 0] + toward_b * (b[:, 0] - a[:, 0])
-    return edge, row, crossing, np.stack([1 - toward_b, toward_b], -1)
+    return edge, row, *edge_crossing(a[edge], b[edge], row + 0.5)
 
 
 def crossings(sweep, i, j):
@@ -188,26 +191,27 @@ def crossings(sweep, i, j):
 
 
 def pulls(sweep, found, eps):
-    """`sweep_line` at all Crossings: yields, for chunks of their pixels, the face (N,) and the
-    terms of eq. (7) for both ends (N, 2).
+    """`sweep_line` at all Crossings: yields, for chunks of their pixels, the face (N,) and its
+    `edge_pulls` (N, 2).
     """
     width = sweep.colour.shape[1]
     wants = (sweep.grad_colour != 0).any(2)
     for part in scanline.chunks(np.full(len(found.row), width)):
         lines = Crossings(*(values[part] for values in found))
-        line, pixel, is_out, pull = pulling_pixels(sweep, wants, lines)
-        share = lines.share[line]
-        distance = 2 / width * (pixel + 0.5 - lines.crossing[line])
-        signed_eps = np.where(is_out, lines.side[line], -lines.side[line]) * eps
-        # pull / (distance / share + eps), 0 for share 0
-        scaled = distance[:, None] + signed_eps[:, None] * share
-        yield lines.face[line], pull[:, None] * share / np.where(share > 0, scaled, 1)
+        line, pixel, is_out = pulling_pixels(sweep, wants, lines)
+        row, side = lines.row[line], lines.side[line]
+        beyond = sweep.colour[row, np.where(is_out, lines.inner[line], lines.inner[line] + side)]
+        way = 2 / width * (pixel + 0.5 - lines.crossing[line])
+        signed_eps = np.where(is_out, side, -side) * eps
+        terms = edge_pulls(sweep.grad_colour[row, pixel], sweep.colour[row, pixel], beyond, way,
+                           lines.share[line], signed_eps)
+        yield lines.face[line], terms
 
 
 def pulling_pixels(sweep, wants, lines):
-    """Which pixels pull at which of the Crossings, and how strongly: max(0, ...) of eq. (7).
+    """Which pixels count at which of the Crossings: line, pixel, is_out (N,).
 
-    wants (H, W): where grad_colour is not 0 -> line, pixel, is_out, pull (N,), where pull > 0.
+    wants (H, W) says where grad_colour is not 0. is_out: the edge moves out to the pixel.
     """
     sees = sweep.face_index[lines.row] == lines.face[:, None]
     inner_sees = sweep.face_index[lines.row, lines.inner] == lines.face
@@ -215,8 +219,4 @@ def pulling_pixels(sweep, wants, lines):
     is_out = np.where(lines.side[:, None] > 0, pixel > inner, pixel < inner)
     counts = np.where(is_out, inner_sees[:, None], sees)
     line, pixel = np.nonzero(counts & wants[lines.row])
-    row, inner, is_out = lines.row[line], lines.inner[line], is_out[line, pixel]
-    beyond = sweep.colour[row, np.where(is_out, inner, inner + lines.side[line])]
-    pull = ((sweep.colour[row, pixel] - beyond) * sweep.grad_colour[row, pixel]).sum(1)
-    lowers = pull > 0
-    return line[lowers], pixel[lowers], is_out[lowers], pull[lowers]
+    return line, pixel, is_out[line, pixel]

@@ -4,11 +4,11 @@ Pass 3 of neural_renderer. w and z are a pixel's weights and depth of eqs. (2) a
 depths of its face's corners.
 
     t_k = (T - 1) w_k z / z_k                  place in the face's cube of T^3 texels          (4)
-    colour = sum over 8 taps of texel prod_k a_k,  a_k = t_k - low_k or 1 - that               (5)
+    colour = sum over 8 taps of texel prod_k a_k      a_k: t_k - low_k or 1 - (t_k - low_k)    (5)
     light = A + D max(0, n . l)                n: unit normal, l: towards the light            (6)
 
-All of it has exact gradients, the face of each pixel taken as given. What an edge does to the
-picture has none. `render_backward` takes an approximate one, such as sweep_gradient.py has.
+All of it has exact gradients as long as each pixel sees the same face. Outlines have none, so
+`render_backward` takes an approximate one, such as that of sweep_gradient.py.
 
 Sources: Kato, Ushiku, Harada 2018, and a reading of their rasterizer, neural_renderer. Where it
 does something else, the functions say so.
@@ -58,13 +58,11 @@ class Buffers(NamedTuple):
 # --- texture cubes ------------------------------------------------------------------------------
 
 
-def cube_taps(weight, depth, z, size):  # exercise 10.6 (3 points)
-    """Eqs. (4) and (5): which 8 texels of its face's cube a pixel reads, and their weights.
+def cube_taps(weight, depth, z, size):  # extra 10.6 (3 points)
+    """Eqs. (4) and (5): which 8 texels does a pixel read, with which weights prod_k a_k?
 
-    weight (N, 3), depth (N,) of `rasterize`, z (N, 3) of the face's corners, size = T >= 2
-    -> index (N, 8) integers, tap (N, 8). low_k is t_k rounded down, T - 2 at most. Tap n takes
-    texel low_k if bit k of n (of value 1, 2, 4 for k = 0, 1, 2) is 0, and low_k + 1 if it is 1.
-    Texel [i, j, k] has index i T^2 + j T + k.
+    weight (N, 3), depth (N,), z (N, 3), size T -> index, tap (N, 8). Along axis k, tap n takes
+    texel low_k + n // 2^k % 2, low_k = min(floor(t_k), T - 2). [i, j, k] has index (i T + j) T + k.
 
     >>> weight, z = np.array([[0.25, 0.25, 0.5]]), np.array([[1.0, 1.0, 4.0]])
     >>> index, tap = cube_taps(weight, np.array([1.6]), z, 2)  # t = 0.4, 0.4, 0.2
@@ -86,10 +84,11 @@ def cube_taps(weight, depth, z, size):  # exercise 10.6 (3 points)
     return index, tap
 
 
-def cube_taps_backward(grad_tap, weight, depth, z, size):  # exercise 10.7 (3 points)
-    """Backward of the taps: grad_tap (N, 8) -> grad_weight (N, 3), grad_depth (N,), grad_z (N, 3).
+def cube_taps_backward(grad_tap, weight, depth, z, size):  # extra 10.7 (3 points)
+    """Backward of `cube_taps`: grad_tap (N, 8) -> grad_weight (N, 3), grad_depth (N,) and
+    grad_z (N, 3).
 
-    weight, depth and z count as free here, each for itself. The texels are taken as given.
+    weight, depth and z are variables of their own here. The index has no gradient.
 
     >>> weight, z = np.array([[0.25, 0.25, 0.5]]), np.array([[1.0, 1.0, 4.0]])
     >>> grad_tap = np.array([[0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0]])  # their sum is t_0
@@ -111,7 +110,7 @@ def cube_taps_backward(grad_tap, weight, depth, z, size):  # exercise 10.7 (3 po
     return grad_weight, (grad_t * scale * weight).sum(1), -grad_weight * weight / z
 
 
-def sample_cubes(textures, face, index, tap):  # exercise 10.8 (1 point)
+def sample_cubes(textures, face, index, tap):
     """Eq. (5): textures (F, T, T, T, C), face (N,), index, tap (N, 8) of `cube_taps` -> (N, C).
 
     >>> textures = np.arange(16.0).reshape(2, 2, 2, 2, 1)
@@ -124,7 +123,7 @@ def sample_cubes(textures, face, index, tap):  # exercise 10.8 (1 point)
     return texturing.look_up(texels, first[:, None] + index, tap)
 
 
-def sample_cubes_backward(grad_colour, textures, face, index, tap):  # exercise 10.9 (2 points)
+def sample_cubes_backward(grad_colour, textures, face, index, tap):
     """Backward of eq. (5): grad_colour (N, C) -> grad_textures, shaped like textures, and grad_tap
     (N, 8).
 
@@ -145,18 +144,19 @@ def sample_cubes_backward(grad_colour, textures, face, index, tap):  # exercise 
 def texel_weights(size):
     """Where on a face each texel of its cube lies: barycentrics (T, T, T, 3).
 
-    A face sees the plane i + j + k = T - 1 alone. A texel beside it stands for its foot there, so
-    that eight taps of a linear function give back that function. (The original divides i, j, k by
-    their sum if this is above T - 1, and else leaves them, with a sum that is not 1.)
+    A face only sees the plane i + j + k = T - 1. A texel beside it stands for the nearest point of
+    the plane, so that eight taps of a linear function give back that function. (The original
+    divides i, j, k by their sum if this is above T - 1, and leaves them alone if it is below.)
     """
     share = np.stack(np.indices((size, size, size)), -1) / (size - 1)
     return share + (1 - share.sum(-1, keepdims=True)) / 3
 
 
 def bake(image, uv, faces, size):
-    """A photograph image (h, w, C) as texture cubes: textures (F, T, T, T, C), bilinear, by uv
-    (V, 2) of the corners of faces (F, 3). At the border the image's last texels go on. Two faces at
-    an edge agree exactly only if they make a parallelogram in uv.
+    """A photograph as texture cubes: textures (F, T, T, T, C), read bilinearly at uv.
+
+    image (h, w, C), uv (V, 2) of the corners of faces (F, 3). At its border the image goes on with
+    its last texels. Two faces agree exactly at their edge if they make a parallelogram in uv.
     """
     at = texel_weights(size).reshape(-1, 3) @ uv[faces]
     texels = mipmapping.texture(image, at, boundary="clamp")
@@ -173,16 +173,16 @@ def both_sides(faces, textures):
 
 
 def face_light(corners, ambient, directional, towards):  # exercise 10.10 (2 points)
-    """Eq. (6): light (F, C) of faces with corners (F, 3, 3) in space, not on screen.
+    """Eq. (6): the light (F, C) on faces with corners (F, 3, 3) in space.
 
-    ambient, directional (C,) are colours. towards = l (3,) points to the light and has any length:
-    twice as long is twice as bright. n points to the side that sees the corners counter-clockwise.
+    A = ambient (C,), D = directional (C,), l = towards (3,) of any length. From the side to which
+    n points, the corners are counter-clockwise.
 
     >>> corners = np.array([[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> face_light(corners, np.array([0.5, 0.0]), np.array([0.0, 2.0]), np.array([1.0, 0.0, 0.25]))
     array([[0.5, 0.5]])
 
-    Fine print. A face with three corners in one place has n = 0.
+    Fine print. A face without area has no normal. It gets the ambient light alone.
     """
     a, b, c = corners.swapaxes(0, 1)
     area = np.cross(b - a, c - a)
@@ -191,10 +191,10 @@ def face_light(corners, ambient, directional, towards):  # exercise 10.10 (2 poi
     return ambient + np.maximum(cosine, 0)[:, None] * directional
 
 
-def face_light_backward(grad_light, corners, ambient,  # exercise 10.11 (3 points)
+def face_light_backward(grad_light, corners, ambient,  # extra 10.11 (3 points)
                         directional, towards):
     """Backward of eq. (6): grad_light (F, C) -> grad_corners (F, 3, 3), grad_ambient (C,),
-    grad_directional (C,), grad_towards (3,). Where n . l <= 0, the light is constant.
+    grad_directional (C,), grad_towards (3,).
 
     >>> corners = np.array([[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> lights = np.array([0.5]), np.array([2.0]), np.array([1.0, 0.0, 0.25])
@@ -205,6 +205,8 @@ def face_light_backward(grad_light, corners, ambient,  # exercise 10.11 (3 point
     array([[[ 0.,  0.,  3.],
             [ 0.,  0., -3.],
             [ 0.,  0.,  0.]]])
+
+    Fine print. The light does not change where n . l <= 0. A face without area has n = 0.
     """
     a, b, c = corners.swapaxes(0, 1)
     area = np.cross(b - a, c - a)
@@ -283,7 +285,7 @@ def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
     """`render` read upwards: grad_picture (H, W, C) -> a Scene of gradients.
 
     outline(grad_colour, colour, face_index, corners) -> grad_corners (F, 3, 3) is the approximate
-    gradient by edges, such as sweep_gradient.sweep_backward. All else is exact.
+    gradient of the edges, such as sweep_gradient.sweep_backward. All else is exact.
     """
     clip, corners, light, maps, colour = buffers
     grad_colour = msaa.box_resolve_backward(grad_picture, colour, samples)

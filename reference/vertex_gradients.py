@@ -1,19 +1,19 @@
-"""Vertex gradients: what does a pixel want of the three vertices of the face that it sees?
+"""Vertex gradients: how should the three vertices of a face move, so that a pixel becomes right?
 
     M = [q_0 q_1 q_2],   q_k = (x_k, y_k, 1),   a = (x, y, 1)      corners, and a pixel          (1)
-    f = r^T M^-1 a - r_gt                       colours r at the corners, r_gt is wanted         (2)
+    f = r^T M^-1 a - r_gt                       r: the corners' colours, r_gt: the target        (2)
     d(M^-1) = -M^-1 dM M^-1,   dM/dm_ij = e_i e_j^T                                              (3)
     df/dM = -M^-T r a^T M^-T = -(df/da) c^T,   c = M^-1 a                                        (4)
 
-    q_k = (x_k, y_k, w_k) of clip space,   s = sum c,   b = c / s          in perspective        (5)
+    q_k = (x_k, y_k, w_k) in clip space,   s = sum c,   b = c / s          in perspective        (5)
     grad_c = (grad_b - (grad_b . b) 1) / s,  grad_a = M^-T grad_c,  grad_M = -grad_a c^T         (6)
 
 A vertex drags the picture along, by its weight. So its gradient (4) is minus the picture's slope
 df/da, times the weight. For whole meshes, rasterizer_gradients.py does the same without inverting
 a matrix.
 
-Source: a note on the derivative of a rendered pixel by its triangle's vertices, (1) to (4). In
-perspective it leaves out the sum s and its share in (6).
+Source: a note on the derivative of a rendered pixel with respect to its triangle's vertices, (1) to
+(4). In perspective the note leaves out the sum s and its share in (6).
 """
 import numpy as np
 
@@ -21,7 +21,9 @@ from .interpolation import normalize_backward
 
 
 def vertex_matrix(triangle):  # exercise 7.1 (1 point)
-    """Eq. (1): triangle (3, 2), a vertex in each row -> M (3, 3), a vertex in each column.
+    """Eq. (1): the matrix M of a triangle, one vertex in each column.
+
+    triangle (3, 2), one vertex in each row -> M (3, 3).
 
     >>> vertex_matrix(np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]))
     array([[0., 4., 0.],
@@ -31,11 +33,11 @@ def vertex_matrix(triangle):  # exercise 7.1 (1 point)
     return np.stack([*triangle.T, np.ones(3)])
 
 
-def residual(values, m, a, target):  # exercise 7.2 (1 point)
-    """Eq. (2): by how much the pixel a is too bright: f, a number.
+def residual(values, m, a, target):
+    """Eq. (2): by how much is the pixel a too bright? -> f, a number.
 
-    values (3,): one channel of the vertices' colours; m (3, 3), of a determinant other than 0;
-    a (3,); target: a number.
+    values (3,): one channel of the vertices' colours. m (3, 3) has an inverse. a (3,), and target
+    is a number.
 
     >>> m = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
     >>> residual(np.array([8.0, 0.0, 4.0]), m, np.array([1.0, 1.0, 1.0]), 3.0)
@@ -45,9 +47,9 @@ def residual(values, m, a, target):  # exercise 7.2 (1 point)
 
 
 def inverse_differential(m, dm):  # exercise 7.3 (2 points)
-    """Eq. (3): how fast the inverse of m (3, 3) changes when m moves with velocity dm (3, 3).
+    """Eq. (3): how does the inverse of m change where m changes by dm?
 
-    -> (3, 3), the limit of ((m + t dm)^-1 - m^-1) / t as t goes to 0. It follows from M^-1 M = I.
+    m, dm (3, 3) -> (3, 3). It follows from M^-1 M = I.
 
     >>> dm = np.array([[0.0, 3.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
     >>> inverse_differential(np.diag([1.0, 2.0, 4.0]), dm)[0, 1]
@@ -58,10 +60,10 @@ def inverse_differential(m, dm):  # exercise 7.3 (2 points)
     return -inverse @ dm @ inverse
 
 
-def residual_slope(values, m, a, i, j):  # exercise 7.4 (2 points)
-    """df/dm_ij, a number: the derivative of eq. (2) by one element of m, row i and column j.
+def residual_slope(values, m, a, i, j):  # extra 7.4 (2 points)
+    """df/dm_ij: the derivative of eq. (2) with respect to the element of m in row i, column j.
 
-    values (3,), m (3, 3), a (3,). The obvious way: (3) with dM = e_i e_j^T, a matrix of one 1.
+    values (3,), m (3, 3), a (3,) -> a number. Use eq. (3) with dM = e_i e_j^T, a single 1.
 
     >>> m = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
     >>> residual_slope(np.array([8.0, 0.0, 4.0]), m, np.array([1.0, 1.0, 1.0]), 0, 2)
@@ -73,11 +75,10 @@ def residual_slope(values, m, a, i, j):  # exercise 7.4 (2 points)
 
 
 def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
-    """Backward of eq. (2): grad_f, a number -> grad_values (3,), grad_m (3, 3), grad_a (3,),
-    grad_target, a number.
+    """Backward of eq. (2), with eq. (4): grad_f, a number -> grad_values (3,), grad_m (3, 3),
+    grad_a (3,) and grad_target, a number.
 
-    No loop over elements. Rows 0 and 1 of grad_m are the gradients with respect to the vertices' x
-    and y. Row 2 is of use in perspective. m and a count as free numbers, also where they are 1.
+    values (3,), m (3, 3), a (3,). All of their numbers are variables, even the 1s of eq. (1).
 
     >>> m = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
     >>> a = np.array([1.0, 1.0, 1.0])
@@ -97,10 +98,10 @@ def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
 
 
 def residuals_jacobian(values, triangle, points):  # exercise 7.6 (3 points)
-    """The derivatives of eq. (2) at many points: by_values (P, 3), by_triangle (P, 3, 2).
+    """Eqs. (2) and (4) at many points: by_values (P, 3), by_triangle (P, 3, 2).
 
-    values (3,), triangle (3, 2), of an area other than 0, points (P, 2): x, y. by_triangle[p, k] is
-    the gradient of point p's residual by the position of vertex k.
+    values (3,), triangle (3, 2), points (P, 2). by_triangle[p, k] is the derivative of point p's
+    residual with respect to the position (x, y) of vertex k.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
     >>> residuals_jacobian(np.array([8.0, 0.0, 4.0]), triangle, np.array([[1.0, 1.0]]))
@@ -115,21 +116,24 @@ def residuals_jacobian(values, triangle, points):  # exercise 7.6 (3 points)
 
 
 def gauss_newton_step(residuals, jacobian):  # exercise 7.7 (2 points)
-    """The step (U,) that would make the sum of squares least, if residuals were linear.
+    """The step (U,) for which |residuals + jacobian step| is least.
 
-    residuals (R,), jacobian (R, U): their derivatives with respect to U unknowns. The step makes
-    |residuals + jacobian step| least. It is the shortest such step. R may be smaller than U.
+    residuals (R,), jacobian (R, U): their derivatives with respect to U unknowns. It moves the
+    triangle of the lecture's section 5 into its place.
 
-    >>> gauss_newton_step(np.array([2.0, 6.0]), np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0]]))
-    array([-1., -1., -3.])
+    >>> gauss_newton_step(np.array([1.0, 2.0, 6.0]), np.array([[1.0], [1.0], [1.0]]))
+    array([-3.])
+
+    Fine print. Where some unknowns have no influence, or R < U, many steps are equally good. The
+    answer is the shortest one: it leaves alone what the residuals do not see.
     """
     return np.linalg.lstsq(jacobian, -residuals)[0]
 
 
-def weights(m, a):  # exercise 7.8 (1 point)
-    """Eq. (5): where on its face, in space, a pixel lies: b (3,), of sum 1.
+def weights(m, a):
+    """Eq. (5): where on its face, in space, does a pixel lie? -> b (3,), with sum b = 1.
 
-    m (3, 3): columns (x, y, w) of clip space, w of any sign; a (3,): the pixel in ndc.
+    m (3, 3): columns (x, y, w) in clip space, w of any sign. a (3,): the pixel in ndc.
 
     >>> m = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])  # w = 1/2 at vertex 1
     >>> weights(m, np.array([1.0, 0.0, 1.0]))
@@ -139,10 +143,10 @@ def weights(m, a):  # exercise 7.8 (1 point)
     return c / c.sum()
 
 
-def weights_backward(grad_b, m, a):  # exercise 7.9 (4 points)
-    """Eq. (6): grad_b (3,) -> grad_m (3, 3), grad_a (3,).
+def weights_backward(grad_b, m, a):  # exercise 7.9 (3 points)
+    """Eq. (6), backward of `weights`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
-    All nine numbers of m and all three of a count as free.
+    m (3, 3), a (3,). All of their numbers are variables.
 
     >>> m = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> grad_m, grad_a = weights_backward(np.array([0.0, 1.0, 0.0]), m, np.array([1.0, 0.0, 1.0]))

@@ -27,7 +27,7 @@ def fit(labs, amount, rates, steps=300, size=128, seed=0):
     edges, _ = mesh.edges(ball()[1])
 
     def update(*state):
-        return labs.regularization.large_step(*state, edges, np.ones(len(edges)), amount)
+        return labs.regularization.large_step(*state, (edges, np.ones(len(edges)), amount))
 
     schedule = labs.inverse_rendering.decay(rates[0], rates[1] / rates[0], steps)
     return carve(labs, np.zeros_like, update, schedule, size, seed)

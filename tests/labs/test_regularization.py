@@ -4,11 +4,9 @@ import itertools
 import math
 
 import numpy as np
-import scipy.spatial
 from regularization_graphs import angle, dense, graph
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given import mesh
 from course.given.gradcheck import gradcheck
 
 RIGHT = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])
@@ -21,22 +19,6 @@ def triangles(rng, *shape):
     triangles = rng.normal(size=(*shape, 3, 3))
     triangles[..., 2, :] += 2 * np.cross(triangles[..., 0, :], triangles[..., 1, :])
     return triangles
-
-
-def bumpy_sphere(rng):
-    """A closed mesh, counter-clockwise seen from outside: vertices (42, 3), faces (80, 3)."""
-    vertices, faces = mesh.icosphere(80)
-    return vertices * rng.uniform(0.8, 1.2, (len(vertices), 1)), faces
-
-
-def plane_mesh(rng, count=24):
-    """Random points of a slanted plane, triangulated: vertices (V, 3), faces, inner (V,)."""
-    points = rng.uniform(-1, 1, (count, 2))
-    triangulation = scipy.spatial.Delaunay(points)
-    x, y = points.T
-    inner = np.ones(count, bool)
-    inner[triangulation.convex_hull] = False
-    return np.stack([x, 0.5 * x - 2 * y + 1, y], 1), triangulation.simplices.astype(int), inner
 
 
 # --- quality -----------------------------------------------------------------------------------
@@ -66,7 +48,7 @@ def test_angles_are_those_of_the_law_of_cosines(impl, rng):
     assert_close(impl.corner_angles(given), np.array(expected), atol=1e-9)
 
 
-@exercise("13.1")
+@exercise("13.1", fine_print=True)
 def test_tiny_angles_keep_their_digits(impl):
     """arccos: near 0 it loses half of the digits, and 1e-9 comes out as 0."""
     triangle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1e-9]])
@@ -86,7 +68,7 @@ def exact_angles(triangle):
     return found
 
 
-@exercise("13.1")
+@exercise("13.1", fine_print=True)
 def test_needles_keep_the_digits_of_their_tip_however_they_lie(impl, rng):
     """The cross product of the two long sides: a needle that is turned loses half of the digits."""
     needle = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-9, 0.0]])
@@ -99,7 +81,7 @@ def test_needles_keep_the_digits_of_their_tip_however_they_lie(impl, rng):
     assert_close(got, expected, rtol=0, atol=1e-14)
 
 
-@exercise("13.1")
+@exercise("13.1", fine_print=True)
 def test_every_angle_has_14_digits_after_the_point(impl, rng):
     """arccos in any triangle: of flat ones, too."""
     given = rng.normal(size=(30, 3, 3))
@@ -109,7 +91,7 @@ def test_every_angle_has_14_digits_after_the_point(impl, rng):
     assert_close(impl.corner_angles(given), expected, rtol=0, atol=1e-14)
 
 
-@exercise("13.1")
+@exercise("13.1", fine_print=True)
 def test_angles_without_area(impl):
     """0/0 where two corners coincide; of three points on a line, the middle one has pi."""
     a, b, c = np.array([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [3.0, 0.0, 1.0]])
@@ -155,7 +137,7 @@ def test_radius_ratio_has_no_unit(impl, rng):
     assert_close(impl.radius_ratio(turned), np.asarray(impl.radius_ratio(given)))
 
 
-@exercise("13.2")
+@exercise("13.2", fine_print=True)
 def test_radius_ratio_without_area(impl):
     """NaN, where two or three corners coincide."""
     a, b, c = np.array([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [3.0, 0.0, 1.0]])
@@ -183,7 +165,7 @@ def test_cotangents_of_obtuse_angles_are_negative(impl, rng):
     assert_close(impl.cotangents(given), np.array(expected), rtol=1e-7, atol=1e-9)
 
 
-@exercise("13.3")
+@exercise("13.3", fine_print=True)
 def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     """NO_AREA is compared with something that has a unit; or with another side than the longest."""
     given, expected = [], []
@@ -196,7 +178,7 @@ def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     assert_close(impl.cotangents(np.array(given)), np.array(expected), rtol=1e-3)
 
 
-@exercise("13.3")
+@exercise("13.3", fine_print=True)
 def test_cotangents_without_area(impl):
     """NaN, where corners coincide."""
     a, b = np.array([[0.0, 1.0, 1.0], [2.0, 0.0, 1.0]])
@@ -225,7 +207,7 @@ def test_gradients_of_cotangents_are_central_differences(impl, rng):
     gradcheck(forward, impl.cotangents_backward, (triangles(rng, 4, 2),), name="cotangents")
 
 
-@exercise("13.4")
+@exercise("13.4", fine_print=True)
 def test_flat_triangles_have_no_gradient(impl, rng):
     """NaN, or a huge gradient, where the cotangents are set to 0."""
     a, b, c = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.5, 0.95e-12, 1.0]])
@@ -239,48 +221,6 @@ def test_flat_triangles_have_no_gradient(impl, rng):
         lower = higher * [1.0, 0.9, 1.0]
         got = impl.cotangents_backward(np.roll(upstream, turn, 1), sizes[:, None, None] * lower)
         assert_close(got, np.zeros((3, 3, 3)))
-
-
-@exercise("13.5")
-def test_weights_on_paper(impl):
-    """The half is forgotten, or an edge keeps the last of its two faces only."""
-    given = np.array([[1.0, 2.0, 3.0], [5.0, 7.0, 9.0]])
-    expected = np.array([0.5, 1.0, 5.0, 2.5, 4.5])
-    assert_close(impl.cotangent_weights(given, np.array([[0, 1, 2], [3, 2, 4]]), 5), expected)
-
-
-@exercise("13.5")
-def test_an_edge_may_have_three_faces_or_none(impl):
-    """Two faces are expected at each edge; or the last edges are lost."""
-    given = np.array([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-4.0, 0.0, 6.0]])
-    face_edges = np.array([[3, 0, 1], [3, 0, 1], [3, 2, 4]])
-    expected = np.array([0.0, 0.0, 0.0, -0.5, 3.0, 0.0, 0.0])
-    assert_close(impl.cotangent_weights(given, face_edges, 7), expected)
-
-
-@exercise("13.5")
-def test_with_cotangents_a_plane_keeps_its_linear_functions(impl, rng):
-    """An edge gets the cotangents of its own ends, not those of the corners opposite to it."""
-    vertices, faces, inner = plane_mesh(rng)
-    edges, face_edges = mesh.edges(faces)
-    given = np.array([[1 / np.tan(angle(t[k], t[k - 1], t[k - 2])) for k in range(3)]
-                      for t in vertices[faces]])
-    L = dense(edges, impl.cotangent_weights(given, face_edges, len(edges)), len(vertices))
-    assert_close((L @ vertices)[inner], np.zeros((inner.sum(), 3)), atol=1e-6)
-
-
-@exercise("13.5")
-def test_with_cotangents_the_energy_is_the_area(impl, rng):
-    """Twice the area: half of x . L x is the area of any mesh, as Pinkall and Polthier have it."""
-    vertices, faces = bumpy_sphere(rng)
-    edges, face_edges = mesh.edges(faces)
-    given = np.array([[1 / np.tan(angle(t[k], t[k - 1], t[k - 2])) for k in range(3)]
-                      for t in vertices[faces]])
-    weights = np.asarray(impl.cotangent_weights(given, face_edges, len(edges)))
-    a, b, c = vertices[faces.T]
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
-    energy = (weights[:, None] * (vertices[edges[:, 0]] - vertices[edges[:, 1]])**2).sum() / 2
-    assert_close(energy, area)
 
 
 def matrix(entries, vertex_count):
@@ -315,13 +255,6 @@ def test_it_is_symmetric_and_its_rows_sum_to_zero(impl, rng):
     assert_close(got.sum(1), np.zeros(7))
 
 
-@exercise("13.6")
-def test_a_matrix_without_edges(impl):
-    """An error where there is nothing."""
-    got = matrix(impl.laplacian_entries(np.zeros((0, 2), int), np.zeros(0), 3), 3)
-    assert_close(got, np.zeros((3, 3)))
-
-
 @exercise("13.7")
 def test_energies_on_paper(impl):
     """A mean instead of a sum, a half, or the sum over edges of squared lengths."""
@@ -336,11 +269,19 @@ def test_energies_on_paper(impl):
 
 @exercise("13.7")
 def test_energy_is_of_the_laplacian(impl, rng):
-    """Weights are left out, the mass is squared; 0/0 where it is 0."""
+    """Weights are left out, or the mass is squared."""
     edges, weights = graph(rng)
     x, mass = rng.normal(size=(7, 3)), rng.uniform(0.5, 2.0, 7)
     pull = (dense(edges, weights, 7) @ x)**2
     assert_close(impl.laplacian_energy(x, edges, weights, mass), (pull / mass[:, None]).sum())
+
+
+@exercise("13.7", fine_print=True)
+def test_what_has_no_mass_adds_no_energy(impl, rng):
+    """0/0 where the mass is 0."""
+    edges, weights = graph(rng)
+    x, mass = rng.normal(size=(7, 3)), rng.uniform(0.5, 2.0, 7)
+    pull = (dense(edges, weights, 7) @ x)**2
     without = mass * (np.arange(7) != 2)
     assert_close(impl.laplacian_energy(x, edges, weights, without),
                  np.delete(pull / mass[:, None], 2, 0).sum())
@@ -370,7 +311,7 @@ def test_gradients_of_the_energy_are_central_differences(impl, rng):
               name="laplacian_energy")
 
 
-@exercise("13.8")
+@exercise("13.8", fine_print=True)
 def test_what_has_no_mass_has_no_part_in_the_gradient(impl):
     """0/0 where the mass is 0; or its neighbours' part is lost as well."""
     x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
@@ -391,7 +332,7 @@ def waves(k, channels=2):
 def test_explicit_smoothing_on_paper(impl):
     """The sign: the surface gets rougher; or it is not divided by the mass."""
     x, edges = np.array([[0.0], [4.0], [10.0], [7.0]]), np.array([[0, 1], [1, 2]])
-    mass = np.array([1.0, 2.0, 1.0, 0.0])
+    mass = np.array([1.0, 2.0, 1.0, 4.0])
     expected = np.array([[2.0], [4.5], [7.0], [7.0]])
     assert_close(impl.smooth_explicit(x, edges, np.ones(2), mass, 0.5), expected)
 
@@ -403,8 +344,8 @@ def test_a_step_of_1_goes_to_the_mean_of_the_neighbours(impl, rng):
     x = rng.normal(size=(7, 3))
     adjacent = np.zeros((7, 7))
     adjacent[tuple(edges.T)] = adjacent[tuple(edges[:, ::-1].T)] = 1
-    mass = adjacent.sum(1)
-    expected = np.where(mass[:, None] > 0, adjacent @ x / np.maximum(mass, 1)[:, None], x)
+    mass = np.maximum(adjacent.sum(1), 1)
+    expected = np.append((adjacent @ x / mass[:, None])[:6], x[6:], 0)
     assert_close(impl.smooth_explicit(x, edges, np.ones(len(edges)), mass, 1.0), expected)
 
 
@@ -417,7 +358,7 @@ def test_waves_decay_by_their_frequency(impl):
         assert_close(got, factor * waves(k))
 
 
-@exercise("13.9")
+@exercise("13.9", fine_print=True)
 def test_without_mass_a_vertex_stays(impl):
     """0/0, or a vertex of mass 0 that moves although it has an edge."""
     x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
@@ -430,20 +371,30 @@ def test_implicit_smoothing_on_paper(impl):
     """x is not multiplied by the mass, or the step is left out."""
     x = np.array([[0.0], [3.0], [7.0]])
     expected = np.array([[1.5], [2.25], [7.0]])
-    got = impl.smooth_implicit(x, np.array([[0, 1]]), np.ones(1), np.array([1.0, 2.0, 0.0]), 2.0)
+    got = impl.smooth_implicit(x, np.array([[0, 1]]), np.ones(1), np.array([1.0, 2.0, 4.0]), 2.0)
     assert_close(got, expected)
 
 
 @exercise("13.10")
 def test_implicit_smoothing_solves_the_system(impl, rng):
-    """Vertices without an edge; one channel, or several."""
+    """One channel, or several; the mass is left out on one side."""
     edges, weights = graph(rng)
-    mass = np.append(rng.uniform(0.1, 0.9, 6), 0.0)
-    system = np.diag(np.append(mass[:6], 1.0)) + 0.7 * dense(edges, weights, 7)
+    mass = rng.uniform(0.1, 0.9, 7)
+    system = np.diag(mass) + 0.7 * dense(edges, weights, 7)
     for channels in 1, 2, 3:
         x = rng.normal(size=(7, channels))
-        expected = np.linalg.solve(system, np.append(mass[:6], 1.0)[:, None] * x)
+        expected = np.linalg.solve(system, mass[:, None] * x)
         assert_close(impl.smooth_implicit(x, edges, weights, mass, 0.7), expected)
+
+
+@exercise("13.10", fine_print=True)
+def test_what_has_no_edge_and_no_mass_stays(impl, rng):
+    """A system without an inverse."""
+    edges, weights = graph(rng)
+    x, mass = rng.normal(size=(7, 2)), np.append(rng.uniform(0.1, 0.9, 6), 0.0)
+    system = np.diag(mass[:6]) + 0.7 * dense(edges, weights, 7)[:6, :6]
+    expected = np.append(np.linalg.solve(system, mass[:6, None] * x[:6]), x[6:], 0)
+    assert_close(impl.smooth_implicit(x, edges, weights, mass, 0.7), expected)
 
 
 @exercise("13.10")
@@ -453,14 +404,6 @@ def test_a_huge_step_goes_to_the_centre_of_mass_and_no_farther(impl, rng):
     centre = np.average(x, axis=0, weights=mass)
     got = impl.smooth_implicit(x, RING, np.ones(8), mass, 1e9)
     assert_close(got, np.tile(centre, (8, 1)), rtol=1e-5, atol=1e-5)
-
-
-@exercise("13.10")
-def test_without_vertices_there_is_nothing_to_smooth(impl):
-    """An error from deep inside, of a system without rows."""
-    nothing = np.zeros(0)
-    x = impl.smooth_implicit(np.zeros((0, 3)), np.zeros((0, 2), int), nothing, nothing, 1.0)
-    assert_close(x, np.zeros((0, 3)))
 
 
 @exercise("13.11")
@@ -480,39 +423,6 @@ def test_each_wave_has_its_factor(impl):
         factor = ((1 - shrink * eigenvalue) * (1 + grow * eigenvalue))**rounds
         got = impl.smooth_taubin(waves(k), RING, np.ones(8), np.full(8, 2.0), shrink, grow, rounds)
         assert_close(got, factor * waves(k))
-
-
-@exercise("13.11")
-def test_vertices_without_an_edge_stay(impl):
-    """0/0."""
-    x = np.array([[1.0, 2.0], [3.0, 5.0], [4.0, 6.0]])
-    got = impl.smooth_taubin(x, np.array([[0, 1]]), np.ones(1), np.array([1.0, 1, 0]), 0.5, 0.6, 3)
-    factor = (0.0 * 2.2)**3
-    middle = x[:2].mean(0)
-    assert_close(got, np.stack([*(middle + factor * (x[:2] - middle)), x[2]]))
-
-
-@exercise("13.12")
-def test_volumes_on_paper(impl):
-    """The 1/6, or the sign."""
-    x, y, z = np.diag([3.0, 2.0, 1.0])
-    zero = np.zeros(3)
-    tetrahedron = np.array([[x, y, z], [zero, y, x], [zero, z, y], [zero, x, z]])
-    assert_close(impl.enclosed_volume(tetrahedron), 1.0)
-    assert_close(impl.enclosed_volume(tetrahedron[:, ::-1]), -1.0)
-    vertices, faces = mesh.cube(48)
-    assert_close(impl.enclosed_volume(vertices[faces]), 8.0)
-
-
-@exercise("13.12")
-def test_a_closed_surface_may_be_anywhere(impl, rng):
-    """Absolute values are summed: faces that look at the origin must count as negative."""
-    vertices, faces = bumpy_sphere(rng)
-    moved, sphere = vertices + [3.0, -5.0, 2.0], mesh.icosphere(80)[0]
-    hull = scipy.spatial.ConvexHull(sphere).volume
-    assert_close(impl.enclosed_volume(sphere[faces] + [3.0, -5.0, 2.0]), hull)
-    here = np.asarray(impl.enclosed_volume(vertices[faces]))
-    assert_close(impl.enclosed_volume(moved[faces]), here)
 
 
 @exercise("13.13")
@@ -541,7 +451,8 @@ def test_gradients_of_the_volume_are_central_differences(impl, rng):
 def test_a_large_step_on_paper(impl):
     """The gradient is spread once, and x not; or u is taken for x."""
     x, grad_x, zero = np.zeros((2, 1)), np.array([[0.0], [3.0]]), np.zeros((2, 1))
-    got = impl.large_step(x, grad_x, zero, zero, 1, 2.0, np.array([[0, 1]]), np.ones(1), 1.0)
+    got = impl.large_step(x, grad_x, zero, zero, 1, 2.0,
+                          (np.array([[0, 1]]), np.ones(1), 1.0))
     mean, square = np.array([[0.1], [0.2]]), np.array([[0.001], [0.004]])
     expected = -np.array([[4.0], [5.0]]) / 3, mean, square
     assert_close(got, expected, rtol=1e-7)
@@ -558,7 +469,7 @@ def test_a_large_step_is_a_step_in_u(impl, rng):
     m, s = 0.9 * mean + 0.1 * grad_u, 0.999 * square + 0.001 * grad_u**2
     root = np.sqrt(s.max() / (1 - 0.999**5))
     u = system @ x - 0.2 * m / (1 - 0.9**5) / (root + 1e-8)
-    got = impl.large_step(x, grad_x, mean, square, 5, 0.2, edges, weights, 3.0)
+    got = impl.large_step(x, grad_x, mean, square, 5, 0.2, (edges, weights, 3.0))
     assert_close(got, (np.linalg.solve(system, u), m, s), rtol=1e-8)
 
 
@@ -567,5 +478,5 @@ def test_a_large_step_keeps_what_has_no_gradient(impl, rng):
     """x itself is smoothed: without a gradient it must stay."""
     edges, weights = graph(rng)
     x, zero = rng.normal(size=(7, 2)), np.zeros((7, 2))
-    got = impl.large_step(x, zero, zero, zero, 1, 1.0, edges, weights, 9.0)
+    got = impl.large_step(x, zero, zero, zero, 1, 1.0, (edges, weights, 9.0))
     assert_close(got, (x, zero, zero))

@@ -42,7 +42,7 @@ def test_gains_are_sums_of_two_angles(impl, rng):
     assert_close(impl.delaunay_gain(corners), np.array(expected), atol=1e-7)
 
 
-@exercise("13.14")
+@exercise("13.14", fine_print=True)
 def test_gains_of_tiny_angles_and_of_none(impl):
     """arccos: 1e-9 comes out as 0, and NaN where two corners coincide."""
     a, b = [0.0, 0.0, 2.0], [0.0, 1e-9, 2.0]
@@ -75,7 +75,7 @@ def test_slides_are_at_right_angles_to_each_normal(impl, rng):
     assert_close(impl.relax_step(vertices, normals, edges, 0.3), expected)
 
 
-@exercise("13.15")
+@exercise("13.15", fine_print=True)
 def test_without_a_normal_the_whole_move_counts(impl, rng):
     """NaN, where the normal is 0."""
     edges, _ = graph(rng)

@@ -1,6 +1,4 @@
 """What the exercises of lab 10's texture cubes and light must do."""
-import itertools
-
 import numpy as np
 import pytest
 
@@ -50,7 +48,7 @@ def test_eight_taps_give_back_the_place(impl, rng, size):
     assert_equal(corners, np.ones((40, 3), int))
 
 
-@exercise("10.6")
+@exercise("10.6", fine_print=True)
 def test_rounding_does_not_lead_out_of_the_cube(impl):
     """A depth that is rounded up gives t = T - 1 + 1e-16."""
     weight = np.array([[1.0, 0.0, 0.0], [0.0, 0.5, 0.5]])
@@ -97,56 +95,6 @@ def test_at_a_corner_the_last_cell_counts(impl):
     assert_close(got, (grad_weight, np.array([8.0]), grad_z))
 
 
-@exercise("10.8")
-def test_a_pixel_mixes_texels_of_its_own_face(impl):
-    """Texels of another face, or the mean instead of the weighted sum."""
-    textures = np.arange(48.0).reshape(3, 2, 2, 2, 2)
-    index, tap = np.array([[7, 0, 0, 0, 0, 0, 0, 3]]), np.array([[0.5, 0, 0, 0, 0, 0, 0, 0.25]])
-    assert_close(impl.sample_cubes(textures, np.array([2]), index, tap), np.array([[32.5, 33.25]]))
-
-
-@exercise("10.8")
-def test_samples_are_those_of_a_loop(impl, rng):
-    """The cube's axes in another order, or channels mixed."""
-    textures, face = rng.random((5, 3, 3, 3, 2)), rng.integers(0, 5, 7)
-    index, tap = rng.integers(0, 27, (7, 8)), rng.random((7, 8))
-    expected = np.zeros((7, 2))
-    for n, m in itertools.product(range(7), range(8)):
-        i, j, k = np.unravel_index(index[n, m], (3, 3, 3))
-        expected[n] += tap[n, m] * textures[face[n], i, j, k]
-    assert_close(impl.sample_cubes(textures, face, index, tap), expected)
-
-
-def samples(textures, face, index, tap):
-    texels = textures.reshape(len(textures), -1, textures.shape[-1])
-    return np.einsum("nm,nmc->nc", tap, texels[face[:, None], index])
-
-
-@exercise("10.9")
-def test_pixels_that_read_one_texel_add_up(impl):
-    """The last write wins; a texel that is read twice by a pixel counts once."""
-    textures, face = np.zeros((2, 2, 2, 2, 1)), np.array([1, 1, 0])
-    index, tap = np.zeros((3, 8), int), np.full((3, 8), 0.125)
-    index[2] = 5
-    grad_textures, grad_tap = impl.sample_cubes_backward(np.array([[2.0], [3.0], [7.0]]), textures,
-                                                         face, index, tap)
-    expected = np.zeros((2, 2, 2, 2, 1))
-    expected[1, 0, 0, 0], expected[0, 1, 0, 1] = 5.0, 7.0
-    assert_close(grad_textures, expected)
-    assert_close(grad_tap, np.zeros((3, 8)))
-
-
-@exercise("10.9")
-def test_gradients_of_samples_are_central_differences(impl, rng):
-    """Gradients to another face or channel, or grad_tap of one channel alone."""
-    textures, face = rng.normal(size=(4, 3, 3, 3, 2)), rng.integers(0, 4, 9)
-    index, tap = rng.integers(0, 27, (9, 8)), rng.random((9, 8))
-    gradcheck(lambda textures, tap: samples(textures, face, index, tap),
-              lambda grad, textures, tap: impl.sample_cubes_backward(grad, textures, face, index,
-                                                                     tap),
-              (textures, tap), name="cubes")
-
-
 # --- light -------------------------------------------------------------------------------------
 
 LYING = np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 3.0], [2.0, 0.0, 0.0]]])  # looks up, n = (0, 1, 0)
@@ -180,7 +128,7 @@ def test_lights_of_many_faces(impl, rng):
     assert_close(impl.face_light(corners, RED, BLUE, towards), np.array(expected))
 
 
-@exercise("10.10")
+@exercise("10.10", fine_print=True)
 def test_a_face_without_area_has_ambient_light_alone(impl):
     """0 / 0."""
     got = impl.face_light(np.ones((2, 3, 3)), RED, BLUE, np.array([1.0, 1.0, 1.0]))
@@ -216,7 +164,7 @@ def test_gradients_of_light_are_central_differences(impl, rng):
     gradcheck(light, impl.face_light_backward, inputs, decisions=lit, name="light")
 
 
-@exercise("10.11")
+@exercise("10.11", fine_print=True)
 def test_what_looks_away_is_constant(impl):
     """Light from below has a gradient on what looks up, or grazing light, n . l = 0, has one."""
     for towards in ([1.0, -1.0, 0.0], [1.0, 0.0, 0.0]):
@@ -224,7 +172,7 @@ def test_what_looks_away_is_constant(impl):
         assert_close(got, (np.zeros((1, 3, 3)), np.ones(3), np.zeros(3), np.zeros(3)))
 
 
-@exercise("10.11")
+@exercise("10.11", fine_print=True)
 def test_a_face_without_area_has_no_gradient(impl):
     """NaN for one face, which the sum over vertices spreads."""
     corners = np.concatenate([np.ones((1, 3, 3)), LYING])

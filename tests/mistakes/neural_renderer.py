@@ -1,24 +1,6 @@
 """Mistakes of lab 10; each docstring goes on after "this is what comes out when"."""
 
 
-def front_faces(screen, z):
-    """clockwise faces are drawn, and the others are not"""
-    side, other = screen[:, 1] - screen[:, 0], screen[:, 2] - screen[:, 0]
-    return (side[:, 0] * other[:, 1] - other[:, 0] * side[:, 1] < 0) & (z > 0).all(1)
-
-
-def front_faces(screen, z):
-    """faces of either winding are drawn"""
-    side, other = screen[:, 1] - screen[:, 0], screen[:, 2] - screen[:, 0]
-    return (np.abs(side[:, 0] * other[:, 1] - other[:, 0] * side[:, 1]) > 0) & (z > 0).all(1)
-
-
-def front_faces(screen, z):
-    """faces behind the camera are drawn: z is not looked at"""
-    side, other = screen[:, 1] - screen[:, 0], screen[:, 2] - screen[:, 0]
-    return side[:, 0] * other[:, 1] - other[:, 0] * side[:, 1] > 0
-
-
 def face_inverse(screen):
     """nothing is divided by twice the area"""
     x, y = screen[..., 0], screen[..., 1]

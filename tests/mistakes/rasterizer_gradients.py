@@ -61,41 +61,6 @@ def normalize_derivative_backward(grad_db, dc, b, s):
     return grad_dc, (dc.sum(0) * grad_dc + through_s) / s
 
 
-def sum_per_face(u, x, y, face, count):
-    """of the pixels of a face only the last one counts; they add up"""
-    sums = np.zeros((len(u), 3, count))
-    sums[:, :, face] += u[:, None] * np.stack([x, y, np.ones(len(x))])
-    return sums
-
-
-def sum_per_face(u, x, y, face, count):
-    """the order is 1, x, y; a is (x, y, 1)"""
-    return np.array(
-        [
-            [
-                np.bincount(face, u_k, count),
-                np.bincount(face, u_k * x, count),
-                np.bincount(face, u_k * y, count),
-            ]
-            for u_k in u
-        ]
-    )
-
-
-def sum_per_face(u, x, y, face, count):
-    """it is the mean over the pixels of a face instead of the sum"""
-    return np.array(
-        [
-            [
-                np.bincount(face, u_k * x, count),
-                np.bincount(face, u_k * y, count),
-                np.bincount(face, u_k, count),
-            ]
-            for u_k in u
-        ]
-    ) / np.maximum(np.bincount(face, None, count), 1)
-
-
 def depth_planes(z, corners):
     """the planes are not divided by the determinant"""
     e = edge_functions(corners)

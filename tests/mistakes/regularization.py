@@ -113,23 +113,6 @@ def cotangents_backward(grad_cotangents, triangles):
             + by_s * np.cross(area_vector / s, q - p))
 
 
-def cotangent_weights(cotangents, face_edges, edge_count):
-    """the half is forgotten"""
-    return np.bincount(face_edges.ravel(), cotangents.ravel(), edge_count)
-
-
-def cotangent_weights(cotangents, face_edges, edge_count):
-    """an edge keeps the cotangent of its last face; they add up"""
-    weights = np.zeros(edge_count)
-    weights[face_edges] += cotangents / 2
-    return weights
-
-
-def cotangent_weights(cotangents, face_edges, edge_count):
-    """an edge gets the cotangent of one of its ends, not of the corner opposite to it"""
-    return np.bincount(face_edges.ravel(), np.roll(cotangents, 1, 1).ravel(), edge_count) / 2
-
-
 def laplacian_entries(edges, weights, vertex_count):
     """it is -L: the diagonal is positive"""
     i, j = edges.T
@@ -255,24 +238,6 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
     return x
 
 
-def enclosed_volume(triangles):
-    """it is divided by 3; a tetrahedron is a sixth of the box"""
-    x0, x1, x2 = triangles.swapaxes(0, 1)
-    return (x0 * np.cross(x1, x2)).sum() / 3
-
-
-def enclosed_volume(triangles):
-    """the sixth is missing"""
-    x0, x1, x2 = triangles.swapaxes(0, 1)
-    return (x0 * np.cross(x1, x2)).sum()
-
-
-def enclosed_volume(triangles):
-    """the sign is wrong: counter-clockwise from outside is positive"""
-    x0, x1, x2 = triangles.swapaxes(0, 1)
-    return (x0 * np.cross(x2, x1)).sum() / 6
-
-
 def enclosed_volume_backward(grad_volume, triangles):
     """the cross product is turned round"""
     return grad_volume * np.cross(np.roll(triangles, -2, 1), np.roll(triangles, -1, 1)) / 6
@@ -288,24 +253,27 @@ def enclosed_volume_backward(grad_volume, triangles):
     return np.cross(np.roll(triangles, -1, 1), np.roll(triangles, -2, 1)) / 6
 
 
-def large_step(x, grad_x, mean, square, step, rate, edges, weights, amount):
+def large_step(x, grad_x, mean, square, step, rate, spread):
     """x itself is smoothed: x is taken for u, and then for x again"""
+    edges, weights, amount = spread
     u = x
     grad_u = precondition(grad_x, edges, weights, amount)
     u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
     return precondition(u, edges, weights, amount), mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate, edges, weights, amount):
+def large_step(x, grad_x, mean, square, step, rate, spread):
     """the gradient is not spread out: it is the one by x"""
+    edges, weights, amount = spread
     u = x + amount * laplacian(edges, weights, len(x)) @ x
     grad_u = grad_x
     u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
     return precondition(u, edges, weights, amount), mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate, edges, weights, amount):
+def large_step(x, grad_x, mean, square, step, rate, spread):
     """u is returned instead of x"""
+    edges, weights, amount = spread
     u = x + amount * laplacian(edges, weights, len(x)) @ x
     grad_u = precondition(grad_x, edges, weights, amount)
     u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)

@@ -85,55 +85,6 @@ def cube_taps_backward(grad_tap, weight, depth, z, size):
     return grad_weight, (grad_t * scale * weight).sum(1), grad_weight * weight / z
 
 
-def sample_cubes(textures, face, index, tap):
-    """all pixels read the cube of face 0"""
-    texels = textures.reshape(-1, textures.shape[-1])
-    return sum(tap[:, n, None] * texels[index[:, n]] for n in range(8))
-
-
-def sample_cubes(textures, face, index, tap):
-    """a cube is taken to have T^2 texels; it has T^3"""
-    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**2
-    return sum(tap[:, n, None] * texels[first + index[:, n]] for n in range(8))
-
-
-def sample_cubes(textures, face, index, tap):
-    """the taps' weights are left out"""
-    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
-    return sum(texels[first + index[:, n]] for n in range(8))
-
-
-def sample_cubes_backward(grad_colour, textures, face, index, tap):
-    """the taps' weights are left out of the texels' gradient"""
-    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
-    cell = first[:, None] + index
-    grad_textures = [np.bincount(cell.ravel(), grad.repeat(8), len(texels))
-                     for grad in grad_colour.T]
-    grad_tap = [(texels[cell[:, n]] * grad_colour).sum(1) for n in range(8)]
-    return np.stack(grad_textures, -1).reshape(textures.shape), np.stack(grad_tap, 1)
-
-
-def sample_cubes_backward(grad_colour, textures, face, index, tap):
-    """a texel that is read several times keeps its last gradient; they add up"""
-    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
-    cell = first[:, None] + index
-    grad_textures = np.zeros(texels.T.shape)
-    for own, grad in zip(grad_textures, grad_colour.T, strict=True):
-        own[cell] = tap * grad[:, None]
-    grad_tap = [(texels[cell[:, n]] * grad_colour).sum(1) for n in range(8)]
-    return np.stack(grad_textures, -1).reshape(textures.shape), np.stack(grad_tap, 1)
-
-
-def sample_cubes_backward(grad_colour, textures, face, index, tap):
-    """grad_tap is the mean over the channels instead of the sum"""
-    texels, first = textures.reshape(-1, textures.shape[-1]), face * textures.shape[1]**3
-    cell = first[:, None] + index
-    grad_textures = [np.bincount(cell.ravel(), (tap * grad[:, None]).ravel(), len(texels))
-                     for grad in grad_colour.T]
-    grad_tap = [(texels[cell[:, n]] * grad_colour).mean(1) for n in range(8)]
-    return np.stack(grad_textures, -1).reshape(textures.shape), np.stack(grad_tap, 1)
-
-
 def face_light(corners, ambient, directional, towards):
     """normals point to the side that sees the corners clockwise, or l away from the light"""
     a, b, c = corners.swapaxes(0, 1)

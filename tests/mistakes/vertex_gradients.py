@@ -16,21 +16,6 @@ def vertex_matrix(triangle):
     return np.stack([*triangle.T[::-1], np.ones(3)])
 
 
-def residual(values, m, a, target):
-    """M is transposed: its columns are the corners"""
-    return values @ np.linalg.solve(m.T, a) - target
-
-
-def residual(values, m, a, target):
-    """the target is added; it is taken away"""
-    return values @ np.linalg.solve(m, a) + target
-
-
-def residual(values, m, a, target):
-    """the sign is flipped: a pixel that is too bright has a positive residual"""
-    return target - values @ np.linalg.solve(m, a)
-
-
 def inverse_differential(m, dm):
     """the sign is missing: an inverse shrinks where the matrix grows"""
     inverse = np.linalg.inv(m)
@@ -133,24 +118,6 @@ def gauss_newton_step(residuals, jacobian):
     return np.linalg.solve(
         jacobian.T @ jacobian + 0.001 * np.eye(jacobian.shape[1]), -jacobian.T @ residuals
     )
-
-
-def weights(m, a):
-    """c is not divided by its sum"""
-    c = np.linalg.solve(m, a)
-    return c
-
-
-def weights(m, a):
-    """the sum is that of |c|"""
-    c = np.linalg.solve(m, a)
-    return c / np.abs(c).sum()
-
-
-def weights(m, a):
-    """M is transposed: its columns are the corners"""
-    c = np.linalg.solve(m.T, a)
-    return c / c.sum()
 
 
 def weights_backward(grad_b, m, a):

@@ -1,13 +1,7 @@
 """Lab 10's maps once more: point by point, with cyclic sums for cross products."""
 import numpy as np
 
-from reference.neural_renderer import covers, on_screen, pixel_box
-
-
-def front_faces(screen, z):
-    x, y = screen[..., 0], screen[..., 1]
-    twice = sum(x[:, k - 1] * y[:, k] - x[:, k] * y[:, k - 1] for k in range(3))
-    return [bool(area > 0 and min(depths) > 0) for area, depths in zip(twice, z, strict=True)]
+from reference.neural_renderer import covers, front_faces, on_screen, pixel_box
 
 
 def face_inverse(screen):

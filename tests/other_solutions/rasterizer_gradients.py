@@ -32,13 +32,6 @@ def normalize_derivative_backward(grad_db, dc, b, s):
     return grad_dc, grad_c
 
 
-def sum_per_face(u, x, y, face, count):
-    sums = np.zeros((len(u), 3, count))
-    for n, f in enumerate(face):
-        sums[:, :, f] += np.outer(u[:, n], [x[n], y[n], 1])
-    return sums
-
-
 def depth_planes(z, corners):
     return np.reshape([np.linalg.solve(corners[..., f].T, z[:, f]) for f in range(z.shape[1])],
                       (-1, 3)).T

@@ -72,13 +72,6 @@ def cotangents_backward(grad_cotangents, triangles):
     return grad
 
 
-def cotangent_weights(cotangents, face_edges, edge_count):
-    weights = np.zeros(edge_count)
-    for cotangent, edge in zip(np.ravel(cotangents), np.ravel(face_edges), strict=True):
-        weights[edge] += cotangent / 2
-    return weights
-
-
 def laplacian_entries(edges, weights, vertex_count):
     matrix = dense(edges, weights, vertex_count)
     rows, columns = np.nonzero(matrix)
@@ -134,16 +127,13 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
     return np.linalg.matrix_power((one + grow * step) @ (one - shrink * step), rounds) @ x
 
 
-def enclosed_volume(triangles):
-    return sum(np.linalg.det(triangle) for triangle in triangles) / 6
-
-
 def enclosed_volume_backward(grad_volume, triangles):
     a, b, c = np.swapaxes(triangles, 0, 1)
     return grad_volume / 6 * np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], 1)
 
 
-def large_step(x, grad_x, mean, square, step, rate, edges, weights, amount):
+def large_step(x, grad_x, mean, square, step, rate, spread):
+    edges, weights, amount = spread
     matrix = np.eye(len(x)) + amount * dense(edges, weights, len(x))
     u, mean, square = uniform_adam_step(matrix @ x, np.linalg.inv(matrix) @ grad_x, mean, square,
                                         step, rate)

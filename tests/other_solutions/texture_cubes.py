@@ -34,22 +34,6 @@ def cube_taps_backward(grad_tap, weight, depth, z, size):
     return grad * depth[:, None], (grad * weight).sum(1), -grad * weight * depth[:, None] / z
 
 
-def sample_cubes(textures, face, index, tap):
-    size = textures.shape[1]
-    i, j, k = np.unravel_index(index, (size, size, size))
-    return np.einsum("nt,ntc->nc", tap, textures[np.reshape(face, (-1, 1)), i, j, k])
-
-
-def sample_cubes_backward(grad_colour, textures, face, index, tap):
-    cubes = textures.reshape(len(textures), -1, textures.shape[-1])
-    grad_textures, grad_tap = np.zeros(cubes.shape), np.zeros(np.shape(tap))
-    for n, f in enumerate(face):
-        for m, texel in enumerate(index[n]):
-            grad_textures[f, texel] += tap[n, m] * grad_colour[n]
-            grad_tap[n, m] = cubes[f, texel] @ grad_colour[n]
-    return grad_textures.reshape(textures.shape), grad_tap
-
-
 def normal_of(face):
     a, b, c = face
     across = np.cross(a - c, b - c)

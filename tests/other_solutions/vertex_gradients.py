@@ -6,10 +6,6 @@ def vertex_matrix(triangle):
     return np.vstack([np.transpose(triangle), [1, 1, 1]])
 
 
-def residual(values, m, a, target):
-    return float(np.linalg.solve(m.T, values) @ a - target)
-
-
 def inverse_differential(m, dm):
     # The inverse of [M dM; 0 M] has it in its upper right corner.
     blocks = np.block([[m, dm], [np.zeros((3, 3)), m]])
@@ -55,12 +51,6 @@ def gauss_newton_step(residuals, jacobian):
     u, size, v = np.linalg.svd(jacobian, full_matrices=False)
     used = size > 1e-12 * size.max(initial=0)
     return -v[used].T @ ((u.T @ residuals)[used] / size[used])
-
-
-def weights(m, a):
-    q = m.T
-    areas = np.array([np.cross(q[i], q[j]) @ a for i, j in ((1, 2), (2, 0), (0, 1))])
-    return areas / areas.sum()
 
 
 def weights_backward(grad_b, m, a):

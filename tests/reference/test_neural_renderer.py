@@ -1,12 +1,15 @@
 """The reference's whole maps of lab 10: faces, weights, depth, and their gradients."""
 import numpy as np
+import pytest
 from loose_faces import camera, some_corners
 
+from course.checks import assert_equal
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import neural_renderer, rasterization, scanline, transforms
 
 WIDTH, HEIGHT = 23, 17
+SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
 
 
 def teapot_clip():
@@ -110,3 +113,36 @@ def test_a_vertex_in_the_camera_plane_is_not_seen_and_has_no_gradient(rng):
     grad_clip = neural_renderer.corners_backward(grad_corners, clip, faces)
     assert np.isfinite(grad_clip).all() and grad_clip[:3].any()
     np.testing.assert_array_equal(grad_clip[3], 0)
+
+
+def test_a_counterclockwise_face_is_drawn(impl):
+    """Clockwise faces are drawn instead, or x and y are swapped."""
+    z = np.ones((2, 3))
+    assert_equal(impl.front_faces(np.stack([SLANTED, SLANTED[::-1]]), z), np.array([True, False]))
+    assert_equal(impl.front_faces(np.stack([SLANTED[::-1], SLANTED]), z), np.array([False, True]))
+
+
+@pytest.mark.parametrize("turn", [0, 1, 2])
+def test_it_does_not_matter_with_which_corner_a_face_begins(impl, turn):
+    """Only one corner's angle is looked at, or one z."""
+    z = np.array([[1.0, 2.0, 3.0], [1.0, 2.0, -0.5], [1.0, 2.0, 0.0], [-1.0, -2.0, -3.0]])
+    screen = np.repeat(np.roll(SLANTED, turn, 0)[None], 4, 0)
+    assert_equal(impl.front_faces(screen, np.roll(z, turn, 1)),
+                 np.array([True, False, False, False]))
+
+
+def test_a_face_without_area_is_not_drawn(impl):
+    """As in the original, where >= lets it pass and its inverse divides by 0."""
+    line = np.array([[0.0, 0.0], [2.0, 4.0], [1.0, 2.0]])
+    point = np.full((3, 2), 5.0)
+    assert_equal(impl.front_faces(np.stack([line, point]), np.ones((2, 3))), np.zeros(2, bool))
+
+
+def test_many_faces_are_told_by_their_turn(impl, rng):
+    """Coordinates of different faces are mixed, or a small face is taken for one without area."""
+    angle = rng.uniform(0, 2, (9, 1)) + rng.uniform(0, 1, (9, 3)) + [0.0, 2.0, 4.0]
+    screen = 3 * np.stack([np.cos(angle), np.sin(angle)], -1) + rng.uniform(-3, 9, (9, 1, 2))
+    screen[4:] *= 1e-3
+    flipped = rng.random(9) < 0.5
+    screen[flipped] = screen[flipped][:, ::-1]
+    assert_equal(impl.front_faces(screen, np.ones((9, 3))), ~flipped)

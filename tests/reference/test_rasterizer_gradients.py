@@ -4,6 +4,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import rasterization, scanline, transforms, vertex_gradients
@@ -218,3 +219,32 @@ def test_a_mesh_moves_along_its_depth():
     numeric = (depth(1e-7) - depth(-1e-7)) / 2e-7
     np.testing.assert_allclose(grad_points[:, 2].sum(), numeric, rtol=1e-6)
     assert numeric < 0
+
+
+def test_sums_on_paper(impl):
+    """A face that no pixel sees is left out; x, y and 1 are in another order; or += with an index,
+    which adds a face's pixels once only.
+    """
+    u = np.array([[1.0, 10.0, 100.0], [1.0, 1.0, 1.0]])
+    x, y, face = np.array([1.0, 2.0, 4.0]), np.array([0.0, 1.0, 3.0]), np.array([2, 0, 2])
+    got = impl.sum_per_face(u, x, y, face, 4)
+    expected = np.array([[[20.0, 0, 401, 0], [10, 0, 300, 0], [10, 0, 101, 0]],
+                         [[2, 0, 5, 0], [1, 0, 3, 0], [1, 0, 2, 0]]])
+    assert_close(got, expected)
+
+
+def test_every_pixel_counts_once(impl, rng):
+    """Of two pixels with the same face one is lost, as with sums[face] += ..."""
+    u, x, y, face = rng.normal(size=(3, 50)), *rng.normal(size=(2, 50)), rng.integers(0, 6, 50)
+    expected = np.zeros((3, 3, 7))
+    for n in range(50):
+        for k in range(3):
+            for i, factor in enumerate((x[n], y[n], 1.0)):
+                expected[k, i, face[n]] += u[k, n] * factor
+    assert_close(impl.sum_per_face(u, x, y, face, 7), expected)
+
+
+def test_no_pixels_sum_to_zero(impl):
+    """An error where nothing is seen."""
+    got = impl.sum_per_face(np.zeros((2, 0)), np.zeros(0), np.zeros(0), np.zeros(0, int), 3)
+    assert_close(got, np.zeros((2, 3, 3)))

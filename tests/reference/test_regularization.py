@@ -2,6 +2,7 @@
 import numpy as np
 import scipy.spatial
 
+from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import inverse_rendering, regularization
@@ -155,8 +156,8 @@ def test_a_large_step_moves_the_neighbourhood_and_not_a_spike():
     edges, _ = mesh.edges(faces)
     grad, zero = np.zeros_like(vertices), np.zeros_like(vertices)
     grad[0] = -vertices[0]
-    moved, *_ = regularization.large_step(vertices, grad, zero, zero, 1, 0.1, edges,
-                                          np.ones(len(edges)), 5.0)
+    moved, *_ = regularization.large_step(vertices, grad, zero, zero, 1, 0.1,
+                                          (edges, np.ones(len(edges)), 5.0))
     move = np.linalg.norm(moved - vertices, axis=1)
     neighbours = edges[(edges == 0).any(1)].sum(1)
     assert move.argmax() == 0 and (move[neighbours] > 0.5 * move[0]).all()
@@ -168,5 +169,42 @@ def test_without_vertices_there_is_nothing_to_smooth_and_no_step_to_make():
     for got in (regularization.smooth_explicit(x, edges, weights, np.zeros(0), 1.0),
                 regularization.smooth_implicit(x, edges, weights, np.zeros(0), 1.0),
                 regularization.precondition(x, edges, weights, 3.0),
-                *regularization.large_step(x, x, x, x, 1, 0.1, edges, weights, 3.0)):
+                *regularization.large_step(x, x, x, x, 1, 0.1, (edges, weights, 3.0))):
         assert got.shape == (0, 3)
+
+
+def test_weights_on_paper(impl):
+    """The half is forgotten, or an edge keeps the last of its two faces only."""
+    given = np.array([[1.0, 2.0, 3.0], [5.0, 7.0, 9.0]])
+    expected = np.array([0.5, 1.0, 5.0, 2.5, 4.5])
+    assert_close(impl.cotangent_weights(given, np.array([[0, 1, 2], [3, 2, 4]]), 5), expected)
+
+
+def test_an_edge_may_have_three_faces_or_none(impl):
+    """Two faces are expected at each edge; or the last edges are lost."""
+    given = np.array([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-4.0, 0.0, 6.0]])
+    face_edges = np.array([[3, 0, 1], [3, 0, 1], [3, 2, 4]])
+    expected = np.array([0.0, 0.0, 0.0, -0.5, 3.0, 0.0, 0.0])
+    assert_close(impl.cotangent_weights(given, face_edges, 7), expected)
+
+
+def test_volumes_on_paper(impl):
+    """The 1/6, or the sign."""
+    x, y, z = np.diag([3.0, 2.0, 1.0])
+    zero = np.zeros(3)
+    tetrahedron = np.array([[x, y, z], [zero, y, x], [zero, z, y], [zero, x, z]])
+    assert_close(impl.enclosed_volume(tetrahedron), 1.0)
+    assert_close(impl.enclosed_volume(tetrahedron[:, ::-1]), -1.0)
+    vertices, faces = mesh.cube(48)
+    assert_close(impl.enclosed_volume(vertices[faces]), 8.0)
+
+
+def test_a_closed_surface_may_be_anywhere(impl, rng):
+    """Absolute values are summed: faces that look at the origin must count as negative."""
+    vertices, faces = mesh.icosphere(80)
+    vertices = vertices * rng.uniform(0.8, 1.2, (len(vertices), 1))
+    moved, sphere = vertices + [3.0, -5.0, 2.0], mesh.icosphere(80)[0]
+    hull = scipy.spatial.ConvexHull(sphere).volume
+    assert_close(impl.enclosed_volume(sphere[faces] + [3.0, -5.0, 2.0]), hull)
+    here = np.asarray(impl.enclosed_volume(vertices[faces]))
+    assert_close(impl.enclosed_volume(moved[faces]), here)
