@@ -140,24 +140,6 @@ def vertex_normals_backward(grad_normals, vertices, faces):
     return grad_vertices
 
 
-def picture_loss(picture, target, weight):
-    """sums are taken for means: larger pictures have larger losses"""
-    square = (picture - target)**2
-    return square[..., :3].sum() + weight * square[..., 3].sum()
-
-
-def picture_loss(picture, target, weight):
-    """differences are not squared"""
-    square = np.abs(picture - target)
-    return square[..., :3].mean() + weight * square[..., 3].mean()
-
-
-def picture_loss(picture, target, weight):
-    """the weight is the colours', not the coverage's"""
-    square = (picture - target)**2
-    return weight * square[..., :3].mean() + square[..., 3].mean()
-
-
 def picture_loss_backward(grad_loss, picture, target, weight):
     """the 2 of the square is missing"""
     shares = np.array([1 / 3, 1 / 3, 1 / 3, weight])
