@@ -29,7 +29,8 @@ def test_the_loss_on_paper():
     picture, target = np.zeros((2, 3, 4)), np.zeros((2, 3, 4))
     picture[0, 1] = 3.0, 0.0, 0.0, 0.5
     target[1, 2] = 0.0, 3.0, 0.0, -0.5
-    np.testing.assert_allclose(reconstruction.picture_loss(picture, target, 6.0), 18 / 18 + 6 * 0.5 / 6)
+    loss = reconstruction.picture_loss(picture, target, 6.0)
+    np.testing.assert_allclose(loss, 18 / 18 + 6 * 0.5 / 6)
     np.testing.assert_allclose(reconstruction.picture_loss(picture, target, 0.0), 1.0)
     np.testing.assert_allclose(reconstruction.picture_loss(target, target, 1.0), 0.0)
 
