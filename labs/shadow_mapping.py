@@ -54,7 +54,7 @@ class Receivers(NamedTuple):
 def to_light(points, position, rotation):  # exercise 14.1 (1 point)
     """Eq. (1): points (N, 3) in the light's frame -> q (N, 3).
 
-    position (3,) is the light's. The rows of rotation (3, 3) are its axes in the world.
+    position (3,), rotation (3, 3), whose rows are the light's axes.
 
     >>> rotation = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # looks down -y
     >>> to_light(np.array([[1.0, 2.0, 3.0]]), np.array([0.0, 6.0, 0.0]), rotation)
@@ -84,9 +84,9 @@ def w_of(q, clip_from_light):
 
 
 def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
-    """Eq. (2): where on the light's map do points lie? q (N, 3) -> place (N, 2), x and y in texels.
+    """Eq. (2): where on the light's map are q (N, 3)? -> x and y in texels (N, 2).
 
-    clip_from_light C (4, 4). y goes with C_11, q_y and height.
+    y goes with q_y, C_11 and height.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> map_position(np.array([[1.0, 0.0, -4.0], [0.0, -0.5, -2.0]]), C, 8, 6)
@@ -152,10 +152,10 @@ def stored_distance(distance_map, place):
 
 
 def is_lit(distance_map, place, distance, bias):  # exercise 14.7 (1 point)
-    """Eq. (3): does light reach these points? -> bool (N,). `stored_distance` is given.
+    """Eq. (3): does light reach these points? -> bool (N,).
 
-    distance_map (H, W), place (N, 2) on it, distance (N,), bias a number or (N,). Then
-    `python3 -m course demo --impl labs shadow` draws your own shadow.
+    distance_map (H, W), place (N, 2), distance, bias (N,). `stored_distance` is given.
+    `python3 -m course demo --impl labs shadow` then draws your own shadow.
 
     >>> distance_map = np.array([[4.0, 9.0]])
     >>> place = np.array([[0.5, 0.0], [0.6, 0.0], [0.7, 0.0], [1.5, 0.0]])

@@ -39,11 +39,10 @@ def steps_around(offsets, radius):
 
 def percentage_closer(distance_map, place, distance, slope,  # exercise 14.11 (3 points)
                       bias, offsets, radius):
-    """Eq. (6): which share of the places around (x, y) does light reach? -> (N,), from 0 to 1.
+    """Eq. (6): which share of the places around (x, y) does light reach? -> (N,).
 
-    `steps_around` gives the steps to the places, `on_plane` each place and its distance, and
-    `is_lit` the answers. place, slope (N, 2), distance (N,), offsets (K, 2), bias and radius
-    numbers or (N,).
+    `steps_around` gives the steps, `on_plane` each place and its distance. place, slope (N, 2),
+    distance, bias, radius (N,), offsets (K, 2).
 
     >>> distance_map, one = np.array([[4.0, 4.0, 9.0, 9.0]]), np.ones(1)
     >>> offsets = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]])
@@ -79,9 +78,9 @@ def blocker_distance(distance_map, place, distance, slope,  # extra 14.12 (3 poi
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercise 14.13 (2 points)
                     width):
-    """Eq. (7)'s radius: how wide is the shadow's soft border, in texels of the map? -> (N,).
+    """Eq. (7)'s radius: how wide is the soft border, in texels? -> (N,).
 
-    distance, blocker (N,), np.inf where nothing blocks, light_radius R, clip_from_light C (4, 4).
+    distance, blocker (N,). Where nothing blocks, blocker is np.inf.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> penumbra_radius(np.array([4.0, 4.0]), np.array([2.0, np.inf]), 0.5, C, 8)

@@ -94,9 +94,9 @@ def box_blur_backward(grad_output, radius):  # extra 14.16 (2 points)
 
 
 def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.17 (2 points)
-    """Eq. (9): at most how much of the blur lies at `distance` or beyond? -> (N,), from 0 to 1.
+    """Eq. (9), with (8)'s variance: at most which share of the light comes through? -> (N,).
 
-    distance, mean E_0, mean_square E_1 (N,), and the number least_variance of eq. (8).
+    distance, mean E_0, mean_square E_1 (N,).
 
     >>> chebyshev(np.array([2.0, 5.0, 5.0]), np.array([3.0, 3.0, 4.0]), np.array([11, 11, 16.0]), 1)
     array([1.        , 0.33333333, 0.5       ])
@@ -148,9 +148,8 @@ def moments_of(distance_map):
 def moved_moments(distance_map, motion, move):  # extra 14.20 (4 points)
     """Eq. (10): the moments (H, W, 2) of a map when all points have moved by move (3,).
 
-    distance_map d (H, W), motion (H, W, 2, 3) of `map_motion`. At a border in x (or y), shift is x
-    (or y) of motion @ move, taken from the texel with the smaller d. E_a and E_b are d and d^2
-    before the move.
+    distance_map d (H, W), motion (H, W, 2, 3). E_a and E_b are d and d^2 before the move. At a
+    border in x (or y), shift is x (or y) of motion @ move where d is smaller.
 
     >>> C = np.diag([1.0, 1.0, -1.0, 1.0])
     >>> distance_map = np.array([[2.0, 2.0, 3.0]])
@@ -228,7 +227,7 @@ def variance_shadow(points, vertices, faces, light, settings):
 def variance_shadow_backward(grad_lit, buffers, points, light, settings):
     """Backward of `variance_shadow` with respect to the light's position: grad_lit (N,) -> (3,).
 
-    A texel of the map jumps when an edge passes its centre; (10) moves the edge evenly instead. So
+    A texel of the map jumps when an edge passes its centre. (10) moves the edge evenly instead. So
     this is the slope of sums over many texels, and not of single ones. At a round body's rim, the
     texels' centres are nearer than the rim, and seem to move too far: this error falls with the
     root of the texel's size. In parallel light the gradient is 0 up to such errors: the shadow

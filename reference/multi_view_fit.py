@@ -245,11 +245,11 @@ def carving_backward(grad_carving, target, shape, buffers):
 
 def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 16.15 (5 points)
                    weight):
-    """One step's loss, eq. (5) of K views, and its gradients: the arrows above, there and back.
+    """Eq. (5) of K views and its gradients: the arrows above, there and back.
 
-    vertices, albedo (V, 3), faces (F, 3), light (9, 3), views for `see`, targets (K, H, W, 4)
-    -> loss, grad_vertices, grad_albedo, grad_light, and grad_level as `see_backward` has it.
-    Then `python3 -m course demo --impl labs reconstruct` is your own search.
+    vertices, albedo (V, 3), light (9, 3), targets (K, H, W, 4)
+    -> loss, grad_vertices, grad_albedo, grad_light, grad_level.
+    `python3 -m course demo --impl labs reconstruct` then runs your own search.
 
     >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])

@@ -179,9 +179,9 @@ def level_backward(grad_level, ends, distance):  # extra 16.9 (2 points)
 
 
 def sign_changes(distance, edges):  # exercise 16.10 (2 points)
-    """Eq. (7), summed over the edges that are crossed: what does it cost to change sign?
+    """Eq. (7), summed over the crossed edges: what does it cost to change sign? -> a number.
 
-    distance (G,), edges (E, 2), pairs of points in any order -> a number.
+    distance (G,), edges (E, 2), pairs of points in any order.
 
     >>> round(sign_changes(np.array([-1.0, 2.0, 0.5]), np.array([[0, 1], [1, 2], [2, 0]])), 6)
     np.float64(5.727528)
@@ -235,11 +235,11 @@ def bumps_backward(grad_bumps, vertices, normals, edges):
 
 
 def spread(x, amount):  # extra 16.12 (4 points)
-    """Eq. (8): solve y + amount * Laplacian(y) = x on a grid of m^3 points.
+    """Eq. (8): y with y + amount * Laplacian(y) = x on a grid of m^3 points.
 
-    x (G,) or (G, C), in the order of `tetrahedral_grid` -> y, of x's shape. The Laplacian of y sums
-    y - y' over the neighbours along the axes, up to six. Of m numbers in a row it multiplies
-    `scipy.fft.dctn`'s coefficient k by 2 - 2 cos(pi k / m). Take norm="ortho".
+    x (G,) or (G, C), in `tetrahedral_grid`'s order -> y. The Laplacian sums y - y' over the
+    neighbours along the axes. Of m numbers in a row it multiplies `scipy.fft.dctn`'s coefficient k,
+    with norm="ortho", by 2 - 2 cos(pi k / m).
 
     >>> spread(np.array([105.0, 0, 0, 0, 0, 0, 0, 0]), 1.0).round(6)
     array([36., 13., 13.,  8., 13.,  8.,  8.,  6.])

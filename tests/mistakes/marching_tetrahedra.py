@@ -40,21 +40,6 @@ def tetrahedron_triangles(inside):
     return np.array(fan, int).reshape(-1, 3, 2)
 
 
-def crossing(p_a, p_b, s_a, s_b):
-    """each point is weighted with its own distance; it is that of the other one"""
-    return (p_a * s_a[:, None] - p_b * s_b[:, None]) / (s_b - s_a)[:, None]
-
-
-def crossing(p_a, p_b, s_a, s_b):
-    """it is not divided by s_b - s_a"""
-    return p_a * s_b[:, None] - p_b * s_a[:, None]
-
-
-def crossing(p_a, p_b, s_a, s_b):
-    """it is divided by the sum; s_a is negative"""
-    return (p_a * s_b[:, None] - p_b * s_a[:, None]) / (s_b + s_a)[:, None]
-
-
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the weights of both ends are swapped"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
