@@ -260,8 +260,8 @@ def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 1
     >>> float(loss), grad_albedo.sum(0).round(6)
     (0.25, array([0.333333, 0.333333, 0.333333]))
     """
-    normals = mesh.vertex_normals(vertices, faces)
-    colours = reconstruction.shade(albedo, normals, light)
+    n = mesh.vertex_normals(vertices, faces)
+    colours = reconstruction.shade(albedo, n, light)
     shape = pipeline.make_mesh(vertices, faces)
     pictures, buffers = see(shape, colours, views)
     loss = reconstruction.picture_loss(pictures, targets, weight)
@@ -269,9 +269,8 @@ def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 1
     grad_pictures = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
     grad_vertices, grad_colours, grad_level = see_backward(grad_pictures, buffers, shape, colours,
                                                            views)
-    grad_albedo, grad_normals, grad_light = reconstruction.shade_backward(grad_colours, albedo,
-                                                                          normals, light)
-    by_normals = reconstruction.vertex_normals_backward(grad_normals, vertices, faces)
+    grad_albedo, grad_n, grad_light = reconstruction.shade_backward(grad_colours, albedo, n, light)
+    by_normals = reconstruction.vertex_normals_backward(grad_n, vertices, faces)
     return loss, grad_vertices + by_normals, grad_albedo, grad_light, grad_level
 
 
