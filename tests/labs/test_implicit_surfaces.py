@@ -366,7 +366,7 @@ def test_gradients_of_one_ray_on_paper(impl):
 
 @exercise("15.9")
 def test_a_longer_piece_of_ray_feels_its_density_more(impl):
-    """The factor delta is missing in the gradient by the density."""
+    """The factor delta is missing in the gradient with respect to the density."""
     given = np.log([[2.0]]) / 5, np.array([[[7.0]]]), np.array([[5.0]]), np.array([3.0])
     grad_density, _ = impl.volume_render_backward(np.array([[1.0]]), *given)
     assert_close(grad_density, np.array([[5 * 0.5 * (7.0 - 3.0)]]))

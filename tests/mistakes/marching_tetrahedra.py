@@ -48,7 +48,7 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
 
 
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the gradients by the distances have the wrong sign"""
+    """the gradients with respect to the distances have the wrong sign"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
     grad_t = (grad_p * (p_b - p_a)).sum(-1)
     return (1 - t) * grad_p, t * grad_p, grad_t * s_b / span**2, -grad_t * s_a / span**2

@@ -59,7 +59,7 @@ def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
 
 
 def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
-    """the gradient by the distance has the wrong sign"""
+    """the gradient with respect to the distance has the wrong sign"""
     variance = np.maximum(mean_square - mean**2, least_variance)
     beyond = np.maximum(distance - mean, 0)
     total = variance + beyond**2
