@@ -9,12 +9,12 @@ import numpy as np
 from . import transforms
 from .shadow_mapping import Light, to_light
 
-WIDEST = np.radians(75)  # from a cone's axis to its side; beyond, texels are wasted on the border
+WIDEST = np.radians(75)  # from a cone's axis to its side; beyond it, texels are wasted
 NARROWEST = 1e-6         # of a map's width, where all vertices lie on the light's axis
 
 
 def axes_of(toward):
-    """rotation (3, 3) of a light that looks along toward (3,); up is y, or z beside it."""
+    """rotation (3, 3) of a light that looks along toward (3,). Up is y, or z beside it."""
     up = np.eye(3)[1 if np.hypot(toward[0], toward[2]) > 1e-3 * abs(toward[1]) else 2]
     return transforms.look_at(np.zeros(3), toward, up)[:3, :3]
 

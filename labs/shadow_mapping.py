@@ -11,10 +11,10 @@ picture is the map: in each texel the distance of the nearest surface.
 
 Each distance is an axial depth: along the light's axis, in the world's unit, not along the ray.
 Light from a direction has an orthographic C and w = 1. Light from a point has a perspective C and
-w = distance. `lights` makes both. The caller guarantees w > 0 for all points.
+w = distance. `lights` makes both. All points must lie before the light: w > 0.
 
-Sources: GAMES101 lecture 12 (its map holds the greatest depth; the nearest is right); Williams 1978
-(3).
+Sources: Williams 1978 (3), GAMES101 lecture 12. There the map holds the greatest depth. The nearest
+is right.
 """
 import numbers
 from typing import NamedTuple
@@ -31,8 +31,8 @@ GRAZING = 1e-2  # the least |n . ray|: a plane seen edge-on has no slope
 class Light(NamedTuple):
     """A camera in the light's place, which looks down its -z axis.
 
-    position (3,) in the world; rotation (3, 3), whose rows are its x, y and z axis in the world;
-    clip_from_light (4, 4).
+    position (3,) in the world, rotation (3, 3), whose rows are its x, y and z axis in the world,
+    and clip_from_light (4, 4).
     """
 
     position: np.ndarray
@@ -43,7 +43,7 @@ class Light(NamedTuple):
 class Receivers(NamedTuple):
     """N points on a light's map, and how fast their planes recede there.
 
-    place (N, 2): x and y in texels; distance (N,); slope (N, 2): `distance_slopes`.
+    place (N, 2): x and y in texels. distance (N,). slope (N, 2): `distance_slopes`.
     """
 
     place: np.ndarray
@@ -52,9 +52,9 @@ class Receivers(NamedTuple):
 
 
 def to_light(points, position, rotation):  # exercise 14.1 (1 point)
-    """Eq. (1): points (N, 3) in the light's frame -> q (N, 3); the light looks down -z.
+    """Eq. (1): points (N, 3) in the light's frame -> q (N, 3).
 
-    position (3,): the light's place; rows of rotation (3, 3): its x, y and z axis in the world.
+    position (3,), rotation (3, 3), whose rows are the light's axes.
 
     >>> rotation = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # looks down -y
     >>> to_light(np.array([[1.0, 2.0, 3.0]]), np.array([0.0, 6.0, 0.0]), rotation)
@@ -63,7 +63,7 @@ def to_light(points, position, rotation):  # exercise 14.1 (1 point)
     raise NotImplementedError("exercise 14.1: to_light")
 
 
-def to_light_backward(grad_q, points, position, rotation):  # exercise 14.2 (2 points)
+def to_light_backward(grad_q, points, position, rotation):  # extra 14.2 (2 points)
     """Backward of eq. (1): grad_q (N, 3) -> grad_points (N, 3), grad_position (3,).
 
     The light moves without turning: rotation is held.
@@ -74,7 +74,8 @@ def to_light_backward(grad_q, points, position, rotation):  # exercise 14.2 (2 p
     (array([[ 0.,  0., -2.],
            [ 1.,  3.,  0.]]), array([-1., -3.,  2.]))
     """
-    raise NotImplementedError("exercise 14.2: to_light_backward")
+    grad_points = grad_q @ rotation
+    return grad_points, -grad_points.sum(0)
 
 
 def w_of(q, clip_from_light):
@@ -83,10 +84,9 @@ def w_of(q, clip_from_light):
 
 
 def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
-    """Eq. (2): where points of the light's frame lie on its map -> place (N, 2), x, y in texels.
+    """Eq. (2): where on the light's map are q (N, 3)? -> x and y in texels (N, 2).
 
-    q (N, 3), w > 0; clip_from_light C (4, 4), of which only C_00, C_11, C_32 and C_33 matter here:
-    y goes with C_11 and height. (The light looks straight ahead.)
+    y goes with q_y, C_11 and height.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> map_position(np.array([[1.0, 0.0, -4.0], [0.0, -0.5, -2.0]]), C, 8, 6)
@@ -96,7 +96,7 @@ def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
     raise NotImplementedError("exercise 14.3: map_position")
 
 
-def map_position_backward(grad_place, q, clip_from_light,  # exercise 14.4 (3 points)
+def map_position_backward(grad_place, q, clip_from_light,  # extra 14.4 (3 points)
                           width, height):
     """Backward of eq. (2): grad_place (N, 2) -> grad_q (N, 3). clip_from_light is held.
 
@@ -105,39 +105,57 @@ def map_position_backward(grad_place, q, clip_from_light,  # exercise 14.4 (3 po
     >>> map_position_backward(np.array([[1.0, 0.0]]), q, C, 8, 6)
     array([[2. , 0. , 0.5]])
     """
-    raise NotImplementedError("exercise 14.4: map_position_backward")
+    # dx = C_00 width / 2 (dq_x / w - q_x dw / w^2), and dw = C_32 dq_z; y alike.
+    w = w_of(q, clip_from_light)
+    grad_q_x = grad_place[:, 0] * clip_from_light[0, 0] * (width / 2) / w
+    grad_q_y = grad_place[:, 1] * clip_from_light[1, 1] * (height / 2) / w
+    grad_w = -(grad_q_x * q[:, 0] + grad_q_y * q[:, 1]) / w
+    return np.stack([grad_q_x, grad_q_y, clip_from_light[3, 2] * grad_w], -1)
 
 
-def distance_of_depth(depth, clip_from_light):  # exercise 14.5 (2 points)
-    """The axial depth, distance = -q_z, of a depth of the rasterizer: (H, W) -> distance (H, W).
+def distance_of_depth(depth, clip_from_light):  # extra 14.5 (2 points)
+    """From the rasterizer's depth (H, W) back to the axial depth: distance = -q_z (H, W).
 
-    depth = (C_22 q_z + C_23) / (C_32 q_z + C_33), the z / w of clip space, from -1 to 1; np.inf
-    where the light sees nothing: there the distance is np.inf, and nothing is raised or warned of.
+    depth = (C_22 q_z + C_23) / (C_32 q_z + C_33) is the z / w of clip space.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> distance_of_depth(np.array([[-1.0, 1.0, 0.5, np.inf]]), C)
     array([[1. , 2. , 1.6, inf]])
+
+    Fine print. Where the light sees nothing, depth is np.inf, and so is the distance: whatever lies
+    there is lit.
     """
-    raise NotImplementedError("exercise 14.5: distance_of_depth")
+    distance = np.full(depth.shape, np.inf)
+    seen = np.isfinite(depth)
+    # Solve depth (C_32 q_z + C_33) = C_22 q_z + C_23 for -q_z.
+    (c_22, c_23), (c_32, c_33) = clip_from_light[2:, 2:]
+    distance[seen] = (c_33 * depth[seen] - c_23) / (c_32 * depth[seen] - c_22)
+    return distance
 
 
-def stored_distance(distance_map, place):  # exercise 14.6 (2 points)
-    """What the map holds at the places (x, y): the texel [floor y, floor x] of it -> (N,).
+def stored_distance(distance_map, place):
+    """What the map holds at the places (x, y): its texel [floor y, floor x] -> (N,).
 
-    distance_map (H, W), place (N, 2). Outside the map, that is unless 0 <= x < W and 0 <= y < H:
-    np.inf.
+    distance_map (H, W), place (N, 2). Outside the map, that is unless 0 <= x < W and 0 <= y < H, it
+    is np.inf.
 
     >>> distance_map = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])
     >>> stored_distance(distance_map, np.array([[0.9, 0.1], [2.0, 1.9], [2.5, 2.0], [-0.1, 1.0]]))
     array([ 1.,  6., inf, inf])
     """
-    raise NotImplementedError("exercise 14.6: stored_distance")
+    height, width = distance_map.shape
+    x, y = place.T
+    stored = np.full(x.shape, np.inf)
+    inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+    stored[inside] = distance_map[y[inside].astype(int), x[inside].astype(int)]
+    return stored
 
 
 def is_lit(distance_map, place, distance, bias):  # exercise 14.7 (1 point)
-    """Eq. (3): does light reach points at these places of the map and distances? -> bool (N,).
+    """Eq. (3): does light reach these points? -> bool (N,).
 
-    distance_map (H, W); place (N, 2); distance (N,); bias a number or (N,). Outside the map: lit.
+    distance_map (H, W), place (N, 2), distance, bias (N,). `stored_distance` is given.
+    `python3 -m course demo --impl labs shadow` then draws your own shadow.
 
     >>> distance_map = np.array([[4.0, 9.0]])
     >>> place = np.array([[0.5, 0.0], [0.6, 0.0], [0.7, 0.0], [1.5, 0.0]])
@@ -147,34 +165,40 @@ def is_lit(distance_map, place, distance, bias):  # exercise 14.7 (1 point)
     raise NotImplementedError("exercise 14.7: is_lit")
 
 
-def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8 (4 points)
-    """Eq. (4): how fast a surface recedes from texel to texel -> slope (N, 2), by x and by y.
+def distance_slopes(normal, q, clip_from_light, width, height):  # extra 14.8 (4 points)
+    """Eq. (4): how fast does a surface recede from texel to texel? -> slope (N, 2), by x and by y.
 
-    normal n (N, 3) of unit length, q (N, 3), both in the light's frame: the distance of the plane
-    through q at right angles to n, as a function of the place on the map, has these partial
-    derivatives with respect to x and to y (there with n_y, C_11 and height).
-    ray, with z = -1, points along the light: ray_x = -C_32 q_x / w, ray_y alike. In a cone this is
-    q / distance, in parallel light (0, 0, -1). Where |n . ray| < GRAZING, it is replaced by
-    GRAZING with its sign; 0 counts as positive.
+    normal n (N, 3) of unit length and q (N, 3), both in the light's frame. slope_y has n_y, C_11
+    and height. ray = (-C_32 q_x / w, -C_32 q_y / w, -1) points along the light.
 
     >>> C = np.diag([0.5, 0.25, -1.0, 1.0])                          # parallel light
     >>> normal, q = np.array([[0.6, 0.0, 0.8]]), np.array([[1.0, 2.0, -5.0]])
     >>> distance_slopes(normal, q, C, 4, 2).round(9) + 0.0           # a texel is 1 x 4
     array([[0.75, 0.  ]])
+
+    Fine print. A plane seen edge-on would recede without a bound. Where |n . ray| < GRAZING, put
+    GRAZING with its sign in its place. 0 counts as positive.
     """
-    raise NotImplementedError("exercise 14.8: distance_slopes")
+    w = w_of(q, clip_from_light)
+    # Parallel light: n . dq = 0 with dq = (du, 0, -dd), so dd/du = n_x / n_z.
+    # A cone: q = d ray and ray = (u, v, -1), so dd (n . ray) + d n_x du = 0.
+    across = normal[:, 0] * q[:, 0] + normal[:, 1] * q[:, 1]
+    along = across * -clip_from_light[3, 2] / w - normal[:, 2]
+    along = np.where(np.abs(along) < GRAZING, np.where(along < 0, -GRAZING, GRAZING), along)
+    slope_x = -w * normal[:, 0] / along * (2 / (clip_from_light[0, 0] * width))
+    slope_y = -w * normal[:, 1] / along * (2 / (clip_from_light[1, 1] * height))
+    return np.stack([slope_x, slope_y]).T
 
 
-def slope_scaled_bias(slope, constant, factor, most):  # exercise 14.9 (1 point)
+def slope_scaled_bias(slope, constant, factor, most):  # extra 14.9 (1 point)
     """Eq. (5), but never above most: slope (N, 2), three numbers -> bias (N,).
-
-    A point is at most half a texel in x and half in y from the centre where its texel was measured.
-    So with factor 1 a plane does not shadow itself.
 
     >>> slope_scaled_bias(np.array([[0.2, -0.4], [-0.2, 0.0], [9.0, 0.0]]), 0.5, 2.0, 1.5)
     array([1.1, 0.7, 1.5])
     """
-    raise NotImplementedError("exercise 14.9: slope_scaled_bias")
+    # A point is at most half a texel in x and half in y from the centre where its texel was
+    # measured. So with factor 1 a plane does not shadow itself.
+    return np.minimum(constant + factor * np.abs(slope).sum(1) / 2, most)
 
 
 # --- maps, receivers and their shadow ---------------------------------------------------------
@@ -243,7 +267,7 @@ def receivers(points, normals, light, size):
 def hard_shadow(points, normals, light, distance_map, constant, factor=1.0, most=np.inf):
     """Eqs. (1) to (5): which points (N, 3) are lit? -> bool (N,).
 
-    distance_map (S, S): the light's, by `depth_map`. normals (N, 3); constant, factor and most are
+    distance_map (S, S): the light's, by `depth_map`. normals (N, 3). constant, factor and most are
     numbers, as in `slope_scaled_bias`.
     """
     place, distance, slope = receivers(points, normals, light, side_of(distance_map))

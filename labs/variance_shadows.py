@@ -3,12 +3,14 @@
 A comparison is a step, and so is a mean of comparisons. Instead, the map holds two moments in each
 texel, which may be blurred. Distances, lights and eqs. (1) to (7) are those of `shadow_mapping`.
 
-    E = blur of (stored, stored^2),   variance = E_1 - E_0^2                                 (8)
+    E = blur of (stored, stored^2),   variance = max(E_1 - E_0^2, least_variance)            (8)
     lit share = variance / (variance + (distance - E_0)^2) beyond E_0, else 1                (9)
-    dE = -(1, 2 stored) dq_z - sum over the 4 borders of shift (step of E across it) / 2    (10)
+    E' = (d - move_z, (d - move_z)^2) - sum over its borders of shift / 2 (E_b - E_a)       (10)
 
-The light moves without turning. Then all points move in its frame: those that receive the shadow,
-and by (10) all that the map shows. The fit finds the light by the gradient of both.
+(10) is a texel before the blur, E = (d, d^2), when all points move in the light's frame. At each of
+its borders are two texels, b to the right of a or above it, and the surface in front takes the
+border along by shift texels. The light moves without turning, so all points move alike: those that
+receive the shadow, and by (10) all that the map shows. The fit finds the light by both.
 
 Source: Donnelly and Lauritzen 2006 (8), (9).
 """
@@ -27,7 +29,7 @@ PAIRS = ((0, np.s_[:, :-1], np.s_[:, 1:]),  # neighbours in x: the left ones, th
 class Settings(NamedTuple):
     """How a variance shadow is made.
 
-    size: rows and columns of the map; radius of the blur: a whole number of texels; least_variance
+    size: rows and columns of the map. radius of the blur: an integer, in texels. least_variance,
     > 0: this shadow's bias, in squares of the world's unit, about (a thousandth of the scene)^2.
     """
 
@@ -39,8 +41,8 @@ class Settings(NamedTuple):
 class Buffers(NamedTuple):
     """What was found on the way to a variance shadow, which the way back needs.
 
-    distance_map (S, S), blurred (S, S, 2): its moments; of each point q (N, 3), uv (N, 2) on the
-    map, the moments mean (N, 2) there, and whether it lies inside (N,) the map.
+    distance_map (S, S), and blurred (S, S, 2), its moments. For each point q (N, 3), uv (N, 2) on
+    the map, the moments mean (N, 2) there, and whether it lies inside (N,) the map.
     """
 
     distance_map: np.ndarray
@@ -51,42 +53,50 @@ class Buffers(NamedTuple):
     inside: np.ndarray
 
 
-def window_sums(picture, radius):  # exercise 14.14 (2 points)
+def window_sums(picture, radius):
     """Sums over squares: of the pixels up to radius rows and columns away -> (H, W, C).
 
-    picture (H, W, C); radius a whole number >= 0. Squares end at the picture's border.
+    picture (H, W, C), radius an integer >= 0. Squares end at the picture's border.
 
     >>> window_sums(np.array([[[1.0], [2.0], [4.0], [8.0]]]), 1)[..., 0]
     array([[ 3.,  7., 14., 12.]])
     """
-    raise NotImplementedError("exercise 14.14: window_sums")
+    for axis in 0, 1:
+        n = picture.shape[axis]
+        running = np.insert(np.cumsum(picture, axis), 0, 0.0, axis)
+        first = np.maximum(np.arange(n) - radius, 0)
+        end = np.minimum(np.arange(n) + radius + 1, n)
+        picture = running.take(end, axis) - running.take(first, axis)
+    return picture
 
 
-def box_blur(picture, radius):  # exercise 14.15 (1 point)
+def box_blur(picture, radius):
     """The mean over the squares of `window_sums`: picture (H, W, C) -> (H, W, C).
 
-    At the border, the mean of the pixels that there are.
+    At the border it is the mean of the pixels that there are.
 
     >>> box_blur(np.array([[[1.0], [2.0], [6.0], [10.0]]]), 1)[..., 0]
     array([[1.5, 3. , 6. , 8. ]])
     """
-    raise NotImplementedError("exercise 14.15: box_blur")
+    return window_sums(picture, radius) / window_sums(np.ones((*picture.shape[:2], 1)), radius)
 
 
-def box_blur_backward(grad_output, radius):  # exercise 14.16 (2 points)
+def box_blur_backward(grad_output, radius):  # extra 14.16 (2 points)
     """Backward of `box_blur`: grad_output (H, W, C) -> grad_picture (H, W, C).
 
     >>> box_blur_backward(np.array([[[6.0], [0.0], [0.0], [0.0]]]), 1)[..., 0]
     array([[3., 3., 0., 0.]])
     """
-    raise NotImplementedError("exercise 14.16: box_blur_backward")
+    # A box filter's sums are their own transpose: pixel j is in the square around i where i is in
+    # the square around j. Each mean was divided by the number of pixels in its own square.
+    count = window_sums(np.ones((*grad_output.shape[:2], 1)), radius)
+    return window_sums(grad_output / count, radius)
 
 
 def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.17 (2 points)
-    """Eq. (9): at most how much of a filtered map lies at `distance` or beyond? -> (N,), 0 to 1.
+    """Eq. (9), with (8)'s variance: at most which share of the light comes through? -> (N,).
 
-    distance, mean E_0, mean_square E_1 (N,). The variance is at least the number least_variance
-    > 0: it stands in for the slope inside a texel, and for rounding. Where distance <= mean: 1.
+    distance, mean E_0, mean_square E_1 (N,).
 
     >>> chebyshev(np.array([2.0, 5.0, 5.0]), np.array([3.0, 3.0, 4.0]), np.array([11, 11, 16.0]), 1)
     array([1.        , 0.33333333, 0.5       ])
@@ -96,9 +106,8 @@ def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.17 (2
 
 def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.18 (3 points)
                        least_variance):
-    """Backward of eq. (9): grad_lit (N,) -> grad_distance, grad_mean, grad_mean_square, each (N,).
-
-    The variance has a gradient only where it is greater than least_variance.
+    """Backward of eqs. (8) and (9), `chebyshev`: grad_lit (N,) -> grad_distance, grad_mean,
+    grad_mean_square, each (N,).
 
     >>> E_0, E_1 = np.array([3.0, 3.0]), np.array([12.0, 10.0])                # variances 3 and 2
     >>> grads = chebyshev_backward(np.ones(2), np.array([5.0, 5.0]), E_0, E_1, 2.0)
@@ -108,19 +117,27 @@ def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.18 
     raise NotImplementedError("exercise 14.18: chebyshev_backward")
 
 
-def map_motion(distance_map, clip_from_light):  # exercise 14.19 (3 points)
-    """How far the content of each texel moves on the map when all points move in the light's frame.
+def map_motion(distance_map, clip_from_light):  # extra 14.19 (3 points)
+    """How far does the content of each texel move on the map when all points move by dq?
 
-    distance_map (H, W), finite -> motion (H, W, 2, 3): the partial derivatives of eq. (2), x and y
-    in texels, by q_x, q_y and q_z, at the texel's centre, for the point at its distance.
-    clip_from_light C as in `map_position`.
+    distance_map (H, W), finite -> motion (H, W, 2, 3): the derivatives of eq. (2), x and y in
+    texels, with respect to q, for the point at the texel's centre and distance. C is as there.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> map_motion(np.array([[4.0, 2.0, 4.0]]), C)[0, 2] + 0.0
     array([[0.75, 0.  , 0.25],
            [0.  , 0.5 , 0.  ]])
     """
-    raise NotImplementedError("exercise 14.19: map_motion")
+    height, width = distance_map.shape
+    w = clip_from_light[3, 3] - clip_from_light[3, 2] * distance_map
+    motion = np.zeros((height, width, 2, 3))
+    # x - width / 2 = C_00 width / 2 q_x / w, so dx / dq_z = -(x - width / 2) C_32 / w.
+    motion[..., 0, 0] = clip_from_light[0, 0] * (width / 2) / w
+    motion[..., 1, 1] = clip_from_light[1, 1] * (height / 2) / w
+    from_middle = np.arange(width) + 0.5 - width / 2, np.arange(height)[:, None] + 0.5 - height / 2
+    for axis in 0, 1:
+        motion[..., axis, 2] = -from_middle[axis] * clip_from_light[3, 2] / w
+    return motion
 
 
 def moments_of(distance_map):
@@ -128,15 +145,11 @@ def moments_of(distance_map):
     return np.stack([distance_map, distance_map**2], -1)
 
 
-def moved_moments(distance_map, motion, move):  # exercise 14.20 (4 points)
-    """Eq. (10): the moments when all points have moved by a little in the light's frame.
+def moved_moments(distance_map, motion, move):  # extra 14.20 (4 points)
+    """Eq. (10): the moments (H, W, 2) of a map when all points have moved by move (3,).
 
-    distance_map (H, W), finite; motion (H, W, 2, 3) of `map_motion`; move (3,): q becomes q + move
-    -> moments (H, W, 2). With d = distance_map: first, each texel has d - move_z and its square.
-    Then, of each pair of neighbours a and b, b to the right of a or above it: the border between
-    them moves with the surface in front, by s texels to the right (or up). s is x (or y) of motion
-    @ move, of the texel with the smaller d. (Equal ones have no step between them.) Each of the two
-    loses s / 2 times (moments of b - moments of a), the moments as they were before: d and d^2.
+    distance_map d (H, W), motion (H, W, 2, 3). E_a and E_b are d and d^2 before the move. At a
+    border in x (or y), shift is x (or y) of motion @ move where d is smaller.
 
     >>> C = np.diag([1.0, 1.0, -1.0, 1.0])
     >>> distance_map = np.array([[2.0, 2.0, 3.0]])
@@ -146,10 +159,18 @@ def moved_moments(distance_map, motion, move):  # exercise 14.20 (4 points)
            [1.85, 3.25],
            [2.85, 8.25]])
     """
-    raise NotImplementedError("exercise 14.20: moved_moments")
+    moments = moments_of(distance_map)
+    moved = moments_of(distance_map - move[2])
+    for axis, a, b in PAIRS:
+        speed = motion[..., axis, :] @ move
+        shift = np.where(distance_map[a] <= distance_map[b], speed[a], speed[b])
+        change = shift[..., None] / 2 * (moments[b] - moments[a])
+        moved[a] -= change
+        moved[b] -= change
+    return moved
 
 
-def moved_moments_backward(grad_moments, distance_map, motion, move):  # exercise 14.21 (4 points)
+def moved_moments_backward(grad_moments, distance_map, motion, move):  # extra 14.21 (4 points)
     """Backward of `moved_moments` with respect to move: grad_moments (H, W, 2) -> grad_move (3,).
 
     distance_map and motion are held.
@@ -161,7 +182,18 @@ def moved_moments_backward(grad_moments, distance_map, motion, move):  # exercis
     >>> moved_moments_backward(grad_moments, distance_map, motion, np.zeros(3)) + 0.0
     array([ -6.75,   0.  , -10.  ])
     """
-    raise NotImplementedError("exercise 14.21: moved_moments_backward")
+    # moved = moments_of(d - move_z) - shift / 2 (moments[b] - moments[a]) at a and at b, and shift
+    # = motion @ move of the texel in front.
+    moments = moments_of(distance_map)
+    grad_distance = grad_moments[..., 0] + 2 * (distance_map - move[2]) * grad_moments[..., 1]
+    grad_move = np.array([0.0, 0.0, -grad_distance.sum()])
+    for axis, a, b in PAIRS:
+        grad_change = -(grad_moments[a] + grad_moments[b])
+        grad_shift = (grad_change * (moments[b] - moments[a])).sum(-1) / 2
+        in_front = (distance_map[a] <= distance_map[b])[..., None]
+        by_move = np.where(in_front, motion[..., axis, :][a], motion[..., axis, :][b])
+        grad_move += (grad_shift[..., None] * by_move).sum((0, 1))
+    return grad_move
 
 
 # --- a shadow with a gradient -----------------------------------------------------------------
@@ -195,7 +227,7 @@ def variance_shadow(points, vertices, faces, light, settings):
 def variance_shadow_backward(grad_lit, buffers, points, light, settings):
     """Backward of `variance_shadow` with respect to the light's position: grad_lit (N,) -> (3,).
 
-    A texel of the map jumps when an edge passes its centre; (10) moves the edge evenly instead. So
+    A texel of the map jumps when an edge passes its centre. (10) moves the edge evenly instead. So
     this is the slope of sums over many texels, and not of single ones. At a round body's rim, the
     texels' centres are nearer than the rim, and seem to move too far: this error falls with the
     root of the texel's size. In parallel light the gradient is 0 up to such errors: the shadow
@@ -222,7 +254,7 @@ def variance_shadow_backward(grad_lit, buffers, points, light, settings):
 
 def position_loss(target, points, vertices, faces, light, settings):
     """The mean square error of a shadow against target (N,), and its gradient with respect to the
-    light's position (3,); the others as in `variance_shadow`.
+    light's position (3,). The other arguments are those of `variance_shadow`.
     """
     if np.shape(target) != (len(points),) or len(points) == 0:
         raise ValueError("position_loss expects a target (N,), one number for each point, and at "
@@ -258,10 +290,10 @@ def step_in_light(position, grad_position, mean, square, step, rate, vertices):
 def fit_position(target, points, vertices, faces, guess, settings, schedule):
     """Where does the point light stand that casts this shadow? -> positions (steps + 1, 3).
 
-    target (N,): the lit shares of points (N, 3); guess (3,): the first position; schedule: the
+    target (N,): the lit shares of points (N, 3). guess (3,): the first position. schedule: the
     length of each step, in the world's unit, as `inverse_rendering.decay` makes. The blur's radius
     falls as the rate does. The light looks at the scene anew in each step. Found from within about
-    20 % of the scene's size and a light well above the ground; from farther it may end elsewhere.
+    20 % of the scene's size and a light well above the ground. From farther it may end elsewhere.
     """
     radii = iter([round(settings.radius * rate / schedule[0]) for rate in schedule])
 

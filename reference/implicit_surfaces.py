@@ -36,10 +36,10 @@ def sphere_backward(grad_distance, points, radius):
 
 
 def box(points, half_size):  # exercise 15.1 (2 points)
-    """Eq. (1) of a box around the origin, its sides along the axes: points (..., 3) -> (...).
+    """Eq. (1) of a box from -half_size to half_size: points (..., 3) -> distance (...).
 
-    half_size (3,), positive: the box goes from -half_size to half_size. Outside, the nearest point
-    may lie on a side, on an edge or on a corner. Inside, it is on the nearest of the six sides.
+    Outside, the nearest point may be on a side, an edge or a corner. Inside, the nearest side
+    counts.
 
     >>> box(np.array([[4.0, 6.0, 0.0], [0.0, 1.0, -2.5]]), np.array([1.0, 2.0, 3.0]))
     array([ 5. , -0.5])
@@ -48,17 +48,19 @@ def box(points, half_size):  # exercise 15.1 (2 points)
     return np.linalg.norm(np.maximum(beyond, 0), axis=-1) + np.minimum(beyond.max(-1), 0)
 
 
-def box_backward(grad_distance, points, half_size):  # exercise 15.2 (2 points)
+def box_backward(grad_distance, points, half_size):  # extra 15.2 (2 points)
     """Backward of `box`: grad_distance (...) -> grad_points (..., 3).
 
-    Outside, the distance grows fastest straight away from the nearest point of the box. Inside and
-    on the surface it does toward the nearest side, and only along that axis. If several are equally
-    near, take the first axis, and the positive one of two opposite sides.
+    Outside, the distance grows fastest straight away from the nearest point of the box. Inside, it
+    grows toward the nearest side, and only along that axis.
 
     >>> points = np.array([[4.0, 6.0, 0.0], [0.0, 1.0, -2.5]])
     >>> box_backward(np.array([10.0, 7.0]), points, np.array([1.0, 2.0, 3.0]))
     array([[ 6.,  8.,  0.],
            [ 0.,  0., -7.]])
+
+    Fine print. On the surface it is as inside. Of equally near sides take that of the first axis,
+    and the positive one of two opposite sides: a normal has length 1 everywhere.
     """
     # Outside s = |max(beyond, 0)|, which grows along this vector. Inside s is the largest beyond.
     beyond = np.abs(points) - half_size
@@ -69,11 +71,11 @@ def box_backward(grad_distance, points, half_size):  # exercise 15.2 (2 points)
     return grad_distance[..., None] * outward * slope
 
 
-def torus(points, radius, tube):  # exercise 15.3 (1 point)
+def torus(points, radius, tube):  # extra 15.3 (1 point)
     """Eq. (1) of a ring around the y axis: points (..., 3) -> distance (...).
 
-    The ring is all that is nearer than tube to a circle of this radius around the origin in the
-    plane y = 0. 0 < tube < radius.
+    The ring is all that is nearer than tube to a circle of this radius around the origin, in the
+    plane y = 0.
 
     >>> torus(np.array([[0.0, 4.0, 8.0], [3.0, 0.5, 4.0]]), 5.0, 1.0)
     array([ 4. , -0.5])
@@ -82,13 +84,14 @@ def torus(points, radius, tube):  # exercise 15.3 (1 point)
     return np.hypot(from_axis - radius, points[..., 1]) - tube
 
 
-def torus_backward(grad_distance, points, radius, tube):  # exercise 15.4 (2 points)
+def torus_backward(grad_distance, points, radius, tube):  # extra 15.4 (2 points)
     """Backward of `torus`: grad_distance (...) -> grad_points (..., 3).
-
-    On the y axis, x and z get 0. On the circle in the middle of the tube all three do.
 
     >>> torus_backward(np.array([10.0]), np.array([[4.8, 4.0, 6.4]]), 5.0, 1.0).round(9)
     array([[3.6, 8. , 4.8]])
+
+    Fine print. Where no direction is the nearest one, none is taken: on the y axis x and z get 0,
+    and on the circle in the middle of the tube all three do. One nan would end a fit.
     """
     # s = hypot(u, y) - tube with u = hypot(x, z) - radius. The gradient of a hypot is the unit
     # vector: ds/dy = y / hypot(u, y), ds/du = u / hypot(u, y), and from u on to x and z.
@@ -103,7 +106,7 @@ def torus_backward(grad_distance, points, radius, tube):  # exercise 15.4 (2 poi
 def union(a, b):
     """What belongs to one shape or the other: distances a, b (...) -> distance (...).
 
-    Outside of both it is exact, if a and b are. Inside, it can be nearer to 0 than the surface is.
+    Outside both it is exact, if a and b are. Inside, it can be nearer to 0 than the surface is.
     """
     return np.minimum(a, b)
 
@@ -127,7 +130,7 @@ def intersection_backward(grad_distance, a, b):
 
 
 def smooth_union(a, b, k):  # exercise 15.5 (1 point)
-    """Eq. (3): a union whose seam is filled where |a - b| < k. a, b (...), number k > 0 -> (...).
+    """Eq. (3): a union whose seam is filled where |a - b| < k. a, b (...), k a number -> (...).
 
     >>> smooth_union(np.array([1.0, 1.0, 5.0]), np.array([1.0, 2.0, 1.0]), 2.0)
     array([0.5  , 0.875, 1.   ])
@@ -136,11 +139,11 @@ def smooth_union(a, b, k):  # exercise 15.5 (1 point)
     return np.minimum(a, b) - k * h**2 / 4
 
 
-def smooth_union_backward(grad_distance, a, b, k):  # exercise 15.6 (2 points)
-    """Backward of eq. (3): grad_distance (...) -> grad_a, grad_b (...). k is given.
+def smooth_union_backward(grad_distance, a, b, k):  # extra 15.6 (2 points)
+    """Backward of eq. (3): grad_distance (...) -> grad_a, grad_b (...).
 
-    Nothing jumps where a = b. The two shares are never negative, and their sum is grad_distance: so
-    eq. (2) holds for the smooth union with L = 1, if it does for a and b.
+    The two shares are never negative, and their sum is grad_distance. So eq. (2) holds for the
+    smooth union with L = 1, if it does for a and b.
 
     >>> a, b = np.array([1.0, 1.0, 5.0]), np.array([1.0, 2.0, 1.0])
     >>> smooth_union_backward(np.array([4.0, 4.0, 4.0]), a, b, 2.0)
@@ -168,7 +171,7 @@ def ripples_backward(grad_ripples, points, height, frequency):
 def signed_distance(points, shape):
     """The distance of points (..., 3) to a shape of the header -> (...).
 
-    Often only a bound, see `union`. With ripples s / L is one, L = 1 + height * frequency.
+    Often it is only a bound, see `union`. With ripples s / L is one, L = 1 + height * frequency.
     ValueError, in one sentence, for what is no shape.
     """
     match shape:
@@ -247,17 +250,12 @@ def camera_rays(clip_from_world, width, height):
     return near, unit(far - near)
 
 
-def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
+def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (3 points)
                  lipschitz=1.0, epsilon=1e-5, most=200):
-    """Eq. (4): where do rays hit a shape? No point of it is nearer than s / L: so far one can go.
+    """Eq. (4): where does each ray hit a shape? -> t, evaluations (R,).
 
-    origins (R, 3), directions (R, 3) of unit length, a shape of the header, four numbers > 0
-    -> t (R,), evaluations (R,).
-
-    Each ray begins at t = 0. Evaluate s by `signed_distance` at its present t. If s < epsilon, the
-    ray has hit, and this t is its t. If not, go on by eq. (4), with L = lipschitz. Beyond far, the
-    ray has missed. So has a ray that did not hit in `most` evaluations. The t of a miss is np.inf.
-    evaluations, integers: how many times s was evaluated for the ray. R may be 0.
+    It starts at t = 0 and hits where s, the `signed_distance`, is less than epsilon. Past far, or
+    after `most` evaluations of s, it misses, and t is np.inf.
 
     >>> origins = np.array([[0.0, 0.0, 5.0], [0.0, 3.0, 5.0]])
     >>> directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, -1.0]])
@@ -281,15 +279,16 @@ def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
 
 
 def ray_weights(density, spacing):  # exercise 15.8 (2 points)
-    """Eq. (5): how much each sample on a ray adds to its colour, and what light passes them all.
+    """Eq. (5): the weights of all samples on their rays, and the light that passes them all.
 
-    density (R, N), not negative: sigma of N samples on each of R rays, from front to back, and
-    spacing (R, N): delta -> weights (R, N), remaining (R,), which is T_end, T behind the last
-    sample. The sum of a ray's weights and its remaining is 1.
+    density, spacing (R, N) -> weights (R, N), T_end (R,).
 
     >>> weights, remaining = ray_weights(np.log(2) * np.array([[1.0, 1, 0, 2]]), np.ones((1, 4)))
     >>> weights.round(9), remaining.round(9)
     (array([[0.5   , 0.25  , 0.    , 0.1875]]), array([0.0625]))
+
+    Fine print. A sum of all terms less the last one loses what lies in front of a dense wall: 0.3 +
+    1e17 - 1e17 is 0. Sum only what is needed.
     """
     thickness = density * spacing
     passed = np.exp(-np.cumsum(thickness, -1))  # T behind each sample
@@ -303,14 +302,11 @@ def volume_render(density, colour, spacing, background):
     return np.einsum("rn,rnc->rc", weights, colour) + remaining[:, None] * background
 
 
-def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 points)
+def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (3 points)
                            spacing, background):
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
-    density, colour, spacing, background as in `volume_render`. The last two are given. A sample
-    that becomes denser adds more of its own colour, and hides some of all that is behind it, the
-    background included. It must hold where no light passes, as with a density of 1e9, and where a
-    density is 0: divide by no weight and no T.
+    density, colour, spacing, background are those of `volume_render`.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
     >>> given = density, colour, np.ones((1, 2)), np.array([8.0])
@@ -318,6 +314,9 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 poi
     >>> grad_density.round(9), grad_colour.round(9)
     (array([[-250., -100.]]), array([[[50.],
             [25.]]]))
+
+    Fine print. Walls, which let no light pass, and empty space have gradients, too. So divide by no
+    weight and no T.
     """
     weights, remaining = ray_weights(density, spacing)
     along = np.einsum("rnc,rc->rn", colour, grad_output)  # the loss feels colours as these numbers

@@ -62,20 +62,16 @@ def grid_weights(points, n):
 
 
 def tetrahedron_triangles(inside):  # exercise 15.10 (4 points)
-    """The surface in one tetrahedron: inside (4,) bool, of its vertices -> (K, 3, 2) integers.
+    """The surface in one tetrahedron: inside (4,) bool, of its vertices -> triangles (K, 3, 2).
 
-    Vertex 3 sees vertices 0, 1, 2 counter-clockwise. Between a vertex inside and one outside, the
-    surface crosses the edge: such a pair of vertices, the inside one first, is one corner of a
-    triangle. The K = 0, 1 or 2 triangles (three or four edges are crossed, or none) are
-    counter-clockwise seen from the side of the vertices outside. The order of the triangles, the
-    corner that comes first, and the diagonal that cuts four corners into two triangles are free.
-
-    Of the 16 cases, derive all from 1, 2 or 3 vertices inside: an even permutation of the four
-    vertices, as (1, 2, 0, 3) or (1, 0, 3, 2), is a turn of the tetrahedron, and changes nothing
-    else. `is_odd` tells which are not even.
+    A corner is an edge, from a vertex inside to one outside. Seen from outside, triangles are
+    counter-clockwise, as vertices 0, 1, 2 are from 3. `is_odd` helps.
 
     >>> tetrahedron_triangles(np.array([True, False, False, False])).tolist()
     [[[0, 1], [0, 2], [0, 3]]]
+
+    Fine print. Without a surface it is an array (0, 3, 2). The order of the triangles, the corner
+    that comes first and the diagonal between two triangles are free.
     """
     count = inside.sum()
     order = np.argsort(~inside, kind="stable")  # those inside come first
@@ -90,10 +86,10 @@ def tetrahedron_triangles(inside):  # exercise 15.10 (4 points)
     return np.array(fan, int).reshape(-1, 3, 2)
 
 
-def crossing(p_a, p_b, s_a, s_b):  # exercise 15.11 (1 point)
+def crossing(p_a, p_b, s_a, s_b):
     """Eq. (8): the point between p_a and p_b where the distance is 0, if it is linear.
 
-    p_a, p_b (E, 3), s_a, s_b (E,), s_a < 0 <= s_b -> p (E, 3).
+    p_a, p_b (E, 3), s_a, s_b (E,) -> p (E, 3).
 
     >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
     >>> crossing(p_a, p_b, np.array([-1.0]), np.array([3.0]))
@@ -103,7 +99,8 @@ def crossing(p_a, p_b, s_a, s_b):  # exercise 15.11 (1 point)
 
 
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
-    """Backward of eq. (8): grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a, grad_s_b (E,).
+    """Backward of eq. (8), `crossing`: grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a,
+    grad_s_b (E,).
 
     >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
     >>> crossing_backward(np.array([[16.0, 0, 0]]), p_a, p_b, np.array([-1.0]), np.array([3.0]))
@@ -116,23 +113,22 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
     return (1 - t) * grad_p, t * grad_p, -grad_t * s_b / span**2, grad_t * s_a / span**2
 
 
-def marching_tetrahedra(points, distance, tetrahedra):  # exercise 15.13 (3 points)
-    """The surface of all tetrahedra as a mesh: vertices (V, 3), integers faces (F, 3), ends (V, 2).
+def marching_tetrahedra(points, distance, tetrahedra):  # extra 15.13 (3 points)
+    """The surface of all tetrahedra as a mesh: vertices (V, 3), faces (F, 3), ends (V, 2).
 
-    points (G, 3), distance (G,), and tetrahedra (T, 4), integers: vertex 3 sees 0, 1, 2
-    counter-clockwise. T may be a million: loop over the 16 cases, not over the tetrahedra. A point
-    is inside where its distance is < 0, so 0 is outside. Then vertices may be at one place and
-    faces have no area. They stay.
-    Each tetrahedron has its `tetrahedron_triangles`, whose corners are points of eq. (8). Where
-    tetrahedra share an edge they share its point. ends: the two points of the grid on whose edge
-    a vertex lies, the inside one first. Each crossed edge comes once, sorted by the first, then by
-    the second. The order of the faces and their first corner are free. No surface: V = F = 0.
+    points (G, 3), distance (G,), tetrahedra (T, 4): loop over the 16 cases, not over T. The corners
+    of `tetrahedron_triangles` are the vertices, at eq. (8)'s points, each once. ends are the grid
+    points of their edges, inside first. Vertices are sorted by them.
 
     >>> points = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]])
     >>> distance, tetrahedra = np.array([2.0, -1.0, 1.0, 2.0]), np.array([[0, 1, 2, 3]])
     >>> vertices, faces, ends = marching_tetrahedra(points, distance, tetrahedra)
     >>> vertices.tolist(), ends.tolist()
     ([[2.0, 0.0, 0.0], [1.5, 1.5, 0.0], [2.0, 0.0, 1.0]], [[1, 0], [1, 2], [1, 3]])
+
+    Fine print. A distance of 0 is outside. Then vertices may be at one place and faces have no
+    area. They stay, so that the mesh is closed. Without a surface V = F = 0. The order of the faces
+    and their first corner are free.
     """
     inside = distance < 0
     case = inside[tetrahedra] @ np.array([1, 2, 4, 8], np.uint8)

@@ -1,14 +1,14 @@
 """Multi-view fit: shape, albedo and light from pictures, by the backward pass of every lab.
 
-    scene -> surface -> colours -> picture -> loss     marching (lab 15), shading, the pipeline
-    scene <- surface <- colours <- picture <- loss     the same upwards, and lab 9's `descend`
+    scene -> surface -> normals -> colours -> pictures -> loss   marching, shading, the pipeline
+    scene <- surface <- normals <- colours <- pictures <- loss   back, then lab 9's `descend`
 
 The scene's unknowns live on lab 15's grid of G = (n + 1)^3 points over [-1, 1]^3. Where the surface
 crosses an edge of the grid, the albedo is mixed as the position is. The loss is eq. (5) of
 reconstruction.py. The gradients of carving (6), sign changes (7) and bumps are added to its own.
-Before each step, (8) spreads what belongs to distances and albedo over the grid.
+Before each step, (8) spreads the gradients of distances and albedo over the grid.
 
-The caller guarantees that the cameras are right, and that the object is within [-1, 1]^3.
+The cameras must be right, and the object within [-1, 1]^3.
 
 Sources: lecture "Differentiable graphics 1" (its last part), Shen et al. 2021, Munkberg et al.
 2022.
@@ -72,13 +72,15 @@ class Capture(NamedTuple):
 
 class Target(NamedTuple):
     """A picture (H, W, 4) to be matched, and the View that renders it, samples times as wide and
-    high. outside (H, W): the pixels that are certain to show nothing of the object.
+    high. outside (H, W): the pixels that are certain to show nothing of the object. renderer has a
+    `render` and a `render_backward` like the pipeline's.
     """
 
     picture: np.ndarray
     view: pipeline.View
     samples: int
     outside: np.ndarray
+    renderer: object = pipeline
 
 
 class Stage(NamedTuple):
@@ -177,7 +179,7 @@ def surface_backward(grad_vertices, grad_albedo, ends, x):
 # --- from the surface to the pictures, and back -------------------------------------------------
 
 
-def targets_of(capture, shrink, samples):
+def targets_of(capture, shrink, samples, renderer=pipeline):
     """The Targets of a Capture: pictures shrink times smaller, rendered with samples^2 a pixel."""
     background = np.append(capture.background, 0.0)
     found = []
@@ -185,7 +187,7 @@ def targets_of(capture, shrink, samples):
         small = msaa.box_resolve(picture, shrink)
         height, width, _ = small.shape
         view = pipeline.View(camera, samples * width, samples * height, background)
-        found.append(Target(small, view, samples, is_outside(small)))
+        found.append(Target(small, view, samples, is_outside(small), renderer))
     return found
 
 
@@ -195,22 +197,39 @@ def is_outside(picture):
     return ~np.lib.stride_tricks.sliding_window_view(around, (3, 3)).any((2, 3))
 
 
-def target_loss(target, shape, colours, weights, renderer):
-    """One Target, forward and back.
+def see(shape, colours, views):
+    """The pictures (K, H, W, 4) of K views, which are Targets, and Buffers for the way back.
 
-    -> loss, grad_vertices (V, 3), grad_colours (V, 4), and grad_level (V,) of carving, which the
-    loss does not count. shape is a pipeline.Mesh. colours are pipeline.Colours (V, 4), and the last
-    one is 1, for coverage.
+    shape is a pipeline.Mesh, colours (V, 3). Coverage, the fourth number, is 1 on the surface.
     """
-    fine, buffers = renderer.render(shape, colours, target.view)
-    picture = msaa.box_resolve(fine, target.samples)
-    loss = reconstruction.picture_loss(picture, target.picture, weights.coverage)
-    grad_picture = reconstruction.picture_loss_backward(1.0, picture, target.picture,
-                                                        weights.coverage)
-    grad_fine = msaa.box_resolve_backward(grad_picture, fine, target.samples)
-    gradients = renderer.render_backward(grad_fine, buffers, shape, colours, target.view)
-    grad_level = carving_backward(weights.carving, target, shape, buffers)
-    return loss, gradients.positions, gradients.surface.colours, grad_level
+    pictures, buffers = [], []
+    for target in itertools.starmap(Target, views):
+        fine, seen = target.renderer.render(shape, covering(colours), pipeline.View(*target.view))
+        pictures.append(msaa.box_resolve(fine, target.samples))
+        buffers.append(seen)
+    return np.stack(pictures), buffers
+
+
+def see_backward(grad_pictures, buffers, shape, colours, views):
+    """Backward of `see`: grad_pictures (K, H, W, 4) -> grad_vertices, grad_colours (V, 3).
+
+    The third result is carving's grad_level (V,), the mean over the views of eq. (6)'s gradient
+    with respect to s at the vertices. The loss does not count it.
+    """
+    found = []
+    for grad_picture, seen, target in zip(grad_pictures, buffers, itertools.starmap(Target, views),
+                                          strict=True):
+        grad_fine = msaa.box_resolve_backward(grad_picture, seen.colour, target.samples)
+        gradients = target.renderer.render_backward(grad_fine, seen, shape, covering(colours),
+                                                    pipeline.View(*target.view))
+        grad_level = carving_backward(1 / len(views), target, shape, seen)
+        found.append((gradients.positions, gradients.surface.colours[:, :3], grad_level))
+    return tuple(map(sum, zip(*found, strict=True)))
+
+
+def covering(colours):
+    """colours (V, 3), and coverage 1 beside them: pipeline.Colours (V, 4)."""
+    return pipeline.Colours(np.column_stack([colours, np.ones(len(colours))]))
 
 
 def carving_backward(grad_carving, target, shape, buffers):
@@ -224,36 +243,56 @@ def carving_backward(grad_carving, target, shape, buffers):
     return grad_level[:, 0]
 
 
-def mean_loss(targets, found, light, weights, renderer):
-    """The mean over Targets of `target_loss`, of a Surface in a light (9, 3)."""
-    colours = np.ones((len(found.vertices), 4))
-    colours[:, :3] = reconstruction.shade(found.albedo, found.normals, light)
-    shape = pipeline.make_mesh(found.vertices, found.faces)
-    parts = [target_loss(target, shape, pipeline.Colours(colours), weights, renderer)
-             for target in targets]
-    return [sum(part) / len(targets) for part in zip(*parts, strict=True)]
+def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 16.15 (5 points)
+                   weight):
+    """Eq. (5) of K views and its gradients: the arrows above, there and back.
+
+    vertices, albedo (V, 3), light (9, 3), targets (K, H, W, 4)
+    -> loss, grad_vertices, grad_albedo, grad_light, grad_level.
+    `python3 -m course demo --impl labs reconstruct` then runs your own search.
+
+    >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
+    >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])
+    >>> light[0] = 1 / reconstruction.C0
+    >>> view = Target(target, pipeline.View(np.eye(4), 1, 1, np.zeros(4)), 1, np.array([[False]]))
+    >>> loss, _, grad_albedo, _, _ = there_and_back(
+    ...     vertices, np.array([[0, 1, 2]]), np.full((3, 3), 0.5), light, [view], [target], 1.0)
+    >>> float(loss), grad_albedo.sum(0).round(6)
+    (0.25, array([0.333333, 0.333333, 0.333333]))
+    """
+    n = mesh.vertex_normals(vertices, faces)
+    colours = reconstruction.shade(albedo, n, light)
+    shape = pipeline.make_mesh(vertices, faces)
+    pictures, buffers = see(shape, colours, views)
+    loss = reconstruction.picture_loss(pictures, targets, weight)
+
+    grad_pictures = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
+    grad_vertices, grad_colours, grad_level = see_backward(grad_pictures, buffers, shape, colours,
+                                                           views)
+    grad_albedo, grad_n, grad_light = reconstruction.shade_backward(grad_colours, albedo, n, light)
+    by_normals = reconstruction.vertex_normals_backward(grad_n, vertices, faces)
+    return loss, grad_vertices + by_normals, grad_albedo, grad_light, grad_level
 
 
 # --- the fit ------------------------------------------------------------------------------------
 
 
-def loss_and_gradients(x, targets, weights=WEIGHTS, renderer=pipeline):
+def loss_and_gradients(x, targets, weights=WEIGHTS):
     """The mean loss (5) of Targets, and a Scene of gradients, also of carving and the regularizers.
 
-    renderer is as for `fit`. ValueError where no surface is left.
+    ValueError where no surface is left.
     """
     found = surface(x)
     if not len(found.faces):
         raise ValueError("no surface is left, for nothing is inside: are the cameras right?")
-    loss, grad_vertices, grad_colours, grad_level = mean_loss(targets, found, x.light,
-                                                              weights, renderer)
-    grad_albedo, grad_normals, grad_light = reconstruction.shade_backward(
-        grad_colours[:, :3], found.albedo, found.normals, x.light)
-    by_normals = reconstruction.vertex_normals_backward(grad_normals, found.vertices, found.faces)
+    pictures = np.stack([target.picture for target in targets])
+    loss, grad_vertices, grad_albedo, grad_light, grad_level = there_and_back(
+        found.vertices, found.faces, found.albedo, x.light, targets, pictures, weights.coverage)
     by_bumps, by_changes = regularizers_backward(weights, found, x)
     grad_distance, grad_offsets, grad_field = surface_backward(
-        grad_vertices + by_normals + by_bumps, grad_albedo, found.ends, x)
-    grad_distance += reconstruction.level_backward(grad_level, found.ends, x.distance)
+        grad_vertices + by_bumps, grad_albedo, found.ends, x)
+    grad_distance += reconstruction.level_backward(weights.carving * grad_level, found.ends,
+                                                   x.distance)
     return loss, Scene(grad_distance + by_changes, grad_offsets, grad_field, grad_light)
 
 
@@ -276,14 +315,14 @@ def learning_rates(stage):
     return [Scene(*factor * np.array(RATES) * [cell, cell, 1, 1]) for factor in falling]
 
 
-def stochastic_gradient(targets, per_step, rng, weights, renderer):
+def stochastic_gradient(targets, per_step, rng, weights):
     """-> gradient(x), as lab 9's `descend` takes it: of per_step Targets, drawn anew each time.
 
     Gradients in space are spread by eq. (8), but for the offsets.
     """
     def gradient(x):
         drawn = [targets[k] for k in rng.permutation(len(targets))[:per_step]]
-        loss, grad_x = loss_and_gradients(x, drawn, weights, renderer)
+        loss, grad_x = loss_and_gradients(x, drawn, weights)
         return loss, grad_x._replace(distance=reconstruction.spread(grad_x.distance, SPREAD),
                                      albedo=reconstruction.spread(grad_x.albedo, SPREAD))
     return gradient
@@ -300,8 +339,8 @@ def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=pipeline)
     x = None
     for stage in itertools.starmap(Stage, stages):
         x = start(stage.cells) if x is None else refine(x, stage.cells)
-        targets = targets_of(capture, stage.shrink, stage.samples)
-        gradient = stochastic_gradient(targets, per_step, rng, weights, renderer)
+        targets = targets_of(capture, stage.shrink, stage.samples, renderer)
+        gradient = stochastic_gradient(targets, per_step, rng, weights)
         steps = descend(x, gradient, learning_rates(stage), UPDATES, bounded)
         for x, loss in steps:
             yield x, loss

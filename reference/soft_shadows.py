@@ -4,50 +4,45 @@ A shadow map answers yes or no. These are means of its answers over places aroun
 lights, receivers and eqs. (1) to (5) are those of `shadow_mapping`.
 
     PCF:  the mean of (3) around (x, y), each at the distance of the plane there             (6)
-    PCSS: (6) over a disc of radius R (1/blocker - 1/distance) C_00 width / 2                (7)
+    PCSS: (6) over a disc of radius max(R (1/blocker - 1/distance), 0) C_00 width / 2        (7)
 
 PCF is percentage-closer filtering, PCSS percentage-closer soft shadows. Each distance is an axial
 depth, as there.
 
-Sources: Reeves et al. 1987 (6); Fernando 2005 (7).
+Sources: Reeves et al. 1987 (6), Fernando 2005 (7).
 """
 import numpy as np
 
 from .shadow_mapping import is_lit, receivers, side_of, stored_distance
 
 
-def on_plane(place, distance, slope, step):  # exercise 14.10 (2 points)
+def on_plane(place, distance, slope, step):  # extra 14.10 (2 points)
     """A place some texels away on the map, and how distant the receiver's plane is there.
 
-    place (N, 2), distance (N,), slope (N, 2): receivers; step (N, 2), or one (2,) for
-    all, in texels -> place + step (N, 2), and the distance (N,) that the plane has at the *centre*
-    of the texel which holds that place. The plane recedes by slope to a texel, as if it were flat
-    on the map. In a cone it lies a little farther: this may let light through, and is never acne.
+    place, slope (N, 2), distance (N,), step (N, 2) or (2,) -> place + step, and the distance (N,)
+    at the *centre* of the texel that holds it. From `place`, it grows by slope to a texel.
 
     >>> on_plane(np.array([[2.25, 3.5]]), np.array([7.0]), np.array([[0.5, 0.1]]), np.array([1, 2]))
     (array([[3.25, 5.5 ]]), array([7.825]))
     """
+    # In a cone the plane lies a little farther: this may let light through, and is never acne.
     there = place + step
     to_centre = np.floor(there) + 0.5 - place
     return there, distance + (slope * to_centre).sum(1)
 
 
 def steps_around(offsets, radius):
-    """Yields for each of offsets (K, 2) the step radius * offset: (1, 2), or for radius (N,),
-    (N, 2).
-    """
+    """Yields radius * offset for each of offsets (K, 2): (1, 2), or for radius (N,) (N, 2)."""
     for offset in offsets:
         yield (radius * offset[:, None]).T
 
 
 def percentage_closer(distance_map, place, distance, slope,  # exercise 14.11 (3 points)
                       bias, offsets, radius):
-    """Eq. (6): the share of places around (x, y) that light reaches -> (N,), from 0 to 1.
+    """Eq. (6): which share of the places around (x, y) does light reach? -> (N,).
 
-    The places: place + radius offsets, offsets (K, 2), radius in texels, a number or (N,); for
-    each, `is_lit` with the distance of `on_plane`. The comparisons are averaged, not the distances:
-    a mean of distances would be a surface that is nowhere. Others as in `is_lit` and `on_plane`.
-    `steps_around`, above, is given.
+    `steps_around` gives the steps, `on_plane` each place and its distance. place, slope (N, 2),
+    distance, bias, radius (N,), offsets (K, 2).
 
     >>> distance_map, one = np.array([[4.0, 4.0, 9.0, 9.0]]), np.ones(1)
     >>> offsets = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]])
@@ -61,12 +56,12 @@ def percentage_closer(distance_map, place, distance, slope,  # exercise 14.11 (3
     return lit / len(offsets)
 
 
-def blocker_distance(distance_map, place, distance, slope,  # exercise 14.12 (3 points)
+def blocker_distance(distance_map, place, distance, slope,  # extra 14.12 (3 points)
                      bias, offsets, radius):
     """The mean of the stored distances of blockers: of the places that are not lit -> (N,).
 
-    The places, and when they are lit, as in `percentage_closer`. np.inf where there is no blocker;
-    nothing is raised or warned of.
+    The places, and when they are lit, are those of `percentage_closer`. Where there is no blocker:
+    np.inf.
 
     >>> distance_map, two = np.array([[4.0, 5.0, 9.0, 9.0]]), np.ones(2)
     >>> offsets = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]])
@@ -86,13 +81,9 @@ def blocker_distance(distance_map, place, distance, slope,  # exercise 14.12 (3 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercise 14.13 (2 points)
                     width):
-    """Eq. (7): how wide the shadow's soft border is on the map, in texels -> (N,), at least 0.
+    """Eq. (7)'s radius: how wide is the soft border, in texels? -> (N,).
 
-    A disc of light_radius R in the plane q_z = 0, seen past a blocker from a point at a distance:
-    the rays to the disc's rim leave the ray to its middle. The radius is how far from it they lie
-    on the map where they pass the plane q_z = -blocker.
-    distance, blocker (N,), > 0; a blocker at np.inf, or behind the point, gives 0.
-    clip_from_light C (4, 4) of a cone, width of its map, whose texels are square.
+    distance, blocker (N,). Where nothing blocks, blocker is np.inf.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> penumbra_radius(np.array([4.0, 4.0]), np.array([2.0, np.inf]), 0.5, C, 8)
@@ -105,9 +96,9 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
 def soft_shadow(points, normals, light, distance_map, light_radius, bias, offsets):
     """PCSS, eq. (7): the lit share of points (N, 3) under a disc of light_radius -> (N,).
 
-    The disc is a point light's, and faces the scene; offsets (K, 2) are places in the unit disc.
+    The disc is a point light's, and faces the scene. offsets (K, 2) are places in the unit disc.
     distance_map (S, S): the light's, by `depth_map`. One search for blockers, where the nearest of
-    all could be; then (6) over the radius that their mean has.
+    all could be. Then (6) over the radius that their mean has.
     """
     require_disc(light, light_radius, offsets)
     size = side_of(distance_map)

@@ -68,7 +68,7 @@ def test_gradients_of_a_box_on_paper(impl):
     assert_close(impl.box_backward(grad, points, HALF), expected)
 
 
-@exercise("15.2")
+@exercise("15.2", fine_print=True)
 def test_on_the_surface_and_in_the_middle_of_a_box(impl):
     """0 / 0 on the surface; sign(0) = 0 in the middle; or equally near sides share."""
     points = np.array([[0.5, 0.3, 0.2], [0.0, -1.0, 0.0], [0.0, 0.0, 0.0], [-0.25, -0.25, 0.0]])
@@ -126,13 +126,12 @@ def test_gradients_of_a_ring_on_paper(impl):
     assert_close(impl.torus_backward(grad, points, 5.0, 1.0), expected)
 
 
-@exercise("15.4")
+@exercise("15.4", fine_print=True)
 def test_on_the_axis_and_in_the_middle_of_the_tube_nothing_is_divided_by_0(impl):
     """NaN where there is no direction."""
     points = np.array([[0.0, 0.0, 0.0], [0.0, 12.0, 0.0], [0.0, 0.0, -5.0]])
     expected = np.array([[0, 0, 0], [0, 12 / 13, 0], [0, 0, 0]])
-    with np.errstate(all="raise"):
-        assert_close(impl.torus_backward(np.ones(3), points, 5.0, 1.0), expected)
+    assert_close(impl.torus_backward(np.ones(3), points, 5.0, 1.0), expected)
 
 
 @exercise("15.4")
@@ -275,15 +274,13 @@ def test_each_ray_goes_its_own_way(impl, rng):
 
 @exercise("15.7")
 def test_the_defaults_are_those_of_the_question(impl, rng):
-    """Another L, epsilon or number of steps than the signature has; or no ray is an error."""
+    """Another L, epsilon or number of steps than the signature has."""
     origins, directions = rays(rng, 40)
     expected = np.array([traced(*ray, 9.0, 1.0, 1e-5, 200)[0]
                          for ray in zip(origins, directions, strict=True)])
     assert_close(impl.sphere_trace(origins, directions, TWO_BALLS, 9.0)[0], expected)
     _, evaluations = impl.sphere_trace(origins[:1], directions[:1], TWO_BALLS, 9.0, 1000.0)
     assert_equal(evaluations, np.array([200]))
-    t, evaluations = impl.sphere_trace(np.zeros((0, 3)), np.zeros((0, 3)), TWO_BALLS, 9.0)
-    assert_equal((t.shape, evaluations.shape), ((0,), (0,)))
 
 
 @exercise("15.7")
@@ -346,7 +343,7 @@ def test_behind_a_wall_is_nothing(impl):
     assert_close(remaining, np.array([0.0, 1.0]))
 
 
-@exercise("15.8")
+@exercise("15.8", fine_print=True)
 def test_thick_and_short_pieces(impl):
     """T is a sum less its last term, and a wall has taken the digits; or density is cut off."""
     weights, remaining = impl.ray_weights(np.array([[0.3, 1e17, 3.0], [5e4, 0.0, 1e5]]),
@@ -369,7 +366,7 @@ def test_gradients_of_one_ray_on_paper(impl):
 
 @exercise("15.9")
 def test_a_longer_piece_of_ray_feels_its_density_more(impl):
-    """The factor delta is missing in the gradient by the density."""
+    """The factor delta is missing in the gradient with respect to the density."""
     given = np.log([[2.0]]) / 5, np.array([[[7.0]]]), np.array([[5.0]]), np.array([3.0])
     grad_density, _ = impl.volume_render_backward(np.array([[1.0]]), *given)
     assert_close(grad_density, np.array([[5 * 0.5 * (7.0 - 3.0)]]))
@@ -385,14 +382,13 @@ def test_gradients_of_volumes_are_central_differences(impl, rng, channels):
               differentiable=[0, 1], name="volume_render")
 
 
-@exercise("15.9")
+@exercise("15.9", fine_print=True)
 def test_walls_and_empty_space_have_gradients(impl):
     """A weight, an opacity or T is divided by, and is 0."""
     density = np.array([[0.0, 1e9, 2.0], [0.0, 0.0, 0.0]])
     colour, background = np.array([[[1.0], [3.0], [9.0]]] * 2), np.array([5.0])
     given = density, colour, np.ones((2, 3)), background
-    with np.errstate(all="ignore"):
-        grad_density, grad_colour = impl.volume_render_backward(np.ones((2, 1)), *given)
+    grad_density, grad_colour = impl.volume_render_backward(np.ones((2, 1)), *given)
     # In front of the wall: 1 in place of 3. In empty space: each in place of the background.
     assert_close(grad_density, np.array([[-2.0, 0.0, 0.0], [-4.0, -2.0, 4.0]]))
     assert_close(grad_colour[..., 0], np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]))

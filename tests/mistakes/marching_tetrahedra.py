@@ -40,21 +40,6 @@ def tetrahedron_triangles(inside):
     return np.array(fan, int).reshape(-1, 3, 2)
 
 
-def crossing(p_a, p_b, s_a, s_b):
-    """each point is weighted with its own distance; it is that of the other one"""
-    return (p_a * s_a[:, None] - p_b * s_b[:, None]) / (s_b - s_a)[:, None]
-
-
-def crossing(p_a, p_b, s_a, s_b):
-    """it is not divided by s_b - s_a"""
-    return p_a * s_b[:, None] - p_b * s_a[:, None]
-
-
-def crossing(p_a, p_b, s_a, s_b):
-    """it is divided by the sum; s_a is negative"""
-    return (p_a * s_b[:, None] - p_b * s_a[:, None]) / (s_b + s_a)[:, None]
-
-
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the weights of both ends are swapped"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
@@ -63,7 +48,7 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
 
 
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the gradients by the distances have the wrong sign"""
+    """the gradients with respect to the distances have the wrong sign"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
     grad_t = (grad_p * (p_b - p_a)).sum(-1)
     return (1 - t) * grad_p, t * grad_p, grad_t * s_b / span**2, -grad_t * s_a / span**2

@@ -80,14 +80,14 @@ def shade(albedo, normals, light):
 
 
 def shade_backward(grad_colour, albedo, normals, light):
-    """albedo is left out of the gradient by the normals"""
+    """albedo is left out of the gradient with respect to the normals"""
     basis, grad_irradiance = sh_basis(normals), grad_colour * albedo
     return (grad_colour * (basis @ light), sh_basis_backward(grad_colour @ light.T, normals),
             basis.T @ grad_irradiance)
 
 
 def shade_backward(grad_colour, albedo, normals, light):
-    """albedo is left out of the gradient by the light"""
+    """albedo is left out of the gradient with respect to the light"""
     basis, grad_irradiance = sh_basis(normals), grad_colour * albedo
     return (grad_colour * (basis @ light), sh_basis_backward(grad_irradiance @ light.T, normals),
             basis.T @ grad_colour)
@@ -140,24 +140,6 @@ def vertex_normals_backward(grad_normals, vertices, faces):
     return grad_vertices
 
 
-def picture_loss(picture, target, weight):
-    """sums are taken for means: larger pictures have larger losses"""
-    square = (picture - target)**2
-    return square[..., :3].sum() + weight * square[..., 3].sum()
-
-
-def picture_loss(picture, target, weight):
-    """differences are not squared"""
-    square = np.abs(picture - target)
-    return square[..., :3].mean() + weight * square[..., 3].mean()
-
-
-def picture_loss(picture, target, weight):
-    """the weight is the colours', not the coverage's"""
-    square = (picture - target)**2
-    return weight * square[..., :3].mean() + square[..., 3].mean()
-
-
 def picture_loss_backward(grad_loss, picture, target, weight):
     """the 2 of the square is missing"""
     shares = np.array([1 / 3, 1 / 3, 1 / 3, weight])
@@ -165,7 +147,7 @@ def picture_loss_backward(grad_loss, picture, target, weight):
 
 
 def picture_loss_backward(grad_loss, picture, target, weight):
-    """the sign is wrong: it is the gradient by the target"""
+    """the sign is wrong: it is the gradient with respect to the target"""
     shares = np.array([1 / 3, 1 / 3, 1 / 3, weight])
     return 2 * grad_loss * shares * (target - picture) / picture[..., 0].size
 

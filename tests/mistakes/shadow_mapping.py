@@ -111,39 +111,6 @@ def distance_of_depth(depth, clip_from_light):
     return distance
 
 
-def stored_distance(distance_map, place):
-    """rows and columns are swapped: a map is indexed [y, x]"""
-    height, width = distance_map.shape
-    x, y = place.T
-    stored = np.full(x.shape, np.inf)
-    inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
-    stored[inside] = distance_map[x[inside].astype(int) % height, y[inside].astype(int) % width]
-    return stored
-
-
-def stored_distance(distance_map, place):
-    """the nearest whole number is taken; the texel that holds a place is its floor"""
-    height, width = distance_map.shape
-    x, y = place.T
-    stored = np.full(x.shape, np.inf)
-    inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
-    stored[inside] = distance_map[
-        np.minimum(np.rint(y[inside]).astype(int), height - 1),
-        np.minimum(np.rint(x[inside]).astype(int), width - 1),
-    ]
-    return stored
-
-
-def stored_distance(distance_map, place):
-    """decimals are cut off: places up to one texel left of the map or below it count as inside"""
-    height, width = distance_map.shape
-    x, y = place.T
-    stored = np.full(x.shape, np.inf)
-    inside = (x > -1) & (x < width) & (y > -1) & (y < height)
-    stored[inside] = distance_map[y[inside].astype(int), x[inside].astype(int)]
-    return stored
-
-
 def is_lit(distance_map, place, distance, bias):
     """what lies behind is lit, and what lies before is dark"""
     return distance >= stored_distance(distance_map, place) + bias

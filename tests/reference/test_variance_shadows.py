@@ -179,3 +179,35 @@ def test_a_fit_of_no_steps_stays():
     path = variance_shadows.fit_position(np.ones(len(points)), points, vertices, faces, PLACE,
                                          variance_shadows.Settings(8, 1, 1e-3), [])
     np.testing.assert_array_equal(path, [PLACE])
+
+
+def each_square(picture, radius, of):
+    """of(the pixels up to radius rows and columns away) for each pixel of a picture (H, W, C)."""
+    height, width = picture.shape[:2]
+    return np.array([[of(picture[max(i - radius, 0):i + radius + 1,
+                                 max(j - radius, 0):j + radius + 1])
+                      for j in range(width)] for i in range(height)])
+
+
+def test_sums_on_paper():
+    """Rows alone, or columns alone; the border is wrapped or left out."""
+    picture = np.array([[1.0, 2.0, 3.0], [10.0, 20.0, 30.0]])[..., None]
+    sums = variance_shadows.window_sums(picture, 1)[..., 0]
+    np.testing.assert_allclose(sums, [[33.0, 66.0, 55.0]] * 2)
+    np.testing.assert_allclose(variance_shadows.window_sums(picture, 0), picture)
+
+
+@pytest.mark.parametrize("radius", [1, 2, 3, 9])
+def test_sums_are_those_of_every_square(radius):
+    """A square is one pixel too wide; channels are mixed; a square larger than the picture."""
+    picture = np.random.default_rng(radius).normal(size=(5, 8, 2))
+    expected = each_square(picture, radius, lambda part: part.sum((0, 1)))
+    np.testing.assert_allclose(variance_shadows.window_sums(picture, radius), expected)
+
+
+@pytest.mark.parametrize("radius", [0, 1, 2, 9])
+def test_a_blur_is_the_mean_of_every_square(radius):
+    """At the border, the sum is divided by the number of pixels of a whole square."""
+    picture = np.random.default_rng(radius).normal(size=(5, 8, 3))
+    expected = each_square(picture, radius, lambda part: part.mean((0, 1)))
+    np.testing.assert_allclose(variance_shadows.box_blur(picture, radius), expected)

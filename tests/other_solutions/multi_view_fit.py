@@ -1,0 +1,23 @@
+"""The step of lab 16 once more: view by view, and the mean of what each one says."""
+import numpy as np
+
+from course.given import mesh
+from reference import multi_view_fit, pipeline, reconstruction
+
+
+def one_view(shape, colours, view, target, weight):
+    (picture,), buffers = multi_view_fit.see(shape, colours, [view])
+    loss = reconstruction.picture_loss(picture, target, weight)
+    grad_picture = reconstruction.picture_loss_backward(1.0, picture, target, weight)
+    return loss, *multi_view_fit.see_backward([grad_picture], buffers, shape, colours, [view])
+
+
+def there_and_back(vertices, faces, albedo, light, views, targets, weight):
+    normals, shape = mesh.vertex_normals(vertices, faces), pipeline.make_mesh(vertices, faces)
+    colours = reconstruction.shade(albedo, normals, light)
+    found = [one_view(shape, colours, view, target, weight)
+             for view, target in zip(views, targets, strict=True)]
+    loss, by_place, by_colour, level = (np.mean(part, 0) for part in zip(*found, strict=True))
+    paint, turned, lamps = reconstruction.shade_backward(by_colour, albedo, normals, light)
+    by_normals = reconstruction.vertex_normals_backward(turned, vertices, faces)
+    return float(loss), by_place + by_normals, paint, lamps, level
