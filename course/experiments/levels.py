@@ -37,8 +37,8 @@ def simplified(labs):
                                            faceted(labs, vertices, faces, BUNNY_EYE))
     lab12 = labs.simplification
     for face_count in 400, 100:
-        asked = lab12.mesh_quadrics(vertices, faces), lab12.valid_pairs(vertices, faces, 0.0)
-        vertices, faces = lab12.simplify_loop(vertices, faces, *asked, face_count)
+        quadrics = lab12.mesh_quadrics(vertices, faces)
+        vertices, faces = lab12.simplify_loop(vertices, faces, quadrics, face_count)
         yield f"{len(faces)} faces, by the loop", save("simplified", f"{face_count}",
                                                        faceted(labs, vertices, faces, BUNNY_EYE))
 
