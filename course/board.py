@@ -46,7 +46,7 @@ class Entry(NamedTuple):
 
 
 def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False, extra=False):
-    """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all, and show the board.
+    """Run the checks of a lab (2, rasterization), an exercise (2.3) or all, and show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
@@ -301,7 +301,8 @@ def section_of(lecture, exercise):
     sections.pop("", None)
     last = "Exercises" if sections.pop("Exercises", None) else None
     number, name = re.escape(exercise.number), re.escape(exercise.name)
-    for pattern in rf"xercises? [^\n]*(?<![\d.]){number}(?!\d)", rf"`{name}`", rf"\b{name}\b":
+    for pattern in (rf"x(?:ercise|tra)s? [^\n]*(?<![\d.]){number}(?!\d)", rf"`{name}`",
+                    rf"\b{name}\b"):
         for title, text in sections.items():
             if re.search(pattern, text):
                 return title
