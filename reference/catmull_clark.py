@@ -1,15 +1,15 @@
 """Catmull-Clark subdivision, for all polygons: one of k corners is cut in k quads.
 
-Each face gets a point f, and so does each edge A B, with f_1 and f_2 in its two faces. A vertex v
-has n neighbours, its ring. F is the mean of the face points around v, R that of the middles of its
-edges. The diagonals are the vertices across each quad from v.
+Each face gets a point f. Each edge A B gets a point, too, and f_1 and f_2 are the points of its two
+faces. A vertex v has n neighbours, its ring. F is the mean of the face points around v, R is the
+mean of the middles of its edges. The diagonals are the vertices across each quad from v.
 
     face     f = mean(corners)                                                                 (7)
     edge     (A + B + f_1 + f_2) / 4        on the boundary   1/2 (A + B)                      (8)
     vertex   (F + 2 R + (n - 3) v) / n      on the boundary   (3) with w = 1/8                 (9)
     limit    (n^2 v + 4 sum(ring) + sum(diagonals)) / (n (n + 5))    (3) with w = 1/6         (10)
 
-(3) is in subdivision.py. (10) holds for meshes of quads, which all are after one step.
+(3) is in subdivision.py. (10) holds for meshes of quads. After one step all meshes are.
 
 Sources: a lecture on geometry, Catmull and Clark 1978, Halstead et al. 1993 for (10).
 """
@@ -32,15 +32,13 @@ from .subdivision import (
     vertex_rows,
 )
 
-# Point by point
+# Point by point: slow and obvious
 
 
-def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (5 points)
-    """Eqs. (7), (9) and (8), point by point. Slow and obvious.
+def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (4 points)
+    """Eqs. (7) to (9), point by point: old vertices, edges of `faces_at_edges`, then `polygons`.
 
-    vertices (V, C) of floats, corners, counts -> the new points (V + E + F, C): the V old vertices,
-    moved, then one for each edge, in the order of `edges_of`, then one for each face. `polygons`,
-    `faces_at_edges` and `ring_of` tell who is near. A vertex of no face stays.
+    vertices (V, C), corners, counts -> (V + E + F, C). `ring_of` tells who is near.
 
     >>> square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
     >>> catmull_clark_slow(square, np.array([0, 1, 2, 3]), np.array([4]))[[0, 1, 4, 8]]
@@ -51,6 +49,8 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (5 points)
     >>> tetrahedron = np.array([0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1]), np.full(4, 3)
     >>> catmull_clark_slow(np.array([[9.0], [0.0], [0.0], [0.0]]), *tetrahedron)[[0, 4, 7, 10]].T
     array([[4.  , 3.75, 0.75, 3.  ]])
+
+    Fine print. A vertex of no face stays: eq. (9) would divide by 0.
     """
     faces = polygons(corners, counts)
     at_edge = faces_at_edges(corners, counts)
@@ -74,7 +74,7 @@ def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (5 points)
 
 
 # The same as one matrix. P adds the face points to the old vertices. From these V + F points, T
-# makes the moved vertices and the edge points. So S is T P, and below it the rows of face points.
+# makes the moved vertices and the edge points. So S is T P, with the face points' rows below it.
 
 
 def face_rows(corners, counts):
@@ -88,11 +88,11 @@ def face_rows(corners, counts):
     return face, corners, (1 / counts)[face]
 
 
-def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):  # exercise 11.11 (2 points)
+def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):  # extra 11.11 (2 points)
     """Eq. (8) for all edges: the entries (rows, columns, weights) of E rows and V + F columns.
 
-    Column v is old vertex v. Column V + f is the face point of f, which is known. V is
-    vertex_count. edges (E, 2), corner_edge (C,) of `edges_of`, counts (F,).
+    Column v is the old vertex v. Column vertex_count + f is the face point of f. edges (E, 2),
+    corner_edge (C,) of `edges_of`, counts (F,). Entries as in `loop_edge_rows`.
 
     >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
     >>> corner_edge, counts = np.array([0, 2, 1, 2, 3, 4]), np.array([3, 3])
@@ -110,12 +110,12 @@ def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):  # exerci
                 (corner_edge[inside], face_point[inside], np.full(inside.sum(), 1 / 4)))
 
 
-def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):  # exercise 11.12 (4 points)
+def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):  # extra 11.12 (4 points)
     """Eq. (9) for all old vertices: the entries (rows, columns, weights) of V rows, V + F columns.
 
     Columns as in `catmull_clark_edge_rows`. edges (E, 2), is_boundary (E,), n (V,): the valences.
-    In (9), v is also in R: collect what pulls v, and how much. A vertex at the end of a boundary
-    edge follows (3) with w = 1/8. One of valence 0 stays. `vertex_rows` may be called.
+    Write (9) as pulls at v. A vertex at the end of a boundary edge is on the boundary, one of
+    valence 0 stays: `vertex_rows` takes care of both.
 
     >>> edges = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]])  # a tetrahedron
     >>> corners, counts = np.array([0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1]), np.full(4, 3)
@@ -134,12 +134,11 @@ def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):  # exerci
                 pull_entries(corners[inside], face_point[inside], u[corners[inside]]))
 
 
-def catmull_clark_faces(corners, counts, corner_edge, vertex_count):  # exercise 11.13 (2 points)
+def catmull_clark_faces(corners, counts, corner_edge, vertex_count):  # extra 11.13 (2 points)
     """Each polygon as quads, one for each of its corners: (C, 4), in the order of `corners`.
 
-    The new vertex on edge e has the number V + e, that of face f V + E + f. V is vertex_count. The
-    quad of a corner: this vertex, the one on the edge to the next corner, that of the face, the one
-    on the edge from the corner before. corner_edge (C,): of `edges_of`, up to E - 1.
+    With V = vertex_count, edge e has the new vertex V + e, face f has V + E + f. A corner's quad is
+    itself, the vertices on its edge ahead, in the face, on its edge behind. corner_edge (C,).
 
     >>> catmull_clark_faces(np.array([0, 1, 2]), np.array([3]), np.array([0, 2, 1]), 3)
     array([[0, 3, 6, 4],
@@ -188,19 +187,19 @@ def catmull_clark(vertices, corners, counts):
 
 def catmull_clark_backward(grad_new, vertices, corners, counts):
     """Backward of `catmull_clark`: grad_new (V + E + F, C) -> grad_vertices (V, C)."""
-    # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient of old_j adds
-    # up S_ij grad_new_i over all i, which is S^T grad_new.
+    # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient with respect
+    # to old_j is the sum of S_ij grad_new_i over i, which is S^T grad_new.
     return catmull_clark_matrix(corners, counts, len(vertices)).T @ np.asarray(grad_new)
 
 
 # The limit
 
 
-def catmull_clark_limit_rows(edges, is_boundary, quads, n):  # exercise 11.15 (3 points)
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):  # extra 11.15 (3 points)
     """Eq. (10) for all vertices of a mesh of quads (F, 4): entries of V rows and V columns.
 
-    edges (E, 2), is_boundary (E,), n (V,): the valences. A vertex at the end of a boundary edge has
-    the limit of (3) with w = 1/6. One of valence 0 stays. `vertex_rows` may be called.
+    edges (E, 2), is_boundary (E,), n (V,): the valences. On the boundary and at valence 0,
+    `vertex_rows` is right as it is.
 
     >>> quads = np.array([[0, 1, 3, 2], [2, 3, 1, 0]])  # a square, front and back
     >>> edges, is_boundary = np.array([[0, 1], [0, 2], [1, 3], [2, 3]]), np.zeros(4, bool)

@@ -2,15 +2,15 @@
 
     least error under Q_a + Q_b  >=  least error under Q_a            of any pair          (1)
 
-Quadrics are only ever added to, so by (1) the least error of a pair never falls. An entry of the
-heap that is out of date comes to the top too early, never too late: it is soon enough to compute
-its cost again there (a lazy update). Where eq. (6) or (7) of lab 12 gave the position a cost may
-fall, though seldom. The order then differs from that of `simplify_loop`.
+Quadrics only grow, so by (1) the least error of a pair never falls. A heap entry that is out of
+date comes to the top too early, never too late. Its cost need not be computed again before it is
+there: a lazy update. If eq. (6) or (7) of lab 12 gave the position, a cost may fall, though seldom.
+Then the order differs from that of `simplify_loop`.
 
 An open surface is closed first: each boundary edge gets a face to one more vertex, `outside`. Then
 the link condition protects holes and rims as well.
 
-Sources: lecture "Geometry, advanced"; Garland and Heckbert 1997.
+Sources: lecture "Geometry, advanced", Garland and Heckbert 1997.
 """
 import heapq
 import numbers
@@ -23,30 +23,29 @@ from course.given import inputs, mesh
 
 from .simplification import (
     REASONS,
-    best_position,
     mesh_quadrics,
-    quadric_error,
+    pair_costs,
     valid_pairs,
     why_refused,
 )
 
 
 class State(NamedTuple):
-    """Where the collapses stand. All of it changes in place; after each colon: who changes it.
+    """What changes in place from collapse to collapse.
 
     An entry is (cost, a, b, the pair's age when the entry was made, position). A pair's age is the
     sum of its vertices' ages.
     """
 
-    vertices: np.ndarray  # (V, 3): simplify_heap
-    quadrics: np.ndarray  # (V, 4, 4): simplify_heap
-    became: list  # what each vertex has become, at first itself: simplify_heap (root: shortcuts)
-    age: np.ndarray  # (V,) integers, at first 0: simplify_heap
-    rows: list  # the faces of the closed surface, [] for one that is gone: merge
-    rows_at: list  # for each vertex and `outside`, the set of its rows' numbers: merge
-    heap: list  # of entries: simplify_heap, out_of_date, has_cheapest, put_back
-    known: set  # (a, b, age) of the pairs that were brought up to date: out_of_date
-    waiting: dict  # vertex -> the refused entries there: simplify_heap, put_back
+    vertices: np.ndarray  # (V, 3)
+    quadrics: np.ndarray  # (V, 4, 4)
+    became: list  # what each vertex has become, at first itself
+    age: np.ndarray  # (V,) integers, at first 0
+    rows: list  # the faces of the closed surface, [] for one that is gone
+    rows_at: list  # for each vertex and `outside`, the set of its rows' numbers
+    heap: list  # of entries
+    known: set  # (a, b, age) of the pairs that were brought up to date
+    waiting: dict  # vertex -> the refused entries there
 
 
 def start(vertices, faces, quadrics, pairs):
@@ -75,9 +74,9 @@ def incidence(faces, vertex_count):
 
 
 def merge(state, a, b):
-    """`collapse_faces` in rows and rows_at -> how many faces went, those to outside left out.
+    """`collapse_faces` in rows and rows_at -> how many faces went, not counting those to outside.
 
-    Two faces to outside that have become twins go, too: there, two boundaries are sewn together.
+    Two faces to outside that have become twins go, too: two boundaries are sewn together there.
     """
     rows, rows_at = state.rows, state.rows_at
     outside = len(state.vertices)
@@ -95,24 +94,22 @@ def merge(state, a, b):
 
 
 def seam(state, numbers):
-    """The rows of these numbers that have a twin, both faces to outside -> their numbers."""
+    """The numbers of those among these rows that go to outside and have a twin."""
     outside = len(state.vertices)
     sides = {f: set(state.rows[f]) for f in numbers if outside in state.rows[f]}
     return {f for f, side in sides.items() if list(sides.values()).count(side) == 2}
 
 
 def entries(state, pairs):
-    """What the heap holds of pairs (N, 2), see `State`."""
+    """The heap's entries for pairs (N, 2), see `State`."""
     a, b = pairs.T
-    q = state.quadrics[a] + state.quadrics[b]
-    positions = best_position(q, state.vertices[a], state.vertices[b])
-    costs = quadric_error(q, positions).tolist()
-    ages = (state.age[a] + state.age[b]).tolist()
-    return list(zip(costs, a.tolist(), b.tolist(), ages, positions.tolist(), strict=True))
+    positions, costs = pair_costs(state.vertices, state.quadrics, pairs)
+    columns = costs, a, b, state.age[a] + state.age[b], positions
+    return list(zip(*[np.asarray(column).tolist() for column in columns], strict=True))
 
 
 def root(became, vertex):
-    """What a vertex has become in all collapses so far. The chain is cut short on the way."""
+    """What a vertex has become in all collapses so far. This shortens the chain on the way."""
     while became[vertex] != vertex:
         became[vertex] = became[became[vertex]]
         vertex = became[vertex]
@@ -120,10 +117,10 @@ def root(became, vertex):
 
 
 def out_of_date(state):
-    """Take what is out of date from the top of the heap -> its pairs (N, 2), to be made anew.
+    """Take the out-of-date entries from the top of the heap -> pairs (N, 2) to make anew.
 
-    An entry is out of date if a vertex of it has merged since it was made. The pair of what its
-    vertices became stands for it, once at each age (`known`).
+    An entry is out of date if one of its vertices has merged since it was made. It becomes the pair
+    of what its vertices have become, once at each age (`known`).
     """
     pairs = []
     while state.heap:
@@ -140,7 +137,7 @@ def out_of_date(state):
 
 
 def has_cheapest(state):
-    """Lazy update: make entries anew until the heap's top is up to date -> bool, is there one?"""
+    """Lazy update: make entries anew until the heap's top is up to date. -> bool, is there one?"""
     while len(pairs := out_of_date(state)):
         for entry in entries(state, pairs):
             heapq.heappush(state.heap, entry)
@@ -148,7 +145,7 @@ def has_cheapest(state):
 
 
 def put_back(state, around):
-    """Refused entries that wait at one of the vertices around go back to the heap."""
+    """Put refused entries that wait at one of the vertices around back on the heap."""
     for vertex in around:
         for entry in state.waiting.pop(vertex, ()):
             for other in {entry[1], entry[2]} & state.waiting.keys():
@@ -156,21 +153,37 @@ def put_back(state, around):
             heapq.heappush(state.heap, entry)
 
 
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.16 (6 points)
-    """`simplify_loop` by a heap with lazy updates. The faces may have a boundary.
+def rows_around(state, a, b):
+    """The rows at a or b: (N, 3)."""
+    return np.array([state.rows[f] for f in state.rows_at[a] | state.rows_at[b]])
 
-    -> vertices (V, 3), faces (F', 3) in their order, refused (3,): how often, for each of REASONS.
 
-    `start` gives the state. While there are more than face_count faces and `has_cheapest`, pop the
-    entry at the top of the heap and ask `why_refused`; its faces are the rows at a or b. If it is
-    refused, count that, each time, and append the entry to waiting[a] and to waiting[b]. Else:
+def wait(state, entry):
+    """Let a refused entry wait at both of its vertices, until `put_back`."""
+    _, a, b, *_ = entry
+    for vertex in (a, b):
+        state.waiting.setdefault(vertex, []).append(entry)
 
-    - `merge` the rows, which says how many faces went;
-    - you set vertices[a] and quadrics[a] as in `simplify_loop`, became[b] = a, and age[a] to 1 more
-      than the pair's age; the given functions only read them;
-    - `put_back` what waits at a, b or a neighbour of either (before the merge).
 
-    Faces to `outside`, the vertex number V, count neither in face_count nor in the result.
+def collapse(state, entry):
+    """Make one vertex, a, of an entry's pair a, b -> how many faces went, see `merge`."""
+    _, a, b, age, position = entry
+    around = set(rows_around(state, a, b).ravel().tolist())
+    count = merge(state, a, b)
+    state.vertices[a] = position
+    state.quadrics[a] += state.quadrics[b]
+    state.became[b] = a
+    state.age[a] = age + 1
+    put_back(state, around)
+    return count
+
+
+def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # extra 12.16 (4 points)
+    """`simplify_loop` by a heap: vertices (V, 3), faces (F', 3), refused (3,), one for each reason.
+
+    Begin with `start`. While more than face_count faces are left and `has_cheapest`, pop the heap's
+    top. `why_refused` asks about its `rows_around`. Either count the reason and let the entry
+    `wait`, or `collapse` it, which says how many faces went. End with `open_faces`.
 
     >>> vertices, faces = mesh.grid(32)
     >>> q, pairs = mesh_quadrics(vertices, faces), valid_pairs(vertices, faces, 0.0)
@@ -183,32 +196,25 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # exercise 12.
     refused = np.zeros(3, int)
     while count > face_count and has_cheapest(state):
         entry = heapq.heappop(state.heap)
-        _, a, b, age, position = entry
-        around = np.array([state.rows[f] for f in state.rows_at[a] | state.rows_at[b]])
-        reason = why_refused(state.vertices, around, a, b, np.array(position))
+        _, a, b, _, position = entry
+        reason = why_refused(state.vertices, rows_around(state, a, b), a, b, np.array(position))
         if reason:
             refused[reason - 1] += 1
-            state.waiting.setdefault(a, []).append(entry)
-            state.waiting.setdefault(b, []).append(entry)
+            wait(state, entry)
         else:
-            count -= merge(state, a, b)
-            state.vertices[a] = position
-            state.quadrics[a] += state.quadrics[b]
-            state.became[b] = a
-            state.age[a] = age + 1
-            put_back(state, set(around.ravel().tolist()))
+            count -= collapse(state, entry)
     return state.vertices, open_faces(state), refused
 
 
 def open_faces(state):
-    """The rows that are left, without those to outside: (F, 3)."""
+    """The rows that are left, except those to outside: (F, 3)."""
     outside = len(state.vertices)
     left = [row for row in state.rows if row and outside not in row]
     return np.array(left, int).reshape(-1, 3)
 
 
 def plain_faces(faces):
-    """Of faces (F, 3) with the same three vertices the first; none that names a vertex twice."""
+    """The faces (F, 3) without repeated ones, and without those that name a vertex twice."""
     ascending = np.sort(faces, axis=1)
     first = np.unique(ascending, axis=0, return_index=True)[1]
     return faces[np.intersect1d(first, np.flatnonzero((np.diff(ascending) > 0).all(1)))]
@@ -217,10 +223,10 @@ def plain_faces(faces):
 def simplify(vertices, faces, face_count, t=0.0):
     """A mesh of at most face_count faces -> vertices (V', 3), faces (F', 3), refused (3,).
 
-    Pairs nearer than t become one as well, which closes cracks and joins parts. With t = 0, what
-    was manifold stays so, boundary and topology included. If every pair that is left is refused, a
+    Pairs nearer than t may become one as well, which closes cracks and joins parts. With t = 0, a
+    manifold stays one, with its boundary and topology. If every pair that is left is refused, a
     warning says so, and the mesh has more faces. refused counts by REASONS.
-    ValueError for what is no mesh, for a negative t or face_count, or nan.
+    ValueError unless this is a mesh, and t and face_count are numbers of at least 0.
     """
     inputs.require_mesh(vertices, faces)
     faces = plain_faces(np.asarray(faces, int))
@@ -246,6 +252,6 @@ def simplify(vertices, faces, face_count, t=0.0):
 
 
 def without_unused(vertices, faces):
-    """The mesh without the vertices of no face, in their order."""
+    """The mesh without unused vertices. The others keep their order."""
     used, faces = np.unique(faces, return_inverse=True)
     return vertices[used], faces.reshape(-1, 3)

@@ -1,13 +1,13 @@
 """Loop subdivision, for triangles: each is cut in four, and all points move.
 
 An old vertex moves by (3) of subdivision.py. Inside, u depends on its valence n. On the boundary, w
-is 1/8. An edge A B gets a new point, with C and D opposite to it in its two faces.
+is 1/8. An edge A B gets a new point. C and D are the corners opposite to it in its two faces.
 
     u = 3/16 for n = 3, else 3/(8 n)  (Warren)    (5/8 - (3/8 + cos(2 pi/n)/4)^2)/n  (Loop)    (4)
     edge     3/8 (A + B) + 1/8 (C + D)      on the boundary   1/2 (A + B)                      (5)
     limit    (3) with m for u, m = 1/(n + 3/(8 u))            on the boundary   w = 1/6        (6)
 
-Both formulas of (4) go by Loop's name. They agree at the valences 3 and 6 only.
+Both formulas of (4) are known as Loop's. They agree only at valences 3 and 6.
 
 Sources: a lecture on geometry, Loop 1987, Warren 1995.
 """
@@ -26,7 +26,7 @@ from .subdivision import (
     vertex_rows,
 )
 
-# Point by point
+# Point by point: slow and obvious
 
 
 def warren_weight(n):
@@ -48,12 +48,11 @@ def loop_weight(n):  # exercise 11.4 (1 point)
 
 
 def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
-    """Eqs. (3) and (5), vertex by vertex and edge by edge. Slow and obvious.
+    """Eqs. (3) and (5), point by point: the old vertices, then the edges of `faces_at_edges`.
 
-    vertices (V, C) of floats, faces (F, 3), u (V,): the weight of each vertex -> the new points
-    (V + E, C): the V old vertices, moved, then one for each edge, in the order of `edges_of`. C is
-    any number of coordinates: 3 in space, 2 for uv. `faces_at_edges` and `ring_of` tell who is
-    near. A vertex of no face stays. On the boundary, u is not used.
+    vertices (V, C), faces (F, 3), u (V,) -> (V + E, C). `ring_of` tells who is near.
+
+    Your own smooth mesh: python3 -m course demo --impl labs rounded
 
     >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     >>> loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
@@ -82,13 +81,14 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
     return np.stack(points)
 
 
-# The same as one matrix
+# The same as one matrix, S. Its transpose is the gradient.
 
 
 def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
-    """Eq. (5) for all edges: the entries (rows, columns, weights) of E rows and V columns.
+    """Eq. (5) as rows of S: the entries (rows, columns, weights) of E rows and V columns.
 
-    faces (F, 3). edges (E, 2) and corner_edge (3 F,), as `edges_of` gives them for faces.ravel().
+    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`. Entries come in any order, and
+    those of one place add up. `on_boundary` is given.
 
     >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
     >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
@@ -106,11 +106,10 @@ def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
 
 
 def loop_faces(faces, corner_edge, vertex_count):  # exercise 11.9 (2 points)
-    """Each triangle as four: faces (F, 3), corner_edge (3 F,) of `edges_of` -> (4 F, 3).
+    """Each triangle A B C becomes (A, AB, CA), (AB, B, BC), (CA, BC, C), (AB, BC, CA).
 
-    The new vertex on edge e has the number vertex_count + e. Let a face have the corners A, B, C
-    and the new vertices AB, BC, CA on its edges. Its four rows are (A, AB, CA), (AB, B, BC),
-    (CA, BC, C), (AB, BC, CA): corner k of child k is the old one, the last is in the middle.
+    faces (F, 3), corner_edge (3 F,) of `edges_of` -> (4 F, 3). The new vertex on edge e has the
+    number vertex_count + e.
 
     >>> loop_faces(np.array([[0, 1, 2]]), np.array([0, 2, 1]), 3)
     array([[0, 3, 4],
@@ -155,8 +154,8 @@ def loop(vertices, faces, weight=warren_weight):
 
 def loop_backward(grad_new, vertices, faces, weight=warren_weight):
     """Backward of `loop`: grad_new (V + E, C) -> grad_vertices (V, C)."""
-    # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient of old_j adds
-    # up S_ij grad_new_i over all i, which is S^T grad_new.
+    # Eq. (2): S_ij is the derivative of new_i with respect to old_j. So the gradient with respect
+    # to old_j is the sum of S_ij grad_new_i over i, which is S^T grad_new.
     return loop_matrix(faces, len(vertices), weight).T @ np.asarray(grad_new)
 
 
@@ -164,7 +163,7 @@ def loop_backward(grad_new, vertices, faces, weight=warren_weight):
 
 
 def limit_weight(n, u):  # exercise 11.14 (1 point)
-    """Eq. (6): m (...), from the valences n (...) and the weights u (...) > 0 of (4).
+    """Eq. (6): valences n (...) and their weights u (...) of eq. (4) -> m (...).
 
     >>> limit_weight(np.array([6]), np.array([1 / 16])).round(9)
     array([0.08333333])
@@ -173,9 +172,9 @@ def limit_weight(n, u):  # exercise 11.14 (1 point)
 
 
 def loop_limit_matrix(faces, vertex_count, weight=warren_weight):
-    """Eq. (6): sparse (V, V), which moves the vertices to where infinitely many steps take them.
+    """Eq. (6): sparse (V, V). It moves each vertex to its place after infinitely many steps.
 
-    faces (F, 3), weight: the one of the steps. ValueError: see `topology`.
+    faces (F, 3), weight: that of the steps. ValueError: see `topology`.
     """
     edges, _, is_boundary = topology(*triangles(faces), vertex_count)
     n = np.maximum(valences(edges, vertex_count), 1)

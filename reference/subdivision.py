@@ -1,19 +1,18 @@
 """Subdivision: a coarse mesh becomes a fine one, and in the limit a smooth surface.
 
-    V - E + F = 2 - 2 g - b           for one piece that has two sides                         (1)
+    V - E + F = 2 - 2 g - b           for one piece with two sides                             (1)
     new_i = sum_j S_ij old_j          grad_old_j = sum_i S_ij grad_new_i                       (2)
     vertex   (1 - n u) v + u sum(ring)      on the boundary   (1 - 2 w) v + w (a + b)          (3)
 
-(1) checks who is near whom: g counts the handles, b the closed boundary curves. (2) is one step of
-subdivision. S has a row for each new point, and depends on connectivity only. (3) is the row of an
-old vertex v: its ring is its n neighbours, a and b are its neighbours along the boundary. u and w
-are what a scheme chooses. The schemes have modules of their own, loop_subdivision.py for triangles
-and catmull_clark.py for all polygons.
+In (1), g counts the handles and b the closed boundary curves. (2) is one step of subdivision. S has
+a row for each new point, and depends on connectivity only. (3) is the row of an old vertex v. Its
+ring is its n neighbours, and a and b are its neighbours along the boundary. Each scheme chooses its
+own u and w: see loop_subdivision.py for triangles, catmull_clark.py for all polygons.
 
 Polygons are two arrays: corners (C,), the vertices of all faces in a row, and counts (F,), how many
 of them belong to each face. `topology` says which meshes are accepted.
 
-Sources: a lecture on geometry, and those that the modules of the two schemes name.
+Sources: a lecture on geometry, and the sources in the modules of the two schemes.
 """
 import numpy as np
 import scipy.sparse
@@ -23,7 +22,7 @@ import scipy.sparse.csgraph
 
 
 def next_corner(counts):
-    """Where in `corners` the next corner of the same face stands: counts (F,) -> (C,).
+    """The index in `corners` of the next corner of the same face: counts (F,) -> (C,).
 
     >>> next_corner(np.array([3, 4]))
     array([1, 2, 0, 4, 5, 6, 3])
@@ -43,12 +42,11 @@ def face_of_corner(counts):
     return np.repeat(np.arange(len(counts)), np.asarray(counts, np.int64))
 
 
-def edges_of(corners, counts):  # exercise 11.1 (3 points)
-    """The edges (E, 2) of a mesh, and corner_edge (C,): the number of the edge that runs from each
-    corner to the next corner of its face (`next_corner`).
+def edges_of(corners, counts):  # exercise 11.1 (2 points)
+    """Each edge once, and for each corner the number of its edge to the next corner of its face.
 
-    corners (C,) and counts (F,), F >= 1. An edge is a pair of vertices, low < high. It is there
-    once, however many faces have it. Edges ascend: by low, and those of equal low by high.
+    corners (C,), counts (F,) -> edges (E, 2), sorted pairs low < high, and corner_edge (C,).
+    `next_corner` is given.
 
     >>> edges_of(np.array([0, 1, 2, 2, 1, 3]), np.array([3, 3]))  # two triangles with the edge 1 2
     (array([[0, 1],
@@ -57,9 +55,9 @@ def edges_of(corners, counts):  # exercise 11.1 (3 points)
            [1, 3],
            [2, 3]]), array([0, 2, 1, 2, 3, 4]))
 
-    Fine print. Both arrays may be of any integer types, and vertices may have large numbers.
+    Fine print. Vertices may have large numbers, so a table of V by V places would not fit.
     """
-    start = corners.astype(np.int64)  # a product of two narrow numbers would not fit
+    start = corners.astype(np.int64)  # the product of two narrow integers would not fit
     end = start[next_corner(counts)]
     vertex_count = start.max() + 1
     key = np.minimum(start, end) * vertex_count + np.maximum(start, end)
@@ -68,7 +66,7 @@ def edges_of(corners, counts):  # exercise 11.1 (3 points)
 
 
 def on_boundary(corner_edge):
-    """Which edges belong to one face only: corner_edge (C,) of `edges_of` -> bool (E,).
+    """Which edges belong to only one face: corner_edge (C,) of `edges_of` -> bool (E,).
 
     >>> on_boundary(np.array([0, 2, 1, 2, 3, 4]))
     array([ True,  True, False,  True,  True])
@@ -77,7 +75,7 @@ def on_boundary(corner_edge):
 
 
 def valences(edges, vertex_count):
-    """How many edges end at each vertex: edges (E, 2) -> n (V,), 0 for a vertex of no edge.
+    """How many edges end at each vertex: edges (E, 2) -> n (V,), 0 where there is none.
 
     >>> valences(np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]]), 5)
     array([2, 3, 3, 2, 0])
@@ -85,12 +83,12 @@ def valences(edges, vertex_count):
     return np.bincount(edges.ravel(), minlength=vertex_count)
 
 
-def is_extraordinary(valence, at_boundary, regular):  # exercise 11.2 (1 point)
-    """Which vertices are not as in a regular grid: bool (V,).
+def is_extraordinary(valence, at_boundary, regular):
+    """Which vertices differ from those of a regular grid: bool (V,).
 
     valence (V,), at_boundary (V,) bool. regular is 6 for a mesh of triangles, 4 for one of quads.
-    A regular vertex has valence `regular` inside. On the boundary, where half of the faces are, it
-    has `regular / 2 + 1`. All others are extraordinary, but not those of valence 0.
+    A regular vertex has valence `regular` inside. On the boundary, where half of its faces are
+    missing, it has `regular / 2 + 1`. A vertex of valence 0 is not extraordinary.
 
     >>> at_boundary = np.array([False, False, True, True, False])
     >>> is_extraordinary(np.array([6, 4, 4, 6, 0]), at_boundary, 6)
@@ -100,7 +98,7 @@ def is_extraordinary(valence, at_boundary, regular):  # exercise 11.2 (1 point)
     return (valence != expected) & (valence > 0)
 
 
-def euler_characteristic(corners, counts):  # exercise 11.3 (1 point)
+def euler_characteristic(corners, counts):
     """Eq. (1): V - E + F, an integer. corners (C,), counts (F,), F >= 1.
 
     V counts the vertices that are corners of a face, and no others.
@@ -111,7 +109,7 @@ def euler_characteristic(corners, counts):  # exercise 11.3 (1 point)
     return len(np.unique(corners)) - len(edges_of(corners, counts)[0]) + len(counts)
 
 
-# The same for one face, edge or vertex at a time, as the slow versions of both schemes need it
+# The same for one face, edge or vertex at a time: the slow versions of both schemes use it
 
 
 def polygons(corners, counts):
@@ -129,7 +127,7 @@ def faces_at_edges(corners, counts):
 
 
 def ring_of(v, at_edge):
-    """Two lists: the neighbours of vertex v, and those of them that are along the boundary.
+    """Two lists: the neighbours of vertex v, and the two of them along the boundary.
 
     at_edge: from `faces_at_edges`. The second list is empty for a vertex inside.
     """
@@ -151,12 +149,12 @@ def join(*entries):
     return tuple(np.concatenate(part) for part in zip(*entries, strict=True))
 
 
-def pull_entries(rows, columns, u):  # exercise 11.6 (2 points)
-    """The entries of sums of pulls: each adds u (x_column - x_row) to the new point of its row.
+def pull_entries(rows, columns, u):  # extra 11.6 (2 points)
+    """The entries of pulls: each adds u (x_column - x_row) to the new point of its row.
 
-    rows, columns, u (N,) -> rows, columns, weights of entries, as many as you like, in any order.
-    All old vertices move by such pulls: a row of S is 1 on the diagonal, and pulls. So its sum is 1
-    whatever u is. Entries are compared by the matrix that they add up to, here and below.
+    rows, columns, u (N,) -> rows, columns, weights, in any order. Entries of one place add up.
+
+    The row of an old vertex is 1 on the diagonal, and pulls. So its sum is 1 whatever u is.
 
     >>> pull_entries(np.array([5]), np.array([2]), np.array([0.25]))
     (array([5, 5]), array([2, 5]), array([ 0.25, -0.25]))
@@ -165,12 +163,11 @@ def pull_entries(rows, columns, u):  # exercise 11.6 (2 points)
             np.concatenate([u, -u]))
 
 
-def vertex_rows(edges, is_boundary, u, w):  # exercise 11.7 (4 points)
+def vertex_rows(edges, is_boundary, u, w):  # extra 11.7 (4 points)
     """Eq. (3) for all old vertices: the entries (rows, columns, weights) of V rows and V columns.
 
-    edges (E, 2), is_boundary (E,) bool, u (V,), w a number. Inside, v is pulled by u[v] to each
-    neighbour. A vertex at the end of a boundary edge is pulled by w to each neighbour along such
-    edges. It is pulled to no other, and its u is not used. A vertex of no edge stays.
+    edges (E, 2), is_boundary (E,) bool, u (V,), w a number. A vertex at the end of boundary edges
+    is pulled by w along these alone. A vertex of no edge stays. `pull_entries` may be called.
 
     >>> edges, is_boundary = np.array([[0, 1], [1, 2]]), np.array([True, False])
     >>> entries = vertex_rows(edges, is_boundary, np.array([9.0, 9.0, 0.5, 9.0]), 0.125)
@@ -196,10 +193,10 @@ def vertex_rows(edges, is_boundary, u, w):  # exercise 11.7 (4 points)
 def topology(corners, counts, vertex_count):
     """The edges (E, 2), corner_edge (C,) and is_boundary (E,) of a sound mesh.
 
-    ValueError for any other: at an edge at most two faces meet, and at a vertex one fan of faces.
-    Vertices may be unused or in one place, and faces without area. Boundaries and handles may be
-    many. Faces may be wound either way, for no rule asks for it. The same face twice, and nothing
-    beside it, is sound, too: a closed pillow.
+    ValueError for any other. In a sound mesh at most two faces meet at an edge, and one fan of
+    faces at a vertex. There may be unused vertices, several vertices in one place, faces without
+    area, and any number of boundaries and handles. Faces may be wound either way, because no rule
+    depends on it. One face twice, and nothing else, is sound as well: a closed pillow.
     """
     corners, counts = as_polygons(corners, counts)
     check_corners(corners, counts, vertex_count)
@@ -218,7 +215,7 @@ def topology(corners, counts, vertex_count):
 
 
 def triangles(faces):
-    """faces (F, 3) -> corners, counts. ValueError for what is no such array of integers."""
+    """faces (F, 3) -> corners, counts. ValueError for anything else than such integers."""
     faces = np.asarray(faces)
     if faces.ndim != 2 or faces.shape[1] != 3 or len(faces) == 0 or faces.dtype.kind not in "iu":
         raise ValueError("faces must be an array (F, 3) of integers, F >= 1; "
@@ -227,7 +224,7 @@ def triangles(faces):
 
 
 def as_polygons(corners, counts):
-    """Both as int64. ValueError for what is no row of integers, and for counts that do not fit."""
+    """Both as int64. ValueError unless both are rows of integers, and the counts fit."""
     corners, counts = np.asarray(corners), np.asarray(counts)
     for name, numbers in (("corners", corners), ("counts", counts)):
         if numbers.ndim != 1 or len(numbers) == 0 or numbers.dtype.kind not in "iu":
@@ -242,7 +239,7 @@ def as_polygons(corners, counts):
 
 
 def check_corners(corners, counts, vertex_count):
-    """ValueError unless each face names vertices that are there, and none of them twice."""
+    """ValueError unless each face names existing vertices, and none of them twice."""
     face = face_of_corner(counts)
     outside = (corners < 0) | (corners >= vertex_count)
     if outside.any():
@@ -257,8 +254,9 @@ def check_corners(corners, counts, vertex_count):
 
 
 def fans(corners, counts, edges, corner_edge):
-    """The number of each corner's fan: (C,), from 0. A fan is the faces at a vertex that hang
-    together by edges there."""
+    """The number of each corner's fan: (C,), from 0. A fan is a set of faces at a vertex that are
+    connected by edges there.
+    """
     # An edge has two ends, low and high, which its faces share. At each corner an edge arrives and
     # the next one leaves: their ends there belong to one fan.
     is_high = corners == edges[corner_edge, 1]
@@ -271,9 +269,9 @@ def fans(corners, counts, edges, corner_edge):
 
 
 def split_fans(corners, counts):
-    """Each fan gets a vertex of its own, and vertices of no face go: -> corners (C,), origin (V',).
+    """Give each fan a vertex of its own, drop unused vertices: -> corners (C,), origin (V',).
 
-    origin: the old vertex that each new one is a copy of, so that its place is vertices[origin].
+    origin: the old vertex that each new one is a copy of. The new positions are vertices[origin].
     ValueError: see `as_polygons` and `check_corners`.
 
     >>> split_fans(np.array([0, 1, 2, 2, 3, 4]), np.array([3, 3]))[1]  # two triangles, tip to tip

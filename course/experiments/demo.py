@@ -27,6 +27,7 @@ from . import (
     fit_volume,
     flight,
     large_steps,
+    levels,
     msaa,
     portrait,
     reconstruct,
@@ -38,7 +39,8 @@ from . import (
 SCENES = {scene.__name__: scene for scene in (
     portrait.bunny, portrait.teapot, flight.flight, aliasing.aliasing, msaa.msaa,
     fit_triangle.fit_triangle, fit_cube.fit_cube, fit_pose.fit_pose, fit_texture.fit_texture,
-    fit_bunny.fit_bunny, fit_outlines.fit_outlines, relaxation.relaxation, large_steps.large_steps,
+    fit_bunny.fit_bunny, fit_outlines.fit_outlines, levels.rounded, levels.simplified,
+    relaxation.relaxation, large_steps.large_steps,
     shadow.shadow, representations.representations, fit_volume.fit_volume, reconstruct.reconstruct,
     ablations.ablations)}
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",

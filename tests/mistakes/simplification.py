@@ -1,26 +1,6 @@
 """Mistakes of lab 12; each docstring goes on after "this is what comes out when"."""
 
 
-def face_planes(vertices, faces):
-    """d has the wrong sign: n . x + d = 0"""
-    n = mesh.face_normals(vertices, faces)
-    return np.column_stack([n, (n * vertices[faces[:, 0]]).sum(1)])
-
-
-def face_planes(vertices, faces):
-    """normals point to the side that sees the face clockwise"""
-    n = -mesh.face_normals(vertices, faces)
-    return np.column_stack([n, -(n * vertices[faces[:, 0]]).sum(1)])
-
-
-def face_planes(vertices, faces):
-    """n is not brought to length 1"""
-    n = np.cross(
-        vertices[faces[:, 1]] - vertices[faces[:, 0]], vertices[faces[:, 2]] - vertices[faces[:, 0]]
-    )
-    return np.column_stack([n, -(n * vertices[faces[:, 0]]).sum(1)])
-
-
 def plane_quadrics(planes):
     """only the squares on the diagonal are filled in"""
     return np.eye(4) * planes[..., None, :]**2
@@ -141,30 +121,6 @@ def boundary_planes(vertices, faces):
     return edges[lonely], np.column_stack([n, (n * a).sum(1)])
 
 
-def valid_pairs(vertices, faces, t):
-    """pairs at just the distance t count; it must be less"""
-    used = np.unique(faces)
-    near = used[cKDTree(vertices[used]).query_pairs(t, output_type="ndarray")]
-    distance = np.linalg.norm(vertices[near[:, 0]] - vertices[near[:, 1]], axis=1)
-    return np.unique(np.concatenate([mesh.edges(faces)[0], near[distance <= t]]), axis=0)
-
-
-def valid_pairs(vertices, faces, t):
-    """vertices of no face are paired"""
-    used = np.arange(len(vertices))
-    near = used[cKDTree(vertices[used]).query_pairs(t, output_type="ndarray")]
-    distance = np.linalg.norm(vertices[near[:, 0]] - vertices[near[:, 1]], axis=1)
-    return np.unique(np.concatenate([mesh.edges(faces)[0], near[distance < t]]), axis=0)
-
-
-def valid_pairs(vertices, faces, t):
-    """edges are left out; all of them are pairs, however long"""
-    used = np.unique(faces)
-    near = used[cKDTree(vertices[used]).query_pairs(t, output_type="ndarray")]
-    distance = np.linalg.norm(vertices[near[:, 0]] - vertices[near[:, 1]], axis=1)
-    return np.unique(near[distance < t], axis=0)
-
-
 def best_on_segment(q, a, b):
     """t has the wrong sign"""
     e, (A, offset) = b - a, (q[:, :3, :3], q[:, :3, 3])
@@ -195,63 +151,36 @@ def best_on_segment(q, a, b):
     return a + np.clip(t, 0, 1)[:, None] * e, unique
 
 
-def best_of_three(q, a, b):
-    """the worst of the three is taken"""
-    three = np.stack([a, b, (a + b) / 2])
-    least = np.argmax(quadric_error(q[None], three), axis=0)
-    return three[least, np.arange(len(a))]
-
-
-def best_of_three(q, a, b):
-    """the middle is left out"""
-    three = np.stack([a, b, a])
-    least = np.argmin(quadric_error(q[None], three), axis=0)
-    return three[least, np.arange(len(a))]
-
-
-def best_of_three(q, a, b):
-    """of equal errors the middle counts first; the order is a, b, middle"""
-    three = np.stack([(a + b) / 2, a, b])
-    least = np.argmin(quadric_error(q[None], three), axis=0)
-    return three[least, np.arange(len(a))]
-
-
-def best_position(q, a, b):
+def best_anywhere(q):
     """b has the wrong sign: A x = -b"""
-    spread = np.linalg.eigvalsh(q[:, :3, :3])
-    curved = spread[:, 0] > LEAST_CURVATURE * spread[:, 2]
-    position = np.empty(a.shape)
-    position[curved] = np.linalg.solve(q[curved, :3, :3], q[curved, :3, 3:])[..., 0]
-    if not curved.all():
-        rest = q[~curved], a[~curved], b[~curved]
-        on_segment, unique = best_on_segment(*rest)
-        position[~curved] = np.where(unique[:, None], on_segment, best_of_three(*rest))
-    return position
+    return np.linalg.solve(q[:, :3, :3], q[:, :3, 3:])[..., 0]
 
 
-def best_position(q, a, b):
-    """eq. (5) is left out: the place stays on the segment"""
-    curved = np.zeros(len(q), bool)
-    position = np.empty(a.shape)
-    position[curved] = np.linalg.solve(q[curved, :3, :3], -q[curved, :3, 3:])[..., 0]
-    if not curved.all():
-        rest = q[~curved], a[~curved], b[~curved]
-        on_segment, unique = best_on_segment(*rest)
-        position[~curved] = np.where(unique[:, None], on_segment, best_of_three(*rest))
-    return position
+def best_anywhere(q):
+    """b is multiplied by A; the system A x = -b is to be solved"""
+    return -(q[:, :3, :3] @ q[:, :3, 3:])[..., 0]
 
 
-def best_position(q, a, b):
-    """the least eigenvalue is compared with LEAST_CURVATURE as it is: the scale decides"""
-    spread = np.linalg.eigvalsh(q[:, :3, :3])
-    curved = spread[:, 0] > LEAST_CURVATURE
-    position = np.empty(a.shape)
-    position[curved] = np.linalg.solve(q[curved, :3, :3], -q[curved, :3, 3:])[..., 0]
-    if not curved.all():
-        rest = q[~curved], a[~curved], b[~curved]
-        on_segment, unique = best_on_segment(*rest)
-        position[~curved] = np.where(unique[:, None], on_segment, best_of_three(*rest))
-    return position
+def pair_costs(vertices, quadrics, pairs):
+    """the higher vertex's quadric is left out; a pair has the sum of both"""
+    a, b = pairs.T
+    positions = best_position(quadrics[a], vertices[a], vertices[b])
+    return positions, quadric_error(quadrics[a], positions)
+
+
+def pair_costs(vertices, quadrics, pairs):
+    """it is the mean of both quadrics instead of their sum"""
+    a, b = pairs.T
+    q = (quadrics[a] + quadrics[b]) / 2
+    positions = best_position(q, vertices[a], vertices[b])
+    return positions, quadric_error(q, positions)
+
+
+def pair_costs(vertices, quadrics, pairs):
+    """the cost is that of staying at the lower vertex, not of the best position"""
+    a, b = pairs.T
+    q = quadrics[a] + quadrics[b]
+    return best_position(q, vertices[a], vertices[b]), quadric_error(q, vertices[a])
 
 
 def collapse_faces(faces, a, b):
@@ -292,21 +221,6 @@ def satisfies_link_condition(faces, a, b):
     return shared - {a, b} == set()
 
 
-def has_twins(faces):
-    """the order of the vertices counts: a face that begins elsewhere is another one"""
-    return len({tuple(face) for face in faces.tolist()}) < len(faces)
-
-
-def has_twins(faces):
-    """faces of equal sums are taken for twins"""
-    return len({sum(face) for face in faces.tolist()}) < len(faces)
-
-
-def has_twins(faces):
-    """the least and the greatest vertex decide; the third counts, too"""
-    return len({(min(face), max(face)) for face in faces.tolist()}) < len(faces)
-
-
 def flips(before, after):
     """a face that becomes a needle is left alone; its normal is uncertain"""
     corners = np.stack([before, after])
@@ -341,61 +255,53 @@ def flips(before, after):
     return bool((turns | thins).any())
 
 
-def simplify_loop(vertices, faces, quadrics, pairs, face_count):
+def simplify_loop(vertices, faces, quadrics, face_count):
     """it goes on where there are just as many faces as asked for"""
     vertices, quadrics = vertices.copy(), quadrics.copy()
     while len(faces) >= face_count:
-        a, b = pairs.T
-        q = quadrics[a] + quadrics[b]
-        positions = best_position(q, vertices[a], vertices[b])
-        for k in np.argsort(quadric_error(q, positions), kind="stable"):
-            near = faces[((faces == a[k]) | (faces == b[k])).any(1)]
-            if not why_refused(vertices, near, a[k], b[k], positions[k]):
+        edges, _ = mesh.edges(faces)
+        positions, costs = pair_costs(vertices, quadrics, edges)
+        for k in np.argsort(costs, kind="stable"):
+            a, b = edges[k]
+            if not why_refused(vertices, faces_at(faces, a, b), a, b, positions[k]):
                 break
         else:
             return vertices, faces
-        vertices[a[k]], quadrics[a[k]] = positions[k], q[k]
-        faces = collapse_faces(faces, a[k], b[k])
-        pairs = np.sort(np.where(pairs == b[k], a[k], pairs), axis=1)
-        pairs = np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
+        vertices[a] = positions[k]
+        quadrics[a] += quadrics[b]
+        faces = collapse_faces(faces, a, b)
     return vertices, faces
 
 
-def simplify_loop(vertices, faces, quadrics, pairs, face_count):
+def simplify_loop(vertices, faces, quadrics, face_count):
     """a vertex keeps its own quadric; it gets the sum of both"""
     vertices, quadrics = vertices.copy(), quadrics.copy()
     while len(faces) > face_count:
-        a, b = pairs.T
-        q = quadrics[a] + quadrics[b]
-        positions = best_position(q, vertices[a], vertices[b])
-        for k in np.argsort(quadric_error(q, positions), kind="stable"):
-            near = faces[((faces == a[k]) | (faces == b[k])).any(1)]
-            if not why_refused(vertices, near, a[k], b[k], positions[k]):
+        edges, _ = mesh.edges(faces)
+        positions, costs = pair_costs(vertices, quadrics, edges)
+        for k in np.argsort(costs, kind="stable"):
+            a, b = edges[k]
+            if not why_refused(vertices, faces_at(faces, a, b), a, b, positions[k]):
                 break
         else:
             return vertices, faces
-        vertices[a[k]], quadrics[a[k]] = positions[k], quadrics[a[k]]
-        faces = collapse_faces(faces, a[k], b[k])
-        pairs = np.sort(np.where(pairs == b[k], a[k], pairs), axis=1)
-        pairs = np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
+        vertices[a] = positions[k]
+        faces = collapse_faces(faces, a, b)
     return vertices, faces
 
 
-def simplify_loop(vertices, faces, quadrics, pairs, face_count):
+def simplify_loop(vertices, faces, quadrics, face_count):
     """the vertex that stays does not move"""
     vertices, quadrics = vertices.copy(), quadrics.copy()
     while len(faces) > face_count:
-        a, b = pairs.T
-        q = quadrics[a] + quadrics[b]
-        positions = best_position(q, vertices[a], vertices[b])
-        for k in np.argsort(quadric_error(q, positions), kind="stable"):
-            near = faces[((faces == a[k]) | (faces == b[k])).any(1)]
-            if not why_refused(vertices, near, a[k], b[k], positions[k]):
+        edges, _ = mesh.edges(faces)
+        positions, costs = pair_costs(vertices, quadrics, edges)
+        for k in np.argsort(costs, kind="stable"):
+            a, b = edges[k]
+            if not why_refused(vertices, faces_at(faces, a, b), a, b, positions[k]):
                 break
         else:
             return vertices, faces
-        quadrics[a[k]] = q[k]
-        faces = collapse_faces(faces, a[k], b[k])
-        pairs = np.sort(np.where(pairs == b[k], a[k], pairs), axis=1)
-        pairs = np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
+        quadrics[a] += quadrics[b]
+        faces = collapse_faces(faces, a, b)
     return vertices, faces

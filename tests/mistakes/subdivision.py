@@ -31,36 +31,6 @@ def edges_of(corners, counts):
     return np.stack(np.divmod(key, vertex_count), axis=1), corner_edge
 
 
-def is_extraordinary(valence, at_boundary, regular):
-    """on the boundary half of the valence counts as regular; it is one more"""
-    return (valence != np.where(at_boundary, regular // 2, regular)) & (valence > 0)
-
-
-def is_extraordinary(valence, at_boundary, regular):
-    """the boundary is not looked at"""
-    return (valence != regular) & (valence > 0)
-
-
-def is_extraordinary(valence, at_boundary, regular):
-    """vertices of no edge are extraordinary; they are not"""
-    return valence != np.where(at_boundary, regular // 2 + 1, regular)
-
-
-def euler_characteristic(corners, counts):
-    """vertices of no face are counted"""
-    return int(corners.max() + 1) - len(edges_of(corners, counts)[0]) + len(counts)
-
-
-def euler_characteristic(corners, counts):
-    """an edge counts once for each of its faces"""
-    return len(np.unique(corners)) - len(corners) + len(counts)
-
-
-def euler_characteristic(corners, counts):
-    """faces are taken away; they are added"""
-    return len(np.unique(corners)) - len(edges_of(corners, counts)[0]) - len(counts)
-
-
 def pull_entries(rows, columns, u):
     """the pulled vertex gets heavier: what it gives away has the other sign"""
     return (np.concatenate([rows, rows]), np.concatenate([columns, rows]),

@@ -1,22 +1,16 @@
 """Lab 12 once more: plane by plane, pair by pair, with sets; and errors as sums over planes."""
 import itertools
-from collections import Counter
 
 import numpy as np
 
 from course.given import mesh
-from reference.simplification import LEAST_COSINE, LEAST_CURVATURE, LEAST_SHAPE, why_refused
-
-
-def face_planes(vertices, faces):
-    planes = np.zeros((len(faces), 4))
-    has_area = mesh.face_normals(vertices, faces).any(1)
-    for f in np.flatnonzero(has_area):
-        p, (a, b, c) = planes[f], vertices[faces[f]]
-        normal = np.cross(b - a, c - a)
-        p[:3] = normal / np.sqrt(normal @ normal)
-        p[3] = -p[:3] @ (a + b + c) / 3
-    return planes
+from reference.simplification import (
+    LEAST_COSINE,
+    LEAST_CURVATURE,
+    LEAST_SHAPE,
+    best_position,
+    why_refused,
+)
 
 
 def plane_quadrics(planes):
@@ -61,15 +55,6 @@ def boundary_planes(vertices, faces):
     return edges, planes
 
 
-def valid_pairs(vertices, faces, t):
-    used = sorted(set(np.asarray(faces).ravel().tolist()))
-    pairs = {tuple(sorted(pair)) for face in np.asarray(faces).tolist()
-             for pair in itertools.combinations(face, 2)}
-    pairs |= {(a, b) for a, b in itertools.combinations(used, 2)
-              if np.linalg.norm(vertices[a] - vertices[b]) < t}
-    return np.array(sorted(pairs))
-
-
 def best_on_segment(q, a, b):
     places, unique = np.array(a, float), np.zeros(len(a), bool)
     for n in range(len(a)):
@@ -83,24 +68,17 @@ def best_on_segment(q, a, b):
     return places, unique
 
 
-def best_of_three(q, a, b):
-    return np.array([min((x, y, (x + y) / 2), key=lambda place, m=m: float(quadric_error(m, place)))
-                     for m, x, y in zip(q, a, b, strict=True)]).reshape(-1, 3)
+def best_anywhere(q):
+    return np.array([-np.linalg.inv(m[:3, :3]) @ m[:3, 3] for m in q]).reshape(-1, 3)
 
 
-def best_position(q, a, b):
-    places = []
-    for n in range(len(q)):
-        one = slice(n, n + 1)
-        sizes = np.linalg.eigvalsh(q[n, :3, :3])
-        on_segment, unique = best_on_segment(q[one], a[one], b[one])
-        if sizes[0] > LEAST_CURVATURE * sizes[-1]:
-            places.append(-np.linalg.inv(q[n, :3, :3]) @ q[n, :3, 3])
-        elif unique[0]:
-            places.append(on_segment[0])
-        else:
-            places.append(best_of_three(q[one], a[one], b[one])[0])
-    return np.reshape(places, (-1, 3))
+def pair_costs(vertices, quadrics, pairs):
+    places, costs = [], []
+    for a, b in pairs:
+        both = quadrics[a] + quadrics[b]
+        places.append(best_position(both[None], vertices[[a]], vertices[[b]])[0])
+        costs.append(float(quadric_error(both, places[-1])))
+    return np.array(places).reshape(-1, 3), np.array(costs)
 
 
 def collapse_faces(faces, a, b):
@@ -116,10 +94,6 @@ def satisfies_link_condition(faces, a, b):
     return (near_a & near_b) - {a, b} == thirds - {a, b}
 
 
-def has_twins(faces):
-    return max(Counter(map(frozenset, np.asarray(faces).tolist())).values(), default=0) > 1
-
-
 def flips(before, after):
     for old, new in zip(before, after, strict=True):
         n, m = (np.cross(x[1] - x[0], x[2] - x[0]) for x in (old, new))
@@ -132,23 +106,18 @@ def flips(before, after):
     return False
 
 
-def simplify_loop(vertices, faces, quadrics, pairs, face_count):
-    x, q = list(np.array(vertices, float)), list(quadrics)
-    faces, pairs = np.array(faces), [tuple(pair) for pair in np.asarray(pairs).tolist()]
+def simplify_loop(vertices, faces, quadrics, face_count):
+    x, q, faces = np.array(vertices, float), np.array(quadrics), np.array(faces)
     while len(faces) > face_count:
-        asked = []
-        for number, (a, b) in enumerate(pairs):
-            both = q[a] + q[b]
-            place = best_position(both[None], x[a][None], x[b][None])[0]
-            asked.append((float(quadric_error(both, place)), number, a, b, place))
-        for _, _, a, b, place in sorted(asked, key=lambda one: one[:2]):
-            around = faces[np.isin(faces, (a, b)).any(1)]
-            if why_refused(np.array(x), around, a, b, place) == 0:
+        edges = sorted({tuple(sorted(pair)) for face in faces.tolist()
+                        for pair in itertools.combinations(face, 2)})
+        places, costs = pair_costs(x, q, np.array(edges))
+        asked = sorted(zip(costs.tolist(), edges, places.tolist(), strict=True))
+        for _, (a, b), place in asked:
+            if why_refused(x, faces, a, b, np.array(place)) == 0:
                 break
         else:
             break
         x[a], q[a] = place, q[a] + q[b]
         faces = collapse_faces(faces, a, b)
-        renamed = {tuple(sorted(a if end == b else end for end in pair)) for pair in pairs}
-        pairs = sorted(pair for pair in renamed if pair[0] != pair[1])
-    return np.array(x), faces
+    return x, faces

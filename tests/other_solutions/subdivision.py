@@ -23,16 +23,6 @@ def edges_of(corners, counts):
     return np.array(edges), np.array([number[side] for side in along])
 
 
-def is_extraordinary(valence, at_boundary, regular):
-    wanted = np.where(at_boundary, regular // 2 + 1, regular)
-    return np.array([n not in (0, right) for n, right in zip(valence, wanted, strict=True)])
-
-
-def euler_characteristic(corners, counts):
-    edges = {side for face in face_lists(corners, counts) for side in sides(face)}
-    return len({vertex for edge in edges for vertex in edge}) - len(edges) + len(counts)
-
-
 def incidence(faces):
     """{edge: its faces' numbers}, edges ascending."""
     at_edge = defaultdict(list)

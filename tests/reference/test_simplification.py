@@ -1,9 +1,12 @@
-"""`simplify` of lab 12: whole meshes, real and broken ones."""
+"""`simplify` of lab 12: whole meshes, real and broken ones; and what its modules give."""
+import itertools
 import warnings
 
 import numpy as np
 import pytest
+from simplification_meshes import LEAST_CURVATURE, bumpy, edges_of, planes_of
 
+from course.checks import assert_close, assert_equal
 from course.given import distances, mesh
 from reference import collapse_heap, simplification
 
@@ -64,10 +67,10 @@ def test_the_heap_does_what_the_loop_does():
         vertices, faces = mesh.icosphere(180)
         vertices = vertices + noise * rng.normal(size=vertices.shape)
         pairs = simplification.valid_pairs(vertices, faces, 0.0)
-        asked = vertices, faces, simplification.mesh_quadrics(vertices, faces), pairs
+        asked = vertices, faces, simplification.mesh_quadrics(vertices, faces)
         for face_count in 100, 50, 4:
             loop = simplification.simplify_loop(*asked, face_count)
-            heap = collapse_heap.simplify_heap(*asked, face_count)
+            heap = collapse_heap.simplify_heap(*asked, pairs, face_count)
             assert all(np.array_equal(a, b) for a, b in zip(loop, heap, strict=False))
 
 
@@ -243,3 +246,145 @@ def test_the_longest_edges_are_halved_and_rounded():
     assert len(faces) in (31, 32) and not flat[:, 1].any()
     a, b, c = flat[faces.T]
     np.testing.assert_allclose(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2, 4)
+
+
+# --- what is given ------------------------------------------------------------------------------
+
+def test_a_plane_on_paper():
+    """The normal is not of length 1, points to the back, or d has the other sign."""
+    vertices = np.array([[4.0, 0.0, 1.0], [4.0, 0.0, 7.0], [0.0, 3.0, 1.0]])
+    expected = np.array([[-0.6, -0.8, 0.0, 2.4], [0.6, 0.8, 0.0, -2.4]])
+    assert_close(simplification.face_planes(vertices, np.array([[0, 1, 2], [2, 1, 0]])), expected)
+
+
+def test_corners_lie_in_their_plane_and_other_points_at_their_distance(rng):
+    """d is measured from the wrong vertex, or faces are taken for vertices."""
+    vertices = rng.normal(size=(9, 3))
+    faces = np.array([[0, 5, 2], [8, 1, 4], [3, 7, 6], [2, 0, 8]])
+    p = np.asarray(simplification.face_planes(vertices, faces))
+    assert_equal(p.shape, (4, 4))
+    a, b, c = vertices[faces.T]
+    n = np.cross(b - a, c - a)
+    n /= np.sqrt((n * n).sum(1))[:, None]
+    assert_close(p[:, :3], n)
+    lifted = vertices[faces] + 2.5 * n[:, None]
+    assert_close((lifted * p[:, None, :3]).sum(2) + p[:, 3:], np.full((4, 3), 2.5))
+
+
+def test_a_face_without_area_has_no_plane():
+    """0/0, or a plane out of rounding."""
+    vertices = np.array([[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9], [1.0, 1.0, 1.0]])
+    planes = simplification.face_planes(vertices, np.array([[0, 1, 2], [3, 3, 1]]))
+    assert_close(planes, np.zeros((2, 4)))
+
+
+def test_without_a_distance_the_pairs_are_the_edges():
+    """An edge of two faces comes twice, or vertices in one place come as a pair."""
+    vertices = np.zeros((5, 3))
+    got = simplification.valid_pairs(vertices, np.array([[4, 0, 1], [1, 0, 3]]), 0.0)
+    assert_equal(got, np.array([[0, 1], [0, 3], [0, 4], [1, 3], [1, 4]]))
+
+
+def test_near_vertices_are_pairs_too():
+    """<= for <; long edges are left out; vertices of no face, here 0, come in, or are skipped when
+    the others are numbered."""
+    x = np.array([10.25, 0.0, 10.0, 10.5, 20.0, 30.0, 40.0])
+    vertices = np.stack([x, np.array([1.0, 0, 1, 1, 0, 1, 0]), 0 * x], 1)
+    faces = np.array([[1, 2, 4], [5, 3, 6]])
+    edges = [[1, 2], [1, 4], [2, 4], [3, 5], [3, 6], [5, 6]]
+    assert_equal(simplification.valid_pairs(vertices, faces, 0.5), np.array(edges))
+    expected = np.array(sorted([*edges, [2, 3]]))
+    assert_equal(simplification.valid_pairs(vertices, faces, 0.51), expected)
+
+
+def test_pairs_are_those_of_all_distances(rng):
+    """A pair that is an edge and near comes twice, or the order is another one."""
+    vertices, faces = bumpy(80, rng, 0.3)
+    expected = {*map(tuple, edges_of(faces).tolist())}
+    expected |= {(i, j) for i, j in itertools.combinations(range(len(vertices)), 2)
+                 if np.linalg.norm(vertices[i] - vertices[j]) < 0.7}
+    assert_equal(simplification.valid_pairs(vertices, faces, 0.7), np.array(sorted(expected)))
+
+
+def test_the_best_of_three_on_paper():
+    """The third one is left out, or the worst is taken."""
+    q = np.repeat(planes_of([1, 0, 0, -2]), 3, 0)
+    a = np.array([[0.0, 1.0, 0.0], [2.5, 7.0, 0.0], [9.0, 9.0, 9.0]])
+    b = np.array([[4.0, 2.0, 0.0], [9.0, 1.0, 8.0], [3.0, 1.0, 0.0]])
+    expected = np.array([[2.0, 1.5, 0.0], [2.5, 7.0, 0.0], [3.0, 1.0, 0.0]])
+    assert_close(simplification.best_of_three(q, a, b), expected)
+
+
+def test_of_equal_errors_the_first_counts():
+    """The order is a, b, middle."""
+    plane, hill = planes_of([0, 0, 1, 0]), -planes_of([1, 0, 0, 0], [1, 0, 0, -2])
+    slope = np.zeros((1, 4, 4))
+    slope[0, 0, 3] = slope[0, 3, 0] = -1.0
+    q = np.concatenate([plane, hill, slope])
+    a = np.array([[4.0, 1.0, 0.0], [0.0, 5.0, 0.0], [0.0, 5.0, 0.0]])
+    b = np.array([[8.0, 3.0, 0.0], [2.0, 7.0, 0.0], [2.0, 7.0, 0.0]])
+    assert_equal(simplification.best_of_three(q, a, b), np.array([a[0], a[1], b[2]]))
+    valley = planes_of([1, 0, 0, -1.5])          # b and the middle are equally good
+    assert_equal(simplification.best_of_three(valley, a[1:2], b[1:2]), b[1:2])
+
+
+def test_on_a_crease_and_on_a_plane_it_stays_with_the_pair():
+    """A solution far away, by rounding; or the three cases in another order."""
+    crease, plane = planes_of([1, 0, 0, -1], [0, 1, 0, -2]), planes_of([0, 0, 1, -3])
+    corner = planes_of([1, 0, 0, -1], [0, 1, 0, -2], [0, 0, 1, 4])
+    q = np.concatenate([crease, plane, corner])
+    a = np.array([[0.0, 2.0, 0.0], [1.0, 1.0, 4.0], [5.0, 5.0, 5.0]])
+    b = np.array([[3.0, 2.0, 9.0], [7.0, 2.0, 2.0], [6.0, 5.0, 5.0]])
+    expected = np.array([[1.0, 2.0, 3.0], [4.0, 1.5, 3.0], [1.0, 2.0, -4.0]])
+    assert_close(simplification.best_position(q, a, b), expected)
+
+
+def test_without_any_plane_a_stays():
+    """A = 0: the system is singular, for vertices of faces without area."""
+    a, b = np.array([[1.0, 2.0, 3.0]]), np.array([[4.0, 4.0, 4.0]])
+    assert_equal(simplification.best_position(np.zeros((1, 4, 4)), a, b), a)
+
+
+def test_where_the_segment_is_nearly_flat_one_of_three_is_taken():
+    """Eq. (7) is left out: a, or the best place of a segment along which the error hardly changes.
+    """
+    q = np.repeat(planes_of([0.02, 0, 1, 0]), 3, 0)     # A = 0.0004 along x, its trace is 1.0004
+    a = np.array([[5.0, 0.0, 0.0], [5.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    b = np.array([[-4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [6.0, 0.0, 0.0]])
+    expected = np.array([[0.5, 0, 0], [1, 0, 0], [1, 0, 0]])
+    assert_close(simplification.best_position(q, a, b), expected)
+
+
+def test_the_least_eigenvalue_decides():
+    """The determinant, another threshold, or one that depends on the scale."""
+    turn = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
+    for ratio, curved in (0.93 * LEAST_CURVATURE, False), (1.08 * LEAST_CURVATURE, True):
+        for scale, z in (1e-6, 4.0), (1.0, 3.5), (1e6, 3.0):
+            q = np.zeros((1, 4, 4))
+            q[0, :3, :3] = scale * turn @ np.diag([ratio, 1.0, 0.5]) @ turn.T
+            q[0, :3, 3] = q[0, 3, :3] = -q[0, :3, :3] @ [2.0, 3.0, z]
+            a, b = np.array([[2.0, 3.0, 9.0]]), np.array([[2.0, 3.0, 5.0]])
+            expected = np.array([[2.0, 3.0, z]]) if curved else b
+            assert_close(simplification.best_position(q, a, b), expected, rtol=1e-6)
+
+
+def test_twins_have_the_same_vertices_in_any_order():
+    """Rows are compared as they stand, or faces that share two vertices count."""
+    assert_equal(simplification.has_twins(np.array([[1, 5, 9], [9, 7, 1], [1, 9, 3]])), False)
+    assert_equal(simplification.has_twins(np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1]])), False)
+    for twin in itertools.permutations((1, 7, 9)):
+        faces = np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1], twin])
+        assert_equal(simplification.has_twins(faces), True)
+
+
+def test_a_twin_may_begin_with_another_vertex():
+    """Right for faces that are wound the other way, but rows are compared as they stand."""
+    for k in 1, 2:
+        faces = np.array([[5, 8, 6], np.roll([5, 8, 6], k), [5, 6, 7]])
+        assert_equal(simplification.has_twins(faces), True)
+
+
+def test_faces_of_equal_sums_are_no_twins():
+    """A number is made of each face that others have, too."""
+    assert_equal(simplification.has_twins(np.array([[0, 5, 7], [1, 4, 7], [2, 4, 6]])), False)
+    assert_equal(simplification.has_twins(np.array([[1, 6, 6 + 6], [2, 3, 12], [1, 8, 9]])), False)
