@@ -5,7 +5,8 @@
         \"\"\"a and b are swapped.\"\"\"
         assert_close(impl.edge_function(p, a, b), 2.0)
 
-Its name is the claim, its docstring the mistake that it catches.
+Its name is the claim, its docstring the mistake that it catches. impl keeps the contract of all
+exercises, which course/given/contract.py states: a check gets arrays and numbers, never lists.
 
     assertions   what a check asserts
     hints        which common mistake explains a wrong answer

@@ -2,9 +2,10 @@
 import numpy as np
 
 from ..given import places
+from ..given.contract import as_array
 from .hints import hint
 from .pictures import draw, text_map
-from .showing import as_array, index_name, kind_name, layout, shape_name, shown
+from .showing import index_name, kind_name, layout, shape_name, shown
 
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
@@ -90,7 +91,8 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
 def compare_outputs(got, expected, rows, *how):
     """compare, for a tuple: one output after the other."""
     __tracebackhide__ = True
-    if not isinstance(got, tuple | list) or len(got) != len(expected):
+    several = isinstance(got, tuple | list) or (isinstance(got, np.ndarray) and got.ndim)
+    if not several or len(got) != len(expected):
         raise Mismatch(*rows, ("expected", shown(expected)), ("got", shown(got)),
                        ("differs", f"a tuple of {len(expected)} was expected"))
     for number, pair in enumerate(zip(got, expected, strict=True), 1):

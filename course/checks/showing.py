@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from ..given import places
+from ..given.contract import as_array
 
 COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
 MOST_NUMBERS = 24  # shown of an array; a larger one is shortened
@@ -69,14 +70,6 @@ def shape_name(array):
 
 def index_name(index):
     return f"[{', '.join(map(str, index))}]"
-
-
-def as_array(value):
-    """The value as an array; what makes none comes as an array of objects, as None does."""
-    try:
-        return np.asarray(value)
-    except ValueError:  # rows of different lengths
-        return np.array(None)
 
 
 # --- errors -----------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import places
+from .contract import called, unchanged
 
 STEPS = 4.0 ** -np.arange(3, 12)  # 1.6e-2 to 2.4e-7 of `magnitude`; smaller ones are all rounding
 SETTLED = 1e-9                    # two successive E as close as this end the sweep
@@ -131,6 +132,8 @@ def title_of(forward, position):
 def gradients_of(backward, upstream, inputs, titles, name):
     """-> {position: analytic gradient}, once their number and shapes are right."""
     gradients = call(backward, [*upstream, *inputs], f"{name}: backward")
+    if len(gradients) == 1 < len(titles) and gradients[0].shape[:1] == (len(titles),):
+        gradients = list(gradients[0])  # they came as a list, which has become one array
     require(len(gradients) == len(titles), f"{name}: backward must return {len(titles)} gradients, "
             f"by {', '.join(titles.values())}; it returned {len(gradients)}")
     for k, gradient in zip(titles, gradients, strict=True):
@@ -146,16 +149,15 @@ def require(condition, sentence):
 
 def arrays(result):
     """One array, or a tuple of them -> a list of float64 copies."""
-    return [np.array(y, float) for y in (result if isinstance(result, tuple | list) else [result])]
+    return [np.array(y, float) for y in (result if isinstance(result, tuple) else [result])]
 
 
 def call(function, arguments, who):
     """The arrays that function(*arguments) returns, or a sentence on why they are of no use."""
     before = copy.deepcopy(arguments)
-    result = function(*arguments)
+    result = called(function, *arguments)
     for k, (x, kept) in enumerate(zip(arguments, before, strict=True)):
-        require(not isinstance(x, np.ndarray) or x.tobytes() == kept.tobytes(),
-                f"{who} changed its argument {k} in place; work on a copy of it")
+        require(unchanged(kept, x), f"{who} changed its argument {k}: let it work on a copy")
     require(result is not None, f"{who} returned None; is its return statement missing?")
     try:
         result = arrays(result)
@@ -213,7 +215,7 @@ def slope_of_loss(forward, decisions, inputs, upstream):
     moves {position: direction}: those inputs move, each along its direction.
     """
     def decide(there):
-        return arrays(decisions(*there)) if decisions else []
+        return arrays(called(decisions, *there)) if decisions else []
 
     def slope(moves, h):
         ahead, behind = ([x + step * moves[k] if k in moves else x for k, x in enumerate(inputs)]
@@ -221,7 +223,7 @@ def slope_of_loss(forward, decisions, inputs, upstream):
         if not all(map(np.array_equal, decide(ahead) + decide(behind), here + here)):
             return np.nan
         # Outputs are subtracted first and summed then: what did not move adds no rounding.
-        rise = zip(upstream, arrays(forward(*ahead)), arrays(forward(*behind)), strict=True)
+        rise = zip(upstream, *(arrays(called(forward, *x)) for x in (ahead, behind)), strict=True)
         return sum(np.vdot(u, above - below) for u, above, below in rise) / (2 * h)
 
     here = decide(inputs)
