@@ -27,25 +27,40 @@ STYLES = {"done": "green", "failing": "red"}
 
 
 class Entry(NamedTuple):
-    """An exercise on the board, with its checks."""
+    """An exercise on the board, with its checks. It is done when its question is."""
 
     topic: str
     exercise: exercises.Exercise
     verdict: str  # done, failing, not started, blocked by 2.1, not readable
     checks: list
 
+    @property
+    def open_fine_print(self):
+        """The checks of a done exercise's fine print that do not pass."""
+        return [check for check in self.checks
+                if self.verdict == "done" and check.verdict != "passed"]
 
-def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False):
+    @property
+    def told(self):
+        return f"{self.verdict}{', fine print open' * bool(self.open_fine_print)}"
+
+
+def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False, extra=False):
     """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all; show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
+    extra: extras that are closed are checked as well.
     -> 0 if all that was asked for is done, else 1.
-    ValueError: there is no such target or folder.
+    ValueError: there is no such target or folder, or it is an extra that is not open.
     """
     labs, asked = asked_for(target)
     code = folder(implementation)
-    called = called_exercises(labs, code)
+    closed = set() if extra else closed_extras(labs, code)
+    if not set(asked) - closed:
+        raise ValueError(not_open(target, labs, asked))
+    asked = [number for number in asked if number not in closed]
+    called = called_exercises(labs, code, closed)
     needed = closure(asked, called)
     broken = not_python(labs, code)
     found, problems = run_checks({topic: labs[topic] for topic in labs if topic not in broken},
@@ -54,11 +69,11 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
     board = [entry for entry in everything if entry.exercise.number in asked]
 
     all_is_done = all(entry.verdict == "done" for entry in board)
-    Console().print(table(board))
+    Console().print(table(board, closed if len(asked) > 1 else ()))
     print("", *problems, *broken.values(), sep="\n")
     if all_is_done:
         print(all_done(board, labs))
-    elif not broken:
+    if not broken and any(entry.told != "done" for entry in board):
         print(next_to_do(everything, code, implementation, seed))
     if pictures:
         open_pictures(board, seed)
@@ -117,6 +132,27 @@ def exercise_range(topic):
     return " to ".join(dict.fromkeys(numbers[:1] + numbers[-1:]))
 
 
+def closed_extras(labs, code):
+    """The numbers of the extras that the code under test marks as closed: complete as they came."""
+    closed = set()
+    for topic in labs:
+        with contextlib.suppress(OSError, ValueError):  # not there, or not Python
+            closed |= {exercise.number for exercise in
+                       exercises.text_exercises(exercises.read(code / f"{topic}.py"))
+                       if not exercise.is_open}
+    return closed
+
+
+def not_open(target, labs, asked):
+    """The sentence on a target of which nothing is open."""
+    kind, it = (("is an extra, and", "it") if target in asked else
+                ("has extras alone, and they are", "them"))
+    where = ", ".join(f"labs/{topic}.py" for topic, lab in labs.items()
+                      if any(exercise.number in asked for exercise in lab))
+    return (f"{target} {kind} complete in {where}; python3 -m course open {target} empties {it} "
+            "for you to write")
+
+
 def not_python(labs, code):
     """{topic: what is wrong with its file, in a line} of the files that Python cannot read."""
     broken = {}
@@ -129,11 +165,12 @@ def not_python(labs, code):
     return broken
 
 
-def called_exercises(labs, code):
-    """{number: numbers of the exercises that the code under test calls in it}."""
+def called_exercises(labs, code, closed=()):
+    """{number: numbers of the exercises that the code under test calls in it}, without closed."""
     called = {}
     for topic, lab in labs.items():
-        numbers = {exercise.name: exercise.number for exercise in lab}
+        numbers = {exercise.name: exercise.number for exercise in lab
+                   if exercise.number not in closed}
         try:
             names = exercises.calls(exercises.read(code / f"{topic}.py"), numbers)
         except (OSError, ValueError):  # not there, or not Python: then it is not called either
@@ -155,13 +192,14 @@ def closure(numbers, called):
 def entries(labs, needed, called, found, broken=()):
     """The Entry of each needed exercise, in the course's order."""
     of = {number: [check for check in found if check.exercise == number] for number in needed}
+    asks = {number: [check for check in of[number] if not check.fine_print] for number in needed}
     done = {number for number in needed
-            if of[number] and all(check.verdict == "passed" for check in of[number])}
+            if asks[number] and all(check.verdict == "passed" for check in asks[number])}
 
     def verdict(number):
         if number in done:
             return "done"
-        verdicts = [check.verdict for check in of[number]]
+        verdicts = [check.verdict for check in asks[number]]
         if "failed" in verdicts or not verdicts:
             undone = [other for other in called.get(number, ()) if other not in done]
             return f"blocked by {undone[0]}" if undone else "failing"
@@ -174,24 +212,31 @@ def entries(labs, needed, called, found, broken=()):
             if exercise.number in needed]
 
 
-def table(board):
+def table(board, closed=()):
+    """Lab by lab, the exercises on the board; of extras that are closed, how many there are."""
     rows = Table.grid(padding=(0, 2))
-    for topic in dict.fromkeys(entry.topic for entry in board):
-        lab = [entry for entry in board if entry.topic == topic]
+    for number in dict.fromkeys(exercises.lab_number(entry.topic) for entry in board):
+        lab = [entry for entry in board if exercises.lab_number(entry.topic) == number]
         reached, of = points(lab)
-        bar = ("#" * (BAR * reached // of)).ljust(BAR, ".")
-        rows.add_row(f"Lab {exercises.lab_number(topic)}", topic, f"{reached} of {of}", bar,
+        bar = ("#" * (BAR * reached // max(of, 1))).ljust(BAR, ".")
+        rows.add_row(f"Lab {number}", exercises.LABS[number - 1][0], f"{reached} of {of}", bar,
                      style="bold")
-        for _, exercise, verdict, _ in lab:
-            rows.add_row(f"{exercise.number:>5}", exercise.name, plural(exercise.points, "point"),
-                         verdict, style=STYLES.get(verdict))
+        for entry in lab:
+            exercise = entry.exercise
+            worth = "extra" if exercise.is_extra else plural(exercise.points, "point")
+            rows.add_row(f"{exercise.number:>5}", exercise.name, worth, entry.told,
+                         style=STYLES.get(entry.verdict))
+        more = sum(extra.startswith(f"{number}.") for extra in closed)
+        if more:
+            rows.add_row("", plural(more, "extra"), "", f"python3 -m course open {number}")
     return rows
 
 
 def points(board):
-    """(points reached, points in all): an exercise gives all of its points, or none."""
-    return (sum(entry.exercise.points for entry in board if entry.verdict == "done"),
-            sum(entry.exercise.points for entry in board))
+    """(points reached, points in all) of the core: an exercise gives all of its points, or none."""
+    core = [entry for entry in board if not entry.exercise.is_extra]
+    return (sum(entry.exercise.points for entry in core if entry.verdict == "done"),
+            sum(entry.exercise.points for entry in core))
 
 
 def plural(count, word):
@@ -199,14 +244,18 @@ def plural(count, word):
 
 
 def next_to_do(entries, code, implementation, seed):
-    """Of the first exercise that can be worked on: the first claim that fails, and why it does."""
+    """The first claim that fails, and why, in the first exercise that can be worked on.
+
+    The fine print comes when there is nothing else to do.
+    """
+    entries = sorted(entries, key=lambda entry: tuple(map(int, entry.exercise.number.split("."))))
     undone = [entry for entry in entries if entry.verdict != "done"]
-    undone.sort(key=lambda entry: tuple(map(int, entry.exercise.number.split("."))))
     ready = [entry for entry in undone if "blocked" not in entry.verdict]
-    topic, exercise, verdict, found = (ready or undone)[0]
+    entry = (ready or undone or [entry for entry in entries if entry.open_fine_print])[0]
+    topic, exercise, verdict, found = entry
     wrong = [check for check in found if check.verdict != "passed"]
-    wrong.sort(key=lambda check: check.verdict != "failed")
-    lines = [f"Next: {exercise.number} {exercise.name}, {verdict}"]
+    wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
+    lines = [f"Next: {exercise.number} {exercise.name}, {entry.told}"]
     if verdict == "failing" and found:
         lines = [f"{lines[0]} in {len(wrong)} of {plural(len(found), 'check')}"]
     if not found:
@@ -288,10 +337,12 @@ def all_done(board, labs):
 
 
 def as_json(board):
-    """{"points", "of", "exercises": [{number, name, topic, points, verdict, checks: [...]}]}."""
+    """{"points", "of", "exercises": [{number, name, topic, points, extra, verdict, told,
+    checks}]}.
+    """
     reached, of = points(board)
     lines = [{"number": exercise.number, "name": exercise.name, "topic": topic,
-              "points": exercise.points, "verdict": verdict,
-              "checks": [check._asdict() for check in found]}
-             for topic, exercise, verdict, found in board]
+              "points": exercise.points, "extra": exercise.is_extra, "verdict": entry.verdict,
+              "told": entry.told, "checks": [check._asdict() for check in entry.checks]}
+             for entry in board for topic, exercise in [entry[:2]]]
     return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"

@@ -6,6 +6,8 @@ to look and to read
 
 to do the labs
   check [TARGET]        what is right in labs/, what is not, and what to do next
+  open TARGET           empty an extra, or all of a lab, to write it yourself
+  close TARGET          put the answers back where nothing was written
   pack [FILE]           put the labs into one zip to hand in
 
 to teach
@@ -86,7 +88,8 @@ def arguments():
     commands = parser.add_subparsers(prog=parser.prog, metavar="COMMAND", help=argparse.SUPPRESS)
 
     def add(command):
-        made = commands.add_parser(command.__name__, description=command.__doc__)
+        name = command.__name__.removesuffix("_extras")
+        made = commands.add_parser(name, description=command.__doc__)
         made.set_defaults(command=command)
         return made.add_argument
 
@@ -108,6 +111,12 @@ def arguments():
     option("--pictures", action="store_true", help="open a page with all that failed, and pictures")
     option("--json", metavar="FILE", help="write the board to this file as well")
     option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+    option("--extra", action="store_true", help="check extras that are not open as well")
+
+    for command in open_extras, close:
+        option = add(command)
+        option("target", metavar="TARGET",
+               help="an exercise (2.14), a lab (2) or a topic (scanline)")
 
     option = add(pack)
     option("file", nargs="?", default="labs.zip", metavar="FILE", help="the zip's name")
@@ -133,6 +142,7 @@ def arguments():
            help="strict needs Linux with bubblewrap; process is for work that you trust")
     option("--scheduler", metavar="tcp://...", help="run on this Dask cluster")
     option("--seconds", type=float, default=10.0, metavar="S", help="the most that a call may take")
+    option("--extra", action="store_true", help="extras count, too: they were handed out open")
 
     option = add(skeleton)
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
@@ -173,7 +183,22 @@ def check(asked):
     import course.board
     run = course.board.watch if asked.watch else course.board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
-               pictures=asked.pictures)
+               pictures=asked.pictures, extra=asked.extra)
+
+
+def open_extras(asked):
+    """Empty an extra of labs/, or all extras of a lab, to write them yourself."""
+    import course.upkeep.extras
+    return course.upkeep.extras.open_extras(asked.target)
+
+
+def close(asked):
+    """Put the answers back into the exercises of labs/ that are open and untouched.
+
+    Those of extras are kept; those of the core are there once the solutions of a lab are released.
+    """
+    import course.upkeep.extras
+    return course.upkeep.extras.close(asked.target)
 
 
 def pack(asked):
@@ -202,7 +227,7 @@ def grade(asked):
     return course.grading.grade.run(
         asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
         seed=asked.seed, isolation=asked.isolation, scheduler=asked.scheduler,
-        seconds=asked.seconds)
+        seconds=asked.seconds, extra=asked.extra)
 
 
 def skeleton(asked):

@@ -2,9 +2,11 @@
 
 An exercise is a whole function with a mark on its def line, and nowhere else:
 
-    def edge_function(p, a, b):  # exercise 2.1 (2 points)
+    def edge_function(p, a, b):  # exercise 2.1 (2 points)   the core: for everybody to write
+    def first_column(...):  # extra 2.14 (3 points)          complete in labs/, until it is opened
+    def first_column(...):  # extra 2.14 (3 points), open    so marked in labs/ when it is
 
-Its docstring is the question, its body is the answer.
+Its docstring is the question, its body is the answer. Functions without a mark are given.
 """
 import ast
 import functools
@@ -36,8 +38,9 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
 )
 TOPICS = tuple(itertools.chain(*LABS))
 
-MARK = re.compile(r"# exercise ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)")
-MEANT_AS_MARK = re.compile(r"\W*exercise\b", re.IGNORECASE)
+OPEN = ", open"  # the end of an opened extra's mark
+MARK = re.compile(rf"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)(?(1)({OPEN})?|)")
+MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
 
 
 class Exercise(NamedTuple):
@@ -48,6 +51,8 @@ class Exercise(NamedTuple):
     points: int
     line: int
     calls: tuple
+    is_extra: bool = False
+    is_open: bool = True  # an extra is not, until it is opened: its answer is there
 
 
 def topics():
@@ -94,11 +99,12 @@ def topic_exercises(topic):
         found = text_exercises(read(path))
     except ValueError as error:
         raise ValueError(f"{place}, {error}") from None
-    for number, name, _, line, _ in found:
-        if number.split(".")[0] != str(lab_number(topic)):
-            raise ValueError(f"{place}, line {line}: {name} is marked as exercise "
-                             f"{number}, but {topic} is lab {lab_number(topic)}; "
-                             f"number it {lab_number(topic)}.{number.split('.')[1]}")
+    for exercise in found:
+        lab, _, rank = exercise.number.partition(".")
+        if lab != str(lab_number(topic)):
+            raise ValueError(f"{place}, line {exercise.line}: {exercise.name} is marked as "
+                             f"exercise {exercise.number}, but {topic} is lab "
+                             f"{lab_number(topic)}; number it {lab_number(topic)}.{rank}")
     return found
 
 
@@ -107,7 +113,7 @@ def text_exercises(text):
     lines = text_lines(text)
     functions = {function.lineno: function for function in top_level_functions(text)}
     found = {}
-    for line, number, points in marks(text):
+    for line, number, points, *kind in marks(text):
         if line not in functions:
             raise ValueError(f"line {line}: the mark of exercise {number} is on no def; move it to "
                              "the line with the def of a function that stands in no other")
@@ -118,7 +124,7 @@ def text_exercises(text):
             raise ValueError(f"line {line}: exercise {number} has {points} points; "
                              "give it 1 or more")
         require_question_and_answer(lines, functions[line], number)
-        found[number] = Exercise(number, functions[line].name, points, line, ())
+        found[number] = Exercise(number, functions[line].name, points, line, (), *kind)
     needs = calls(text, [exercise.name for exercise in found.values()])
     return [exercise._replace(calls=needs[exercise.name]) for exercise in found.values()]
 
@@ -135,14 +141,19 @@ def top_level_functions(text):
 
 
 def marks(text):
-    """Yield line, number, points of every mark. ValueError: a comment that is almost a mark."""
+    """Yield line, number, points, is_extra, is_open of every mark.
+
+    ValueError: a comment that is almost a mark.
+    """
     for token in tokenize.generate_tokens(io.StringIO(text, newline="").readline):
         if token.type == tokenize.COMMENT and MEANT_AS_MARK.match(token.string):
             mark, line = MARK.fullmatch(token.string), token.start[0]
             if not mark:
-                raise ValueError(f'line {line}: the comment "{token.string}" is not a mark; '
-                                 'write it like "# exercise 2.1 (2 points)", or in other words')
-            yield line, mark[1], int(mark[2])
+                raise ValueError(f'line {line}: the comment "{token.string}" is not a mark; write '
+                                 'it like "# exercise 2.1 (2 points)" or "# extra 2.1 (2 points)", '
+                                 "or in other words")
+            extra, number, points, opened = mark.groups()
+            yield line, number, int(points), bool(extra), not extra or bool(opened)
 
 
 def require_question_and_answer(lines, function, number):

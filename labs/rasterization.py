@@ -27,17 +27,16 @@ CHUNK = 1 << 14       # rows of numbers in flight at once: they stay in the cach
 
 
 def edge_function(p, a, b):  # exercise 2.1 (2 points)
-    """Eq. (1): on which side of the line from a to b is p? Positive on its left, zero on the line.
+    """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
     p, a, b (..., 2), shapes that broadcast -> e (...).
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)
 
-    Fine print. Two faces share an edge and walk it in opposite directions. The picture has no
-    holes if their values are exact opposites, and exactly 0 at both ends (unless they overflow).
-    Measure p from the same end in both, say the one with the smaller x. At equal x either will do.
-    a and b may be arrays of edges: choose for each edge.
+    Fine print. Two faces walk the edge that they share in opposite directions. The picture has no
+    holes if their values are exact opposites, and exactly 0 at both ends. Measure p from the same
+    end in both, say from the one with the smaller x.
     """
     raise NotImplementedError("exercise 2.1: edge_function")
 
@@ -54,7 +53,7 @@ def edge_function_backward(grad_e, p, a, b):  # exercise 2.2 (2 points)
     raise NotImplementedError("exercise 2.2: edge_function_backward")
 
 
-def signed_area(triangle):  # exercise 2.3 (1 point)
+def signed_area(triangle):
     """The area of a triangle: positive if it is counter-clockwise, negative if clockwise.
 
     triangle (..., 3, 2) -> (...).
@@ -62,10 +61,10 @@ def signed_area(triangle):  # exercise 2.3 (1 point)
     >>> signed_area(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]]))
     np.float64(1.0)
     """
-    raise NotImplementedError("exercise 2.3: signed_area")
+    return edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]) / 2
 
 
-def is_inside(p, triangle):  # exercise 2.4 (2 points)
+def is_inside(p, triangle):  # extra 2.4 (2 points)
     """Is p in the triangle, border included, whichever way it is wound?
 
     p (..., 2), triangle (3, 2) of an area other than 0 -> bool (...).
@@ -74,37 +73,38 @@ def is_inside(p, triangle):  # exercise 2.4 (2 points)
     >>> is_inside(np.array([[1.0, 1.0], [2.0, 2.0], [3.0, 3.0]]), triangle)
     array([ True,  True, False])
     """
-    raise NotImplementedError("exercise 2.4: is_inside")
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
+    return (e >= 0).all(0) | (e <= 0).all(0)
 
 
 def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
     """Top-left rule: does an edge own the samples that lie exactly on it?
 
-    n_x, n_y (...): the edge's inward normal n of eq. (1), the face counter-clockwise -> bool (...).
-    A left edge does (n points right), and so does a horizontal edge below its face (n points up).
+    n_x, n_y (...), the normal n of eq. (1), which points into the face -> bool (...). Left edges
+    do (n points right), and horizontal edges below their face (n points straight up).
 
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
-
-    Fine print. n = 0, an edge without length, owns nothing. Other texts speak of a top edge: row 0
-    is stored first, so our lowest edge is the topmost one in memory.
     """
     raise NotImplementedError("exercise 2.5: is_top_left")
 
 
-def is_covered(p, triangle):  # exercise 2.6 (3 points)
+def is_covered(p, triangle):  # exercise 2.6 (2 points)
     """Eq. (2): does the counter-clockwise triangle cover the sample p?
 
-    p (..., 2), triangle (3, 2) -> bool (...). A clockwise triangle covers nothing.
+    p (..., 2), triangle (3, 2) -> bool (...).
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
     >>> is_covered(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle)
     array([ True,  True, False])
+
+    Fine print. Exactly one of two neighbours covers a sample on their edge. The rounding is right
+    where edge_function keeps its own fine print.
     """
     raise NotImplementedError("exercise 2.6: is_covered")
 
 
-def barycentric_coordinates(p, triangle):  # exercise 2.7 (2 points)
+def barycentric_coordinates(p, triangle):  # exercise 2.7 (1 point)
     """Eq. (3): the weights l (..., 3) with l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
@@ -116,7 +116,7 @@ def barycentric_coordinates(p, triangle):  # exercise 2.7 (2 points)
     raise NotImplementedError("exercise 2.7: barycentric_coordinates")
 
 
-def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
+def bounding_box(triangle, width, height):  # extra 2.8 (2 points)
     """The pixels whose centres lie in a triangle's box: columns x0 <= j < x1, rows y0 <= i < y1.
 
     triangle (3, 2) -> the integers x0, y0, x1, y1, cut to the picture. The box is MARGIN wider
@@ -129,10 +129,13 @@ def bounding_box(triangle, width, height):  # exercise 2.8 (2 points)
     between 0 and height, however far out the triangle is. If there is no pixel, x0 >= x1 or
     y0 >= y1.
     """
-    raise NotImplementedError("exercise 2.8: bounding_box")
+    # j + 0.5 >= min - MARGIN  and  j + 0.5 <= max + MARGIN
+    x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [width, height])
+    x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [width, height])
+    return int(x0), int(y0), int(x1), int(y1)
 
 
-def screen_points(clip, width, height):  # exercise 2.9 (1 point)
+def screen_points(clip, width, height):
     """Where the vertices are on screen, after lab 1's divide and viewport.
 
     clip (V, 4) -> x, y in pixels and w, each (V,) of float64. A vertex behind the camera (w < 0)
@@ -145,10 +148,13 @@ def screen_points(clip, width, height):  # exercise 2.9 (1 point)
     times the greater of |x| and |y| is raised to that, also in the w returned. Its sign stays, and
     w = 0 counts as positive. The eye itself, x = y = w = 0, comes out as nan.
     """
-    raise NotImplementedError("exercise 2.9: screen_points")
+    x, y, _, w = clip.T.astype(float)
+    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
+    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
+    return (x / w + 1) * (width / 2), (y / w + 1) * (height / 2), w
 
 
-def cull_back_faces(x, y, w, faces):  # exercise 2.10 (2 points)
+def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
     """The faces (F', 3) that turn their front to the camera, in their order.
 
     x, y, w (V,) of `screen_points`, faces (F, 3). A face in front of the camera shows its front if
@@ -160,15 +166,16 @@ def cull_back_faces(x, y, w, faces):  # exercise 2.10 (2 points)
 
     Fine print. A face without area goes, too.
     """
-    raise NotImplementedError("exercise 2.10: cull_back_faces")
+    area = signed_area(np.stack([x[faces], y[faces]], -1))
+    return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
-def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
-    """The textbook's rasterizer: for each face, for each pixel of its box, with a z-buffer.
+def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (5 points)
+    """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 
-    clip (V, 4), faces (F, 3) -> face_index (height, width) of integers, -1 where no face is seen;
-    depth (height, width) of eq. (4), from -1 (near plane) to 1 (far plane), np.inf where no face
-    is seen. Both sides of a face are seen. All w are positive: behind the camera is scanline.py.
+    clip (V, 4) with w > 0, faces (F, 3) -> face_index (height, width), -1 where no face is seen,
+    and the depth of eq. (4), np.inf there. Turn clockwise faces over. Depths below -1 or above 1
+    are not seen.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)
@@ -176,8 +183,8 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (4 points)
            [ 0, -1, -1]]), array([[0.5, 0.5, inf],
            [0.5, inf, inf]]))
 
-    Fine print. Of two equally deep faces the first is seen. A face without area covers nothing.
-    Eq. (4) is exact where all three z are equal; sum l_k z_k is not.
+    Fine print. The first of two equally deep faces is seen. Depths of exactly -1 and 1 are seen,
+    too: eq. (4) is exact where all three z are equal, and sum l_k z_k is not.
     """
     raise NotImplementedError("exercise 2.13: rasterize_loop")
 
@@ -191,7 +198,7 @@ def edge_functions_at(px, py, x, y):
     return np.stack([x[i] * y[j] - x[j] * y[i] for i, j in EDGES])
 
 
-def barycentric_on_face(px, py, x, y, w):  # exercise 2.16 (3 points)
+def barycentric_on_face(px, py, x, y, w):  # extra 2.16 (3 points)
     """Eq. (5): where on its face, in space, a sample lies: b (3, N), each column with sum 1.
 
     px, py (N,): samples. x, y, w (3, N): the corners of the face that each one sees, w of any
@@ -204,10 +211,11 @@ def barycentric_on_face(px, py, x, y, w):  # exercise 2.16 (3 points)
            [0.25 ],
            [0.375]])
     """
-    raise NotImplementedError("exercise 2.16: barycentric_on_face")
+    c = edge_functions_at(px, py, x, y) / w
+    return c / c.sum(0)
 
 
-def normalize_derivative(dc, b, s, axis=0):  # exercise 2.17 (2 points)
+def normalize_derivative(dc, b, s, axis=0):  # extra 2.17 (2 points)
     """Eq. (6), the quotient rule of b = c / s, s = sum c: how b changes where c changes by dc.
 
     dc, b of one shape, the three weights along the axis; s, of length 1 along that axis, or (for
@@ -217,7 +225,8 @@ def normalize_derivative(dc, b, s, axis=0):  # exercise 2.17 (2 points)
     >>> normalize_derivative(np.array([4.0, 0.0, 0.0]), b, s)
     array([ 0.75, -0.25, -0.5 ])
     """
-    raise NotImplementedError("exercise 2.17: normalize_derivative")
+    ds = dc.sum(axis, keepdims=True)
+    return (dc - b * ds) / s
 
 
 def barycentric_derivatives(px, py, x, y, w):

@@ -32,7 +32,7 @@ def twice_area(x, y):
     return (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
 
 
-def half_planes(x, y, w):  # exercise 2.11 (4 points)
+def half_planes(x, y, w):  # extra 2.11 (4 points)
     """Eq. (2): n_x, n_y, from_x, from_y, each (3, F), such that
 
         e_k / (2A w_k) >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
@@ -51,10 +51,19 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
     Fine print. Both faces at an edge measure from the same end. Choose it by greater |w| (the other
     end may be near infinity), then by smaller x, then by smaller y.
     """
-    raise NotImplementedError("exercise 2.11: half_planes")
+    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
+    winding = np.sign(twice_area(x, y))
+    for k, (i, j) in enumerate(EDGES):
+        w_i, w_j = np.abs(w[i]), np.abs(w[j])
+        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
+        at_i = (w_i > w_j) | ((w_i == w_j) & before)
+        from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
+        sign = winding * np.sign(w[k])
+        n_x[k], n_y[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
+    return n_x, n_y, from_x, from_y
 
 
-def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
+def depth_slopes(x, y, z):  # extra 2.12 (3 points)
     """Eq. (3): dz_dx, dz_dy, each (F,), with depth = z[0] + dz_dx (x - x[0]) + dz_dy (y - y[0]).
 
     x, y, z (3, F): the faces' corners, z after the divide.
@@ -65,7 +74,11 @@ def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
     Fine print. Measure from corner 0: the callers put the most accurate one there. Of equal z, both
     slopes are exactly 0. A face without area gets inf or nan; NumPy's warnings do not matter.
     """
-    raise NotImplementedError("exercise 2.12: depth_slopes")
+    x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
+    x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
+    # dz_dx x1 + dz_dy y1 = z1 and dz_dx x2 + dz_dy y2 = z2, by Cramer's rule.
+    determinant = twice_area(x, y)
+    return (z1 * y2 - z2 * y1) / determinant, (x1 * z2 - x2 * z1) / determinant
 
 
 def can_be_seen(clip, x, y, faces):
@@ -140,7 +153,7 @@ def half_plane_loop(clip, faces, width, height):
     return face_index, depth
 
 
-def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
+def first_column(slope, from_x, offset, width):  # extra 2.14 (3 points)
     """The least column j with slope (j + 0.5 - from_x) + offset >= 0.
 
     slope (R,) > 0, from_x, offset (R,), finite -> j (R,), whole numbers from 0 to width as floats.
@@ -153,10 +166,13 @@ def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
     Fine print. A quotient finds the place, but is rounded differently from this sum, which has the
     last word. For |from_x| < 1e14 the two are never more than one column apart.
     """
-    raise NotImplementedError("exercise 2.14: first_column")
+    # The crossing lies in this column: its centre is inside, or the next one's is.
+    column = np.floor(from_x - offset / slope)
+    column += slope * (column + 0.5 - from_x) + offset < 0
+    return np.clip(column, 0, width)
 
 
-def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
+def row_interval(planes, face, y, width):  # extra 2.15 (3 points)
     """The columns start <= j < end that a face covers on a row of pixels.
 
     planes: n_x, n_y, from_x, from_y of `half_planes`, each (3, F); face (R,), y (R,): a row of
@@ -172,7 +188,20 @@ def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
     0 or width. It needs a slope > 0: where n_x = 0, give it TINY, and from_x = 0. With n = 0, e is
     0: it ends the interval at 0.
     """
-    raise NotImplementedError("exercise 2.15: row_interval")
+    start = np.zeros(len(y))
+    end = np.full(len(y), float(width))
+    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
+        opens = is_top_left(n_x, n_y)
+        sign = np.where(opens, 1, -1)  # from here on, e grows from left to right
+        # A horizontal edge's e is offset, and has its sign with a slope of TINY from x = 0 as well.
+        slope = np.where(n_x == 0, TINY, sign * n_x)
+        from_x = np.where(n_x == 0, 0, from_x)
+        offset = (sign * n_y)[face] * (y - from_y[face])
+        column = first_column(slope[face], from_x[face], offset, width)
+        opens = opens[face]
+        start = np.maximum(start, np.where(opens, column, 0))
+        end = np.minimum(end, np.where(opens, width, column))
+    return start, end
 
 
 def expand(start, count):

@@ -32,7 +32,7 @@ def twice_area(x, y):
     return (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
 
 
-def half_planes(x, y, w):  # exercise 2.11 (4 points)
+def half_planes(x, y, w):  # extra 2.11 (4 points)
     """Eq. (2): n_x, n_y, from_x, from_y, each (3, F), such that
 
         e_k / (2A w_k) >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
@@ -63,7 +63,7 @@ def half_planes(x, y, w):  # exercise 2.11 (4 points)
     return n_x, n_y, from_x, from_y
 
 
-def depth_slopes(x, y, z):  # exercise 2.12 (3 points)
+def depth_slopes(x, y, z):  # extra 2.12 (3 points)
     """Eq. (3): dz_dx, dz_dy, each (F,), with depth = z[0] + dz_dx (x - x[0]) + dz_dy (y - y[0]).
 
     x, y, z (3, F): the faces' corners, z after the divide.
@@ -153,7 +153,7 @@ def half_plane_loop(clip, faces, width, height):
     return face_index, depth
 
 
-def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
+def first_column(slope, from_x, offset, width):  # extra 2.14 (3 points)
     """The least column j with slope (j + 0.5 - from_x) + offset >= 0.
 
     slope (R,) > 0, from_x, offset (R,), finite -> j (R,), whole numbers from 0 to width as floats.
@@ -172,7 +172,7 @@ def first_column(slope, from_x, offset, width):  # exercise 2.14 (3 points)
     return np.clip(column, 0, width)
 
 
-def row_interval(planes, face, y, width):  # exercise 2.15 (3 points)
+def row_interval(planes, face, y, width):  # extra 2.15 (3 points)
     """The columns start <= j < end that a face covers on a row of pixels.
 
     planes: n_x, n_y, from_x, from_y of `half_planes`, each (3, F); face (R,), y (R,): a row of

@@ -5,8 +5,9 @@
         \"\"\"a and b are swapped.\"\"\"
         assert_close(impl.edge_function(p, a, b), 2.0)
 
-Its name is the claim, its docstring the mistake that it catches. impl keeps the contract of all
-exercises, which course/given/contract.py states: a check gets arrays and numbers, never lists.
+Its name is the claim, its docstring the mistake that it catches. With fine_print=True it is of the
+exercise's fine print, which gives no points of the core. impl keeps the contract of all exercises,
+course/given/contract.py: a check gets arrays and numbers, never lists.
 
     assertions   what a check asserts
     hints        which common mistake explains a wrong answer

@@ -37,14 +37,15 @@ def paragraph(text, kind="note"):
 
 
 def coloured(verdict):
-    return f'<span style="color:{COLOURS.get(verdict, "#59636e")}">{html.escape(verdict)}</span>'
+    colour = COLOURS.get(verdict.partition(",")[0], "#59636e")
+    return f'<span style="color:{colour}">{html.escape(verdict)}</span>'
 
 
 def exercise_part(entry, lost, pictures, seed):
     """What is wrong in an exercise: every claim that failed, its message and its picture."""
     failed = [check for check in entry["checks"] if check["verdict"] != "passed"]
     parts = [f"<h2>{entry['number']} {html.escape(entry['name'])}: "
-             f"{coloured(entry['verdict'])}</h2>",
+             f"{coloured(entry['told'])}</h2>",
              paragraph(f"{len(failed)} of {len(entry['checks'])} claims do not hold. "
                        f"To run them again: {rerun(entry['number'], seed=seed)}")]
     if lost:

@@ -21,7 +21,8 @@ def pytest_addoption(parser):
 
 
 def pytest_configure(config):
-    config.addinivalue_line("markers", "exercise(number): this test is a check of that exercise")
+    config.addinivalue_line("markers", "exercise(number, fine_print=False): this test is a check "
+                            "of that exercise's question, or of its fine print")
     config.addinivalue_line("markers", "notebook: executes a notebook; left out by test --quick")
     try:
         loader.folder(config.option.impl)
@@ -37,7 +38,7 @@ def pytest_runtest_makereport(item, call):
         item.repr_failure = str  # pytest's own text takes 0.2 s, and would be replaced
     made = yield
     if mark and (made.when == "call" or not made.passed):
-        report.judge(item, call.excinfo and call.excinfo.value, made, mark.args[0])
+        report.judge(item, call.excinfo and call.excinfo.value, made, mark)
     return made
 
 

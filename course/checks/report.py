@@ -28,10 +28,15 @@ class Check(NamedTuple):
     message: str
     picture: str | None
     seconds: float
+    fine_print: bool
 
 
-def judge(item, error, report, number):
-    """Set report.check; report.outcome, where the check did not run; and report.longrepr."""
+def judge(item, error, report, mark):
+    """Set report.check, report.outcome where the check did not run, and report.longrepr.
+
+    mark: of the check; it names its exercise.
+    """
+    number = mark.args[0]
     if report.skipped or hasattr(report, "wasxfail") or (report.failed and error is None):
         vars(report).pop("wasxfail", None)  # else pytest goes on to count it as expected
         verdict = report.outcome = "failed"
@@ -46,10 +51,16 @@ def judge(item, error, report, number):
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
-                         getattr(error, "picture", None), report.duration)._asdict()
+                         getattr(error, "picture", None), report.duration,
+                         is_fine_print(mark))._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
         report.longrepr = layout([("claim", claim(item)), *rows,
                                   ("again", "\n".join(commands(item, number)))])
+
+
+def is_fine_print(mark):
+    """Whether a check is of its exercise's fine print, and not of the question."""
+    return mark.kwargs.get("fine_print", False)
 
 
 def verdict_of(error, number):
@@ -97,7 +108,8 @@ def claim(item):
     """test_a_shared_edge_is_covered_once -> 'A shared edge is covered once', and its parameters."""
     words = item.originalname.removeprefix("test_").replace("_", " ")
     case = f" [{item.callspec.id}]" if hasattr(item, "callspec") else ""
-    return words[:1].upper() + words[1:] + case
+    fine = " (fine print)" * is_fine_print(item.get_closest_marker("exercise"))
+    return words[:1].upper() + words[1:] + case + fine
 
 
 def commands(item, number):

@@ -9,7 +9,7 @@ from rich.progress import Progress
 
 from ..given import places
 from .loader import folder
-from .report import Check, claim
+from .report import Check, claim, is_fine_print
 from .showing import layout, told
 
 
@@ -63,12 +63,11 @@ class Collector:
         marks = [(item, item.get_closest_marker("exercise")) for item in items]
         self.problems += [f"{item.nodeid} names exercise {mark.args[0]}, and there is none"
                           for item, mark in marks if mark and mark.args[0] not in self.known]
-        asked = [(item, mark.args[0]) for item, mark in marks
-                 if mark and mark.args[0] in self.numbers]
+        asked = [(item, mark) for item, mark in marks if mark and mark.args[0] in self.numbers]
         items[:] = [item for item, _ in asked]
-        self.planned = {item.nodeid: Check(number, item.nodeid, claim(item), "failed",
-                                                  layout([("wrong", "it did not run")]),
-                                                  None, 0.0) for item, number in asked}
+        wrong = layout([("wrong", "it did not run")])
+        self.planned = {item.nodeid: Check(mark.args[0], item.nodeid, claim(item), "failed", wrong,
+                                           None, 0.0, is_fine_print(mark)) for item, mark in asked}
         self.task = self.progress.add_task("checks", total=len(items))
 
     def pytest_runtest_logstart(self, nodeid):

@@ -38,6 +38,7 @@ class Job(NamedTuple):
     level: str
     seed: int = 0
     limits: tuple = sandbox.Limits()
+    extra: bool = False  # whether extras are examined, too
 
 
 class Examination:
@@ -251,13 +252,14 @@ def before_it(topic):
 
 @functools.cache
 def given_code(topic):
-    """(topic, its text without answers, the exercises): what a worker has of an earlier topic.
+    """(topic, its text without answers, exercises): what a worker has of an earlier topic.
 
     An exercise is answered by the reference. What is given runs in the worker: constants, classes
     and generators cannot be sent.
     """
     text = exercises.read(exercises.reference(topic))
-    return topic, skeleton(text), tuple(found.name for found in exercises.text_exercises(text))
+    names = tuple(exercise.name for exercise in exercises.text_exercises(text))
+    return topic, skeleton(text, extra=True), names
 
 
 @functools.cache
@@ -292,7 +294,8 @@ def examine(job):
     started = time.monotonic()
     labs = {topic: exercises.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
     labs = {topic: labs[topic] for topic in exercises.topics() if topic in labs}
-    numbers = [exercise.number for lab in labs.values() for exercise in lab]
+    numbers = [exercise.number for lab in labs.values() for exercise in lab
+               if job.extra or not exercise.is_extra]
     examination = Examination(job, labs)
     found, problems = runner.run_checks(labs, numbers, "labs", job.seed, [examination])
     entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.lost

@@ -27,18 +27,23 @@ from .examine import Job
 
 
 def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None, scheduler=None,
-        seconds=10.0):
-    """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
+        seconds=10.0, extra=False):
+    """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1.
+
+    extra: extras count as well; that is fair where they were handed out open.
+    """
     topics = topics_of(labs)
     level, about = level_to_use(isolation)
     limits = sandbox.Limits(call=seconds, exercise=12 * seconds)
+    columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
+               if extra or not exercise.is_extra]
     handed_in = submissions.read(folder, topics)
     out = Path(out)
     print(f"isolation: {level} ({about})", *warnings(level), sep="\n")
 
     records, todo = {}, []
     for one in handed_in:
-        job = Job(one.texts, one.missing, level, seed, limits)
+        job = Job(one.texts, one.missing, level, seed, limits, extra)
         folder_of_one = out / "students" / one.student
         if resume and (done := done_before(folder_of_one, fingerprint(job))):
             records[one.student] = done
@@ -51,10 +56,10 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
         task = progress.add_task("submissions", total=len(todo))
         for one, job, (result, pictures) in examined(todo, jobs or os.cpu_count(), scheduler):
             records[one.student] = finish(one, fingerprint(job), result, pictures)
-            write_tables(out, records, topics, level, about)
+            write_tables(out, records, columns, level, about)
             progress.advance(task)
             progress.refresh()
-    write_tables(out, records, topics, level, about)
+    write_tables(out, records, columns, level, about)
     failed = [name for name, record in records.items() if record["problem"]]
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
           f"{len(records) - len(todo)} were done before, {len(failed)} could not be graded")
@@ -216,17 +221,19 @@ def finisher(out, topics, level, about, seed):
     return finish
 
 
-def write_tables(out, records, topics, level, about):
-    columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)]
+def write_tables(out, records, columns, level, about):
+    """grades.csv and index.html. columns: the exercises that count."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     names = (f"{exercise.number} {exercise.name}" for exercise in columns)
-    table.writerow(["student", *names, "total", "of", "isolation", "seconds", "hash", "problem"])
+    table.writerow(["student", *names, "total", "of", "fine print open",
+                    "isolation", "seconds", "hash", "problem"])
     for name in sorted(records):
         record = records[name]
         got = report.points(record)
         table.writerow([name, *(got.get(exercise.number, "") for exercise in columns),
                         sum(got.values()) if got else "", sum(e.points for e in columns),
+                        " ".join(report.open_fine_print(record)),
                         record["level"], f"{record['seconds']:.1f}", record["digest"],
                         record["problem"] or ""])
     out.mkdir(parents=True, exist_ok=True)

@@ -11,6 +11,13 @@ def points(record):
             for entry in board["exercises"]} if board and not record["problem"] else {}
 
 
+def open_fine_print(record):
+    """The exercises that are done, but for their fine print."""
+    board = record["board"]
+    return [entry["number"] for entry in board["exercises"]
+            if entry["told"] != entry["verdict"]] if points(record) else []
+
+
 def rows(lines, head=None):
     """lines: rows of cells; a number is set to the right, what begins with < is HTML."""
     def cell(content, tag):
@@ -33,11 +40,12 @@ def bar(part, whole):
 
 def page(record, pictures, about, seed):
     """record: of grade.run; pictures {file name: PNG}."""
-    board = record["board"]
-    parts = [paragraph(f"{board['points']} of {board['of']} points", "claim"),
+    board, got = record["board"], points(record)
+    of = sum(entry["points"] for entry in board["exercises"])
+    parts = [paragraph(f"{sum(got.values())} of {of} points", "claim"),
              *map(paragraph, record["notes"]), board_table(board)]
     for entry in board["exercises"]:
-        if entry["verdict"] == "failing":
+        if entry["verdict"] == "failing" or entry["told"] != entry["verdict"]:
             parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, seed)
     parts += ["<h2>How this was found</h2>", paragraph(
         f"Isolation {record['level']} ({about}); seed {seed}; {record['seconds']:.1f} s; "
@@ -56,7 +64,7 @@ def board_table(board):
             lines.append([f"<strong>{html.escape(topic)}</strong>", "", got, of, bar(got, of)])
         lines.append([entry["number"], entry["name"],
                       entry["points"] * (entry["verdict"] == "done"), entry["points"],
-                      coloured(entry["verdict"])])
+                      coloured(entry["told"])])
     return rows(lines, ["", "", "points", "of", ""])
 
 
@@ -70,9 +78,9 @@ def gradescope(record, about):
         tests.append({"number": entry["number"], "name": entry["name"],
                       "score": entry["points"] * done, "max_score": entry["points"],
                       "status": "passed" if done else "failed", "output_format": "text",
-                      "output": "" if done else "\n\n".join([entry["verdict"], *wrong])})
+                      "output": "\n\n".join([entry["told"], *wrong]) if wrong else ""})
     about = f"isolation {record['level']} ({about}), hash {record['digest']}"
-    return {"score": record["board"]["points"], "output": "\n".join([*record["notes"], about]),
+    return {"score": sum(points(record).values()), "output": "\n".join([*record["notes"], about]),
             "output_format": "text", "execution_time": round(record["seconds"]),
             "stdout_visibility": "hidden", "tests": tests}
 

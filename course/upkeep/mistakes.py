@@ -51,7 +51,7 @@ def library(topic):
 
 
 def tried(topic):
-    """[(Mistake, [(nodeid, fingerprint or None or False)] of the checks that caught it)]."""
+    """[(Mistake, [mutants.Caught] of the checks that caught it)]."""
     mistakes = library(topic)
     trials = [(mistake.exercise, mistake.text) for mistake in mistakes]
     return list(zip(mistakes, mutants.caught_by(topic, trials, only_first=False), strict=True))
@@ -67,7 +67,7 @@ def run():
         found = tried(topic)
         for mistake, caught in found:
             marks = sentences.setdefault(mistake.sentence, [])
-            marks += [mark for _, mark in caught if mark and mark not in told]
+            marks += [check.mark for check in caught if check.mark and check.mark not in told]
             told.update(marks)
             alive += [mistake] * (not caught)
         if found:

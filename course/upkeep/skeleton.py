@@ -1,7 +1,8 @@
-"""The labs, made of the reference: a raise in place of every exercise's answer.
+"""The labs, made of the reference: a raise in place of every core exercise's answer.
 
-Everything else stays, byte for byte. labs/.generated.json keeps a hash of every lab as it was made.
-A lab with another hash was worked on, and is not made anew without --force.
+Everything else stays, byte for byte, also extras, which `extras` opens. labs/.generated.json keeps
+a hash of every lab as it was made. A lab with another hash was worked on, and is not made anew
+without --force.
 """
 import hashlib
 import json
@@ -21,18 +22,51 @@ class Lab(NamedTuple):
     state: str  # in step, stale (or not there), worked on
 
 
-def skeleton(text):
-    """The lab's text, from the reference's. ValueError: a mark is wrong."""
+class Answer(NamedTuple):
+    """An exercise's answer: lines[start:end] of a module's text."""
+
+    exercise: exercises.Exercise
+    start: int
+    end: int
+    text: str
+    todo: str  # the line that stands in its place in a lab
+
+
+def skeleton(text, extra=False):
+    """The lab's text, from the reference's; with extra, its extras opened.
+
+    ValueError: a mark is wrong.
+    """
+    lines = exercises.text_lines(text)
+    for answer in reversed(answers(text)):  # upwards: lines above stay put
+        if extra or not answer.exercise.is_extra:
+            put(lines, answer, answer.todo, is_open=True)
+    return "".join(lines)
+
+
+def answers(text):
+    """The Answer to each exercise of a module's text. ValueError: a mark is wrong."""
     lines = exercises.text_lines(text)
     functions = {function.lineno: function for function in exercises.top_level_functions(text)}
-    marked = exercises.text_exercises(text)
-    for number, name, _, line, _ in reversed(marked):  # upwards: lines above stay put
-        question, end = functions[line].body[0], answer_end(lines, functions[line])
+
+    def answer(exercise):
+        function = functions[exercise.line]
+        question, end = function.body[0], answer_end(lines, function)
         indent = lines[question.lineno - 1][:question.col_offset]
         newline = lines[end - 1].removeprefix(lines[end - 1].rstrip("\r\n"))
-        lines[question.end_lineno:end] = [
-            f'{indent}raise NotImplementedError("exercise {number}: {name}"){newline}']
-    return "".join(lines)
+        todo = f'raise NotImplementedError("exercise {exercise.number}: {exercise.name}")'
+        return Answer(exercise, question.end_lineno, end,
+                      "".join(lines[question.end_lineno:end]), f"{indent}{todo}{newline}")
+
+    return [answer(exercise) for exercise in exercises.text_exercises(text)]
+
+
+def put(lines, answer, text, is_open):
+    """Put another text in an answer's place; of an extra, let the mark say whether it is open."""
+    lines[answer.start:answer.end] = [text]
+    mark = answer.exercise.line - 1
+    lines[mark] = re.sub(rf"(# extra [^)]*\))(?:{exercises.OPEN})?",
+                         rf"\1{exercises.OPEN if is_open else ''}", lines[mark])
 
 
 def answer_end(lines, function):

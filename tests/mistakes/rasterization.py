@@ -49,21 +49,6 @@ def edge_function_backward(grad_e, p, a, b):
     return turned(a - b), turned(p - a), turned(b - p)
 
 
-def signed_area(triangle):
-    """it is twice the area"""
-    return edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :])
-
-
-def signed_area(triangle):
-    """clockwise triangles are positive"""
-    return -edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :]) / 2
-
-
-def signed_area(triangle):
-    """the sign is lost: a clockwise triangle has a negative area"""
-    return abs(edge_function(triangle[..., 2, :], triangle[..., 0, :], triangle[..., 1, :])) / 2
-
-
 def is_inside(p, triangle):
     """clockwise triangles contain nothing; here either winding will do"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
@@ -165,30 +150,6 @@ def bounding_box(triangle, width, height):
     x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [width, height])
     x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [width, height])
     return int(x0), int(x1), int(y0), int(y1)
-
-
-def screen_points(clip, width, height):
-    """y points down; row 0 is at the bottom"""
-    x, y, _, w = clip.T.astype(float)
-    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
-    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
-    return (x / w + 1) * (width / 2), (1 - y / w) * (height / 2), w
-
-
-def screen_points(clip, width, height):
-    """width and height are swapped"""
-    x, y, _, w = clip.T.astype(float)
-    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
-    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
-    return (x / w + 1) * (height / 2), (y / w + 1) * (width / 2), w
-
-
-def screen_points(clip, width, height):
-    """x is not divided by w"""
-    x, y, _, w = clip.T.astype(float)
-    least = CAMERA_PLANE * np.maximum(np.abs(x), np.abs(y))
-    w = np.where(np.abs(w) < least, np.where(w < 0, -least, least), w)
-    return (x + 1) * (width / 2), (y / w + 1) * (height / 2), w
 
 
 def cull_back_faces(x, y, w, faces):

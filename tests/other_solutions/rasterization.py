@@ -1,7 +1,7 @@
 """Lab 2 once more: brute force, complex numbers, and linear systems for areas."""
 import numpy as np
 
-from reference.rasterization import CAMERA_PLANE, EDGES, MARGIN
+from reference.rasterization import EDGES, MARGIN, screen_points, signed_area
 
 
 def edge_function(p, a, b):
@@ -22,11 +22,6 @@ def edge_function_backward(grad_e, p, a, b):
                          grad_e * (before[..., 0] - after[..., 0])], -1)
 
     return [slope(a, b), slope(b, p), slope(p, a)]
-
-
-def signed_area(triangle):
-    x, y = np.moveaxis(triangle, -1, 0)
-    return sum(x[..., k - 1] * y[..., k] - x[..., k] * y[..., k - 1] for k in range(3)) / 2
 
 
 def is_inside(p, triangle):
@@ -69,18 +64,6 @@ def bounding_box(triangle, width, height):
                           for column, size in zip(np.transpose(triangle), (width, height),
                                                   strict=True))
     return x0, y0, x1, y1
-
-
-def screen_points(clip, width, height):
-    points = np.full((3, len(clip)), np.nan)
-    for k, (x, y, _, w) in enumerate(np.asarray(clip, float).tolist()):
-        least = CAMERA_PLANE * max(abs(x), abs(y))
-        if abs(w) < least:
-            w = -least if w < 0 else least
-        points[2, k] = w
-        if w != 0:
-            points[:2, k] = width / 2 * (x / w) + width / 2, height / 2 * (y / w) + height / 2
-    return tuple(points)
 
 
 def cull_back_faces(x, y, w, faces):

@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from course.checks import assert_close
+from course.checks import assert_close, assert_equal
 from reference import rasterization, scanline
 
 GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
@@ -78,3 +78,50 @@ def test_a_scatter_is_the_transpose_of_a_gather(rng, index, columns):
     total = rasterization.scatter(values, index, 6)
     assert total.shape == x.shape and total.dtype == float
     np.testing.assert_allclose((values * x[index]).sum(), (total * x).sum(), rtol=1e-12, atol=1e-12)
+
+
+def test_half_a_rectangle(impl):
+    """Twice the area, or no sign for the winding."""
+    triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]])
+    assert_close(impl.signed_area(triangle), 1.0)
+    assert_close(impl.signed_area(triangle[::-1]), -1.0)
+
+
+
+def test_areas_are_those_of_the_shoelace_formula(impl, rng):
+    """Right only for triangles with a vertex at the origin, or for one triangle alone."""
+    triangles = rng.normal(size=(4, 5, 3, 2))
+    x, y = np.moveaxis(triangles, -1, 0)
+    shoelace = (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
+    assert_close(impl.signed_area(triangles), shoelace)
+
+
+
+def test_vertices_on_screen_on_paper(impl):
+    """y is flipped, width and height are swapped, or |w| stands for w."""
+    clip = np.array([[0.0, 2.0, 9.0, 2.0], [-1.0, -1.0, 9.0, 1.0], [3.0, 0.5, 9.0, -1.0]])
+    x, y, w = impl.screen_points(clip, 9, 5)
+    assert_close(x, np.array([4.5, 0.0, -9.0]))
+    assert_close(y, np.array([5.0, 0.0, 1.25]))
+    assert_close(w, np.array([2.0, 1.0, -1.0]))
+
+
+
+def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
+    """A division by zero; or a least w that does not go with the unit of clip space."""
+    clip = np.array([[1.0, -1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 1e-12], [1.0, -0.2, 0.0, -1e-12],
+                     [-1.0, 0.3, 0.0, 0.0]])
+    for unit in 1e-13, 1.0, 1e5:
+        x, y, w = impl.screen_points(unit * clip, 8, 4)
+        assert_close(w / unit, np.array([1e-10, 1e-10, -1e-10, 1e-10]),
+                     given=f"clip scaled by {unit}")
+        assert_close(x, np.array([4e10, 2e10, -4e10, -4e10]), rtol=1e-6)
+        assert_close(y, np.array([-2e10, -2e10, 4e9, 6e9]), rtol=1e-6)
+
+
+
+def test_a_small_w_is_not_yet_the_camera_plane(impl):
+    """A vertex near the camera, or in small units, is moved."""
+    clip = np.array([[1.0, 0.5, 0.0, 1.01e-10], [1e-9, 0.0, 0.0, 1e-12], [0.0, 0.0, 1.0, 1e-30]])
+    _, _, w = impl.screen_points(clip, 8, 4)
+    assert_equal(w, clip[:, 3])

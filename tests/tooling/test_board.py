@@ -209,14 +209,16 @@ def test_the_json_holds_the_board_and_every_check(whole):
                         "1.7": "failing", "2.1": "done"}
     half = found["exercises"][1]
     assert half | {"checks": []} == {"number": "1.2", "name": "half", "topic": "transforms",
-                                     "points": 3, "verdict": "failing", "checks": []}
+                                     "points": 3, "extra": False, "verdict": "failing",
+                                     "told": "failing", "checks": []}
     passed, failed = half["checks"]
     assert passed["verdict"] == "passed" and passed["message"] == ""
     assert failed["seconds"] >= 0 and failed["picture"] is None
     assert failed["message"].startswith("catches   A third.\ngiven     half(x=3.0)\n")
     assert failed | {"seconds": 0, "message": ""} == {
         "exercise": "1.2", "nodeid": "tests/labs/test_transforms.py::test_half_of_three",
-        "claim": "Half of three", "verdict": "failed", "message": "", "picture": None, "seconds": 0}
+        "claim": "Half of three", "verdict": "failed", "message": "", "picture": None, "seconds": 0,
+        "fine_print": False}
     assert found["exercises"][5]["checks"] == []
 
 
@@ -368,7 +370,7 @@ def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_modu
 
 
 def entry(number, verdict, *verdicts):
-    found = [Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0)
+    found = [Check(number, "", f"claim {k}", text, f"for it is {text}", None, 0.0, False)
              for k, text in enumerate(verdicts)]
     return board.Entry("transforms", exercises.Exercise(number, "f", 2, 4, ()), verdict, found)
 

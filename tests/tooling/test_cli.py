@@ -23,11 +23,15 @@ def stand_in(monkeypatch):
     ("demo", "experiments.demo.run", ([],), {"implementation": "reference"}),
     ("demo bunny teapot --impl labs", "experiments.demo.run", (["bunny", "teapot"],),
      {"implementation": "labs"}),
-    ("check", "board.check", (None, "labs"), {"json_file": None, "seed": 0, "pictures": False}),
-    ("check 2.3 --impl handed/in --json board.json --seed 7", "board.check",
-     ("2.3", "handed/in"), {"json_file": "board.json", "seed": 7, "pictures": False}),
+    ("check", "board.check", (None, "labs"),
+     {"json_file": None, "seed": 0, "pictures": False, "extra": False}),
+    ("check 2.3 --impl handed/in --json board.json --seed 7 --extra", "board.check",
+     ("2.3", "handed/in"),
+     {"json_file": "board.json", "seed": 7, "pictures": False, "extra": True}),
     ("check 2 --watch", "board.watch", ("2", "labs"),
-     {"json_file": None, "seed": 0, "pictures": False}),
+     {"json_file": None, "seed": 0, "pictures": False, "extra": False}),
+    ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
+    ("close 2", "upkeep.extras.close", ("2",), {}),
     ("mistakes", "upkeep.mistakes.run", (), {}),
     ("mutants", "upkeep.mutants.run", (None,), {}),
     ("mutants 2.3", "upkeep.mutants.run", ("2.3",), {}),
@@ -40,9 +44,9 @@ def stand_in(monkeypatch):
     ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("autograder github .", "grading.autograder.github", (".",), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
-     "--scheduler tcp://a --seconds 3", "grading.grade.run", ("in", "out"),
+     "--scheduler tcp://a --seconds 3 --extra", "grading.grade.run", ("in", "out"),
      {"labs": "1", "jobs": 2, "resume": True, "seed": 7, "isolation": "process",
-      "scheduler": "tcp://a", "seconds": 3.0}),
+      "scheduler": "tcp://a", "seconds": 3.0, "extra": True}),
 ])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):

@@ -149,9 +149,9 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
 
 def test_pages_escape_what_students_write():
     """A script in a message runs in the instructor's browser."""
-    check = Check("1.1", "", "Claim", "failed", "<script>", "x/pic.png", 0.0)._asdict()
+    check = Check("1.1", "", "Claim", "failed", "<script>", "x/pic.png", 0.0, False)._asdict()
     entry = {"number": "1.1", "name": "f", "topic": "t", "points": 1, "verdict": "failing",
-             "checks": [check]}
+             "told": "failing", "extra": False, "checks": [check]}
     record = {"student": "ada", "level": "strict", "digest": "0", "notes": ["<b>"], "seconds": 1.0,
               "lost": {"1.1": "in f: <i>"}, "problem": None,
               "board": {"points": 0, "of": 1, "exercises": [entry]}}

@@ -24,12 +24,13 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
     alive = [f"{mistake.exercise.number}: when {mistake.sentence}"
              for mistake, caught in zip(library, verdicts, strict=True) if not caught]
     assert alive == []
-    marks = [(mistake.exercise.number, mark)
-             for mistake, [(_, mark)] in zip(library, verdicts, strict=True) if mark]
+    marks = [(mistake.exercise.number, check.mark)
+             for mistake, [check] in zip(library, verdicts, strict=True) if check.mark]
     assert len({*marks}) == len(marks), "two mistakes of an exercise return the same"
     known = known_sentences()
     silent = [f"{mistake.exercise.number}: when {mistake.sentence}"
-              for mistake, [(_, mark)] in zip(library, verdicts, strict=True) if mark not in known]
+              for mistake, [check] in zip(library, verdicts, strict=True)
+              if check.mark not in known]
     assert len(silent) <= MISREAD * len(library), silent
 
 

@@ -171,7 +171,7 @@ def test_what_lives_is_shown_with_its_line(course, tried):
     assert rows[0] == "1.1 double 5 of 5 caught 100.0 %".split()
     assert rows[1][:2] == ["1.2", "count"] and rows[1][2:5] == ["6", "of", "8"]
     assert rows[2] == "1.3 unseen 0 of 6 caught 0.0 %, and 1 equivalent".split()
-    assert rows[3][:3] == ["all", "3", "exercises"]
+    assert rows[3][:3] == ["core", "3", "exercises"]
     assert "1.3  x > 0 -> x >= 0\n" not in tried.stdout
     assert "1.3  0.0 -> 0.1\n      lives, reference/transforms.py:16\n" in tried.stdout
     assert "1.3  no such change\n      is listed as equivalent, but is caught, or is no mutant" in (

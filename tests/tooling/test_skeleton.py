@@ -103,7 +103,7 @@ def third(x):  # exercise 1.10 (12 points)
 
 def test_an_exercise_has_number_name_points_line_and_calls():
     """The line is a decorator's, 1.10 becomes 1.1, or calls through given functions are missed."""
-    assert exercises.text_exercises(MODULE) == [
+    assert [found[:5] for found in exercises.text_exercises(MODULE)] == [
         ("1.1", "first", 2, 13, ()),
         ("1.2", "second", 1, 29, ("first",)),
         ("1.10", "third", 12, 45, ("first", "second")),

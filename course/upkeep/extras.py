@@ -1,0 +1,91 @@
+"""Extras in labs/: opened to be written, and closed again.
+
+An extra is complete in labs/ until it is opened. Its answer then waits in labs/.answers.json, and
+comes back when the extra is closed. A core exercise is open from the start; it can be closed where
+its solution was released, that is where reference/ has its module.
+"""
+import json
+
+from .. import board, exercises
+from ..given import places
+from . import skeleton
+
+
+def open_extras(target):
+    """Open an extra (2.14), or all of a lab (2 or scanline) -> 0. ValueError: there is none."""
+    found = [pair for pair in asked(target) if pair[1].exercise.is_extra]
+    if not found:
+        raise ValueError(f"{target} has no extra; what belongs to the core is open from the start")
+    kept = kept_answers()
+    for topic, answer in found:
+        if answer.exercise.is_open:
+            print(f"{named(answer)} is open already")
+            continue
+        kept[answer.exercise.number] = answer.text
+        write(kept_path(), json.dumps(kept, indent=2))
+        replace(topic, answer, answer.todo, is_open=True)
+        print(f"{named(answer)} is open: write it in labs/{topic}.py, line {answer.exercise.line}")
+    return 0
+
+
+def close(target):
+    """Put the answers back where an exercise is untouched -> 0. ValueError: none can be."""
+    found = [pair for pair in asked(target) if pair[1].exercise.is_open]
+    if not found:
+        raise ValueError(f"nothing of {target} is open")
+    for topic, answer in found:
+        known = known_answer(topic, answer.exercise)
+        if answer.text.strip() != answer.todo.strip():
+            print(f"{named(answer)} was worked on, and stays as it is")
+        elif known is None:
+            print(f"{named(answer)} stays open: its solution is not in this copy")
+        else:
+            replace(topic, answer, known, is_open=False)
+            print(f"{named(answer)} is complete again")
+    return 0
+
+
+def asked(target):
+    """[(topic, Answer)] in labs/ of a lab, a topic or an exercise, the last one of a file first."""
+    labs, numbers = board.asked_for(target)
+    return [(topic, answer) for topic in labs
+            for answer in reversed(skeleton.answers(exercises.read(lab_path(topic))))
+            if answer.exercise.number in numbers]
+
+
+def known_answer(topic, exercise):
+    """The text of an answer that was there before, or that was released; or None."""
+    known = kept_answers()
+    path = exercises.reference(topic)
+    if path.exists():
+        known |= {answer.exercise.number: answer.text
+                  for answer in skeleton.answers(exercises.read(path))}
+    return known.get(exercise.number)
+
+
+def replace(topic, answer, text, is_open):
+    lines = exercises.text_lines(exercises.read(lab_path(topic)))
+    skeleton.put(lines, answer, text, is_open)
+    write(lab_path(topic), "".join(lines))
+
+
+def named(answer):
+    return f"{answer.exercise.number} {answer.exercise.name}"
+
+
+def lab_path(topic):
+    return places.ROOT / "labs" / f"{topic}.py"
+
+
+def kept_path():
+    return places.ROOT / "labs" / ".answers.json"
+
+
+def kept_answers():
+    """{number: the answer that an opened extra had}."""
+    path = kept_path()
+    return json.loads(path.read_bytes()) if path.exists() else {}
+
+
+def write(path, text):
+    places.write_whole(path, text.encode("utf-8"))

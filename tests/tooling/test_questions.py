@@ -1,0 +1,61 @@
+"""Questions are short, and typing the equation that is printed is a right answer."""
+import ast
+import re
+
+import numpy as np
+import pytest
+
+from course import exercises
+from course.given import places
+from course.upkeep import mutants
+
+LITERAL = places.ROOT / "tests" / "literal"
+
+
+def words(text):
+    """How many words a reader has to take in; examples are looked at, not read."""
+    return len(re.sub(r"^ *>>>.*(?:\n.*\S.*)*", "", text, flags=re.M).split())
+
+
+def core(topic):
+    return [exercise for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
+
+
+def docstring(topic, exercise):
+    return ast.get_docstring(mutants.function_of(topic, exercise))
+
+
+def questions():
+    """[(number, words of its question, words of its fine print)] of the core."""
+    texts = [(exercise.number, *docstring(topic, exercise).partition("Fine print.")[::2])
+             for topic in exercises.topics() for exercise in core(topic)]
+    return [(number, words(question), words(fine)) for number, question, fine in texts]
+
+
+def test_questions_are_short():
+    """A question reads like a standard."""
+    _, question, fine = zip(*questions(), strict=True)
+    assert np.median(question) <= 25 and np.quantile(question, 0.9) <= 45
+    assert max(fine) <= 60
+
+
+@pytest.fixture(scope="module")
+def literal(tmp_path_factory):
+    """A folder like reference/, with what one types who reads the equations and no fine print."""
+    folder = tmp_path_factory.mktemp("literal")
+    for topic in exercises.topics():
+        texts = [path for path in (exercises.reference(topic), LITERAL / f"{topic}.py")
+                 if path.exists()]
+        (folder / f"{topic}.py").write_text("\n\n".join(map(exercises.read, texts)), "utf-8")
+    return folder
+
+
+@pytest.mark.parametrize("lab", range(1, len(exercises.LABS) + 1))
+def test_the_equation_as_it_is_printed_answers_the_question(lab, literal, run_module, tmp_path):
+    """A check of the question asks for what only the fine print says, or nobody."""
+    typed = {function.name for topic in exercises.LABS[lab - 1]
+             if (LITERAL / f"{topic}.py").exists()
+             for function in exercises.top_level_functions(exercises.read(LITERAL / f"{topic}.py"))}
+    assert typed == {exercise.name for topic in exercises.LABS[lab - 1] for exercise in core(topic)}
+    done = run_module(places.ROOT, "course", "check", str(lab), "--impl", literal)
+    assert done.returncode == 0, done.stdout + done.stderr
