@@ -46,7 +46,7 @@ class Entry(NamedTuple):
 
 
 def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False, extra=False):
-    """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all; show the board.
+    """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all, and show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
@@ -69,7 +69,7 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
     board = [entry for entry in everything if entry.exercise.number in asked]
 
     all_is_done = all(entry.verdict == "done" for entry in board)
-    Console().print(table(board, closed if len(asked) > 1 else ()))
+    Console().print(table(board, () if target in asked else closed))
     print("", *problems, *broken.values(), sep="\n")
     if all_is_done:
         print(all_done(board, labs))
@@ -263,10 +263,14 @@ def next_to_do(entries, code, implementation, seed):
     if wrong:
         lines += [layout([("claim", wrong[0].claim)])]
         lines += [wrong[0].message] * (verdict != "not started")
-    again = rerun(verdict.removeprefix("blocked by ") if "blocked" in verdict
-                         else exercise.number, implementation, seed)
-    return "\n".join([*lines, layout([("again", again),
-                                             ("read", reading(topic, exercise, code))])])
+    number = verdict.removeprefix("blocked by ") if "blocked" in verdict else exercise.number
+    rows = [("again", rerun(number, implementation, seed)),
+            ("read", reading(topic, exercise, code))]
+    if verdict != "done" and exercises.reference(topic).exists():
+        put_in = f"python3 -m course close {exercise.number} --core puts it in; "
+        rows.append(("stuck", f"{put_in * (verdict == 'not started')}the solution is in "
+                              f"reference/{topic}.py"))
+    return "\n".join([*lines, layout(rows)])
 
 
 def reading(topic, exercise, code):
@@ -305,7 +309,7 @@ def section_of(lecture, exercise):
 
 
 def open_pictures(board, seed):
-    """Print where the pictures of failed checks are; open a page with all that failed, if any did.
+    """Print where the pictures of failed checks are. Open a page with all that failed, if any did.
 
     Where there is no browser to open it with, its path is all.
     """
@@ -327,11 +331,12 @@ def open_pictures(board, seed):
 def all_done(board, labs):
     reached, of = points(board)
     topic, last = board[-1].topic, board[-1].exercise
-    rest = labs[topic][labs[topic].index(last) + 1:]
-    asking = exercises.asking_topics()
-    later = asking[asking.index(topic) + 1:]
+    rest = [exercise for exercise in labs[topic][labs[topic].index(last) + 1:]
+            if not exercise.is_extra]
+    later = [number for number in map(exercises.lab_number, exercises.asking_topics())
+             if number > exercises.lab_number(topic)]
     coming = ([f"{exercise.number} {exercise.name}" for exercise in rest]
-              + [f"lab {exercises.lab_number(lab)}, {lab}" for lab in later]
+              + [f"lab {number}, {exercises.LABS[number - 1][0]}" for number in later]
               + ["python3 -m course check, for the rest"])
     return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {coming[0]}."
 

@@ -117,6 +117,7 @@ def arguments():
         option = add(command)
         option("target", metavar="TARGET",
                help="an exercise (2.14), a lab (2) or a topic (scanline)")
+    option("--core", action="store_true", help="put released solutions into the core, too")
 
     option = add(pack)
     option("file", nargs="?", default="labs.zip", metavar="FILE", help="the zip's name")
@@ -193,12 +194,9 @@ def open_extras(asked):
 
 
 def close(asked):
-    """Put the answers back into the exercises of labs/ that are open and untouched.
-
-    Those of extras are kept; those of the core are there once the solutions of a lab are released.
-    """
+    """Put the answers back into extras that are open and untouched."""
     import course.upkeep.extras
-    return course.upkeep.extras.close(asked.target)
+    return course.upkeep.extras.close(asked.target, core=asked.core)
 
 
 def pack(asked):

@@ -80,8 +80,8 @@ def is_inside(p, triangle):  # extra 2.4 (2 points)
 def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
     """Top-left rule: does an edge own the samples that lie exactly on it?
 
-    n_x, n_y (...), the normal n of eq. (1), which points into the face -> bool (...). Left edges
-    do (n points right), and horizontal edges below their face (n points straight up).
+    n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
+    points right) and for horizontal edges below their face (n points up).
 
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
@@ -173,9 +173,8 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (5 points)
     """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 
-    clip (V, 4) with w > 0, faces (F, 3) -> face_index (height, width), -1 where no face is seen,
-    and the depth of eq. (4), np.inf there. Turn clockwise faces over. Depths below -1 or above 1
-    are not seen.
+    clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
+    seen. Both sides of a face count, and depths (4) from -1 to 1.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)
@@ -183,8 +182,9 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (5 points)
            [ 0, -1, -1]]), array([[0.5, 0.5, inf],
            [0.5, inf, inf]]))
 
-    Fine print. The first of two equally deep faces is seen. Depths of exactly -1 and 1 are seen,
-    too: eq. (4) is exact where all three z are equal, and sum l_k z_k is not.
+    Fine print. All w are positive: behind the camera is scanline.py. The first of two equally
+    deep faces is seen. Depths of exactly -1 and 1 are seen, too: eq. (4) is exact where all three
+    z are equal, and sum l_k z_k is not.
     """
     raise NotImplementedError("exercise 2.13: rasterize_loop")
 

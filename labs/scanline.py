@@ -33,13 +33,10 @@ def twice_area(x, y):
 
 
 def half_planes(x, y, w):  # extra 2.11 (4 points)
-    """Eq. (2): n_x, n_y, from_x, from_y, each (3, F), such that
+    """Eq. (2): each face as three half-planes, n_x (x - from_x) + n_y (y - from_y) >= 0.
 
-        e_k / (2A w_k) >= 0   <=>   e = n_x[k] (x - from_x[k]) + n_y[k] (y - from_y[k]) >= 0.
-
-    x, y, w (3, F), finite: the faces' corners, row k of corner k. (n_x[k], n_y[k]) is the normal
-    of the edge opposite to corner k, times the sign of w_k and the sign of the given `twice_area`.
-    (from_x[k], from_y[k]) is one end of that edge.
+    x, y, w (3, F), row k of corner k -> n_x, n_y, from_x, from_y (3, F), row k of the edge
+    opposite to it: its normal, times the signs of w_k and of `twice_area`, and one of its ends.
 
     >>> corners = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 2.0], [1.0, -2.0, 1.0]])
     >>> n_x, n_y, from_x, from_y = half_planes(*corners[..., None])
@@ -64,15 +61,15 @@ def half_planes(x, y, w):  # extra 2.11 (4 points)
 
 
 def depth_slopes(x, y, z):  # extra 2.12 (3 points)
-    """Eq. (3): dz_dx, dz_dy, each (F,), with depth = z[0] + dz_dx (x - x[0]) + dz_dy (y - y[0]).
+    """Eq. (3): how the depth changes along x and along y.
 
-    x, y, z (3, F): the faces' corners, z after the divide.
+    x, y, z (3, F): the faces' corners, z after the divide -> dz_dx, dz_dy (F,).
 
     >>> depth_slopes(*np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.5]])[..., None])
     (array([0.1]), array([0.]))
 
-    Fine print. Measure from corner 0: the callers put the most accurate one there. Of equal z, both
-    slopes are exactly 0. A face without area gets inf or nan; NumPy's warnings do not matter.
+    Fine print. Measure from corner 0: the callers put the most accurate one there. Both slopes
+    are exactly 0 where all z are equal. A face without area gets inf or nan.
     """
     x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
     x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
@@ -154,10 +151,9 @@ def half_plane_loop(clip, faces, width, height):
 
 
 def first_column(slope, from_x, offset, width):  # extra 2.14 (3 points)
-    """The least column j with slope (j + 0.5 - from_x) + offset >= 0.
+    """The first column j with slope (j + 0.5 - from_x) + offset >= 0, from 0 to width.
 
-    slope (R,) > 0, from_x, offset (R,), finite -> j (R,), whole numbers from 0 to width as floats.
-    It is width where there is none.
+    slope (R,) > 0, from_x, offset (R,) -> j (R,), as floats.
 
     >>> zero = np.zeros(3)
     >>> first_column(np.array([2.0, 2.0, 2.0]), zero, np.array([-3.0, -3.1, -99.0]), 8)
@@ -173,20 +169,19 @@ def first_column(slope, from_x, offset, width):  # extra 2.14 (3 points)
 
 
 def row_interval(planes, face, y, width):  # extra 2.15 (3 points)
-    """The columns start <= j < end that a face covers on a row of pixels.
+    """The columns start <= j < end that a face covers on the row of pixels at height y.
 
-    planes: n_x, n_y, from_x, from_y of `half_planes`, each (3, F); face (R,), y (R,): a row of
-    pixels, its centres at y, of face number face -> start, end (R,) floats from 0 to width,
-    start >= end if nothing is covered. An edge that `is_top_left` opens the interval at the first
-    column with e >= 0. Any other ends it at the first column with -e >= 0.
+    planes of `half_planes`, each (3, F); face, y (R,) -> start, end (R,), floats. Edges that are
+    top-left open the interval at the first column with e >= 0. The others end it at the first with
+    -e >= 0.
 
     >>> corners = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 4.0], [1.0, 1.0, 1.0]])
     >>> row_interval(half_planes(*corners[..., None]), np.array([0, 0]), np.array([0.5, 2.5]), 8)
     (array([0., 0.]), array([3., 1.]))
 
-    Fine print. The e of a horizontal edge is one number on the whole row, so that `first_column` is
-    0 or width. It needs a slope > 0: where n_x = 0, give it TINY, and from_x = 0. With n = 0, e is
-    0: it ends the interval at 0.
+    Fine print. The e of a horizontal edge is one number on the whole row: `first_column` is 0 or
+    width. Where n_x = 0, give it the slope TINY and from_x = 0. An edge without length, n = 0, ends
+    the interval at 0.
     """
     start = np.zeros(len(y))
     end = np.full(len(y), float(width))

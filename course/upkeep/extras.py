@@ -1,8 +1,8 @@
 """Extras in labs/: opened to be written, and closed again.
 
 An extra is complete in labs/ until it is opened. Its answer then waits in labs/.answers.json, and
-comes back when the extra is closed. A core exercise is open from the start; it can be closed where
-its solution was released, that is where reference/ has its module.
+comes back when the extra is closed. A core exercise is open from the start. It can be closed once
+its solution is released, that is where reference/ has its module.
 """
 import json
 
@@ -28,17 +28,22 @@ def open_extras(target):
     return 0
 
 
-def close(target):
-    """Put the answers back where an exercise is untouched -> 0. ValueError: none can be."""
-    found = [pair for pair in asked(target) if pair[1].exercise.is_open]
+def close(target, core=False):
+    """Put the answers back into untouched extras, with core into all exercises -> 0.
+
+    ValueError: there is none that is open.
+    """
+    found = [(topic, answer) for topic, answer in asked(target)
+             if answer.exercise.is_open and (core or answer.exercise.is_extra)]
     if not found:
-        raise ValueError(f"nothing of {target} is open")
+        raise ValueError(f"{target} has no extra that is open; with --core, released solutions are "
+                         "put into the exercises of the core")
     for topic, answer in found:
         known = known_answer(topic, answer.exercise)
         if answer.text.strip() != answer.todo.strip():
             print(f"{named(answer)} was worked on, and stays as it is")
         elif known is None:
-            print(f"{named(answer)} stays open: its solution is not in this copy")
+            print(f"{named(answer)} stays open: its solution is not released in this copy")
         else:
             replace(topic, answer, known, is_open=False)
             print(f"{named(answer)} is complete again")

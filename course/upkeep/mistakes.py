@@ -60,7 +60,7 @@ def tried(topic):
 def run():
     """Try all mistakes, write course/checks/hints.json. -> 0 if all are caught, else 1.
 
-    Of several mistakes that return the same in a check, the first one's sentence is told.
+    Where several mistakes return the same in a check, the first one's sentence is told.
     """
     sentences, told, alive = {}, set(), []
     for topic in exercises.topics():

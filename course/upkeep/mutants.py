@@ -72,8 +72,8 @@ class Mutant(NamedTuple):
 
 
 class Score(NamedTuple):
-    """What became of an exercise's mutants. mutants, caught: those of the question; fine_print: so
-    many were caught by its checks alone; survivors: [Mutant]; known: equivalent ones.
+    """What became of an exercise's mutants, counted: those of its question, and how many of them
+    were caught, then those that only its fine print catches. survivors: [Mutant].
     """
 
     topic: str
@@ -150,7 +150,7 @@ def changed_calls(node, function, arguments, keywords):
 
 
 def other_numbers(value):
-    """Of a truth value its opposite, of an integer its neighbours, of a float 10 % more."""
+    """The opposite of a truth value, the neighbours of an integer, 10 % more than a float."""
     if isinstance(value, bool):
         return [not value]
     if isinstance(value, int):
@@ -190,8 +190,8 @@ def variants(node):
 
 
 def mutants(function):
-    """The Mutants of a function's node, without its docstring, always in the same order; none is
-    like another."""
+    """The Mutants of a function's node, without its docstring, all different, always in one order.
+    """
     parts = [ast.unparse(altered(function, body=[])), *map(indented, function.body[1:])]
     found, texts, keys = [], {"\n".join(parts)}, {}
     for k, statement in enumerate(function.body[1:], 1):
@@ -377,9 +377,9 @@ def work(topic, trials, only_first, pipe):
 
 
 def caught_by(topic, trials, only_first=True):
-    """Who caught each of the trials (exercise, text): see Trials; [] for one that lives.
+    """Who caught each of the trials (exercise, text): see Trials. [] for one that lives.
 
-    A mutant that does not end is ended with its process; the next process goes on behind it.
+    A mutant that does not end is ended with its process. The next process goes on behind it.
     ValueError: the reference itself does not pass.
     """
     verdicts = []
@@ -441,7 +441,7 @@ def score(topic, exercise, reasons):
 def run(target=None):
     """Try the mutants of a lab (2 or rasterization), of an exercise (2.3), or of all.
 
-    Prints a table, then every mutant that lives with its line; the same goes to out/mutants/ as
+    Prints a table, then every mutant that lives with its line. The same goes to out/mutants/ as
     JSON. -> 0 if 95 % of each exercise's mutants and 98 % of the core's are caught, else 1.
     """
     labs, asked = board.asked_for(target)
@@ -482,7 +482,7 @@ def row(number, name, found):
 
 
 def remarks(found):
-    """Of an exercise, what lives, and what is said to be equivalent in vain."""
+    """What lives of an exercise, and what is said to be equivalent in vain."""
     number, file = found.exercise.number, f"reference/{found.topic}.py"
     return [*(f"{number}  {mutant.change}\n      lives, {file}:{mutant.line}"
               for mutant in found.survivors),

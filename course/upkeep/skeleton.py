@@ -33,7 +33,7 @@ class Answer(NamedTuple):
 
 
 def skeleton(text, extra=False):
-    """The lab's text, from the reference's; with extra, its extras opened.
+    """The lab's text, from the reference's. With extra, its extras are opened.
 
     ValueError: a mark is wrong.
     """
@@ -81,7 +81,7 @@ def answer_end(lines, function):
 
 
 def run(check=False, force=False):
-    """Make labs/ from reference/; with check, only say how the labs stand. -> exit status.
+    """Make labs/ from reference/. With check, only say how the labs stand. -> exit status.
 
     A lab that was worked on stays as it is. With force it is made anew, its text kept beside it.
     """
@@ -133,7 +133,7 @@ def keep(path):
 
 
 def digest(text):
-    """Of the text, whatever its line ends."""
+    """The hash of a text, whatever its line ends."""
     return hashlib.sha256(text.replace("\r\n", "\n").encode("utf-8")).hexdigest()
 
 

@@ -186,7 +186,7 @@ def test_the_intervals_of_a_triangle_on_paper(impl):
 @exercise("2.15")
 def test_a_row_of_pixels_is_half_open(impl):
     """Closed intervals: the sample at x = 3.5 lies on a right edge and belongs to the neighbour."""
-    planes = np.array([[[1.0], [-1.0]], [[0.0], [0.0]], [[1.5], [3.5]], [[0.0], [0.0]]])
+    planes = np.array([[1.0, -1.0, 1.0], [0.0, 0.0, 0.0], [1.5, 3.5, 0.5], [0.0] * 3])[..., None]
     start, end = impl.row_interval(tuple(planes), np.zeros(1, int), np.array([0.5]), 8)
     assert_close(np.stack([start, end]), np.array([[1.0], [3.0]]))
 

@@ -195,6 +195,7 @@ def test_below_stands_what_to_do_next_and_why_it_fails(whole):
         "again     python3 -m course check 1.2",
         "read      labs/transforms.py:10, the docstring is the question",
         "          notebooks/01_transforms.ipynb",
+        "stuck     the solution is in reference/transforms.py",
     ]
     assert done.returncode == 1
 

@@ -1,0 +1,166 @@
+"""Core, extra, fine print: what is open, what counts, and what is told of the rest."""
+import json
+import shutil
+
+import pytest
+
+REFERENCE = '''\
+"""Made up."""
+
+
+def double(x):  # exercise 1.1 (2 points)
+    """Twice x.
+
+    Fine print. Of nothing it is nothing.
+    """
+    return 2 * x
+
+
+def half(x):  # extra 1.2 (3 points)
+    """Half of x."""
+    # a comment of the answer
+    return x / 2
+'''
+LAB = REFERENCE.replace("    return 2 * x", '    raise NotImplementedError("exercise 1.1: double")')
+OPENED = LAB.replace("(3 points)", "(3 points), open").replace(
+    "    # a comment of the answer\n    return x / 2",
+    '    raise NotImplementedError("exercise 1.2: half")')
+CHECKS = '''\
+from course.checks import assert_close, exercise
+
+
+@exercise("1.1", fine_print=True)
+def test_nothing_stays_nothing(impl):
+    """Something."""
+    assert_close(impl.double(0.0), 0.0)
+
+
+@exercise("1.1")
+def test_twice(impl):
+    """Once."""
+    assert_close(impl.double(1.0), 2.0)
+
+
+@exercise("1.2")
+def test_half(impl):
+    """A third."""
+    assert_close(impl.half(3.0), 1.5)
+'''
+FILES = {"reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
+         "tests/labs/test_transforms.py": CHECKS}
+
+
+@pytest.fixture
+def course(house, run_module):
+    """A course of one lab, and run(...) -> what a command says there."""
+    root = house(FILES)
+
+    def run(*command, status=0):
+        done = run_module(root, "course", *command)
+        assert done.returncode == status, done.stdout + done.stderr
+        return " ".join((done.stdout + done.stderr).split())
+
+    return root, run
+
+
+def lab(root):
+    return (root / "labs" / "transforms.py").read_text(encoding="utf-8")
+
+
+def test_a_lab_is_made_with_its_extras_complete(course):
+    """An extra is a TODO from the start."""
+    root, run = course
+    (root / "labs" / "transforms.py").unlink()
+    run("skeleton")
+    assert lab(root) == LAB
+
+
+def test_an_extra_that_is_not_open_is_not_asked_for(course):
+    """The board lists it, its points count, or nobody says that it is there."""
+    root, run = course
+    board = run("check", "--json", "board.json", status=1)
+    assert "Lab 1 transforms 0 of 2" in board and "1 extra python3 -m course open 1" in board
+    found = json.loads((root / "board.json").read_text())
+    assert [entry["number"] for entry in found["exercises"]] == ["1.1"]
+    assert run("check", "1.2", status=2) == (
+        "course: 1.2 is an extra, and complete in labs/transforms.py; "
+        "python3 -m course open 1.2 empties it for you to write")
+    assert "1.2 half extra done" in run("check", "1.2", "--extra")
+
+
+def test_an_extra_is_opened_and_closed_again(course):
+    """Its answer is lost, its mark stays, or what a student wrote is overwritten."""
+    root, run = course
+    shutil.rmtree(root / "reference")  # as in a hand-out
+    assert run("open", "1") == "1.2 half is open: write it in labs/transforms.py, line 12"
+    assert lab(root) == OPENED
+    assert run("open", "1.2") == "1.2 half is open already"
+    board = run("check", status=1)
+    assert "0 of 2" in board and "1.2 half extra not started" in board and "1 extra" not in board
+    assert run("close", "1.2") == "1.2 half is complete again"
+    assert lab(root) == LAB
+    run("open", "1.2")
+    mine = OPENED.replace('raise NotImplementedError("exercise 1.2: half")', "return 0.5 * x")
+    (root / "labs" / "transforms.py").write_text(mine)
+    assert run("close", "1") == "1.2 half was worked on, and stays as it is"
+    assert lab(root) == mine
+    assert "1.2 half extra done" in run("check", status=1)
+
+
+def test_a_released_solution_is_put_in_when_asked_for(course):
+    """Who is stuck cannot go on; or an answer is given away to who only closes extras."""
+    root, run = course
+    assert run("close", "1", status=2) == (
+        "course: 1 has no extra that is open; with --core, released solutions are put into the "
+        "exercises of the core")
+    assert run("open", "1.1", status=2) == (
+        "course: 1.1 has no extra; what belongs to the core is open from the start")
+    assert run("close", "1.1", "--core") == "1.1 double is complete again"
+    assert lab(root) == REFERENCE
+    shutil.rmtree(root / "reference")
+    (root / "labs" / "transforms.py").write_text(LAB)
+    assert run("close", "1", "--core") == (
+        "1.1 double stays open: its solution is not released in this copy")
+
+
+def test_the_question_gives_the_points_and_the_fine_print_is_told(course):
+    """The fine print takes points, or nobody hears of it."""
+    root, run = course
+    (root / "labs" / "transforms.py").write_text(
+        REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)"))
+    board = run("check", "--json", "board.json")
+    assert "2 of 2" in board and "1.1 double 2 points done, fine print open" in board
+    assert "All that was asked for is done, 2 of 2 points" in board
+    assert "Next: 1.1 double, done, fine print open claim Nothing stays nothing (fine print)" in (
+        board)
+    [entry] = json.loads((root / "board.json").read_text())["exercises"]
+    assert (entry["verdict"], entry["told"]) == ("done", "done, fine print open")
+    (root / "labs" / "transforms.py").write_text(REFERENCE.replace("return 2 * x", "return 0.0"))
+    assert "1.1 double 2 points failing" in run("check", status=1)
+
+
+def test_mutants_are_counted_by_kind(course):
+    """A mutant that only the fine print catches counts against the question, or for it."""
+    _, run = course
+    said = run("mutants")
+    assert "core 1 exercise 3 of 3 caught 100.0 %, 2 more by the fine print" in said, said
+    assert "extra 1 exercise" in said
+
+
+def test_grades_are_of_the_core_and_of_extras_when_asked_for(course):
+    """An extra that came complete gives points to everybody."""
+    root, run = course
+    folder = root / "in" / "ada"
+    folder.mkdir(parents=True)
+    (folder / "transforms.py").write_text(
+        REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)"))
+    command = ("grade", "in", "--out", "out/grades", "--isolation", "process")
+    run(*command)
+    table = (root / "out/grades/grades.csv").read_text().splitlines()
+    assert table[0].startswith("student,1.1 double,total,of,fine print open,")
+    assert table[1].startswith("ada,2,2,2,1.1,")
+    page = (root / "out/grades/students/ada/report.html").read_text()
+    assert "2 of 2 points" in page and "done, fine print open" in page
+    run(*command, "--extra")
+    table = (root / "out/grades/grades.csv").read_text().splitlines()
+    assert table[1].startswith("ada,2,3,5,5,1.1,")
