@@ -1,7 +1,7 @@
 """Differentiable rasterization in plain NumPy: labs, their checks, and the code to compare with.
 
 to look and to read
-  demo [NAME ...]       render the course's scenes; the pictures go to out/
+  demo [NAME ...]       render the course's scenes into out/
   notebooks [NAME ...]  run the lectures in notebooks/ and save them with their figures
 
 to do the labs
@@ -16,7 +16,7 @@ to teach
   autograder KIND PATH  files for Gradescope, GitHub Actions and Classroom 50
 
 to work on the course
-  skeleton              make labs/ from reference/; labs that were worked on stay as they are
+  skeleton              make labs/ from reference/, but for labs that were worked on
   mistakes              try the known mistakes, and make the hints that they give
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   test                  check everything: lint, code, labs, notebooks
@@ -43,7 +43,7 @@ from course.given.places import ROOT
 
 
 def main(argv=None):
-    """Run one command; its exit status: 0 well, 1 something failed, 2 cannot be done, 130 Ctrl-C.
+    """Run one command -> its exit status: 0 well, 1 something failed, 2 cannot be done, 130 Ctrl-C.
 
     What the user can mend is told in one line. Everything else is a defect: traceback.
     """
@@ -180,7 +180,7 @@ def notebooks(asked):
 
 
 def check(asked):
-    """Check the labs and show the board; status 0 only if all that was asked for passes."""
+    """Check the labs and show the board. Status 0 only if all that was asked for passes."""
     import course.board
     run = course.board.watch if asked.watch else course.board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
@@ -220,7 +220,7 @@ def autograder(asked):
 
 
 def grade(asked):
-    """Grade submissions: reports, results.json and grades.csv; status 0 if all could be graded."""
+    """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
     import course.grading.grade
     return course.grading.grade.run(
         asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,

@@ -15,7 +15,7 @@ course/given/contract.py: a check gets arrays and numbers, never lists.
     showing      how values, calls and errors are shown
     loader       the code under test
     report       the verdict on a check, and what a student reads
-    plugin       pytest's hooks and fixtures (impl, rng); tests/conftest.py loads it
+    plugin       pytest's hooks and fixtures (impl, rng), loaded by tests/conftest.py
     runner       runs the checks of some exercises
     page         what failed, as HTML
 """

@@ -13,7 +13,7 @@ EQUAL_KINDS = {"b": "b", "i": "iu", "u": "iu", "f": "iuf", "c": "iufc", "U": "U"
 
 
 class Mismatch(AssertionError):
-    """What is wrong: rows (label, text) of the report; picture: its path, or None."""
+    """What is wrong: rows (label, text) of the report, and the path of a picture or None."""
 
     def __init__(self, *rows, picture=None):
         super().__init__(layout(rows))
@@ -22,10 +22,10 @@ class Mismatch(AssertionError):
 
 
 def assert_close(got, expected, given=None, rtol=1e-9, atol=1e-12):
-    """|got - expected| <= atol + rtol |expected| in every number; infinities and NaNs must match.
+    """|got - expected| <= atol + rtol |expected| in every number. Infinities and NaNs must match.
 
     got: what a call returned: an array of expected's shape, or a tuple where expected is one.
-    given: what the report shows as the input; by default, the last call to the code under test.
+    given: what the report shows as the input. By default, the last call to the code under test.
     """
     __tracebackhide__ = True
 
@@ -118,7 +118,7 @@ def drawn(got, expected, wrong, rows):
 
 
 def whereabouts(got, expected, wrong, allowed):
-    """A row: in 4 of 12, first at [3, 1]: 0.5 came, ...; by 2 at most, at [0, 2]; ...; or none."""
+    """A row, or none: in 4 of 12, first at [3, 1]: 0.5 came, ..., by 2 at most, at [0, 2]."""
     parts = []
     if wrong.ndim:
         first = tuple(np.argwhere(wrong)[0])
@@ -133,7 +133,7 @@ def whereabouts(got, expected, wrong, allowed):
 
 
 def distances(got, expected, wrong):
-    """|got - expected| where wrong, infinite where one of them is NaN; 1 for indices; else 0."""
+    """|got - expected| where wrong, infinite where one is NaN, 1 for indices. 0 where right."""
     if got.dtype.kind in "biu" and expected.dtype.kind in "biu":
         return wrong.astype(float)
     numbers = complex if "c" in (got.dtype.kind, expected.dtype.kind) else float

@@ -34,7 +34,7 @@ class Check(NamedTuple):
 def judge(item, error, report, mark):
     """Set report.check, report.outcome where the check did not run, and report.longrepr.
 
-    mark: of the check; it names its exercise.
+    mark: the check's. It names the exercise.
     """
     number = mark.args[0]
     if report.skipped or hasattr(report, "wasxfail") or (report.failed and error is None):

@@ -27,7 +27,7 @@ def fit(labs, truth, views, filter, size=64, first_rate=1e-2):
     """A grey texture becomes the globe's: a step of Adam for each of the views, seen through one of
     lab 6's filters. The rate falls to a tenth.
 
-    -> psnr (steps,) after each step; the texture, like truth.
+    -> psnr (steps,) after each step, and the texture, like truth.
     """
     lab6, lab9, coming = labs.mipmapping, labs.inverse_rendering, iter(views)
 

@@ -126,7 +126,8 @@ def lamps(labs, towards, strength, even):
 
 
 def photographs(labs, painted, light, cameras, size, samples=4):
-    """Pictures (size, size, 4) of a Painted on white: colour, and coverage; samples^2 to a pixel.
+    """Pictures (size, size, 4) of a Painted on white: colour and coverage, samples^2 to a
+    pixel.
     """
     normals = mesh.vertex_normals(painted.vertices, painted.faces)
     colours = labs.reconstruction.shade(painted.albedo, normals, light)
@@ -158,8 +159,8 @@ def found_object(labs, x):
 
 def judged(labs, x, name, size=128):
     """How good x is: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of
-    these in the evening's light, relative error of the light; and the two times two kinds of
-    pictures, as found and as they are.
+    these in the evening's light, relative error of the light. And the two times two kinds
+    of pictures, as found and as they are.
     """
     truth, found = unseen(labs, name), found_object(labs, x)
     at_truth = distances.closest_points(found.vertices, truth.vertices, truth.faces)

@@ -1,7 +1,7 @@
 """The contract of all exercises: what goes in, what may come out. `called` makes checks keep it.
 
-    Given     arrays of floats (float64), integers, booleans or complex numbers; numbers; strings;
-              tuples of these. An exercise leaves them as they are.
+    Given     arrays of floats (float64), integers, booleans or complex numbers, single numbers,
+              strings, and tuples of all these. An exercise leaves them as they are.
     Returned  the right numbers, in any form: a list in place of an array, an array of the shape ()
               in place of a number, any memory order, any type that holds the numbers exactly.
               Several outputs are a tuple.
@@ -23,7 +23,7 @@ def called(function, *args, **kwargs):
 
 
 def standard(value):
-    """An array in C order, of float64, int64, complex128 or booleans; NumPy's number for a number.
+    """An array in C order, of float64, int64, complex128 or booleans, or one NumPy number.
 
     A tuple becomes a tuple of these, and so does a list whose rows differ in length. What is
     neither a number nor an array of numbers stays as it is.
@@ -41,7 +41,7 @@ def standard(value):
 
 
 def as_array(value):
-    """The value as an array; what makes none comes as an array of objects, as None does."""
+    """The value as an array. What makes none comes as an array of objects, as None does."""
     try:
         return np.asarray(value)
     except ValueError:  # rows of different lengths

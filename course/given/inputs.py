@@ -97,7 +97,7 @@ def require_cubes(scene, view, samples):
 
 
 def require_gradient(name, gradient, shape):
-    """The loss's gradient by something that `render` made, of its shape."""
+    """The gradient of the loss with respect to something that `render` made, of its shape."""
     require(np.shape(gradient) == shape, f"{name} {shape}, of the shape that it made",
             np.shape(gradient))
 

@@ -1,4 +1,4 @@
-"""Where things lie: the course's folder, its data, its output; files read and written whole."""
+"""Where things lie: the course's folder, its data, its output. Files are read and written whole."""
 import contextlib
 import os
 import re
@@ -29,7 +29,7 @@ def out(*parts):
 def check_picture(name):
     """The path of the picture of the check that runs now, as pytest tells it: of a file of its own
 
-    such as out/checks/rasterization_one_triangle_on_paper.png; where none runs, of the name.
+    such as out/checks/rasterization_one_triangle_on_paper.png. Where none runs, of the name.
     """
     running = os.environ.get("PYTEST_CURRENT_TEST", "").removesuffix(" (call)")
     file, _, test = running.rpartition("::")
@@ -44,7 +44,7 @@ def shown_path(path):
 
 
 def read_whole(path):
-    """The file's bytes; FileNotFoundError or OSError, in one sentence."""
+    """The file's bytes. FileNotFoundError or OSError, in one sentence."""
     try:
         return Path(path).read_bytes()
     except ValueError:

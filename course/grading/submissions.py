@@ -192,7 +192,7 @@ def rank(name):
 
 
 def folder_entries(folder):
-    """{name: function that reads it} of a folder's files; links are not followed."""
+    """{name: function that reads it} of a folder's files. Links are not followed."""
     entries = {}
     for parent, folders, files in os.walk(folder, followlinks=False):
         folders[:] = sorted(set(folders) - set(OURS))
@@ -241,7 +241,7 @@ def read_entry(archive, entry):
 
 
 def read_file(path, most=MOST_TEXT):
-    """A regular file's bytes, at most one more than most; a link is not followed."""
+    """A regular file's bytes, at most one more than most. A link is not followed."""
     if not stat.S_ISREG(os.lstat(path).st_mode):
         raise ValueError("is not a file but a link or the like: put the file there")
     with open(path, "rb") as file:
@@ -252,7 +252,7 @@ def read_file(path, most=MOST_TEXT):
 
 
 def foreign_imports(text):
-    """[(line, module)] of imports that a worker does not have; none where it is not Python."""
+    """[(line, module)] of imports that a worker does not have. None where it is not Python."""
     try:
         nodes = list(ast.walk(ast.parse(text)))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -270,7 +270,7 @@ def foreign_imports(text):
 
 
 def digest(texts):
-    """Of the labs handed in, whatever they were packed in: 64 hexadecimal digits."""
+    """The hash of the labs, however they were packed: 64 hexadecimal digits."""
     whole = hashlib.sha256()
     for topic in sorted(texts):
         whole.update(f"{topic}\0{skeleton.digest(texts[topic])}\n".encode())

@@ -3,7 +3,7 @@
     hours = words of the lecture / 150 a minute + 1 minute a figure + 5 minutes a point of the core
 
 Nobody measured these three numbers on a class: change them here when somebody has. README.md and
-notebook 00 print what comes out. A test tells when they are behind; this command updates them:
+notebook 00 print what comes out. A test tells when they are behind. This command updates them:
 
     python3 -m course.upkeep.hours
 """
@@ -31,7 +31,7 @@ def lecture_minutes(path):
 
 
 def core(lab):
-    """The core exercises of a lab, by its number."""
+    """The core exercises of a lab, whose number is given."""
     return [exercise for topic in exercises.LABS[lab - 1]
             for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
 
