@@ -283,8 +283,8 @@ def verdict(elements, directions, slope, rtol, name, seed):
                 "step, because a decision changes or forward is not finite; choose inputs farther "
                 "from edges and ties")
         require(part.analytic.any(), f"{name}: nothing to check {summary}: the gradient with "
-                f"respect to {part.title} is zero everywhere, and so are the central differences; choose "
-                "inputs on which the output depends, or name the others in differentiable=")
+                f"respect to {part.title} is zero everywhere, and so are the central differences; "
+                "choose inputs on which the output depends, or name the others in differentiable=")
     worst = max(np.nanmax(part.error(), initial=0.0) for part in parts)
     return GradReport(looked_at - left_out, left_out, float(worst))
 

@@ -89,7 +89,7 @@ def run(names):
 
 
 def find(names):
-    """Numbers ("2", "02"), topics or paths -> paths. No name: all of them. ValueError if none fits."""
+    """Numbers ("2", "02"), topics or paths -> paths. No name: all. ValueError: none fits."""
     lectures = sorted(FOLDER.glob("*.ipynb"))
     if not lectures and not names:
         raise ValueError(f"there are no notebooks in {FOLDER}: get a whole copy of the course")
