@@ -67,7 +67,7 @@ def main(argv=None):
 
 
 def can_be_mended(error):
-    """Whether the user can: a file that fails him, or a raise statement in course/ or labs/."""
+    """Can the user mend it? Yes for a file that fails, or a raise statement in course/ or labs/."""
     cause = traceback.extract_tb(error.__traceback__)[-1]
     file = Path(cause.filename).resolve()
     ours = file.is_relative_to(ROOT / "course") or file.is_relative_to(ROOT / "labs")
@@ -258,7 +258,7 @@ def test(asked):
 
 
 def run_module(*command):
-    """python -m command, in the course's folder, with nobody's own settings for pytest."""
+    """python -m command, in the course's folder, without anybody's own settings for pytest."""
     settings = {**os.environ, "PYTEST_ADDOPTS": "", "OMP_NUM_THREADS": "1"}  # one core, one worker
     with subprocess.Popen([sys.executable, "-m", *command], cwd=ROOT, env=settings) as child:
         signal.signal(signal.SIGTERM, lambda *_: child.terminate())

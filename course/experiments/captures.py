@@ -194,7 +194,7 @@ def eight_bits(colours):
 
 def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
     """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
-    on disk, at path, every EVERY steps, and at the end, however it comes: also by Ctrl-C.
+    written to path every EVERY steps and at the end, even after Ctrl-C.
     """
     good = None
     with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:

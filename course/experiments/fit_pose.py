@@ -74,8 +74,9 @@ def fit(labs, seed, proposals=400, allowed=None, stages=((64, 40, 5e-3), (256, 4
 
 
 def search(labs, rng, start, goal, proposals, allowed):
-    """Greedy: a proposed rotation is taken if its picture is nearer to the goal's. They become
-    smaller and smaller. Every second one is one of the allowed rotations besides.
+    """Greedy: a proposed rotation is taken if it brings the picture nearer to the goal's.
+
+    Proposals become smaller and smaller. Every second one contains an allowed rotation as well.
     """
     lab9, rotations = labs.inverse_rendering, [start]
     target = seen(labs, goal, 16)[0]

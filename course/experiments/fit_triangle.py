@@ -32,7 +32,7 @@ def fit_triangle(labs):
 def fit(labs, goal, antialiased, steps=300):
     """Three vertices move until the triangle looks like its template, goal (SIDE, SIDE, 1).
 
-    -> vertices (steps + 1, 3, 2) in pixels, at first START, losses, gradients (steps, 3, 2).
+    -> vertices (steps + 1, 3, 2) in pixels, START first, the losses, gradients (steps, 3, 2).
     """
     lab9, gradients = labs.inverse_rendering, []
     mesh, surface, view = scene(labs)

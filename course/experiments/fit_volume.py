@@ -122,8 +122,9 @@ def saturn_colours(labs, origins, directions):
 
 
 def surface(density, points, level=5.0):
-    """Where a density is level, a surface: numbers for marching, positive outside and at the end of
-    the grid.
+    """The surface where a density equals level, as numbers for marching.
+
+    They are positive outside, and at the border of the grid.
     """
     return np.where((np.abs(points) == 1).any(1), level, level - density)
 

@@ -43,7 +43,7 @@ def closest_points(points, vertices, faces):
 def closest_faces(points, vertices, faces):
     """The face of a mesh nearest to each of points (P, 3), and its nearest point: (P,), (P, 3).
 
-    The mesh's nearest corner bounds the distance: only faces whose ball comes nearer are looked at.
+    The nearest vertex of the mesh bounds the distance. Only faces whose ball is nearer are tried.
     ValueError for what is no mesh, see `inputs.require_mesh`.
     """
     inputs.require_mesh(vertices, faces)
@@ -91,8 +91,8 @@ def sample_surface(vertices, faces, count, rng):
 def surface_distances(vertices, faces, other_vertices, other_faces, count=4000, seed=0):
     """From points of one mesh to the other: their mean distance, and the greatest (Hausdorff's).
 
-    The points are all vertices and `count` random ones. The mean is of the random ones alone, so
-    that it is one over the area. One-sided: swap the meshes for the other side.
+    The points are all vertices and `count` random ones. The mean is over the random ones alone,
+    so equal areas count equally. This measures one side: swap the meshes for the other.
     """
     points = sample_surface(vertices, faces, count, np.random.default_rng(seed))
     used = vertices[np.unique(faces)]

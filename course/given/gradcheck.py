@@ -7,9 +7,10 @@ grad_output would pass. Along a direction d, with steps h,
     D(h) = (L(x + h d) - L(x - h d)) / 2h = L' + O(h^2)        central difference         (1)
     E(h) = (16 D(h) - D(4h)) / 15         = L' + O(h^4)        Richardson extrapolation   (2)
 
-A large h suffers from the power of h, a small one from rounding, which grows as 1/h. Between them
-lies a plateau. So the steps are swept, each a quarter of the last, and the numeric derivative is
-E where two successive E agree best. The analytic gradient has no say in this choice.
+A large h suffers from the powers of h that are left out, a small one from rounding, which grows as
+1/h. Between them lies a plateau. So the steps are swept, each a quarter of the last, and the
+numeric derivative is E where two successive E agree best. The analytic gradient has no say in this
+choice.
 
     error = |analytic - numeric| / max(|analytic|, |numeric|, floor)                      (3)
 """
@@ -185,8 +186,8 @@ def magnitude(x):
 def element_part(title, position, x, gradient, rng):
     """An input's elements, one by one.
 
-    A large input has a random choice looked at, half of it where the gradient is not zero: a
-    picture touches few texels of its texture.
+    A random choice of a large input is looked at. Half of it has a gradient other than zero,
+    because a picture touches few texels of its texture.
     """
     order = rng.permutation(x.size)
     touched = order[gradient.flat[order] != 0][:ELEMENTS // 2]

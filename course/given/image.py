@@ -1,6 +1,6 @@
 """Pictures as arrays: image[row, column, channel], float64 from 0 to 1, row 0 at the bottom.
 
-Files hold the top row first: every picture is turned over by `_turned_over`, and nowhere else.
+Files hold the top row first. `_turned_over` alone turns pictures over.
 """
 import io
 from pathlib import Path

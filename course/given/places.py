@@ -27,9 +27,9 @@ def out(*parts):
 
 
 def check_picture(name):
-    """The path of the picture of the check that runs now, as pytest tells it: of a file of its own
+    """The path for a picture of the check that runs now, or of this name where none runs.
 
-    such as out/checks/rasterization_one_triangle_on_paper.png. Where none runs, of the name.
+    Pytest tells which check it is: out/checks/rasterization_one_triangle_on_paper.png.
     """
     running = os.environ.get("PYTEST_CURRENT_TEST", "").removesuffix(" (call)")
     file, _, test = running.rpartition("::")

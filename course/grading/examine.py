@@ -191,7 +191,7 @@ class Examination:
     # --- the reference's answers
 
     def answer(self, topic, name, question):
-        """To a worker's question: what the reference returns, found out in a worker of its own.
+        """What the reference returns to a worker's question, found out in a worker of its own.
 
         Question and answer are passed on as they came: only the two workers look inside.
         """
@@ -273,7 +273,7 @@ def preloaded(topic):
 
 
 def frame(told):
-    """What a worker tells of a frame -> (file, line, function), of these types at any rate."""
+    """What a worker tells of a frame -> (file, line, function), always of these types."""
     file, line, function = told if isinstance(told, tuple) and len(told) == 3 else ("", 0, "")
     return str(file), line if isinstance(line, int) else 0, printable(str(function))
 

@@ -87,7 +87,7 @@ def topics_of(labs):
 
 
 def level_to_use(isolation):
-    """-> (level, a sentence on it). ValueError: strict was not given up, and is not to be had."""
+    """-> (level, a sentence on it). ValueError: strict is wanted and cannot be had."""
     if isolation == "process":
         return "process", "as told by --isolation process"
     level, about = sandbox.available()
@@ -132,7 +132,7 @@ def done_before(folder, wanted):
 
 
 def examined(todo, jobs, scheduler):
-    """Yield (submission, job, what `examine` returns), as they are done."""
+    """Yield (submission, job, what `examine` returns), in the order in which they end."""
     if scheduler:
         yield from on_cluster(todo, scheduler)
         return

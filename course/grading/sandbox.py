@@ -1,4 +1,4 @@
-"""Workers from outside: where they are shut in, how long they may take, how they end.
+"""Workers from outside: what shuts them in, how long they may take, how they end.
 
     strict    Linux with bubblewrap: no network, no files but the interpreter's, NumPy's and an
               empty folder, no other process in sight, another user, Landlock where there is one
@@ -111,7 +111,7 @@ class Worker:
         return answer
 
     def received(self, end, seconds):
-        """Some bytes. Every PATIENCE seconds, a look at the memory. OSError: no more will come."""
+        """Some bytes. The memory is watched every PATIENCE seconds. OSError: no more will come."""
         while (left := end - time.monotonic()) > 0:
             ready, _, _ = select.select([self.socket, self.control], [], [], min(PATIENCE, left))
             if self.socket in ready:
@@ -153,7 +153,7 @@ class Worker:
         return ""
 
     def close(self):
-        """End all of its processes, and remove its folder. A second time, nothing happens."""
+        """End all of its processes, and remove its folder. A second call does nothing."""
         if self.process.returncode is not None and not os.path.exists(self.folder):
             return
         self.socket.close()
@@ -243,7 +243,7 @@ def shown(place, path):
 def other_user():
     """A number that no user has, if this is root. Each worker has another one.
 
-    The system counts processes by user: with a number in common, one worker's would be another's.
+    The system counts processes by user. With a common number, workers would share one count.
     """
     if getattr(os, "getuid", lambda: None)() != 0:
         return None

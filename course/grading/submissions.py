@@ -186,7 +186,7 @@ def is_lab(name, topic):
 
 
 def rank(name):
-    """labs/transforms.py before transforms.py, and of these the least deep."""
+    """labs/transforms.py comes before transforms.py, then the least deep comes first."""
     parts = PurePosixPath(name).parts
     return parts[-2:-1] != ("labs",), len(parts)
 
@@ -219,7 +219,7 @@ def archive_entries(path):
 
 
 def careful(function, *arguments):
-    """What it returns, or the ValueError that says why there is nothing."""
+    """What the function returns, or the ValueError that says why there is nothing."""
     try:
         return function(*arguments)
     except (OSError, ValueError) as error:

@@ -284,7 +284,7 @@ def identity(value):
 
 
 def copied(value):
-    """So that nobody changes what is kept."""
+    """A copy, so that nobody changes what is kept."""
     if isinstance(value, tuple):
         return tuple(map(copied, value))
     return value.copy() if hasattr(value, "copy") else value
