@@ -46,7 +46,7 @@ class Entry(NamedTuple):
 
 
 def check(target=None, implementation="labs", json_file=None, seed=0, pictures=False, extra=False):
-    """Run the checks of a lab (2 or rasterization), of an exercise (2.3), or all, and show the board.
+    """Run the checks of a lab (2, rasterization), an exercise (2.3) or all, and show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.

@@ -51,28 +51,28 @@ class Mipmap(NamedTuple):
     start: np.ndarray            # (L,) the number of its first texel
 
 
-def halve(image):  # exercise 6.9 (2 points)
-    """Eq. (5): the next level of a pyramid: image (h, w, C) -> means of 2 x 2 texels.
-
-    A side of 1 stays 1, and then the means are of the two texels along the other side. Sides of
-    more than 1 are even; not both are 1.
+def halve(image):  # exercise 6.9 (1 point)
+    """Eq. (5): the next level of a pyramid, image (h, w, C) of even sides -> (h / 2, w / 2, C).
 
     >>> halve(np.array([[1.0, 3.0, 0.0, 8.0], [5.0, 7.0, 2.0, 2.0]])[..., None])[..., 0]
     array([[4., 3.]])
-    >>> halve(np.array([[1.0], [4.0]])[..., None])[..., 0]
-    array([[2.5]])
+
+    Fine print. A side of 1 stays 1, and a mean is then of two texels. So the pyramid of a texture
+    that is not square ends in one texel, too.
     """
     rows, columns = np.minimum(image.shape[:2], 2)
     means = (image[::rows] + image[rows - 1::rows]) / 2
     return (means[:, ::columns] + means[:, columns - 1::columns]) / 2
 
 
-def halve_backward(grad_half, image):  # exercise 6.10 (2 points)
-    """Backward of `halve`: its gradient -> grad_image (h, w, C), as large as image.
+def halve_backward(grad_half, image):  # extra 6.10 (2 points)
+    """Backward of `halve`: grad_half -> grad_image (h, w, C), as large as image.
 
     >>> halve_backward(np.array([[4.0, 8.0]])[..., None], np.zeros((2, 4, 1)))[..., 0]
     array([[1., 1., 2., 2.],
            [1., 1., 2., 2.]])
+
+    Fine print. Where a side of the image is 1, a mean is of two texels.
     """
     rows, columns = np.minimum(image.shape[:2], 2)
     return grad_half.repeat(rows, 0).repeat(columns, 1) / (rows * columns)
@@ -81,8 +81,8 @@ def halve_backward(grad_half, image):  # exercise 6.10 (2 points)
 def pyramid(image, max_level=None):
     """Eq. (5): (T_0, T_1, ...), from image (h, w, C) down to 1 x 1, or to level max_level.
 
-    It ends earlier where a side is odd, and not 1. (nvdiffrast refuses such a texture, unless
-    max_level ends the pyramid there.)
+    It ends earlier where a side is odd and not 1. nvdiffrast refuses such a texture, unless
+    max_level ends the pyramid there.
     """
     levels = [np.asarray(image, float)]
     while max_level is None or len(levels) <= max_level:
@@ -93,18 +93,18 @@ def pyramid(image, max_level=None):
     return tuple(levels)
 
 
-def pyramid_backward(grad_levels):  # exercise 6.11 (2 points)
+def pyramid_backward(grad_levels):  # extra 6.11 (2 points)
     """Backward of `pyramid`: a gradient for each level -> grad_image (h, w, C), that of level 0.
 
-    grad_levels: a tuple of arrays, of the levels' shapes: the gradient of each level as if it stood
-    alone. What a level was made of gets what comes down from it, and so on.
+    grad_levels: a tuple of arrays with the levels' shapes, each the gradient of a level as if it
+    stood alone. Each level was made of the one before it, and hands its gradient down.
 
-    >>> top, middle = np.array([[[16.0]]]), np.array([[[4.0]], [[0.0]]])
-    >>> pyramid_backward((np.zeros((4, 2, 1)), middle, top))[..., 0]
-    array([[3., 3.],
-           [3., 3.],
-           [2., 2.],
-           [2., 2.]])
+    >>> top, middle = np.array([[[16.0]]]), np.array([[[4.0], [0.0]], [[0.0], [0.0]]])
+    >>> pyramid_backward((np.zeros((4, 4, 1)), middle, top))[..., 0]
+    array([[2., 2., 1., 1.],
+           [2., 2., 1., 1.],
+           [1., 1., 1., 1.],
+           [1., 1., 1., 1.]])
     """
     grad = grad_levels[-1]
     for grad_level in grad_levels[-2::-1]:
@@ -112,15 +112,17 @@ def pyramid_backward(grad_levels):  # exercise 6.11 (2 points)
     return grad
 
 
-def mip_level(jacobian, width, height):  # exercise 6.12 (3 points)
-    """Eq. (6): the level whose texels are as large as the footprint is long, not clamped: (N,).
+def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
+    """Eq. (6): the level whose texels are as large as the footprint is long -> (N,).
 
-    jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y, of u and v from 0 to 1; width and height of
-    the texture in texels. J = 0 has level -inf, without a warning.
+    jacobian (N, 2, 2), rows u_x, u_y and v_x, v_y, of u and v from 0 to 1. The texture has
+    width x height texels.
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.0, 0.03125], [0.0625, 0.0]]])
     >>> mip_level(jacobian, 16, 16)
     array([3., 0.])
+
+    Fine print. J = 0 has the level -inf. `blend_levels` takes it for 0.
     """
     s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
     A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
@@ -129,16 +131,16 @@ def mip_level(jacobian, width, height):  # exercise 6.12 (3 points)
         return np.log2((A + B) / 2 + np.sqrt((A - B)**2 / 4 + C**2)) / 2
 
 
-def mip_level_backward(grad_level, jacobian, width, height):  # exercise 6.13 (3 points)
+def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 points)
     """Backward of `mip_level`: grad_level (N,) -> grad_jacobian (N, 2, 2).
-
-    Where R of eq. (6) is 0, the pixel's footprint is a square, and R has a corner there, as |x|
-    has: the derivatives of R count as 0. Where J = 0, all of the gradient is 0.
 
     >>> jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]]])
     >>> mip_level_backward(np.array([np.log(2.0)]), jacobian, 16, 16)
     array([[[2., 0.],
             [0., 0.]]])
+
+    Fine print. Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There,
+    and only there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
     """
     s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
     A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
@@ -157,10 +159,10 @@ def mip_level_backward(grad_level, jacobian, width, height):  # exercise 6.13 (3
 
 
 def blend_levels(level, top):  # exercise 6.14 (2 points)
-    """Eq. (7): which two levels a pixel mixes: lower (N,), upper (N,), integers; fraction f (N,).
+    """Eq. (7): the two levels that a pixel mixes: integers lower, upper and the fraction f (N,).
 
-    level (N,), any numbers, -inf and inf too, is first clamped to [0, top]; top is the pyramid's
-    last level. lower is its floor, upper the next level or top, the lesser of both.
+    level (N,) is first clamped to [0, top], where top is the pyramid's last level. upper is at most
+    top.
 
     >>> blend_levels(np.array([-np.inf, 0.25, 1.5, 2.0, 7.0]), 2)
     (array([0, 0, 1, 2, 2]), array([1, 1, 2, 2, 2]), array([0.  , 0.25, 0.5 , 0.  , 0.  ]))
@@ -170,11 +172,11 @@ def blend_levels(level, top):  # exercise 6.14 (2 points)
     return lower, np.minimum(lower + 1, top), level - lower
 
 
-def blend_levels_backward(grad_fraction, level, top):  # exercise 6.15 (1 point)
+def blend_levels_backward(grad_fraction, level, top):
     """Backward of `blend_levels`: grad_fraction (N,) -> grad_level (N,).
 
-    0 unless 0 < level < top: a level that is clamped does not change, and at the ends it counts
-    as clamped. On a whole level between them, the one above it counts.
+    0 unless 0 < level < top, because a clamped level does not change. At both ends it counts as
+    clamped. On a whole level between them, the next level counts.
 
     >>> blend_levels_backward(np.array([5.0, 5.0, 5.0, 5.0]), np.array([-1.0, 0.0, 1.0, 2.0]), 2)
     array([0., 0., 5., 0.])
@@ -183,7 +185,7 @@ def blend_levels_backward(grad_fraction, level, top):  # exercise 6.15 (1 point)
 
 
 def pack(levels):
-    """The levels of a pyramid as a Mipmap."""
+    """The levels of a pyramid -> Mipmap."""
     height, width, channels = np.transpose([level.shape for level in levels])
     start = np.cumsum(width * height) - width * height
     rows = [level.reshape(-1, channels[0]) for level in levels]

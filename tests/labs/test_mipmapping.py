@@ -1,6 +1,4 @@
 """What the exercises of lab 6 must do, second part: the pyramid and the level."""
-import warnings
-
 import numpy as np
 
 from course.checks import assert_close, assert_equal, exercise
@@ -49,9 +47,10 @@ def test_four_texels_become_their_mean(impl):
     assert_close(impl.halve(image), grey([[4.0, 3.0]]))
 
 
-@exercise("6.9")
+@exercise("6.9", fine_print=True)
 def test_a_side_of_one_stays_one(impl):
     """A picture of one row or of one column has no level above it, or loses half of its light."""
+    assert_close(impl.halve(np.array([[[1.0, 0.5], [3.0, 1.5]]])), np.array([[[2.0, 1.0]]]))
     assert_close(impl.halve(grey([[1.0, 3.0, 5.0, 9.0]])), grey([[2.0, 7.0]]))
     assert_close(impl.halve(grey([[1.0], [3.0], [5.0], [9.0]])), grey([[2.0], [7.0]]))
 
@@ -59,7 +58,7 @@ def test_a_side_of_one_stays_one(impl):
 @exercise("6.9")
 def test_halves_are_means_in_a_loop(impl, rng):
     """The channels are mixed, or a picture must be square."""
-    for shape in (4, 6, 3), (6, 2, 1), (1, 8, 2), (10, 1, 4):
+    for shape in (4, 6, 3), (6, 2, 1):
         image = rng.normal(size=shape)
         assert_close(impl.halve(image), mean_of_blocks(image))
 
@@ -71,7 +70,7 @@ def test_a_mean_pulls_at_four_texels_alike(impl):
     assert_close(got, grey([[1.0, 1.0, 2.0, 2.0], [1.0, 1.0, 2.0, 2.0]]))
 
 
-@exercise("6.10")
+@exercise("6.10", fine_print=True)
 def test_with_one_row_it_pulls_at_two(impl):
     """The factor is 1/4 also where a mean is of two texels."""
     got = impl.halve_backward(grey([[4.0, 8.0]]), np.zeros((1, 4, 1)))
@@ -83,7 +82,7 @@ def test_with_one_row_it_pulls_at_two(impl):
 @exercise("6.10")
 def test_the_gradients_of_halves_are_central_differences(impl, rng):
     """Rows and columns are swapped, or the channels are mixed."""
-    for shape in (4, 6, 3), (1, 4, 2), (6, 1, 1):
+    for shape in (4, 6, 3), (2, 4, 2):
         gradcheck(mean_of_blocks, impl.halve_backward, (rng.normal(size=shape),), name="halve")
 
 
@@ -105,10 +104,9 @@ def test_a_single_level_is_its_own_gradient(impl):
 
 @exercise("6.11")
 def test_the_gradients_of_pyramids_are_central_differences(impl, rng):
-    """A level is skipped or counted twice; or the picture must be square."""
-    for shape in (4, 8, 2), (8, 2, 1):
-        gradcheck(levels_of, lambda *grads: impl.pyramid_backward(tuple(grads[:-1])),
-                  (rng.normal(size=shape),), name="pyramid")
+    """A level is skipped or counted twice."""
+    gradcheck(levels_of, lambda *grads: impl.pyramid_backward(tuple(grads[:-1])),
+              (rng.normal(size=(8, 8, 2)),), name="pyramid")
 
 
 # --- the level ---------------------------------------------------------------------------------
@@ -139,13 +137,11 @@ def test_levels_are_those_of_the_greatest_singular_value(impl, rng):
         assert_close(impl.mip_level(jacobian, width, height), expected)
 
 
-@exercise("6.12")
+@exercise("6.12", fine_print=True)
 def test_no_change_at_all_is_level_minus_infinity(impl):
-    """A warning, NaN, or a guard that makes it some number: it must clamp to level 0."""
+    """NaN, or a guard that makes it some number."""
     jacobian = np.array([np.zeros((2, 2)), np.eye(2) / 4])
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert_close(impl.mip_level(jacobian, 8, 8), np.array([-np.inf, 1.0]))
+    assert_close(impl.mip_level(jacobian, 8, 8), np.array([-np.inf, 1.0]))
 
 
 @exercise("6.13")
@@ -156,7 +152,7 @@ def test_the_longer_axis_alone_moves_the_level(impl):
     assert_close(got, np.array([[[2.0, 0.0], [0.0, 0.0]], [[0.0, 0.0], [0.0, -6.0]]]))
 
 
-@exercise("6.13")
+@exercise("6.13", fine_print=True)
 def test_a_square_footprint_pulls_at_both_axes(impl):
     """0 / 0 where R is 0: its derivatives count as 0, and those of S are left."""
     jacobian = np.array([[[0.5, 0.0], [0.0, 1.0]], [[0.0, -0.25], [0.5, 0.0]]])
@@ -164,7 +160,7 @@ def test_a_square_footprint_pulls_at_both_axes(impl):
     assert_close(got, np.array([[[1.0, 0.0], [0.0, 0.5]], [[0.0, -2.0], [1.0, 0.0]]]))
 
 
-@exercise("6.13")
+@exercise("6.13", fine_print=True)
 def test_a_tiny_footprint_is_not_yet_a_square(impl):
     """A small number is added to R in place of the case R = 0."""
     jacobian = 1e-9 * np.array([[[0.5, 0.0], [0.0, 0.25]]])
@@ -172,13 +168,11 @@ def test_a_tiny_footprint_is_not_yet_a_square(impl):
     assert_close(got, np.array([[[2e9, 0.0], [0.0, 0.0]]]), atol=1e-3)
 
 
-@exercise("6.13")
+@exercise("6.13", fine_print=True)
 def test_no_change_at_all_has_no_gradient(impl):
-    """NaN, infinity or a warning where J is 0."""
+    """NaN or infinity where J is 0."""
     jacobian = np.array([np.zeros((2, 2)), [[0.5, 0.0], [0.0, 0.25]]])
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        got = impl.mip_level_backward(np.log(2.0) * np.array([7.0, 1.0]), jacobian, 16, 16)
+    got = impl.mip_level_backward(np.log(2.0) * np.array([7.0, 1.0]), jacobian, 16, 16)
     assert_close(got, np.array([[[0.0, 0.0], [0.0, 0.0]], [[2.0, 0.0], [0.0, 0.0]]]))
 
 
@@ -220,19 +214,3 @@ def test_levels_are_clamped_to_the_pyramid(impl):
         assert_equal(lower, np.array([0, 0, 0, top, top, top]))
         assert_equal(upper, np.array([min(1, top)] * 3 + [top] * 3))
         assert_close(fraction, np.zeros(6))
-
-
-@exercise("6.15")
-def test_a_clamped_level_has_no_gradient(impl):
-    """The clamp is forgotten: levels outside of the pyramid pull."""
-    level = np.array([-np.inf, -0.5, 0.25, 1.0, 2.75, 3.5, np.inf])
-    got = impl.blend_levels_backward(np.arange(1.0, 8.0), level, 3)
-    assert_close(got, np.array([0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0]))
-
-
-@exercise("6.15")
-def test_both_ends_count_as_clamped(impl):
-    """>= for >, or a level that is whole has no gradient; or the top is always 3."""
-    level = np.array([0.0, 1.0, 2.0, 4.0, 5.0])
-    assert_close(impl.blend_levels_backward(np.ones(5), level, 5), np.array([0.0, 1, 1, 1, 0]))
-    assert_close(impl.blend_levels_backward(np.ones(5), level, 0), np.zeros(5))

@@ -14,27 +14,6 @@ def weights_2d(uv, width, height):
 
 # --- one axis ----------------------------------------------------------------------------------
 
-@exercise("6.1")
-def test_four_texels_lie_between_0_and_1(impl):
-    """The index is rounded, or truncated toward 0: below 0 it is one too high."""
-    x = np.array([0.0, 0.1, 0.3, 0.6, 0.99, -0.01, -0.3, 1.1])
-    assert_equal(impl.nearest_texel(x, 4), np.array([0, 0, 1, 2, 3, -1, -2, 4]))
-
-
-@exercise("6.1")
-def test_a_border_belongs_to_the_upper_texel(impl):
-    """Half a texel off, or the border goes to the lower texel; or 1.0 is pulled inside."""
-    assert_equal(impl.nearest_texel(np.array([-0.25, 0.0, 0.25, 0.5, 0.75, 1.0]), 4),
-                 np.arange(-1, 5))
-
-
-@exercise("6.1")
-def test_every_point_may_have_its_own_size(impl):
-    """A size for all: the levels of a pyramid have different ones. Or a texture of many turns."""
-    x, size = np.array([[0.7, 0.7, 0.7], [-1.3, 9.3, 1000.6]]), np.array([[1, 2, 8], [3, 5, 16]])
-    assert_equal(impl.nearest_texel(x, size), np.array([[0, 1, 5], [-4, 46, 16009]]))
-
-
 @exercise("6.2")
 def test_a_texels_centre_is_that_texel_alone(impl):
     """Half a texel off: texel j is read in full at j / w, which is its border."""
@@ -61,38 +40,6 @@ def test_a_straight_line_is_reproduced(impl, rng):
         assert_close(weight.sum(0), np.ones(x.shape))
         assert_close(((index + 0.5) / sizes * weight).sum(0), x)
         assert_equal(bool((weight >= 0).all()), True)
-
-
-@exercise("6.3")
-def test_the_last_texel_goes_on(impl):
-    """The texture repeats or is mirrored; or the last number is size."""
-    index, inside = impl.clamp(np.array([-9, -1, 0, 2, 4, 5, 6, 90]), 5)
-    assert_equal(index, np.array([0, 0, 0, 2, 4, 4, 4, 4]))
-    assert_equal(inside, np.ones(8, bool))
-
-
-@exercise("6.3")
-def test_clamped_numbers_have_any_shape_and_size(impl):
-    """One size for all points, or the shape is lost."""
-    index, inside = impl.clamp(np.array([[3, -2, 7], [0, 1, 2]]), np.array([1, 2, 4]))
-    assert_equal(index, np.array([[0, 0, 3], [0, 1, 2]]))
-    assert_equal(inside, np.ones((2, 3), bool))
-
-
-@exercise("6.4")
-def test_beyond_the_texture_is_nothing(impl):
-    """The border texel counts as outside, or size as inside; or a number outside comes back."""
-    index, inside = impl.zero(np.array([-9, -1, 0, 2, 4, 5, 6, 90]), 5)
-    assert_equal(index, np.array([0, 0, 0, 2, 4, 0, 0, 0]))
-    assert_equal(inside, np.array([False, False, True, True, True, False, False, False]))
-
-
-@exercise("6.4")
-def test_numbers_outside_have_any_shape_and_size(impl):
-    """One size for all points, or the shape is lost."""
-    index, inside = impl.zero(np.array([[0, -2, 3], [1, 1, 4]]), np.array([1, 2, 4]))
-    assert_equal(index, np.array([[0, 0, 3], [0, 1, 0]]))
-    assert_equal(inside, np.array([[True, False, True], [False, True, False]]))
 
 
 # --- the look-up -------------------------------------------------------------------------------
@@ -161,7 +108,7 @@ def test_the_gradients_of_look_ups_are_central_differences(impl, rng):
 @exercise("6.7")
 def test_each_texel_pulls_towards_itself(impl):
     """The order of the four texels, u and v, or width and height are swapped; or a sign."""
-    uv = np.array([[0.125, 0.1875]])  # x = 0.5, a = 0.5; y = 0.25, b = 0.25
+    uv = np.array([[0.125, 0.1875]])  # at 0.5 and 0.25 texels from a centre
     expected = {0: [-6.0, -2.0], 1: [6.0, -2.0], 2: [-2.0, 2.0], 3: [2.0, 2.0]}
     for k, grad_uv in expected.items():
         grad_weight = np.zeros((1, 4))
@@ -169,7 +116,7 @@ def test_each_texel_pulls_towards_itself(impl):
         assert_close(impl.bilinear_backward(grad_weight, uv, 8, 4), np.array([grad_uv]))
 
 
-@exercise("6.7")
+@exercise("6.7", fine_print=True)
 def test_on_a_centre_the_upper_side_counts(impl):
     """The gradient is 0 on a texel's centre, where the weights have a corner."""
     grad_weight = np.array([[1.0, 2.0, 30.0, 400.0]])
@@ -177,15 +124,25 @@ def test_on_a_centre_the_upper_side_counts(impl):
                  np.array([[4.0, 58.0]]))
 
 
+def check_bilinear(impl, uv, width, height):
+    """The gradient of the weights with respect to uv is that of central differences."""
+    gradcheck(lambda uv: weights_2d(uv, width, height),
+              lambda grad, uv: impl.bilinear_backward(grad, uv, width, height), (uv,),
+              name="bilinear", decisions=lambda uv: (np.floor(uv[:, 0] * width - 0.5),
+                                                     np.floor(uv[:, 1] * height - 0.5)))
+
+
 @exercise("6.7")
 def test_the_gradients_by_uv_are_central_differences(impl, rng):
     """The factor of the size is forgotten, or one axis' weights are left out of the other's."""
-    uv = rng.uniform(-1, 2, (9, 2))
-    for width, height in (6, 5), (np.array([1, 2, 4, 8, 3, 7, 2, 2, 5]), np.array([9, 3, 1] * 3)):
-        gradcheck(lambda uv, w=width, h=height: weights_2d(uv, w, h),
-                  lambda grad, uv, w=width, h=height: impl.bilinear_backward(grad, uv, w, h),
-                  (uv,), name="bilinear", decisions=lambda uv, w=width, h=height:
-                  (np.floor(uv[:, 0] * w - 0.5), np.floor(uv[:, 1] * h - 0.5)))
+    check_bilinear(impl, rng.uniform(-1, 2, (9, 2)), 6, 5)
+
+
+@exercise("6.7", fine_print=True)
+def test_every_pixel_may_look_at_its_own_level(impl, rng):
+    """One size for all pixels."""
+    check_bilinear(impl, rng.uniform(-1, 2, (9, 2)), np.array([1, 2, 4, 8, 3, 7, 2, 2, 5]),
+                   np.array([9, 3, 1] * 3))
 
 
 # --- the footprint -------------------------------------------------------------------------
@@ -203,7 +160,7 @@ def test_a_footprint_on_paper(impl):
     """The order of the points, or the Jacobian is transposed."""
     jacobian = np.array([[[4.0, 8.0], [0.0, 12.0]]])
     expected = np.array([[-3.0, -3.0], [-1.0, -3.0], [1.0, 3.0], [3.0, 3.0]])
-    assert_close(impl.footprint_points(np.zeros((1, 2)), jacobian, 2)[:, 0], expected)
+    assert_close(impl.footprint_points(np.zeros((1, 2)), jacobian, 2), expected[:, None])
 
 
 @exercise("6.8")

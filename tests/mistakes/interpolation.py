@@ -1,21 +1,6 @@
 """Mistakes of lab 5; each docstring goes on after "this is what comes out when"."""
 
 
-def lerp(a, b, t):
-    """t runs from b to a"""
-    return t * a + (1 - t) * b
-
-
-def lerp(a, b, t):
-    """b is added to a, and a is not taken away"""
-    return a + t * b
-
-
-def lerp(a, b, t):
-    """t is kept between 0 and 1; it may lie outside"""
-    return a + np.clip(t, 0, 1) * (b - a)
-
-
 def fraction_in_space(t, w_0, w_1):
     """the fraction on the screen is taken for that in space"""
     return t

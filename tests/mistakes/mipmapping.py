@@ -150,18 +150,3 @@ def blend_levels(level, top):
     level = np.clip(level, 0, top)
     lower = np.floor(level).astype(int)
     return lower, np.minimum(lower + 1, top), lower + 1 - level
-
-
-def blend_levels_backward(grad_fraction, level, top):
-    """levels 0 and top have a gradient; they count as clamped"""
-    return np.where((level >= 0) & (level <= top), grad_fraction, 0)
-
-
-def blend_levels_backward(grad_fraction, level, top):
-    """levels that are clamped have a gradient"""
-    return grad_fraction
-
-
-def blend_levels_backward(grad_fraction, level, top):
-    """only the upper end is looked at"""
-    return np.where(level < top, grad_fraction, 0)

@@ -1,21 +1,6 @@
 """Mistakes of lab 6; each docstring goes on after "this is what comes out when"."""
 
 
-def nearest_texel(x, size):
-    """it is cut towards 0: below 0 it is one too high"""
-    return (x * size).astype(int)
-
-
-def nearest_texel(x, size):
-    """it is rounded: a texel lies between two borders, not around one"""
-    return np.round(x * size).astype(int)
-
-
-def nearest_texel(x, size):
-    """half a texel is taken away; that is for the linear filter"""
-    return np.floor(x * size - 0.5).astype(int)
-
-
 def linear_texels(x, size):
     """texel j is taken to lie at j / size, which is its border, not its centre"""
     position = x * size
@@ -38,39 +23,6 @@ def linear_texels(x, size):
     first = np.trunc(position)
     weight, first = position - first, first.astype(int)
     return np.stack([first, first + 1]), np.stack([1 - weight, weight])
-
-
-def clamp(index, size):
-    """the last texel is number size; it is size - 1"""
-    return np.clip(index, 0, size), np.ones(np.shape(index), bool)
-
-
-def clamp(index, size):
-    """the texture repeats; its border goes on for ever"""
-    return index % size, np.ones(np.shape(index), bool)
-
-
-def clamp(index, size):
-    """below 0 the texture is mirrored; there is its border"""
-    return np.minimum(np.abs(index), size - 1), np.ones(np.shape(index), bool)
-
-
-def zero(index, size):
-    """number size counts as inside; the last one is size - 1"""
-    inside = (index >= 0) & (index <= size)
-    return np.where(inside, index, 0), inside
-
-
-def zero(index, size):
-    """texel 0 counts as outside"""
-    inside = (index > 0) & (index < size)
-    return np.where(inside, index, 0), inside
-
-
-def zero(index, size):
-    """a number outside comes back; it becomes 0"""
-    inside = (index >= 0) & (index < size)
-    return index, inside
 
 
 def look_up(texels, index, weight):

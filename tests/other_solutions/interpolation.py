@@ -2,11 +2,6 @@
 import numpy as np
 
 
-def lerp(a, b, t):
-    near_b = np.asarray(t) >= 0.5
-    return np.where(near_b, b - np.subtract(1, t) * np.subtract(b, a), a + t * np.subtract(b, a))
-
-
 def fraction_in_space(t, w_0, w_1):
     return t / (t + (1 - t) * (w_1 / w_0))
 

@@ -53,7 +53,3 @@ def blend_levels(level, top):
     clamped = [min(max(at, 0.0), float(top)) for at in level]
     lower = np.array([int(at) for at in clamped], int)
     return lower, np.where(lower < top, lower + 1, top), np.array(clamped) - lower
-
-
-def blend_levels_backward(grad_fraction, level, top):
-    return [grad if 0 < at < top else 0.0 for grad, at in zip(grad_fraction, level, strict=True)]

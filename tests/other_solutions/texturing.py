@@ -1,31 +1,12 @@
 """Lab 6 once more: texels one by one, matrices for gathers."""
-import math
-
 import numpy as np
 from scipy import sparse
-
-
-def nearest_texel(x, size):
-    return np.vectorize(lambda at, count: math.floor(at * count), otypes=[int])(x, size)
 
 
 def linear_texels(x, size):
     below, share = np.divmod(np.multiply(x, size) - 0.5, 1)
     first = below.astype(int)
     return np.array([first, first + 1]), np.array([1 - share, share])
-
-
-def clamp(index, size):
-    index = np.where(np.less(index, 0), 0, index)
-    return np.where(index < size, index, np.subtract(size, 1)), np.full(index.shape, True)
-
-
-def zero(index, size):
-    found = [(k, True) if 0 <= k < n else (0, False)
-             for k, n in np.broadcast(index, size)]
-    shape = np.broadcast(index, size).shape
-    return (np.array([k for k, _ in found], int).reshape(shape),
-            np.array([inside for _, inside in found], bool).reshape(shape))
 
 
 def as_matrix(texels, index, weight):
