@@ -301,7 +301,8 @@ def section_of(lecture, exercise):
     sections.pop("", None)
     last = "Exercises" if sections.pop("Exercises", None) else None
     number, name = re.escape(exercise.number), re.escape(exercise.name)
-    for pattern in rf"xercises? [^\n]*(?<![\d.]){number}(?!\d)", rf"`{name}`", rf"\b{name}\b":
+    for pattern in (rf"x(?:ercise|tra)s? [^\n]*(?<![\d.]){number}(?!\d)", rf"`{name}`",
+                    rf"\b{name}\b"):
         for title, text in sections.items():
             if re.search(pattern, text):
                 return title

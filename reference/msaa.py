@@ -14,7 +14,7 @@ pixel needs one shade for each face that its samples see. Inside a face that is 
 
 In a lattice each of S columns holds one sample. Each of S rows does, too, if k and S + 1 have no
 common divisor. S = 4 with k = 2 or 3 is known as the rotated grid. A sample sees one face or
-another, so the vertices have no useful gradient here. The colours have: `resolve_backward`.
+another, so the vertices have no useful gradient here. The colours have one, `resolve_backward`.
 
 Sources: GAMES101 lecture 6 and homework 2, Lottes 2009 (FXAA), Karis 2014 (TAA).
 """
@@ -28,7 +28,7 @@ LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (
 FLAT = 1e-12                             # a slope of brightness below this has no direction
 
 
-def regular_grid(n):  # exercise 4.1 (1 point)
+def regular_grid(n):
     """Eq. (2): the centres of n x n small squares, row by row from the bottom -> (n^2, 2).
 
     >>> regular_grid(2)
@@ -42,7 +42,7 @@ def regular_grid(n):  # exercise 4.1 (1 point)
 
 
 def lattice(count, step):  # exercise 4.2 (2 points)
-    """Eq. (3): count = S samples, sample s on column s of S -> (S, 2). step is k.
+    """Eq. (3): the lattice of S = count samples with k = step -> (S, 2).
 
     >>> lattice(4, 3)
     array([[0.125, 0.625],
@@ -66,18 +66,18 @@ def standard_pattern(count):
     return lattice(count, STEPS[count])
 
 
-def centre_sample(clip, offset, width, height):  # exercise 4.3 (2 points)
-    """Eq. (4): clip (V, 4) moved so that what was at offset (2,) in a pixel is at its centre.
+def centre_sample(clip, offset, width, height):  # exercise 4.3 (3 points)
+    """Eq. (4): clip (V, 4) moved so that the sample at offset (2,) comes to its pixel's centre.
 
-    -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2 and y alike. All
-    vertices move there by the same part of a pixel. So in clip space they do not.
+    -> (V, 4), z and w as they were. On screen, x = (x_clip / w + 1) width / 2, and y alike.
 
     >>> clip = np.array([[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 2.0]])
     >>> centre_sample(clip, np.array([0.25, 1.0]), 8, 4)
     array([[ 0.0625, -0.25  ,  0.    ,  1.    ],
            [ 0.125 , -0.5   ,  0.    ,  2.    ]])
 
-    Fine print. This holds for w < 0, too. The offset (1/2, 1/2) changes no bit.
+    Fine print. A vertex behind the camera (w < 0) obeys the same formula. The offset (1/2, 1/2)
+    changes no bit: one sample at the centre is lab 2's picture.
     """
     # One pixel is 2 / width of ndc = clip / w.
     moved = clip.copy()
@@ -103,9 +103,9 @@ def rasterize_samples(clip, faces, width, height, pattern):
 
 
 def coverage(face_index):  # exercise 4.4 (1 point)
-    """Which fraction of a pixel's samples see a face? Eq. (1), with f = 1 on faces and else 0.
+    """Eq. (1) with f = 1 on faces, else 0: which fraction of a pixel's samples see a face?
 
-    face_index (S, H, W), -1 for no face -> (H, W), from 0 to 1.
+    face_index (S, H, W), -1 for no face -> (H, W).
 
     >>> coverage(np.array([[[0, -1]], [[7, 3]]]))
     array([[1. , 0.5]])
@@ -113,10 +113,10 @@ def coverage(face_index):  # exercise 4.4 (1 point)
     return (face_index >= 0).mean(0)
 
 
-def observed_order(n, error):  # exercise 4.5 (2 points)
+def observed_order(n, error):  # extra 4.5 (2 points)
     """Eq. (5): which p fits measured errors best? n (M,), error (M,), all positive -> a number.
 
-    Best is the least sum of squares in log error: -p is the slope of the best line over log n.
+    -p is the slope of the line through log error over log n with the least sum of squares.
 
     >>> observed_order(np.array([1.0, 2.0, 4.0]), np.array([3.0, 0.75, 0.1875])).round(9)
     np.float64(2.0)
@@ -127,7 +127,7 @@ def observed_order(n, error):  # exercise 4.5 (2 points)
 
 
 def box_resolve(picture, n):  # exercise 4.6 (2 points)
-    """The mean of each n x n pixels: picture (n H, n W, C) -> (H, W, C).
+    """Eq. (1) for n x n samples in a pixel: their means, picture (n H, n W, C) -> (H, W, C).
 
     >>> box_resolve(np.array([[1.0, 2.0, 5.0, 6.0], [3.0, 4.0, 7.0, 8.0]])[..., None], 2)[..., 0]
     array([[2.5, 6.5]])
@@ -136,8 +136,13 @@ def box_resolve(picture, n):  # exercise 4.6 (2 points)
     return picture.reshape(height // n, n, width // n, n, channels).mean((1, 3))
 
 
-def box_resolve_backward(grad_output, picture, n):  # exercise 4.7 (2 points)
-    """Backward: grad_output (H, W, C), picture (n H, n W, C) -> grad_picture (n H, n W, C)."""
+def box_resolve_backward(grad_output, picture, n):  # extra 4.7 (1 point)
+    """Backward of `box_resolve`: grad_output (H, W, C) -> grad_picture (n H, n W, C).
+
+    >>> box_resolve_backward(np.array([[[8.0]]]), np.zeros((2, 2, 1)), 2)[..., 0]
+    array([[2., 2.],
+           [2., 2.]])
+    """
     # A pixel is the sum of n^2 pixels / n^2, so each of them gets its gradient / n^2.
     return grad_output.repeat(n, 0).repeat(n, 1) / n**2
 
@@ -167,12 +172,11 @@ def supersample(clip, faces, width, height, n, shade, background):
     return box_resolve(picture, n)
 
 
-def shading_requests_loop(face_index):  # exercise 4.8 (2 points)
-    """Eq. (7): what must be shaded? Every face that any sample of a pixel sees, once per pixel.
+def shading_requests_loop(face_index):  # exercise 4.8 (3 points)
+    """Eq. (7): what must be shaded? Each face that a pixel's samples see, once.
 
-    face_index (S, H, W) -> pixel (N,), face (N,), request (S, H, W), all integers. pixel =
-    row * W + column and face are the N different pairs, in any order. request says which pair,
-    0 ... N - 1, a sample uses, or -1 where it sees no face.
+    face_index (S, H, W) -> pairs in any order, pixel (N,) = row * W + column and face (N,), and
+    request (S, H, W), the number of each sample's pair or -1.
 
     >>> shading_requests_loop(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
     [[[0, -1]], [[0, 2]], [[1, 3]]]
@@ -188,8 +192,8 @@ def shading_requests_loop(face_index):  # exercise 4.8 (2 points)
     return pixel, face, request
 
 
-def shading_requests(face_index):  # exercise 4.9 (4 points)
-    """What `shading_requests_loop` returns, without a loop over pixels. The pairs in any order.
+def shading_requests(face_index):  # extra 4.9 (4 points)
+    """What `shading_requests_loop` returns, in less time than Python needs to visit all samples.
 
     In most pixels all samples see the same face, or none: such a pixel is one pair or none. Only
     the others have to be searched for samples that see the same face.
@@ -216,25 +220,25 @@ def shading_requests(face_index):  # exercise 4.9 (4 points)
     return pixel, face, request.reshape(face_index.shape)
 
 
-def resolve(shade, request, background):  # exercise 4.10 (3 points)
+def resolve(shade, request, background):  # exercise 4.10 (2 points)
     """Eq. (1): the mean colour of each pixel's samples -> picture (H, W, C).
 
-    shade (N, C), background (C,). request (S, H, W) is the row of shade that a sample uses, or -1
-    for the background.
+    shade (N, C), background (C,), request (S, H, W): each sample's row of shade, or -1 for the
+    background. Your own smooth edges: `python3 -m course demo --impl labs msaa`.
 
     >>> shade, background = np.array([[1.0], [4.0]]), np.array([0.1])
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]
     array([[3. , 1. , 0.1]])
 
-    Fine print. A pixel whose samples all have one colour gets it to the last bit, be it one request
-    or several of equal colour. (Sums are rounded: 0.1 + 0.1 + 0.1 is not 3 * 0.1.) Colours that are
-    nearly equal are mixed like others. N may be 0, and the picture empty.
+    Fine print. A pixel whose samples all have one colour gets it to the last bit, from one request
+    or several: 0.1 + 0.1 + 0.1 is not 3 * 0.1, and a seam would show between two faces. Nearly
+    equal colours are mixed like others. N may be 0: nothing is seen.
     """
     colour = np.concatenate([shade, background[None]])  # row -1 is the background
     used = request.reshape(len(request), -1)
     picture = colour.take(used[0], 0)
     mixed = np.flatnonzero((used[1:] != used[0]).any(0))
-    # The mean as one colour and the others' mean distance from it: equal ones add exactly 0.
+    # The mean is one colour plus the mean distance of all from it: equal ones add exactly 0.
     first = picture[mixed]
     others = sum(colour.take(sample, 0) - first for sample in used[1:, mixed])
     picture[mixed] += others / len(request)
@@ -244,7 +248,14 @@ def resolve(shade, request, background):  # exercise 4.10 (3 points)
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    shade, request, background: as for `resolve`, which is linear: no value of a colour is needed.
+    What `resolve` gathers is scattered. `rasterization.scatter` is given.
+
+    >>> request = np.array([[[0, 0, -1]], [[1, 0, -1]]])
+    >>> resolve_backward(np.ones((1, 3, 1)), np.zeros((2, 1)), request, np.zeros(1))
+    (array([[1.5],
+           [0.5]]), array([1.]))
+
+    Fine print. N may be 0: nothing is seen.
     """
     # The picture gathers colours, so its gradient is scattered: each sample brings its S-th part.
     parts = np.broadcast_to(grad_picture / len(request), (len(request), *grad_picture.shape))
@@ -265,11 +276,11 @@ def msaa(clip, faces, width, height, pattern, shade, background):
     return resolve(shade(column + 0.5, row + 0.5, face), request, background)
 
 
-def cost(face_index, sample_bytes):  # exercise 4.12 (2 points)
+def cost(face_index, sample_bytes):  # extra 4.12 (2 points)
     """What does face_index (S, H, W) cost? -> three integers: samples, shades, bytes.
 
-    samples counts all that are stored, of all pixels. shades counts the different faces >= 0 that
-    the samples of a pixel see, pixel by pixel. bytes are sample_bytes for each sample.
+    samples counts all samples of all pixels. shades adds up, over the pixels, how many different
+    faces >= 0 the samples of a pixel see. Each sample takes sample_bytes.
 
     >>> cost(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]), 8)
     (6, 4, 48)

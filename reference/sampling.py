@@ -23,31 +23,31 @@ import numpy as np
 
 
 def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
-    """Eq. (1): the slowest frequency whose samples are the same, in [-rate / 2, rate / 2).
+    """Eq. (1): the slowest frequency that has the same samples.
 
-    frequency (...) in cycles, rate in samples per unit of time or length -> (...). It is negative
-    where a wheel seems to turn backwards. A cosine, which has no direction, is seen at its absolute
-    value.
+    frequency (...), rate, a number -> (...). It is negative where a wheel seems to turn backwards.
 
-    >>> alias_frequency(np.array([1.0, 9.0, 10.0, 15.0]), 10.0)
-    array([ 1., -1.,  0., -5.])
+    >>> alias_frequency(np.array([1.0, 9.0, 10.0, 13.0]), 10.0)
+    array([ 1., -1.,  0.,  3.])
+
+    Fine print. Half the rate is its own mirror image. Eq. (1) counts it as negative.
     """
     return frequency - rate * np.floor(frequency / rate + 0.5)
 
 
-def dft_matrix(n):  # exercise 3.2 (2 points)
-    """Eq. (2) as a matrix D (n, n), complex: D @ f is the spectrum of the samples f (n,).
+def dft_matrix(n):  # exercise 3.2 (1 point)
+    """Eq. (2) as a complex matrix D (n, n): D @ f is the spectrum of n samples f (n,).
 
     >>> dft_matrix(4)[:2].round(9) + 0.0
     array([[ 1.+0.j,  1.+0.j,  1.+0.j,  1.+0.j],
            [ 1.+0.j,  0.-1.j, -1.+0.j,  0.+1.j]])
     """
     k = np.arange(n)
-    # A whole number of turns changes nothing. Without it, the angles are small and exact.
+    # Whole turns change nothing. Without them (% n) the angles are small and their rounding, too.
     return np.exp(-2j * np.pi * (np.outer(k, k) % n) / n)
 
 
-def spectrum_of(picture):  # exercise 3.3 (2 points)
+def spectrum_of(picture):
     """Eq. (2) along both axes: picture (H, W) -> spectrum (H, W), complex, [k_y, k_x].
 
     >>> spectrum_of(np.array([[1.0, 2.0], [3.0, 4.0]])).real.round(9) + 0.0
@@ -58,7 +58,7 @@ def spectrum_of(picture):  # exercise 3.3 (2 points)
     return dft_matrix(height) @ picture @ dft_matrix(width).T
 
 
-def picture_of(spectrum):  # exercise 3.4 (2 points)
+def picture_of(spectrum):
     """The inverse of `spectrum_of`: spectrum (H, W), complex -> picture (H, W), its real part.
 
     >>> picture_of(np.array([[10.0, -2.0], [-4.0, 0.0]])).round(9) + 0.0
@@ -70,7 +70,7 @@ def picture_of(spectrum):  # exercise 3.4 (2 points)
     return (dft_matrix(height).conj() @ spectrum @ dft_matrix(width).conj().T).real / spectrum.size
 
 
-def frequencies(n):  # exercise 3.5 (1 point)
+def frequencies(n):
     """The frequency of each of a spectrum's n entries, in cycles per pixel, in [-1/2, 1/2).
 
     >>> frequencies(4), frequencies(5)
@@ -80,10 +80,10 @@ def frequencies(n):  # exercise 3.5 (1 point)
     return np.where(2 * k < n, k, k - n) / n
 
 
-def band_pass(picture, low, high):  # exercise 3.6 (2 points)
-    """The part of a picture (H, W) whose frequencies have a length low <= |(f_y, f_x)| < high.
+def band_pass(picture, low, high):  # extra 3.6 (2 points)
+    """The part of a picture whose frequencies have a length low <= |(f_y, f_x)| < high.
 
-    -> (H, W). A low-pass filter has low = 0. A high-pass filter has high = np.inf.
+    picture (H, W) -> (H, W). A low-pass filter has low = 0, a high-pass filter has high = np.inf.
 
     >>> band_pass(np.array([[1.0, 3.0]]), 0.25, np.inf)
     array([[-1.,  1.]])
@@ -96,11 +96,13 @@ def band_pass(picture, low, high):  # exercise 3.6 (2 points)
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
-    h and w are odd, and may be larger than H and W. The kernel's middle is g_0 of eq. (3), and
-    n - m is modulo H or W.
+    h and w are odd, and the kernel's middle is g_0.
 
     >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
     array([[3., 0., 1., 2.]])
+
+    Fine print. A kernel may be larger than the picture: a wide blur of a small one. It then goes
+    round more than once.
     """
     h, w = kernel.shape
     total = np.zeros(picture.shape)
@@ -110,10 +112,10 @@ def convolve(picture, kernel):  # exercise 3.7 (3 points)
     return total
 
 
-def convolve_by_spectrum(picture, kernel):  # exercise 3.8 (2 points)
+def convolve_by_spectrum(picture, kernel):  # extra 3.8 (2 points)
     """Eq. (4): `convolve` as a product of spectra, for h <= H and w <= W.
 
-    The kernel must first become a picture (H, W), its middle at [0, 0] and the rest around it.
+    First make a picture (H, W) of the kernel, with its middle at [0, 0] and the rest around it.
 
     >>> convolve_by_spectrum(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]])).round(9)
     array([[3., 0., 1., 2.]])
@@ -125,10 +127,10 @@ def convolve_by_spectrum(picture, kernel):  # exercise 3.8 (2 points)
     return picture_of(spectrum_of(picture) * spectrum_of(centred))
 
 
-def box_spectrum(width, n):  # exercise 3.9 (2 points)
+def box_spectrum(width, n):  # extra 3.9 (2 points)
     """Eq. (5): the spectrum (n,), real, of a box filter on n samples. It is 1 at frequency 0.
 
-    The box is 1 / width at each of width samples, the middle one at 0. width is odd, at most n.
+    The box is 1 / width at width samples, and its middle is at 0. width is odd, and at most n.
 
     >>> box_spectrum(3, 4).round(9)
     array([ 1.        ,  0.33333333, -0.33333333,  0.33333333])
@@ -140,24 +142,21 @@ def box_spectrum(width, n):  # exercise 3.9 (2 points)
 def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
     """Eq. (6) along both axes: the spectrum of picture[::step, ::step].
 
-    spectrum (H, W), complex or real -> (H / step, W / step). step divides H and W.
+    spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W.
 
     >>> sampled_spectrum(np.array([[8.0, 1.0, 2.0, 1.0], [0.0, 0.0, 4.0, 0.0]]), 2)
     array([[3.5, 0.5]])
-
-    Fine print. The picture may be complex, so its spectrum need not be symmetric.
     """
     height, width = spectrum.shape
     copies = spectrum.reshape(step, height // step, step, width // step)
     return copies.sum((0, 2)) / step**2
 
 
-def folded_energy(spectrum, step):  # exercise 3.11 (2 points)
+def folded_energy(spectrum, step):  # extra 3.11 (2 points)
     """How much of a picture is too fast for every step-th sample? It comes back as aliasing.
 
-    spectrum (H, W) -> the mean square of the pixels of the part with |f_y| >= 1 / (2 step) or
-    |f_x| >= 1 / (2 step). So what is kept is a square of frequencies, not a disc. By Parseval's
-    theorem, the sum of |pixel|^2 is the sum of |F|^2 divided by H W.
+    spectrum (H, W) -> the mean square over the pixels of the part with |f_y| or |f_x| of at least
+    1 / (2 step). By Parseval's theorem, the sum of |pixel|^2 is the sum of |F|^2 / (H W).
 
     >>> folded_energy(np.array([[8.0, 1.0, 2.0, 1.0]]), 2)  # the mean square of all is 70 / 16
     np.float64(0.375)
@@ -186,20 +185,16 @@ def sample_then_blur(picture, step, width=3):
 
 
 def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
-    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2).
+    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2). N, M may be 0.
 
-    Sutherland and Hodgman: walk once round, from the first vertex. A vertex inside stays. If the
-    edge to the next vertex has one end inside and one outside, the point where it crosses the line
-    follows.
+    From the first vertex on: each one inside stays, and an edge that crosses the line adds its
+    crossing.
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],
            [1., 0.],
            [1., 1.],
            [0., 2.]])
-
-    Fine print. A vertex on the line is inside. It comes once more for each neighbour outside, as
-    the crossing of that edge. N may be 0. If nothing is left, the result is (0, 2).
     """
     kept = []
     for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
@@ -211,21 +206,19 @@ def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
     return np.array(kept).reshape(-1, 2)
 
 
-def polygon_area(polygon):  # exercise 3.13 (1 point)
+def polygon_area(polygon):
     """Eq. (8): the area of a polygon (..., N, 2) -> (...), negative if clockwise.
 
     >>> polygon_area(np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]]))
     np.float64(6.0)
-
-    Fine print. Measure x and y from one of the polygon's own points: otherwise, the area of a small
-    polygon far from the origin is a difference of large numbers. N = 0 has area 0.
     """
+    # From one of its own points: far from the origin, x_n y_(n+1) is large, and the area is not.
     x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
 def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (2 points)
-    """Backward of `polygon_area`: grad_area (...) -> grad_polygon (..., N, 2).
+    """Backward of eq. (8): grad_area (...), polygon (..., N, 2) -> grad_polygon (..., N, 2).
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     >>> polygon_area_backward(np.array(2.0), square)[2]  # its upper right corner
@@ -240,9 +233,14 @@ def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (2 points)
 
 
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
-    """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width), 0 to 1.
+    """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
-    Clip the triangle by the four sides of each pixel, and take the area, for either winding.
+    Clip it by the pixel's four sides. The triangle may be clockwise. Your own, without stairs:
+    `python3 -m course demo --impl labs aliasing`.
+
+    >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
+    array([[0.   , 0.375, 0.5  , 0.   ],
+           [0.   , 0.125, 0.875, 0.   ]])
     """
     coverage = np.zeros((height, width))
     for i in range(height):
@@ -254,15 +252,14 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
     return coverage
 
 
-def cuts(polygon, x, y):  # exercise 3.16 (2 points)
+def cuts(polygon, x, y):  # extra 3.16 (2 points)
     """Where do the edges of a polygon (N, 2) cross the four lines through a unit square's sides?
 
-    x, y (P,): the squares' lower left corners -> t (P, N, 6), sorted along the last axis. Edge n
-    runs from vertex n, p, to the next, q. Its six numbers are its ends, 0 and 1, and t of its
-    crossings p + t (q - p) with the lines x, x + 1, y, y + 1.
+    x, y (P,): the lower left corners -> t (P, N, 6), sorted along the last axis. Edge n leads from
+    vertex n to the next, p + t (q - p). Its t are 0, 1 and the crossings with x, x + 1, y, y + 1.
 
-    Fine print. For a line that an edge does not cross, or runs along, t is any number in [0, 1],
-    but never NaN.
+    Fine print. If an edge does not cross a line, or runs along it, t is any number in [0, 1], but
+    never NaN.
     """
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]      # (N, 1, 2)
     sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)       # (P, 2, 2)
@@ -272,12 +269,11 @@ def cuts(polygon, x, y):  # exercise 3.16 (2 points)
     return np.sort(t)
 
 
-def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
+def clamped_area(polygon, x, y):  # extra 3.17 (3 points)
     """How much of each unit square does a polygon (N, 2) cover? area (P,), with the polygon's sign.
 
-    x, y (P,): the squares' lower left corners. No clipping is needed: take the points of all edges
-    at their `cuts`, in order, and clamp each to the square. What lay outside now runs along the
-    border and encloses nothing there. The polygon of all these points has the area.
+    x, y (P,): the lower left corners. Clamp the points of all edges at their `cuts`, in order, to
+    the square. What lay outside now encloses nothing. These points are the polygon of this area.
     """
     t = cuts(polygon, x, y)[..., None]
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
@@ -286,12 +282,12 @@ def clamped_area(polygon, x, y):  # exercise 3.17 (3 points)
     return polygon_area(points.reshape(len(x), 6 * len(polygon), 2))
 
 
-def clamped_area_backward(grad_area, polygon, x, y):  # exercise 3.18 (4 points)
+def clamped_area_backward(grad_area, polygon, x, y):  # extra 3.18 (4 points)
     """Backward of `clamped_area`, eq. (9): grad_area (P,) -> grad_polygon (N, 2).
 
     A piece between two neighbouring `cuts` lies inside a square if its middle does.
 
-    Fine print. A piece along a side that two squares share counts in one of them: it is inside if
+    Fine print. A piece along a side that two squares share counts in one of them. It is inside if
     x <= middle < x + 1, and y alike.
     """
     p = polygon[:, None]

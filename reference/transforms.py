@@ -5,23 +5,24 @@ on columns: points (..., 4) become points @ matrix.T. Right-handed. The camera l
 
     (x, y, z)  ->  (x, y, z, 1)                             homogeneous coordinates           (1)
     clip = P V M (x, y, z, 1)                               model, view, projection           (2)
-    ndc = (x, y, z) / w                                     the divide                        (3)
-    screen = ((x + 1) width / 2, (y + 1) height / 2, z)     the viewport                      (4)
+    R = cos I + (1 - cos) n n^T + sin [n]x                  n = axis/|axis|, [n]x v = n x v   (3)
+    V = [right above back]^T T(-eye),  above = back x right       the camera's axes as rows   (4)
+        back = (eye - target) / |eye - target|,  right = (up x back) / |up x back|
     t = near tan(fov_y / 2),  r = aspect t,  aspect = width / height,  l = -r,  b = -t        (5)
         [2 near/(r-l)      0        (r+l)/(r-l)     0  ]    alpha = (far+near) / (near-far)
     P = [    0        2 near/(t-b)  (t+b)/(t-b)     0  ]    beta  = 2 far near / (near-far)   (6)
         [    0             0           alpha      beta ]
         [    0             0            -1          0  ]    z = -near -> ndc -1,  -far -> +1
+    ndc = (x, y, z) / w                                     the divide                        (7)
+    screen = ((x + 1) width / 2, (y + 1) height / 2, z)     the viewport                      (8)
 
 What is visible has -w <= x, y, z <= w in clip space. Angles are in radians.
-
-Sources: GAMES101 lecture 5, OpenGL 1.0 manual, lecture "Differentiable graphics 1". (Its angle is
-that of half the height, and its last matrix swaps the two angles. Here, (5) and (6) are right.)
+Sources: GAMES101 lecture 5, OpenGL 1.0 manual, "Differentiable graphics 1" (errata in lecture 1).
 """
 import numpy as np
 
 
-def to_homogeneous(points):  # exercise 1.1 (1 point)
+def to_homogeneous(points):
     """Eq. (1): append a 1 to each point: points (..., 3) -> (..., 4).
 
     >>> to_homogeneous(np.array([[1.0, 2.0, 3.0]]))
@@ -31,7 +32,9 @@ def to_homogeneous(points):  # exercise 1.1 (1 point)
 
 
 def transform(points, matrix):  # exercise 1.2 (1 point)
-    """One matrix of eq. (2): where does it move points? points (..., 4), matrix (4, 4) -> (..., 4).
+    """Eq. (2), one matrix of it: where does it move the points?
+
+    points (..., 4), matrix (4, 4) -> (..., 4).
 
     >>> transform(np.array([[1.0, 2.0, 3.0, 1.0]]), np.diag([2.0, 1.0, 1.0, 1.0]))
     array([[2., 2., 3., 1.]])
@@ -42,7 +45,7 @@ def transform(points, matrix):  # exercise 1.2 (1 point)
 def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
     """Backward of `transform`: grad_output (..., 4) -> grad_points (..., 4), grad_matrix (4, 4).
 
-    All points add to the one grad_matrix, however many axes they have.
+    All points share the one matrix, so each adds to grad_matrix.
 
     >>> point, matrix = np.array([5.0, 6.0, 8.0, 1.0]), np.diag([1.0, 2.0, 3.0, 4.0])
     >>> grad_point, grad_matrix = transform_backward(np.array([0.0, 10.0, 0.0, 0.0]), point, matrix)
@@ -55,7 +58,7 @@ def transform_backward(grad_output, points, matrix):  # exercise 1.3 (2 points)
     return grad_points, grad_matrix
 
 
-def translate(offset):  # exercise 1.4 (1 point)
+def translate(offset):
     """The matrix (4, 4) that moves points by offset (3,).
 
     >>> translate(np.array([5.0, 6.0, 7.0])) @ np.array([1.0, 1.0, 1.0, 1.0])
@@ -66,7 +69,7 @@ def translate(offset):  # exercise 1.4 (1 point)
     return matrix
 
 
-def scale(factors):  # exercise 1.5 (1 point)
+def scale(factors):
     """The matrix (4, 4) that scales x, y, z by factors (3,).
 
     >>> scale(np.array([2.0, 3.0, 4.0])) @ np.array([1.0, 1.0, 1.0, 1.0])
@@ -75,12 +78,10 @@ def scale(factors):  # exercise 1.5 (1 point)
     return np.diag([*factors, 1.0])
 
 
-def rotate(axis, angle):  # exercise 1.6 (3 points)
-    """The matrix (4, 4) that turns by an angle about an axis (3,), which has any length but 0.
+def rotate(axis, angle):  # exercise 1.6 (2 points)
+    """Eq. (3), Rodrigues: the matrix (4, 4) that turns points by an angle about an axis (3,).
 
-    Right-handed: seen from the tip of the axis, a positive angle turns counter-clockwise.
-
-        R = cos I + (1 - cos) n n^T + sin [n]x,   [n]x v = n x v,   n = axis / |axis|  (Rodrigues)
+    R is its upper left 3 x 3.
 
     >>> rotate(np.array([0.0, 0.0, 2.0]), np.pi / 2).round(3) @ np.array([1.0, 0.0, 0.0, 1.0])
     array([0., 1., 0., 1.])
@@ -97,15 +98,12 @@ def rotate(axis, angle):  # exercise 1.6 (3 points)
 
 
 def look_at(eye, target, up):  # exercise 1.7 (3 points)
-    """view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
+    """Eq. (4): view_from_world (4, 4) of a camera at eye (3,) that looks at target (3,).
 
-    The matrix takes eye to the origin and target to the -z axis. The direction up (3,) ends in the
-    y-z plane, where y > 0.
+    up (3,) points roughly upwards.
 
     >>> look_at(np.array([0.0, 0.0, 5.0]), np.zeros(3), np.array([0.0, 1.0, 0.0]))[2]
     array([ 0.,  0.,  1., -5.])
-
-    Fine print. The target is not the eye, and up is not parallel to the line between them.
     """
     back = eye - target
     right = np.cross(up, back)
@@ -115,11 +113,11 @@ def look_at(eye, target, up):  # exercise 1.7 (3 points)
     return rotation @ translate(-eye)
 
 
-def normal_matrix(matrix):  # exercise 1.8 (2 points)
-    """The matrix N (3, 3) for normals of a surface whose points are moved by matrix (4, 4).
+def normal_matrix(matrix):  # extra 1.8 (2 points)
+    """The matrix N (3, 3) that moves the normals of a surface whose points matrix (4, 4) moves.
 
-    Let A be the upper left 3 x 3 of the matrix. N has (N n) . (A v) = n . v for all n and v, so a
-    normal stays at right angles to its surface. Its length may change.
+    (N n) . (A v) = n . v for all n and v, where A is the upper left 3 x 3 of the matrix. So a
+    normal stays at right angles to its surface.
 
     >>> normal_matrix(np.diag([2.0, 1.0, 1.0, 1.0])) @ np.array([1.0, 1.0, 0.0])
     array([0.5, 1. , 0. ])
@@ -128,10 +126,10 @@ def normal_matrix(matrix):  # exercise 1.8 (2 points)
     return np.linalg.inv(matrix[:3, :3]).T
 
 
-def pinhole(f):  # exercise 1.9 (1 point)
+def pinhole(f):  # extra 1.9 (1 point)
     """The matrix (4, 4) of a pinhole camera of focal length f: after the divide (f x/z, f y/z, f).
 
-    It is the textbook's camera, which looks down +z and keeps no depth. `perspective` mends both.
+    This is the textbook's camera. It looks down +z and keeps no depth. `perspective` mends both.
 
     >>> pinhole(2.0) @ np.array([1.0, 3.0, 4.0, 1.0])
     array([2., 6., 8., 4.])
@@ -142,7 +140,7 @@ def pinhole(f):  # exercise 1.9 (1 point)
                      [0, 0, 1, 0.0]])
 
 
-def frustum_sides(fov_y, aspect, near):  # exercise 1.10 (2 points)
+def frustum_sides(fov_y, aspect, near):  # extra 1.10 (2 points)
     """Eq. (5): l, r, b, t of the near plane, four numbers. fov_y is the angle from bottom to top.
 
     >>> np.round(frustum_sides(np.pi / 2, 2.0, 0.5), 3)
@@ -153,7 +151,7 @@ def frustum_sides(fov_y, aspect, near):  # exercise 1.10 (2 points)
     return -r, r, -t, t
 
 
-def frustum(l, r, b, t, near, far):  # exercise 1.11 (3 points)
+def frustum(l, r, b, t, near, far):  # exercise 1.11 (2 points)
     """Eq. (6): clip_from_view (4, 4) of a camera that sees l to r and b to t of its near plane.
 
     >>> frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 3.0)
@@ -170,11 +168,11 @@ def frustum(l, r, b, t, near, far):  # exercise 1.11 (3 points)
                      [0,                  0,                  -1,                0]])
 
 
-def orthographic(l, r, b, t, near, far):  # exercise 1.12 (2 points)
+def orthographic(l, r, b, t, near, far):  # extra 1.12 (2 points)
     """clip_from_view (4, 4) without perspective: the box l..r, b..t, z = -near..-far fills ndc.
 
-    Weak perspective: an object that is shallow beside its distance looks nearly as through
-    `frustum`, if l, r, b, t are the sides of the view in the plane through the object.
+    An object that is shallow beside its distance looks nearly as it does through `frustum`, if l,
+    r, b, t are what the camera sees in the plane through the object.
 
     >>> orthographic(0.0, 4.0, -1.0, 1.0, 1.0, 3.0) @ np.array([4.0, 1.0, -1.0, 1.0])
     array([ 1.,  1., -1.,  1.])
@@ -186,7 +184,7 @@ def orthographic(l, r, b, t, near, far):  # exercise 1.12 (2 points)
 
 
 def perspective_divide(clip):  # exercise 1.13 (1 point)
-    """Eq. (3): divide by w, which is not 0: clip (..., 4) -> ndc (..., 3).
+    """Eq. (7): divide by w, which is not 0: clip (..., 4) -> ndc (..., 3).
 
     >>> perspective_divide(np.array([2.0, 4.0, -2.0, 2.0]))
     array([ 1.,  2., -1.])
@@ -194,21 +192,21 @@ def perspective_divide(clip):  # exercise 1.13 (1 point)
     return clip[..., :3] / clip[..., 3:]
 
 
-def perspective_divide_backward(grad_ndc, clip):  # exercise 1.14 (2 points)
-    """Backward of eq. (3): grad_ndc (..., 3), clip (..., 4) -> grad_clip (..., 4).
+def perspective_divide_backward(grad_ndc, clip):  # exercise 1.14 (3 points)
+    """Backward of eq. (7): grad_ndc (..., 3), clip (..., 4) -> grad_clip (..., 4).
 
     >>> perspective_divide_backward(np.array([1.0, 0.0, 0.0]), np.array([6.0, 4.0, -2.0, 2.0]))
     array([ 0.5,  0. ,  0. , -1.5])
     """
-    # d(x/w) = dx/w - (x/w) dw/w, and y and z alike: all three add to the gradient of w.
+    # d(x/w) = dx/w - (x/w) dw/w, and y and z alike. All three add to the gradient of w.
     w = clip[..., 3:]
     grad_xyz = grad_ndc / w
     grad_w = -(grad_xyz * clip[..., :3] / w).sum(-1, keepdims=True)
     return np.concatenate([grad_xyz, grad_w], -1)
 
 
-def viewport(width, height):  # exercise 1.15 (2 points)
-    """Eq. (4) as screen_from_ndc (4, 4): x from [-1, 1] to [0, width], y to [0, height], z stays.
+def viewport(width, height):  # extra 1.15 (1 point)
+    """Eq. (8) as screen_from_ndc (4, 4): x from [-1, 1] to [0, width], y to [0, height], z stays.
 
     >>> viewport(640, 480) @ np.array([-1.0, 1.0, 0.5, 1.0])
     array([  0. , 480. ,   0.5,   1. ])
@@ -219,8 +217,8 @@ def viewport(width, height):  # exercise 1.15 (2 points)
                      [0,         0,          0, 1]])
 
 
-def to_screen(ndc, width, height):  # exercise 1.16 (1 point)
-    """Eq. (4): ndc (..., 3) -> screen (..., 3), with x and y in pixels, y up, and z as it is.
+def to_screen(ndc, width, height):
+    """Eq. (8): ndc (..., 3) -> screen (..., 3), with x and y in pixels, y up, and z as it is.
 
     >>> to_screen(np.array([0.0, 0.0, 0.5]), 640, 480)
     array([320. , 240. ,   0.5])
@@ -228,8 +226,8 @@ def to_screen(ndc, width, height):  # exercise 1.16 (1 point)
     return transform(to_homogeneous(ndc), viewport(width, height))[..., :3]
 
 
-def to_screen_backward(grad_screen, width, height):  # exercise 1.17 (1 point)
-    """Backward of eq. (4): grad_screen (..., 3) -> grad_ndc (..., 3).
+def to_screen_backward(grad_screen, width, height):  # extra 1.17 (1 point)
+    """Backward of eq. (8): grad_screen (..., 3) -> grad_ndc (..., 3).
 
     >>> to_screen_backward(np.array([1.0, 1.0, 1.0]), 640, 480)
     array([320., 240.,   1.])
@@ -243,7 +241,7 @@ def perspective(fov_y, aspect, near, far):
 
 
 def project(positions, clip_from_model, width, height):
-    """Eqs. (1) to (4): positions (V, 3) in model space -> screen (V, 3).
+    """Eqs. (1), (2), (7), (8): positions (V, 3) in model space -> screen (V, 3).
 
     Nothing is clipped: what lies behind the camera comes out mirrored.
     """

@@ -21,5 +21,5 @@ def aliasing(labs):
         yield "its spectrum", save("aliasing", f"{name}_spectrum", enlarged(1 + decades / 5, step))
 
     corners = SIZE / 8 * np.array([[0.08, 0.15], [0.93, 0.31], [0.33, 0.9]])
-    coverage = sampling.pixel_coverage(corners, SIZE // 8, SIZE // 8)
+    coverage = sampling.pixel_coverage_loop(corners, SIZE // 8, SIZE // 8)
     yield "exact coverage", save("aliasing", "coverage", enlarged(1 - coverage, 8))

@@ -1,4 +1,6 @@
 """What the exercises of lab 4 must do."""
+import time
+
 import numpy as np
 import pytest
 
@@ -23,31 +25,6 @@ def random_faces(rng, count, height, width, faces):
 
 
 # --- patterns ----------------------------------------------------------------------------------
-
-@exercise("4.1")
-def test_a_grid_of_four_on_paper(impl):
-    """Samples on the corners of the small squares, x and y swapped, or rows from the top."""
-    assert_close(impl.regular_grid(2), np.array([[0.25, 0.25], [0.75, 0.25],
-                                                 [0.25, 0.75], [0.75, 0.75]]))
-
-
-@exercise("4.1")
-def test_one_sample_is_the_centre(impl):
-    """linspace from 0 to 1: the pattern is not centred in the pixel."""
-    assert_close(impl.regular_grid(1), np.array([[0.5, 0.5]]))
-
-
-@exercise("4.1")
-@pytest.mark.parametrize("n", [3, 5, 8])
-def test_grids_of_all_pixels_make_one_finer_grid(impl, n):
-    """The distance between samples is not 1 / n, also from one pixel to the next."""
-    pattern = impl.regular_grid(n)
-    x = np.sort(np.concatenate([pattern[:n, 0] + i for i in range(3)]))
-    y = np.concatenate([pattern[::n, 1] + i for i in range(3)])
-    assert_close(np.diff(x), np.full(3 * n - 1, 1 / n))
-    assert_close(np.diff(y), np.full(3 * n - 1, 1 / n))
-    assert_close(pattern.mean(0), np.array([0.5, 0.5]))
-
 
 @exercise("4.2")
 def test_the_rotated_grid_on_paper(impl):
@@ -83,10 +60,12 @@ def test_a_sample_moves_to_the_centre_on_paper(impl):
     assert_close(moved, np.array([[0.0625, -0.25, 0.3, 1.0], [0.625, -1.5, 0.3, 2.0]]))
 
 
-@exercise("4.3")
-def test_all_vertices_move_alike_on_screen(impl, rng):
+@pytest.mark.parametrize("sign", [
+    pytest.param(1, marks=exercise("4.3")),
+    pytest.param(-1, marks=exercise("4.3", fine_print=True))], ids=["in front", "behind"])
+def test_all_vertices_move_alike_on_screen(impl, rng, sign):
     """The step is added in clip space without w, or with |w|: far vertices move less."""
-    clip = rng.uniform([-2, -2, -1, 0.3], [2, 2, 1, 3], (50, 4)) * rng.choice([-1, 1], (50, 1))
+    clip = sign * rng.uniform([-2, -2, -1, 0.3], [2, 2, 1, 3], (50, 4))
     offset, width, height = np.array([0.9, 0.2]), 11, 7
     moved = impl.centre_sample(clip, offset, width, height)
     step = (moved[:, :2] / moved[:, 3:] - clip[:, :2] / clip[:, 3:]) * [width / 2, height / 2]
@@ -94,7 +73,7 @@ def test_all_vertices_move_alike_on_screen(impl, rng):
     assert_equal(moved[:, 2:], clip[:, 2:])
 
 
-@exercise("4.3")
+@exercise("4.3", fine_print=True)
 def test_the_centre_itself_stays_to_the_bit(impl, rng):
     """Rounding: a division and a multiplication that do not cancel."""
     clip = rng.normal(size=(200, 4)) * 10.0 ** rng.integers(-5, 5, (200, 1))
@@ -238,6 +217,25 @@ def test_a_large_picture_of_many_faces(impl, rng):
     assert_requests(impl.shading_requests(face_index), face_index)
 
 
+@exercise("4.9")
+def test_it_takes_less_time_than_to_visit_all_samples(impl, rng):
+    """A loop over pixels or samples in Python, or a call of the loop beside it."""
+    face_index = np.full((4, 700, 700), -1)
+    face_index[:, 100:160, 100:160] = random_faces(rng, 4, 60, 60, 50)
+    start = time.perf_counter()
+    for s, i, j in np.ndindex(face_index.shape):
+        face_index[s, i, j]
+    visited = time.perf_counter() - start
+
+    def seconds():
+        start = time.perf_counter()
+        impl.shading_requests(face_index)
+        return time.perf_counter() - start
+
+    least = min(seconds() for _ in range(3))
+    assert least < visited / 2, f"{least:.2f} s; a visit of all samples takes {visited:.2f} s"
+
+
 REQUEST = np.array([[[0, 0, -1], [2, -1, 1]], [[1, 0, -1], [2, 2, 1]], [[1, 0, -1], [2, -1, 0]],
                     [[1, 0, -1], [0, 2, -1]]])
 
@@ -262,7 +260,7 @@ def test_the_mean_of_any_number_of_samples(impl, rng, count):
     assert_picture(impl.resolve(shade, request, background), expected, atol=1e-12)
 
 
-@exercise("4.10")
+@exercise("4.10", fine_print=True)
 def test_colours_that_differ_little_are_mixed(impl):
     """Nearly equal is taken for equal: a smooth picture gets steps."""
     request = np.array([0, 1, 1, 1]).reshape(4, 1, 1)
@@ -270,7 +268,7 @@ def test_colours_that_differ_little_are_mixed(impl):
     assert_close(got - 0.5, np.array([[[3e-9]]]), rtol=1e-6)
 
 
-@exercise("4.10")
+@exercise("4.10", fine_print=True)
 def test_no_shades_leave_the_background(impl):
     """A picture without faces ends in an error."""
     background = np.array([0.2, 0.4, 0.6])
@@ -278,7 +276,7 @@ def test_no_shades_leave_the_background(impl):
     assert_picture(got, np.tile(background, (2, 3, 1)))
 
 
-@exercise("4.10")
+@exercise("4.10", fine_print=True)
 @pytest.mark.parametrize("count", [4, 5, 7, 16])
 def test_a_common_colour_comes_out_to_the_bit(impl, rng, count):
     """The sum is rounded and then divided: two faces of one colour show a seam in the last bit."""
@@ -311,7 +309,7 @@ def test_a_shade_that_nobody_uses_has_no_gradient(impl):
     assert_close(grad_background, np.array([3.0, 3.0]))
 
 
-@exercise("4.11")
+@exercise("4.11", fine_print=True)
 def test_without_shades_the_background_has_all_of_the_gradient(impl):
     """A picture without faces ends in an error."""
     got = impl.resolve_backward(np.ones((2, 3, 2)), np.zeros((0, 2)), np.full((4, 2, 3), -1),

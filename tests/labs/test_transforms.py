@@ -7,23 +7,6 @@ from course.checks import assert_close, exercise
 from course.given.gradcheck import gradcheck
 
 
-@exercise("1.1")
-def test_a_point_gets_a_one_at_its_end(impl):
-    """The 1 stands in front, or a 0 (a direction's) was appended."""
-    assert_close(impl.to_homogeneous(np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])),
-                 np.array([[1.0, 2.0, 3.0, 1.0], [4.0, 5.0, 6.0, 1.0]]))
-
-
-@exercise("1.1")
-def test_points_may_have_any_leading_axes(impl, rng):
-    """The code works for an array (N, 3) alone."""
-    for shape in (3,), (0, 3), (2, 5, 3):
-        points = rng.normal(size=shape)
-        expected = np.ones((*shape[:-1], 4))
-        expected[..., :3] = points
-        assert_close(impl.to_homogeneous(points), expected)
-
-
 @exercise("1.2")
 def test_the_matrix_acts_on_columns(impl):
     """points @ matrix instead of points @ matrix.T: the transposed matrix was applied."""
@@ -61,23 +44,6 @@ def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape)
     """A gradient is transposed, averaged over the points, or taken of one point alone."""
     gradcheck(lambda points, matrix: points @ matrix.T, impl.transform_backward,
               (rng.normal(size=shape), rng.normal(size=(4, 4))), name="transform")
-
-
-@exercise("1.4")
-def test_a_translation_moves_points_and_not_directions(impl):
-    """The offset stands in the last row (row vectors) instead of the last column."""
-    matrix = impl.translate(np.array([5.0, 6.0, 7.0]))
-    assert_close(matrix @ np.ones(4), np.array([6.0, 7.0, 8.0, 1.0]))
-    assert_close(matrix @ np.array([1.0, 1.0, 1.0, 0.0]), np.array([1.0, 1.0, 1.0, 0.0]))
-
-
-@exercise("1.5")
-def test_a_scaling_stretches_each_axis(impl):
-    """w is scaled, too, or one factor serves all axes."""
-    assert_close(impl.scale(np.array([2.0, 3.0, -4.0])), np.array([[2.0, 0.0, 0.0, 0.0],
-                                                                   [0.0, 3.0, 0.0, 0.0],
-                                                                   [0.0, 0.0, -4.0, 0.0],
-                                                                   [0.0, 0.0, 0.0, 1.0]]))
 
 
 @exercise("1.6")
@@ -257,14 +223,6 @@ def test_the_corners_of_ndc_become_those_of_the_picture(impl):
     assert_close(matrix @ np.array([-1.0, -1.0, 0.5, 1.0]), np.array([0.0, 0.0, 0.5, 1.0]))
     assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([641.0, 479.0, -0.5, 1.0]))
     assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, 479.0, 0.0, 1.0]))
-
-
-@exercise("1.16")
-def test_screen_points_of_ndc_points(impl, rng):
-    """y is flipped, z was scaled, or width and height are swapped."""
-    ndc = rng.uniform(-2, 2, (2, 5, 3))
-    expected = np.stack([(ndc[..., 0] + 1) * 320.5, (ndc[..., 1] + 1) * 239.5, ndc[..., 2]], -1)
-    assert_close(impl.to_screen(ndc, 641, 479), expected)
 
 
 @exercise("1.17")

@@ -1,24 +1,6 @@
 """Mistakes of lab 4; each docstring goes on after "this is what comes out when"."""
 
 
-def regular_grid(n):
-    """it goes column by column: x and y are swapped"""
-    i, j = np.divmod(np.arange(n * n), n)
-    return (np.stack([i, j], -1) + 0.5) / n
-
-
-def regular_grid(n):
-    """samples lie at the corners of the small squares instead of their centres"""
-    i, j = np.divmod(np.arange(n * n), n)
-    return (np.stack([j, i], -1)) / n
-
-
-def regular_grid(n):
-    """rows are counted from the top; the first one is the lowest"""
-    i, j = np.divmod(np.arange(n * n), n)
-    return (np.stack([j, n - 1 - i], -1) + 0.5) / n
-
-
 def lattice(count, step):
     """s is multiplied instead of s + 1"""
     s = np.arange(count)

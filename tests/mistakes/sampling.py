@@ -34,60 +34,6 @@ def dft_matrix(n):
     return np.exp(-2j * np.pi * (np.outer(k, k) % n) / n) / n
 
 
-def spectrum_of(picture):
-    """only the rows are transformed, not the columns"""
-    return picture @ dft_matrix(picture.shape[1]).T
-
-
-def spectrum_of(picture):
-    """only the columns are transformed, not the rows"""
-    return dft_matrix(len(picture)) @ picture
-
-
-def spectrum_of(picture):
-    """it is divided by the number of pixels; that is left to the inverse"""
-    height, width = picture.shape
-    return dft_matrix(height) @ picture @ dft_matrix(width).T / picture.size
-
-
-def picture_of(spectrum):
-    """the exponent has the forward's sign: waves run the other way"""
-    height, width = spectrum.shape
-    return (dft_matrix(height) @ spectrum @ dft_matrix(width).T).real / spectrum.size
-
-
-def picture_of(spectrum):
-    """it is not divided by the number of pixels"""
-    height, width = spectrum.shape
-    return (dft_matrix(height).conj() @ spectrum @ dft_matrix(width).conj().T).real
-
-
-def picture_of(spectrum):
-    """it is divided by the root of the number of pixels"""
-    height, width = spectrum.shape
-    return (dft_matrix(height).conj() @ spectrum @ dft_matrix(width).conj().T).real / np.sqrt(
-        spectrum.size
-    )
-
-
-def frequencies(n):
-    """1/2 counts as positive; it is -1/2"""
-    k = np.arange(n)
-    return np.where(2 * k <= n, k, k - n) / n
-
-
-def frequencies(n):
-    """the upper half stays above 1/2; it stands for negative ones"""
-    k = np.arange(n)
-    return k / n
-
-
-def frequencies(n):
-    """frequencies are periods per picture; they are cycles per pixel"""
-    k = np.arange(n)
-    return np.where(2 * k < n, k, k - n)
-
-
 def band_pass(picture, low, high):
     """the greater of |f_y| and |f_x| is taken for the length: the band is a square"""
     height, width = picture.shape
@@ -261,24 +207,6 @@ def clip_polygon(polygon, a, b, c):
         if (at_p >= 0) != (at_q >= 0):
             kept.insert(len(kept) - (at_p >= 0), p + (q - p) * (at_p / (at_p - at_q)))
     return np.array(kept).reshape(-1, 2)
-
-
-def polygon_area(polygon):
-    """it is twice the area"""
-    x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
-    return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1)
-
-
-def polygon_area(polygon):
-    """clockwise polygons are positive"""
-    x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
-    return -(x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
-
-
-def polygon_area(polygon):
-    """the sign is lost: clockwise polygons are negative"""
-    x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
-    return abs((x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1)) / 2
 
 
 def polygon_area_backward(grad_area, polygon):

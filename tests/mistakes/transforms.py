@@ -1,21 +1,6 @@
 """Mistakes of lab 1; each docstring goes on after "this is what comes out when"."""
 
 
-def to_homogeneous(points):
-    """the 1 stands in front of the coordinates instead of behind them"""
-    return np.concatenate([np.ones_like(points[..., :1]), points], -1)
-
-
-def to_homogeneous(points):
-    """a 0 is appended: that is a direction; a point has a 1"""
-    return np.concatenate([points, np.zeros_like(points[..., :1])], -1)
-
-
-def to_homogeneous(points):
-    """three ones are appended instead of one"""
-    return np.concatenate([points, np.ones_like(points)], -1)
-
-
 def transform(points, matrix):
     """the transposed matrix is applied: points are rows here, but the matrix acts on columns"""
     return points @ matrix
@@ -50,42 +35,6 @@ def transform_backward(grad_output, points, matrix):
     grad_points = grad_output @ matrix
     grad_matrix = grad_output.reshape(-1, 4).T @ points.reshape(-1, 4) / max(1, points.size // 4)
     return grad_points, grad_matrix
-
-
-def translate(offset):
-    """the offset stands in the last row; for column vectors it is the last column"""
-    matrix = np.eye(4)
-    matrix[3, :3] = offset
-    return matrix
-
-
-def translate(offset):
-    """points are moved the opposite way"""
-    matrix = np.eye(4)
-    matrix[:3, 3] = -np.asarray(offset)
-    return matrix
-
-
-def translate(offset):
-    """the ones on the diagonal are missing"""
-    matrix = np.zeros((4, 4))
-    matrix[:3, 3] = offset
-    return matrix
-
-
-def scale(factors):
-    """w is scaled as well"""
-    return np.diag([*factors, factors[0]])
-
-
-def scale(factors):
-    """points are divided by the factors"""
-    return np.diag([*(1 / np.asarray(factors)), 1.0])
-
-
-def scale(factors):
-    """one factor serves all three axes"""
-    return np.diag([factors[0]] * 3 + [1.0])
 
 
 def rotate(axis, angle):
@@ -330,22 +279,6 @@ def viewport(width, height):
                      [0,         height / 2, 0, height / 2],
                      [0,         0,          1, 0],
                      [0,         0,          0, 1]])
-
-
-def to_screen(ndc, width, height):
-    """width and height are swapped"""
-    return transform(to_homogeneous(ndc), viewport(height, width))[..., :3]
-
-
-def to_screen(ndc, width, height):
-    """y is negative: it points down"""
-    matrix = viewport(width, height) * [[1], [-1], [1], [1]]
-    return transform(to_homogeneous(ndc), matrix)[..., :3]
-
-
-def to_screen(ndc, width, height):
-    """the middle of the picture stays at 0: the viewport's offset is missing"""
-    return ndc @ viewport(width, height)[:3, :3]
 
 
 def to_screen_backward(grad_screen, width, height):

@@ -4,10 +4,6 @@ import math
 import numpy as np
 
 
-def regular_grid(n):
-    return [((j + 0.5) / n, (i + 0.5) / n) for i in range(n) for j in range(n)]
-
-
 def lattice(count, step):
     pattern, row = [], 0
     for s in range(count):

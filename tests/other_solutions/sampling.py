@@ -5,6 +5,8 @@ import math
 import numpy as np
 from scipy import ndimage
 
+from reference.sampling import frequencies, picture_of, polygon_area, spectrum_of
+
 
 def alias_frequency(frequency, rate):
     def one(f, r):
@@ -19,21 +21,8 @@ def dft_matrix(n):
                      for k in range(n)])
 
 
-def spectrum_of(picture):
-    height, width = np.shape(picture)
-    return dft_matrix(height) @ picture @ dft_matrix(width)
-
-
-def picture_of(spectrum):
-    return np.fft.fft2(np.conj(spectrum)).real / np.size(spectrum)
-
-
 def signed(n):
     return [k if 2 * k < n else k - n for k in range(n)]
-
-
-def frequencies(n):
-    return [k / n for k in signed(n)]
 
 
 def band_pass(picture, low, high):
@@ -91,15 +80,6 @@ def clip_polygon(polygon, a, b, c):
     if len(polygon) and (distance[-1] >= 0) != (distance[0] >= 0):
         kept = kept[1:] + kept[:1]
     return np.array(kept, float).reshape(-1, 2)
-
-
-def polygon_area(polygon):
-    polygon = np.asarray(polygon, float)
-    area = np.zeros(polygon.shape[:-2])
-    for n in range(1, polygon.shape[-2] - 1):  # a fan of triangles
-        u, v = (polygon[..., n + k, :] - polygon[..., 0, :] for k in (0, 1))
-        area = area + (u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]) / 2
-    return area[()]
 
 
 def polygon_area_backward(grad_area, polygon):

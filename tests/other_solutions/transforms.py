@@ -4,13 +4,6 @@ import math
 import numpy as np
 
 
-def to_homogeneous(points):
-    padded = np.empty((*np.shape(points)[:-1], 4), order="F")
-    padded[..., :3] = points
-    padded[..., 3] = 1
-    return padded
-
-
 def transform(points, matrix):
     return np.einsum("...j,ij->...i", points, matrix)
 
@@ -20,19 +13,6 @@ def transform_backward(grad_output, points, matrix):
     for index in np.ndindex(np.shape(points)[:-1]):
         grad_matrix += np.outer(grad_output[index], points[index])
     return np.einsum("...i,ij->...j", grad_output, matrix), grad_matrix
-
-
-def translate(offset):
-    x, y, z = offset
-    return [[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, 1]] @ np.eye(4)
-
-
-def scale(factors):
-    matrix = np.zeros((4, 4))
-    for k in range(3):
-        matrix[k, k] = factors[k]
-    matrix[3, 3] = 1
-    return matrix
 
 
 def rotate(axis, angle):
@@ -108,13 +88,6 @@ def viewport(width, height):
     matrix = np.diag([0.5 * width, 0.5 * height, 1, 1])
     matrix[:2, 3] = 0.5 * width, 0.5 * height
     return matrix
-
-
-def to_screen(ndc, width, height):
-    screen = np.array(ndc, float)
-    screen[..., 0] = (screen[..., 0] + 1) / 2 * width
-    screen[..., 1] = (screen[..., 1] + 1) / 2 * height
-    return screen
 
 
 def to_screen_backward(grad_screen, width, height):
