@@ -1,8 +1,9 @@
 """Antialiasing: colours that follow an edge from pixel to pixel, and the gradient that moves it.
 
 A pixel shows the face at its centre. Its colour jumps when an edge passes the centre, and has no
-gradient before and after. So two neighbouring pixels that see different faces are blended by where
-an edge runs between their centres. The pixel that sees the nearer face is the edge's owner.
+gradient before and after. So two neighbouring pixels that see different faces are blended, and the
+blend depends on where an edge crosses between their centres. The pixel that sees the nearer face
+owns the edge.
 
     silhouette  <=>  no face across the edge, or it folds back to the face's own side        (1)
     x = s (screen_x - X),   y = screen_y - Y    the pair's frame                             (2)
@@ -12,8 +13,8 @@ an edge runs between their centres. The pixel that sees the nearer face is the e
 
 The frame has the owner's centre (X, Y) at x = 0, and the other's at x = 1: s = -1 if the other
 pixel comes before the owner, else +1. For two pixels above each other, screen_x and screen_y, X
-and Y change places. (5) reads the colours of before. All changes of a pixel add up. The last edge
-of 8.9, the steep edge and the WINDOW of 8.10, and saturation in 8.11 are nvdiffrast's refinements.
+and Y change places. (5) reads the colours from before any blend, and all changes of a pixel add up.
+`last_crossing`, `is_blended` and the clip of `blend_weight` are refinements by nvdiffrast.
 
 Sources: lecture "Differentiable graphics 1", Laine et al. 2020 (nvdiffrast), section 3.6.
 """
@@ -27,32 +28,28 @@ WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer
 
 
 def opposite_vertices(faces):  # exercise 8.1 (3 points)
-    """Which vertex lies across each edge of each face? -1 for none, at a boundary.
+    """Which vertex lies across each edge of each face? -1 for none.
 
-    faces (F, 3) integers >= 0 -> opposite (F, 3) integers. Edge k of face f joins its two vertices
-    other than faces[f, k]. Another face with the same two vertices, in either order, has the third
-    vertex opposite[f, k].
+    faces (F, 3) -> opposite (F, 3). Edge k joins a face's vertices other than vertex k. The answer
+    is the third vertex of the other face at this edge, wound either way.
 
     >>> opposite_vertices(np.array([[0, 1, 2], [2, 1, 3]]))
     array([[ 3, -1, -1],
            [-1, -1,  0]])
 
-    Fine print. A face that names a vertex twice does not count, and has -1 throughout. More than
-    two faces may meet at an edge. List their third vertices, in the order of the faces, each once:
-    copies of a face count once. The first two, p and q, are across from each other. A face whose
-    third vertex is p has q there, one with q has p, any other -1.
+    Fine print. Meshes are large, so comparing all pairs of faces takes too long. A face that names
+    a vertex twice has no area, and gets -1 throughout. Where three faces meet at an edge, list
+    their third vertices in the order of the faces, copies once. The first two vertices lie across
+    from each other. Faces with any other get -1.
     """
     raise NotImplementedError("exercise 8.1: opposite_vertices")
 
 
 def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
-    """Eq. (1): which edges of faces are silhouettes, where the surface ends or folds on screen?
+    """Eq. (1): at which edges does the surface end, or fold on screen?
 
-    x, y, w (V,) of `screen_points`, faces, opposite (F, 3), of any number of faces -> bool (F, 3).
-
-    Where opposite is -1, the surface ends. Elsewhere compare the face with the triangle in which
-    `opposite` takes the place of vertex k. If both have the same winding, they lie on one side of
-    edge k: the surface folds.
+    x, y, w > 0 (V,) of `screen_points`, faces, opposite (F, 3) -> bool (F, 3). It folds if vertex k
+    and the one across lie on one side of edge k.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
@@ -60,69 +57,84 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     array([[False,  True,  True],
            [ True,  True, False]])
 
-    Fine print. A vertex behind the camera (w < 0) is mirrored on screen, so each such corner turns
-    the winding of a triangle over. A triangle without area counts as counter-clockwise, wherever
-    its corners are. w is not 0.
+    Fine print. Same side means same winding: of the face, and of the face with vertex k replaced
+    by the vertex across. A vertex behind the camera (w < 0) comes out mirrored, so each such corner
+    turns the winding over (lecture 08, section 4). A triangle without area counts as
+    counter-clockwise.
     """
     raise NotImplementedError("exercise 8.2: silhouette_edges")
 
 
-def neighbour_pairs(face_index, outlined):  # exercise 8.3 (2 points)
-    """The pairs of neighbouring pixels between which the picture may jump.
+def neighbour_pairs(face_index, outlined):  # extra 8.3 (2 points)
+    """Which neighbouring pixels see different faces, so that the picture may jump between them?
 
-    face_index (H, W), -1 for no face, outlined (H, W) bool, the pixels that may own a silhouette
-    -> first, second (N,): pixels, numbered row * W + column. In a pair, second is the right or the
-    upper neighbour of first, the two see different faces, and at least one of them is outlined.
-    All pairs side by side come first, then those above each other, both by ascending first.
+    face_index (H, W), -1 for no face, outlined (H, W) bool -> first, second (N,), pixels numbered
+    row * W + column. At least one of the two is outlined. Pairs of left and right come before pairs
+    of lower and upper, both sorted by first.
 
     >>> neighbour_pairs(np.array([[0, 0, 1], [0, 2, 1]]), np.array([[1, 1, 0], [0, 0, 0]]) > 0)
     (array([1, 1]), array([2, 4]))
     """
-    raise NotImplementedError("exercise 8.3: neighbour_pairs")
+    width = face_index.shape[1]
+    face, outlined = face_index.ravel(), outlined.ravel()
+
+    def before_jump(step):
+        differs = face[:-step] != face[step:]
+        return np.flatnonzero(differs & (outlined[:-step] | outlined[step:]))
+
+    left = before_jump(1)
+    left = left[left % width < width - 1]  # the end of a row has no neighbour in the next one
+    lower = before_jump(width)
+    return np.concatenate([left, lower]), np.concatenate([left + 1, lower + width])
 
 
-def owner_and_other(first, second, depth):  # exercise 8.4 (1 point)
+def owner_and_other(first, second, depth):
     """Which pixel of each pair sees the nearer face, and so owns the edge?
 
-    first, second (N,): pixels, numbered row * W + column, depth (H, W), np.inf for no face
-    -> owner, other (N,).
+    first, second (N,), pixels numbered row * W + column, depth (H, W), np.inf for no face
+    -> owner, other (N,). If both are equally deep, the second is the owner.
 
     >>> depth = np.array([[0.5, np.inf], [0.25, 0.5]])
     >>> owner_and_other(np.array([0, 2, 0]), np.array([1, 3, 2]), depth)
     (array([0, 2, 2]), array([1, 3, 0]))
-
-    Fine print. If both are equally deep, the second is the owner.
     """
-    raise NotImplementedError("exercise 8.4: owner_and_other")
+    depth = depth.ravel()
+    is_first = depth[first] < depth[second]
+    return np.where(is_first, first, second), np.where(is_first, second, first)
 
 
 def pair_step(owner, other, width):
-    """From the owner's to the other's centre: dx, dy (N,), one of them 0, the other 1 or -1."""
+    """From the owner's to the other's centre: dx, dy (N,), one of them 0, the other one 1 or -1."""
     row, column = np.divmod(owner, width)
     other_row, other_column = np.divmod(other, width)
     return other_column - column, other_row - row
 
 
-def pair_frame(screen_x, screen_y, owner, other, width):  # exercise 8.5 (2 points)
-    """Eq. (2): points in their pair's frame: the owner's centre at 0, the other's at x = 1.
+def pair_frame(screen_x, screen_y, owner, other, width):  # extra 8.5 (2 points)
+    """Eq. (2): points in their pair's frame, the owner's centre at x = 0, the other's at x = 1.
 
-    screen_x, screen_y (K, N): K points for each pair. owner, other (N,): pixels, numbered
-    row * width + column -> x, y (K, N). Only x is ever mirrored. `pair_step` is given.
+    screen_x, screen_y (K, N) are K points for each of N pairs. owner, other (N,) are pixels,
+    numbered row * width + column -> x, y (K, N). `pair_step` is given.
 
     >>> x, y = np.full((2, 1, 2), [[[3.0]], [[4.0]]])
     >>> pair_frame(x, y, np.array([10, 10]), np.array([9, 2]), 8)  # (2.5, 1.5): left, below
     (array([[-0.5, -2.5]]), array([[2.5, 0.5]]))
     """
-    raise NotImplementedError("exercise 8.5: pair_frame")
+    dx, dy = pair_step(owner, other, width)
+    row, column = np.divmod(owner, width)
+    x, y = screen_x - (column + 0.5), screen_y - (row + 0.5)
+    return dx * x + dy * y, np.abs(dy) * x + np.abs(dx) * y
 
 
-def pair_frame_backward(grad_x, grad_y, owner, other, width):  # exercise 8.6 (1 point)
+def pair_frame_backward(grad_x, grad_y, owner, other, width):  # extra 8.6 (1 point)
     """Backward of eq. (2): grad_x, grad_y (K, N) -> grad_screen_x, grad_screen_y (K, N).
 
     >>> pair_frame_backward(np.array([[5.0]]), np.array([[7.0]]), np.array([10]), np.array([2]), 8)
     (array([[7.]]), array([[-5.]]))
     """
-    raise NotImplementedError("exercise 8.6: pair_frame_backward")
+    # Eq. (2) is a matrix with the rows (dx, dy) and (|dy|, |dx|). The way back is its transpose.
+    dx, dy = pair_step(owner, other, width)
+    return dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
 
 
 def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point)
@@ -133,88 +145,92 @@ def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point)
     >>> crossing(np.array([1.0]), np.array([-1.0]), np.array([4.0]), np.array([2.0]))
     array([2.])
 
-    Fine print. One end may be near infinity, where digits are lost. Measure from the end that is
-    nearer to y = 0.
+    Fine print. An edge that reaches behind the camera may have an end near infinity, and a
+    difference of huge numbers has few digits. Measure from the end that is nearer to y = 0.
     """
     raise NotImplementedError("exercise 8.7: crossing")
 
 
-def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (3 points)
+def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 points)
     """Backward of eq. (3): grad_c (...) -> grad_x0, grad_y0, grad_x1, grad_y1, each (...).
-
-    y0 and y1 are different. With r = 1 / (y1 - y0), c = (x0 y1 - x1 y0) r, dc/dx0 = r y1 and
-    dc/dy0 = r (c - x1). If the ends are exchanged, so are their gradients, and nothing else is.
 
     >>> grad_c, x0, y0, x1, y1 = np.array([[1.0], [1.0], [-1.0], [4.0], [3.0]])
     >>> np.stack(crossing_backward(grad_c, x0, y0, x1, y1)).T
     array([[ 0.75  , -0.5625,  0.25  , -0.1875]])
-    >>> np.stack(crossing_backward(grad_c, x0, y0, x1, y1, epsilon=4.0)).T
-    array([[ 0.375   , -0.390625,  0.125   ,  0.015625]])
 
-    Fine print. The gradient is huge where an edge is nearly along y = 0. epsilon >= 0 tames it: in
-    r, and so in the c of this formula, y1 - y0 is made longer by epsilon and keeps its sign.
-    (nvdiffrast takes 1e-3 pixels.)
+    Fine print. The gradient of an edge that lies nearly along y = 0 is huge. epsilon tames it:
+    with r = 1 / (y1 - y0) and c = (x0 y1 - x1 y0) r, dc/dx0 = r y1 and dc/dy0 = r (c - x1). In
+    this r, y1 - y0 is longer by epsilon and keeps its sign.
     """
     raise NotImplementedError("exercise 8.8: crossing_backward")
 
 
-def last_crossing(x, y, w):  # exercise 8.9 (3 points)
-    """The edge by which the line y = 0 leaves a face on the way from the owner to the other.
+def last_crossing(x, y, w):  # extra 8.9 (3 points)
+    """By which edge does the line y = 0 leave a face, on the way from owner to other?
 
-    x, y, w (3, N): the face's corners, x and y in the pair's frame -> edge (N,) from 0 to 2, and
-    c (N,), where eq. (3) puts it. Edge k, opposite to vertex k, crosses the line if one of its ends
-    has y < 0 and the other y >= 0. The last crossing counts: that of greatest c.
+    x, y, w (3, N), a face's corners in the pair's frame -> edge (N,), c (N,) of eq. (3). Edge k
+    crosses if one end has y < 0 and the other y >= 0. The greatest c counts.
 
     >>> x, y = np.array([[-1.0], [3.0], [1.0]]), np.array([[-1.0], [-1.0], [1.0]])
     >>> last_crossing(x, y, np.ones((3, 1)))
     (array([0]), array([2.]))
 
-    Fine print. Where two edges have the same c, the first one counts. If no edge crosses, the
-    answer is edge 0 with c = -np.inf. Nothing is divided by 0. A corner behind the camera (w < 0)
-    is mirrored on screen, so y w counts instead of y, and an edge must cross in front of the
-    camera: w_i |y_j w_j| + w_j |y_i w_i| > 0, where i and j are its ends.
+    Fine print. The first of equal crossings counts. Without any, the answer is edge 0 with
+    c = -np.inf. Nothing is divided by 0. A corner behind the camera (w < 0) comes out mirrored, so
+    compare y w with 0. The crossing lies in front of the camera if
+    w_i |y_j w_j| + w_j |y_i w_i| > 0, for ends i and j.
     """
-    raise NotImplementedError("exercise 8.9: last_crossing")
+    above = y * w
+    c = np.full(x.shape, -np.inf)
+    for k, (i, j) in enumerate(EDGES):
+        crosses = (above[i] < 0) != (above[j] < 0)
+        crosses &= w[i] * np.abs(above[j]) + w[j] * np.abs(above[i]) > 0
+        c[k, crosses] = crossing(*(corner[crosses] for corner in (x[i], y[i], x[j], y[j])))
+    edge = c.argmax(0)
+    return edge, c[edge, np.arange(len(edge))]
 
 
-def is_blended(c, is_silhouette, x0, y0, x1, y1):  # exercise 8.10 (2 points)
-    """Is this edge one that blends the pair?
+def is_blended(c, is_silhouette, x0, y0, x1, y1):  # extra 8.10 (2 points)
+    """Is the pair blended by this edge, a steep silhouette that crosses between the centres?
 
-    c (N,) of eq. (3), is_silhouette (N,) bool, and the edge's ends in the pair's frame, each (N,)
-    -> bool (N,). The edge must be a silhouette. It must be steep, in y at least as long as in x:
-    the others are left to the pairs of the other direction. And it must cross between the centres,
-    c from 0 to 1, or less than WINDOW outside.
+    c (N,) of eq. (3), is_silhouette (N,) bool, the edge's ends in the pair's frame, (N,) each
+    -> bool (N,). Steep edges are at least as long in y as in x. c lies between 0 and 1, or less
+    than WINDOW outside.
 
     >>> one = np.ones(4)
     >>> is_blended(np.array([0.5, -0.05, -0.07, 0.5]), one > 0, 0 * one, -one, np.arange(4.0), one)
     array([ True,  True, False, False])
     """
-    raise NotImplementedError("exercise 8.10: is_blended")
+    is_steep = np.abs(y1 - y0) >= np.abs(x1 - x0)
+    return is_silhouette & is_steep & (c > -WINDOW) & (c < 1 + WINDOW)
 
 
 def blend_weight(c):  # exercise 8.11 (1 point)
-    """Eq. (4): alpha (N,) of crossings c (N,). A c outside of [0, 1] counts as 0 or 1.
+    """Eq. (4): how far does the blend go, alpha (N,), for edges that cross at c (N,)?
 
-    >>> blend_weight(np.array([-0.01, 0.25, 1.0]))
+    >>> blend_weight(np.array([0.0, 0.25, 1.0]))
     array([ 0.5 ,  0.25, -0.5 ])
+
+    Fine print. A c outside of [0, 1] counts as 0 or 1: no pixel gives away more than half of its
+    colour.
     """
     raise NotImplementedError("exercise 8.11: blend_weight")
 
 
-def blend_weight_backward(grad_alpha, c):  # exercise 8.12 (1 point)
+def blend_weight_backward(grad_alpha, c):
     """Backward of eq. (4): grad_alpha, c (N,) -> grad_c (N,), 0 where c <= 0 or c >= 1.
 
     >>> blend_weight_backward(np.array([2.0, 2.0, 2.0]), np.array([-0.01, 0.25, 1.0]))
     array([ 0., -2.,  0.])
     """
-    raise NotImplementedError("exercise 8.12: blend_weight_backward")
+    # dalpha/dc = -1. A saturated alpha no longer depends on c.
+    return np.where((0 < c) & (c < 1), -grad_alpha, 0.0)
 
 
-def blend(colour, owner, other, alpha):  # exercise 8.13 (3 points)
+def blend(colour, owner, other, alpha):  # exercise 8.13 (2 points)
     """Eq. (5) for all pairs: colour (H, W, C), owner, other, alpha (N,) -> output (H, W, C).
 
-    owner and other are pixels, numbered row * W + column. A pixel may be in several pairs. All of
-    them read `colour`, so that their order does not matter, and their changes add up.
+    Pixels are numbered row * W + column, and a pixel may be in several pairs.
 
     >>> blend(np.array([[[0.0], [1.0], [5.0]]]), np.array([0, 2]), np.array([1, 1]),
     ...       np.array([0.25, -0.5]))
@@ -222,12 +238,12 @@ def blend(colour, owner, other, alpha):  # exercise 8.13 (3 points)
             [3.  ],
             [5.  ]]])
 
-    Fine print. The output is of floats, whatever colour is.
+    Fine print. The output is of floats, as a blend of integers is no integer.
     """
     raise NotImplementedError("exercise 8.13: blend")
 
 
-def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (4 points)
+def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (3 points)
     """Backward of eq. (5): grad_output (H, W, C) -> grad_colour (H, W, C), grad_alpha (N,).
 
     >>> colour, grad_output = np.array([[[0.0], [1.0]]]), np.array([[[10.0], [100.0]]])
@@ -235,7 +251,7 @@ def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (
     (array([[[  7.5],
             [102.5]]]), array([10.]))
 
-    Fine print. At alpha = 0, eq. (5) has a kink: the owner changes on one side of it, the other
-    pixel on the other side. There, unlike for alpha < 0, count the change of the owner.
+    Fine print. Eq. (5) has a kink at alpha = 0: the owner changes on one side of it, the other
+    pixel on the other side. Take the owner's side there, as nvdiffrast does.
     """
     raise NotImplementedError("exercise 8.14: blend_backward")

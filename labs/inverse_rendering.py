@@ -8,8 +8,9 @@
     L = 1 - sum(c t) / sum(c + t - c t)               soft IoU loss of silhouettes c and t       (5)
     d_v = x_v - mean of x over v's neighbours         uniform Laplacian, 0 where flat and even   (6)
 
-R is `pipeline.render`, which joins the labs before this one. grad_x of a parameter x has its shape.
-Adam's m and s are arrays like x, at first 0. `adam_step` returns them, and its caller keeps them.
+R is `pipeline.render`, which joins the labs before this one. The gradient of a parameter x, grad_x,
+has its shape. Adam's m and s are arrays like x, at first 0. Whoever calls `adam_step` keeps them.
+In (4), the point v is the quaternion (0, v), and q* is (w, -x, -y, -z).
 
 Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Shoemake 1985 (4), Kato et al.
 2018 (5), Taubin 1995 (6), Laine et al. 2020.
@@ -19,15 +20,15 @@ import numpy as np
 from .rasterization import scatter
 
 
-def squared_error(picture, target):  # exercise 9.1 (1 point)
+def squared_error(picture, target):
     """Eq. (2): how far is a picture from its target? The mean squared difference, a number.
 
-    picture, target: floats of one shape, any. The mean is over all pixels and channels.
+    picture, target: floats of one shape. The mean is over all pixels and channels.
 
     >>> squared_error(np.array([[[1.0, 2.0], [3.0, 4.0]]]), np.array([[[1.0, 0.0], [3.0, 0.0]]]))
     np.float64(5.0)
     """
-    raise NotImplementedError("exercise 9.1: squared_error")
+    return ((picture - target)**2).mean()
 
 
 def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point)
@@ -41,12 +42,10 @@ def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point
 
 def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points)
               constants=(0.9, 0.999, 1e-8)):
-    """Eq. (3): one step of Adam downhill -> x, mean, square after it, the arguments unchanged.
+    """Eq. (3): step n of Adam, downhill -> x', mean m', square s'.
 
-    x, grad_x, mean (m), square (s): arrays of one shape, any. step (n) is 1 for the first step, for
-    which mean and square are 0. Every element goes its own way: the first step changes each by
-    nearly rate, whatever the size of its gradient, if that is far above epsilon. The constants are
-    b1, b2 and epsilon.
+    x, grad_x (g), mean (m) and square (s) are arrays of one shape, step (n) and rate are numbers,
+    and the constants are b1, b2, epsilon.
 
     >>> x, grad_x, zero = np.array([5.0, 5.0]), np.array([4.0, -100.0]), np.zeros(2)
     >>> x, mean, square = adam_step(x, grad_x, zero, zero, 1, rate=0.25)
@@ -96,46 +95,55 @@ def decay(rate, factor, steps):
     return [rate * factor**(step / steps) for step in range(steps)]
 
 
-def quaternion_product(p, q):  # exercise 9.4 (2 points)
-    """The product p q of quaternions: it rotates first as q does, then as p does.
+def quaternion_product(p, q):  # extra 9.4 (2 points)
+    """The product p q of quaternions. It rotates first by q, then by p.
 
-    p, q (..., 4), shapes that broadcast -> (..., 4). The elements (w, x, y, z) stand for
-    w + x i + y j + z k, with i i = j j = k k = -1 and i j = k, j k = i, k i = j. In the other order
-    the sign is the other: j i = -k, k j = -i, i k = -j.
+    p, q (..., 4), shapes that broadcast -> (..., 4). (w, x, y, z) stands for w + xi + yj + zk. The
+    squares of i, j, k are -1. ij = k, jk = i, ki = j change signs in reverse order.
 
     >>> quaternion_product(np.array([0.0, 1.0, 0.0, 0.0]), np.array([2.0, 0.0, 3.0, 0.0]))
     array([0., 2., 0., 3.])
     """
-    raise NotImplementedError("exercise 9.4: quaternion_product")
+    pw, px, py, pz = np.moveaxis(p, -1, 0)
+    qw, qx, qy, qz = np.moveaxis(q, -1, 0)
+    return np.stack([pw * qw - px * qx - py * qy - pz * qz,
+                     pw * qx + px * qw + py * qz - pz * qy,
+                     pw * qy + py * qw + pz * qx - px * qz,
+                     pw * qz + pz * qw + px * qy - py * qx], -1)
 
 
 def quaternion_matrix(q):  # exercise 9.5 (2 points)
-    """Eq. (4): the matrix (4, 4) that rotates points as q (4,) does.
+    """Eq. (4) as a matrix (4, 4), like lab 1's rotations: it rotates points as q (4,) does.
 
-    q = (cos(angle/2), sin(angle/2) axis) rotates by angle about an axis of length 1, as lab 1's
-    rotate does. So does any multiple of q. In eq. (4) the point v is the quaternion (0, v), and q*
-    has the other sign in x, y, z. `cross_matrix`, below, is given.
+    q may have any length but 0. `quaternion_product` or `cross_matrix` will help.
 
     >>> quaternion_matrix(np.array([2.0, 0.0, 0.0, 2.0])).round(9) @ np.array([1.0, 5.0, 7.0, 1.0])
     array([-5.,  1.,  7.,  1.])
-
-    Fine print. q has a length from 1e-100 to 1e100.
     """
     raise NotImplementedError("exercise 9.5: quaternion_matrix")
 
 
-def quaternion_matrix_backward(grad_matrix, q):  # exercise 9.6 (4 points)
+def quaternion_matrix_backward(grad_matrix, q):  # extra 9.6 (4 points)
     """Backward of `quaternion_matrix`: grad_matrix (4, 4) -> grad_q (4,).
 
-    The last row and column of the matrix are constant. All four numbers of q count as free. Its
-    length makes no difference to the matrix, so grad_q is at right angles to q.
+    All four numbers of q are free. Its length makes no difference to the matrix, so grad_q is at
+    right angles to q.
 
     >>> grad_matrix = np.zeros((4, 4))
     >>> grad_matrix[1, 0] = 3.0  # element [1, 0] is 2 (x y + w z) / |q|^2
     >>> quaternion_matrix_backward(grad_matrix, np.array([2.0, 0.0, 0.0, 1.0])) + 0.0
     array([-0.72,  0.  ,  0.  ,  1.44])
     """
-    raise NotImplementedError("exercise 9.6: quaternion_matrix_backward")
+    # R = I + s B, B = w K + K K, s = 2 / |q|^2. With G for grad_R, the loss changes by
+    # G . B ds + s G . (dw K + w dK + dK K + K dK), and ds = -s^2 q . dq.
+    G = grad_matrix[:3, :3]
+    K = cross_matrix(q[1:])
+    s = 2 / (q @ q)
+    w = q[0]
+    grad_K = s * (w * G + G @ K.T + K.T @ G)
+    grad_xyz = [grad_K[2, 1] - grad_K[1, 2], grad_K[0, 2] - grad_K[2, 0],
+                grad_K[1, 0] - grad_K[0, 1]]
+    return np.append(s * (G * K).sum(), grad_xyz) - s**2 * (G * (w * K + K @ K)).sum() * q
 
 
 def cross_matrix(u):
@@ -146,32 +154,31 @@ def cross_matrix(u):
                      [-y,  x,  0]])
 
 
-def rotation_angle(p, q):  # exercise 9.7 (2 points)
+def rotation_angle(p, q):  # extra 9.7 (2 points)
     """By what angle, from 0 to pi, do two rotations differ? p, q (..., 4) of length 1 -> (...).
 
-    It is the angle of the rotation from one to the other. q and -q are the same rotation.
+    It is the angle of the rotation from one to the other. q and -q stand for the same rotation.
 
     >>> quarter = np.array([1.0, 0.0, 0.0, 1.0]) / np.sqrt(2)
     >>> rotation_angle(quarter, np.array([1.0, 0.0, 0.0, 0.0])).round(6)
     np.float64(1.570796)
 
-    Fine print. Every angle keeps its digits: one of 1e-9 is right to 1e-15, one of pi - 1e-6 to
-    1e-14.
+    Fine print. The end of a fit is told by small angles, so all angles keep their digits: 1e-9 is
+    right to 1e-15, and pi - 1e-6 to 1e-14.
     """
-    raise NotImplementedError("exercise 9.7: rotation_angle")
+    # Let h be the angle between p and q. |p - q| = 2 sin(h/2), |p + q| = 2 cos(h/2), and the
+    # rotation is by 2 h, or with -q for q, by less. arccos(p . q) would lose a small h's digits.
+    diagonals = np.sort([np.linalg.norm(p - q, axis=-1), np.linalg.norm(p + q, axis=-1)], 0)
+    return 4 * np.arctan2(diagonals[0], diagonals[1])
 
 
 def silhouette_loss(coverage, target):  # exercise 9.8 (1 point)
     """Eq. (5), soft IoU (Jaccard): 1 - intersection over union of two silhouettes, a number.
 
-    coverage, target: floats of one shape, any, from 0 to 1: how much of each pixel is covered. The
-    loss is 1 for two that do not meet, and 0 for equal ones of 0 and 1.
+    coverage, target: floats of one shape, from 0 to 1, how much of each pixel is covered.
 
     >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])).round(9)
     np.float64(0.5)
-
-    Fine print. Pixels covered in part count in part: with c = t = 1/2 the loss is 2/3, and its
-    least is not at c = t. coverage and target are not both 0 everywhere.
     """
     raise NotImplementedError("exercise 9.8: silhouette_loss")
 
@@ -186,11 +193,11 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 po
     raise NotImplementedError("exercise 9.9: silhouette_loss_backward")
 
 
-def uniform_laplacian(positions, edges):  # exercise 9.10 (2 points)
-    """Eq. (6): how far is each vertex from the mean of its neighbours? d (V, C).
+def uniform_laplacian(positions, edges):  # extra 9.10 (2 points)
+    """Eq. (6): how far is each vertex from the mean of its neighbours?
 
-    positions (V, C), C >= 1. edges (E, 2), integers, are pairs of neighbours: every edge once, in
-    either order. A vertex of no edge has d = 0.
+    positions (V, C), edges (E, 2), each pair of neighbours once, in either order -> d (V, C). A
+    vertex without edges has d = 0.
 
     >>> positions = np.array([[0.0, 3.0], [4.0, 5.0], [8.0, 1.0], [9.0, 9.0]])
     >>> uniform_laplacian(positions, np.array([[0, 1], [1, 2]]))
@@ -199,13 +206,16 @@ def uniform_laplacian(positions, edges):  # exercise 9.10 (2 points)
            [ 4., -4.],
            [ 0.,  0.]])
     """
-    raise NotImplementedError("exercise 9.10: uniform_laplacian")
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    total = scatter(positions[neighbour], vertex, len(positions))
+    return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
 
 
-def uniform_laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.11 (3 points)
+def uniform_laplacian_backward(grad_laplacian, positions, edges):  # extra 9.11 (3 points)
     """Backward of eq. (6): grad_laplacian (V, C) -> grad_positions (V, C).
 
-    Eq. (6) is linear, so only the shape of positions counts.
+    Eq. (6) is linear, so that only the shape of positions matters.
 
     >>> positions = np.array([[0.0], [4.0], [8.0], [9.0]])
     >>> grad_laplacian = np.array([[0.0], [1.0], [10.0], [100.0]])
@@ -215,7 +225,12 @@ def uniform_laplacian_backward(grad_laplacian, positions, edges):  # exercise 9.
            [ 9.5],
            [ 0. ]])
     """
-    raise NotImplementedError("exercise 9.11: uniform_laplacian_backward")
+    # d = x - W x with W_vn = 1 / valence_v for each neighbour n of v: grad_x = grad_d - W^T grad_d.
+    vertex, neighbour = np.concatenate([edges, edges[:, ::-1]]).T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    share = grad_laplacian / np.maximum(valence, 1)
+    total = scatter(share[vertex], neighbour, len(positions))
+    return np.where(valence > 0, grad_laplacian, 0) - total
 
 
 def uniform_laplacian_energy(positions, edges):

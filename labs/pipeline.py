@@ -5,9 +5,9 @@
     gradients <- grad_clip <- grad_barycentric <- grad_colour <- grad_picture  `render_backward`
               1            7                   5, 6           8                lab
 
-The gradient of a position comes along two paths: through the colours inside of faces (lab 7, and
-with a texture lab 6 before it), and through the edges between pixels (lab 8). A face of one colour
-has only the second path.
+All from clip on is `draw`, and all back to grad_clip is `draw_backward`. The gradient of a position
+comes along two paths: through the colours inside of faces (lab 7, and with a texture lab 6 before
+it), and through the edges between pixels (lab 8). A face of one colour has only the second path.
 
 Source: Laine et al. 2020 (nvdiffrast).
 """
@@ -68,8 +68,8 @@ class View(NamedTuple):
 class Buffers(NamedTuple):
     """What was found on the way to a picture, which the way back needs.
 
-    clip (V, 4); face_index, depth (H, W); barycentric (H, W, 3); with a texture derivatives
-    (H, W, 3, 2); after shading colour (H, W, C), which is the picture before antialiasing.
+    clip (V, 4), face_index and depth (H, W), and barycentric (H, W, 3) come first. `shade` adds
+    derivatives (H, W, 3, 2), for a texture, and colour (H, W, C), the picture before antialiasing.
     """
 
     clip: np.ndarray
@@ -103,31 +103,58 @@ def render(mesh, surface, view):
     ValueError, in one sentence, for what does not fit.
     """
     require_scene(mesh, surface, view)
-    clip = to_clip(mesh.positions, view.clip_from_model)                           # lab 1
-    seen = visible(clip, mesh.faces, view.width, view.height)                      # lab 2
-    buffers = shade(seen, mesh.faces, surface, view.background)                    # labs 5, 6
-    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip,
-                                 mesh.faces, mesh.opposite)                        # lab 8
-    return picture, buffers
+    clip = to_clip(mesh.positions, view.clip_from_model)
+    picture, buffers = draw(clip, mesh.faces, mesh.opposite, surface, view.width, view.height,
+                            view.background)
+    return picture, Buffers(*buffers)
 
 
 def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None):
-    """The backward pass of `render`, its steps in reverse: grad_picture (H, W, C) -> Gradients.
+    """The backward pass of `render`: grad_picture (H, W, C) -> Gradients.
 
-    The face of each pixel and the blended edges are taken as given. A loss may look at the buffer
-    depth, too: grad_depth (H, W) is its gradient.
+    A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
     """
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
-    grad_colour, through_edges = outlines.antialias_backward(
-        grad_picture, buffers.colour, buffers.face_index, buffers.depth, buffers.clip, mesh.faces,
-        mesh.opposite)                                                             # lab 8
-    grad_surface, through_colours = shade_backward(grad_colour, buffers, mesh.faces, surface,
-                                                   grad_depth)                     # labs 6, 5, 7
-    grad_positions, grad_clip_from_model = to_clip_backward(
-        through_edges + through_colours, mesh.positions, view.clip_from_model)     # lab 1
-    return Gradients(grad_positions, grad_surface, grad_clip_from_model)
+    grad_surface, grad_clip = draw_backward(grad_picture, buffers, mesh.faces, mesh.opposite,
+                                            surface, grad_depth)
+    grad_positions, grad_clip_from_model = to_clip_backward(grad_clip, mesh.positions,
+                                                            view.clip_from_model)
+    return Gradients(grad_positions, as_surface(grad_surface), grad_clip_from_model)
+
+
+def draw(clip, faces, opposite, surface, width, height, background):  # exercise 9.12 (3 points)
+    """Your own picture: rasterize, find the barycentrics, shade, antialias.
+
+    clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. `shade`
+    takes the first four of the Buffers and adds the others. All of lecture 09 is drawn by it.
+
+    >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
+    >>> mesh = clip, np.array([[0, 1, 2]]), np.full((1, 3), -1)
+    >>> picture, buffers = draw(*mesh, Colours(np.ones((3, 1))), 4, 1, np.zeros(1))
+    >>> picture[0, :, 0], buffers.colour[0, :, 0]
+    (array([1.  , 0.75, 0.  , 0.  ]), array([1., 1., 0., 0.]))
+    """
+    raise NotImplementedError("exercise 9.12: draw")
+
+
+def draw_backward(grad_picture, buffers, faces, opposite, surface,  # exercise 9.13 (3 points)
+                  grad_depth=None):
+    """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_surface, grad_clip (V, 4).
+
+    buffers is a plain tuple: unpack it. Add what reaches clip by edges and by colours.
+    `surface_backward` undoes `shade`, `rasterize_backward` takes grad_depth. Watch it:
+    `python3 -m course demo --impl labs fit_bunny`.
+
+    >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
+    >>> mesh, colours = (np.array([[0, 1, 2]]), np.full((1, 3), -1)), Colours(np.ones((3, 1)))
+    >>> picture, buffers = draw(clip, *mesh, colours, 4, 1, np.zeros(1))
+    >>> grad_surface, grad_clip = draw_backward(np.ones((1, 4, 1)), tuple(buffers), *mesh, colours)
+    >>> grad_surface.colours.sum().round(9), grad_clip[:, 0].round(9)
+    (np.float64(1.75), array([1., 1., 0.]))
+    """
+    raise NotImplementedError("exercise 9.13: draw_backward")
 
 
 def to_clip(positions, clip_from_model):
@@ -145,7 +172,7 @@ def to_clip_backward(grad_clip, positions, clip_from_model):
 def visible(clip, faces, width, height):
     """What each pixel sees at its centre: Buffers without derivatives and colour.
 
-    clip (V, 4), faces (F, 3). It checks nothing, and is all that most drawings need.
+    clip (V, 4), faces (F, 3). It checks nothing, and most drawings need no more.
     """
     face_index, depth = scanline.rasterize(clip, faces, width, height)
     return Buffers(clip, face_index, depth, rasterization.barycentrics(face_index, clip, faces))
@@ -157,8 +184,14 @@ def with_derivatives(seen, faces):
     return seen._replace(derivatives=derivatives)
 
 
+def as_surface(fields):
+    """Colours or a Texture, of a tuple of their fields."""
+    return Texture(*fields) if len(fields) > 1 else Colours(*fields)
+
+
 def shade(seen, faces, surface, background):
     """The Buffers of `visible`, completed by the colour (H, W, C) at each pixel's centre."""
+    seen, surface = Buffers(*seen), as_surface(surface)
     if isinstance(surface, Texture):
         seen = with_derivatives(seen, faces)
         colour = textured(seen, surface)
@@ -169,20 +202,27 @@ def shade(seen, faces, surface, background):
     return seen._replace(colour=colour)
 
 
-def shade_backward(grad_colour, buffers, faces, surface, grad_depth=None):
-    """grad_colour (H, W, C), and grad_depth (H, W) or None -> grad_surface, grad_clip (V, 4)."""
+def surface_backward(grad_colour, buffers, faces, surface):
+    """Backward of `shade`: grad_colour (H, W, C) -> grad_surface, grad_barycentric (H, W, 3),
+    grad_derivatives (H, W, 3, 2) or None.
+    """
+    buffers, surface = Buffers(*buffers), as_surface(surface)
     if isinstance(surface, Texture):
-        grad_surface, *grad_weights = textured_backward(grad_colour, buffers, surface)
-    else:
-        grad_surface, *grad_weights = coloured_backward(grad_colour, buffers, faces, surface)
+        return textured_backward(grad_colour, buffers, surface)
+    return coloured_backward(grad_colour, buffers, faces, surface)
+
+
+def shade_backward(grad_colour, buffers, faces, surface):
+    """The way back without antialiasing: grad_colour (H, W, C) -> grad_surface, grad_clip."""
+    grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)
     grad_clip = rasterizer_gradients.rasterize_backward(
-        *grad_weights, grad_depth, buffers.face_index, buffers.clip, faces)
+        *grad_weights, None, buffers.face_index, buffers.clip, faces)
     return grad_surface, grad_clip
 
 
 def coloured_backward(grad_colour, buffers, faces, surface):
-    """grad_colour (H, W, C) -> Colours of gradients; grad_barycentric (H, W, 3), corner 0's value
-    subtracted; None for the derivatives.
+    """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
+    corner 0, and None for the derivatives.
     """
     grad_colours, grad_barycentric = interpolation.interpolate_backward(
         grad_colour, surface.colours, faces, buffers.face_index, buffers.barycentric)
@@ -201,7 +241,7 @@ def footprints(uv, uv_faces, buffers):
 
 
 def textured(buffers, surface):
-    """The texture's colour (H, W, C), filtered for the footprint of each pixel; 0 outside."""
+    """The texture's colour (H, W, C), filtered for the footprint of each pixel, 0 outside."""
     at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
     colour = np.zeros((*buffers.face_index.shape, surface.image.shape[2]))
     colour[buffers.face_index >= 0] = mipmapping.texture(surface.image, at, footprint,

@@ -138,26 +138,6 @@ def neighbour_pairs(face_index, outlined):
     return tuple(np.concatenate(pixels) for pixels in zip(*pairs, strict=True))
 
 
-def owner_and_other(first, second, depth):
-    """the farther pixel owns the edge"""
-    depth = depth.ravel()
-    is_first = depth[first] > depth[second]
-    return np.where(is_first, first, second), np.where(is_first, second, first)
-
-
-def owner_and_other(first, second, depth):
-    """of equally deep ones the first is the owner; it is the second"""
-    depth = depth.ravel()
-    is_first = depth[first] <= depth[second]
-    return np.where(is_first, first, second), np.where(is_first, second, first)
-
-
-def owner_and_other(first, second, depth):
-    """the first is always the owner"""
-    depth = depth.ravel()
-    return first, second
-
-
 def pair_frame(screen_x, screen_y, owner, other, width):
     """the corner of the pixel is taken for its centre"""
     dx, dy = pair_step(owner, other, width)
@@ -307,21 +287,6 @@ def blend_weight(c):
 def blend_weight(c):
     """1/2 is missing: alpha is 0 where the edge is in the middle"""
     return 1 - np.clip(c, 0, 1)
-
-
-def blend_weight_backward(grad_alpha, c):
-    """the gradient has the wrong sign: alpha falls where c grows"""
-    return np.where((0 < c) & (c < 1), grad_alpha, 0.0)
-
-
-def blend_weight_backward(grad_alpha, c):
-    """there is a gradient outside of 0 < c < 1, too, where alpha does not change"""
-    return -grad_alpha
-
-
-def blend_weight_backward(grad_alpha, c):
-    """grad_alpha is left out"""
-    return np.where((0 < c) & (c < 1), -1.0, 0.0)
 
 
 def blend(colour, owner, other, alpha):

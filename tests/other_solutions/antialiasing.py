@@ -51,12 +51,6 @@ def neighbour_pairs(face_index, outlined):
     return tuple(np.array(pairs, int).reshape(-1, 2).T)
 
 
-def owner_and_other(first, second, depth):
-    swapped = np.array([not depth.flat[a] < depth.flat[b]
-                        for a, b in zip(first, second, strict=True)], bool)
-    return np.choose(swapped, [first, second]), np.choose(swapped, [second, first])
-
-
 def frames(owner, other, width):
     """Of each pair: the owner's centre (2,), and a matrix (2, 2) from the screen to the frame."""
     for own, to in zip(owner, other, strict=True):
@@ -117,10 +111,6 @@ def is_blended(c, is_silhouette, x0, y0, x1, y1):
 
 def blend_weight(c):
     return np.where(c > 0, np.where(c < 1, 0.5 - c, -0.5), 0.5)
-
-
-def blend_weight_backward(grad_alpha, c):
-    return [-grad if 0 < at < 1 else 0.0 for grad, at in zip(grad_alpha, c, strict=True)]
 
 
 def blend(colour, owner, other, alpha):

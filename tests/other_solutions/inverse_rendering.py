@@ -4,11 +4,6 @@ import math
 import numpy as np
 
 
-def squared_error(picture, target):
-    difference = np.ravel(picture) - np.ravel(target)
-    return difference @ difference / difference.size
-
-
 def squared_error_backward(grad_loss, picture, target):
     return np.subtract(picture, target) * (grad_loss / (np.size(picture) / 2))
 

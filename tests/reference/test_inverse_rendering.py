@@ -4,6 +4,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import inverse_rendering
@@ -115,3 +116,19 @@ def test_a_rough_mesh_has_more_energy():
     gradient = inverse_rendering.uniform_laplacian_energy_backward(1.0, rough, edges)
     smoothed = inverse_rendering.uniform_laplacian_energy(rough - 0.1 * gradient, edges)
     assert smooth < smoothed < rougher
+
+
+# --- the squared error -------------------------------------------------------------------------
+
+def test_the_error_of_four_numbers_on_paper(impl):
+    """Differences are summed and not averaged, or not squared, or their squares are halved."""
+    got = impl.squared_error(np.array([[1.0, 2.0], [3.0, -4.0]]), np.array([[1.0, 0], [3, 2]]))
+    assert_close(got, 10.0)
+
+
+def test_the_mean_is_over_rows_columns_and_channels(impl, rng):
+    """The mean is over pixels, and the channels are summed; or a root is drawn."""
+    picture, target = rng.random((3, 5, 2)), rng.random((3, 5, 2))
+    expected = sum((picture[p] - target[p])**2 for p in np.ndindex(3, 5, 2)) / 30
+    assert_close(impl.squared_error(picture, target), expected)
+    assert_close(impl.squared_error(target, target), 0.0)

@@ -15,12 +15,12 @@ EXERCISES = {exercise.number: (topic, exercise.name)
 
 @pytest.fixture(scope="module")
 def board(tmp_path_factory, run_module, pytestconfig):
-    """The board of the reference's own skeleton: (what was printed, {number: its entry})."""
+    """The board of the reference's own skeleton, extras open: (what was printed, {number: its entry})."""
     folder = tmp_path_factory.mktemp("skeleton")
     for topic in exercises.topics():
-        text = skeleton(exercises.read(exercises.reference(topic)))
+        text = skeleton(exercises.read(exercises.reference(topic)), extra=True)
         (folder / f"{topic}.py").write_bytes(text.encode("utf-8"))
-    done = run_module(pytestconfig.rootpath, "course", "check", "--impl", folder,
+    done = run_module(pytestconfig.rootpath, "course", "check", "--impl", folder, "--extra",
                       "--json", folder / "board.json")
     assert done.returncode == 1, done.stdout + done.stderr
     entries = json.loads((folder / "board.json").read_text(encoding="utf-8"))["exercises"]

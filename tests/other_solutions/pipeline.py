@@ -1,0 +1,33 @@
+"""Lab 9's joined labs once more: a sum over the channels, and each path of the way back alone."""
+import numpy as np
+
+from reference import outlines, pipeline, rasterizer_gradients
+
+
+def draw(clip, faces, opposite, surface, width, height, background):
+    clip = np.asarray(clip, float)
+    seen = pipeline.visible(clip, faces, width, height)
+    buffers = pipeline.shade(seen, faces, surface, background)
+    channels = np.moveaxis(buffers.colour, -1, 0)
+    picture = [outlines.antialias(channel[..., None], seen.face_index, seen.depth, clip, faces,
+                                  opposite)[..., 0] for channel in channels]
+    return np.stack(picture, -1), tuple(buffers)
+
+
+def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+    clip, face_index, depth, _, _, colour = buffers
+    grad_clip = np.zeros(np.shape(clip))
+    grad_colour = np.empty(np.shape(colour))
+    for k in range(grad_colour.shape[2]):  # the way back is linear: channel by channel
+        part, through_edges = outlines.antialias_backward(
+            grad_picture[..., k:k + 1], colour[..., k:k + 1], face_index, depth, clip, faces,
+            opposite)
+        grad_colour[..., k:k + 1] = part
+        grad_clip += through_edges
+    grad_surface, *grad_weights = pipeline.surface_backward(grad_colour, buffers, faces, surface)
+    if grad_depth is not None:
+        grad_clip += rasterizer_gradients.rasterize_backward(
+            np.zeros((*np.shape(depth), 3)), None, grad_depth, face_index, clip, faces)
+    grad_clip += rasterizer_gradients.rasterize_backward(*grad_weights, None, face_index, clip,
+                                                         faces)
+    return grad_surface, grad_clip

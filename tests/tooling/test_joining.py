@@ -1,0 +1,40 @@
+"""The exercises that join the labs: blocked by what is missing, and never gone round."""
+import json
+
+import numpy as np
+import pytest
+
+from course import exercises
+from course.upkeep.skeleton import skeleton
+from reference import pipeline
+
+
+def test_a_missing_lab_blocks_what_joins_it(tmp_path, run_module, pytestconfig):
+    """The board says that `draw` is wrong, where an exercise of lab 8 is not written yet."""
+    for topic in exercises.topics():
+        text = exercises.read(exercises.reference(topic))
+        text = skeleton(text) if topic == "antialiasing" else text
+        (tmp_path / f"{topic}.py").write_bytes(text.encode("utf-8"))
+    board = tmp_path / "board.json"
+    run_module(pytestconfig.rootpath, "course", "check", "pipeline", "--impl", tmp_path,
+               "--json", board)
+    entries = json.loads(board.read_text(encoding="utf-8"))["exercises"]
+    assert {entry["number"]: entry["verdict"] for entry in entries} == {
+        "9.12": "blocked by 8.2", "9.13": "blocked by 8.2"}
+
+
+def test_render_is_made_by_the_exercises(monkeypatch):
+    """A fit shows pictures and gradients that the student's own code has not made."""
+    mesh = pipeline.make_mesh(np.eye(3), np.array([[0, 1, 2]]))
+    given = mesh, pipeline.Colours(np.eye(3)), pipeline.View(np.eye(4), 4, 3, np.zeros(3))
+    picture, buffers = pipeline.render(*given)
+
+    def not_written(*_):
+        raise NotImplementedError
+
+    monkeypatch.setattr(pipeline, "draw_backward", not_written)
+    with pytest.raises(NotImplementedError):
+        pipeline.render_backward(picture, buffers, *given)
+    monkeypatch.setattr(pipeline, "draw", not_written)
+    with pytest.raises(NotImplementedError):
+        pipeline.render(*given)
