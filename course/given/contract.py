@@ -1,7 +1,8 @@
 """The contract of all exercises: what goes in, what may come out. `called` makes checks keep it.
 
     Given     arrays of floats (float64), integers, booleans or complex numbers, single numbers,
-              strings, and tuples of all these. An exercise leaves them as they are.
+              strings, and tuples of all these, with None for a part that is not there. An exercise
+              leaves them as they are.
     Returned  the right numbers, in any form: a list in place of an array, an array of the shape ()
               in place of a number, any memory order, any type that holds the numbers exactly.
               Several outputs are a tuple.

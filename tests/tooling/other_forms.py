@@ -34,7 +34,8 @@ def short(array):
 def formed(returned, form):
     if isinstance(returned, tuple):
         return tuple(formed(output, form) for output in returned)
-    return returned if isinstance(returned, str) else form(np.asarray(returned))
+    plain = returned is None or isinstance(returned, str)
+    return returned if plain else form(np.asarray(returned))
 
 
 def require_promised(given):
@@ -44,7 +45,7 @@ def require_promised(given):
     elif isinstance(given, np.ndarray):
         assert given.dtype in (float, complex, bool) or given.dtype.kind in "iu", given.dtype
     else:
-        assert isinstance(given, int | float | str | np.number), type(given)
+        assert given is None or isinstance(given, int | float | str | np.number), type(given)
 
 
 def in_forms(function, forms=itertools.cycle([as_lists, by_columns, short]), calls=[]):
