@@ -127,7 +127,7 @@ def succeeds(*command):
 
 
 def run_quietly(*command):
-    """Run a command; a terminal shows its latest line. If it fails, OSError with its error."""
+    """Run a command. A terminal shows its latest line. If it fails, OSError with its error."""
     said = ["no word of explanation"]
     with subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

@@ -1,7 +1,7 @@
 """Differentiable rasterization in plain NumPy: labs, their checks, and the code to compare with.
 
 to look and to read
-  demo [NAME ...]       render the course's scenes; the pictures go to out/
+  demo [NAME ...]       render the course's scenes into out/
   notebooks [NAME ...]  run the lectures in notebooks/ and save them with their figures
 
 to do the labs
@@ -17,7 +17,7 @@ to teach
   autograder KIND PATH  files for Gradescope, GitHub Actions and Classroom 50
 
 to work on the course
-  skeleton              make labs/ from reference/; labs that were worked on stay as they are
+  skeleton              make labs/ from reference/, but for labs that were worked on
   mistakes              try the known mistakes, and make the hints that they give
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   test                  check everything: lint, code, labs, notebooks
@@ -47,7 +47,7 @@ FOR_TEACHERS = [part for part in __doc__.split("\n\n") if part.startswith(("to t
 
 
 def main(argv=None):
-    """Run one command; its exit status: 0 well, 1 something failed, 2 cannot be done, 130 Ctrl-C.
+    """Run one command -> its exit status: 0 well, 1 something failed, 2 cannot be done, 130 Ctrl-C.
 
     What the user can mend is told in one line. Everything else is a defect: traceback.
     """
@@ -74,7 +74,7 @@ def main(argv=None):
 
 
 def can_be_mended(error):
-    """Whether the user can: a file that fails him, or a raise statement in course/ or labs/."""
+    """Can the user mend it? Yes for a file that fails, or a raise statement in course/ or labs/."""
     cause = traceback.extract_tb(error.__traceback__)[-1]
     file = Path(cause.filename).resolve()
     ours = file.is_relative_to(ROOT / "course") or file.is_relative_to(ROOT / "labs")
@@ -207,7 +207,7 @@ def notebooks(asked):
 
 
 def check(asked):
-    """Check the labs and show the board; status 0 only if all that was asked for passes."""
+    """Check the labs and show the board. Status 0 only if all that was asked for passes."""
     import course.board
     run = course.board.watch if asked.watch else course.board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
@@ -254,7 +254,7 @@ def autograder(asked):
 
 
 def grade(asked):
-    """Grade submissions: reports, results.json and grades.csv; status 0 if all could be graded."""
+    """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
     import course.grading.grade
     return course.grading.grade.run(
         asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
@@ -292,7 +292,7 @@ def test(asked):
 
 
 def run_module(*command):
-    """python -m command, in the course's folder, with nobody's own settings for pytest."""
+    """python -m command, in the course's folder, without anybody's own settings for pytest."""
     settings = {**os.environ, "PYTEST_ADDOPTS": "", "OMP_NUM_THREADS": "1"}  # one core, one worker
     with subprocess.Popen([sys.executable, "-m", *command], cwd=ROOT, env=settings) as child:
         signal.signal(signal.SIGTERM, lambda *_: child.terminate())

@@ -6,7 +6,8 @@
         assert_close(impl.edge_function(p, a, b), 2.0)
 
 Its name is the claim, its docstring the mistake that it catches. With fine_print=True it is of the
-exercise's fine print, which gives no points of the core.
+exercise's fine print, which gives no points of the core. impl keeps the contract of all exercises,
+course/given/contract.py: a check gets arrays and numbers, never lists.
 
     assertions   what a check asserts
     hints        which common mistake explains a wrong answer
@@ -14,7 +15,7 @@ exercise's fine print, which gives no points of the core.
     showing      how values, calls and errors are shown
     loader       the code under test
     report       the verdict on a check, and what a student reads
-    plugin       pytest's hooks and fixtures (impl, rng); tests/conftest.py loads it
+    plugin       pytest's hooks and fixtures (impl, rng), loaded by tests/conftest.py
     runner       runs the checks of some exercises
     page         what failed, as HTML
 """

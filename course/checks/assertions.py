@@ -2,9 +2,10 @@
 import numpy as np
 
 from ..given import places
+from ..given.contract import as_array
 from .hints import hint
 from .pictures import draw, text_map
-from .showing import as_array, index_name, kind_name, layout, shape_name, shown
+from .showing import index_name, kind_name, layout, shape_name, shown
 
 # By NumPy's dtype.kind: what may come where this kind is expected.
 CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
@@ -12,7 +13,7 @@ EQUAL_KINDS = {"b": "b", "i": "iu", "u": "iu", "f": "iuf", "c": "iufc", "U": "U"
 
 
 class Mismatch(AssertionError):
-    """What is wrong: rows (label, text) of the report; picture: its path, or None."""
+    """What is wrong: rows (label, text) of the report, and the path of a picture or None."""
 
     def __init__(self, *rows, picture=None):
         super().__init__(layout(rows))
@@ -21,10 +22,10 @@ class Mismatch(AssertionError):
 
 
 def assert_close(got, expected, given=None, rtol=1e-9, atol=1e-12):
-    """|got - expected| <= atol + rtol |expected| in every number; infinities and NaNs must match.
+    """|got - expected| <= atol + rtol |expected| in every number. Infinities and NaNs must match.
 
     got: what a call returned: an array of expected's shape, or a tuple where expected is one.
-    given: what the report shows as the input; by default, the last call to the code under test.
+    given: what the report shows as the input. By default, the last call to the code under test.
     """
     __tracebackhide__ = True
 
@@ -90,7 +91,8 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
 def compare_outputs(got, expected, rows, *how):
     """compare, for a tuple: one output after the other."""
     __tracebackhide__ = True
-    if not isinstance(got, tuple | list) or len(got) != len(expected):
+    several = isinstance(got, tuple | list) or (isinstance(got, np.ndarray) and got.ndim)
+    if not several or len(got) != len(expected):
         raise Mismatch(*rows, ("expected", shown(expected)), ("got", shown(got)),
                        ("differs", f"a tuple of {len(expected)} was expected"))
     for number, pair in enumerate(zip(got, expected, strict=True), 1):
@@ -116,7 +118,7 @@ def drawn(got, expected, wrong, rows):
 
 
 def whereabouts(got, expected, wrong, allowed):
-    """A row: in 4 of 12, first at [3, 1]: 0.5 came, ...; by 2 at most, at [0, 2]; ...; or none."""
+    """A row, or none: in 4 of 12, first at [3, 1]: 0.5 came, ..., by 2 at most, at [0, 2]."""
     parts = []
     if wrong.ndim:
         first = tuple(np.argwhere(wrong)[0])
@@ -131,7 +133,7 @@ def whereabouts(got, expected, wrong, allowed):
 
 
 def distances(got, expected, wrong):
-    """|got - expected| where wrong, infinite where one of them is NaN; 1 for indices; else 0."""
+    """|got - expected| where wrong, infinite where one is NaN, 1 for indices. 0 where right."""
     if got.dtype.kind in "biu" and expected.dtype.kind in "biu":
         return wrong.astype(float)
     numbers = complex if "c" in (got.dtype.kind, expected.dtype.kind) else float

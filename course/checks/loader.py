@@ -6,10 +6,9 @@ import sys
 import types
 from pathlib import Path
 
-import numpy as np
 import pytest
 
-from ..given import places
+from ..given import contract, places
 from .assertions import Mismatch
 from .showing import arguments, told
 
@@ -22,9 +21,12 @@ FIND = pytest.StashKey()         # of the run: finds functions that run in anoth
 class Implementation:
     """The code under test: impl.edge_function(p, a, b) calls the function of that name.
 
+    Every call keeps to course/given/contract.py. So a check gets arrays and numbers in their
+    standard form, whatever the function returned them as, and no warning reaches it. A call fails
+    that returns None or changes its inputs.
+
     find(name) -> the function, or what stands for it where it runs in another process: all that
-    is done with it is to call it, with arrays, numbers, strings and tuples of them.
-    stash keeps the last call, for the report. A call fails that returns None or changes its inputs.
+    is done with it is to call it. stash keeps the last call, for the report.
     """
 
     def __init__(self, find, stash):
@@ -41,7 +43,7 @@ class Implementation:
             inputs = copy.deepcopy((args, kwargs))
             self._stash[LAST_CALL] = function, *inputs
             self._stash[LAST_RETURN] = None
-            returned = self._stash[LAST_RETURN] = function(*args, **kwargs)
+            returned = self._stash[LAST_RETURN] = contract.called(function, *args, **kwargs)
             require_returned(name, returned)
             require_unchanged(function, inputs, (args, kwargs))
             return returned
@@ -60,20 +62,13 @@ def require_returned(name, returned):
 
 def require_unchanged(function, before, after):
     """before, after: (args, kwargs) of a call to the function."""
-    if unchanged(before, after):
+    if contract.unchanged(before, after):
         return
     pairs = zip(arguments(function, *before), arguments(function, *after), strict=True)
-    changed = next(name for (name, old), (_, new) in pairs if not unchanged(old, new))
+    changed = next(name for (name, old), (_, new) in pairs
+                   if not contract.unchanged(old, new))
     raise Mismatch(("wrong", f"{function.__name__} changed its input {changed}: "
                              "let it work on a copy"))
-
-
-def unchanged(old, new):
-    if isinstance(old, tuple | list):
-        return all(map(unchanged, old, new))
-    if isinstance(old, dict):
-        return all(map(unchanged, old.values(), new.values()))
-    return not isinstance(old, np.ndarray) or old.tobytes() == new.tobytes()
 
 
 def folder(implementation):

@@ -11,7 +11,7 @@ GAP = 12            # pixels between panels
 
 
 def text_map(got, expected):
-    """A row with a small raster of booleans or indices in letters, its top row first; or none."""
+    """A row with a raster of booleans or indices in letters, top row first. None if it is large."""
     if got.ndim != 2 or got.dtype.kind not in "biu" or np.any(np.array(got.shape) > MAP_SHAPE):
         return []
     there, wanted = (raster if raster.dtype == bool else raster >= 0 for raster in (got, expected))
@@ -25,7 +25,7 @@ def text_map(got, expected):
 
 
 def draw(got, expected, distance):
-    """Write expected | got | difference as a PNG to out/checks/; its path."""
+    """Write expected | got | difference as a PNG to out/checks/ -> its path."""
     distance = distance.reshape(*distance.shape[:2], -1).max(-1)
     panels = {"expected": colours(expected, expected, got), "got": colours(got, expected, got),
               "difference": difference_colours(distance)}
@@ -38,7 +38,7 @@ def draw(got, expected, distance):
 
 
 def sheet(panels, worst):
-    """An image of three panels {title: (H, W, 3)} side by side; in each, a box around worst."""
+    """An image of three panels {title: (H, W, 3)} side by side. Each has a box around worst."""
     from PIL import Image, ImageDraw  # only where there is something to draw
 
     height, width = panels["expected"].shape[:2]
@@ -61,7 +61,7 @@ def sheet(panels, worst):
 def colours(raster, *both):
     """(H, W) or (H, W, C) -> (H, W, 3) in 0..1, on one scale for both rasters of a picture.
 
-    Indices become hues, -1 dark. Of channels, three are shown. Infinite is blue, NaN is pink.
+    Indices become hues, -1 dark. Three channels are shown. Infinite is blue, NaN is pink.
     """
     if raster.dtype.kind in "iu" and raster.ndim == 2:
         hues = 0.6 + 0.4 * np.cos(2 * np.pi * (0.618 * raster[..., None] + np.arange(3) / 3))

@@ -1,4 +1,4 @@
-"""The pytest plugin; tests/conftest.py loads it. It gives checks the code under test, and reports.
+"""The pytest plugin, loaded by tests/conftest.py. It gives checks the code under test, and reports.
 
 The report of a failed check is short and shows the last call to the code under test. --tb=long
 gives pytest's own instead.
@@ -32,7 +32,7 @@ def pytest_configure(config):
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_runtest_makereport(item, call):
-    """The report of a check holds its Check, as a dict; of a failed one, a text for students."""
+    """The report of a check holds its Check, as a dict. A failed one has a text for students."""
     mark = item.get_closest_marker("exercise")
     if mark and item.config.option.tbstyle == "auto":
         item.repr_failure = str  # pytest's own text takes 0.2 s, and would be replaced

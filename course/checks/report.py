@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ..given import places
 from .assertions import Mismatch
-from .hints import known_mistake, list_for_array
+from .hints import known_mistake
 from .loader import LAST_CALL, LAST_RETURN, folder
 from .showing import MOST_LINES, layout, shown, shown_call, told
 
@@ -34,7 +34,7 @@ class Check(NamedTuple):
 def judge(item, error, report, mark):
     """Set report.check, report.outcome where the check did not run, and report.longrepr.
 
-    mark: of the check; it names its exercise.
+    mark: the check's. It names the exercise.
     """
     number = mark.args[0]
     if report.skipped or hasattr(report, "wasxfail") or (report.failed and error is None):
@@ -89,7 +89,7 @@ def explained(error, item):
     if item.function.__doc__ and compared:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
-    known = known_mistake(item.nodeid, returned) or list_for_array(last, returned)
+    known = known_mistake(item.nodeid, returned)
     if known:
         rows = [row for row in rows if row[0] != "hint"] + [("hint", known)]
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]

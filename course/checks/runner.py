@@ -16,7 +16,7 @@ from .showing import layout, told
 def run_checks(labs, numbers, implementation, seed, plugins=()):
     """Run the checks of these exercises in this process -> ([Check], [problem]).
 
-    labs {topic: its exercises}; numbers: those whose checks run; plugins: more of pytest's.
+    labs {topic: its exercises}. numbers: those whose checks run. plugins: more of pytest's.
     """
     topics = [topic for topic, lab in labs.items()
               if any(exercise.number in numbers for exercise in lab)]

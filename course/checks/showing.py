@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from ..given import places
+from ..given.contract import as_array
 
 COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
 MOST_NUMBERS = 24  # shown of an array; a larger one is shortened
@@ -21,7 +22,7 @@ KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
 
 
 def shown(value, name=""):
-    """A value as one would type it, after name=; a large array is shortened."""
+    """A value as one would type it, after name=. A large array is shortened."""
     name = f"{name}=" if name else ""
     if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
         return shown_array(np.asarray(value), name)
@@ -31,7 +32,7 @@ def shown(value, name=""):
 
 
 def shown_array(array, name):
-    """All of a small array; the first and last numbers of a large one, after its type and shape."""
+    """All of a small array. First and last numbers of a large one, after its type and shape."""
     small = 0 < array.size <= MOST_NUMBERS
     before = name if small else f"{name}{array.dtype} {shape_name(array)}: "
     text = np.array2string(array if small else array.ravel(), separator=", ", prefix=before,
@@ -51,7 +52,7 @@ def shown_call(function, args, kwargs):
 
 
 def arguments(function, args, kwargs):
-    """[(parameter, argument)] of a call; where it does not fit, without the parameters' names."""
+    """[(parameter, argument)] of a call. Where it does not fit, the names are empty."""
     try:
         return list(inspect.signature(function).bind(*args, **kwargs).arguments.items())
     except (TypeError, ValueError):
@@ -69,14 +70,6 @@ def shape_name(array):
 
 def index_name(index):
     return f"[{', '.join(map(str, index))}]"
-
-
-def as_array(value):
-    """The value as an array; what makes none comes as an array of objects, as None does."""
-    try:
-        return np.asarray(value)
-    except ValueError:  # rows of different lengths
-        return np.array(None)
 
 
 # --- errors -----------------------------------------------------------------------------------
@@ -103,7 +96,7 @@ def cut(text):
 
 
 def shown_frames(frames):
-    """(file, line, function, its text) of each call -> lines; of many, the first and last ones."""
+    """(file, line, function, its text) of each call -> lines, the first and last of many."""
     lines = [f"{file}:{line} in {function}\n    {text}" for file, line, function, text in frames]
     if len(lines) > MOST_LINES:
         lines[4:-4] = [f"... {len(lines) - 8} more calls ..."]
@@ -114,7 +107,7 @@ def shown_frames(frames):
 
 
 def layout(rows):
-    """Rows (label, text) in two columns, long lines broken; not in commands, which are copied."""
+    """Rows (label, text) in two columns, long lines broken. Commands stay whole, to be copied."""
     lines = ((label if number == 0 else "", line) for label, text in rows
              for number, line in enumerate(text.splitlines() if label == "again" else broken(text)))
     return "\n".join(f"{label:{LABEL}}{line}".rstrip() for label, line in lines)

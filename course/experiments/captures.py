@@ -10,8 +10,8 @@
 
 A camera looks along its own -z, y is up: as OpenGL's, Blender's and NeRF's. Pictures are PNG or
 JPEG, all of one size, without distortion, as they are stored: a rotation in EXIF is not looked at.
-Where they have alpha, that is the silhouette; else it is what differs from the background. PNG is
-better: JPEG blurs the outline.
+Alpha is the silhouette. Without it, what differs from the background is. PNG is better: JPEG blurs
+the outline.
 """
 import json
 from pathlib import Path
@@ -36,9 +36,10 @@ COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
 
 
 def read(labs, folder):
-    """A folder -> pictures, a list of (H, W, 4), linear colours and coverage; cameras (N, 4, 4),
-    clip_from_grid; background (3,), linear; world_from_grid (4, 4): the grid is [-1, 1]^3, and the
-    ball around the object just fits in it.
+    """A folder -> pictures, cameras (N, 4, 4), background (3,), world_from_grid (4, 4).
+
+    pictures is a list of (H, W, 4), linear colours and coverage. A camera is clip_from_grid. The
+    background is linear, too. The grid is [-1, 1]^3, and the ball around the object just fits in.
 
     FileNotFoundError, OSError or ValueError, one sentence for each thing that can be wrong.
     """
@@ -106,7 +107,7 @@ def number(scene, name, low, high, default=None):
 
 
 def silhouette(path, behind):
-    """A picture (H, W, 4): linear colours on the background, else white; coverage."""
+    """A picture (H, W, 4): linear colours on the background, else white, and coverage."""
     picture = image.read(path)
     colour, alpha = image.to_linear(picture[..., :3]), picture[..., 3:]
     if alpha.size:
@@ -123,7 +124,7 @@ def silhouette(path, behind):
 
 
 def smaller(picture):
-    """A picture (H, W, C) of at most LONGEST pixels a side, an even number; means of its pixels."""
+    """Means of a picture's pixels: (H, W, C) of at most LONGEST a side, an even number."""
     height, width, _ = picture.shape
     part = min(1, LONGEST / max(height, width))
     size = [max(2, 2 * round(part * side / 2)) for side in (width, height)]
@@ -167,7 +168,7 @@ def save(labs, x, path, world_from_grid):
 
 
 def obj(vertices, faces, albedo):
-    """An OBJ file's bytes; colours follow a vertex's position, as most viewers read them: sRGB."""
+    """An OBJ file's bytes. Colours, in sRGB, follow a vertex's position: most viewers read that."""
     coloured = trimesh.Trimesh(vertices, faces, vertex_colors=eight_bits(image.to_srgb(albedo)),
                                process=False)
     return coloured.export(file_type="obj", digits=7, header=None).encode()
@@ -193,7 +194,7 @@ def eight_bits(colours):
 
 def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
     """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
-    on disk, at path, every EVERY steps, and at the end, however it comes: also by Ctrl-C.
+    written to path every EVERY steps and at the end, even after Ctrl-C.
     """
     good = None
     with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
@@ -236,7 +237,7 @@ def steps_of(stages):
 
 
 def run(labs, folder):
-    """Reconstruct what a folder's pictures show; says where the mesh is. -> 0"""
+    """Reconstruct what a folder's pictures show, and say where the mesh is. -> 0"""
     pictures, cameras, background, world_from_grid = read(labs, folder)
     path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
     capture = labs.multi_view_fit.Capture(pictures, cameras, background)

@@ -20,7 +20,7 @@ def clip_positions(labs, vertices, eye, target=(0.0, 0.0, 0.0), near=0.1):
 
 
 def clip_from_world(labs, eye, target=(0.0, 0.0, 0.0), near=0.1, fov_y=48):
-    """The matrix (4, 4) of a camera at eye that looks at target; fov_y in degrees."""
+    """The matrix (4, 4) of a camera at eye that looks at target. fov_y is in degrees."""
     view_from_world = labs.transforms.look_at(np.asarray(eye), np.asarray(target), UP)
     return labs.transforms.perspective(np.radians(fov_y), 1.0, near, 10.0) @ view_from_world
 
@@ -110,7 +110,7 @@ def shaded(vertices, faces, face_index, barycentric):
 
 
 def lit(barycentric, corners):
-    """One light on smooth normals, mixed by the barycentrics; it also reaches round the edge.
+    """One light on smooth normals, mixed by the barycentrics. It also reaches round the edge.
 
     barycentric (N, 3), the corners' normals (N, 3, 3) -> linear colour (N, 3).
     """

@@ -43,8 +43,9 @@ def fit(labs, weight, steps=300, size=128, seed=0):
 
 
 def carve(labs, penalty_backward, update, schedule, size, seed):
-    """At each step, a sum of the losses of 4 of the 20 views, and a penalty; update and schedule
-    as in lab 9's `descend`.
+    """Each step descends the losses of 4 of the 20 views and a penalty.
+
+    update and schedule: as in lab 9's `descend`.
 
     -> vertices (steps + 1, V, 3), the losses (steps,) of the silhouettes, each a mean of 4.
     """

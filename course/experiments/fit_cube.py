@@ -47,8 +47,8 @@ def fit(labs, size, seed, steps=1000):
     """A cube seen in one random pose at every step, in size x size pixels: at first its positions
     are wrong by up to 1/2, and its colours are noise.
 
-    -> errors (steps + 1,), the mean distance of the vertices from the cube's; losses (steps,); the
-    Cube at the end.
+    -> errors (steps + 1,), the mean distance of the vertices from the cube's, losses (steps,), and
+    the Cube at the end.
     """
     lab9, rng = labs.inverse_rendering, np.random.default_rng(seed)
     x = Cube(TRUTH.positions + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3)))

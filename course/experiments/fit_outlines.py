@@ -31,7 +31,7 @@ def fit_outlines(labs):
 
 
 def triangle_found(labs, title, outline):
-    """The triangle's fit by an outline, and how fast it was there."""
+    """The triangle's fit by an outline, and how fast it got there."""
     start = time.process_time()
     x = triangle(labs, outline)
     off = np.linalg.norm(x - fit_triangle.TEMPLATE, axis=2).max(1)

@@ -33,7 +33,7 @@ def fit_pose(labs):
 
 
 def judged(labs, fitted, least):
-    """How many of the fits are near, and how far off the others are; least: [a goal] or []."""
+    """How many of the fits are near, and how far off the others are. least: [a goal] or []."""
     angles = degrees_off(labs, fitted)
     near, far = angles[angles < 0.01], np.sort(angles[angles >= 0.01])
     reached = [(f"{count}", len(near) >= count) for count in least]
@@ -52,7 +52,7 @@ def worst(labs, fitted):
 
 
 def degrees_off(labs, fitted):
-    """By how many degrees each fit's last rotation differs from its goal."""
+    """How many degrees each fit's last rotation differs from its goal."""
     return np.degrees([labs.inverse_rendering.rotation_angle(rotations[-1], goal)
                        for rotations, goal in fitted])
 
@@ -62,7 +62,7 @@ def fit(labs, seed, proposals=400, allowed=None, stages=((64, 40, 5e-3), (256, 4
     in each stage (size, steps, first rate).
 
     allowed (K, 4) are rotations to try beside small ones, `symmetries` if None.
-    -> rotations (proposals + all steps + 1, 4), quaternions from start to end; the right one (4,).
+    -> rotations (proposals + all steps + 1, 4), quaternions from start to end, and the goal (4,).
     """
     rng = np.random.default_rng(seed)
     start, goal = (q / np.linalg.norm(q) for q in rng.normal(size=(2, 4)))
@@ -74,8 +74,9 @@ def fit(labs, seed, proposals=400, allowed=None, stages=((64, 40, 5e-3), (256, 4
 
 
 def search(labs, rng, start, goal, proposals, allowed):
-    """Greedy: a proposed rotation is taken if its picture is nearer to the goal's. They become
-    smaller and smaller; every second one is one of the allowed rotations besides.
+    """Greedy: a proposed rotation is taken if it brings the picture nearer to the goal's.
+
+    Proposals become smaller and smaller. Every second one contains an allowed rotation as well.
     """
     lab9, rotations = labs.inverse_rendering, [start]
     target = seen(labs, goal, 16)[0]
@@ -95,7 +96,7 @@ def search(labs, rng, start, goal, proposals, allowed):
 
 
 def descent(labs, q, goal, size, steps, rate):
-    """Adam on the quaternion, in pictures of size x size; the rate falls to a 50th."""
+    """Adam on the quaternion, in pictures of size x size. The rate falls to a 50th."""
     lab9, target = labs.inverse_rendering, seen(labs, goal, size)[0]
 
     def gradient(q):

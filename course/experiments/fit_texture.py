@@ -27,7 +27,7 @@ def fit(labs, truth, views, filter, size=64, first_rate=1e-2):
     """A grey texture becomes the globe's: a step of Adam for each of the views, seen through one of
     lab 6's filters. The rate falls to a tenth.
 
-    -> psnr (steps,) after each step; the texture, like truth.
+    -> psnr (steps,) after each step, and the texture, like truth.
     """
     lab6, lab9, coming = labs.mipmapping, labs.inverse_rendering, iter(views)
 
@@ -45,8 +45,10 @@ def fit(labs, truth, views, filter, size=64, first_rate=1e-2):
 
 
 def psnr(texture, truth):
-    """In decibels, for colours from 0 to 1. A texel counts by its area on the globe: the rows at
-    the poles hold as many as the equator's, and show nothing.
+    """Peak signal-to-noise ratio in decibels, for colours from 0 to 1.
+
+    A texel counts by its area on the globe: a row at a pole has as many texels as the equator, and
+    covers nearly nothing.
     """
     area = np.cos(np.pi * ((np.arange(len(truth)) + 0.5) / len(truth) - 0.5))
     return -10 * np.log10(np.average(((texture - truth)**2).mean((1, 2)), weights=area))

@@ -1,6 +1,6 @@
 """A triangle finds its template by the antialiased edges alone (lab 9).
 
-In pixels of a picture of SIDE x SIDE; the triangle's colour is 1, the background's is 0.
+Units are pixels of a picture of SIDE x SIDE. The triangle's colour is 1, the background's is 0.
 """
 from collections.abc import Callable
 from typing import NamedTuple
@@ -32,7 +32,7 @@ def fit_triangle(labs):
 def fit(labs, goal, antialiased, steps=300):
     """Three vertices move until the triangle looks like its template, goal (SIDE, SIDE, 1).
 
-    -> vertices (steps + 1, 3, 2) in pixels, at first START; losses, gradients (steps, 3, 2).
+    -> vertices (steps + 1, 3, 2) in pixels, START first, the losses, gradients (steps, 3, 2).
     """
     lab9, gradients = labs.inverse_rendering, []
     mesh, surface, view = scene(labs)
@@ -100,7 +100,7 @@ def schedule(steps):
 
 
 def over(labs, goal, x):
-    """The template in blue; in orange where the triangle began, where it was and where it ended."""
+    """The template in blue. In orange the triangle: where it began, was and ended."""
     steps = [labs.sampling.pixel_coverage(x[step], SIDE, SIDE) for step in (0, 40, -1)]
     return np.concatenate([np.stack([1 - goal[..., 0], 1 - (goal[..., 0] + step) / 2, 1 - step],
                                     -1) for step in steps], 1)

@@ -81,7 +81,7 @@ def bounded(x):
 
 def looked_up(labs, origins, directions, volume, count=40):
     """A Volume along rays, at count points 1.2 to 3.8 in front of their origins -> weights, the
-    matrix of the look-ups; and what lab 15's `volume_render` takes, on white.
+    matrix of the look-ups, and what lab 15's `volume_render` takes, on white.
     """
     n = round(len(volume.density)**(1 / 3)) - 1
     points, spacing = labs.implicit_surfaces.ray_samples(origins, directions, 1.2, 3.8, count)
@@ -97,7 +97,7 @@ def seen(labs, rays, volume):
 
 
 def saturn_rays(labs, cameras, size, samples=3):
-    """Pictures (size, size) of a ball in a ring, each pixel a mean of samples^2 rays; on white.
+    """Pictures (size, size) of a ball in a ring on white, each pixel a mean of samples^2 rays.
 
     -> the Rays of all pixels of all cameras, one after the other.
     """
@@ -122,8 +122,9 @@ def saturn_colours(labs, origins, directions):
 
 
 def surface(density, points, level=5.0):
-    """Where a density is level, a surface: numbers for marching, positive outside and at the end of
-    the grid.
+    """The surface where a density equals level, as numbers for marching.
+
+    They are positive outside, and at the border of the grid.
     """
     return np.where((np.abs(points) == 1).any(1), level, level - density)
 

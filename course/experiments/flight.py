@@ -7,7 +7,7 @@ from .drawing import SIZE, clip_positions, smooth, unit_bunny
 
 
 def flight(labs):
-    """A camera flies into the bunny, up to its back wall; nothing was clipped."""
+    """A camera flies into the bunny, up to its back wall. Nothing was clipped."""
     vertices, faces = unit_bunny()
     frames = []
     for x in track(np.linspace(-2.2, 0.2, 48), "flight", transient=True):

@@ -21,7 +21,7 @@ def large_steps(labs):
 
 
 def fit(labs, amount, rates, steps=300, size=128, seed=0):
-    """Lab 9's fit of the bunny without a penalty, but with large steps; the rate goes from rates[0]
+    """Lab 9's fit of the bunny without a penalty, but with large steps. The rate goes from rates[0]
     to rates[1]. -> what `carve` returns.
     """
     edges, _ = mesh.edges(ball()[1])

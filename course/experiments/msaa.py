@@ -35,7 +35,7 @@ def msaa(labs):
 
 
 def shader(labs, clip, vertices, faces):
-    """-> shade(px, py, face), lab 4's; and a list of how many points each call shaded."""
+    """-> shade(px, py, face), lab 4's, and a list of how many points each call shaded."""
     normals, shades = mesh.vertex_normals(vertices, faces), []
 
     def shade(px, py, face):
@@ -49,7 +49,7 @@ def shader(labs, clip, vertices, faces):
 def by_area(labs, clip, faces, shade, background):
     """Each front face by its exact area in every pixel: picture (SIZE, SIZE, 3), sum of areas.
 
-    Right where the faces in a pixel lie side by side; where some hide others, the sum is above 1.
+    Right where the faces in a pixel lie side by side. Where some hide others, the sum is above 1.
     """
     x, y, _ = labs.rasterization.screen_points(clip, SIZE, SIZE)
     corners, parts = np.stack([x, y], -1)[faces], []

@@ -1,6 +1,6 @@
 """Shape, albedo and light of objects that the code has never seen, from 24 pictures (lab 16).
 
-A folder of your own pictures instead: captures.py.
+For a folder of your own pictures, see captures.py.
 """
 import itertools
 import time
@@ -126,7 +126,8 @@ def lamps(labs, towards, strength, even):
 
 
 def photographs(labs, painted, light, cameras, size, samples=4):
-    """Pictures (size, size, 4) of a Painted on white: colour, and coverage; samples^2 to a pixel.
+    """Pictures (size, size, 4) of a Painted on white: colour and coverage, samples^2 to a
+    pixel.
     """
     normals = mesh.vertex_normals(painted.vertices, painted.faces)
     colours = labs.reconstruction.shade(painted.albedo, normals, light)
@@ -157,9 +158,10 @@ def found_object(labs, x):
 
 
 def judged(labs, x, name, size=128):
-    """How good x is: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of
-    these in the evening's light, relative error of the light; and the two times two kinds of
-    pictures, as found and as they are.
+    """How good x is, and the pictures of both new kinds, as found and as they are.
+
+    The numbers: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of these in
+    the evening's light, relative error of the light.
     """
     truth, found = unseen(labs, name), found_object(labs, x)
     at_truth = distances.closest_points(found.vertices, truth.vertices, truth.faces)

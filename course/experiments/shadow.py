@@ -34,7 +34,7 @@ def shadow(labs):
 
 
 def cosine(toward, normals):
-    """Of the angles between vectors (N, 3) and unit normals (N, 3)."""
+    """The cosines of the angles between vectors (N, 3) and unit normals (N, 3)."""
     return (toward / np.linalg.norm(toward, axis=1, keepdims=True) * normals).sum(1)
 
 

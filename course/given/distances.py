@@ -14,7 +14,7 @@ NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this
 def closest_on_triangles(p, triangles):
     """The point of each triangle that is nearest to p: p (N, 3), triangles (N, 3, 3) -> (N, 3).
 
-    A triangle is its inside, its sides and its corners. If it has no area, it is its sides; if they
+    A triangle is its inside, its sides and its corners. If it has no area, it is its sides. If they
     have no length either, it is a point.
     """
     side = np.roll(triangles, -1, -2) - triangles                  # (N, 3, 3)
@@ -35,15 +35,15 @@ def closest_on_triangles(p, triangles):
 
 
 def closest_points(points, vertices, faces):
-    """Of each of points (P, 3) the nearest point on a mesh: (P, 3)."""
+    """The point on a mesh that is nearest to each of points (P, 3): (P, 3)."""
     _, closest = closest_faces(points, vertices, faces)
     return closest
 
 
 def closest_faces(points, vertices, faces):
-    """Of each of points (P, 3) the nearest face of a mesh, and the nearest point: (P,), (P, 3).
+    """The face of a mesh nearest to each of points (P, 3), and its nearest point: (P,), (P, 3).
 
-    The mesh's nearest corner bounds the distance: only faces whose ball comes nearer are looked at.
+    The nearest vertex of the mesh bounds the distance. Only faces whose ball is nearer are tried.
     ValueError for what is no mesh, see `inputs.require_mesh`.
     """
     inputs.require_mesh(vertices, faces)
@@ -74,7 +74,7 @@ def distance_to_surface(points, vertices, faces):
 
 
 def sample_surface(vertices, faces, count, rng):
-    """Points (count, 3) spread evenly over a mesh's area, by the random numbers of rng.
+    """Points (count, 3) spread evenly over a mesh's area, with random numbers from rng.
 
     ValueError for what is no mesh, see `inputs.require_mesh`.
     """
@@ -91,8 +91,8 @@ def sample_surface(vertices, faces, count, rng):
 def surface_distances(vertices, faces, other_vertices, other_faces, count=4000, seed=0):
     """From points of one mesh to the other: their mean distance, and the greatest (Hausdorff's).
 
-    The points are all vertices and `count` random ones; the mean is of the random ones, so that it
-    is one over the area. One-sided: swap the meshes for the other side.
+    The points are all vertices and `count` random ones. The mean is over the random ones alone,
+    so equal areas count equally. This measures one side: swap the meshes for the other.
     """
     points = sample_surface(vertices, faces, count, np.random.default_rng(seed))
     used = vertices[np.unique(faces)]

@@ -7,9 +7,10 @@ grad_output would pass. Along a direction d, with steps h,
     D(h) = (L(x + h d) - L(x - h d)) / 2h = L' + O(h^2)        central difference         (1)
     E(h) = (16 D(h) - D(4h)) / 15         = L' + O(h^4)        Richardson extrapolation   (2)
 
-A large h suffers from the power of h, a small one from rounding, which grows as 1/h; in between
-lies a plateau. So the steps are swept, each a quarter of the last, and the numeric derivative is
-E where two successive E agree best. The analytic gradient has no say in this choice.
+A large h suffers from the powers of h that are left out, a small one from rounding, which grows as
+1/h. Between them lies a plateau. So the steps are swept, each a quarter of the last, and the
+numeric derivative is E where two successive E agree best. The analytic gradient has no say in this
+choice.
 
     error = |analytic - numeric| / max(|analytic|, |numeric|, floor)                      (3)
 """
@@ -21,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import places
+from .contract import called, unchanged
 
 STEPS = 4.0 ** -np.arange(3, 12)  # 1.6e-2 to 2.4e-7 of `magnitude`; smaller ones are all rounding
 SETTLED = 1e-9                    # two successive E as close as this end the sweep
@@ -71,7 +73,7 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     forward(*inputs) -> an array, or a tuple of arrays.
     backward(grad_output, *inputs) -> one gradient for each differentiable input, in order. Where
         forward returns a tuple, backward takes one grad_output for each of its arrays.
-    inputs: a tuple of arrays and other things. They are copied; floats become float64.
+    inputs: a tuple of arrays and other things. They are copied, and floats become float64.
     differentiable: positions of the inputs to check. If None, every float and array of floats.
     decisions(*inputs) -> an array, or a tuple of arrays: what the forward pass decides (which
         face, which texel). The loss may jump or bend where a decision changes, so a step that
@@ -131,11 +133,14 @@ def title_of(forward, position):
 def gradients_of(backward, upstream, inputs, titles, name):
     """-> {position: analytic gradient}, once their number and shapes are right."""
     gradients = call(backward, [*upstream, *inputs], f"{name}: backward")
+    if len(gradients) == 1 < len(titles) and gradients[0].shape[:1] == (len(titles),):
+        gradients = list(gradients[0])  # they came as a list, which has become one array
     require(len(gradients) == len(titles), f"{name}: backward must return {len(titles)} gradients, "
-            f"by {', '.join(titles.values())}; it returned {len(gradients)}")
+            f"with respect to {', '.join(titles.values())}; it returned {len(gradients)}")
     for k, gradient in zip(titles, gradients, strict=True):
-        require(gradient.shape == inputs[k].shape, f"{name}: the gradient by {titles[k]} must have "
-                f"that input's shape {inputs[k].shape}; it has {gradient.shape}")
+        require(gradient.shape == inputs[k].shape, f"{name}: the gradient with respect to "
+                f"{titles[k]} must have that input's shape {inputs[k].shape}; it has "
+                f"{gradient.shape}")
     return dict(zip(titles, gradients, strict=True))
 
 
@@ -146,16 +151,15 @@ def require(condition, sentence):
 
 def arrays(result):
     """One array, or a tuple of them -> a list of float64 copies."""
-    return [np.array(y, float) for y in (result if isinstance(result, tuple | list) else [result])]
+    return [np.array(y, float) for y in (result if isinstance(result, tuple) else [result])]
 
 
 def call(function, arguments, who):
     """The arrays that function(*arguments) returns, or a sentence on why they are of no use."""
     before = copy.deepcopy(arguments)
-    result = function(*arguments)
+    result = called(function, *arguments)
     for k, (x, kept) in enumerate(zip(arguments, before, strict=True)):
-        require(not isinstance(x, np.ndarray) or x.tobytes() == kept.tobytes(),
-                f"{who} changed its argument {k} in place; work on a copy of it")
+        require(unchanged(kept, x), f"{who} changed its argument {k}: let it work on a copy")
     require(result is not None, f"{who} returned None; is its return statement missing?")
     try:
         result = arrays(result)
@@ -182,8 +186,8 @@ def magnitude(x):
 def element_part(title, position, x, gradient, rng):
     """An input's elements, one by one.
 
-    Of a large input a random choice, half of it where the gradient is not zero: a picture touches
-    few texels of its texture.
+    A random choice of a large input is looked at. Half of it has a gradient other than zero,
+    because a picture touches few texels of its texture.
     """
     order = rng.permutation(x.size)
     touched = order[gradient.flat[order] != 0][:ELEMENTS // 2]
@@ -213,7 +217,7 @@ def slope_of_loss(forward, decisions, inputs, upstream):
     moves {position: direction}: those inputs move, each along its direction.
     """
     def decide(there):
-        return arrays(decisions(*there)) if decisions else []
+        return arrays(called(decisions, *there)) if decisions else []
 
     def slope(moves, h):
         ahead, behind = ([x + step * moves[k] if k in moves else x for k, x in enumerate(inputs)]
@@ -221,7 +225,7 @@ def slope_of_loss(forward, decisions, inputs, upstream):
         if not all(map(np.array_equal, decide(ahead) + decide(behind), here + here)):
             return np.nan
         # Outputs are subtracted first and summed then: what did not move adds no rounding.
-        rise = zip(upstream, arrays(forward(*ahead)), arrays(forward(*behind)), strict=True)
+        rise = zip(upstream, *(arrays(called(forward, *x)) for x in (ahead, behind)), strict=True)
         return sum(np.vdot(u, above - below) for u, above, below in rise) / (2 * h)
 
     here = decide(inputs)
@@ -230,7 +234,7 @@ def slope_of_loss(forward, decisions, inputs, upstream):
 
 @np.errstate(all="ignore")  # a large step may leave forward's domain; the sweep goes on
 def sweep(slope, moves, scale, settled=SETTLED):
-    """-> the numeric derivative; D (S,) at the S steps scale * STEPS; how much E changes (S - 2,).
+    """-> the numeric derivative, D (S,) at the S steps scale * STEPS, how much E changes (S - 2,).
 
     D is NaN where a step is not usable or was not needed. The derivative is NaN, left out, where no
     two successive E are finite.
@@ -249,9 +253,9 @@ def sweep(slope, moves, scale, settled=SETTLED):
 def relative_error(analytic, numeric):
     """Eq. (3), with the floor at FLOOR times the largest number of both arrays.
 
-    Rounding disturbs all numeric derivatives by one input about equally, by some 1e-12 of the
-    largest, and of a tiny element it may be all there is to see. So no element is judged more
-    finely than rtol * FLOOR of the largest: at the default rtol, by 1e-9.
+    Rounding disturbs all numeric derivatives with respect to one input about equally, by some
+    1e-12 of the largest. In a tiny element it may be all there is to see. So no element is judged
+    more finely than rtol * FLOOR of the largest, which is 1e-9 at the default rtol.
     """
     size = np.fmax(np.abs(analytic), np.abs(numeric))
     floor = max(FLOOR * np.max(size, initial=0.0), np.finfo(float).tiny)
@@ -279,9 +283,9 @@ def verdict(elements, directions, slope, rtol, name, seed):
                 f"{summary}: {lost} of {len(part.probes)} elements of {part.title} have no usable "
                 "step, because a decision changes or forward is not finite; choose inputs farther "
                 "from edges and ties")
-        require(part.analytic.any(), f"{name}: nothing to check {summary}: the gradient by "
-                f"{part.title} is zero everywhere, and so are the central differences; choose "
-                "inputs on which the output depends, or name the others in differentiable=")
+        require(part.analytic.any(), f"{name}: nothing to check {summary}: the gradient with "
+                f"respect to {part.title} is zero everywhere, and so are the central differences; "
+                "choose inputs on which the output depends, or name the others in differentiable=")
     worst = max(np.nanmax(part.error(), initial=0.0) for part in parts)
     return GradReport(looked_at - left_out, left_out, float(worst))
 
@@ -290,14 +294,14 @@ def complaint(part, rtol):
     """How many numbers are off, the mistake that explains them all, and the worst of them."""
     error, worst = part.error(), part.worst()
     place = f"at {list(map(int, worst))}: " if worst else ""
-    return (f"by {part.title}: {(error > rtol).sum()} of {len(part.probes)} looked at are off"
-            f"{pattern(part.analytic, part.numeric, rtol)}\n    {place}"
+    return (f"with respect to {part.title}: {(error > rtol).sum()} of {len(part.probes)} looked at "
+            f"are off{pattern(part.analytic, part.numeric, rtol)}\n    {place}"
             f"analytic {part.analytic[worst] + 0.0:.10g}, numeric {part.numeric[worst]:.10g}, "
             f"relative error {error[worst]:.2g} (at most {rtol:g})")
 
 
 def pattern(analytic, numeric, rtol):
-    """'; the sign is flipped', or another mistake that alone explains every number, else ''."""
+    """A mistake that alone explains every number, after a semicolon, else ''."""
     seen = ~np.isnan(numeric)
     mistakes = [("it is zero everywhere", 0 * numeric),
                 ("the sign is flipped", -numeric)]
@@ -331,13 +335,14 @@ def evidence(lines, part, slope, rtol, name):
 
 
 def draw(part, rtol, name, steps, D, change):
-    """Write analytic | numeric | difference | what is off | the worst number's sweep; the path."""
+    """Write analytic | numeric | difference | what is off | the worst sweep -> the path."""
     from matplotlib.figure import Figure  # here, so that a check that passes does not wait for it
 
     error, worst = part.error(), part.worst()
     figure = Figure(figsize=(16, 3.8))
-    figure.suptitle(f"{name}: the gradient by {part.title} is off in {(error > rtol).sum()} of "
-                    f"{len(part.probes)} numbers (red below zero, blue above, grey not known)")
+    figure.suptitle(f"{name}: the gradient with respect to {part.title} is off in "
+                    f"{(error > rtol).sum()} of {len(part.probes)} numbers (red below zero, "
+                    "blue above, grey not known)")
     figure.subplots_adjust(left=0.03, right=0.99, bottom=0.14, top=0.82, wspace=0.2)
     *axes, curve = figure.subplots(1, 5, width_ratios=[1, 1, 1, 1, 1.3])
 

@@ -1,6 +1,6 @@
 """Pictures as arrays: image[row, column, channel], float64 from 0 to 1, row 0 at the bottom.
 
-Files hold the top row first: every picture is turned over by `_turned_over`, and nowhere else.
+Files hold the top row first. `_turned_over` alone turns pictures over.
 """
 import io
 from pathlib import Path
@@ -40,7 +40,7 @@ def write(path, image):
     """image (H, W), (H, W, 1), (H, W, 3) or (H, W, 4) -> a PNG file with 8 bits a channel.
 
     Numbers below 0 are written as 0, above 1 as 1. The same image gives the same bytes. ValueError
-    for another shape, NaN, infinity, whole numbers above 1 or another ending than .png, OSError
+    for another shape, NaN, infinity, integers above 1 or another ending than .png, OSError
     where the file cannot be written.
     """
     _check_ending(path)
@@ -52,7 +52,7 @@ def write(path, image):
 def write_animation(path, frames, seconds_per_frame):
     """Images of one shape -> an animated PNG that runs for ever.
 
-    Each frame as for `write`; a frame equal to the one before is stored as a longer stay. Errors
+    Each frame as for `write`. A frame equal to the one before is stored as a longer stay. Errors
     as for `write`, and ValueError for no frames or a time outside 0.001 to 60 seconds.
     """
     _check_ending(path)

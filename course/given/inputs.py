@@ -1,6 +1,6 @@
 """What functions of the labs expect: one sentence for what does not fit.
 
-A shape is told by its lengths, a number where it is known and a letter where it is free.
+A shape, such as (V, 3), has a number for a length that is known, a letter for one that is free.
 """
 import numbers
 
@@ -21,7 +21,7 @@ def require_reals(name, array, *shape, hint=""):
 
 
 def require_indices(name, array, *shape, first, count, of, hint=""):
-    """An array of integers from first to below count: they name things of this sort."""
+    """An array of integers from first to below count: they number things of this name."""
     expected = f"{_shown(name, shape)} of integers from {first} to {count - 1}, {of}{hint}"
     _require_array(array, shape, "iu", expected)
     if array.size:
@@ -48,7 +48,7 @@ def require_faces(faces, vertex_count):
 
 
 def require_geometry(positions, faces, clip_from_model, width, height, opposite):
-    """What every picture is of: a mesh, a camera, and a screen."""
+    """What every picture needs: a mesh, a camera, and a screen."""
     require_reals("positions", positions, "V", 3, hint=" (a fit that diverges wants a smaller "
                   "rate)")
     require_faces(faces, len(positions))
@@ -97,7 +97,7 @@ def require_cubes(scene, view, samples):
 
 
 def require_gradient(name, gradient, shape):
-    """The loss's gradient by something that `render` made, of its shape."""
+    """The gradient of the loss with respect to something that `render` made, of its shape."""
     require(np.shape(gradient) == shape, f"{name} {shape}, of the shape that it made",
             np.shape(gradient))
 

@@ -41,7 +41,7 @@ def cube(face_count):
     """
     n = _steps(face_count, 12)
     x, y, side = _lattice(n, n)
-    # In whole numbers from -n to n: the side at z = n, the same turned to z = -n, and both again
+    # In integers from -n to n: the side at z = n, the same turned to z = -n, and both again
     # with the axes cycled once and twice.
     front = np.stack([2 * x - n, 2 * y - n, np.full_like(x, n)], axis=1)
     back = front * [-1, 1, -1]
@@ -104,7 +104,7 @@ def plane(face_count):
 def grid(face_count):
     """A square lattice in x and y, facing +z. -> vertices, faces
 
-    The vertices have the whole coordinates 0 to n, which are the corners of n x n pixels; shifted
+    The vertices have the integer coordinates 0 to n, which are the corners of n x n pixels. Shifted
     by 0.5 they lie on pixel centres. 2 n^2 faces, the fewest that are at least face_count.
     ValueError if face_count < 1.
     """
@@ -121,7 +121,7 @@ def _steps(face_count, faces_per_square):
 
 
 def _lattice(columns, rows):
-    """Points 0 <= x <= columns, 0 <= y <= rows, row by row; each square as two faces."""
+    """Points 0 <= x <= columns, 0 <= y <= rows, row by row, and each square as two faces."""
     y, x = np.divmod(np.arange((columns + 1) * (rows + 1)), columns + 1)
     corner = np.flatnonzero((x < columns) & (y < rows))[:, None]
     right, above = 1, columns + 1
@@ -130,7 +130,7 @@ def _lattice(columns, rows):
 
 
 def _triangle_lattice(n):
-    """Points 0 <= i, j and i + j <= n of a triangle cut into n^2; its faces."""
+    """Points 0 <= i, j and i + j <= n of a triangle cut into n^2, and its faces."""
     i, j = np.divmod(np.arange((n + 1) ** 2), n + 1)
     inside = i + j <= n
     number = np.cumsum(inside) - 1
@@ -155,7 +155,7 @@ def _icosahedron():
 
 
 def _merge(points, faces):
-    """Equal rows of whole numbers become one. -> distinct points, faces"""
+    """Equal rows of integers become one. -> distinct points, faces"""
     points, index = np.unique(points, axis=0, return_inverse=True)
     return points, index.reshape(-1)[faces]
 
@@ -199,7 +199,7 @@ def vertex_normals(vertices, faces):
 
 
 def _area_vectors(vertices, faces):
-    """-> (F, 3) normals whose length is twice the face's area; exactly 0 for a degenerate face."""
+    """-> (F, 3) normals whose length is twice the face's area. A degenerate face has exactly 0."""
     a, b, c = vertices[faces.T]
     area = np.cross(b - a, c - a)
     # Three points on a line give a product of the size of its rounding, in any direction.
@@ -209,7 +209,7 @@ def _area_vectors(vertices, faces):
 
 
 def unit(vectors):
-    """Vectors (..., 3) divided by their length -> (..., 3); 0 stays 0."""
+    """Vectors (..., 3) divided by their length -> (..., 3). 0 stays 0."""
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return vectors / np.where(length > 0, length, 1)
 
@@ -220,7 +220,7 @@ def unit(vectors):
 def edges(faces):
     """-> edges (E, 2), face_edges (F, 3)
 
-    An edge is a pair of vertices, low < high; edges ascend. face_edges[f, k] is the number of the
+    An edge is a pair of vertices, low < high. Edges ascend. face_edges[f, k] is the number of the
     edge opposite to vertex k of face f. ValueError for a face that names a vertex twice.
     """
     faces = np.asarray(faces, dtype=np.int64)
@@ -300,7 +300,7 @@ def _rounded_middles(vertices, faces, pairs):
     """Middles of edges (N, 2), `pairs` of vertices, on a rounded surface: (N, 3).
 
     They are those of the cubic edges of Vlachos et al. 2001, "Curved PN triangles": the middle goes
-    half as far as the two tangent planes at its ends are away from it, in the mean.
+    half as far as the two tangent planes at its ends are away from it, on average.
     """
     ends, n = vertices[pairs], vertex_normals(vertices, faces)[pairs]
     middles = ends.mean(1, keepdims=True)

@@ -1,4 +1,4 @@
-"""Where things lie: the course's folder, its data, its output; files read and written whole."""
+"""Where things lie: the course's folder, its data, its output. Files are read and written whole."""
 import contextlib
 import os
 import re
@@ -27,9 +27,9 @@ def out(*parts):
 
 
 def check_picture(name):
-    """The path of the picture of the check that runs now, as pytest tells it: of a file of its own
+    """The path for a picture of the check that runs now, or of this name where none runs.
 
-    such as out/checks/rasterization_one_triangle_on_paper.png; where none runs, of the name.
+    Pytest tells which check it is: out/checks/rasterization_one_triangle_on_paper.png.
     """
     running = os.environ.get("PYTEST_CURRENT_TEST", "").removesuffix(" (call)")
     file, _, test = running.rpartition("::")
@@ -44,7 +44,7 @@ def shown_path(path):
 
 
 def read_whole(path):
-    """The file's bytes; FileNotFoundError or OSError, in one sentence."""
+    """The file's bytes. FileNotFoundError or OSError, in one sentence."""
     try:
         return Path(path).read_bytes()
     except ValueError:

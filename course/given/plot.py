@@ -59,7 +59,7 @@ def panels(shapes, columns=None):
     """One figure with an Axes for each picture, in which a pixel is a whole number of dots wide.
 
     shapes: the pictures' (height, width) -> list of Axes, row by row, `columns` in a row.
-    One column has room for 860 dots, two for 410, three for 260, four for 185; a picture that is
+    One column has room for 860 dots, two for 410, three for 260, four for 185. A picture that is
     too large for that, or higher than 520 dots, is shown at 1/2, 1/3, ... of its size.
 
     >>> left, right = panels([(64, 64), (8, 8)])
@@ -102,9 +102,9 @@ def _whole_sizes(shapes, room):
 
 
 def strip(pictures, titles, columns=None):
-    """Pictures side by side, `columns` in a row -> figure. In a notebook, end the line with `;`.
+    """Pictures side by side, `columns` in a row -> figure. End its line with a semicolon.
 
-    pictures: arrays (H, W) or (H, W, 3) with values in [0, 1]; titles: one sentence for each.
+    pictures: arrays (H, W) or (H, W, 3) with values in [0, 1]. titles: one sentence for each.
     """
     columns = columns or len(pictures)
     lines = max(_wrapped(title, PAGE_WIDTH / columns).count("\n") + 1 for title in titles)
@@ -115,7 +115,7 @@ def strip(pictures, titles, columns=None):
 
 
 def screen(axes, width, height, title=""):
-    """An empty screen of width x height pixels; its two corners are labelled, y is up."""
+    """An empty screen of width x height pixels. Its two corners are labelled, y is up."""
     axes.set(xlim=(0, width), ylim=(0, height), aspect="equal",
              xticks=(0, width), yticks=(0, height))
     axes.tick_params(length=0, pad=3, labelsize=7, labelcolor=GREY)
@@ -131,7 +131,7 @@ def _title(axes, title):
 
 
 def _wrapped(title, width):
-    letter = 6.6                                   # dots to a letter of a title, in the mean
+    letter = 6.6                                   # dots to a letter of a title, on average
     return "\n".join(textwrap.wrap(title, max(12, int(_room(width) / letter))))
 
 
@@ -173,7 +173,7 @@ def face_index(axes, face_index, title=""):
 
 
 def face_colours(face_index):
-    """Face index (...), -1 for no face -> colours (..., 3); a face has one colour in all pictures.
+    """Face index (...), -1 for no face -> colours (..., 3). A face has one colour in all pictures.
 
     Hues a golden section apart differ for neighbouring numbers, and never come round to the same.
     """
@@ -186,12 +186,12 @@ def face_colours(face_index):
 
 
 def barycentric(axes, barycentric, face_index, title=""):
-    """Barycentrics (H, W, 3): vertices 0, 1, 2 are red, green, blue; white where face_index < 0."""
+    """Barycentrics (H, W, 3): vertices 0, 1, 2 are red, green, blue. White where face_index < 0."""
     image(axes, np.where(face_index[..., None] >= 0, barycentric, 1.0), title)
 
 
 def labels(axes, labels, names, title=""):
-    """Labels (H, W), whole numbers into names: a colour for each; the legend counts what occurs."""
+    """Labels (H, W), indices into names: a colour for each. The legend counts what occurs."""
     colours = np.array([mpl.colors.to_rgb(LABELS[k % len(LABELS)]) for k in range(len(names))])
     image(axes, colours[labels], title)
     for label, count in zip(*np.unique(labels, return_counts=True), strict=True):
@@ -201,7 +201,7 @@ def labels(axes, labels, names, title=""):
 
 
 def before_after(axes, before, after, titles):
-    """Two pictures of one shape and their difference, in three Axes; titles for the first two.
+    """Two pictures of one shape and their difference, in three Axes. titles: of the first two.
 
     The difference is after - before, averaged over the channels: red darker, blue brighter.
     """
@@ -234,7 +234,7 @@ def _scale(axes, colours, low, high):
 # Triangles on the screen
 
 def wireframe(axes, vertices, faces, color=BLACK):
-    """The edges of faces (F, 3) between screen positions (V, 2), each once; over a picture or not.
+    """The edges of faces (F, 3) between screen positions (V, 2), each once, over a picture or not.
 
     The finer the mesh, the finer the lines: from 1 point down to 0.25.
     """
@@ -281,7 +281,7 @@ def _outline(axes, triangle):
 def edge_function(axes, values, a, b, title=""):
     """An edge function's values (H, W) at the pixel centres, red outside and blue inside.
 
-    The line through a (2,) and b (2,) is where it should be zero; the arrow from a to b is the
+    The line through a (2,) and b (2,) is where it should be zero. The arrow from a to b is the
     edge, the other one its normal n = (a_y - b_y, b_x - a_x), which should point into the blue.
     """
     signed(axes, values, title)
@@ -343,10 +343,10 @@ def gradient_check(axes, analytic, numeric, name="gradient"):
 # The camera
 
 def frustum(axes, corners, eye, points=None, title=""):
-    """A camera in the world, in an Axes of projection "3d"; y is up, as on the screen.
+    """A camera in the world, in an Axes of projection "3d". y is up, as on the screen.
 
-    corners (8, 3): the near plane's four in turn, then the far plane's in the same order;
-    eye (3,); points (N, 3), such as a mesh's vertices, are drawn as dots.
+    corners (8, 3): the near plane's four in turn, then the far plane's in the same order.
+    eye (3,). points (N, 3), such as a mesh's vertices, are drawn as dots.
     """
     corners, eye = np.asarray(corners, float), np.asarray(eye, float)
     near, far = corners[:4], corners[4:]

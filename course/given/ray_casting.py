@@ -13,7 +13,7 @@ GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 
 
 def ray_cast(points, vertices, faces, light, cells=128):
-    """Which points (N, 3) does the light reach, past all faces? -> bool (N,). Exact; no map.
+    """Which points (N, 3) does the light reach, past all faces? -> bool (N,). Exact, without a map.
 
     Rays to one light are points of its picture: a ray p = (q_x, q_y, w) meets a face where
     c = M^-1 p has no negative number, with (q_x, q_y, w) of the corners as columns of M. The face's

@@ -1,4 +1,4 @@
-"""For graders of others: a zip for Gradescope, files for GitHub Actions and Classroom 50."""
+"""For other graders: a zip for Gradescope, files for GitHub Actions and Classroom 50."""
 import io
 import json
 import sys

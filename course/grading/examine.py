@@ -1,7 +1,7 @@
 """One submission: the course's own checks, with a worker in the place of the labs.
 
 Started by `grade` as a process of its own, with a folder: job.json is read there, result.json and
-pictures are written. The checks and the reference are trusted; what comes from the worker is not.
+pictures are written. The checks and the reference are trusted. What comes from the worker is not.
 """
 import contextlib
 import functools
@@ -31,7 +31,7 @@ PARENT_MEMORY = 1 << 33
 
 
 class Job(NamedTuple):
-    """What is to be examined: the labs' texts; for those that are not there, a sentence."""
+    """What is to be examined: the labs' texts, and a sentence for each that is not there."""
 
     texts: dict     # {topic: text}
     missing: dict   # {topic: sentence}
@@ -98,7 +98,7 @@ class Examination:
         return call
 
     def call(self, topic, name, args, kwargs):
-        """Call a function of the lab; of an exercise before the one that is checked, the reference.
+        """Call a function of the lab, or the reference for an exercise before the one checked.
 
         So nothing but this exercise's own code decides its points.
         """
@@ -139,7 +139,7 @@ class Examination:
             raise Mismatch(("wrong", self.missing[topic])) from None
 
     def exchange(self, message):
-        """A message to the worker, and the one back; what it asks in between is answered."""
+        """A message to the worker, and the one back. What it asks in between is answered."""
         payload = self.timed(self.worker, wire.encode(message))
         while question := QUESTION.match(payload):
             answer = self.answer(*(name.decode() for name in question.groups()), payload)
@@ -164,7 +164,7 @@ class Examination:
                 self.spent[what] += time.monotonic() - started
 
     def outcome(self, topic, name, message, inputs):
-        """What a call returned, its inputs changed where it changed them; or raise what it did."""
+        """What a call returned, its inputs changed where it changed them. Or raise what it did."""
         kind, *answer = message
         print(printable(answer[-1]), end="")
         if kind == "missing":
@@ -191,7 +191,7 @@ class Examination:
     # --- the reference's answers
 
     def answer(self, topic, name, question):
-        """To a worker's question: what the reference returns, found out in a worker of its own.
+        """What the reference returns to a worker's question, found out in a worker of its own.
 
         Question and answer are passed on as they came: only the two workers look inside.
         """
@@ -273,7 +273,7 @@ def preloaded(topic):
 
 
 def frame(told):
-    """What a worker tells of a frame -> (file, line, function), of these types at any rate."""
+    """What a worker tells of a frame -> (file, line, function), always of these types."""
     file, line, function = told if isinstance(told, tuple) and len(told) == 3 else ("", 0, "")
     return str(file), line if isinstance(line, int) else 0, printable(str(function))
 

@@ -30,7 +30,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
         seconds=10.0, extra=False):
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1.
 
-    extra: extras count as well; that is fair where they were handed out open.
+    extra: extras count as well. That is fair where they were handed out open.
     """
     topics = topics_of(labs)
     level, about = level_to_use(isolation)
@@ -70,7 +70,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
 
 
 def topics_of(labs):
-    """'1-4', '2' or '1,3' -> topics; None: all. ValueError: there is no such lab."""
+    """'1-4', '2' or '1,3' -> topics. None: all. ValueError: there is no such lab."""
     numbers = {exercises.lab_number(topic) for topic in exercises.topics()}
     asked = list(numbers) if labs is None else []
     for part in labs.split(",") if labs else ():
@@ -87,7 +87,7 @@ def topics_of(labs):
 
 
 def level_to_use(isolation):
-    """-> (level, a sentence on it). ValueError: strict was not given up, and is not to be had."""
+    """-> (level, a sentence on it). ValueError: strict is wanted and cannot be had."""
     if isolation == "process":
         return "process", "as told by --isolation process"
     level, about = sandbox.available()
@@ -103,14 +103,14 @@ def warnings(level):
 
 
 def fingerprint(job):
-    """Of all that decides a result: what was handed in, the options, the course."""
+    """A hash of all that decides a result: what was handed in, the options, the course."""
     options = json.dumps([job._asdict(), course_digest()], sort_keys=True)
     return hashlib.sha256(options.encode()).hexdigest()
 
 
 @functools.cache
 def course_digest():
-    """Of the checks, the reference and the grader."""
+    """A hash of the checks, the reference and the grader."""
     whole = hashlib.sha256()
     for pattern in ("course/**/*.py", "reference/*.py", "tests/conftest.py", "tests/labs/*.py",
                     "tests/golden/*"):
@@ -132,7 +132,7 @@ def done_before(folder, wanted):
 
 
 def examined(todo, jobs, scheduler):
-    """Yield (submission, job, what `examine` returns), as they are done."""
+    """Yield (submission, job, what `examine` returns), in the order in which they end."""
     if scheduler:
         yield from on_cluster(todo, scheduler)
         return

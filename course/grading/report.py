@@ -5,7 +5,7 @@ from ..checks.page import coloured, document, exercise_part, paragraph
 
 
 def points(record):
-    """{exercise: points reached}; empty where nothing could be graded."""
+    """{exercise: points reached}. Empty where nothing could be graded."""
     board = record["board"]
     return {entry["number"]: entry["points"] * (entry["verdict"] == "done")
             for entry in board["exercises"]} if board and not record["problem"] else {}
@@ -19,7 +19,7 @@ def open_fine_print(record):
 
 
 def rows(lines, head=None):
-    """lines: rows of cells; a number is set to the right, what begins with < is HTML."""
+    """lines: rows of cells. A number is set to the right, what begins with < is HTML."""
     def cell(content, tag):
         kind = ' class="number"' if isinstance(content, int | float) else ""
         text = str(content)
@@ -39,7 +39,7 @@ def bar(part, whole):
 
 
 def page(record, pictures, about, seed):
-    """record: of grade.run; pictures {file name: PNG}."""
+    """record: of grade.run. pictures {file name: PNG}."""
     board, got = record["board"], points(record)
     of = sum(entry["points"] for entry in board["exercises"])
     parts = [paragraph(f"{sum(got.values())} of {of} points", "claim"),

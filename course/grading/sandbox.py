@@ -1,4 +1,4 @@
-"""Workers from outside: where they are shut in, how long they may take, how they end.
+"""Workers from outside: what shuts them in, how long they may take, how they end.
 
     strict    Linux with bubblewrap: no network, no files but the interpreter's, NumPy's and an
               empty folder, no other process in sight, another user, Landlock where there is one
@@ -52,7 +52,7 @@ class Lost(Exception):
 
 
 class Worker:
-    """A worker process. send a message, receive one; Lost where that fails or takes too long."""
+    """A worker process. send a message, receive one. Lost where that fails or takes too long."""
 
     def __init__(self, level, limits=Limits()):  # noqa: B008, a NamedTuple does not change
         self.limits = limits
@@ -111,7 +111,7 @@ class Worker:
         return answer
 
     def received(self, end, seconds):
-        """Some bytes. Every PATIENCE seconds, a look at the memory. OSError: no more will come."""
+        """Some bytes. The memory is watched every PATIENCE seconds. OSError: no more will come."""
         while (left := end - time.monotonic()) > 0:
             ready, _, _ = select.select([self.socket, self.control], [], [], min(PATIENCE, left))
             if self.socket in ready:
@@ -153,7 +153,7 @@ class Worker:
         return ""
 
     def close(self):
-        """End all of its processes, and remove its folder. A second time, nothing happens."""
+        """End all of its processes, and remove its folder. A second call does nothing."""
         if self.process.returncode is not None and not os.path.exists(self.folder):
             return
         self.socket.close()
@@ -175,7 +175,7 @@ def ended_by(status):
 
 
 def environment():
-    """Of a worker: nothing of ours. Windows starts no Python without its own folder."""
+    """A worker gets none of our variables. Windows starts no Python without its own folder."""
     kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
     return {**kept, "LANG": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
             "MKL_NUM_THREADS": "1"}
@@ -233,7 +233,7 @@ def strict(folder, limits):
 
 
 def shown(place, path):
-    """The options that show a path, read-only, at a place; all may enter the folders above it."""
+    """The options that show a path, read-only, at a place. All may enter the folders above it."""
     for folder in reversed(Path(place).parents[:-1]):
         yield from ("--perms", "0755", "--dir", str(folder))
     link = os.path.islink(path) and place == path
@@ -241,9 +241,9 @@ def shown(place, path):
 
 
 def other_user():
-    """A number that no user has, if this is root; another one for each worker.
+    """A number that no user has, if this is root. Each worker has another one.
 
-    The system counts processes by user: with a number in common, one worker's would be another's.
+    The system counts processes by user. With a common number, workers would share one count.
     """
     if getattr(os, "getuid", lambda: None)() != 0:
         return None
@@ -285,7 +285,7 @@ def adopt_orphans():
 
 
 def end_orphans():
-    """End the children that are no workers; each may leave others behind. See adopt_orphans."""
+    """End the children that are no workers. Each may leave others behind. See adopt_orphans."""
     while ADOPTING and (orphans := set(children().get(os.getpid(), ())) - WORKERS):
         for pid in orphans:
             with contextlib.suppress(ProcessLookupError, ChildProcessError):
@@ -294,7 +294,7 @@ def end_orphans():
 
 
 def children():
-    """{process: its children}; empty where there is no /proc."""
+    """{process: its children}. Empty where there is no /proc."""
     found = {}
     for path in Path("/proc").glob("[0-9]*/stat"):
         with contextlib.suppress(OSError):

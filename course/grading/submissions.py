@@ -186,13 +186,13 @@ def is_lab(name, topic):
 
 
 def rank(name):
-    """labs/transforms.py before transforms.py, and of these the least deep."""
+    """labs/transforms.py comes before transforms.py, then the least deep comes first."""
     parts = PurePosixPath(name).parts
     return parts[-2:-1] != ("labs",), len(parts)
 
 
 def folder_entries(folder):
-    """{name: function that reads it} of a folder's files; links are not followed."""
+    """{name: function that reads it} of a folder's files. Links are not followed."""
     entries = {}
     for parent, folders, files in os.walk(folder, followlinks=False):
         folders[:] = sorted(set(folders) - set(OURS))
@@ -219,7 +219,7 @@ def archive_entries(path):
 
 
 def careful(function, *arguments):
-    """What it returns, or the ValueError that says why there is nothing."""
+    """What the function returns, or the ValueError that says why there is nothing."""
     try:
         return function(*arguments)
     except (OSError, ValueError) as error:
@@ -241,7 +241,7 @@ def read_entry(archive, entry):
 
 
 def read_file(path, most=MOST_TEXT):
-    """A regular file's bytes, at most one more than most; a link is not followed."""
+    """A regular file's bytes, at most one more than most. A link is not followed."""
     if not stat.S_ISREG(os.lstat(path).st_mode):
         raise ValueError("is not a file but a link or the like: put the file there")
     with open(path, "rb") as file:
@@ -252,7 +252,7 @@ def read_file(path, most=MOST_TEXT):
 
 
 def foreign_imports(text):
-    """[(line, module)] of imports that a worker does not have; none where it is not Python."""
+    """[(line, module)] of imports that a worker does not have. None where it is not Python."""
     try:
         nodes = list(ast.walk(ast.parse(text)))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -270,7 +270,7 @@ def foreign_imports(text):
 
 
 def digest(texts):
-    """Of the labs handed in, whatever they were packed in: 64 hexadecimal digits."""
+    """The hash of the labs, however they were packed: 64 hexadecimal digits."""
     whole = hashlib.sha256()
     for topic in sorted(texts):
         whole.update(f"{topic}\0{skeleton.digest(texts[topic])}\n".encode())

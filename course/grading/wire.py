@@ -59,7 +59,7 @@ def encode(value):
 
 
 def described(value, arrays):
-    """What stands for a value in the header; its numbers go to the end of arrays."""
+    """What stands for a value in the header. Its numbers go to the end of arrays."""
     if isinstance(value, np.ndarray | np.generic):
         return described_array(value, arrays)
     if value is None or isinstance(value, bool):
@@ -107,7 +107,7 @@ def decode(payload):
 
 
 def built(header, rest):
-    """The value that a header describes; its numbers are taken from the front of rest[0]."""
+    """The value that a header describes. Its numbers are taken from the front of rest[0]."""
     if isinstance(header, str):
         return header.encode("utf-8", "replace").decode("utf-8")  # no lone surrogates
     if isinstance(header, list):

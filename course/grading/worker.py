@@ -1,12 +1,12 @@
 """The process in the sandbox: runs what a student handed in, one exercise at a time.
 
 It is started as a script, needs NumPy and SciPy alone, and is sent all that it knows: modules'
-texts, names of functions, arrays. What it answers is not trusted, so nothing here protects a mark;
-this file protects honest exercises from what else is in their file.
+texts, names of functions, arrays. What it answers is not trusted, so nothing here protects a mark.
+This file protects honest exercises from what else is in their file.
 
-    start      -> ready       with what of the course labs may import; limits are in force
-    open       -> opened      the module is loaded for one exercise; or missing, or raised
-    call       -> returned    its value, the inputs that it changed, what it printed; or raised
+    start      -> ready       with what of the course labs may import. Limits are in force
+    open       -> opened      the module is loaded for one exercise. Or missing, or raised
+    call       -> returned    its value, the inputs that it changed, what it printed. Or raised
     returned   <- ask         in between: a stand-in of an exercise asks what the reference returns
     close                     the exercise's process ends, and whatever it has left
 
@@ -284,7 +284,7 @@ def identity(value):
 
 
 def copied(value):
-    """So that nobody changes what is kept."""
+    """A copy, so that nobody changes what is kept."""
     if isinstance(value, tuple):
         return tuple(map(copied, value))
     return value.copy() if hasattr(value, "copy") else value

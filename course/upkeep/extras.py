@@ -59,7 +59,7 @@ def asked(target):
 
 
 def known_answer(topic, exercise):
-    """The text of an answer that was there before, or that was released; or None."""
+    """The text of an answer that was there before, or that was released, or None."""
     known = kept_answers()
     path = exercises.reference(topic)
     if path.exists():

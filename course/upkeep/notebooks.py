@@ -2,7 +2,7 @@
 
 An author edits a notebook in Jupyter and then runs `python3 -m course notebooks 02`. What is
 written holds no times, addresses, widgets or settings of the author. Pictures and last digits
-depend on the versions listed under "written_with"; where these agree, so do the bytes.
+depend on the versions listed under "written_with". Where these agree, so do the bytes.
 
 A lecture begins with these lines, which work in Jupyter and in the command alike:
 
@@ -76,7 +76,7 @@ UNWANTED = [
 def run(names):
     """Execute notebooks and write them back -> exit status. names, ValueError: those of `find`.
 
-    0: all are written; 1: at least one was refused, with a sentence, and stays as it was.
+    0: all are written. 1: at least one was refused, with a sentence, and stays as it was.
     """
     paths, console = find(names), Console(soft_wrap=True, highlight=False)
     columns = (TextColumn("{task.description}"), BarColumn(20), MofNCompleteColumn(),
@@ -89,7 +89,7 @@ def run(names):
 
 
 def find(names):
-    """Numbers ("2", "02"), topics or paths -> paths; all lectures for none. ValueError if none."""
+    """Numbers ("2", "02"), topics or paths -> paths. No name: all. ValueError: none fits."""
     lectures = sorted(FOLDER.glob("*.ipynb"))
     if not lectures and not names:
         raise ValueError(f"there are no notebooks in {FOLDER}: get a whole copy of the course")
@@ -314,9 +314,9 @@ def compare(path):
     Sources and structure must be equal. Text and pictures must be equal byte for byte where the
     file was written with the versions and the rounding of this environment. Elsewhere fonts and
     roundings differ a little: there a number may be off by NUMBER_LIMIT of itself or by one in its
-    last digit, and below ROUNDING all numbers are the same; a picture may be two pixels larger or
-    smaller, and the means of its blocks of 32 x 32 pixels may differ by PICTURE_LIMIT in the mean.
-    (matplotlib 3.9 and 3.11 differ by up to 1; the course's figures upside down, mirrored or empty
+    last digit, and below ROUNDING all numbers are the same. A picture may be two pixels larger or
+    smaller, and the means of its blocks of 32 x 32 pixels may differ by PICTURE_LIMIT on average.
+    (matplotlib 3.9 and 3.11 differ by up to 1. The course's figures upside down, mirrored or empty
     differ by 4 and more.)
     """
     path = Path(path)
@@ -393,7 +393,7 @@ def _picture_difference(was, now, here):
                      for one, other in zip(old, new, strict=True))
     if difference > PICTURE_LIMIT:
         return (f"draws a picture that differs from the file's by {difference:.1f} of 255 "
-                f"in the mean: {PICTURE_LIMIT} is what other fonts may explain")
+                f"on average: {PICTURE_LIMIT} is what other fonts may explain")
 
 
 def _frames(picture):

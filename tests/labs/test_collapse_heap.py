@@ -63,7 +63,7 @@ def test_all_collapses_are_those_of_the_slow_heap(impl, rng):
                 assert_equal(rows(got), rows(expected))
         for face_count, (got, left) in fast.items():
             used = np.unique(left)
-            assert_close(np.asarray(got)[used], slow[face_count][0][used], rtol=1e-6, atol=1e-6)
+            assert_close(got[used], slow[face_count][0][used], rtol=1e-6, atol=1e-6)
 
 
 @exercise("12.16")
@@ -71,7 +71,7 @@ def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
     """A torus becomes a sphere, an edge gets four faces or one, or a face comes twice."""
     for vertices, faces in mesh.torus(100), mesh.torus(36):
         vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
-        left = np.asarray(heap(impl, vertices, faces, 0)[1])
+        left = heap(impl, vertices, faces, 0)[1]
         assert_equal("none left" if len(left) == 0 else "some left", "some left")
         assert_equal("as many faces as before" if len(left) == len(faces) else "fewer", "fewer")
         assert_equal(euler(left), 0)
@@ -84,7 +84,7 @@ def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
 def test_it_ends_with_a_tetrahedron(impl, rng):
     """The target cannot be reached: an endless loop, or nothing is left."""
     vertices, faces = bumpy(20, rng)
-    left = np.asarray(heap(impl, vertices, faces, 0)[1])
+    left = heap(impl, vertices, faces, 0)[1]
     assert_equal((len(left), len(np.unique(left))), (4, 4))
 
 
@@ -155,7 +155,6 @@ def test_an_open_surface_keeps_its_boundary(impl, rng):
             boundary[[a, b]] += 100 * outer(np.append(n, -n @ vertices[a]))
     for face_count in 40, 0:
         place, left, _ = impl.simplify_heap(vertices, faces, boundary, edges_of(faces), face_count)
-        left = np.asarray(left)
         assert_equal("none left" if len(left) == 0 else "some left", "some left")
         assert_equal(euler(left), 0)                    # a disc with one hole
         sides = np.sort(left[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2))
@@ -168,7 +167,7 @@ def test_an_open_surface_keeps_its_boundary(impl, rng):
             # A collapse takes two faces, at the boundary one: the last may take one too many.
             enough = face_count - 1 <= len(left) <= face_count
             assert_equal("40 or 39 faces" if enough else f"{len(left)} faces", "40 or 39 faces")
-            corners = np.asarray(place)[np.unique(left), :2]
+            corners = place[np.unique(left), :2]
             for corner in itertools.product((0, 6), (0, 6)):
                 near = (np.abs(corners - corner).max(1) < 0.1).any()
                 assert_equal(f"corner {corner} {'stays' if near else 'is lost'}",

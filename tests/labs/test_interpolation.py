@@ -319,9 +319,9 @@ def test_the_rows_make_the_matrix(impl, rng):
     for row, face in enumerate(face_index.ravel()):
         entries = slice(start[row], start[row + 1])
         expected = faces[face] if face >= 0 else np.zeros(0, int)
-        assert_equal(np.asarray(vertex)[entries], expected)
+        assert_equal(vertex[entries], expected)
         expected = weights.reshape(-1, 3)[row] if face >= 0 else np.zeros(0)
-        assert_close(np.asarray(weight)[entries], expected)
+        assert_close(weight[entries], expected)
 
 
 @exercise("5.11")
@@ -390,7 +390,7 @@ def test_gradients_are_those_of_nvdiffrast(impl, scene):
         of["grad_output"], of["attributes"], of["faces"], of["face_index"], of["weights"])
     given = f"scene {scene} of tests/golden/interpolate.npz"
     assert_close(grad_attributes, of["grad_attributes"], given, rtol=0, atol=3e-5)
-    assert_close(by_uv(np.asarray(grad_weights)), of["grad_uv"], given, rtol=0, atol=3e-6)
+    assert_close(by_uv(grad_weights), of["grad_uv"], given, rtol=0, atol=3e-6)
 
 
 # --- footprints --------------------------------------------------------------------------------
@@ -470,5 +470,5 @@ def test_gradients_of_derivatives_are_those_of_nvdiffrast(impl, scene):
     given = f"scene {scene} of tests/golden/interpolate.npz"
     added = of["grad_attributes_both"] - of["grad_attributes"]
     assert_close(grad_attributes, added[:, chosen], given, rtol=0, atol=3e-5)
-    assert_close(by_uv(np.asarray(grad_derivatives)), of["grad_derivatives"], given, rtol=0,
+    assert_close(by_uv(grad_derivatives), of["grad_derivatives"], given, rtol=0,
                  atol=3e-6)

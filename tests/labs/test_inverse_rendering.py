@@ -152,7 +152,7 @@ def test_products_are_those_of_matrices(impl, rng):
 def test_products_of_many(impl, rng):
     """Right for one pair alone; or shapes do not broadcast."""
     p, q = rng.normal(size=(5, 1, 4)), rng.normal(size=(2, 1, 3, 4))
-    got = np.asarray(impl.quaternion_product(p, q))
+    got = impl.quaternion_product(p, q)
     assert_equal(got.shape, (2, 5, 3, 4))
     assert_close(as_complex(got), as_complex(p) @ as_complex(q))
 
@@ -166,9 +166,9 @@ def test_quarter_rotations_on_paper(impl):
     about_y = impl.quaternion_matrix(np.array([1.0, 0.0, 1.0, 0.0]))
     about_z = impl.quaternion_matrix(np.array([1.0, 0.0, 0.0, 1.0]))
     point = np.array([2.0, 3.0, 5.0, 1.0])
-    assert_close(np.asarray(about_x) @ point, np.array([2.0, -5.0, 3.0, 1.0]))
-    assert_close(np.asarray(about_y) @ point, np.array([5.0, 3.0, -2.0, 1.0]))
-    assert_close(np.asarray(about_z) @ point, np.array([-3.0, 2.0, 5.0, 1.0]))
+    assert_close(about_x @ point, np.array([2.0, -5.0, 3.0, 1.0]))
+    assert_close(about_y @ point, np.array([5.0, 3.0, -2.0, 1.0]))
+    assert_close(about_z @ point, np.array([-3.0, 2.0, 5.0, 1.0]))
 
 
 @exercise("9.5")
@@ -220,7 +220,7 @@ def test_the_gradient_of_a_rotation_is_central_differences(impl, rng, length):
 def test_a_longer_q_is_the_same_rotation(impl, rng):
     """The gradient has a share along q; or the constant row and column have one."""
     q, grad_matrix = rng.normal(size=4), rng.normal(size=(4, 4))
-    got = np.asarray(impl.quaternion_matrix_backward(grad_matrix, q))
+    got = impl.quaternion_matrix_backward(grad_matrix, q)
     assert_close(got @ q, 0.0)
     constant = grad_matrix.copy()
     constant[3], constant[:, 3] = 9.0, -9.0

@@ -16,7 +16,7 @@ each_case = pytest.mark.parametrize("inside", CASES, ids=NAMES)
 
 def middles(corners, pairs):
     """The middle of each pair (..., 2) of corners (4, 3)."""
-    return corners[np.asarray(pairs)].mean(-2)
+    return corners[pairs].mean(-2)
 
 
 def turned(rng):
@@ -31,14 +31,14 @@ def around(triangles):
     """The edges of triangles that have no counterpart, each as (from, to), two pairs of vertices.
     """
     edges = [(tuple(map(int, t[k])), tuple(map(int, t[(k + 1) % 3])))
-             for t in np.asarray(triangles) for k in range(3)]
+             for t in triangles for k in range(3)]
     return sorted(edge for edge in edges if edge[::-1] not in edges)
 
 
 @exercise("15.10")
 def test_one_vertex_inside_is_one_triangle(impl):
     """The winding, or the order within a pair; vertex 0 of the unit tetrahedron is inside."""
-    triangles = np.asarray(impl.tetrahedron_triangles(np.array([True, False, False, False])))
+    triangles = impl.tetrahedron_triangles(np.array([True, False, False, False]))
     assert_equal(triangles.shape, (1, 3, 2))
     assert_equal(around(triangles), [((0, 1), (0, 2)), ((0, 2), (0, 3)), ((0, 3), (0, 1))])
 
@@ -47,14 +47,14 @@ def test_one_vertex_inside_is_one_triangle(impl):
 def test_nothing_or_all_inside_is_no_triangle(impl):
     """Shapes of empty arrays; or a surface where there is none."""
     for inside in np.zeros(4, bool), np.ones(4, bool):
-        assert_equal(np.asarray(impl.tetrahedron_triangles(inside)).shape, (0, 3, 2))
+        assert_equal(impl.tetrahedron_triangles(inside).shape, (0, 3, 2))
 
 
 @exercise("15.10")
 @each_case
 def test_corners_lie_on_the_crossed_edges(impl, inside):
     """A pair of vertices on one side, the outside vertex first, or a corner is left out."""
-    triangles = np.asarray(impl.tetrahedron_triangles(np.array(inside))).reshape(-1, 2)
+    triangles = impl.tetrahedron_triangles(np.array(inside)).reshape(-1, 2)
     crossed = {(a, b) for a in range(4) for b in range(4) if inside[a] and not inside[b]}
     assert_equal(sorted(set(map(tuple, triangles.tolist()))), sorted(crossed))
     assert_equal(len(triangles), {3: 3, 4: 6}[len(crossed)])
@@ -76,7 +76,7 @@ def test_the_border_goes_round_once_from_face_to_face(impl, inside):
 @each_case
 def test_the_front_faces_the_outside(impl, rng, inside):
     """A case is wound the wrong way: those of odd permutations, or of three vertices inside."""
-    triangles = np.asarray(impl.tetrahedron_triangles(np.array(inside)))
+    triangles = impl.tetrahedron_triangles(np.array(inside))
     for corners in CORNERS, turned(rng), turned(rng):
         for a, b, c in middles(corners, triangles):
             normal = np.cross(b - a, c - a)
@@ -237,7 +237,7 @@ def test_many_points_do_not_get_mixed_up(impl):
     _, faces, ends = impl.marching_tetrahedra(points, distance, tetrahedra)
     assert_equal(ends, np.array([[1, 0], [1, 4], [1, 69_997], [69_999, 2], [69_999, 3],
                                  [69_999, 69_998]]))
-    assert_equal(sorted(map(sorted, np.asarray(faces).tolist())), [[0, 1, 2], [3, 4, 5]])
+    assert_equal(sorted(map(sorted, faces.tolist())), [[0, 1, 2], [3, 4, 5]])
 
 
 @exercise("15.13", fine_print=True)

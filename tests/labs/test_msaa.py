@@ -39,14 +39,14 @@ def test_every_row_and_every_column_holds_one_sample(impl, count, step):
     """The remainder by S instead of S + 1: rows are empty or used twice."""
     pattern = impl.lattice(count, step)
     each = (np.arange(count) + 0.5) / count
-    assert_close(np.asarray(pattern)[:, 0], each)
-    assert_close(np.sort(np.asarray(pattern)[:, 1]), each)
+    assert_close(pattern[:, 0], each)
+    assert_close(np.sort(pattern[:, 1]), each)
 
 
 @exercise("4.2")
 def test_the_rotated_grid_is_a_square_turned(impl):
     """Another pattern with one sample on each row and column: a diagonal, or a zigzag."""
-    p = np.asarray(impl.lattice(4, 2))
+    p = impl.lattice(4, 2)
     sides = p[[2, 3, 1, 0]] - p[[0, 2, 3, 1]]
     assert_close(np.hypot(*sides.T), np.full(4, np.sqrt(5) / 4))
     assert_close(sides[0] @ sides[1], 0.0)
@@ -67,7 +67,7 @@ def test_all_vertices_move_alike_on_screen(impl, rng, sign):
     """The step is added in clip space without w, or with |w|: far vertices move less."""
     clip = sign * rng.uniform([-2, -2, -1, 0.3], [2, 2, 1, 3], (50, 4))
     offset, width, height = np.array([0.9, 0.2]), 11, 7
-    moved = np.asarray(impl.centre_sample(clip, offset, width, height))
+    moved = impl.centre_sample(clip, offset, width, height)
     step = (moved[:, :2] / moved[:, 3:] - clip[:, :2] / clip[:, 3:]) * [width / 2, height / 2]
     assert_close(step, np.tile(0.5 - offset, (50, 1)), rtol=1e-7)
     assert_equal(moved[:, 2:], clip[:, 2:])
@@ -163,14 +163,14 @@ def assert_requests(got, face_index):
     pairs = {(i * width + j, int(face_index[s, i, j])) for s, i, j in np.argwhere(face_index >= 0)}
     assert_equal(np.shape(pixel), (len(pairs),), given=face_index)
     assert_equal(np.shape(face), (len(pairs),), given=face_index)
-    assert_equal(np.asarray(request) < 0, face_index < 0, given=face_index)
+    assert_equal(request < 0, face_index < 0, given=face_index)
     seen = face_index >= 0
-    used = np.asarray(request)[seen]
+    used = request[seen]
     assert_equal(np.sort(np.unique(used)), np.arange(len(pairs)), given=face_index)
     own = np.broadcast_to(np.arange(height * width).reshape(height, width), face_index.shape)
-    assert_equal(np.asarray(pixel)[used], own[seen], given=face_index)
-    assert_equal(np.asarray(face)[used], face_index[seen], given=face_index)
-    assert_equal(np.asarray(request)[~seen], np.full((~seen).sum(), -1), given=face_index)
+    assert_equal(pixel[used], own[seen], given=face_index)
+    assert_equal(face[used], face_index[seen], given=face_index)
+    assert_equal(request[~seen], np.full((~seen).sum(), -1), given=face_index)
 
 
 REQUESTS = pytest.mark.parametrize("name", [
@@ -182,7 +182,7 @@ REQUESTS = pytest.mark.parametrize("name", [
 def test_the_pairs_on_paper(impl, name):
     """Pixels are row * H + column, face 0 or pixel 0 is forgotten, or the background is a pair."""
     pixel, face, _ = getattr(impl, name)(FACE_INDEX)
-    assert_equal(sorted(zip(np.asarray(pixel).tolist(), np.asarray(face).tolist(), strict=True)),
+    assert_equal(sorted(zip(pixel.tolist(), face.tolist(), strict=True)),
                  PAIRS)
 
 

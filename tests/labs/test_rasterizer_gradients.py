@@ -39,7 +39,7 @@ def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
     """Edge k is not the one opposite to vertex k, or runs the other way."""
     x, y = triangle = rng.uniform(0, 9, (2, 3))
     corners = np.stack([*triangle, np.ones(3)])
-    e = np.asarray(impl.edge_functions(corners)) @ np.array([4.0, 5.0, 1.0])
+    e = impl.edge_functions(corners) @ np.array([4.0, 5.0, 1.0])
     for k, (i, j) in enumerate([(1, 2), (2, 0), (0, 1)]):
         expected = (y[i] - y[j]) * (4.0 - x[i]) + (x[j] - x[i]) * (5.0 - y[i])
         assert_close(e[k], expected, atol=1e-9)
@@ -49,7 +49,7 @@ def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
 def test_they_are_the_inverse_times_the_determinant(impl, rng):
     """Right for one face alone, or for F = 3; or each row is divided by something."""
     corners = corners_of(rng, 5)
-    got = np.asarray(impl.edge_functions(corners))
+    got = impl.edge_functions(corners)
     assert_equal(got.shape, (3, 3, 5))
     for face in range(5):
         m = corners[..., face]
@@ -132,7 +132,7 @@ def test_a_plane_on_paper(impl):
 def test_a_plane_has_the_depth_of_its_corners(impl, rng):
     """z is divided by w first, or a face gets another one's plane: planes . q_k = z_k."""
     corners, z = corners_of(rng, 5), rng.normal(size=(3, 5))
-    planes = np.asarray(impl.depth_planes(z, corners))
+    planes = impl.depth_planes(z, corners)
     assert_close(np.einsum("if,ikf->kf", planes, corners), z)
 
 

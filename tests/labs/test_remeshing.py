@@ -30,7 +30,7 @@ def test_an_edge_is_delaunay_if_no_circle_holds_the_fourth_point(impl, rng):
     a, b, c, _ = corners.swapaxes(0, 1)
     winding = np.cross(b - a, c - a)[:, 2]
     clear = np.abs(inside) > 1e-6
-    gain = np.asarray(impl.delaunay_gain(corners))
+    gain = impl.delaunay_gain(corners)
     assert_equal(gain[clear] > 0, (inside * winding > 0)[clear])
 
 

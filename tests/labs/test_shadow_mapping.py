@@ -151,7 +151,7 @@ def test_where_the_light_sees_nothing_the_distance_is_infinite(impl, light):
     """NaN, -inf, or a number from the far plane."""
     got = impl.distance_of_depth(np.array([[np.inf, 0.0], [np.inf, np.inf]]), light)
     assert_equal(np.isinf(got), np.array([[True, False], [True, True]]))
-    assert_equal(bool((np.asarray(got) > 0).all()), True)
+    assert_equal(bool((got > 0).all()), True)
 
 
 MAP = np.array([[1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0, np.inf], [9.0, 10.0, 11.0, 12.0]])
@@ -248,7 +248,7 @@ def test_the_bias_on_paper(impl):
 def test_a_plane_does_not_shadow_itself(impl, rng):
     """With factor 1 the bias is too small, or half as large again as it has to be."""
     slope = rng.normal(size=(50, 2))
-    got = np.asarray(impl.slope_scaled_bias(slope, 0.0, 1.0, np.inf))
+    got = impl.slope_scaled_bias(slope, 0.0, 1.0, np.inf)
     corner = np.array([[-0.5, -0.5], [-0.5, 0.5], [0.5, -0.5], [0.5, 0.5]])
     worst = (slope @ corner.T).max(1)
     assert_close(got, worst)

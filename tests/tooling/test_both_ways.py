@@ -15,7 +15,7 @@ EXERCISES = {exercise.number: (topic, exercise.name)
 
 @pytest.fixture(scope="module")
 def board(tmp_path_factory, run_module, pytestconfig):
-    """The board of the reference's own skeleton, extras open: (what was printed, {number: its entry})."""
+    """The board of the reference's skeleton, extras open: (what it printed, {number: entry})."""
     folder = tmp_path_factory.mktemp("skeleton")
     for topic in exercises.topics():
         text = skeleton(exercises.read(exercises.reference(topic)), extra=True)

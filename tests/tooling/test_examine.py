@@ -1,5 +1,6 @@
 """The course's own labs, graded."""
 import pytest
+from other_forms import in_other_forms
 
 from course import exercises
 from course.grading import grade, sandbox, submissions
@@ -22,3 +23,12 @@ def test_the_reference_gets_all_points(topic, level):
     failing = {entry["number"]: entry["checks"] for entry in result["board"]["exercises"]
                if entry["verdict"] != "done"}
     assert failing == {}
+
+
+@pytest.mark.parametrize("topic", ["rasterization", "mipmapping", "implicit_surfaces"])
+def test_graders_take_numbers_in_every_form(topic, level):
+    """What `check` accepts, `grade` refuses: a list does not survive the way, or a warning does."""
+    result, _ = grade.examine(Job({topic: in_other_forms(topic)}, {}, level)._asdict())
+    failing = {entry["number"]: entry["checks"] for entry in result["board"]["exercises"]
+               if entry["verdict"] != "done"}
+    assert (result["problem"], failing) == (None, {})

@@ -278,7 +278,7 @@ def test_a_wrong_gradient_of_the_product_fails_and_its_mistake_is_named(rng, wro
     """The mistake passes, or the message blames another input or another mistake."""
     message = failure(product, wrong, matrices(rng, 3, 3, 3))
     assert re.search(told, message, re.MULTILINE), message
-    assert message.count("by input") == 1
+    assert message.count("with respect to input") == 1
 
 
 def test_the_sum_for_the_mean_fails(rng):
@@ -294,7 +294,7 @@ def test_a_forgotten_term_fails_and_no_pattern_is_made_up(rng):
         return g * (x * y + np.cos(x)), g * x**2
 
     message = failure(lambda x, y: x**2 * y + np.sin(x), backward, tuple(rng.normal(size=(2, 6))))
-    assert re.search(r"by input 0 \(x\): 6 of 6 looked at are off$", message, re.MULTILINE)
+    assert re.search(r"to input 0 \(x\): 6 of 6 looked at are off$", message, re.MULTILINE)
 
 
 @pytest.mark.parametrize("forward, x", [(np.square, 3.0), (np.floor, np.array([0.4, 0.7]))])
@@ -369,17 +369,17 @@ def test_an_empty_input_fails():
 
 @pytest.mark.parametrize("wrong, sentence", [
     (lambda g, a, b: (g @ b.T, (a.T @ g)[:2]),
-     "the gradient by input 1 (b) must have that input's shape (4, 3); it has (2, 3)"),
+     "the gradient with respect to input 1 (b) must have that input's shape (4, 3); it has (2, 3)"),
     (lambda g, a, b: (g @ b.T, a.T @ g, g),
-     "backward must return 2 gradients, by input 0 (a), input 1 (b); it returned 3"),
+     "backward must return 2 gradients, with respect to input 0 (a), input 1 (b); it returned 3"),
     (lambda g, a, b: g @ b.T,
-     "backward must return 2 gradients, by input 0 (a), input 1 (b); it returned 1"),
+     "backward must return 2 gradients, with respect to input 0 (a), input 1 (b); it returned 1"),
     (lambda g, a, b: (g @ b.T, np.nan * b), "backward returned NaN or infinity"),
     (lambda g, a, b: (g @ b.T, None), "backward returned NaN or infinity"),
     (lambda g, a, b: None, "backward returned None; is its return statement missing?"),
     (lambda g, a, b: ("a", "b"), "backward must return an array of numbers"),
-    (lambda g, a, b: (a.__imul__(2), b), "backward changed its argument 1 in place"),
-    (lambda g, a, b: (g.__imul__(2) @ b.T, b), "backward changed its argument 0 in place"),
+    (lambda g, a, b: (a.__imul__(2), b), "backward changed its argument 1"),
+    (lambda g, a, b: (g.__imul__(2) @ b.T, b), "backward changed its argument 0"),
 ], ids=["shape", "too many", "too few", "NaN", "None in a tuple", "None", "text",
         "changes an input", "changes grad_output"])
 def test_what_is_no_gradient_fails_with_its_own_sentence(rng, wrong, sentence):
@@ -389,7 +389,7 @@ def test_what_is_no_gradient_fails_with_its_own_sentence(rng, wrong, sentence):
 
 
 @pytest.mark.parametrize("wrong, sentence", [
-    (lambda x: x.__imul__(2), "forward changed its argument 0 in place; work on a copy of it"),
+    (lambda x: x.__imul__(2), "forward changed its argument 0: let it work on a copy"),
     (lambda x: x / 0, "forward returned NaN or infinity")], ids=["changes its input", "not finite"])
 @pytest.mark.filterwarnings("ignore:divide by zero")
 def test_a_forward_that_cannot_be_checked_fails_with_its_own_sentence(wrong, sentence):
@@ -495,7 +495,7 @@ def test_the_message_says_what_where_and_how_much():
     message = failure(lambda image: image**2, lambda g, image: wrong, (x,), seed=5, name="square")
     assert message.splitlines() == [
         "square: wrong gradient (seed 5, 0 of 9 numbers left out)",
-        "  by input 0 (image): 1 of 6 looked at are off",
+        "  with respect to input 0 (image): 1 of 6 looked at are off",
         f"    at [1, 1]: analytic {wrong[1, 1]:.10g}, numeric {right[1, 1]:.10g}, "
         "relative error 0.33 (at most 1e-06)",
         "  picture: square.png"]
@@ -505,7 +505,7 @@ def test_inputs_without_names_are_told_by_position(rng):
     """A forward pass that takes *inputs cannot be checked, or is given a wrong name."""
     message = failure(lambda *inputs: product(*inputs), lambda g, a, b: (g @ b.T, -a.T @ g),
                       matrices(rng))
-    assert "by input 1: " in message
+    assert "with respect to input 1: " in message
 
 
 @pytest.mark.parametrize("shape", [(), (5,), (4, 3), (4, 5, 3), (30, 40)], ids=str)

@@ -6,8 +6,10 @@ vectors, some lists for arrays. To see what one of them is told:
     python3 -m course check 2.3 --impl tests/other_solutions
 """
 import ast
+import shutil
 
 import pytest
+from other_forms import in_other_forms
 
 from course import exercises
 from course.given import places
@@ -43,41 +45,12 @@ def test_every_exercise_has_an_answer_that_is_not_the_references(topic):
         assert other[exercise.name] != right[exercise.name], exercise.name
 
 
-ANOTHER_FORM = '''
-import functools
-
-import numpy as np
-
-
-def form(returned):
-    """Columns one after the other and no writing, short integers; numbers as Python has them."""
-    if isinstance(returned, tuple | str):
-        return tuple(map(form, returned)) if isinstance(returned, tuple) else returned
-    array = np.asarray(returned)
-    array = array.astype(np.int32) if array.dtype.kind == "i" else array
-    array = array.copy(order="F")
-    array.flags.writeable = False
-    return array if array.ndim else array.item()
-
-
-def formed(function):
-    return functools.wraps(function)(lambda *args, **named: form(function(*args, **named)))
-
-
-for name in {names!r}:
-    globals()[name] = formed(globals()[name])
-'''
-
-
 @pytest.mark.parametrize("topic", exercises.asking_topics())
-def test_neither_its_form_nor_the_seed_matters(run_module, tmp_path, topic):
-    """A check takes C order, int64, NumPy's numbers or an array that it can write for granted; or
-    it passes with the numbers of one seed only, and a class may be graded with any."""
-    names = [exercise.name for exercise in exercises.topic_exercises(topic)]
-    for path in (places.ROOT / "reference").glob("*.py"):
-        (tmp_path / path.name).write_text(path.read_text(encoding="utf-8"), encoding="utf-8")
-    with (tmp_path / f"{topic}.py").open("a", encoding="utf-8") as file:
-        file.write(ANOTHER_FORM.replace("{names!r}", repr(names)))
+def test_neither_form_nor_warnings_nor_the_seed_matter(run_module, tmp_path, topic):
+    """A check refuses a list, or takes int64 and C order for granted; it fails on a warning; or it
+    passes with the numbers of one seed only, and a class may be graded with any."""
+    shutil.copytree(places.ROOT / "reference", tmp_path, dirs_exist_ok=True)
+    (tmp_path / f"{topic}.py").write_text(in_other_forms(topic), encoding="utf-8")
     done = run_module(places.ROOT, "course", "check", topic, "--impl", tmp_path, "--seed", 1,
                       "--extra", seconds=300)
     assert_whole(done)

@@ -1,6 +1,6 @@
 """Runs the checks of the course in this folder, and writes result.json as Classroom 50 wants it.
 
-For Classroom 50, this file is autograder.py of the assignment; a workflow can run it as well. The
+For Classroom 50, this file is autograder.py of the assignment. A workflow can run it as well. The
 code that is checked runs in the same process as its checks, so this is for feedback: marks that
 count come from `python3 -m course grade`.
 """
