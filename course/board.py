@@ -255,7 +255,8 @@ def next_to_do(entries, code, implementation, seed):
     topic, exercise, verdict, found = entry
     wrong = [check for check in found if check.verdict != "passed"]
     wrong.sort(key=lambda check: (check.fine_print, check.verdict != "failed"))
-    lines = [f"Next: {exercise.number} {exercise.name}, {entry.told}"]
+    lines = [f"Left: the fine print of {exercise.number} {exercise.name}" if verdict == "done" else
+             f"Next: {exercise.number} {exercise.name}, {verdict}"]
     if verdict == "failing" and found:
         lines = [f"{lines[0]} in {len(wrong)} of {plural(len(found), 'check')}"]
     if not found:

@@ -65,6 +65,9 @@ def main(argv=None):
         return asked.command(asked)
     except KeyboardInterrupt:
         return 130
+    except BrokenPipeError:  # whoever reads along has seen enough, as in: check | head
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
     except (OSError, ValueError, NotImplementedError) as error:
         if not can_be_mended(error):
             raise

@@ -3,7 +3,7 @@
 Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j + 0.5, i + 0.5).
 
     e(p) = det [x y 1; a_x a_y 1; b_x b_y 1] = n . (p - a),   n = (a_y - b_y, b_x - a_x)     (1)
-    covered  <=>  every e_k > 0, or e_k = 0 on an edge that the top-left rule owns           (2)
+    covered  <=>  every e_k > 0, or e_k = 0 where edge k is a top-left edge                  (2)
     l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
     depth = z_0 + l_1 (z_1 - z_0) + l_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
     b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     weights on the face in space         (5)
@@ -34,9 +34,9 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points)
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)
 
-    Fine print. Two faces walk the edge that they share in opposite directions. The picture has no
-    holes if their values are exact opposites, and exactly 0 at both ends. Measure p from the same
-    end in both, say from the one with the smaller x.
+    Fine print. Let edge_function(p, b, a) be -edge_function(p, a, b) to the last bit, and e exactly
+    0 at both ends. Then neighbours, which walk their edge in opposite directions, leave no hole. So
+    measure p from the same end in both, say from the one with the smaller x.
     """
     raise NotImplementedError("exercise 2.1: edge_function")
 
@@ -78,7 +78,7 @@ def is_inside(p, triangle):  # extra 2.4 (2 points)
 
 
 def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
-    """Top-left rule: does an edge own the samples that lie exactly on it?
+    """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
     points right) and for horizontal edges below their face (n points up).
@@ -170,11 +170,12 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
     return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
-def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (5 points)
+def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points)
     """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
-    seen. Both sides of a face count, and depths (4) from -1 to 1.
+    seen. Turn clockwise faces round. Draw depths (4) from -1 to 1.
+    To look at yours: `python3 -m course demo --impl labs bunny`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)

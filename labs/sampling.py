@@ -30,7 +30,7 @@ def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
     >>> alias_frequency(np.array([1.0, 9.0, 10.0, 13.0]), 10.0)
     array([ 1., -1.,  0.,  3.])
 
-    Fine print. Half the rate is its own mirror image. Eq. (1) counts it as negative.
+    Fine print. r/2 and -r/2 have the same samples. Eq. (1) gives -r/2.
     """
     raise NotImplementedError("exercise 3.1: alias_frequency")
 
@@ -94,7 +94,7 @@ def band_pass(picture, low, high):  # extra 3.6 (2 points)
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
-    h and w are odd, and the kernel's middle is g_0.
+    h and w are odd, and kernel[h // 2, w // 2] is g_0.
 
     >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
     array([[3., 0., 1., 2.]])
@@ -132,8 +132,8 @@ def box_spectrum(width, n):  # extra 3.9 (2 points)
     return np.concatenate([[1.0], np.sin(np.pi * width * f) / (width * np.sin(np.pi * f))])
 
 
-def sampled_spectrum(spectrum, step):  # exercise 3.10 (3 points)
-    """Eq. (6) along both axes: the spectrum of picture[::step, ::step].
+def sampled_spectrum(spectrum, step):  # exercise 3.10 (4 points)
+    """Eq. (6) along y and along x: the spectrum of picture[::step, ::step].
 
     spectrum (H, W), any complex numbers -> (H / step, W / step). step divides H and W.
 
@@ -175,8 +175,8 @@ def sample_then_blur(picture, step, width=3):
     return convolve(picture[::step, ::step], box(width))
 
 
-def clip_polygon(polygon, a, b, c):  # exercise 3.12 (3 points)
-    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2). N, M may be 0.
+def clip_polygon(polygon, a, b, c):  # exercise 3.12 (4 points)
+    """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), perhaps (0, 2).
 
     From the first vertex on: each one inside stays, and an edge that crosses the line adds its
     crossing.
@@ -201,7 +201,7 @@ def polygon_area(polygon):
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
-def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (2 points)
+def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (3 points)
     """Backward of eq. (8): grad_area (...), polygon (..., N, 2) -> grad_polygon (..., N, 2).
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])

@@ -78,7 +78,7 @@ def scale(factors):
 def rotate(axis, angle):  # exercise 1.6 (2 points)
     """Eq. (3), Rodrigues: the matrix (4, 4) that turns points by an angle about an axis (3,).
 
-    R is its upper left 3 x 3.
+    R is its upper left 3 x 3. n n^T is the outer product of n with itself.
 
     >>> rotate(np.array([0.0, 0.0, 2.0]), np.pi / 2).round(3) @ np.array([1.0, 0.0, 0.0, 1.0])
     array([0., 1., 0., 1.])

@@ -1,6 +1,6 @@
 """How long a lab takes: its lecture is read, then its core exercises are solved.
 
-    hours = words of the lecture / 150 a minute + 1 minute a figure + 5 minutes a point of the core
+    hours = words of the lecture / 100 a minute + 1 minute a figure + 5 minutes a point of the core
 
 Nobody measured these three numbers on a class: change them here when somebody has. README.md and
 notebook 00 print what comes out. A test tells when they are behind. This command updates them:
@@ -15,7 +15,7 @@ from ..given import places
 
 PRINTED = places.ROOT / "README.md", places.ROOT / "notebooks" / "00_start_here.ipynb"
 
-WORDS_A_MINUTE = 150
+WORDS_A_MINUTE = 100
 MINUTES_A_FIGURE = 1
 MINUTES_A_POINT = 5
 

@@ -131,7 +131,7 @@ def test_the_question_gives_the_points_and_the_fine_print_is_told(course):
     board = run("check", "--json", "board.json")
     assert "2 of 2" in board and "1.1 double 2 points done, fine print open" in board
     assert "All that was asked for is done, 2 of 2 points" in board
-    assert "Next: 1.1 double, done, fine print open claim Nothing stays nothing (fine print)" in (
+    assert "Left: the fine print of 1.1 double claim Nothing stays nothing (fine print)" in (
         board)
     [entry] = json.loads((root / "board.json").read_text())["exercises"]
     assert (entry["verdict"], entry["told"]) == ("done", "done, fine print open")

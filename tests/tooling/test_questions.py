@@ -7,14 +7,15 @@ import pytest
 
 from course import exercises
 from course.given import places
-from course.upkeep import mutants
+from course.upkeep import hours, mutants
 
 LITERAL = places.ROOT / "tests" / "literal"
 
 
 def words(text):
-    """How many words a reader has to take in; examples are looked at, not read."""
-    return len(re.sub(r"^ *>>>.*(?:\n.*\S.*)*", "", text, flags=re.M).split())
+    """How many words a reader has to take in: a shape is one, and examples are looked at."""
+    text = re.sub(r"^ *>>>.*(?:\n.*\S.*)*", "", text, flags=re.M)
+    return len(re.sub(r"\([^()]*,[^()]*\)|->", lambda part: "s" * (part[0] != "->"), text).split())
 
 
 def core(topic):
@@ -30,6 +31,14 @@ def questions():
     texts = [(exercise.number, *docstring(topic, exercise).partition("Fine print.")[::2])
              for topic in exercises.topics() for exercise in core(topic)]
     return [(number, words(question), words(fine)) for number, question, fine in texts]
+
+
+def test_the_core_can_be_finished():
+    """A lab takes longer than an evening, or the course longer than a term has."""
+    labs = range(1, len(exercises.LABS) + 1)
+    assert all(5 <= len(hours.core(lab)) <= 8 and hours.hours(lab) <= 2.5 for lab in labs)
+    assert sum(len(hours.core(lab)) for lab in labs) <= 110
+    assert sum(map(hours.hours, labs)) <= 40
 
 
 def test_questions_are_short():
