@@ -47,6 +47,9 @@ body, then see what is right and what is next:
     python3 -m course demo                   pictures, with your code
     python3 -m course open {lab:18}empties a lab's extras, which come complete
 
+The questions of the core give the points. What stands below `Fine print.` and the extras are worth
+your while, and give none unless your teacher says so.
+
 {labs}
 
 Stuck? `check` with an exercise's number shows the first claim that fails, and the call that fails
