@@ -72,7 +72,7 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
     Console().print(table(board, () if target in asked else closed))
     print("", *problems, *broken.values(), sep="\n")
     if all_is_done:
-        print(all_done(board, labs))
+        print(all_done(board, target))
     if not broken and any(entry.told != "done" for entry in board):
         print(next_to_do(everything, code, implementation, seed))
     if pictures:
@@ -330,17 +330,18 @@ def open_pictures(board, seed):
     webbrowser.open(file.as_uri())
 
 
-def all_done(board, labs):
+def all_done(board, target):
+    """The points, and what comes next: another lab, or the rest of this one."""
     reached, of = points(board)
-    topic, last = board[-1].topic, board[-1].exercise
-    rest = [exercise for exercise in labs[topic][labs[topic].index(last) + 1:]
-            if not exercise.is_extra]
+    lab = exercises.lab_number(board[-1].topic)
     later = [number for number in map(exercises.lab_number, exercises.asking_topics())
-             if number > exercises.lab_number(topic)]
-    coming = ([f"{exercise.number} {exercise.name}" for exercise in rest]
-              + [f"lab {number}, {exercises.LABS[number - 1][0]}" for number in later]
-              + ["python3 -m course check, for the rest"])
-    return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {coming[0]}."
+             if number > lab]
+    coming = "python3 -m course check, for the rest"
+    if target not in (None, str(lab)):
+        coming = f"python3 -m course check {lab}, for the rest of the lab"
+    elif later:
+        coming = f"lab {later[0]}, {exercises.LABS[later[0] - 1][0]}"
+    return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {coming}."
 
 
 def as_json(board):

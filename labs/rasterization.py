@@ -29,7 +29,7 @@ CHUNK = 1 << 14       # rows of numbers in flight at once: they stay in the cach
 def edge_function(p, a, b):  # exercise 2.1 (2 points)
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
-    p, a, b (..., 2), shapes that broadcast -> e (...).
+    p, a, b (..., 2), which broadcast -> e (...).
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)

@@ -86,7 +86,7 @@ def w_of(q, clip_from_light):
 def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
     """Eq. (2): where on the light's map are q (N, 3)? -> x and y in texels (N, 2).
 
-    y goes with q_y, C_11 and height.
+    y = (C_11 q_y / w + 1) height / 2. `w_of` gives w.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> map_position(np.array([[1.0, 0.0, -4.0], [0.0, -0.5, -2.0]]), C, 8, 6)
@@ -155,7 +155,6 @@ def is_lit(distance_map, place, distance, bias):  # exercise 14.7 (1 point)
     """Eq. (3): does light reach these points? -> bool (N,).
 
     distance_map (H, W), place (N, 2), distance, bias (N,). `stored_distance` is given.
-    `python3 -m course demo --impl labs shadow` then draws your own shadow.
 
     >>> distance_map = np.array([[4.0, 9.0]])
     >>> place = np.array([[0.5, 0.0], [0.6, 0.0], [0.7, 0.0], [1.5, 0.0]])

@@ -103,7 +103,7 @@ def rasterize_samples(clip, faces, width, height, pattern):
 
 
 def coverage(face_index):  # exercise 4.4 (1 point)
-    """Eq. (1) with f = 1 on faces, else 0: which fraction of a pixel's samples see a face?
+    """Eq. (1), f = 1 on faces, else 0: which fraction of a pixel's samples see a face?
 
     face_index (S, H, W), -1 for no face -> (H, W).
 

@@ -247,7 +247,7 @@ def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 1
                    weight):
     """Eq. (5) of K views and its gradients: the arrows above, there and back.
 
-    vertices, albedo (V, 3), light (9, 3), targets (K, H, W, 4)
+    vertices, albedo (V, 3), light (9, 3), views: K Targets, targets (K, H, W, 4)
     -> loss, grad_vertices, grad_albedo, grad_light, grad_level.
     `python3 -m course demo --impl labs reconstruct` then runs your own search.
 
@@ -256,7 +256,8 @@ def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 1
     >>> light[0] = 1 / reconstruction.C0
     >>> view = Target(target, pipeline.View(np.eye(4), 1, 1, np.zeros(4)), 1, np.array([[False]]))
     >>> loss, _, grad_albedo, _, _ = there_and_back(
-    ...     vertices, np.array([[0, 1, 2]]), np.full((3, 3), 0.5), light, [view], [target], 1.0)
+    ...     vertices, np.array([[0, 1, 2]]), np.full((3, 3), 0.5), light, (view,), target[None],
+    ...     1.0)
     >>> float(loss), grad_albedo.sum(0).round(6)
     (0.25, array([0.333333, 0.333333, 0.333333]))
     """

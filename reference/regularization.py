@@ -78,7 +78,9 @@ def radius_ratio(triangles):  # extra 13.2 (2 points)
 
 
 def cotangents(triangles):  # exercise 13.3 (2 points)
-    """Eq. (3): the cotangent at each corner of triangles (..., 3, 3) -> (..., 3), by its `sides`.
+    """Eq. (3): the cotangent at each corner of triangles (..., 3, 3) -> (..., 3).
+
+    `sides` gives p and q.
 
     >>> cotangents(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]]))
     array([0. , 2. , 0.5])
@@ -152,8 +154,8 @@ def vertex_areas_backward(grad_areas, triangles, faces):
 def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
-    edges (E, 2), weights (E,), vertex_count V. The entries come in any order. Several at one place
-    are added up.
+    edges (E, 2), weights (E,), vertex_count V. Entries may come in any order. A place may be
+    listed more than once: the matrix adds its values.
 
     >>> rows, columns, values = laplacian_entries(np.array([[0, 2]]), np.array([5.0]), 3)
     >>> scipy.sparse.coo_array((values, (rows, columns)), shape=(3, 3)).toarray()
@@ -241,26 +243,26 @@ def bending_energy_backward(grad_energy, vertices, faces):
 def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (1 point)
     """Eq. (5): smooth x (V, C) by one step s -> x' (V, C).
 
-    edges (E, 2), weights (E,). The mass (V,) is the diagonal of M. `laplacian` gives L.
+    edges (E, 2), weights (E,). mass (V,) is the diagonal of M. `laplacian` gives L.
 
     >>> x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
     >>> smooth_explicit(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5)[:, 0]
     array([2. , 4.5, 7. ])
 
-    Fine print. A vertex of mass 0, say of no edge, stays where it is. `per_mass` sees to that.
+    Fine print. A vertex of mass 0 stays where it is. `per_mass` sees to that.
     """
     return x - step * per_mass(laplacian(edges, weights, len(x)) @ x, mass)
 
 
 def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
-    """Eq. (6) with the parameters of `smooth_explicit`, by one sparse solve -> x' (V, C).
+    """Eq. (6) with the parameters of `smooth_explicit`, by `spsolve` -> x' (V, C).
 
     >>> x, mass = np.array([[0.0], [3.0]]), np.array([1.0, 2.0])
     >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), mass, 2.0)
     array([[1.5 ],
            [2.25]])
 
-    Fine print. A vertex of mass 0 has no edge of a weight other than 0. It stays where it is.
+    Fine print. A vertex of mass 0 stays where it is. Its edges may be taken to have weight 0.
     """
     mass = np.where(mass > 0, mass, 1)  # of no edge: x' = x whatever its mass
     system = scipy.sparse.diags_array(mass) + step * laplacian(edges, weights, len(x))

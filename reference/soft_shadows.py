@@ -84,6 +84,7 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
     """Eq. (7)'s radius: how wide is the soft border, in texels? -> (N,).
 
     distance, blocker (N,). Where nothing blocks, blocker is np.inf.
+    `python3 -m course demo --impl labs shadow` then draws your own shadows, hard and soft.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> penumbra_radius(np.array([4.0, 4.0]), np.array([2.0, np.inf]), 0.5, C, 8)

@@ -109,7 +109,7 @@ def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.17 (2
 def chebyshev_backward(grad_lit, distance, mean, mean_square,  # exercise 14.18 (3 points)
                        least_variance):
     """Backward of eqs. (8) and (9), `chebyshev`: grad_lit (N,) -> grad_distance, grad_mean,
-    grad_mean_square, each (N,).
+    grad_mean_square, each (N,). Where the variance is floored, it is a constant.
 
     >>> E_0, E_1 = np.array([3.0, 3.0]), np.array([12.0, 10.0])                # variances 3 and 2
     >>> grads = chebyshev_backward(np.ones(2), np.array([5.0, 5.0]), E_0, E_1, 2.0)

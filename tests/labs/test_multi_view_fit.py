@@ -29,8 +29,8 @@ def solid():
 
 def two_views():
     targets = np.random.default_rng(5).uniform(0, 1, (2, 7, 8, 4))
-    views = [view_of(camera, target, outside=True) for camera, target in
-             zip((IN_FRONT, FROM_THE_SIDE), targets, strict=True)]
+    views = tuple(view_of(camera, target, outside=True) for camera, target in
+                  zip((IN_FRONT, FROM_THE_SIDE), targets, strict=True))
     return views, targets
 
 
@@ -43,7 +43,7 @@ def test_a_face_that_fills_the_picture_on_paper(impl):
     target = np.tile([1.0, 0.5, 0.0, 0.5], (2, 3, 1))
     loss, grad_vertices, grad_albedo, grad_light, grad_level = impl.there_and_back(
         vertices, np.array([[0, 1, 2]]), np.full((3, 3), 0.5), light,
-        [view_of(np.eye(4), target, outside=True)], target[None], 4.0)
+        (view_of(np.eye(4), target, outside=True),), target[None], 4.0)
     assert_close(loss, 2 / 3 + 1)  # the picture is (2, 0.5, 1, 1)
     assert_close(np.sum(grad_albedo, 0), np.array([8 / 3, 0, 4 / 3]))
     assert_close(np.array(grad_light)[:3] / [[Y0], [Y1], [Y1]],

@@ -66,7 +66,7 @@ def test_every_gradient_is_a_central_difference(filter, boundary):
 
     def backward(grad, *inputs):
         gradients = mipmapping.texture_backward(grad, *inputs, filter, boundary)
-        return [gradients[k] for k in differentiable]
+        return tuple(gradients[k] for k in differentiable)
 
     gradcheck(lambda *inputs: mipmapping.texture(*inputs, filter, boundary), backward,
               (image, uv, jacobian, bias), differentiable=differentiable, decisions=decisions,

@@ -224,10 +224,11 @@ def test_the_json_holds_the_board_and_every_check(whole):
 
 
 @pytest.mark.parametrize(("asked", "status", "numbers", "next_line"), [
-    (["1.1"], 0, ["1.1"], "All that was asked for is done, 2 of 2 points. Next: 1.2 half."),
+    (["1.1"], 0, ["1.1"], "All that was asked for is done, 2 of 2 points. "
+     "Next: python3 -m course check 1, for the rest of the lab."),
     (["rasterization"], 0, ["2.1"],
      "All that was asked for is done, 3 of 3 points. "
-     "Next: python3 -m course check, for the rest."),
+     "Next: python3 -m course check 2, for the rest of the lab."),
     (["1.3"], 1, ["1.3"], "Next: 1.2 half, failing in 1 of 2 checks"),
     (["1.4"], 1, ["1.4"], "Next: 1.4 mask, not started"),
     (["1.6"], 1, ["1.6"], "Next: 1.6 unchecked, failing"),
@@ -235,7 +236,8 @@ def test_the_json_holds_the_board_and_every_check(whole):
      "All that was asked for is done, 3 of 3 points. "
      "Next: python3 -m course check, for the rest."),
     (["1.2", "--impl", "reference"], 0, ["1.2"],
-     "All that was asked for is done, 3 of 3 points. Next: 1.3 quarter."),
+     "All that was asked for is done, 3 of 3 points. "
+     "Next: python3 -m course check 1, for the rest of the lab."),
 ], ids=lambda value: " ".join(value) if isinstance(value, list) else "")
 def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, status, numbers,
                                                                next_line):
