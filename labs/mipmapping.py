@@ -120,7 +120,7 @@ def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
     >>> mip_level(jacobian, 16, 16)
     array([3., 0.])
 
-    Fine print. J = 0 has the level -inf. `blend_levels` takes it for 0.
+    Fine print. J = 0 has the level -inf. Leave it so: `blend_levels` takes it for 0.
     """
     raise NotImplementedError("exercise 6.12: mip_level")
 

@@ -78,9 +78,7 @@ def radius_ratio(triangles):  # extra 13.2 (2 points)
 
 
 def cotangents(triangles):  # exercise 13.3 (2 points)
-    """Eq. (3): the cotangent at each corner of triangles (..., 3, 3) -> (..., 3).
-
-    `sides` gives p and q.
+    """Eq. (3) from `sides`: the cotangents at the corners of triangles (..., 3, 3) -> (..., 3).
 
     >>> cotangents(np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]]))
     array([0. , 2. , 0.5])

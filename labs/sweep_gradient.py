@@ -38,10 +38,10 @@ def edge_crossing(a, b, y):  # exercise 10.12 (1 point)
 
 
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 (2 points)
-    """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), minus included,
-    (P, 2). Their sum is g.
+    """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), (P, 2).
 
-    grad_colour, colour, beyond (P, C): dL/dI_j, I_j and I_beyond. way, eps (P,), share (P, 2).
+    The minus is included: their sum over the pixels is g. grad_colour, colour, beyond (P, C):
+    dL/dI_j, I_j and I_beyond. way (P,), eps (P,) with its sign, share (P, 2).
 
     >>> colour, beyond = np.array([[0.0], [0.5]]), np.array([[1.0], [1.0]])
     >>> grad_colour, share = np.array([[-3.0], [2.0]]), np.array([[0.25, 0.75], [0.5, 0.5]])

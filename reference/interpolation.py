@@ -92,8 +92,8 @@ def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
     >>> normalize_backward(np.array([8.0, 0.0, 0.0]), np.array([0.25, 0.25, 0.5]), 4.0)
     array([ 1.5, -0.5, -0.5])
 
-    Fine print. Lab 7 divides by an s that is a little more than the sum. So do not rely on
-    b_0 + b_1 + b_2 = 1.
+    Fine print. In lab 7, s = sum n + a small constant. The rule is the same there, and b sums to
+    less than 1.
     """
     # By eq. (4), dL = sum_k grad_b_k (dn_k - b_k sum_j dn_j) / s. Collect the factors of each
     # dn_k. Every n_k is part of s, so corner k feels what all three weights want.

@@ -50,7 +50,7 @@ def loop_weight(n):  # exercise 11.4 (1 point)
 def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
     """Eqs. (3) and (5), point by point: the old vertices, then the edges of `faces_at_edges`.
 
-    vertices (V, C), faces (F, 3), u (V,) -> (V + E, C). `ring_of` tells who is near.
+    vertices (V, C), faces (F, 3), u (V,) -> (V + E, C). w = 1/8. `ring_of` tells who is near.
 
     Your own smooth mesh: python3 -m course demo --impl labs rounded
 
@@ -87,8 +87,8 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
 def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
     """Eq. (5) as rows of S: the entries (rows, columns, weights) of E rows and V columns.
 
-    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`. Entries come in any order, and
-    those of one place add up. `on_boundary` is given.
+    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`. The entries are three arrays for
+    `as_matrix`, in any order. Those of one place add up. `on_boundary` and `join` are given.
 
     >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
     >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])
@@ -108,8 +108,8 @@ def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
 def loop_faces(faces, corner_edge, vertex_count):  # exercise 11.9 (2 points)
     """Each triangle A B C becomes (A, AB, CA), (AB, B, BC), (CA, BC, C), (AB, BC, CA).
 
-    faces (F, 3), corner_edge (3 F,) of `edges_of` -> (4 F, 3). The new vertex on edge e has the
-    number vertex_count + e.
+    faces (F, 3), corner_edge (3 F,) of `edges_of` -> (4 F, 3), face by face. The new vertex on
+    edge e has the number vertex_count + e.
 
     >>> loop_faces(np.array([[0, 1, 2]]), np.array([0, 2, 1]), 3)
     array([[0, 3, 4],

@@ -122,7 +122,7 @@ def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
     >>> mip_level(jacobian, 16, 16)
     array([3., 0.])
 
-    Fine print. J = 0 has the level -inf. `blend_levels` takes it for 0.
+    Fine print. J = 0 has the level -inf. Leave it so: `blend_levels` takes it for 0.
     """
     s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
     A, B = s_x**2 + t_x**2, s_y**2 + t_y**2

@@ -13,7 +13,7 @@ rasterize finds the face and depth of every sample: face_index (S, H, W), -1 for
 pixel needs one shade for each face that its samples see. Inside a face that is one, not S.
 
 In a lattice each of S columns holds one sample. Each of S rows does, too, if k and S + 1 have no
-common divisor. S = 4 with k = 2 or 3 is known as the rotated grid. A sample sees one face or
+common divisor but 1. S = 4 with k = 2 or 3 is known as the rotated grid. A sample sees one face or
 another, so the vertices have no useful gradient here. The colours have one, `resolve_backward`.
 
 Sources: GAMES101 lecture 6 and homework 2, Lottes 2009 (FXAA), Karis 2014 (TAA).
@@ -230,9 +230,9 @@ def resolve(shade, request, background):  # exercise 4.10 (2 points)
     >>> resolve(shade, np.array([[[0, 0, -1]], [[1, 0, -1]], [[1, 0, -1]]]), background)[..., 0]
     array([[3. , 1. , 0.1]])
 
-    Fine print. A pixel whose samples all have one colour gets it to the last bit, from one request
-    or several: 0.1 + 0.1 + 0.1 is not 3 * 0.1, and a seam would show between two faces. Nearly
-    equal colours are mixed like others. N may be 0: nothing is seen.
+    Fine print. Where all samples of a pixel have one colour, the pixel has exactly this colour,
+    even if it comes from several requests. A sum divided by S would be rounded, and a seam would
+    show between two faces. Nearly equal colours are mixed like others. N may be 0.
     """
     colour = np.concatenate([shade, background[None]])  # row -1 is the background
     used = request.reshape(len(request), -1)

@@ -178,10 +178,10 @@ def pixel_box(screen, width, height):
 
 
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.5 (4 points)
-    """Your picture of a mesh: the nearest of the `front_faces` that `covers` each pixel's centre.
+    """Your picture of a mesh: which face is the nearest that covers each pixel's centre?
 
-    corners (F, 3, 3) -> face_index, weight, depth, as `Maps` has them. Only depths with
-    near < depth < far are seen. Section 1 of the lecture shows the teapot.
+    corners (F, 3, 3) -> face_index, weight, depth, as `Maps` has them. Only `front_faces` with
+    near < depth < far are seen. `on_screen`, `pixel_box` and `covers` are given.
 
     >>> corners = np.array([[[-1.0, -1.0, 2.0], [1.0, -1.0, 2.0], [-1.0, 1.0, 2.0]]])
     >>> face_index, weight, depth = rasterize_loop(corners, 4, 2)

@@ -244,8 +244,8 @@ def collapse_faces(faces, a, b):  # exercise 12.11 (2 points)
 def satisfies_link_condition(faces, a, b):  # exercise 12.12 (3 points)
     """Eq. (8): may the edge between the vertices a and b be collapsed? -> bool
 
-    faces (N, 3): at least all that have a or b. Below, 1 2 3 is the ring around a double pyramid,
-    and must not be pinched.
+    faces (N, 3): at least all that have a or b. Below, 0 and 4 are the tips of a double pyramid. An
+    edge of its ring 1 2 3 must stay.
 
     >>> faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
     >>> satisfies_link_condition(faces, 0, 1), satisfies_link_condition(faces, 1, 2)
@@ -318,12 +318,11 @@ def why_refused(vertices, faces, a, b, position):
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 points)
-    """Down to face_count faces, collapse the cheapest of `mesh.edges` that is not refused, if any.
-    Its lower vertex gets both quadrics.
+    """While there are more than face_count faces, collapse the cheapest of `mesh.edges`, if any.
 
-    vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices, faces.
-
-    Your bunny: python3 -m course demo --impl labs simplified
+    Ask `pair_costs`, and `why_refused`, which is 0 where it may be. The lower vertex gets the place
+    and the sum of both quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4)
+    -> vertices (V, 3), faces. See python3 -m course demo --impl labs simplified
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = mesh_quadrics(vertices, faces)

@@ -175,8 +175,8 @@ def both_sides(faces, textures):
 def face_light(corners, ambient, directional, towards):  # exercise 10.10 (2 points)
     """Eq. (6): the light (F, C) on faces with corners (F, 3, 3) in space.
 
-    A = ambient (C,), D = directional (C,), l = towards (3,) of any length. From the side to which
-    n points, the corners are counter-clockwise.
+    A = ambient (C,), D = directional (C,), l = towards (3,), as it is, without dividing by its
+    length. The corners are counter-clockwise from where the unit normal n points.
 
     >>> corners = np.array([[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]])
     >>> face_light(corners, np.array([0.5, 0.0]), np.array([0.0, 2.0]), np.array([1.0, 0.0, 0.25]))

@@ -28,7 +28,7 @@ def msaa(labs):
     exact, area = by_area(labs, clip, faces, shade, background)
     layers = area > 1 + 1e-9
     exact[layers] = pictures[-1][layers]
-    yield (f"exact areas; of {layers.mean():.1%}, with several layers, the 16x",
+    yield (f"exact areas ({layers.mean():.1%} have several layers: from 16x)",
            save("msaa", "exact", image.to_srgb(exact)))
     ears = np.hstack([image.to_srgb(picture[EARS]) for picture in (*pictures, exact)])
     yield "close up of all four", save("msaa", "close_up", enlarged(ears, 6))

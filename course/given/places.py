@@ -9,6 +9,11 @@ DATA = ROOT / "course" / "given" / "data"
 OUT = "out"  # in ROOT, or the path of another folder
 
 
+def is_handout():
+    """Whether this copy of the course is a student's: one that cannot be handed out again."""
+    return not (ROOT / "course" / "grading" / "handout.py").exists()
+
+
 def out(*parts):
     """out("demo", "bunny.png") -> the path ROOT/out/demo/bunny.png, its folder made.
 

@@ -48,7 +48,7 @@ body, then see what is right and what is next:
     python3 -m course open {lab:18}empties a lab's extras, which come complete
 
 The questions of the core give the points. What stands below `Fine print.` and the extras are worth
-your while, and give none unless your teacher says so.
+your while, and give none unless your teacher says so. Numbers have gaps where code is given.
 
 {labs}
 
@@ -142,9 +142,12 @@ def readme(asked, given, released):
     def listed(topics):
         return ", ".join(f"`{topic}`" for topic in topics)
 
-    about = f"The labs here: {listed(asked)}."
+    labs = dict.fromkeys(map(exercises.lab_number, asked))
+    files = [f"    lab {lab:<4}{', '.join(f'{topic}.py' for topic in exercises.LABS[lab - 1])}"
+             for lab in labs]
+    about = "\n".join(["    the files in labs/", *files])
     if given:
-        about += f" They use {listed(given)}, which came along complete and ask nothing."
+        about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
     text = README.format(first=asked[0], lab=str(exercises.lab_number(asked[0])),
                          number=first.number, labs=about, released=now)

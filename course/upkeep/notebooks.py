@@ -218,6 +218,8 @@ async def _kernel(notebook):
                             timeout_func=lambda cell: max(end - time.monotonic(), 0.1))
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as settings:
         environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": settings}
+        if is_handout():  # a student's answer may warn
+            environment["PYTHONWARNINGS"] = "ignore"
         try:
             await client.async_start_new_kernel(cwd=str(ROOT), env=environment)
             await client.async_start_new_kernel_client()
