@@ -42,7 +42,7 @@ from PIL import Image, ImageSequence
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from course.given.places import ROOT, read_whole, write_whole
+from course.given.places import ROOT, is_handout, read_whole, write_whole
 
 FOLDER = ROOT / "notebooks"
 AT_A_TIME = 2
