@@ -69,7 +69,11 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
     board = [entry for entry in everything if entry.exercise.number in asked]
 
     all_is_done = all(entry.verdict == "done" for entry in board)
-    Console().print(table(board, () if target in asked else closed))
+    Console().print(table(board))
+    if closed and target not in asked:
+        lab = min(int(number.split(".")[0]) for number in closed)
+        print(f"\n{plural(len(closed), 'extra')} more, complete as they came; "
+              f"python3 -m course open {lab} empties those of lab {lab}")
     print("", *problems, *broken.values(), sep="\n")
     if all_is_done:
         print(all_done(board, target))
@@ -120,16 +124,11 @@ def asked_for(target):
     asked = [exercise.number for lab in labs.values() for exercise in lab
              if target in (None, *labs, exercise.number) or target in topics.values()]
     if not asked:
-        names = ", ".join(f"{lab} or {topic}" for topic, lab in topics.items())
-        raise ValueError(f'there is no lab or exercise "{target}"; give a lab ({names}) or an '
-                         f"exercise ({', '.join(map(exercise_range, topics))})")
+        numbers = list(dict.fromkeys(topics.values()))
+        raise ValueError(f'there is no lab or exercise "{target}"; give a lab '
+                         f"({', '.join(numbers)}), a file of it ({', '.join(topics)}), or an "
+                         "exercise, as in 2.1")
     return labs, asked
-
-
-def exercise_range(topic):
-    """'2.1 to 2.16'."""
-    numbers = [exercise.number for exercise in exercises.topic_exercises(topic)]
-    return " to ".join(dict.fromkeys(numbers[:1] + numbers[-1:]))
 
 
 def closed_extras(labs, code):
@@ -212,8 +211,8 @@ def entries(labs, needed, called, found, broken=()):
             if exercise.number in needed]
 
 
-def table(board, closed=()):
-    """Lab by lab, the exercises on the board; of extras that are closed, how many there are."""
+def table(board):
+    """The exercises on the board, lab by lab. A file that is not the lecture's own has a row."""
     rows = Table.grid(padding=(0, 2))
     for number in dict.fromkeys(exercises.lab_number(entry.topic) for entry in board):
         lab = [entry for entry in board if exercises.lab_number(entry.topic) == number]
@@ -221,14 +220,15 @@ def table(board, closed=()):
         bar = ("#" * (BAR * reached // max(of, 1))).ljust(BAR, ".")
         rows.add_row(f"Lab {number}", exercises.LABS[number - 1][0], f"{reached} of {of}", bar,
                      style="bold")
+        topic = exercises.LABS[number - 1][0]
         for entry in lab:
+            if entry.topic != topic:
+                topic = entry.topic
+                rows.add_row("", f"{topic}.py", style="dim")
             exercise = entry.exercise
             worth = "extra" if exercise.is_extra else plural(exercise.points, "point")
             rows.add_row(f"{exercise.number:>5}", exercise.name, worth, entry.told,
                          style=STYLES.get(entry.verdict))
-        more = sum(extra.startswith(f"{number}.") for extra in closed)
-        if more:
-            rows.add_row("", plural(more, "extra"), "", f"python3 -m course open {number}")
     return rows
 
 

@@ -6,7 +6,7 @@ to look and to read
 
 to do the labs
   check [TARGET]        what is right in labs/, what is not, and what to do next
-  open TARGET           empty an extra, or all of a lab, to write it yourself
+  open TARGET           empty an extra, or all extras of a lab, to write them
   close TARGET          put the answers back where nothing was written
   pack [FILE]           put the labs into one zip to hand in
 

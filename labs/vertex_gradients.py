@@ -107,7 +107,7 @@ def residuals_jacobian(values, triangle, points):  # exercise 7.6 (3 points)
 
 
 def gauss_newton_step(residuals, jacobian):  # exercise 7.7 (2 points)
-    """The step (U,) for which |residuals + jacobian step| is least.
+    """The least squares step (U,), for which |residuals + jacobian step| is least.
 
     residuals (R,), jacobian (R, U): their derivatives with respect to U unknowns. It moves the
     triangle of the lecture's section 5 into its place.

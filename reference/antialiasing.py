@@ -9,7 +9,7 @@ owns the edge.
     x = s (screen_x - X),   y = screen_y - Y    the pair's frame                             (2)
     c = x0 - y0 (x1 - x0) / (y1 - y0)           where the edge from 0 to 1 meets y = 0       (3)
     alpha = 1/2 - c                                                                          (4)
-    alpha > 0:  owner += alpha (other - owner),  else  other += -alpha (owner - other)       (5)
+    alpha > 0:  owner += alpha (other - owner),  else  other += alpha (other - owner)        (5)
 
 The frame has the owner's centre (X, Y) at x = 0, and the other's at x = 1: s = -1 if the other
 pixel comes before the owner, else +1. For two pixels above each other, screen_x and screen_y, X
@@ -37,10 +37,9 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
     array([[ 3, -1, -1],
            [-1, -1,  0]])
 
-    Fine print. Meshes are large, so comparing all pairs of faces takes too long. A face that names
-    a vertex twice has no area, and gets -1 throughout. Where three faces meet at an edge, list
-    their third vertices in the order of the faces, copies once. The first two vertices lie across
-    from each other. Faces with any other get -1.
+    Fine print. Do not compare all pairs of faces: meshes are large. A face that names a vertex
+    twice gets -1. Where three faces meet, list their third vertices, each once, in the order of the
+    faces. The first two are each other's answer, later ones get -1.
     """
     def first_of(thirds, edges):
         first = np.full(len(pairs), -1)
@@ -61,8 +60,8 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
 def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     """Eq. (1): at which edges does the surface end, or fold on screen?
 
-    x, y, w > 0 (V,) of `screen_points`, faces, opposite (F, 3) -> bool (F, 3). It folds if vertex k
-    and the one across lie on one side of edge k.
+    x, y, w (V,) of `screen_points`, all w > 0, faces, opposite (F, 3) -> bool (F, 3). It folds if
+    vertex k and the one across lie on one side of edge k.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
@@ -73,7 +72,7 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     Fine print. Same side means same winding: of the face, and of the face with vertex k replaced
     by the vertex across. A vertex behind the camera (w < 0) comes out mirrored, so each such corner
     turns the winding over (lecture 08, section 4). A triangle without area counts as
-    counter-clockwise.
+    counter-clockwise, whatever its w.
     """
     side = np.sign(w)
 
@@ -187,9 +186,9 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 p
     >>> np.stack(crossing_backward(grad_c, x0, y0, x1, y1)).T
     array([[ 0.75  , -0.5625,  0.25  , -0.1875]])
 
-    Fine print. The gradient of an edge that lies nearly along y = 0 is huge. epsilon tames it:
-    with r = 1 / (y1 - y0) and c = (x0 y1 - x1 y0) r, dc/dx0 = r y1 and dc/dy0 = r (c - x1). In
-    this r, y1 - y0 is longer by epsilon and keeps its sign.
+    Fine print. epsilon tames edges nearly along y = 0. Let r = 1 / (h + epsilon), h = y1 - y0, with
+    epsilon of h's sign. Use r in c = (x0 y1 - x1 y0) r, dc/dx0 = r y1, dc/dy0 = r (c - x1), and
+    likewise for the other end.
     """
     # c is the mean of x0 and x1 with the weights y1 and -y0, whose sum is 1 / r. So
     # dc = r (y1 dx0 - y0 dx1) + r ((x0 - c) dy1 - (x1 - c) dy0).

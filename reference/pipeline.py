@@ -127,8 +127,9 @@ def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None)
 def draw(clip, faces, opposite, surface, width, height, background):  # exercise 9.12 (3 points)
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
-    clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. `shade`
-    takes the first four of the Buffers and adds the others. All of lecture 09 is drawn by it.
+    clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The
+    first four of the Buffers are the first steps, and `shade` adds the others to them. All of
+    lecture 09 is drawn by it.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh = clip, np.array([[0, 1, 2]]), np.full((1, 3), -1)

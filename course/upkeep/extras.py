@@ -24,7 +24,7 @@ def open_extras(target):
         kept[answer.exercise.number] = answer.text
         write(kept_path(), json.dumps(kept, indent=2))
         replace(topic, answer, answer.todo, is_open=True)
-        print(f"{named(answer)} is open: write it in labs/{topic}.py, line {answer.exercise.line}")
+        print(f"{named(answer)} is open: write it in labs/{topic}.py")
     return 0
 
 
