@@ -2,7 +2,9 @@
 import copy
 import functools
 import importlib
+import signal
 import sys
+import threading
 import types
 from pathlib import Path
 
@@ -12,6 +14,7 @@ from ..given import contract, places
 from .assertions import Mismatch
 from .showing import arguments, told
 
+SECONDS = 20.0  # that a call may take
 PACKAGE = "implementation"  # the code under test is imported as a package of this name
 LAST_CALL = pytest.StashKey()    # of a check, to the code under test: function, args, kwargs
 LAST_RETURN = pytest.StashKey()  # what that call returned; None if it did not
@@ -123,6 +126,31 @@ def finder(code):
             path = places.shown_path(module.__file__)
             raise Mismatch(("wrong", f"{path} has no function {name}; "
                                      "keep the names that the skeleton gives"))
-        return getattr(module, name)
+        return limited(getattr(module, name))
 
     return find
+
+
+def limited(function):
+    """The function, whose calls are stopped after SECONDS: TimeoutError, where they are just then.
+
+    There is no limit in another thread than the main one, and none on Windows.
+    """
+    def stop(*_):
+        raise TimeoutError(f"it was stopped after {SECONDS:g} s: does a loop never end, or go over "
+                           "far too much?")
+
+    @functools.wraps(function)
+    def call(*args, **kwargs):
+        if not hasattr(signal, "setitimer") or (
+                threading.current_thread() is not threading.main_thread()):
+            return function(*args, **kwargs)
+        before = signal.signal(signal.SIGALRM, stop)
+        signal.setitimer(signal.ITIMER_REAL, SECONDS)
+        try:
+            return function(*args, **kwargs)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+
+    return call

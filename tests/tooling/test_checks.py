@@ -2,6 +2,7 @@
 import inspect
 import math
 import re
+import sys
 import warnings
 
 import numpy as np
@@ -701,3 +702,41 @@ def test_a_folder_that_is_not_there_is_told(course, run_module):
     done = run_module(course, "pytest", "--impl=nowhere")
     assert done.returncode == 4
     assert "there is no folder nowhere to check; give labs, reference" in done.stderr
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no timer there")
+def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_module):
+    """A check hangs, and nobody hears of the others; or a check that follows is stopped, too."""
+    root = house({
+        "labs/transforms.py": """\
+def wait(n):  # exercise 1.1 (1 point)
+    \"\"\"Wait.\"\"\"
+    while n:
+        pass
+    return n
+""",
+        "tests/labs/test_transforms.py": """\
+import time
+
+from course.checks import assert_close, exercise
+
+
+@exercise("1.1")
+def test_it_ends(impl):
+    \"\"\"It does not.\"\"\"
+    assert_close(impl.wait(1), 0)
+
+
+@exercise("1.1")
+def test_it_is_short(impl):
+    \"\"\"It is not.\"\"\"
+    assert_close(impl.wait(0), 0)
+    time.sleep(0.5)
+"""})
+    loader = root / "course" / "checks" / "loader.py"
+    loader.write_text(loader.read_text().replace("SECONDS = 20.0", "SECONDS = 0.3"))
+    done = run_module(root, "course", "check", "1.1")
+    assert "1.1 wait, failing in 1 of 2 checks" in done.stdout, done.stdout
+    assert "TimeoutError: it was stopped after 0.3 s" in done.stdout
+    assert "labs/transforms.py:4 in wait" in done.stdout or (
+        "labs/transforms.py:3 in wait" in done.stdout)
