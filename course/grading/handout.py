@@ -27,7 +27,8 @@ README = """\
 # Differentiable rasterization in plain NumPy: the labs
 
 Nothing needs to be installed first but Python 3.11 or newer (on Windows, write `py` for `python3`).
-The first command sets up what the course needs, in the folder `.venv`. Run all commands from here.
+The first command installs what the course needs into the folder `.venv`. It needs a network and
+about a minute. Run all commands from here.
 
 Begin with the lecture `notebooks/00_start_here.ipynb`. To open it,
 
