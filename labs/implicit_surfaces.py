@@ -35,7 +35,7 @@ def sphere_backward(grad_distance, points, radius):
     return grad_distance[..., None] * unit(points)
 
 
-def box(points, half_size):  # exercise 15.1 (2 points)
+def box(points, half_size):  # extra 15.1 (2 points)
     """Eq. (1) of a box from -half_size to half_size: points (..., 3) -> distance (...).
 
     Outside, the nearest point may be on a side, an edge or a corner. Inside, the nearest side
@@ -44,7 +44,8 @@ def box(points, half_size):  # exercise 15.1 (2 points)
     >>> box(np.array([[4.0, 6.0, 0.0], [0.0, 1.0, -2.5]]), np.array([1.0, 2.0, 3.0]))
     array([ 5. , -0.5])
     """
-    raise NotImplementedError("exercise 15.1: box")
+    beyond = np.abs(points) - half_size
+    return np.linalg.norm(np.maximum(beyond, 0), axis=-1) + np.minimum(beyond.max(-1), 0)
 
 
 def box_backward(grad_distance, points, half_size):  # extra 15.2 (2 points)
@@ -248,12 +249,12 @@ def camera_rays(clip_from_world, width, height):
     return near, unit(far - near)
 
 
-def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (3 points)
+def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
                  lipschitz=1.0, epsilon=1e-5, most=200):
     """Eq. (4): where does each ray hit a shape? -> t, evaluations (R,).
 
-    It starts at t = 0 and hits where s, the `signed_distance`, is less than epsilon. Past far, or
-    after `most` evaluations of s, it misses, and t is np.inf.
+    It starts at t = 0 and hits where s, the `signed_distance`, is less than epsilon. It misses,
+    t = np.inf, if t > far, or after `most` evaluations. Count how often each ray evaluates s.
 
     >>> origins = np.array([[0.0, 0.0, 5.0], [0.0, 3.0, 5.0]])
     >>> directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, -1.0]])
@@ -287,11 +288,11 @@ def volume_render(density, colour, spacing, background):
     return np.einsum("rn,rnc->rc", weights, colour) + remaining[:, None] * background
 
 
-def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (3 points)
+def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 points)
                            spacing, background):
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
-    density, colour, spacing, background are those of `volume_render`.
+    The other inputs are those of `volume_render`. Lecture 15 has dC / dtau.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
     >>> given = density, colour, np.ones((1, 2)), np.array([8.0])

@@ -61,11 +61,12 @@ def grid_weights(points, n):
     return scipy.sparse.csr_array(entries, shape=(len(points), (n + 1)**3))
 
 
-def tetrahedron_triangles(inside):  # exercise 15.10 (4 points)
+def tetrahedron_triangles(inside):  # exercise 15.10 (5 points)
     """The surface in one tetrahedron: inside (4,) bool, of its vertices -> triangles (K, 3, 2).
 
-    A corner is an edge, from a vertex inside to one outside. Seen from outside, triangles are
-    counter-clockwise, as vertices 0, 1, 2 are from 3. `is_odd` helps.
+    A corner is an edge, from a vertex inside to one outside. Triangles are counter-clockwise, seen
+    from the vertices outside. So are the vertices 0, 1, 2, seen from 3. Another order of the four
+    turns the winding round if it `is_odd`.
 
     >>> tetrahedron_triangles(np.array([True, False, False, False])).tolist()
     [[[0, 1], [0, 2], [0, 3]]]

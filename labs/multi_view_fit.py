@@ -243,13 +243,13 @@ def carving_backward(grad_carving, target, shape, buffers):
     return grad_level[:, 0]
 
 
-def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 16.15 (5 points)
+def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 16.15 (6 points)
                    weight):
-    """Eq. (5) of K views and its gradients: the arrows above, there and back.
+    """Eq. (5) of K views and its gradients: the arrows on top of this file, there and back.
 
-    vertices, albedo (V, 3), light (9, 3), views: K Targets, targets (K, H, W, 4)
-    -> loss, grad_vertices, grad_albedo, grad_light, grad_level.
-    `python3 -m course demo --impl labs reconstruct` then runs your own search.
+    By `see` and `see_backward`, which take the views and return grad_level. vertices, albedo
+    (V, 3), light (9, 3), targets (K, H, W, 4) -> loss, grad_vertices, grad_albedo, grad_light,
+    grad_level. To watch: `python3 -m course demo --impl labs reconstruct`.
 
     >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])

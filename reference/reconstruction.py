@@ -103,7 +103,7 @@ def shade_backward(grad_colour, albedo, normals, light):  # exercise 16.5 (3 poi
     return grad_colour * (basis @ light), grad_normals, basis.T @ grad_irradiance
 
 
-def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (4 points)
+def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (5 points)
     """Backward of eq. (4), which is `course.given.mesh.vertex_normals`.
 
     grad_normals, vertices (V, 3), faces (F, 3) -> grad_vertices (V, 3).
@@ -181,7 +181,7 @@ def level_backward(grad_level, ends, distance):  # extra 16.9 (2 points)
 def sign_changes(distance, edges):  # exercise 16.10 (2 points)
     """Eq. (7), summed over the crossed edges: what does it cost to change sign? -> a number.
 
-    distance (G,), edges (E, 2): pairs in any order.
+    distance (G,), edges (E, 2): pairs in any order. Each end costs log(1 + e^|s|).
 
     >>> round(sign_changes(np.array([-1.0, 2.0, 0.5]), np.array([[0, 1], [1, 2], [2, 0]])), 6)
     np.float64(5.727528)

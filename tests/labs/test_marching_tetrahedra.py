@@ -75,13 +75,14 @@ def test_the_border_goes_round_once_from_face_to_face(impl, inside):
 @exercise("15.10")
 @each_case
 def test_the_front_faces_the_outside(impl, rng, inside):
-    """A case is wound the wrong way: those of odd permutations, or of three vertices inside."""
+    """A case is wound the wrong way: an odd permutation, or two or three vertices inside."""
     triangles = impl.tetrahedron_triangles(np.array(inside))
     for corners in CORNERS, turned(rng), turned(rng):
         for a, b, c in middles(corners, triangles):
             normal = np.cross(b - a, c - a)
             for vertex, within in zip(corners, inside, strict=True):
-                assert_equal(bool(normal @ (vertex - a) < 0), within)
+                assert_equal(bool(normal @ (vertex - a) < 0), within,
+                             given=f"inside {inside}: is a vertex behind the triangle?")
 
 
 @exercise("15.12")

@@ -1,12 +1,6 @@
 """Lab 15 as printed: what one types who has read the questions and the equations."""
 
 
-def box(points, half_size):
-    nearest = np.clip(points, -half_size, half_size)
-    inside = (half_size - np.abs(points)).min(-1)
-    return np.where(inside > 0, -inside, np.linalg.norm(points - nearest, axis=-1))
-
-
 def smooth_union(a, b, k):
     h = np.maximum(1 - abs(a - b) / k, 0)
     return np.minimum(a, b) - k * h**2 / 4
