@@ -292,7 +292,8 @@ def volume_render_backward(grad_output, density, colour,  # exercise 15.9 (4 poi
                            spacing, background):
     """Backward of eq. (6): grad_output (R, C) -> grad_density (R, N), grad_colour (R, N, C).
 
-    The other inputs are those of `volume_render`. Lecture 15 has dC / dtau.
+    The other inputs are those of `volume_render`. Lecture 15 has dC / dtau, with tau = density
+    times spacing.
 
     >>> density, colour = np.log(2) * np.array([[1.0, 1.0]]), np.array([[[1.0], [4.0]]])
     >>> given = density, colour, np.ones((1, 2)), np.array([8.0])

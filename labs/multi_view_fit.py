@@ -247,9 +247,9 @@ def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 1
                    weight):
     """Eq. (5) of K views and its gradients: the arrows on top of this file, there and back.
 
-    By `see` and `see_backward`, which take the views and return grad_level. vertices, albedo
-    (V, 3), light (9, 3), targets (K, H, W, 4) -> loss, grad_vertices, grad_albedo, grad_light,
-    grad_level. To watch: `python3 -m course demo --impl labs reconstruct`.
+    views: K Targets, for `see` and `see_backward`. targets (K, H, W, 4): their pictures. vertices,
+    albedo (V, 3), light (9, 3) -> loss, grad_vertices, grad_albedo, grad_light, grad_level.
+    To watch: `python3 -m course demo --impl labs reconstruct`.
 
     >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])

@@ -128,8 +128,8 @@ def draw(clip, faces, opposite, surface, width, height, background):  # exercise
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The
-    first four of the Buffers are the first steps, and `shade` adds the others to them. All of
-    lecture 09 is drawn by it.
+    given `visible` makes the first four of the Buffers, and `shade` the others. All of lecture 09
+    is drawn by it.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh = clip, np.array([[0, 1, 2]]), np.full((1, 3), -1)
@@ -144,9 +144,9 @@ def draw_backward(grad_picture, buffers, faces, opposite, surface,  # exercise 9
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_surface, grad_clip (V, 4).
 
-    buffers is a plain tuple: unpack it. Add what reaches clip by edges and by colours.
-    `surface_backward` undoes `shade`, `rasterize_backward` takes grad_depth. Watch it:
-    `python3 -m course demo --impl labs fit_bunny`.
+    Antialiasing, then `surface_backward`, then lab 7's `rasterize_backward`, which takes
+    grad_depth. The first and the last give a grad_clip: add them. buffers is a plain tuple.
+    Watch it: `python3 -m course demo --impl labs fit_bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh, colours = (np.array([[0, 1, 2]]), np.full((1, 3), -1)), Colours(np.ones((3, 1)))

@@ -41,8 +41,8 @@ def percentage_closer(distance_map, place, distance, slope,  # exercise 14.11 (3
                       bias, offsets, radius):
     """Eq. (6): which share of the places around (x, y) does light reach? -> (N,).
 
-    `steps_around` gives the steps, `on_plane` each place and its distance. place, slope (N, 2),
-    distance, bias, radius (N,), offsets (K, 2).
+    `steps_around` gives the steps, `on_plane` each place and its distance, `is_lit` is eq. (3).
+    place, slope (N, 2), distance (N,), bias, radius (N,) or numbers, offsets (K, 2).
 
     >>> distance_map, one = np.array([[4.0, 4.0, 9.0, 9.0]]), np.ones(1)
     >>> offsets = np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]])

@@ -92,10 +92,10 @@ def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
 
 
 def residuals_jacobian(values, triangle, points):  # exercise 7.6 (3 points)
-    """Eqs. (2) and (4) at many points: by_values (P, 3), by_triangle (P, 3, 2).
+    """The derivatives of the residuals (2) with respect to the values, and, eq. (4), to vertices.
 
-    values (3,), triangle (3, 2), points (P, 2). by_triangle[p, k] is the derivative of point p's
-    residual with respect to the position (x, y) of vertex k.
+    values (3,), triangle (3, 2), points (P, 2) -> by_values (P, 3), by_triangle (P, 3, 2), whose
+    [p, k] is for x and y of vertex k.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
     >>> residuals_jacobian(np.array([8.0, 0.0, 4.0]), triangle, np.array([[1.0, 1.0]]))

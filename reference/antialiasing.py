@@ -39,7 +39,7 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
 
     Fine print. Do not compare all pairs of faces: meshes are large. A face that names a vertex
     twice gets -1. Where three faces meet, list their third vertices, each once, in the order of the
-    faces. The first two are each other's answer, later ones get -1.
+    faces. The first two answer each other. Other faces get -1.
     """
     def first_of(thirds, edges):
         first = np.full(len(pairs), -1)
@@ -69,10 +69,9 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     array([[False,  True,  True],
            [ True,  True, False]])
 
-    Fine print. Same side means same winding: of the face, and of the face with vertex k replaced
-    by the vertex across. A vertex behind the camera (w < 0) comes out mirrored, so each such corner
-    turns the winding over (lecture 08, section 4). A triangle without area counts as
-    counter-clockwise, whatever its w.
+    Fine print. It folds if the face, and the face with vertex k replaced by the one across, wind
+    alike. Each corner behind the camera (w < 0) is mirrored, and turns a winding over (lecture 08,
+    section 4). A triangle without area counts as counter-clockwise, whatever its w.
     """
     side = np.sign(w)
 
@@ -187,8 +186,8 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 p
     array([[ 0.75  , -0.5625,  0.25  , -0.1875]])
 
     Fine print. epsilon tames edges nearly along y = 0. Let r = 1 / (h + epsilon), h = y1 - y0, with
-    epsilon of h's sign. Use r in c = (x0 y1 - x1 y0) r, dc/dx0 = r y1, dc/dy0 = r (c - x1), and
-    likewise for the other end.
+    epsilon of h's sign. Use r in c = (x0 y1 - x1 y0) r, dc/dx0 = r y1, dc/dy0 = r (c - x1). For
+    the other end swap the ends: r becomes -r.
     """
     # c is the mean of x0 and x1 with the weights y1 and -y0, whose sum is 1 / r. So
     # dc = r (y1 dx0 - y0 dx1) + r ((x0 - c) dy1 - (x1 - c) dy0).

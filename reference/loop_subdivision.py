@@ -85,10 +85,10 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
 
 
 def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
-    """Eq. (5) as rows of S: the entries (rows, columns, weights) of E rows and V columns.
+    """Eq. (5) as a sparse matrix from V old points to E edge points: its entries, in any order.
 
-    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of`. The entries are three arrays for
-    `as_matrix`, in any order. Those of one place add up. `on_boundary` and `join` are given.
+    faces (F, 3), edges (E, 2), corner_edge (3 F,) of `edges_of` -> rows, columns, weights, for
+    `as_matrix`, which adds up those of one place. `on_boundary` and `join` are given.
 
     >>> faces, corner_edge = np.array([[0, 1, 2], [2, 1, 3]]), np.array([0, 2, 1, 2, 3, 4])
     >>> edges = np.array([[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]])

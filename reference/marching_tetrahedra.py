@@ -64,9 +64,8 @@ def grid_weights(points, n):
 def tetrahedron_triangles(inside):  # exercise 15.10 (5 points)
     """The surface in one tetrahedron: inside (4,) bool, of its vertices -> triangles (K, 3, 2).
 
-    A corner is an edge, from a vertex inside to one outside. Triangles are counter-clockwise, seen
-    from the vertices outside. So are the vertices 0, 1, 2, seen from 3. Another order of the four
-    turns the winding round if it `is_odd`.
+    Each corner is an edge, a vertex inside and one outside. Seen from the vertices outside, it is
+    counter-clockwise, as 0, 1, 2 are, seen from 3. An order of the four that `is_odd` mirrors.
 
     >>> tetrahedron_triangles(np.array([True, False, False, False])).tolist()
     [[[0, 1], [0, 2], [0, 3]]]

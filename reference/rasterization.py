@@ -91,7 +91,7 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point)
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
-    points right) and for horizontal edges below their face (n points up).
+    points right) and lower horizontal ones (n points up: row 0, the top in memory, is our lowest).
 
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])

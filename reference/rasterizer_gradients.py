@@ -44,8 +44,8 @@ def edge_functions(corners):  # extra 7.10 (2 points)
 def edge_functions_backward(grad_edges, corners):  # exercise 7.11 (3 points)
     """Backward of `edge_functions`: grad_edges (3, 3, ...) -> grad_corners (3, 3, ...).
 
-    edges[k] is q_i x q_j, and corners[:, k] is q_k. g . (p x q) = p . (q x g) = q . (g x p), so p
-    gets q x g, and q gets g x p. Each corner is in two edges. `cross` is given.
+    edges[k] is q_i x q_j, and corners[:, k] is q_k. As g . (p x q) = p . (q x g), p gets q x g and
+    q gets g x p. Each corner is in two edges. `cross` is given.
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> grad_edges = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])

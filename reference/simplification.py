@@ -318,11 +318,11 @@ def why_refused(vertices, faces, a, b, position):
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 points)
-    """While there are more than face_count faces, collapse the cheapest of `mesh.edges`, if any.
+    """Down to face_count faces, collapse the cheapest edge with `why_refused` 0, if there is one.
 
-    Ask `pair_costs`, and `why_refused`, which is 0 where it may be. The lower vertex gets the place
-    and the sum of both quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4)
-    -> vertices (V, 3), faces. See python3 -m course demo --impl labs simplified
+    `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
+    quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces.
+    See python3 -m course demo --impl labs simplified
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = mesh_quadrics(vertices, faces)

@@ -27,8 +27,8 @@ README = """\
 # Differentiable rasterization in plain NumPy: the labs
 
 Nothing needs to be installed first but Python 3.11 or newer (on Windows, write `py` for `python3`).
-The first command installs what the course needs into the folder `.venv`. It needs a network and
-about a minute. Run all commands from here.
+The first start of `python3 -m course` installs what the course needs into the folder `.venv`. It
+needs a network and about a minute. Run all commands from here.
 
 Begin with the lecture `notebooks/00_start_here.ipynb`. To open it,
 
@@ -39,14 +39,15 @@ On Windows, the second line is `.venv\\Scripts\\jupyter lab notebooks\\00_start_
 there is no `.venv` after the first line, your own Python has all that is needed: write
 `jupyter lab`. An editor that opens notebooks does as well: choose the Python in `.venv` as kernel.
 
-Then open `labs/{first}.py`. An exercise is a function whose docstring is the question. Write its
-body, then see what is right and what is next:
+Each lab has a lecture in `notebooks/`. Read it first, then open the lab, such as
+`labs/{first}.py`. A function marked `# exercise` is yours: its docstring is the question, and you
+write its body. One marked `# extra` is complete. See what is right and what is next:
 
     python3 -m course check                  all labs
     python3 -m course check {lab:17}one lab
     python3 -m course check {number:17}one exercise
     python3 -m course demo                   pictures, with your code
-    python3 -m course open {lab:18}empties a lab's extras, which come complete
+    python3 -m course open {lab:18}empties a lab's extras, to write them yourself
 
 The questions of the core give the points. What stands below `Fine print.` and the extras are worth
 your while, and give none unless your teacher says so. Numbers have gaps where code is given.
