@@ -1,12 +1,14 @@
 """Hints: which common mistake explains a wrong answer.
 
 Some are found in the numbers alone: a flipped sign, swapped axes. Others are known mistakes of
-tests/mistakes/. There, what a mistake returned to a check is kept as a fingerprint.
+tests/mistakes/. What a mistake returned to each check that it fails is kept as a fingerprint. It is
+named only where a student's answer fails the same checks with the same numbers, and no others.
 """
 import functools
 import hashlib
 import json
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +16,7 @@ from ..given.contract import as_array
 from .showing import shape_name
 
 HINTS = Path(__file__).with_name("hints.json")
+ENOUGH = 4  # so many equal numbers are no chance
 FRACTIONS = 1, 2, 3, 4, 180 / np.pi, np.pi / 180  # a factor is told if it is whole times one
 
 
@@ -68,27 +71,62 @@ def off_everywhere(got, expected):
     yield f"everything is {abs(more):.4g} {than} than expected", got - more
 
 
-def known_mistake(nodeid, returned):
-    """"this is what comes out when ...", if a mistake of tests/mistakes/ returns the same there."""
-    if returned is None:
-        return None
-    sentence = known_sentences().get(fingerprint(nodeid, returned))
-    return sentence and f"this is what comes out when {sentence}"
+class Pattern(NamedTuple):
+    """How a wrong answer does in the checks of an exercise.
+
+    failed {check: the fingerprint of what it was returned, or None} of the question, and of the
+    fine print where the question is answered; numbers: so many were returned there.
+    """
+
+    failed: dict
+    numbers: int
+
+
+def pattern(checks):
+    """The Pattern of checks that fail: (nodeid, fingerprint or None, numbers, fine_print) each."""
+    of_question = [check for check in checks if not check[3]]
+    counted = of_question or checks
+    return Pattern({short(nodeid): mark for nodeid, mark, *_ in counted},
+                   sum(numbers for _, _, numbers, _ in counted))
+
+
+def known_mistake(exercise, found):
+    """"this is what comes out when ...": the known mistake that has the Pattern found, or None.
+
+    All that it fails is failed, with the same numbers, and nothing else. Fewer than ENOUGH numbers
+    can be the same by chance.
+    """
+    for sentence, failed in known_mistakes().get(exercise, ()):
+        if found.numbers and failed == found.failed:
+            certain = found.numbers >= ENOUGH
+            return f"this {'is' if certain else 'may be'} what comes out when {sentence}"
+    return None
 
 
 @functools.cache
-def known_sentences():
-    """{fingerprint: sentence}: course/checks/hints.json, made by python3 -m course mistakes."""
+def known_mistakes():
+    """{exercise: [(sentence, its Pattern's failed)]}: course/checks/hints.json, see upkeep."""
     try:
-        made = json.loads(HINTS.read_bytes())
+        return json.loads(HINTS.read_bytes())
     except OSError:
         return {}
-    return {mark: sentence for sentence, marks in made.items() for mark in marks}
+
+
+def short(nodeid):
+    """tests/labs/test_x.py::test_y -> test_x.py::test_y."""
+    return nodeid.rpartition("/")[2]
+
+
+def count(returned):
+    """How many numbers, truth values or letters were returned."""
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    return sum(count(output) if isinstance(output, tuple) else np.size(output)
+               for output in outputs)
 
 
 def fingerprint(nodeid, returned):
     """Twelve letters for what a check was returned: the same for equal numbers but for rounding."""
-    parts = [nodeid.rpartition("/")[2]]
+    parts = [short(nodeid)]
     several = isinstance(returned, tuple) or as_array(returned).dtype == object
     for output in returned if several and np.iterable(returned) else (returned,):
         array = as_array(output)

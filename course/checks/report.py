@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ..given import places
 from .assertions import Mismatch
-from .hints import known_mistake
+from .hints import count, fingerprint
 from .loader import LAST_CALL, LAST_RETURN, folder
 from .showing import MOST_LINES, layout, shown, shown_call, told
 
@@ -29,6 +29,8 @@ class Check(NamedTuple):
     picture: str | None
     seconds: float
     fine_print: bool
+    mark: str | None = None  # of a failed one: the fingerprint of what was returned to it
+    numbers: int = 0         # so many were returned
 
 
 def judge(item, error, report, mark):
@@ -50,9 +52,12 @@ def judge(item, error, report, mark):
             rows = explained(error, item)
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
+    returned = item.stash.get(LAST_RETURN, None) if verdict == "failed" else None
+    evidence = (None, 0) if returned is None else (fingerprint(item.nodeid, returned),
+                                                   count(returned))
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
                          getattr(error, "picture", None), report.duration,
-                         is_fine_print(mark))._asdict()
+                         is_fine_print(mark), *evidence)._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
         report.longrepr = layout([("claim", claim(item)), *rows,
                                   ("again", "\n".join(commands(item, number)))])
@@ -89,9 +94,6 @@ def explained(error, item):
     if item.function.__doc__ and compared:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
-    known = known_mistake(item.nodeid, returned)
-    if known:
-        rows = [row for row in rows if row[0] != "hint"] + [("hint", known)]
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
 
 

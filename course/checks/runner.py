@@ -8,6 +8,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from ..given import places
+from .hints import known_mistake, pattern
 from .loader import folder
 from .report import Check, claim, is_fine_print
 from .showing import layout, told
@@ -38,7 +39,23 @@ def run_checks(labs, numbers, implementation, seed, plugins=()):
         status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector, *plugins])
     if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
         collector.problems.append(f"pytest broke off\n{said.getvalue()}".rstrip())
-    return list((collector.planned | collector.found).values()), collector.problems
+    found = list((collector.planned | collector.found).values())
+    return [*explained(found)], collector.problems
+
+
+def explained(found):
+    """The Checks, those that fail with the known mistake that explains them all."""
+    failing = {}
+    for check in found:
+        if check.verdict == "failed":
+            failing.setdefault(check.exercise, []).append(
+                (check.nodeid, check.mark, check.numbers, check.fine_print))
+    known = {exercise: known_mistake(exercise, pattern(checks))
+             for exercise, checks in failing.items()}
+    for check in found:
+        hint = known.get(check.exercise) if check.verdict == "failed" else None
+        row = f"\n{layout([('hint', hint)])}" if hint else ""
+        yield check._replace(message=check.message + row)
 
 
 class Collector:

@@ -3,11 +3,11 @@
 tests/mistakes/<topic>.py has up to three wrong functions for each exercise. It is only read, never
 imported: each function takes the place of the one of its name, and its docstring goes on after
 "this is what comes out when". They serve twice. Each must be caught by its exercise's own checks.
-And where a student's function returns in a check what a known mistake returns there, the report
-tells the sentence.
+And where a student's function does in all checks what a known mistake does there, the report tells
+the sentence.
 
-At home there is no library, only course/checks/hints.json: for each sentence the fingerprints of
-what its mistake returned to the checks that caught it, with the default seed.
+At home there is no library, only course/checks/hints.json: for each exercise the sentences, with
+what their mistakes returned to the checks that caught them, as fingerprints, with the default seed.
 """
 import ast
 import json
@@ -15,7 +15,7 @@ import textwrap
 from typing import NamedTuple
 
 from .. import board, exercises
-from ..checks.hints import HINTS
+from ..checks.hints import HINTS, pattern
 from ..given import places
 from . import mutants
 
@@ -57,19 +57,29 @@ def tried(topic):
     return list(zip(mistakes, mutants.caught_by(topic, trials, only_first=False), strict=True))
 
 
+def patterns(found):
+    """[(sentence, its Pattern's failed)] of what `tried` gives of one exercise; none stands twice.
+    """
+    kept = []
+    for mistake, caught in found:
+        failed = pattern(caught).failed
+        if any(failed.values()) and failed not in [other for _, other in kept]:
+            kept.append((mistake.sentence, failed))
+    return kept
+
+
 def run():
     """Try all mistakes, write course/checks/hints.json. -> 0 if all are caught, else 1.
 
-    Where several mistakes return the same in a check, the first one's sentence is told.
+    Where several mistakes do the same in all checks, the first one's sentence is told.
     """
-    sentences, told, alive = {}, set(), []
+    made, alive = {}, []
     for topic in exercises.topics():
         found = tried(topic)
-        for mistake, caught in found:
-            marks = sentences.setdefault(mistake.sentence, [])
-            marks += [check.mark for check in caught if check.mark and check.mark not in told]
-            told.update(marks)
-            alive += [mistake] * (not caught)
+        for exercise in dict.fromkeys(mistake.exercise for mistake, _ in found):
+            own = [pair for pair in found if pair[0].exercise == exercise]
+            made[exercise.number] = patterns(own)
+        alive += [mistake for mistake, caught in found if not caught]
         if found:
             numbers = {mistake.exercise.number for mistake, _ in found}
             print(f"{topic:20} {board.plural(len(found), 'mistake'):>13} "
@@ -77,8 +87,7 @@ def run():
     for mistake in alive:
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
-    marked = {sentence: sorted(marks) for sentence, marks in sentences.items() if marks}
-    text = json.dumps(marked, indent=0, sort_keys=True) + "\n"
+    text = json.dumps(made, indent=0, sort_keys=True) + "\n"
     places.write_whole(HINTS, text.encode("utf-8"))
-    print(f"{board.plural(len(marked), 'sentence')} in course/checks/hints.json")
+    print(f"{board.plural(sum(map(len, made.values())), 'sentence')} in course/checks/hints.json")
     return int(bool(alive))

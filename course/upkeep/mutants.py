@@ -37,7 +37,7 @@ import pytest
 from _pytest.runner import runtestprotocol
 
 from .. import board, exercises
-from ..checks.hints import fingerprint
+from ..checks.hints import count, fingerprint
 from ..checks.loader import LAST_RETURN, PACKAGE
 from ..checks.report import is_fine_print
 from ..given import places
@@ -331,10 +331,11 @@ class Trials:
 
 
 class Caught(NamedTuple):
-    """A check that failed; the fingerprint of what it was returned, if it was returned anything."""
+    """A check that failed, with the fingerprint of what it was returned, if there was anything."""
 
     nodeid: str
     mark: str | None
+    numbers: int
     fine_print: bool
 
 
@@ -349,8 +350,9 @@ def failures(items):
         if any(report.failed for report in
                runtestprotocol(item, log=False, nextitem=item.parent)):  # keeps what is of the file
             returned = item.stash[LAST_RETURN]
-            mark = fingerprint(item.nodeid, returned) if returned is not None else None
-            yield Caught(item.nodeid, mark, in_fine_print(item))
+            mark, numbers = (None, 0) if returned is None else (
+                fingerprint(item.nodeid, returned), count(returned))
+            yield Caught(item.nodeid, mark, numbers, in_fine_print(item))
 
 
 def work(topic, trials, only_first, pipe):
@@ -394,9 +396,9 @@ def caught_by(topic, trials, only_first=True):
             while len(verdicts) < len(trials) and here.poll(limit):
                 verdicts.append(here.recv())
             if len(verdicts) < len(trials):
-                verdicts.append([Caught(f"no end in {limit:.0f} s", None, False)])
+                verdicts.append([Caught(f"no end in {limit:.0f} s", None, 0, False)])
         except EOFError:
-            verdicts.append([Caught("it broke off", None, False)])
+            verdicts.append([Caught("it broke off", None, 0, False)])
         finally:
             process.kill()
             process.join()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from course import exercises
-from course.checks.hints import HINTS, fingerprint, known_sentences
+from course.checks.hints import HINTS, fingerprint, known_mistakes
 from course.given import places
 from course.upkeep import mistakes, mutants
 
@@ -19,19 +19,15 @@ MISREAD = 0.05  # of the hints another machine's rounding may spoil
 def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
     """A mistake that people make passes; or hints.json is of another reference or other checks:
     python3 -m course mistakes makes it anew."""
-    library = mistakes.library(topic)
-    verdicts = mutants.caught_by(topic, [(mistake.exercise, mistake.text) for mistake in library])
-    alive = [f"{mistake.exercise.number}: when {mistake.sentence}"
-             for mistake, caught in zip(library, verdicts, strict=True) if not caught]
-    assert alive == []
-    marks = [(mistake.exercise.number, check.mark)
-             for mistake, [check] in zip(library, verdicts, strict=True) if check.mark]
-    assert len({*marks}) == len(marks), "two mistakes of an exercise return the same"
-    known = known_sentences()
-    silent = [f"{mistake.exercise.number}: when {mistake.sentence}"
-              for mistake, [check] in zip(library, verdicts, strict=True)
-              if check.mark not in known]
-    assert len(silent) <= MISREAD * len(library), silent
+    found = mistakes.tried(topic)
+    assert [f"{mistake.exercise.number}: when {mistake.sentence}"
+            for mistake, caught in found if not caught] == []
+    silent = []
+    for exercise in exercises.topic_exercises(topic):
+        now = mistakes.patterns([pair for pair in found if pair[0].exercise == exercise])
+        made = [tuple(pair) for pair in known_mistakes().get(exercise.number, ())]
+        silent += [f"{exercise.number}: when {pair[0]}" for pair in now if pair not in made]
+    assert len(silent) <= MISREAD * len(found), silent
 
 
 @pytest.mark.parametrize("topic", TOPICS)
@@ -108,7 +104,7 @@ def test_no_sentence_is_of_a_mistake_that_is_no_more():
     """hints.json was not made anew."""
     made = json.loads(HINTS.read_bytes())
     there = {mistake.sentence for topic in TOPICS for mistake in mistakes.library(topic)}
-    assert set(made) - there == set()
+    assert {sentence for known in made.values() for sentence, _ in known} - there == set()
 
 
 def test_a_student_reads_the_sentence(run_module, pytestconfig, tmp_path):
@@ -169,3 +165,49 @@ def test_a_mistake_that_is_no_exercise_or_says_nothing_is_told(house, run_module
     assert alive.returncode == 1
     assert "1.1 is not caught: when it is tripled\n    def double(x):" in alive.stdout
     assert "it is added" not in alive.stdout
+
+
+DOUBLE = 'def double(x):  # exercise 1.1 (1 point)\n    """2 x."""\n    return 2 * x\n'
+DOUBLE_CHECKS = '''\
+import numpy as np
+
+from course.checks import assert_close, exercise
+
+
+@exercise("1.1")
+def test_two(impl):
+    """Three."""
+    assert_close(impl.double(np.full(WIDTH, 2.0)), np.full(WIDTH, 4.0))
+
+
+@exercise("1.1")
+def test_one(impl):
+    """Three."""
+    assert_close(impl.double(1.0), 2.0)
+
+
+@exercise("1.1", fine_print=True)
+def test_nothing(impl):
+    """Something."""
+    assert_close(impl.double(0.0), 0.0)
+'''
+
+
+@pytest.mark.parametrize(("answer", "width", "told"), [
+    ("x + x + x", 4, "hint this is what comes out when it is tripled"),
+    ("3 * x + (np.abs(x) == 0)", 4, "hint this is what comes out when it is tripled"),
+    ("3 * x", 2, "hint this may be what comes out when it is tripled"),
+    ("np.where(x == 2, 3 * x, 2 * x)", 4, ""),
+    ("np.where(x == 2, 3 * x, 7 * x)", 4, ""),
+], ids=["another way", "fine print open", "few numbers", "one check alone", "other numbers"])
+def test_a_mistake_is_named_where_all_checks_of_the_question_say_so(
+        house, run_module, answer, width, told):
+    """One check returns what a known mistake returns there, and a student is told of that mistake,
+    which he did not make."""
+    mistake = 'def double(x):\n    """it is tripled"""\n    return 3 * x\n'
+    root = house({"reference/transforms.py": DOUBLE, "tests/mistakes/transforms.py": mistake,
+                  "labs/transforms.py": f"import numpy as np\n\n{DOUBLE}".replace("2 * x", answer),
+                  "tests/labs/test_transforms.py": DOUBLE_CHECKS.replace("WIDTH", str(width))})
+    assert run_module(root, "course", "mistakes").returncode == 0
+    said = " ".join(run_module(root, "course", "check", "1.1").stdout.split())
+    assert told in said and ("comes out when" in said) == bool(told), said
