@@ -25,8 +25,16 @@ def hint(got, expected, agrees, picture):
     with np.errstate(all="ignore"):
         for mistake, mended in suspicions(got, expected, picture):
             if mended.shape == expected.shape and np.all(agrees(mended, expected)):
-                return [("hint", mistake)]
+                certain = evidence(got, expected, agrees) >= ENOUGH
+                return [("hint", mistake if certain else f"it may be that {mistake}")]
     return []
+
+
+def evidence(got, expected, agrees):
+    """How many numbers are wrong and speak for a mistake."""
+    if got.shape != expected.shape:
+        return expected.size
+    return np.count_nonzero(~np.broadcast_to(agrees(got, expected), expected.shape))
 
 
 def suspicions(got, expected, picture):
@@ -47,8 +55,21 @@ def suspicions(got, expected, picture):
     else:
         for axis in range(got.ndim):
             yield f"the order along axis {axis} is reversed", np.flip(got, axis)
-    if numeric and got.shape == expected.shape and np.count_nonzero(expected) > 1:
+            if got.shape[axis] == 3:
+                yield from exchanged(got, axis)
+    if numeric and got.shape == expected.shape and np.count_nonzero(expected) >= ENOUGH:
         yield from off_everywhere(got, expected)
+
+
+def exchanged(got, axis):
+    """Yield (corners, coordinates or colours in a wrong order, got in the right one)."""
+    for places in (0, 1), (1, 2):
+        order = np.arange(3)
+        order[list(places)] = places[::-1]
+        yield (f"{places[0]} and {places[1]} are exchanged along axis {axis}",
+               np.take(got, order, axis))
+    for step in 1, -1:
+        yield f"the order along axis {axis} is moved on by one", np.roll(got, step, axis)
 
 
 def misplaced(picture):

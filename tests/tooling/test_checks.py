@@ -113,6 +113,9 @@ FACE_INDEX = np.array([[-1, -1, -1, -1, -1, -1],
     (assert_close, CORNER.T, CORNER, "rows and columns are swapped"),
     (assert_close, CORNER[::-1], CORNER, "the order along axis 0 is reversed"),
     (assert_close, CORNER[:, ::-1], CORNER, "the order along axis 1 is reversed"),
+    (assert_close, CORNER[:, [1, 0, 2]], CORNER, "0 and 1 are exchanged along axis 1"),
+    (assert_close, CORNER[:, [1, 2, 0]], CORNER, "the order along axis 1 is moved on by one"),
+    (assert_close, -CORNER[0], CORNER[0], "it may be that the sign is flipped"),
     (assert_close, CORNER * 2, CORNER, "everything is 2 times what was expected"),
     (assert_close, CORNER + 0.5, CORNER, "everything is 0.5 more than expected"),
     (assert_close, np.float32(CORNER / 3), CORNER / 3, "float32 is not precise enough"),
@@ -133,6 +136,7 @@ def test_a_common_mistake_is_named(pictures, assertion, got, expected, hint):
 def test_no_mistake_is_named_where_none_explains_the_numbers():
     """A hint that is only a guess."""
     assert "hint" not in text_of(assert_close, CORNER + CORNER ** 2, CORNER)
+    assert "hint" not in text_of(assert_close, np.array([3.0, 5.0]), np.array([5.0, 7.0]))
 
 
 def test_a_small_raster_is_printed_with_its_top_row_first(pictures):
