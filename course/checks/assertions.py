@@ -84,6 +84,8 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
     wrong = ~np.asarray(agrees(got, expected))
     if not wrong.any():
         return
+    if rows[-2][1] == rows[-1][1]:  # they differ in a digit that is not shown
+        rows[-2:] = [("expected", shown(expected, digits=17)), ("got", shown(got, digits=17))]
     rows += [*whereabouts(got, expected, wrong, allowed), *hint(got, expected, agrees, picture)]
     raise drawn(got, expected, wrong, rows) if picture else Mismatch(*rows)
 

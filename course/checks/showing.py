@@ -12,7 +12,7 @@ from ..given import places
 from ..given.contract import as_array
 
 COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
-MOST_NUMBERS = 24  # shown of an array; a larger one is shortened
+MOST_NUMBERS = 36  # shown of an array; a larger one is shortened
 MOST_LINES = 12    # shown of an error's text, of frames, of printed output
 KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
               "c": "complex numbers", "U": "strings"}  # by NumPy's dtype.kind
@@ -21,23 +21,23 @@ KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
 # --- values and calls -------------------------------------------------------------------------
 
 
-def shown(value, name=""):
+def shown(value, name="", digits=8):
     """A value as one would type it, after name=. A large array is shortened."""
     name = f"{name}=" if name else ""
     if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
-        return shown_array(np.asarray(value), name)
+        return shown_array(np.asarray(value), name, digits)
     if isinstance(value, tuple):
         return f"{name}({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
     return name + cut(repr(value.item() if isinstance(value, np.generic) else value))
 
 
-def shown_array(array, name):
+def shown_array(array, name, digits):
     """All of a small array. First and last numbers of a large one, after its type and shape."""
     small = 0 < array.size <= MOST_NUMBERS
     before = name if small else f"{name}{array.dtype} {shape_name(array)}: "
     text = np.array2string(array if small else array.ravel(), separator=", ", prefix=before,
                            max_line_width=COLUMNS - LABEL - 3, threshold=MOST_NUMBERS, edgeitems=3,
-                           precision=8 if small else 4)
+                           precision=digits if small else digits // 2)
     return before + re.sub(r"\n\s*\n", "\n", text)  # no empty lines between parts of 3 dimensions
 
 

@@ -744,3 +744,9 @@ def test_it_is_short(impl):
     assert "TimeoutError: it was stopped after 0.3 s" in done.stdout
     assert "labs/transforms.py:4 in wait" in done.stdout or (
         "labs/transforms.py:3 in wait" in done.stdout)
+
+
+def test_numbers_that_look_alike_are_shown_with_the_digits_in_which_they_differ():
+    """Expected [1.], got [1.]."""
+    said = text_of(assert_close, np.array([1.0, 1 + 2e-9]), np.array([1.0, 1.0]))
+    assert "expected  [1., 1.]" in said and "1.000000002]" in said
