@@ -138,6 +138,11 @@ def short(nodeid):
     return nodeid.rpartition("/")[2]
 
 
+def mark(nodeid, returned):
+    """(fingerprint, how many numbers) of what a check was returned; (None, 0) if nothing was."""
+    return (None, 0) if returned is None else (fingerprint(nodeid, returned), count(returned))
+
+
 def count(returned):
     """How many numbers, truth values or letters were returned."""
     outputs = returned if isinstance(returned, tuple) else (returned,)

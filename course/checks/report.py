@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..given import places
+from . import hints
 from .assertions import Mismatch
-from .hints import count, fingerprint
 from .loader import LAST_CALL, LAST_RETURN, folder
 from .showing import MOST_LINES, layout, shown, shown_call, told
 
@@ -53,11 +53,9 @@ def judge(item, error, report, mark):
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
     returned = item.stash.get(LAST_RETURN, None) if verdict == "failed" else None
-    evidence = (None, 0) if returned is None else (fingerprint(item.nodeid, returned),
-                                                   count(returned))
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
                          getattr(error, "picture", None), report.duration,
-                         is_fine_print(mark), *evidence)._asdict()
+                         is_fine_print(mark), *hints.mark(item.nodeid, returned))._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
         report.longrepr = layout([("claim", claim(item)), *rows,
                                   ("again", "\n".join(commands(item, number)))])

@@ -37,7 +37,7 @@ import pytest
 from _pytest.runner import runtestprotocol
 
 from .. import board, exercises
-from ..checks.hints import count, fingerprint
+from ..checks import hints
 from ..checks.loader import LAST_RETURN, PACKAGE
 from ..checks.report import is_fine_print
 from ..given import places
@@ -350,9 +350,7 @@ def failures(items):
         if any(report.failed for report in
                runtestprotocol(item, log=False, nextitem=item.parent)):  # keeps what is of the file
             returned = item.stash[LAST_RETURN]
-            mark, numbers = (None, 0) if returned is None else (
-                fingerprint(item.nodeid, returned), count(returned))
-            yield Caught(item.nodeid, mark, numbers, in_fine_print(item))
+            yield Caught(item.nodeid, *hints.mark(item.nodeid, returned), in_fine_print(item))
 
 
 def work(topic, trials, only_first, pipe):
