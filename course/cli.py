@@ -18,7 +18,8 @@ to teach
 
 to work on the course
   skeleton              make labs/ from reference/, but for labs that were worked on
-  mistakes              try the known mistakes, and make the hints that they give
+  mistakes [TARGET]     try the known mistakes, and make the hints that they give
+  feedback [TARGET]     how often reports name what is wrong, on wrong answers as students write
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   test                  check everything: lint, code, labs, notebooks
 
@@ -180,7 +181,11 @@ def arguments():
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
     option("--force", action="store_true", help="start afresh the labs that were worked on, too")
 
-    add(mistakes)
+    option = add(mistakes)
+    option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
+
+    option = add(feedback)
+    option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
 
     option = add(mutants)
     option("target", nargs="?", metavar="TARGET",
@@ -274,7 +279,13 @@ def skeleton(asked):
 def mistakes(asked):
     """Try the mistakes in tests/mistakes/: each must be caught. Makes course/checks/hints.json."""
     import course.upkeep.mistakes
-    return course.upkeep.mistakes.run()
+    return course.upkeep.mistakes.run(asked.target)
+
+
+def feedback(asked):
+    """Try the wrong answers in tests/wrong_answers/: how often does the report name the cause?"""
+    import course.upkeep.feedback
+    return course.upkeep.feedback.run(asked.target)
 
 
 def mutants(asked):

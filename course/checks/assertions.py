@@ -1,9 +1,11 @@
 """What a check asserts: numbers within a tolerance, values that are equal, a picture."""
+from collections.abc import Callable
+from typing import NamedTuple
+
 import numpy as np
 
 from ..given import places
 from ..given.contract import as_array
-from .hints import hint
 from .pictures import draw, text_map
 from .showing import index_name, kind_name, layout, shape_name, shown
 
@@ -12,12 +14,25 @@ CLOSE_KINDS = {"b": "b", "i": "iuf", "u": "iuf", "f": "iuf", "c": "iufc"}
 EQUAL_KINDS = {"b": "b", "i": "iu", "u": "iu", "f": "iuf", "c": "iufc", "U": "U"}
 
 
-class Mismatch(AssertionError):
-    """What is wrong: rows (label, text) of the report, and the path of a picture or None."""
+class Compared(NamedTuple):
+    """Two arrays that do not agree: agrees(got, expected) -> booleans. Are they pictures?"""
 
-    def __init__(self, *rows, picture=None):
+    got: np.ndarray
+    expected: np.ndarray
+    agrees: Callable
+    picture: bool
+
+
+class Mismatch(AssertionError):
+    """What is wrong: rows (label, text) of the report.
+
+    compared: what hints are found in, picture: the path of one. Both may be None.
+    """
+
+    def __init__(self, *rows, compared=None, picture=None):
         super().__init__(layout(rows))
         self.rows = rows
+        self.compared = compared
         self.picture = picture
 
 
@@ -77,17 +92,18 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
     rows = [*rows, ("expected", shown(expected)), ("got", shown(got))]
     require_kind(got, expected, rows, kinds)
     got, expected = as_array(got), np.asarray(expected)
+    compared = Compared(got, expected, agrees, picture)
     if got.shape != expected.shape:
         raise Mismatch(*rows, ("differs", f"in shape: {shape_name(got)} came, "
                                           f"{shape_name(expected)} was expected"),
-                       *hint(got, expected, agrees, picture))
+                       compared=compared)
     wrong = ~np.asarray(agrees(got, expected))
     if not wrong.any():
         return
     if rows[-2][1] == rows[-1][1]:  # they differ in a digit that is not shown
         rows[-2:] = [("expected", shown(expected, digits=17)), ("got", shown(got, digits=17))]
-    rows += [*whereabouts(got, expected, wrong, allowed), *hint(got, expected, agrees, picture)]
-    raise drawn(got, expected, wrong, rows) if picture else Mismatch(*rows)
+    rows += whereabouts(got, expected, wrong, allowed)
+    raise drawn(compared, wrong, rows) if picture else Mismatch(*rows, compared=compared)
 
 
 def compare_outputs(got, expected, rows, *how):
@@ -109,14 +125,16 @@ def require_kind(got, expected, rows, kinds):
                                           f"{kind_name(expected)} were expected"))
 
 
-def drawn(got, expected, wrong, rows):
+def drawn(compared, wrong, rows):
     """The Mismatch of a picture, with a map of it in letters and the path of its PNG."""
+    got, expected, *_ = compared
     rows = [*rows, *text_map(got, expected)]
     try:
         path = draw(got, expected, distances(got, expected, wrong))
     except OSError as error:  # nowhere to draw, as where students' work is graded
-        return Mismatch(*rows, ("picture", f"none: {error}"))
-    return Mismatch(*rows, ("picture", places.shown_path(path)), picture=str(path))
+        return Mismatch(*rows, ("picture", f"none: {error}"), compared=compared)
+    return Mismatch(*rows, ("picture", places.shown_path(path)), compared=compared,
+                    picture=str(path))
 
 
 def whereabouts(got, expected, wrong, allowed):

@@ -1,6 +1,7 @@
 """Hints: which common mistake explains a wrong answer.
 
-Some are found in the numbers alone: a flipped sign, swapped axes. Others are known mistakes of
+Some are found in the numbers alone: a flipped sign, swapped axes (given/suspicions.py). Some show
+when the answer is tried with inputs exchanged (retries.py). Others are known mistakes of
 tests/mistakes/. What a mistake returned to each check that it fails is kept as a fingerprint. It is
 named only where a student's answer fails the same checks with the same numbers, and no others.
 """
@@ -13,83 +14,48 @@ from typing import NamedTuple
 import numpy as np
 
 from ..given.contract import as_array
-from .showing import shape_name
+from ..given.suspicions import ENOUGH, Suspicion, suspicion
+from .retries import mixed_up
+from .showing import arguments, shape_name
 
 HINTS = Path(__file__).with_name("hints.json")
-ENOUGH = 4  # so many equal numbers are no chance
-FRACTIONS = 1, 2, 3, 4, 180 / np.pi, np.pi / 180  # a factor is told if it is whole times one
+WHOLE = "whole"
+TRUTHS = 4
 
 
-def hint(got, expected, agrees, picture):
-    """A row that names a common mistake, if got without this mistake agrees with expected."""
-    with np.errstate(all="ignore"):
-        for mistake, mended in suspicions(got, expected, picture):
-            if mended.shape == expected.shape and np.all(agrees(mended, expected)):
-                certain = evidence(got, expected, agrees) >= ENOUGH
-                return [("hint", mistake if certain else f"it may be that {mistake}")]
-    return []
+NOTHING = Suspicion("", False)  # explains it: no suspicion
 
 
-def evidence(got, expected, agrees):
-    """How many numbers are wrong and speak for a mistake."""
-    if got.shape != expected.shape:
-        return expected.size
-    return np.count_nonzero(~np.broadcast_to(agrees(got, expected), expected.shape))
+def suspected(compared, call, returned):
+    """The Suspicion that explains all that was compared, NOTHING, or None: nothing can be said.
+
+    compared: of a Mismatch. call: function, args and kwargs of the last call, or None. returned:
+    its result. What a check made of the result shows less surely what is wrong with it.
+    """
+    if not (compared and call):
+        return None
+    got, expected, agrees, picture = compared
+    function, args, kwargs = call
+    found, place = suspicion(*compared[:3], arguments(*call), picture), place_in(returned, got)
+    if place is None:
+        return found._replace(certain=False) if found and found.certain else None
+
+    def is_right(result):
+        again = result if place is WHOLE else result[place]
+        return again.shape == expected.shape and np.all(agrees(again, expected))
+
+    if found is None and hasattr(function, "is_repeatable"):
+        change = mixed_up(function, args, kwargs, is_right)
+        wrong = expected.size if got.shape != expected.shape else ~agrees(got, expected)
+        found = change and Suspicion(f"it would be right with {change}", np.sum(wrong) >= ENOUGH)
+    return found or NOTHING
 
 
-def suspicions(got, expected, picture):
-    """Yield (a common mistake, got without it)."""
-    numeric = got.dtype.kind in "iufc"
-    if numeric:
-        yield "the sign is flipped", -got
-    if got.dtype.kind == "f" and got.shape == expected.shape and np.all(got == np.float32(got)):
-        yield ("float32 is not precise enough; compute in float64",
-               np.where(np.isclose(got, expected, 2e-6, 0), expected, got))
-    if got.dtype.kind == "b" and got.ndim:
-        yield "true and false are swapped", ~got
-    if got.ndim >= 2:
-        yield "rows and columns are swapped", got.swapaxes(0, 1)
-        yield "the last two axes are swapped", got.swapaxes(-1, -2)
-    if picture and got.ndim >= 2:
-        yield from misplaced(got)
-    else:
-        for axis in range(got.ndim):
-            yield f"the order along axis {axis} is reversed", np.flip(got, axis)
-            if got.shape[axis] == 3:
-                yield from exchanged(got, axis)
-    if numeric and got.shape == expected.shape and np.count_nonzero(expected) >= ENOUGH:
-        yield from off_everywhere(got, expected)
-
-
-def exchanged(got, axis):
-    """Yield (corners, coordinates or colours in a wrong order, got in the right one)."""
-    for places in (0, 1), (1, 2):
-        order = np.arange(3)
-        order[list(places)] = places[::-1]
-        yield (f"{places[0]} and {places[1]} are exchanged along axis {axis}",
-               np.take(got, order, axis))
-    for step in 1, -1:
-        yield f"the order along axis {axis} is moved on by one", np.roll(got, step, axis)
-
-
-def misplaced(picture):
-    """Yield (a common mistake, the picture without it)."""
-    yield "it is upside down; row 0 is at the bottom", picture[::-1]
-    yield "left and right are swapped", picture[:, ::-1]
-    for axis, step, place in ((0, 1, "low"), (0, -1, "high"),
-                              (1, 1, "far left"), (1, -1, "far right")):
-        yield f"it is one pixel too {place}", np.roll(picture, step, axis)
-
-
-def off_everywhere(got, expected):
-    """Yield (how far everything is off, got without it), judged by the largest number."""
-    largest = np.unravel_index(np.abs(expected).argmax(), expected.shape)
-    factor = got[largest] / expected[largest]
-    more = got[largest] - expected[largest]
-    if any(np.isclose(factor * n, np.round(factor * n), 1e-9, 0) for n in FRACTIONS):
-        yield f"everything is {factor:.4g} times what was expected", got / factor
-    than = "more" if more > 0 else "less"
-    yield f"everything is {abs(more):.4g} {than} than expected", got - more
+def place_in(returned, got):
+    """Which output of what was returned got is: WHOLE, its number, or None."""
+    if not isinstance(returned, tuple):
+        return WHOLE if returned is got else None
+    return next((number for number, output in enumerate(returned) if output is got), None)
 
 
 class Pattern(NamedTuple):
@@ -104,11 +70,10 @@ class Pattern(NamedTuple):
 
 
 def pattern(checks):
-    """The Pattern of checks that fail: (nodeid, fingerprint or None, numbers, fine_print) each."""
-    of_question = [check for check in checks if not check[3]]
-    counted = of_question or checks
-    return Pattern({short(nodeid): mark for nodeid, mark, *_ in counted},
-                   sum(numbers for _, _, numbers, _ in counted))
+    """The Pattern of checks that fail."""
+    counted = [check for check in checks if not check.fine_print] or checks
+    return Pattern({short(check.nodeid): check.mark for check in counted},
+                   sum(check.numbers for check in counted))
 
 
 def known_mistake(exercise, found):
@@ -122,6 +87,22 @@ def known_mistake(exercise, found):
             certain = found.numbers >= ENOUGH
             return f"this {'is' if certain else 'may be'} what comes out when {sentence}"
     return None
+
+
+def hint(exercise, checks):
+    """The hint for an exercise of which these Checks fail, or None.
+
+    A known mistake explains all of them. A suspicion is certain where none of them speaks against
+    it.
+    """
+    found = pattern(checks)
+    if known := known_mistake(exercise, found):
+        return known
+    counted = [check.suspected for check in checks if short(check.nodeid) in found.failed]
+    said = [Suspicion(*suspected) for suspected in counted if suspected is not None]
+    named = next((suspected for suspected in said if suspected.sentence), None)
+    alone = len({suspected.sentence for suspected in said}) == 1
+    return named and str(named._replace(certain=alone and any(one.certain for one in said)))
 
 
 @functools.cache
@@ -139,14 +120,15 @@ def short(nodeid):
 
 
 def mark(nodeid, returned):
-    """(fingerprint, how many numbers) of what a check was returned; (None, 0) if nothing was."""
+    """(fingerprint, `count`) of what a check was returned; (None, 0) if nothing was."""
     return (None, 0) if returned is None else (fingerprint(nodeid, returned), count(returned))
 
 
 def count(returned):
-    """How many numbers, truth values or letters were returned."""
+    """How many numbers or letters were returned; TRUTHS truth values say as much as one number."""
     outputs = returned if isinstance(returned, tuple) else (returned,)
-    return sum(count(output) if isinstance(output, tuple) else np.size(output)
+    return sum(count(output) if isinstance(output, tuple) else
+               np.size(output) // (TRUTHS if as_array(output).dtype == bool else 1)
                for output in outputs)
 
 

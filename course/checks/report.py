@@ -3,6 +3,7 @@
 A verdict is passed, failed, not started (the exercise raises its own NotImplementedError still) or
 blocked by 2.1 (another one does). A check that is skipped or expected to fail counts as failed.
 """
+import contextlib
 import inspect
 import re
 import traceback
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..given import places
+from ..given.suspicions import Suspicion
 from . import hints
 from .assertions import Mismatch
 from .loader import LAST_CALL, LAST_RETURN, folder
@@ -31,6 +33,7 @@ class Check(NamedTuple):
     fine_print: bool
     mark: str | None = None  # of a failed one: the fingerprint of what was returned to it
     numbers: int = 0         # so many were returned
+    suspected: tuple | None = None  # of a failed one: what hints.suspected says
 
 
 def judge(item, error, report, mark):
@@ -53,11 +56,17 @@ def judge(item, error, report, mark):
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
     returned = item.stash.get(LAST_RETURN, None) if verdict == "failed" else None
+    suspected = None
+    with contextlib.suppress(Exception):  # a report without a hint is better than none
+        suspected = hints.suspected(getattr(error, "compared", None),
+                                    item.stash.get(LAST_CALL, None), returned)
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
                          getattr(error, "picture", None), report.duration,
-                         is_fine_print(mark), *hints.mark(item.nodeid, returned))._asdict()
+                         is_fine_print(mark), *hints.mark(item.nodeid, returned),
+                         suspected and tuple(suspected))._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
-        report.longrepr = layout([("claim", claim(item)), *rows,
+        hint = [("hint", str(Suspicion(*suspected)))] if suspected and suspected[0] else []
+        report.longrepr = layout([("claim", claim(item)), *rows, *hint,
                                   ("again", "\n".join(commands(item, number)))])
 
 
@@ -88,8 +97,8 @@ def explained(error, item):
     returned = item.stash.get(LAST_RETURN, None)
     if returned is not None and "got" not in dict(rows) and not other_kind:
         rows.append(("got", shown(returned)))
-    compared = other_kind or "expected" in dict(rows)
-    if item.function.__doc__ and compared:
+    ran = not isinstance(error, Mismatch) or "expected" in dict(rows)
+    if item.function.__doc__ and ran:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]

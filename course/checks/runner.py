@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from ..given import places
-from .hints import known_mistake, pattern
+from .hints import hint
 from .loader import folder
 from .report import Check, claim, is_fine_print
 from .showing import layout, told
@@ -44,17 +44,15 @@ def run_checks(labs, numbers, implementation, seed, plugins=()):
 
 
 def explained(found):
-    """The Checks, those that fail with the known mistake that explains them all."""
+    """The Checks, those that fail with the hint that explains them all."""
     failing = {}
     for check in found:
         if check.verdict == "failed":
-            failing.setdefault(check.exercise, []).append(
-                (check.nodeid, check.mark, check.numbers, check.fine_print))
-    known = {exercise: known_mistake(exercise, pattern(checks))
-             for exercise, checks in failing.items()}
+            failing.setdefault(check.exercise, []).append(check)
+    hints = {exercise: hint(exercise, checks) for exercise, checks in failing.items()}
     for check in found:
-        hint = known.get(check.exercise) if check.verdict == "failed" else None
-        row = f"\n{layout([('hint', hint)])}" if hint else ""
+        told = hints.get(check.exercise) if check.verdict == "failed" else None
+        row = f"\n{layout([('hint', told)])}" if told else ""
         yield check._replace(message=check.message + row)
 
 

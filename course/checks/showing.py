@@ -81,6 +81,7 @@ def told(error, code):
               if Path(frame.filename).resolve().is_relative_to(code)]
     lines = shown_frames([(places.shown_path(frame.filename), frame.lineno, frame.name, frame.line)
                           for frame in frames])
+    lines += shapes_there(error.__traceback__, frames[-1]) if frames else []
     if isinstance(error, SyntaxError):
         where = f"{places.shown_path(error.filename)}:{error.lineno}"
         lines += [f"{where}\n    {(error.text or '').strip()}"]
@@ -88,6 +89,17 @@ def told(error, code):
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
     return "\n".join([cut(text), *lines])
+
+
+def shapes_there(trace, last):
+    """A line, or none: the shapes of the arrays that are named where an error came from."""
+    frames = [frame for frame, line in traceback.walk_tb(trace)
+              if (frame.f_code.co_filename, line) == (last.filename, last.lineno)]
+    known = frames[-1].f_locals
+    names = dict.fromkeys(re.findall(r"(?<![.\w])[A-Za-z_]\w*", last.line))
+    shapes = [f"{name} {shape_name(known[name])}" for name in names
+              if isinstance(known.get(name), np.ndarray)]
+    return [f"    there: {', '.join(shapes)}"] if shapes else []
 
 
 def cut(text):

@@ -16,13 +16,15 @@ choice.
 """
 import copy
 import inspect
-import io
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from . import places
 from .contract import called, unchanged
+from .gradcheck_picture import draw
+from .suspicions import suspicion
 
 STEPS = 4.0 ** -np.arange(3, 12)  # 1.6e-2 to 2.4e-7 of `magnitude`; smaller ones are all rounding
 SETTLED = 1e-9                    # two successive E as close as this end the sweep
@@ -48,6 +50,17 @@ class GradientMismatch(AssertionError):
         self.picture = picture
 
 
+class Case(NamedTuple):
+    """What is checked. inputs: copies, titles: {position of those to differentiate: its title}."""
+
+    forward: Callable
+    backward: Callable
+    decisions: Callable | None
+    inputs: list
+    titles: dict
+    name: str
+
+
 class Part(NamedTuple):
     """Numbers that are judged together: an input's elements, or slopes along random directions."""
 
@@ -56,11 +69,18 @@ class Part(NamedTuple):
     numeric: np.ndarray  # of the same shape; NaN where left out or not looked at
     probes: dict         # index of each number looked at -> (moves, scale), see `sweep`
 
+    def measure(self, slope):
+        for index, (moves, scale) in self.probes.items():
+            self.numeric[index] = sweep(slope, moves, scale)[0]
+
     def left_out(self):
         return sum(bool(np.isnan(self.numeric[index])) for index in self.probes)
 
     def error(self):
         return relative_error(self.analytic, self.numeric)
+
+    def is_off(self, rtol):
+        return (self.error() > rtol).any()
 
     def worst(self):
         return np.unravel_index(np.nanargmax(self.error()), self.numeric.shape)
@@ -87,19 +107,30 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     here: one element on an edge spoils them all.) ValueError where nothing can be differentiated.
     """
     titles, inputs = prepare(forward, inputs, differentiable, name)
+    case = Case(forward, backward, decisions, inputs, titles, name)
     rng = np.random.default_rng(seed)
     upstream = [rng.standard_normal(y.shape) for y in call(forward, inputs, f"{name}: forward")]
-    gradients = gradients_of(backward, upstream, inputs, titles, name)
-
-    parts = [element_part(titles[k], k, inputs[k], gradients[k], rng) for k in titles]
-    parts += [direction_part(titles[k], {k: gradients[k]}, inputs, rng) for k in titles]
+    gradients = gradients_of(case, upstream)
+    elements = [element_part(titles[k], k, inputs[k], gradients[k], rng) for k in titles]
+    directions = [direction_part(titles[k], {k: gradients[k]}, inputs, rng) for k in titles]
     if len(titles) > 1:
-        parts += [direction_part("all inputs together", gradients, inputs, rng)]
-    slope = slope_of_loss(forward, decisions, inputs, upstream)
-    for part in parts:
-        for index, (moves, scale) in part.probes.items():
-            part.numeric[index] = sweep(slope, moves, scale)[0]
-    return verdict(parts[:len(titles)], parts[len(titles):], slope, rtol, name, seed)
+        directions += [direction_part("all inputs together", gradients, inputs, rng)]
+    slope = slope_of_loss(case, upstream)
+    for part in elements + directions:
+        part.measure(slope)
+
+    looked_at = sum(len(part.probes) for part in elements + directions)
+    left_out = sum(part.left_out() for part in elements + directions)
+    summary = f"(seed {seed}, {left_out} of {looked_at} numbers left out)"
+    wrong = [part for part in elements if part.is_off(rtol)]
+    wrong = wrong or [part for part in directions if part.is_off(rtol)]  # no single element tells
+    if wrong:
+        lines = [f"{name}: wrong gradient {summary}", *complaints(case, wrong, upstream, rtol),
+                 *parts_of_outputs(case, upstream, rng, rtol)]
+        raise GradientMismatch(*evidence(lines, wrong[0], slope, rtol, name))
+    require_enough(elements, name, summary)
+    worst = max(np.nanmax(part.error(), initial=0.0) for part in elements + directions)
+    return GradReport(looked_at - left_out, left_out, float(worst))
 
 
 # --- what comes in, what comes back -----------------------------------------------------------
@@ -130,17 +161,18 @@ def title_of(forward, position):
         return f"input {position}"
 
 
-def gradients_of(backward, upstream, inputs, titles, name):
+def gradients_of(case, upstream):
     """-> {position: analytic gradient}, once their number and shapes are right."""
-    gradients = call(backward, [*upstream, *inputs], f"{name}: backward")
+    titles, name = case.titles, case.name
+    gradients = call(case.backward, [*upstream, *case.inputs], f"{name}: backward")
     if len(gradients) == 1 < len(titles) and gradients[0].shape[:1] == (len(titles),):
         gradients = list(gradients[0])  # they came as a list, which has become one array
     require(len(gradients) == len(titles), f"{name}: backward must return {len(titles)} gradients, "
             f"with respect to {', '.join(titles.values())}; it returned {len(gradients)}")
     for k, gradient in zip(titles, gradients, strict=True):
-        require(gradient.shape == inputs[k].shape, f"{name}: the gradient with respect to "
-                f"{titles[k]} must have that input's shape {inputs[k].shape}; it has "
-                f"{gradient.shape}")
+        shape = case.inputs[k].shape
+        require(gradient.shape == shape, f"{name}: the gradient with respect to {titles[k]} must "
+                f"have that input's shape {shape}; it has {gradient.shape}")
     return dict(zip(titles, gradients, strict=True))
 
 
@@ -211,11 +243,13 @@ def direction_part(title, gradients, inputs, rng):
     return Part(f"{title}, random direction", slopes, np.full(DIRECTIONS, np.nan), probes)
 
 
-def slope_of_loss(forward, decisions, inputs, upstream):
+def slope_of_loss(case, upstream):
     """-> the function slope(moves, h), which is D(h), or NaN where a decision changes.
 
     moves {position: direction}: those inputs move, each along its direction.
     """
+    forward, _, decisions, inputs, *_ = case
+
     def decide(there):
         return arrays(called(decisions, *there)) if decisions else []
 
@@ -265,18 +299,8 @@ def relative_error(analytic, numeric):
 # --- the verdict, and what a failure tells ----------------------------------------------------
 
 
-def verdict(elements, directions, slope, rtol, name, seed):
-    """GradReport, or GradientMismatch, from the parts that were measured."""
-    parts = elements + directions
-    looked_at, left_out = sum(len(p.probes) for p in parts), sum(p.left_out() for p in parts)
-    summary = f"(seed {seed}, {left_out} of {looked_at} numbers left out)"
-
-    wrong = [[p for p in group if (p.error() > rtol).any()] for group in (elements, directions)]
-    wrong = wrong[0] or wrong[1]  # a direction is told of only where no single element tells
-    if wrong:
-        lines = [f"{name}: wrong gradient {summary}", *(complaint(part, rtol) for part in wrong)]
-        raise GradientMismatch(*evidence(lines, wrong[0], slope, rtol, name))
-
+def require_enough(elements, name, summary):
+    """GradientMismatch if too many elements were left out, or there is no gradient at all."""
     for part in elements:
         lost = part.left_out()
         require(lost <= LEFT_OUT_LIMIT * len(part.probes), f"{name}: too little could be checked "
@@ -286,37 +310,40 @@ def verdict(elements, directions, slope, rtol, name, seed):
         require(part.analytic.any(), f"{name}: nothing to check {summary}: the gradient with "
                 f"respect to {part.title} is zero everywhere, and so are the central differences; "
                 "choose inputs on which the output depends, or name the others in differentiable=")
-    worst = max(np.nanmax(part.error(), initial=0.0) for part in parts)
-    return GradReport(looked_at - left_out, left_out, float(worst))
 
 
-def complaint(part, rtol):
-    """How many numbers are off, the mistake that explains them all, and the worst of them."""
-    error, worst = part.error(), part.worst()
-    place = f"at {list(map(int, worst))}: " if worst else ""
-    return (f"with respect to {part.title}: {(error > rtol).sum()} of {len(part.probes)} looked at "
-            f"are off{pattern(part.analytic, part.numeric, rtol)}\n    {place}"
-            f"analytic {part.analytic[worst] + 0.0:.10g}, numeric {part.numeric[worst]:.10g}, "
-            f"relative error {error[worst]:.2g} (at most {rtol:g})")
+def complaints(case, wrong, upstream, rtol):
+    """Of each part that is wrong, how many numbers are off, what explains them, and the worst."""
+    inputs = [*((f"upstream gradient {k}", u) for k, u in enumerate(upstream)),
+              *((title, case.inputs[k]) for k, title in case.titles.items())]
+    for part in wrong:
+        error, worst = part.error(), part.worst()
+        place = f"at {list(map(int, worst))}: " if worst else ""
+        yield (f"with respect to {part.title}: {(error > rtol).sum()} of {len(part.probes)} looked "
+               f"at are off{explanation(part, inputs, rtol)}\n    {place}"
+               f"analytic {part.analytic[worst] + 0.0:.10g}, numeric {part.numeric[worst]:.10g}, "
+               f"relative error {error[worst]:.2g} (at most {rtol:g})")
 
 
-def pattern(analytic, numeric, rtol):
-    """A mistake that alone explains every number, after a semicolon, else ''."""
-    seen = ~np.isnan(numeric)
-    mistakes = [("it is zero everywhere", 0 * numeric),
-                ("the sign is flipped", -numeric)]
-    if np.count_nonzero(numeric[seen]) > 1:
-        factor = np.vdot(numeric[seen], analytic[seen]) / np.vdot(numeric[seen], numeric[seen])
-        mistakes += [(f"everything is {factor:.6g} times the numeric one", factor * numeric)]
-    if numeric.ndim > 1:
-        mistakes += [("its last two axes are swapped", np.swapaxes(numeric, -1, -2))]
-    mistakes += [(f"the order along axis {axis} is reversed", np.flip(numeric, axis))
-                 for axis in range(numeric.ndim)]
-    for sentence, mistaken in mistakes:
-        if (mistaken.shape == analytic.shape
-                and (relative_error(analytic, mistaken)[seen] <= rtol).all()):
-            return f"; {sentence}"
-    return ""
+def explanation(part, inputs, rtol):
+    """The mistake that alone explains every number, after a semicolon, else ''."""
+    unseen = np.isnan(part.numeric)
+
+    def agrees(analytic, numeric):
+        return unseen | (relative_error(analytic, numeric) <= rtol)
+
+    found = suspicion(part.analytic, part.numeric, agrees, inputs)
+    return f"; {found}" if found else ""
+
+
+def parts_of_outputs(case, upstream, rng, rtol):
+    """Lines: is the gradient right that comes from each of several outputs alone?"""
+    for output in range(len(upstream)) if len(upstream) > 1 else ():
+        alone = [u if k == output else 0 * u for k, u in enumerate(upstream)]
+        part = direction_part("", gradients_of(case, alone), case.inputs, rng)
+        part.measure(slope_of_loss(case, alone))
+        how = "right" if not part.is_off(rtol) else "wrong" if part.analytic.any() else "missing"
+        yield f"what comes from output {output} is {how}"
 
 
 def evidence(lines, part, slope, rtol, name):
@@ -332,48 +359,3 @@ def evidence(lines, part, slope, rtol, name):
     except OSError as error:  # must not hide the mismatch
         picture, lines = None, [*lines, f"no picture: {error}"]
     return "\n  ".join(lines), picture and str(picture)
-
-
-def draw(part, rtol, name, steps, D, change):
-    """Write analytic | numeric | difference | what is off | the worst sweep -> the path."""
-    from matplotlib.figure import Figure  # here, so that a check that passes does not wait for it
-
-    error, worst = part.error(), part.worst()
-    figure = Figure(figsize=(16, 3.8))
-    figure.suptitle(f"{name}: the gradient with respect to {part.title} is off in "
-                    f"{(error > rtol).sum()} of {len(part.probes)} numbers (red below zero, "
-                    "blue above, grey not known)")
-    figure.subplots_adjust(left=0.03, right=0.99, bottom=0.14, top=0.82, wspace=0.2)
-    *axes, curve = figure.subplots(1, 5, width_ratios=[1, 1, 1, 1, 1.3])
-
-    difference, state = part.analytic - part.numeric, np.full(error.shape, np.nan)
-    for index in part.probes:
-        state[index] = -1 if error[index] > rtol else 1 if np.isnan(error[index]) else 0
-    limit, gap = (np.nanmax(np.abs(x)) for x in ([part.analytic, part.numeric], difference))
-    show(axes[0], f"analytic (to ±{limit:.3g})", part.analytic, limit)
-    show(axes[1], f"numeric (to ±{limit:.3g})", part.numeric, limit)
-    show(axes[2], f"difference (to ±{gap:.3g})", difference, gap)
-    show(axes[3], "red: off, blue: left out", state, 1)
-
-    least = 1e-16 * np.abs([part.analytic[worst], part.numeric[worst]]).max()
-    distance = np.abs(D - part.numeric[worst])
-    curve.loglog(steps, np.maximum(distance, least), "o-", label="|D - numeric|")
-    curve.loglog(steps[2:], np.maximum(change, least), "s-", label="change of E")
-    curve.axhline(np.abs(difference[worst]), color="black", ls="--", label="|analytic - numeric|")
-    curve.set(title="step sweep of the worst number", xlabel="h")
-    curve.minorticks_off()
-    curve.legend()
-
-    png, path = io.BytesIO(), places.check_picture(name)
-    figure.savefig(png)
-    places.write_whole(path, png.getvalue())
-    return path
-
-
-def show(axis, title, x, limit):
-    """x in rows and columns, y up, in colours from -limit to limit."""
-    rows = x.reshape(len(x), -1) if x.ndim > 1 else x.reshape(1, -1)
-    axis.imshow(rows, "RdBu", vmin=-limit, vmax=limit, origin="lower", aspect="auto",
-                interpolation="nearest")
-    axis.set(title=title, facecolor="0.8")
-    axis.locator_params(integer=True, min_n_ticks=1)

@@ -1,6 +1,6 @@
 """The mistakes that people really make, exercise by exercise, and the hints that they give.
 
-tests/mistakes/<topic>.py has up to three wrong functions for each exercise. It is only read, never
+tests/mistakes/<topic>.py has up to six wrong functions for each exercise. It is only read, never
 imported: each function takes the place of the one of its name, and its docstring goes on after
 "this is what comes out when". They serve twice. Each must be caught by its exercise's own checks.
 And where a student's function does in all checks what a known mistake does there, the report tells
@@ -15,7 +15,7 @@ import textwrap
 from typing import NamedTuple
 
 from .. import board, exercises
-from ..checks.hints import HINTS, pattern
+from ..checks.hints import HINTS, known_mistakes, pattern
 from ..given import places
 from . import mutants
 
@@ -51,31 +51,35 @@ def library(topic):
 
 
 def tried(topic):
-    """[(Mistake, [mutants.Caught] of the checks that caught it)]."""
+    """[(Mistake, [Check that caught it])]."""
     mistakes = library(topic)
     trials = [(mistake.exercise, mistake.text) for mistake in mistakes]
     return list(zip(mistakes, mutants.caught_by(topic, trials, only_first=False), strict=True))
 
 
 def patterns(found):
-    """[(sentence, its Pattern's failed)] of what `tried` gives of one exercise; none stands twice.
+    """[(sentence, its Pattern's failed)] of what `tried` gives of one exercise.
+
+    Mistakes that do the same in all checks make one sentence: "..., or when ...".
     """
     kept = []
     for mistake, caught in found:
         failed = pattern(caught).failed
-        if any(failed.values()) and failed not in [other for _, other in kept]:
-            kept.append((mistake.sentence, failed))
+        if any(failed.values()):
+            same = [sentence for sentence, other in kept if other == failed]
+            kept = [pair for pair in kept if pair[1] != failed]
+            kept.append((", or when ".join([*same, mistake.sentence]), failed))
     return kept
 
 
-def run():
-    """Try all mistakes, write course/checks/hints.json. -> 0 if all are caught, else 1.
+def run(target=None):
+    """Try all mistakes, or those of a topic or a lab, and write course/checks/hints.json.
 
-    Where several mistakes do the same in all checks, the first one's sentence is told.
+    -> 0 if all are caught, else 1.
     """
-    made, alive = {}, []
+    made, alive = dict(known_mistakes()) if target else {}, []
     for topic in exercises.topics():
-        found = tried(topic)
+        found = tried(topic) if target in (None, topic, str(exercises.lab_number(topic))) else []
         for exercise in dict.fromkeys(mistake.exercise for mistake, _ in found):
             own = [pair for pair in found if pair[0].exercise == exercise]
             made[exercise.number] = patterns(own)

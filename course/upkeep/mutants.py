@@ -37,9 +37,9 @@ import pytest
 from _pytest.runner import runtestprotocol
 
 from .. import board, exercises
-from ..checks import hints
+from ..checks import retries
 from ..checks.loader import LAST_RETURN, PACKAGE
-from ..checks.report import is_fine_print
+from ..checks.report import Check, is_fine_print
 from ..given import places
 
 GOAL_EXERCISE, GOAL_COURSE = 0.95, 0.98  # shares of the mutants that are caught
@@ -298,7 +298,7 @@ class Trials:
     """A pytest plugin: collects checks once, then runs them on one wrong answer after another.
 
     trials: [(exercise, text of the function)]. tell(seconds) once for the right answers, then for
-    each trial [Caught] of the checks that caught it: of the first one, or of all. The checks of the
+    each trial the Checks that caught it: the first one, or all. The checks of the
     fine print come last.
     """
 
@@ -330,31 +330,27 @@ class Trials:
         return True
 
 
-class Caught(NamedTuple):
-    """A check that failed, with the fingerprint of what it was returned, if there was anything."""
-
-    nodeid: str
-    mark: str | None
-    numbers: int
-    fine_print: bool
-
-
 def in_fine_print(item):
     return is_fine_print(item.get_closest_marker("exercise"))
 
 
 def failures(items):
-    """Run checks; yield Caught of each that fails."""
+    """Run checks; yield the Check of each that fails."""
     for item in items:
         item.stash[LAST_RETURN] = None
-        if any(report.failed for report in
-               runtestprotocol(item, log=False, nextitem=item.parent)):  # keeps what is of the file
-            returned = item.stash[LAST_RETURN]
-            yield Caught(item.nodeid, *hints.mark(item.nodeid, returned), in_fine_print(item))
+        for report in runtestprotocol(item, log=False, nextitem=item.parent):  # keeps the file's
+            if report.failed:
+                yield Check(**report.check)
+                break
 
 
 def work(topic, trials, only_first, pipe):
-    """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
+    """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn.
+
+    With only_first, no hint is looked for.
+    """
+    if only_first:
+        retries.SECONDS = 0.0
     with contextlib.suppress(ImportError):  # not on Windows
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # a mutant may ask for all
@@ -390,25 +386,31 @@ def caught_by(topic, trials, only_first=True):
         process.start()
         there.close()
         try:
-            limit = max(AT_LEAST, SLOWER * seconds_of_the_right_ones(here, topic))
+            limit = max(AT_LEAST, SLOWER * received(here, topic))
             while len(verdicts) < len(trials) and here.poll(limit):
-                verdicts.append(here.recv())
+                verdicts.append(received(here, topic))
             if len(verdicts) < len(trials):
-                verdicts.append([Caught(f"no end in {limit:.0f} s", None, 0, False)])
+                verdicts.append([lost(trials[len(verdicts)], f"no end in {limit:.0f} s")])
         except EOFError:
-            verdicts.append([Caught("it broke off", None, 0, False)])
+            verdicts.append([lost(trials[len(verdicts)], "it broke off")])
         finally:
             process.kill()
             process.join()
     return verdicts
 
 
-def seconds_of_the_right_ones(pipe, topic):
-    first = pipe.recv()
-    if isinstance(first, str):
-        raise ValueError(f"the checks of {topic} do not pass on the reference: "
-                         f"mend them first\n{first.strip()[-500:]}")
-    return first
+def lost(trial, why):
+    """The Check in the place of all those of a trial whose process was lost."""
+    return Check(trial[0].number, why, why, "failed", why, None, 0.0, False)
+
+
+def received(pipe, topic):
+    """What a worker sends. ValueError: it broke off, and sent what pytest said."""
+    sent = pipe.recv()
+    if isinstance(sent, str):
+        raise ValueError(f"the checks of {topic} do not run, or do not pass on the reference: "
+                         f"mend them first\n{sent.strip()[-500:]}")
+    return sent
 
 
 def function_of(topic, exercise):

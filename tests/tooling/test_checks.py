@@ -100,43 +100,11 @@ def test_equal_refuses(got, expected):
     assert text_of(assert_equal, got, expected)
 
 
-CORNER = np.array([[1.0, 2.0, 4.0], [-3.0, 5.0, 9.0]])
 FACE_INDEX = np.array([[-1, -1, -1, -1, -1, -1],
                        [-1, -1,  0,  0,  2, -1],
                        [-1, -1,  0, -1, -1, -1],
                        [-1, -1, -1, -1, -1, -1],
                        [-1, -1, -1, -1, -1, -1]])
-
-
-@pytest.mark.parametrize(("assertion", "got", "expected", "hint"), [
-    (assert_close, -CORNER, CORNER, "the sign is flipped"),
-    (assert_close, CORNER.T, CORNER, "rows and columns are swapped"),
-    (assert_close, CORNER[::-1], CORNER, "the order along axis 0 is reversed"),
-    (assert_close, CORNER[:, ::-1], CORNER, "the order along axis 1 is reversed"),
-    (assert_close, CORNER[:, [1, 0, 2]], CORNER, "0 and 1 are exchanged along axis 1"),
-    (assert_close, CORNER[:, [1, 2, 0]], CORNER, "the order along axis 1 is moved on by one"),
-    (assert_close, -CORNER[0], CORNER[0], "it may be that the sign is flipped"),
-    (assert_close, CORNER * 2, CORNER, "everything is 2 times what was expected"),
-    (assert_close, CORNER + 0.5, CORNER, "everything is 0.5 more than expected"),
-    (assert_close, np.float32(CORNER / 3), CORNER / 3, "float32 is not precise enough"),
-    (assert_equal, CORNER < 3, CORNER >= 3, "true and false are swapped"),
-    (assert_picture, FACE_INDEX[::-1], FACE_INDEX, "it is upside down; row 0 is at the bottom"),
-    (assert_picture, FACE_INDEX[:, ::-1], FACE_INDEX, "left and right are swapped"),
-    (assert_picture, FACE_INDEX + 1, FACE_INDEX, "everything is 1 more than expected"),
-    (assert_picture, np.roll(FACE_INDEX, 1, 0), FACE_INDEX, "it is one pixel too high"),
-    (assert_picture, np.roll(FACE_INDEX, -1, 0), FACE_INDEX, "it is one pixel too low"),
-    (assert_picture, np.roll(FACE_INDEX, 1, 1), FACE_INDEX, "it is one pixel too far right"),
-    (assert_picture, np.roll(FACE_INDEX, -1, 1), FACE_INDEX, "it is one pixel too far left"),
-], ids=lambda value: value if isinstance(value, str) else "")
-def test_a_common_mistake_is_named(pictures, assertion, got, expected, hint):
-    """The hint names another mistake, or the opposite direction."""
-    assert f"hint      {hint}" in text_of(assertion, got, expected)
-
-
-def test_no_mistake_is_named_where_none_explains_the_numbers():
-    """A hint that is only a guess."""
-    assert "hint" not in text_of(assert_close, CORNER + CORNER ** 2, CORNER)
-    assert "hint" not in text_of(assert_close, np.array([3.0, 5.0]), np.array([5.0, 7.0]))
 
 
 def test_a_small_raster_is_printed_with_its_top_row_first(pictures):
@@ -537,10 +505,10 @@ got       [[-1., -1.],
            [-1., -1.]]
 differs   in 4 of 4, first at [0, 0]: -1.0 came, 1.0 was expected; by 2 at most,
           at [0, 0]; allowed 1e-12 + 1e-09 |expected|
-hint      the sign is flipped
 check     tests/labs/test_transforms.py:32
           assert_close(
 seed      0
+hint      the sign is flipped
 again     python3 -m course check 1.3
           pytest --impl=labs "tests/labs/test_transforms.py::test_shifted_adds[one]"
 """)
@@ -551,6 +519,7 @@ def test_an_error_in_the_students_code_shows_the_students_lines_alone(output):
     """Frames of pytest or of the course, or not the line that went wrong."""
     assert output["test_half_of_one"].startswith("""\
 claim     Half of one
+catches   Division by zero.
 given     half(x=1.0)
 wrong     ZeroDivisionError: float division by zero
           labs/transforms.py:10 in half

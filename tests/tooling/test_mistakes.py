@@ -31,12 +31,12 @@ def test_every_mistake_is_caught_by_its_own_exercise_and_gives_a_hint(topic):
 
 
 @pytest.mark.parametrize("topic", TOPICS)
-def test_every_exercise_has_one_to_three_mistakes_in_its_place(topic):
+def test_every_exercise_has_one_to_six_mistakes_in_its_place(topic):
     """An exercise is left out or has the same sentence twice; a library grows without end."""
     library, asked = mistakes.library(topic), exercises.topic_exercises(topic)
     for exercise in asked:
         sentences = [mistake.sentence for mistake in library if mistake.exercise == exercise]
-        assert 1 <= len(sentences) <= 3, exercise.number
+        assert 1 <= len(sentences) <= 6, exercise.number
         assert len(set(sentences)) == len(sentences), exercise.number
     assert [mistake.exercise for mistake in library] == sorted(
         [mistake.exercise for mistake in library], key=asked.index)
@@ -104,7 +104,8 @@ def test_no_sentence_is_of_a_mistake_that_is_no_more():
     """hints.json was not made anew."""
     made = json.loads(HINTS.read_bytes())
     there = {mistake.sentence for topic in TOPICS for mistake in mistakes.library(topic)}
-    assert {sentence for known in made.values() for sentence, _ in known} - there == set()
+    assert {sentence for known in made.values() for joined, _ in known
+            for sentence in joined.split(", or when ")} - there == set()
 
 
 def test_a_student_reads_the_sentence(run_module, pytestconfig, tmp_path):

@@ -1,0 +1,251 @@
+"""Common mistakes that show in the numbers alone, as a flipped sign does.
+
+Each is tried on what was expected. It is named if it makes of this what came, number for number:
+
+    suspicion(got, expected, agrees)  ->  "the sign is flipped" if agrees(got, -expected)
+
+So it is a fact about the numbers. Where fewer than ENOUGH of them are wrong, it may be chance.
+"""
+import itertools
+from typing import NamedTuple
+
+import numpy as np
+
+from .contract import as_array
+
+ENOUGH = 4  # so many wrong numbers that a mistake explains are no chance
+DIGITS = 3e-7  # about the relative error of float32, and of a finite difference
+
+
+class Suspicion(NamedTuple):
+    """A sentence, and whether the numbers are ENOUGH to be certain of it."""
+
+    sentence: str
+    certain: bool
+
+    def __str__(self):
+        return self.sentence if self.certain else f"it may be that {self.sentence}"
+
+
+@np.errstate(all="ignore")
+def suspicion(got, expected, agrees, inputs=(), picture=False):
+    """The Suspicion that explains all that is wrong in got, or None.
+
+    got, expected: arrays that do not agree. agrees(got, other) -> booleans. inputs: [(name, value)]
+    of the call, to name a factor by. picture: row 0 of both is at the bottom.
+    """
+    for sentence, mistaken in mistakes(got, expected, picture):
+        if mistaken.shape == got.shape and np.all(agrees(got, mistaken)):
+            return Suspicion(sentence, expected.size >= ENOUGH if got.shape != expected.shape else
+                             count_wrong(got, expected, agrees) >= ENOUGH)
+    if got.shape != expected.shape or not is_numeric(got, expected):
+        return None
+    wrong = np.broadcast_to(~agrees(got, expected), got.shape)
+    told = [*scaled(got, expected, agrees, inputs), *imprecise(got, expected),
+            *in_a_part(got, expected, wrong, agrees), *by_index(wrong, inputs)]
+    return Suspicion(told[0], wrong.sum() >= ENOUGH) if told else None
+
+
+def count_wrong(got, expected, agrees):
+    return np.count_nonzero(~np.broadcast_to(agrees(got, expected), expected.shape))
+
+
+def is_numeric(*arrays):
+    return all(array.dtype.kind in "iufc" for array in arrays)
+
+
+def mistakes(got, expected, picture):
+    """Yield (a common mistake, what was expected with the mistake in it)."""
+    if expected.dtype.kind == "b":
+        yield "true and false are swapped", ~expected
+    if is_numeric(got, expected):
+        yield "the sign is flipped", -expected
+    if picture and expected.ndim >= 2:
+        yield from misplaced(expected)
+    yield from in_another_order(expected, not picture)
+    if got.shape != expected.shape:
+        yield from in_another_shape(got, expected)
+    elif is_numeric(got, expected):
+        yield from distorted(got, expected)
+
+
+def misplaced(picture):
+    yield "it is upside down; row 0 is at the bottom", picture[::-1]
+    yield "left and right are swapped", picture[:, ::-1]
+    for axis, step, place in ((0, -1, "low"), (0, 1, "high"),
+                              (1, -1, "far left"), (1, 1, "far right")):
+        yield f"it is one pixel too {place}", np.roll(picture, step, axis)
+
+
+def in_another_order(expected, along_axes):
+    """Yield what was expected, with axes exchanged, or an axis in another order."""
+    if expected.ndim == 2:
+        yield "rows and columns are swapped", expected.T
+    elif expected.ndim > 2:
+        for axes in itertools.combinations(range(expected.ndim), 2):
+            yield f"axes {axes[0]} and {axes[1]} are swapped", expected.swapaxes(*axes)
+    for axis in range(expected.ndim if along_axes else 0):
+        if expected.shape[axis] == 3:
+            for i, j in (0, 1), (1, 2):
+                order = [{i: j, j: i}.get(k, k) for k in range(3)]
+                yield (f"{i} and {j} are exchanged along axis {axis}",
+                       np.take(expected, order, axis))
+            for step in 1, -1:
+                yield (f"the order along axis {axis} is moved on by one",
+                       np.roll(expected, step, axis))
+        yield f"the order along axis {axis} is reversed", np.flip(expected, axis)
+
+
+def in_another_shape(got, expected):
+    """Yield (how it got another shape, got itself), where the numbers are those expected."""
+    if got.size == expected.size and np.array_equal(got.ravel(), expected.ravel()):
+        yield "the numbers are right, the shape is not", got
+    for axis in range(got.ndim if got.ndim == expected.ndim + 1 and is_numeric(got) else 0):
+        for name in "sum", "mean":
+            reduced = getattr(got, name)(axis)
+            if reduced.shape == expected.shape and np.allclose(reduced, expected, 1e-9):
+                yield f"the {name} over axis {axis} is missing", got
+
+
+def distorted(got, expected):
+    """Yield (what became of the numbers, what was expected with it)."""
+    yield "it is zero everywhere", 0 * expected
+    yield "the square of what was expected came", expected ** 2
+    yield "1 over what was expected came", 1 / expected
+    if "c" in (got.dtype.kind, expected.dtype.kind):
+        return
+    if np.any(expected < 0) and np.any(expected > 0):
+        yield "negative numbers came as positive ones", np.abs(expected)
+        yield "negative numbers came as 0", np.maximum(expected, 0)
+    for mended, whole in (("down", np.floor(expected)), ("toward 0", np.trunc(expected)),
+                          ("to the nearest", np.rint(expected))):
+        yield f"the numbers are rounded {mended}: by //, int, or an array of integers?", whole
+    yield "the numbers are cut off at 0 and 1", np.clip(expected, 0, 1)
+    yield "the square root of what was expected came", np.sqrt(expected)
+    if expected.ndim and expected.shape[-1] in (2, 3, 4):
+        for name, size in (("they have length 1", np.linalg.norm), ("they sum to 1", np.sum)):
+            if np.allclose(size(expected, axis=-1), 1):
+                yield (f"the numbers along the last axis are not scaled until {name}",
+                       expected * size(got, axis=-1, keepdims=True))
+
+
+def scaled(got, expected, agrees, inputs):
+    """Yield that all is off by one factor, one summand, or a factor that an input holds."""
+    counted = np.count_nonzero(np.isfinite(expected) & (expected != 0))
+    finite = np.isfinite(got) & np.isfinite(expected)
+    if counted >= 2 and finite.any():
+        there = expected[finite]
+        factor = np.vdot(there, got[finite]) / np.vdot(there, there)
+        if np.all(agrees(got, factor * expected)):
+            yield (f"everything is {factor:.6g} times what was expected"
+                   f"{named(factor, inputs)}")
+    more = got.flat[0] - expected.flat[0]
+    if got.size >= ENOUGH and more and np.all(agrees(got, expected + more)):
+        yield f"everything is {abs(more):.6g} {'more' if more > 0 else 'less'} than expected"
+    for name, array in inputs:
+        yield from times_an_input(got, expected, agrees, name, as_array(array))
+
+
+def named(factor, inputs):
+    """"; width / 2 is 4": the sizes among the inputs that a factor, or 1 over it, is made of."""
+    sizes = {name: value for name, value in inputs if not np.iterable(value)}
+    sizes |= {f"len({name})": len(value) for name, value in inputs if np.iterable(value)}
+    size = max(abs(factor), 1 / abs(factor))
+    found = [f"{name}{part}" for name, value in sizes.items()
+             if isinstance(value, int | float | np.number) and not isinstance(value, bool)
+             for part, made in (("", value), (" / 2", value / 2))
+             if made > 2 and np.isclose(size, made, 1e-6)]
+    return f"; {' or '.join(found[:3])} is {size:.6g}" if found else ""
+
+
+def times_an_input(got, expected, agrees, name, array):
+    """Yield that each number is off by its own factor, which stands in an input."""
+    if array.dtype.kind != "f" or not array.ndim or not array.size or (
+            not np.isfinite(array).all()):
+        return
+    factors = [(name, array)]
+    if array.shape[-1] in (2, 3, 4):
+        factors += [(f"{name}[..., {k}]", array[..., k:k + 1]) for k in range(array.shape[-1])]
+        factors += [(f"{name}[..., {k}]", array[..., k]) for k in range(array.shape[-1])]
+    for title, factor in factors:
+        if np.ptp(factor) == 0 or not broadcasts(factor.shape, expected.shape):
+            continue
+        for verb, mistaken in (("multiplied", expected * factor), ("divided", expected / factor)):
+            if np.all(agrees(got, mistaken)):
+                yield f"it is what was expected, {verb} by {title}"
+
+
+def broadcasts(shape, other):
+    try:
+        return np.broadcast_shapes(shape, other) == other
+    except ValueError:
+        return False
+
+
+def imprecise(got, expected):
+    """Yield that all is nearly right."""
+    if not (got.dtype.kind == expected.dtype.kind == "f" and np.isfinite(expected).all()):
+        return
+    error = np.abs(got - expected) / np.abs(expected).max(initial=0)
+    if np.all(error < DIGITS):
+        if np.all(got == np.float32(got)):
+            yield "float32 is not precise enough; compute in float64"
+        elif np.median(error) > 1e-11:
+            yield ("it is right to seven digits or so: something is computed in float32, or as a "
+                   "finite difference")
+
+
+def in_a_part(got, expected, wrong, agrees):
+    """Yield what is wrong in some of the numbers alone, and where."""
+    if wrong.all() or not wrong.any():
+        return
+    place = where(wrong)
+    part, right = got[wrong], expected[wrong]
+
+    def holds(mistaken):
+        full = got.astype(np.result_type(got, mistaken))
+        full[wrong] = mistaken
+        return np.all(agrees(got, full))
+
+    if holds(-right):
+        yield f"the sign is flipped{place or ' in all that is wrong'}"
+    elif place and holds(0 * right):
+        yield f"it is zero{place}"
+    elif place and len(right) >= 2 and np.all(right):
+        factor = part[0] / right[0]
+        if holds(factor * right):
+            yield f"it is {factor:.6g} times what was expected{place}"
+
+
+def where(wrong):
+    """" in [..., 1]": the one place along a short axis where all is that is wrong; else ""."""
+    for axis in reversed(range(wrong.ndim)):
+        others = tuple(k for k in range(wrong.ndim) if k != axis)
+        along = np.flatnonzero(wrong.any(others))
+        if len(along) == 1 < wrong.shape[axis] <= 4:
+            after = [":"] * (wrong.ndim - 1 - axis)
+            return f" in [{', '.join(['...', str(along[0]), *after])}]"
+    return ""
+
+
+def by_index(wrong, inputs):
+    """Yield what an input of indices tells about the rows or pixels that are wrong."""
+    for name, index in inputs:
+        index = as_array(index)
+        if index.dtype.kind not in "iu" or not index.ndim or not index.size:
+            continue
+        none = index == -1
+        if none.any() and not none.all() and wrong.shape[:index.ndim] == index.shape:
+            at = wrong.reshape(*index.shape, -1).any(-1)
+            if at.any() and not (at & ~none).any():
+                yield (f"it is wrong only where {name} is -1, which means none: "
+                       "NumPy takes -1 for the last")
+        if wrong.ndim and 0 <= index.max() < len(wrong):
+            rows = wrong.reshape(len(wrong), -1).any(-1)
+            times = np.bincount(index[index >= 0], minlength=len(wrong))
+            if np.any(times == 1) and np.array_equal(rows, times > 1):
+                yield (f"it is right in rows that {name} names once, and wrong in those that it "
+                       "names more often: is every one added, as np.add.at does, and not only "
+                       "the last?")
+            if none.any() and rows[-1] and not rows[:-1].any():
+                yield f"only the last row is wrong: {name} has -1, and NumPy takes it for the last"

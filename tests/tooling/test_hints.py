@@ -1,0 +1,212 @@
+"""Hints: a fact about the numbers is told, certain only where they are enough, and never a guess.
+"""
+import numpy as np
+import pytest
+
+from course.checks import Mismatch, assert_close, assert_equal, assert_picture, hints
+from course.checks.report import Check
+from course.checks.retries import changes, mixed_up
+from course.given.suspicions import Suspicion, suspicion
+
+CORNER = np.array([[1.0, 2.0, 4.0], [-3.0, 5.0, 9.0]])
+UNIT = np.array([[0.6, 0.8], [-0.8, 0.6], [0.28, 0.96]])
+RAGGED = np.ones((2, 2)), np.ones((1, 1))
+FACE_INDEX = np.array([[-1, -1, -1, -1, -1, -1],
+                       [-1, -1,  0,  0,  2, -1],
+                       [-1, -1,  0, -1, -1, -1],
+                       [-1, -1, -1, -1, -1, -1],
+                       [-1, -1, -1, -1, -1, -1]])
+
+
+@pytest.fixture(autouse=True)
+def no_pictures(monkeypatch, tmp_path):
+    monkeypatch.setattr("course.given.places.check_picture", lambda name: tmp_path / f"{name}.png")
+
+
+def told(assertion, got, expected, *inputs):
+    """What is suspected where got comes in place of expected, from a call with these inputs."""
+    with pytest.raises(Mismatch) as error:
+        assertion(got, expected)
+    found = suspicion(*error.value.compared[:3], inputs, error.value.compared.picture)
+    return "" if found is None else str(found)
+
+
+@pytest.mark.parametrize(("assertion", "got", "expected", "hint"), [
+    (assert_close, -CORNER, CORNER, "the sign is flipped"),
+    (assert_close, CORNER.T, CORNER, "rows and columns are swapped"),
+    (assert_close, CORNER[::-1], CORNER, "the order along axis 0 is reversed"),
+    (assert_close, CORNER[:, ::-1], CORNER, "the order along axis 1 is reversed"),
+    (assert_close, CORNER[:, [1, 0, 2]], CORNER, "0 and 1 are exchanged along axis 1"),
+    (assert_close, CORNER[:, [1, 2, 0]], CORNER, "the order along axis 1 is moved on by one"),
+    (assert_close, CORNER.reshape(1, 6), CORNER, "the numbers are right, the shape is not"),
+    (assert_close, np.stack([CORNER, 2 * CORNER]), 3 * CORNER, "the sum over axis 0 is missing"),
+    (assert_close, CORNER * 2, CORNER, "everything is 2 times what was expected"),
+    (assert_close, CORNER + 0.5, CORNER, "everything is 0.5 more than expected"),
+    (assert_close, CORNER - 1, CORNER, "everything is 1 less than expected"),
+    (assert_close, 0 * CORNER, CORNER, "it is zero everywhere"),
+    (assert_close, CORNER / 4 // 1, CORNER / 4, "the numbers are rounded down"),
+    (assert_close, np.trunc(CORNER / 4), CORNER / 4, "the numbers are rounded toward 0"),
+    (assert_close, np.clip(CORNER, 0, 1), CORNER, "the numbers are cut off at 0 and 1"),
+    (assert_close, CORNER ** 2, CORNER, "the square of what was expected came"),
+    (assert_close, 3 * UNIT * [[1], [2], [4]], UNIT,
+     "the numbers along the last axis are not scaled until they have length 1"),
+    (assert_close, np.float32(CORNER / 3), CORNER / 3, "float32 is not precise enough"),
+    (assert_close, CORNER + 1e-8 * CORNER ** 2, CORNER, "it is right to seven digits or so"),
+    (assert_close, CORNER * [1, -1, 1], CORNER, "it may be that the sign is flipped in [..., 1]"),
+    (assert_close, np.tile(CORNER, (3, 1)) * [1, 1, 0], np.tile(CORNER, (3, 1)),
+     "it is zero in [..., 2]"),
+    (assert_equal, CORNER < 3, CORNER >= 3, "true and false are swapped"),
+    (assert_picture, FACE_INDEX[::-1], FACE_INDEX, "it is upside down; row 0 is at the bottom"),
+    (assert_picture, FACE_INDEX[:, ::-1], FACE_INDEX, "left and right are swapped"),
+    (assert_picture, FACE_INDEX + 1, FACE_INDEX, "everything is 1 more than expected"),
+    (assert_picture, np.roll(FACE_INDEX, 1, 0), FACE_INDEX, "it is one pixel too high"),
+    (assert_picture, np.roll(FACE_INDEX, -1, 0), FACE_INDEX, "it is one pixel too low"),
+    (assert_picture, np.roll(FACE_INDEX, 1, 1), FACE_INDEX, "it is one pixel too far right"),
+    (assert_picture, np.roll(FACE_INDEX, -1, 1), FACE_INDEX, "it is one pixel too far left"),
+], ids=lambda value: value if isinstance(value, str) else "")
+def test_a_common_mistake_is_named(assertion, got, expected, hint):
+    """The hint names another mistake, or the opposite direction."""
+    assert told(assertion, got, expected).startswith(hint)
+
+
+@pytest.mark.parametrize("order", [(0, 2, 1), (1, 0, 2), (2, 1, 0), (1, 2, 0), (2, 0, 1)], ids=str)
+@pytest.mark.parametrize("axis", [0, 1])
+def test_any_order_of_three_corners_is_seen(order, axis):
+    """Exchanged corners are named for neighbours alone."""
+    expected = np.arange(1.0, 13).reshape((3, 4) if axis == 0 else (4, 3))
+    assert "along axis" in told(assert_close, np.take(expected, order, axis), expected)
+
+
+def test_a_factor_is_named_by_the_input_that_it_is_made_of():
+    """Half the width is missing, or w, or the number of points; the student sees a number only."""
+    w = np.array([2.0, 3.0, 5.0, 7.0])
+    rows = np.arange(1.0, 9).reshape(4, 2)
+    assert told(assert_close, 8 * rows, rows, ("width", 16)) == (
+        "everything is 8 times what was expected; width / 2 is 8")
+    assert told(assert_close, rows / 5, rows, ("points", np.ones((5, 2)))) == (
+        "everything is 0.2 times what was expected; len(points) is 5")
+    assert told(assert_close, rows / w[:, None], rows, ("clip", np.c_[rows, rows[:, :1], w])) == (
+        "it is what was expected, divided by clip[..., 3]")
+
+
+def test_what_indices_tell_is_told():
+    """-1 was used as an index, or += wrote once where an index stands twice."""
+    faces = np.array([[0, 1, 2], [2, 3, 4]])
+    right = np.arange(1.0, 11).reshape(5, 2)
+    once = right * np.array([[1], [1], [0.3], [1], [1]]) * [[1, 2]] ** np.array([[0, 0, 1, 0, 0]]).T
+    assert "names more often" in told(assert_close, once, right, ("faces", faces))
+    index = np.array([[0, -1, 1], [-1, 2, -1]])
+    shaded = np.where(index < 0, 0.0, 0.5 + index)
+    assert "only where face_index is -1" in told(
+        assert_picture, np.array([0.5, 1.5, 2.5])[index], shaded, ("face_index", index))
+    last = right + np.array([[0], [0], [0], [0], [1]]) * [0.7, 0.3]
+    assert "only the last row" in told(assert_close, last, right, ("face_index", index))
+
+
+@pytest.mark.parametrize(("got", "expected"), [
+    (CORNER + CORNER ** 2, CORNER),
+    (np.array([3.0, 5.0]), np.array([5.0, 7.0])),        # two numbers that are 2 less
+    (CORNER * [1, 1, 1.5] + [0, 0.1, 0], CORNER),
+], ids=["a sum of two powers", "two numbers", "two columns"])
+def test_no_mistake_is_named_where_none_explains_the_numbers(got, expected):
+    """A hint that is only a guess."""
+    assert told(assert_close, got, expected) == ""
+
+
+def test_few_numbers_are_not_certain():
+    """Three numbers have the wrong sign by chance, too."""
+    assert told(assert_close, -CORNER[0], CORNER[0]) == "it may be that the sign is flipped"
+    assert told(assert_close, -CORNER, CORNER) == "the sign is flipped"
+
+
+def test_float32_is_not_named_where_the_numbers_are_far_off():
+    """All numbers are such that float32 holds them, and one is wrong."""
+    assert "float32" not in told(assert_close, CORNER * [1, 1, 1.001], CORNER)
+
+
+@pytest.mark.parametrize("shape", [(), (0,), (1,), (3,), (2, 3), (3, 3), (4, 1, 3)], ids=str)
+@pytest.mark.parametrize("kind", [bool, int, float, complex, "U1"])
+def test_any_numbers_can_be_looked_at(shape, kind):
+    """The report breaks off: complex numbers cannot be rounded, empty arrays have no largest."""
+    rng = np.random.default_rng(0)
+    for other in (kind, float, int):
+        got, expected = (rng.integers(0, 9, shape).astype(k) for k in (other, kind))
+        index = np.array([0, -1, 2, 2])
+        suspicion(got, expected, lambda a, b: np.asarray(a == b),
+                  [("faces", index), ("x", got), ("name", "a"), ("none", None), ("ragged", RAGGED),
+                   ("empty", np.zeros((0, 3))), ("no faces", np.zeros((0, 3), int))])
+        list(changes({"faces": index, "x": got, "y": expected, "ragged": RAGGED, "n": 2}))
+
+
+# --- other inputs -----------------------------------------------------------------------------
+
+
+def edge(p, a, b):
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+
+
+@pytest.mark.parametrize(("wrong", "change"), [
+    (lambda p, a, b: edge(a, p, b), "p and a exchanged"),
+    (lambda p, a, b: edge(p, a[::-1], b), "0 and 1 exchanged along axis 0 of a"),
+    (lambda p, a, b: edge(-p, a, b), "minus p"),
+    (lambda p, a, b: edge(p, a, b) + 0.1, None),
+])
+def test_what_is_mixed_up_is_found_by_other_inputs(wrong, change):
+    """Two parameters are exchanged, or their coordinates, and no number shows it."""
+    p, a, b = np.array([[0.3, 0.9], [0.1, 0.2], [0.8, 0.5]])
+
+    def is_right(got):
+        return np.isclose(got, edge(p, a, b))
+
+    assert mixed_up(lambda p, a, b: wrong(p, a, b), (p, a, b), {}, is_right) == change
+
+
+def test_other_inputs_that_the_answer_cannot_take_are_passed_over(capsys):
+    """The hint fails, or what the answer prints for other inputs is taken for the student's."""
+    def wrong(matrix, point):
+        print("called")
+        return matrix.T @ point
+
+    matrix, point = np.arange(6.0).reshape(3, 2), np.array([2.0, 7.0])
+    right = matrix @ point
+    assert mixed_up(wrong, (matrix, point), {}, lambda got: np.array_equal(got, right)) == (
+        "matrix transposed")
+    assert capsys.readouterr().out == ""
+
+
+# --- all checks of an exercise ----------------------------------------------------------------
+
+
+def failed(nodeid, suspected, fine_print=False):
+    return Check("1.1", nodeid, "", "failed", "", None, 0.0, fine_print, None, 9, suspected)
+
+
+@pytest.mark.parametrize(("suspected", "hint"), [
+    ([("the sign is flipped", True), None], "the sign is flipped"),
+    ([None, ("the sign is flipped", True)], "the sign is flipped"),
+    ([("the sign is flipped", True), ("", False)], "it may be that the sign is flipped"),
+    ([("the sign is flipped", True), ("rows and columns are swapped", True)],
+     "it may be that the sign is flipped"),
+    ([("the sign is flipped", False), ("the sign is flipped", True)], "the sign is flipped"),
+    ([("the sign is flipped", False), None], "it may be that the sign is flipped"),
+    ([None, None], None),
+])
+def test_a_suspicion_is_certain_where_no_other_check_speaks_against_it(suspected, hint):
+    """One check's numbers happen to have the other sign."""
+    checks = [failed(f"tests/labs/test_x.py::test_{k}", one) for k, one in enumerate(suspected)]
+    assert hints.hint("1.1", checks) == hint
+
+
+def test_what_a_check_made_of_the_result_is_not_certain():
+    """The sign of a determinant is flipped, and a matrix with two rows exchanged is right."""
+    returned = np.arange(1.0, 9)
+    compared = [hints.suspected(mismatch(got, -got).compared, (edge, (), {}), returned)
+                for got in (returned, 2 * returned)]
+    assert compared == [Suspicion("the sign is flipped", True), Suspicion("the sign is flipped",
+                                                                          False)]
+
+
+def mismatch(got, expected):
+    with pytest.raises(Mismatch) as error:
+        assert_close(got, expected)
+    return error.value
