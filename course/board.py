@@ -31,7 +31,7 @@ class Entry(NamedTuple):
 
     topic: str
     exercise: exercises.Exercise
-    verdict: str  # done, failing, not started, blocked by 2.1, not readable
+    verdict: str  # done, failing, not run, not started, blocked by 2.1, not readable
     checks: list
 
     @property
@@ -74,7 +74,7 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
         lab = min(int(number.split(".")[0]) for number in closed)
         print(f"\n{plural(len(closed), 'extra')} more, complete as they came; "
               f"python3 -m course open {lab} empties those of lab {lab}")
-    print("", *problems, *broken.values(), sep="\n")
+    print("", *problems, *broken.values(), *foreign_imports(labs, code), sep="\n")
     if all_is_done:
         print(all_done(board, target))
     if not broken and any(entry.told != "done" for entry in board):
@@ -134,11 +134,9 @@ def asked_for(target):
 def closed_extras(labs, code):
     """The numbers of the extras that the code under test marks as closed: complete as they came."""
     closed = set()
-    for topic in labs:
-        with contextlib.suppress(OSError, ValueError):  # not there, or not Python
-            closed |= {exercise.number for exercise in
-                       exercises.text_exercises(exercises.read(code / f"{topic}.py"))
-                       if not exercise.is_open}
+    for topic, lab in labs.items():
+        with contextlib.suppress(OSError, UnicodeDecodeError):  # its checks say so
+            closed |= exercises.closed_extras(lab, exercises.read(code / f"{topic}.py"))
     return closed
 
 
@@ -162,6 +160,17 @@ def not_python(labs, code):
             except ValueError as error:
                 broken[topic] = f"{places.shown_path(code / topic)}.py, {error}"
     return broken
+
+
+def foreign_imports(labs, code):
+    """Sentences on imports that are not there where labs are graded."""
+    for topic in labs:
+        with contextlib.suppress(OSError, UnicodeDecodeError):
+            path = code / f"{topic}.py"
+            for line, module in exercises.foreign_imports(exercises.read(path)):
+                yield (f"{places.shown_path(path)}, line {line}: {module} is not there when your "
+                       "labs are graded; import numpy, scipy, Python's own library and what was "
+                       "imported already")
 
 
 def called_exercises(labs, code, closed=()):
@@ -202,7 +211,8 @@ def entries(labs, needed, called, found, broken=()):
         if "failed" in verdicts or not verdicts:
             undone = [other for other in called.get(number, ()) if other not in done]
             return f"blocked by {undone[0]}" if undone else "failing"
-        return next((text for text in verdicts if text.startswith("blocked")), "not started")
+        return next((text for text in verdicts if text.startswith(("blocked", "not run"))),
+                    "not started")
 
     return [Entry(topic, exercise,
                   "not readable" if topic in broken else verdict(exercise.number),
@@ -258,7 +268,9 @@ def next_to_do(entries, code, implementation, seed):
     lines = [f"Left: the fine print of {exercise.number} {exercise.name}" if verdict == "done" else
              f"Next: {exercise.number} {exercise.name}, {verdict}"]
     if verdict == "failing" and found:
-        lines = [f"{lines[0]} in {len(wrong)} of {plural(len(found), 'check')}"]
+        not_run = sum(check.verdict == "not run" for check in found)
+        lines = [f"{lines[0]} in {len(wrong) - not_run} of {plural(len(found), 'check')}"
+                 f"{f', {not_run} not run' * bool(not_run)}"]
     if not found:
         lines += [layout([("wrong", f"it has no check in tests/labs/test_{topic}.py")])]
     if wrong:
@@ -301,13 +313,24 @@ def section_of(lecture, exercise):
                 sections[title] = f"{sections.get(title, '')}{line}\n"
     sections.pop("", None)
     last = "Exercises" if sections.pop("Exercises", None) else None
-    number, name = re.escape(exercise.number), re.escape(exercise.name)
-    for pattern in (rf"x(?:ercise|tra)s? [^\n]*(?<![\d.]){number}(?!\d)", rf"`{name}`",
-                    rf"\b{name}\b"):
+    name = re.escape(exercise.name)
+    for title, text in sections.items():
+        if exercise.number in exercises_in(text):
+            return title
+    for pattern in rf"`{name}`", rf"\b{name}\b":
         for title, text in sections.items():
             if re.search(pattern, text):
                 return title
     return last
+
+
+def exercises_in(text):
+    """The numbers in the lines that say which exercises a section leads to, as 7.10 to 7.16."""
+    numbers = set()
+    for line in re.findall(r"\*(?:Exercise|Extra)s? \d.*|\((?:`\w+`, )?extra \d[^)]*", text):
+        for lab, first, last in re.findall(r"(\d+)\.(\d+)(?: to (?:\d+\.)?(\d+))?", line):
+            numbers |= {f"{lab}.{k}" for k in range(int(first), int(last or first) + 1)}
+    return numbers
 
 
 def open_pictures(board, seed):

@@ -13,6 +13,7 @@ import functools
 import io
 import itertools
 import re
+import sys
 import tokenize
 from typing import NamedTuple
 
@@ -38,6 +39,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
 )
 TOPICS = tuple(itertools.chain(*LABS))
 
+GIVEN = "mesh", "inputs", "distances", "ray_casting", "places"  # what labs import of course.given
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(rf"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)(?(1)({OPEN})?|)")
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
@@ -80,10 +82,17 @@ def reference(topic):
     return places.ROOT / "reference" / f"{topic}.py"
 
 
+def handed_out(topic):
+    """Where a hand-out keeps a lab as it was at first: a student may delete a mark."""
+    return places.ROOT / "course" / "handed_out" / f"{topic}.py"
+
+
 def questions(topic):
-    """Where a topic's exercises are listed: its reference, or in a hand-out without, its lab."""
-    path = reference(topic)
-    return path if path.exists() else places.ROOT / "labs" / f"{topic}.py"
+    """Where a topic's exercises are listed: its reference, or in a hand-out what stands for it."""
+    for path in reference(topic), handed_out(topic):
+        if path.exists():
+            return path
+    return places.ROOT / "labs" / f"{topic}.py"  # given code
 
 
 def read(path):
@@ -106,6 +115,13 @@ def topic_exercises(topic):
                              f"exercise {exercise.number}, but {topic} is lab "
                              f"{lab_number(topic)}; number it {lab_number(topic)}.{rank}")
     return found
+
+
+def closed_extras(lab, text):
+    """The numbers of a lab's extras that a module's text marks as complete, as they came."""
+    marks = {exercise.number: re.search(rf"# extra {re.escape(exercise.number)} \(.*?\)({OPEN})?",
+                                        text) for exercise in lab if exercise.is_extra}
+    return {number for number, mark in marks.items() if mark and not mark[1]}
 
 
 def text_exercises(text):
@@ -186,6 +202,25 @@ def calls(text, names):
         return tuple(other for other in names if other in seen and other != name)
 
     return {name: reached(name) for name in names}
+
+
+def foreign_imports(text):
+    """[(line, module)] of imports that a worker does not have. None where it is not Python."""
+    try:
+        nodes = list(ast.walk(ast.parse(text)))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
+    found = [(node.lineno, alias.name) for node in nodes if isinstance(node, ast.Import)
+             for alias in node.names]
+    folders = "course", "course.given"
+    found += [(node.lineno, f"{node.module}.{alias.name}" if node.module in folders
+               else node.module)
+              for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0
+              for alias in node.names]
+    packages = {"numpy", "scipy", *sys.stdlib_module_names}
+    modules = {"course", "course.given", *(f"course.given.{name}" for name in GIVEN)}
+    return [(line, module) for line, module in dict.fromkeys(found)
+            if module.partition(".")[0] not in packages and module not in modules]
 
 
 def text_lines(text):

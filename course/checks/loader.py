@@ -131,14 +131,18 @@ def finder(code):
     return find
 
 
+class Stopped(TimeoutError):
+    """A call took longer than SECONDS."""
+
+
 def limited(function):
-    """The function, whose calls are stopped after SECONDS: TimeoutError, where they are just then.
+    """The function, whose calls are stopped after SECONDS: Stopped, where they are just then.
 
     There is no limit in another thread than the main one, and none on Windows.
     """
     def stop(*_):
-        raise TimeoutError(f"it was stopped after {SECONDS:g} s: does a loop never end, or go over "
-                           "far too much?")
+        raise Stopped(f"after {SECONDS:g} s; does a loop never end, or go over "
+                      "far too much?")
 
     @functools.wraps(function)
     def call(*args, **kwargs):

@@ -5,17 +5,20 @@ blocked by 2.1 (another one does). A check that is skipped or expected to fail c
 """
 import contextlib
 import inspect
+import io
 import re
 import traceback
 from pathlib import Path
 from typing import NamedTuple
+
+import numpy as np
 
 from ..given import places
 from ..given.suspicions import Suspicion
 from . import hints
 from .assertions import Mismatch
 from .loader import LAST_CALL, LAST_RETURN, folder
-from .showing import MOST_LINES, layout, shown, shown_call, told
+from .showing import MOST_LINES, arguments, large_arrays, layout, shown, shown_call, told
 
 UNFINISHED = re.compile(r"exercise (\d+\.\d+): \w+")  # what an exercise of a skeleton raises
 
@@ -26,7 +29,7 @@ class Check(NamedTuple):
     exercise: str
     nodeid: str
     claim: str
-    verdict: str  # passed, failed, not started, blocked by 2.1
+    verdict: str  # passed, failed, not run, not started, blocked by 2.1
     message: str
     picture: str | None
     seconds: float
@@ -87,13 +90,12 @@ def explained(error, item):
 
     Assertion errors of other kinds, as the gradient check's, tell by themselves what was given.
     """
-    rows = list(error.rows) if isinstance(error, Mismatch) else [
-        ("wrong", told(error, folder(item.config.option.impl)))]
+    rows = list(error.rows) if isinstance(error, Mismatch) else [("wrong", said(error, item))]
     other_kind = isinstance(error, AssertionError) and type(error) not in (AssertionError, Mismatch)
     last = item.stash.get(LAST_CALL, None)
     if last and "given" not in dict(rows) and (
             not other_kind or last[0].__name__.endswith("_backward")):
-        rows.insert(0, ("given", shown_call(*last)))
+        rows[:0] = [("given", shown_call(*last)), *saved(last)]
     returned = item.stash.get(LAST_RETURN, None)
     if returned is not None and "got" not in dict(rows) and not other_kind:
         rows.append(("got", shown(returned)))
@@ -102,6 +104,37 @@ def explained(error, item):
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
+
+
+def said(error, item):
+    """An error in words: where it came from, in the code under test or in the check."""
+    text = told(error, folder(item.config.option.impl))
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    returned = item.stash.get(LAST_RETURN, None)
+    of_form = TypeError, ValueError, IndexError, AttributeError
+    if Path(last.filename) != item.path or returned is None or not isinstance(error, of_form):
+        return text
+    name = item.stash[LAST_CALL][0].__name__
+    if "unpack" in str(error):
+        came = f"{len(returned)} outputs" if isinstance(returned, tuple) else "one array or number"
+        expected = re.search(r"expected (\d+)", str(error))
+        return f"{name} returned {came}; a tuple of {expected[1] if expected else 2} is expected"
+    return f"what {name} returned does not fit: {text}"
+
+
+def saved(call):
+    """A row, or none: where the inputs of a call are that are too large to be shown."""
+    large = dict(pair for name, value in arguments(*call) for pair in large_arrays(name, value))
+    if not large:
+        return []
+    content = io.BytesIO()
+    np.savez_compressed(content, **{name or "input": array for name, array in large.items()})
+    try:
+        path = places.check_picture(call[0].__name__).with_suffix(".npz")
+        places.write_whole(path, content.getvalue())
+    except OSError:  # nowhere to write, as where students' work is graded
+        return []
+    return [("inputs", f'np.load("{places.shown_path(path)}") has {", ".join(large)}')]
 
 
 def check_line(error, item):
@@ -114,8 +147,8 @@ def check_line(error, item):
 
 
 def claim(item):
-    """test_a_shared_edge_is_covered_once -> 'A shared edge is covered once', and its parameters."""
-    words = item.originalname.removeprefix("test_").replace("_", " ")
+    """test_a_face__s_area_is_positive -> "A face's area is positive", and its parameters."""
+    words = item.originalname.removeprefix("test_").replace("__s_", "'s ").replace("_", " ")
     case = f" [{item.callspec.id}]" if hasattr(item, "callspec") else ""
     fine = " (fine print)" * is_fine_print(item.get_closest_marker("exercise"))
     return words[:1].upper() + words[1:] + case + fine

@@ -9,7 +9,7 @@ from rich.progress import Progress
 
 from ..given import places
 from .hints import hint
-from .loader import folder
+from .loader import Stopped, folder
 from .report import Check, claim, is_fine_print
 from .showing import layout, told
 
@@ -67,6 +67,7 @@ class Collector:
         self.planned = {}   # nodeid -> the Check of one that did not run
         self.found = {}     # nodeid -> Check
         self.problems = []  # sentences
+        self.stopped = set()  # exercises of which a call took too long
         self.running = None
 
     def pytest_collectreport(self, report):
@@ -80,13 +81,21 @@ class Collector:
                           for item, mark in marks if mark and mark.args[0] not in self.known]
         asked = [(item, mark) for item, mark in marks if mark and mark.args[0] in self.numbers]
         items[:] = [item for item, _ in asked]
-        wrong = layout([("wrong", "it did not run")])
-        self.planned = {item.nodeid: Check(mark.args[0], item.nodeid, claim(item), "failed", wrong,
+        self.planned = {item.nodeid: Check(mark.args[0], item.nodeid, claim(item), "not run", "",
                                            None, 0.0, is_fine_print(mark)) for item, mark in asked}
         self.task = self.progress.add_task("checks", total=len(items))
 
-    def pytest_runtest_logstart(self, nodeid):
-        self.running = nodeid
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtest_protocol(self, item):
+        """Pass over what is left of an exercise of which a call took too long."""
+        self.running = item.nodeid
+        exercise = self.planned[item.nodeid].exercise
+        self.progress.update(self.task, description=f"checks {exercise}", refresh=True)
+        return exercise in self.stopped or None
+
+    def pytest_exception_interact(self, node, call):
+        if isinstance(call.excinfo.value, Stopped) and node.nodeid in self.planned:
+            self.stopped.add(self.planned[node.nodeid].exercise)
 
     def pytest_runtest_logreport(self, report):
         earlier = self.found.get(report.nodeid)  # a teardown can still spoil a check that passed
@@ -99,7 +108,8 @@ class Collector:
 
     def pytest_keyboard_interrupt(self, excinfo):
         """Say in which line the code under test was: there may be a loop without an end."""
-        self.problems.append("It was stopped. Checks that did not run count as failed.")
+        self.problems.append("It was stopped; not all checks have run.")
         where = layout([("wrong", told(excinfo.value, self.code))])
         if self.running in self.planned:
-            self.planned[self.running] = self.planned[self.running]._replace(message=where)
+            self.planned[self.running] = self.planned[self.running]._replace(
+                verdict="failed", message=where)

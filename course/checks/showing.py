@@ -21,34 +21,60 @@ KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
 # --- values and calls -------------------------------------------------------------------------
 
 
-def shown(value, name="", digits=8):
-    """A value as one would type it, after name=. A large array is shortened."""
-    name = f"{name}=" if name else ""
+def shown(value, digits=8):
+    """A value as one reads it. A large array is shortened."""
     if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
-        return shown_array(np.asarray(value), name, digits)
+        return shown_array(np.asarray(value), "", digits)
     if isinstance(value, tuple):
-        return f"{name}({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
-    return name + cut(repr(value.item() if isinstance(value, np.generic) else value))
+        return f"({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
+    return cut(repr(value.item() if isinstance(value, np.generic) else value))
 
 
-def shown_array(array, name, digits):
+def is_large(array):
+    return array.size > MOST_NUMBERS
+
+
+def shown_array(array, before, digits=8):
     """All of a small array. First and last numbers of a large one, after its type and shape."""
     small = 0 < array.size <= MOST_NUMBERS
-    before = name if small else f"{name}{array.dtype} {shape_name(array)}: "
+    before = before if small else f"{before}{array.dtype} {shape_name(array)}: "
     text = np.array2string(array if small else array.ravel(), separator=", ", prefix=before,
                            max_line_width=COLUMNS - LABEL - 3, threshold=MOST_NUMBERS, edgeitems=3,
                            precision=digits if small else digits // 2)
     return before + re.sub(r"\n\s*\n", "\n", text)  # no empty lines between parts of 3 dimensions
 
 
+def typed(value, before=""):
+    """A value as one types it, to be pasted, but for large arrays."""
+    if isinstance(value, tuple):
+        return f"{before}({', '.join(map(typed, value))}{',' * (len(value) == 1)})"
+    if not isinstance(value, np.ndarray):
+        return before + shown(value)
+    if value.dtype == object or is_large(value):
+        return shown_array(value, before)
+    if not value.size:
+        return f"{before}np.zeros({shape_name(value)}, '{value.dtype}')"
+    return f"{shown_array(value, f'{before}np.array(')})"
+
+
 def shown_call(function, args, kwargs):
-    """edge_function(p=[0.5, 0.5], a=...), on several lines where one is not enough."""
-    named = [shown(value, name) for name, value in arguments(function, args, kwargs)]
+    """edge_function(p=np.array([0.5, 0.5]), a=...), on several lines where one is not enough."""
+    named = [typed(value, f"{name}=" if name else "")
+             for name, value in arguments(function, args, kwargs)]
     line = f"{function.__name__}({', '.join(named)})"
     if len(line) <= COLUMNS - LABEL and "\n" not in line:
         return line
     lines = [text.replace("\n", "\n  ") + "," for text in named]
     return "\n  ".join([f"{function.__name__}(", *lines]) + "\n)"
+
+
+def large_arrays(name, value):
+    """Yield (name, array) if a value is an array too large to be shown, or holds such arrays."""
+    if isinstance(value, tuple):
+        for number, part in enumerate(value):
+            yield from large_arrays(f"{name}_{number}", part)
+    elif isinstance(value, np.ndarray) and is_large(value):
+        yield name, value
 
 
 def arguments(function, args, kwargs):

@@ -118,7 +118,9 @@ def files(asked, given, released, extra):
                 yield name, path.read_bytes()
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        yield f"labs/{topic}.py", skeleton(text, extra).encode("utf-8")
+        lab = skeleton(text, extra).encode("utf-8")
+        yield f"labs/{topic}.py", lab
+        yield exercises.handed_out(topic).relative_to(places.ROOT).as_posix(), lab
         if exercises.topic_exercises(topic):
             check = f"tests/labs/test_{topic}.py"
             yield check, (places.ROOT / check).read_bytes()

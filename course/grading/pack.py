@@ -34,14 +34,7 @@ def run(name="labs.zip"):
             board.check(implementation=folder)
         # That folder is gone when the student reads this.
         print(said.getvalue().replace(f" --impl {folder}", "").replace(folder, "labs"), end="")
-    for sentence in (*packed.missing.values(), *packed.notes, *foreign_imports(packed.texts)):
+    for sentence in (*packed.missing.values(), *packed.notes):
         print(sentence)
     print(f"{name} is what to hand in; hash {submissions.digest(packed.texts)}")
     return 0
-
-
-def foreign_imports(texts):
-    """Sentences on imports that are not there where labs are graded."""
-    return [f"labs/{topic}.py, line {line}: {module} is not there when your labs are graded; "
-            "import numpy, scipy, Python's own library and what was imported already"
-            for topic, text in texts.items() for line, module in submissions.foreign_imports(text)]

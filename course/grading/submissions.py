@@ -7,21 +7,18 @@ Only the texts of labs/<topic>.py are taken out, and nothing is ever unpacked or
     Ada Lovelace_1234_assignsubmission_file_/labs.zip                         Moodle
     submission_1234/ beside submission_metadata.yml                           Gradescope
 """
-import ast
 import functools
 import hashlib
 import io
 import os
 import re
 import stat
-import sys
 import zipfile
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from .. import exercises
 from ..upkeep import skeleton
-from . import sandbox
 
 MOST_TEXT = 1 << 18       # bytes of one lab
 MOST_ARCHIVE = 1 << 25    # bytes of one archive
@@ -249,24 +246,6 @@ def read_file(path, most=MOST_TEXT):
     if most != MOST_TEXT and len(content) > most:
         raise ValueError(f"it has more than {most >> 20} MB")
     return content
-
-
-def foreign_imports(text):
-    """[(line, module)] of imports that a worker does not have. None where it is not Python."""
-    try:
-        nodes = list(ast.walk(ast.parse(text)))
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return []
-    found = [(node.lineno, alias.name) for node in nodes if isinstance(node, ast.Import)
-             for alias in node.names]
-    packages = "course", "course.given"
-    found += [(node.lineno, f"{node.module}.{alias.name}" if node.module in packages
-               else node.module)
-              for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0
-              for alias in node.names]
-    there = {"numpy", "scipy", *sys.stdlib_module_names}
-    return [(line, module) for line, module in dict.fromkeys(found)
-            if module.partition(".")[0] not in there and module not in sandbox.given()]
 
 
 def digest(texts):

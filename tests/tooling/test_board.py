@@ -444,6 +444,26 @@ def test_the_section_of_an_exercise_is_found(tmp_path, number, name, section):
     assert board.section_of(tmp_path / "lecture.ipynb", exercise) == section
 
 
+def test_each_exercise_of_the_course_has_its_section():
+    """A lecture leads to no exercise, or "7.10 to 7.16" to its two ends only."""
+    for topic in exercises.asking_topics():
+        cells = json.loads(exercises.lecture(topic).read_bytes())["cells"]
+        text = "\n".join("".join(cell["source"]) for cell in cells)
+        asked = {exercise.number for exercise in exercises.topic_exercises(topic)}
+        assert asked - board.exercises_in(text) == set()
+    assert board.exercises_in("*Extras 7.10 to 7.12 and 8.2.*\n(extra 1.4) 2.2") == {
+        "7.10", "7.11", "7.12", "8.2", "1.4"}
+
+
+def test_an_import_that_graders_do_not_have_is_told(house, run_module):
+    """A lab uses pandas, and its author learns so from the mark."""
+    root = house(FILES | {"labs/transforms.py": "import json\nimport PIL.Image\n" + LAB})
+    done = run_module(root, "course", "check", "1.1")
+    assert "labs/transforms.py, line 2: PIL.Image is not there when your labs are graded" in (
+        done.stdout)
+    assert "json" not in done.stdout
+
+
 def test_without_color_the_board_has_80_columns(check, monkeypatch):
     """Verdicts are told by colour alone, or rows are wrapped."""
     monkeypatch.setenv("COLUMNS", "80")
@@ -503,7 +523,8 @@ def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_module):
         process.send_signal(signal.SIGINT)
         output = process.communicate(timeout=20)[0]
     assert "  1.1  double      2 points  done" in output
-    assert "\nIt was stopped. Checks that did not run count as failed.\n" in output
-    assert "Next: 1.2 half, failing in 2 of 2 checks\nclaim     Half of nothing\n" in output
+    assert "\nIt was stopped; not all checks have run.\n" in output
+    assert ("Next: 1.2 half, failing in 1 of 2 checks, 1 not run\n"
+            "claim     Half of nothing\n") in output
     assert "wrong     KeyboardInterrupt\n          labs/transforms.py:" in output
     assert process.returncode == 1

@@ -12,7 +12,7 @@ from PIL import Image
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture
 from course.checks.loader import Implementation
 from course.checks.pictures import GAP
-from course.checks.showing import layout, shown, shown_call
+from course.checks.showing import layout, shown, shown_call, typed
 from course.given import places
 
 # --- assertions -------------------------------------------------------------------------------
@@ -385,6 +385,24 @@ def test_shifted_refuses_text(impl):
         impl.shifted(1.0, 2.0)
 
 
+@exercise("1.3")
+def test_shifted__s_inputs_can_be_loaded(impl):
+    """They are shortened."""
+    assert_close(impl.shifted(np.arange(99.0).reshape(33, 3), by=1.0), np.zeros((33, 3)))
+
+
+@exercise("1.3")
+def test_shifted_gives_two(impl):
+    """It gives one."""
+    one, two = impl.shifted(1.0, 0.0)
+
+
+@exercise("1.3")
+def test_shifted_can_be_multiplied(impl):
+    """It has another shape."""
+    assert_close(np.eye(3) @ impl.shifted(np.zeros((2, 2)), by=1.0), 0.0)
+
+
 @exercise("1.4")
 def test_mask_is_square(impl):
     """It is not."""
@@ -495,8 +513,8 @@ def test_a_failed_check_shows_claim_mistake_call_numbers_seed_and_command(output
 claim     Shifted adds [one]
 catches   The sign.
 given     shifted(
-            x=[[0., 0.],
-               [0., 0.]],
+            x=np.array([[0., 0.],
+                        [0., 0.]]),
             by=1.0,
           )
 expected  [[1., 1.],
@@ -513,6 +531,31 @@ again     python3 -m course check 1.3
           pytest --impl=labs "tests/labs/test_transforms.py::test_shifted_adds[one]"
 """)
     assert "shifting by 1.0" in output["test_shifted_adds[one]"], "the student's print is lost"
+
+
+def test_inputs_that_are_shortened_can_be_loaded(output, course):
+    """The call that fails cannot be tried, because its numbers are not all there."""
+    text = output["test_shifted__s_inputs_can_be_loaded"]
+    path = re.search(r'inputs    np.load\("(.*)"\)\s+has x\n', text)[1]
+    assert np.array_equal(np.load(course / path)["x"], np.arange(99.0).reshape(33, 3))
+    assert text.startswith("claim     Shifted's inputs can be loaded\n")
+
+
+def test_a_result_of_another_form_is_told_in_words(output):
+    """An error of the check's own code, "too many values to unpack", is all that a student sees."""
+    assert ("wrong     shifted returned one array or number; a tuple of 2 is expected\n"
+            in output["test_shifted_gives_two"])
+    assert ("wrong     what shifted returned does not fit: ValueError: matmul"
+            in output["test_shifted_can_be_multiplied"])
+
+
+@pytest.mark.parametrize("value", [
+    np.array([0.5, 2.0]), np.zeros((0, 3), int), (np.array([[1, -1]]), None, 2.0), "clamp",
+    np.array([[True], [False]])], ids=str)
+def test_an_input_can_be_pasted(value):
+    """[0.5 2.0] is no Python, and [0.5, 2.0] no array."""
+    pasted = eval(typed(value), {"np": np})
+    assert repr(pasted) == repr(value)
 
 
 def test_an_error_in_the_students_code_shows_the_students_lines_alone(output):
@@ -695,22 +738,28 @@ from course.checks import assert_close, exercise
 
 
 @exercise("1.1")
+def test_it_is_short(impl):
+    \"\"\"It is not.\"\"\"
+    assert_close(impl.wait(0), 0)
+    time.sleep(0.5)
+
+
+@exercise("1.1")
 def test_it_ends(impl):
     \"\"\"It does not.\"\"\"
     assert_close(impl.wait(1), 0)
 
 
 @exercise("1.1")
-def test_it_is_short(impl):
-    \"\"\"It is not.\"\"\"
-    assert_close(impl.wait(0), 0)
-    time.sleep(0.5)
+def test_it_ends_again(impl):
+    \"\"\"It does not.\"\"\"
+    assert_close(impl.wait(1), 0)
 """})
     loader = root / "course" / "checks" / "loader.py"
     loader.write_text(loader.read_text().replace("SECONDS = 20.0", "SECONDS = 0.3"))
     done = run_module(root, "course", "check", "1.1")
-    assert "1.1 wait, failing in 1 of 2 checks" in done.stdout, done.stdout
-    assert "TimeoutError: it was stopped after 0.3 s" in done.stdout
+    assert "1.1 wait, failing in 1 of 3 checks, 1 not run" in done.stdout, done.stdout
+    assert "Stopped: after 0.3 s; does a loop never end" in done.stdout
     assert "labs/transforms.py:4 in wait" in done.stdout or (
         "labs/transforms.py:3 in wait" in done.stdout)
 

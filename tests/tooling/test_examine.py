@@ -3,7 +3,7 @@ import pytest
 from other_forms import in_other_forms
 
 from course import exercises
-from course.grading import grade, sandbox, submissions
+from course.grading import grade, sandbox
 from course.grading.examine import Job
 
 
@@ -16,7 +16,7 @@ def level():
 @pytest.mark.parametrize("topic", exercises.topics())
 def test_the_reference_gets_all_points(topic, level):
     """A check that a worker cannot serve; a lab that needs what is not there."""
-    assert submissions.foreign_imports(exercises.read(exercises.reference(topic))) == []
+    assert exercises.foreign_imports(exercises.read(exercises.reference(topic))) == []
     texts = {topic: exercises.read(exercises.reference(topic))}
     result, _ = grade.examine(Job(texts, {}, level)._asdict())
     assert (result["problem"], result["lost"]) == (None, {})

@@ -106,6 +106,19 @@ def test_its_checks_run_without_the_rest(handed_out, run_module):
     assert done.returncode == 0 and "All that was asked for is done" in done.stdout, done.stdout
 
 
+def test_a_mark_or_a_function_that_was_deleted_is_missed(tmp_path, run_module):
+    """An exercise whose mark is gone is none, and the board says that all is done."""
+    handout.run(tmp_path, "2")
+    lab = tmp_path / "labs" / "rasterization.py"
+    kept = [line.replace("  # exercise 2.1 (2 points)", "")
+            for line in lab.read_text("utf-8").splitlines()]
+    lab.write_text("\n".join(kept).replace("def is_top_left(", "def is_left("), "utf-8")
+    done = run_module(tmp_path, "course", "check", "2.1")
+    assert "Next: 2.1 edge_function, not started" in done.stdout, done.stdout
+    done = run_module(tmp_path, "course", "check", "2.5")
+    assert "labs/rasterization.py has no function is_top_left" in done.stdout, done.stdout
+
+
 def test_the_whole_course_can_be_handed_out(tmp_path):
     """A module of given code has no checks, and stops the hand-out half way."""
     handout.run(tmp_path / "new")

@@ -4,6 +4,7 @@ import zipfile
 
 import pytest
 
+from course import exercises
 from course.grading import submissions
 
 TOPICS = ("transforms", "rasterization")
@@ -129,4 +130,4 @@ def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
 ])
 def test_imports_that_a_worker_does_not_have(line, found):
     """A student learns only from the mark that matplotlib is not there."""
-    assert submissions.foreign_imports(line) == found
+    assert exercises.foreign_imports(line) == found
