@@ -53,9 +53,12 @@ def suspected(compared, call, returned):
 
 def place_in(returned, got):
     """Which output of what was returned got is: WHOLE, its number, or None."""
+    def is_it(output):
+        return output is got or (np.ndim(output) == np.ndim(got) == 0 and output == got)
+
     if not isinstance(returned, tuple):
-        return WHOLE if returned is got else None
-    return next((number for number, output in enumerate(returned) if output is got), None)
+        return WHOLE if is_it(returned) else None
+    return next((number for number, output in enumerate(returned) if is_it(output)), None)
 
 
 class Pattern(NamedTuple):

@@ -99,11 +99,21 @@ def explained(error, item):
     returned = item.stash.get(LAST_RETURN, None)
     if returned is not None and "got" not in dict(rows) and not other_kind:
         rows.append(("got", shown(returned)))
+    if "output" not in dict(rows):
+        rows += output_row(getattr(error, "compared", None), returned)
     ran = not isinstance(error, Mismatch) or "expected" in dict(rows)
     if item.function.__doc__ and ran:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
         rows.insert(0, ("catches", " ".join(paragraph.split())))
     return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
+
+
+def output_row(compared, returned):
+    """A row, or none: which of several outputs was compared."""
+    if compared is None or not isinstance(returned, tuple):
+        return []
+    place = hints.place_in(returned, compared.got)
+    return [] if place is None else [("output", f"{place + 1} of {len(returned)}")]
 
 
 def said(error, item):

@@ -329,6 +329,10 @@ def other(x):  # exercise 1.7 (1 point)
 def strict(x):  # exercise 1.8 (1 point)
     assert x > 0, "too small"
     return x
+
+
+def both(x):
+    return x, 2 * x
 '''
 
 CHECKS = '''\
@@ -389,6 +393,13 @@ def test_shifted_refuses_text(impl):
 def test_shifted__s_inputs_can_be_loaded(impl):
     """They are shortened."""
     assert_close(impl.shifted(np.arange(99.0).reshape(33, 3), by=1.0), np.zeros((33, 3)))
+
+
+@exercise("1.8")
+def test_the_second_of_two(impl):
+    """It is the first."""
+    _, two = impl.both(1.0)
+    assert_close(two, 3.0)
 
 
 @exercise("1.3")
@@ -539,6 +550,11 @@ def test_inputs_that_are_shortened_can_be_loaded(output, course):
     path = re.search(r'inputs    np.load\("(.*)"\)\s+has x\n', text)[1]
     assert np.array_equal(np.load(course / path)["x"], np.arange(99.0).reshape(33, 3))
     assert text.startswith("claim     Shifted's inputs can be loaded\n")
+
+
+def test_the_output_that_a_check_took_out_is_named(output):
+    """Of two outputs, the student does not know which one is wrong."""
+    assert "output    2 of 2" in output["test_the_second_of_two"]
 
 
 def test_a_result_of_another_form_is_told_in_words(output):
