@@ -47,7 +47,7 @@ def suspected(compared, call, returned):
     if found is None and hasattr(function, "is_repeatable"):
         change = mixed_up(function, args, kwargs, is_right)
         wrong = expected.size if got.shape != expected.shape else ~agrees(got, expected)
-        found = change and Suspicion(f"it would be right with {change}", np.sum(wrong) >= ENOUGH)
+        found = change and Suspicion(change, np.sum(wrong) >= ENOUGH and "exchanged" in change)
     return found or NOTHING
 
 
@@ -93,19 +93,25 @@ def known_mistake(exercise, found):
 
 
 def hint(exercise, checks):
-    """The hint for an exercise of which these Checks fail, or None.
+    """The hint that holds for all these Checks, those of an exercise that fail, or None.
 
-    A known mistake explains all of them. A suspicion is certain where none of them speaks against
+    A known mistake explains all of them. A suspicion is certain of one, and no other speaks against
     it.
     """
     found = pattern(checks)
     if known := known_mistake(exercise, found):
         return known
-    counted = [check.suspected for check in checks if short(check.nodeid) in found.failed]
-    said = [Suspicion(*suspected) for suspected in counted if suspected is not None]
-    named = next((suspected for suspected in said if suspected.sentence), None)
+    said = [Suspicion(*check.suspected) for check in checks
+            if check.suspected is not None and short(check.nodeid) in found.failed]
     alone = len({suspected.sentence for suspected in said}) == 1
-    return named and str(named._replace(certain=alone and any(one.certain for one in said)))
+    return said[0].sentence if alone and any(one.certain for one in said) else None
+
+
+def guess(check):
+    """The hint from a failed check's own numbers, which is not certain, or None."""
+    if check.suspected and check.suspected[0]:
+        return str(Suspicion(check.suspected[0], certain=False))
+    return None
 
 
 @functools.cache

@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from ..given import places
-from .hints import hint
+from .hints import guess, hint
 from .loader import Stopped, folder
 from .report import Check, claim, is_fine_print
 from .showing import layout, told
@@ -51,7 +51,7 @@ def explained(found):
             failing.setdefault(check.exercise, []).append(check)
     hints = {exercise: hint(exercise, checks) for exercise, checks in failing.items()}
     for check in found:
-        told = hints.get(check.exercise) if check.verdict == "failed" else None
+        told = check.verdict == "failed" and (hints[check.exercise] or guess(check))
         row = f"\n{layout([('hint', told)])}" if told else ""
         yield check._replace(message=check.message + row)
 

@@ -41,7 +41,9 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
     if got.shape != expected.shape or not is_numeric(got, expected):
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
-    told = [*scaled(got, expected, agrees, inputs), *imprecise(got, expected),
+    told = [*scaled(got, expected, agrees, inputs),
+            *(sentence for sentence, mistaken in distorted(got, expected)
+              if np.all(agrees(got, mistaken))), *imprecise(got, expected),
             *in_a_part(got, expected, wrong, agrees), *by_index(wrong, inputs)]
     return Suspicion(told[0], wrong.sum() >= ENOUGH) if told else None
 
@@ -63,10 +65,10 @@ def mistakes(got, expected, picture):
     if picture and expected.ndim >= 2:
         yield from misplaced(expected)
     yield from in_another_order(expected, not picture)
+    if is_numeric(got, expected):
+        yield "it is zero everywhere", 0 * expected
     if got.shape != expected.shape:
         yield from in_another_shape(got, expected)
-    elif is_numeric(got, expected):
-        yield from distorted(got, expected)
 
 
 def misplaced(picture):
@@ -109,7 +111,6 @@ def in_another_shape(got, expected):
 
 def distorted(got, expected):
     """Yield (what became of the numbers, what was expected with it)."""
-    yield "it is zero everywhere", 0 * expected
     yield "the square of what was expected came", expected ** 2
     yield "1 over what was expected came", 1 / expected
     if "c" in (got.dtype.kind, expected.dtype.kind):
