@@ -77,7 +77,7 @@ def by_uv(grad_weights):
 @exercise("5.2")
 def test_halfway_on_the_screen_is_a_quarter_of_the_way(impl):
     """t comes back as it is: the perspective is left out. w_0 and w_1 are exchanged. A factor t
-    or 1 - t is left out. Or it is measured from the other end.
+    or 1 - t, or the division, is left out. Or it is measured from the other end.
     """
     got = impl.fraction_in_space(np.array([0.0, 0.25, 0.5, 0.75, 0.9, 1.0]), 2.0, 6.0)
     assert_close(got, np.array([0.0, 0.1, 0.25, 0.5, 0.75, 1.0]))
@@ -92,7 +92,9 @@ def test_of_equal_w_nothing_is_corrected(impl):
 
 @exercise("5.2")
 def test_a_point_of_the_segment_is_found_again(impl, rng):
-    """The point at fraction q in space, projected to the screen, is not found at q."""
+    """The point at fraction q in space, projected to the screen, is not found at q. Or w is taken
+    to be positive: abs or a guard against a small w spoils it where both are negative.
+    """
     q = rng.uniform(0, 1, 30)
     x, w = rng.uniform(-3, 3, (2, 30)), rng.uniform(0.2, 5, (2, 30))
     s_0, s_1 = x / w  # a pinhole at the origin, its screen at w = 1
@@ -138,7 +140,7 @@ def test_gradients_of_the_fraction_are_central_differences(impl, rng):
 @exercise("5.4")
 def test_attributes_along_a_segment_on_paper(impl):
     """One division is missing: of a_0 and a_1 by their w, or of the sum by the interpolated 1/w.
-    Or the attributes are linear on the screen, without perspective, or w_0 and w_1 are exchanged.
+    Or the attributes are linear on the screen, without perspective, or the ends are exchanged.
     """
     t, a_0, a_1 = np.array([0.0, 0.25, 0.5, 0.75, 0.9]), np.array([10.0, 30.0]), \
         np.array([20.0, -10.0])
@@ -183,13 +185,17 @@ def test_corrected_weights_on_paper(impl):
 
 @exercise("5.5")
 def test_any_multiple_of_the_weights_gives_the_same(impl, rng):
-    """e is taken to have the sum 1, or to be positive; or the sum runs over the points."""
+    """e is taken to have the sum 1, or to be positive: abs, or a guard against a small sum as in
+    np.maximum, spoils negative weights. Or the sum runs over several pixels.
+    """
     e, w = rng.uniform(0.1, 1, (2, 4, 5, 3))
     n = e / w
     expected = n / (n[..., :1] + n[..., 1:2] + n[..., 2:])
-    for factor in 1.0, -7.0, 1e-9:
-        assert_close(impl.corrected_barycentrics(factor * e, w), expected)
-        assert_close(impl.corrected_barycentrics(e, factor * w), expected)
+    assert_close(impl.corrected_barycentrics(e, w), expected)
+    for factor in 1e-9, -7.0:
+        got = [impl.corrected_barycentrics(factor * e, w),
+               impl.corrected_barycentrics(e, factor * w)]
+        assert_close(np.array(got), np.array([expected, expected]))
 
 
 def matrix_and_edges(rng, count):
@@ -226,8 +232,9 @@ SUM_GRADS = np.array([[-3.0, -5.0, 15.0, 1.0], [-11.0, 5.0, 5.0, -19.0],
 
 @exercise("5.6")
 def test_the_gradient_of_a_quotient_on_paper(impl):
-    """s is taken for constant, so the quotient rule's second term is left out, or added instead
-    of subtracted. b must stand inside of the sum. 1/s is left out, or squared.
+    """s is taken for constant: the quotient rule's second term is left out, or it is added
+    instead of subtracted. In it b is left out, or stands outside of the sum, or the axis is
+    wrong. 1/s is left out, or squared.
     """
     assert_close(impl.normalize_backward(QUOTIENT_GRADS, QUOTIENTS, SUMS), SUM_GRADS)
 
@@ -281,7 +288,8 @@ GRAD_WEIGHTS = np.array([[[38.0, 4.0, 58.0], [-20.0, 1.0, 5.0], [8.0, 16.0, 36.0
 @exercise("5.8")
 def test_a_picture_of_six_pixels(impl):
     """-1 is used as an index, which draws the last face where no face is seen. Face 0 is taken
-    for no face. A corner overwrites the one before instead of being added. i and j are swapped.
+    for no face. A corner overwrites the one before instead of being added. i and j are swapped,
+    or there are always three channels.
     """
     got = impl.interpolate_loop(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_picture(got, PICTURE, atol=1e-12)
@@ -297,16 +305,18 @@ def test_an_empty_pixel_is_zero(impl):
 @exercise("5.8")
 @pytest.mark.parametrize("channels", [1, 4])
 def test_any_number_of_attributes(impl, rng, channels):
-    """Three channels only, or the weights are mixed with the channels."""
+    """Three channels only, or the weights are mixed with the channels. Or the weights are divided
+    by their sum, or clipped: they are used as they are.
+    """
     given = buffers(rng, channels)
     assert_picture(impl.interpolate_loop(*given), mixed(*given), atol=1e-12)
 
 
 @exercise("5.9")
 def test_the_gradients_of_six_pixels(impl):
-    """A vertex that several pixels see keeps one gradient, instead of their sum: += with an array
-    of indices adds only once. The weights or grad_output are left out. The sum over the channels
-    is missing. -1 is used as an index.
+    """A vertex that several pixels see keeps one gradient, or the mean, instead of their sum: +=
+    with an array of indices adds only once. The weights or grad_output are left out. The sum over
+    the channels is missing. -1 is used as an index.
     """
     got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
@@ -332,9 +342,9 @@ def test_every_channel_adds_to_the_weights(impl, rng, channels):
 
 @exercise("5.10")
 def test_the_rows_of_six_pixels(impl):
-    """start lacks its leading 0, or counts rows instead of three entries each. Entries come
-    corner by corner instead of pixel by pixel. A pixel without a face has entries, or no place in
-    start. Face 0 is taken for no face.
+    """start lacks its leading 0 or its last number, is not added up, or counts rows instead of
+    three entries each. Entries come corner by corner instead of pixel by pixel. A pixel without a
+    face has entries, or no place in start.
     """
     expected = (np.array([0, 3, 6, 9, 12, 12, 15]),
                 np.array([0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2]),
@@ -375,7 +385,9 @@ def test_a_whole_picture_of_six_pixels(impl):
 @exercise("5.11")
 @pytest.mark.parametrize("channels", [1, 3, 6])
 def test_a_whole_picture_is_that_of_the_definition(impl, rng, channels):
-    """Three channels only, or the last face is drawn where no face is seen."""
+    """Three channels only, or the weights are divided by their sum, or the last face is drawn
+    where no face is seen.
+    """
     given = buffers(rng, channels)
     assert_picture(impl.interpolate(*given), mixed(*given), atol=1e-12)
 
@@ -449,8 +461,9 @@ DERIVATIVES[1, 1] = [[0.1, -0.4], [-0.6, 0.3], [0.5, 0.1]]
 
 @exercise("5.13")
 def test_the_footprints_of_two_pixels(impl):
-    """dA/dx and dA/dy are exchanged, or one has the wrong sign, as if y pointed down. x and y
-    stand before the channels (J is transposed), or a reshape mixes them. -1 is used as an index.
+    """dA/dx and dA/dy are exchanged, or one has the wrong sign, as if y pointed down. x and y are
+    not the last axis but stand before the channels (J is transposed), or a reshape mixes them. -1
+    is used as an index.
     """
     expected = np.zeros((2, 2, 3, 2))
     expected[0, 0] = [[0.6, 6.6], [-2.2, 1.9], [5.4, -1.5]]

@@ -104,8 +104,8 @@ def corrected_barycentrics(e, w):
 
 
 def corrected_barycentrics(e, w):
-    """w is not used: the weights on the screen come back, without perspective, only divided by
-    their sum"""
+    """w makes no difference: the weights on the screen come back without perspective, only divided
+    by their sum. e_k must be divided by w_k"""
     n = e
     return n / n.sum(-1, keepdims=True)
 
@@ -117,8 +117,8 @@ def corrected_barycentrics(e, w):
 
 
 def corrected_barycentrics(e, w):
-    """e is normalised before the division by w instead of after it: the sum must be that of
-    n = e / w, and the weights do not sum to 1"""
+    """e is normalised before the division by w instead of after it. So they do not sum to 1: they
+    are divided by the sum of e, not by that of n = e / w"""
     return e / e.sum(-1, keepdims=True) / w
 
 
