@@ -100,11 +100,11 @@ def test_a_level_comes_down_in_sixteenths(impl):
     """What comes down is not divided by 4 at each level, or levels above level 1 hand nothing
     down. A level's own gradient is left out, as that of level 0 itself.
     """
-    levels = (grey([[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12], [13, 14, 15, 16]]),
-              grey([[4, 16], [12, 28]]), grey([[32]]))
-    # level 1 gets 8 from above: 12, 24, 20, 36. A quarter of it goes down: 3, 6, 5, 9.
-    expected = grey([[4, 5, 9, 10], [8, 9, 13, 14], [14, 15, 20, 21], [18, 19, 24, 25]])
-    assert_close(impl.pyramid_backward(levels), expected)
+    levels = (np.arange(1.0, 33.0).reshape(4, 8, 1), grey([[4, 16, 28, 12], [12, 28, 24, 40]]),
+              grey([[32, 64]]))
+    # Level 1 gets 8 and 16 from above: 12, 24, 44, 28 and 20, 36, 40, 56.
+    above = grey([[3, 3, 6, 6, 11, 11, 7, 7]] * 2 + [[5, 5, 9, 9, 10, 10, 14, 14]] * 2)
+    assert_close(impl.pyramid_backward(levels), levels[0] + above)
 
 
 @exercise("6.11")
@@ -126,7 +126,8 @@ def test_the_gradients_of_pyramids_are_central_differences(impl, rng):
 @exercise("6.12")
 def test_a_pixel_of_two_to_sixteen_texels(impl):
     """J is not in texels. width and height are exchanged, or scale J's columns, not its rows. 1/2
-    is left out, or log is not log2. S - R for S + R, or a norm of J. A level below 0 is cut off.
+    or R's root is left out, or log is not log2. S - R for S + R, or a norm or the area of J. A
+    level below 0 is cut off.
     """
     jacobian = np.array([[[2 / 32, 0.0], [0.0, 1 / 8]], [[0.0, 8 / 32], [4 / 8, 0.0]],
                          [[1 / 32, 0.0], [0.0, 4 / 8]], [[0.5 / 32, 0.0], [0.0, 0.125 / 8]],
@@ -137,7 +138,7 @@ def test_a_pixel_of_two_to_sixteen_texels(impl):
 @exercise("6.12")
 def test_a_turned_pixel_has_the_same_level(impl):
     """C is left out: the longer of d/dx and d/dy (OpenGL's rule) is taken, and the level depends
-    on how the texture is turned. Or R has no square root.
+    on how the texture is turned. Or A and B are of J's rows, not of its columns.
     """
     turns = np.stack([rotation(angle) for angle in (0.0, 0.3, 0.8, 1.5, 2.0)])
     stretched = turns @ np.diag([8.0, 1.0]) @ rotation(0.7)
@@ -163,8 +164,8 @@ def test_no_change_at_all_is_level_minus_infinity(impl):
 
 @exercise("6.13")
 def test_the_longer_axis_alone_moves_the_level(impl):
-    """The chain rule's last factor, width and height, is left out. ln 2 or 1/2 is left out: log2
-    is not ln. C's part is missing, or the shorter axis pulls, too.
+    """The chain rule's last factor, width and height, is left out. ln 2 (log2 is not ln), 1/2 or
+    grad_level is left out, or C's part. The shorter axis pulls, too, as R's part is missing.
     """
     jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.125, 0.0], [0.0, 0.5]],
                          [[0.1875, 0.25], [0.0, 0.0]], [[0.0, 0.0], [0.375, -0.5]]])
@@ -176,7 +177,9 @@ def test_the_longer_axis_alone_moves_the_level(impl):
 
 @exercise("6.13", fine_print=True)
 def test_a_square_footprint_pulls_at_both_axes(impl):
-    """0 / 0 where R is 0: its derivatives count as 0, and those of S are left."""
+    """0 / 0 where R is 0, in a square: its derivatives count as 0, and those of S are left. Or it
+    is a finite difference, which is never exact.
+    """
     jacobian = np.array([[[0.5, 0.0], [0.0, 1.0]], [[0.0, -0.25], [0.5, 0.0]]])
     got = impl.mip_level_backward(np.log(2.0) * np.ones(2), jacobian, 8, 4)
     assert_close(got, np.array([[[1.0, 0.0], [0.0, 0.5]], [[0.0, -2.0], [1.0, 0.0]]]))
@@ -212,9 +215,9 @@ def test_the_gradients_of_levels_are_central_differences(impl, rng):
 @exercise("6.14")
 def test_a_level_lies_between_two(impl):
     """The level is rounded to the nearest, not down (floor). The fraction is that of the lower
-    level. Or lower and upper are no integers.
+    level, or the level itself. lower and upper are no integers, or the outputs are exchanged.
     """
-    got = impl.blend_levels(np.array([0.25, 1.5, 2.875, 3.125, 1.75]), 5)
+    got = impl.blend_levels(np.array([0.25, 1.5, 2.875, 3.125, 1.75]), 9)
     assert_equal(got, (np.array([0, 1, 2, 3, 1]), np.array([1, 2, 3, 4, 2]),
                        np.array([0.25, 0.5, 0.875, 0.125, 0.75])))
 
@@ -222,7 +225,7 @@ def test_a_level_lies_between_two(impl):
 @exercise("6.14")
 def test_a_whole_level_is_the_lower_one_in_full(impl):
     """On a whole level upper is that level itself (by ceil), or it is the upper one in full."""
-    got = impl.blend_levels(np.array([0.0, 1.0, 2.0, 3.0, 4.0]), 5)
+    got = impl.blend_levels(np.array([0.0, 1.0, 2.0, 3.0, 4.0]), 9)
     assert_equal(got, (np.array([0, 1, 2, 3, 4]), np.array([1, 2, 3, 4, 5]), np.zeros(5)))
 
 
@@ -238,8 +241,8 @@ def test_no_level_is_above_the_last_one(impl):
 
 @exercise("6.14")
 def test_a_negative_level_is_level_0(impl):
-    """The lower end is not clamped: a negative level stays negative, below 0. Or its fraction is
-    taken before it is clamped.
+    """The lower end is not clamped, or nothing is: a negative level stays negative, below 0. Or
+    its fraction is taken before it is clamped.
     """
     got = impl.blend_levels(np.array([-7.5, -0.25, -1.0, 0.5, -3.75]), 3)
     assert_equal(got, (np.zeros(5, int), np.ones(5, int), np.array([0.0, 0.0, 0.0, 0.5, 0.0])))

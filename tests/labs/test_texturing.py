@@ -17,7 +17,7 @@ def weights_2d(uv, width, height):
 @exercise("6.2")
 def test_between_two_centres_both_count(impl):
     """Half a texel off: a centre is taken to lie at j / w, or 1/2 is added. The weights are
-    exchanged. The second texel is j - 1. x is multiplied by size - 1.
+    exchanged. The second texel is j - 1. x is multiplied by size - 1, or rounded to the nearest.
     """
     got = impl.linear_texels(np.array([0.4375, 0.55, 0.725, 0.15]), 4)  # at 1.25, 1.7, 2.4, 0.1
     assert_close(got, (np.array([[1, 1, 2, 0], [2, 2, 3, 1]]),
@@ -103,8 +103,8 @@ def test_look_ups_are_sums_in_a_loop(impl, rng):
 @exercise("6.6")
 def test_what_was_gathered_is_scattered(impl):
     """+= with an array of indices adds only once, so of several points at one texel the last one
-    wins. The weights are left out of grad_texels, or stand in grad_weight. The sum over the
-    channels is a mean.
+    wins. The weights are left out of grad_texels, or grad_colour of grad_weight. The sum over the
+    channels is a mean, or of one channel.
     """
     index = np.array([[0, 1], [1, 3], [4, 1]])
     weight = np.array([[0.75, 0.25], [0.5, 0.4], [0.2, 0.6]])
@@ -140,9 +140,12 @@ def test_each_texel_pulls_towards_itself(impl):
     exchanged: u goes along the row. The sign is flipped. The other axis' weights are left out, or
     exchanged.
     """
-    uv = np.array([[0.125, 0.1875]] * 4)  # at 0.5 and 0.25 texels from a centre
-    expected = np.array([[-6.0, -2.0], [6.0, -2.0], [-2.0, 2.0], [2.0, 2.0]])
-    assert_close(impl.bilinear_backward(np.eye(4), uv, 8, 4), expected)
+    grad_weight = np.array([[0.0, 1.0, 0.0, 0.0], [2.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 3.0],
+                            [0.0, 0.0, -1.0, 0.0], [1.0, 2.0, 4.0, 8.0]])
+    # 0.25 and 0.4 texels from a centre, the last one 0.75 and 0.1
+    uv = np.array([[0.09375, 0.225]] * 4 + [[0.15625, 0.15]])
+    expected = np.array([[4.8, -1.0], [-9.6, -6.0], [9.6, 3.0], [3.2, -3.0], [10.4, 21.0]])
+    assert_close(impl.bilinear_backward(grad_weight, uv, 8, 4), expected)
 
 
 @exercise("6.7", fine_print=True)
@@ -194,7 +197,8 @@ def test_one_point_is_the_pixels_centre(impl):
 @exercise("6.8")
 def test_a_footprint_on_paper(impl):
     """The Jacobian is transposed. The points come column by column instead of row by row, or the
-    top row first. d goes from edge to edge of the pixel, not to the centres of its squares.
+    top row first. d goes from edge to edge of the pixel or beyond, not to the centres of its
+    squares, which are 1/n apart.
     """
     jacobian = np.array([[[4.0, 8.0], [2.0, 12.0]], [[0.0, 0.4], [-0.8, 0.2]]])
     expected = np.array([[[-3.0, -3.5], [9.9, 20.15]], [[-1.0, -2.5], [9.9, 19.75]],

@@ -87,8 +87,8 @@ def look_up(texels, index, weight):
 
 
 def look_up_backward(grad_colour, texels, index, weight):
-    """grad[index] += ... adds only once where a texel is named several times. All must be added,
-    as np.add.at or M^T does"""
+    """a texel that is named several times keeps only the last gradient: grad[index] += ... adds
+    only once, and = overwrites. All must be added, as np.add.at or M^T does"""
     grad_weight = np.einsum("nc,nkc->nk", grad_colour, texels[index])
     grad_texels = np.zeros(texels.shape)
     grad_texels[index] += weight[..., None] * grad_colour[:, None]
@@ -156,14 +156,15 @@ def bilinear_backward(grad_weight, uv, width, height):
 
 
 def bilinear_backward(grad_weight, uv, width, height):
-    """the sign is flipped: the derivative of 1 - a is -1, and that of a is 1"""
-    _, row_weight = linear_texels(uv[:, 1], height)
-    _, column_weight = linear_texels(uv[:, 0], width)
+    """the two weights of each axis are exchanged: row[0] and column[0] are 1 - a, row[1] and
+    column[1] are a"""
+    row_weight = linear_texels(uv[:, 1], height)[1][::-1]
+    column_weight = linear_texels(uv[:, 0], width)[1][::-1]
     grad_weight = grad_weight.T.reshape(2, 2, -1)
     grad_row = (grad_weight * column_weight).sum(1)
     grad_column = (grad_weight * row_weight[:, None]).sum(0)
-    return np.stack([(grad_column[0] - grad_column[1]) * width,
-                     (grad_row[0] - grad_row[1]) * height], -1)
+    return np.stack([(grad_column[1] - grad_column[0]) * width,
+                     (grad_row[1] - grad_row[0]) * height], -1)
 
 
 def bilinear_backward(grad_weight, uv, width, height):
