@@ -232,9 +232,9 @@ SUM_GRADS = np.array([[-3.0, -5.0, 15.0, 1.0], [-11.0, 5.0, 5.0, -19.0],
 
 @exercise("5.6")
 def test_the_gradient_of_a_quotient_on_paper(impl):
-    """s is taken for constant: the quotient rule's second term is left out, or it is added
-    instead of subtracted. In it b is left out, or stands outside of the sum, or the axis is
-    wrong. 1/s is left out, or squared.
+    """s is taken for constant: the quotient rule's second term is left out, or added instead of
+    subtracted. In it b is left out or stands outside of the sum, or the axis is wrong. 1/s is
+    left out, or squared.
     """
     assert_close(impl.normalize_backward(QUOTIENT_GRADS, QUOTIENTS, SUMS), SUM_GRADS)
 
@@ -287,9 +287,9 @@ GRAD_WEIGHTS = np.array([[[38.0, 4.0, 58.0], [-20.0, 1.0, 5.0], [8.0, 16.0, 36.0
 
 @exercise("5.8")
 def test_a_picture_of_six_pixels(impl):
-    """-1 is used as an index, which draws the last face where no face is seen. Face 0 is taken
-    for no face. A corner overwrites the one before instead of being added. i and j are swapped,
-    or there are always three channels.
+    """-1 is used as an index, which draws the last face where no face is seen. A corner overwrites
+    the one before instead of being added. i and j are swapped, or the corners are in another
+    order.
     """
     got = impl.interpolate_loop(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_picture(got, PICTURE, atol=1e-12)
@@ -315,8 +315,8 @@ def test_any_number_of_attributes(impl, rng, channels):
 @exercise("5.9")
 def test_the_gradients_of_six_pixels(impl):
     """A vertex that several pixels see keeps one gradient, or the mean, instead of their sum: +=
-    with an array of indices adds only once. The weights or grad_output are left out. The sum over
-    the channels is missing. -1 is used as an index.
+    with an array of indices adds only once. The weights, grad_output or the sum over the channels
+    is left out. -1 is used as an index.
     """
     got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
@@ -344,7 +344,7 @@ def test_every_channel_adds_to_the_weights(impl, rng, channels):
 def test_the_rows_of_six_pixels(impl):
     """start lacks its leading 0 or its last number, is not added up, or counts rows instead of
     three entries each. Entries come corner by corner instead of pixel by pixel. A pixel without a
-    face has entries, or no place in start.
+    face has entries.
     """
     expected = (np.array([0, 3, 6, 9, 12, 12, 15]),
                 np.array([0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2]),

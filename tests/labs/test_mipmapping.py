@@ -125,9 +125,8 @@ def test_the_gradients_of_pyramids_are_central_differences(impl, rng):
 
 @exercise("6.12")
 def test_a_pixel_of_two_to_sixteen_texels(impl):
-    """J is not in texels. width and height are exchanged, or scale J's columns, not its rows. 1/2
-    or R's root is left out, or log is not log2. S - R for S + R, or a norm or the area of J. A
-    level below 0 is cut off.
+    """J is not in texels. width and height are exchanged, or scale J's columns. 1/2 or R's root is
+    left out, or log is not log2. S - R for S + R, or a norm of J. A level below 0 is cut off.
     """
     jacobian = np.array([[[2 / 32, 0.0], [0.0, 1 / 8]], [[0.0, 8 / 32], [4 / 8, 0.0]],
                          [[1 / 32, 0.0], [0.0, 4 / 8]], [[0.5 / 32, 0.0], [0.0, 0.125 / 8]],
