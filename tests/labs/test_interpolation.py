@@ -16,9 +16,10 @@ each_golden = pytest.mark.parametrize(
 #   row 0:  face 0, face 2, face 1        vertex 5 and face 3, the last one, are not seen
 FACES = np.array([[0, 1, 2], [2, 1, 3], [4, 2, 0], [5, 5, 5]])
 FACE_INDEX = np.array([[0, 2, 1], [2, -1, 0]])
-WEIGHTS = np.array([[[0.50, 0.25, 0.25], [1.00, 0.00, 0.00], [0.00, 0.50, 0.50]],
-                    [[0.25, 0.50, 0.25], [7.00, 8.00, 9.00], [0.00, 0.00, 1.00]]])
-ATTRIBUTES = np.array([[8.0, 0.0], [4.0, 1.0], [0.0, 2.0], [16.0, -1.0], [-8.0, 4.0], [99.0, 99.0]])
+WEIGHTS = np.array([[[0.5, 0.3, 0.2], [0.7, 0.2, 0.1], [0.2, 0.5, 0.3]],
+                    [[0.1, 0.6, 0.3], [7.0, 8.0, 9.0], [0.3, 0.6, 0.1]]])
+ATTRIBUTES = np.array([[8.0, 1.0], [4.0, -2.0], [10.0, 3.0], [16.0, -1.0], [-8.0, 4.0],
+                       [99.0, 97.0]])
 
 
 def buffers(rng, channels, trailing=()):
@@ -75,9 +76,11 @@ def by_uv(grad_weights):
 
 @exercise("5.2")
 def test_halfway_on_the_screen_is_a_quarter_of_the_way(impl):
-    """q = t (the screen's fraction is taken for that in space), or w_0 and w_1 are swapped."""
-    got = impl.fraction_in_space(np.array([0.0, 0.5, 0.75, 1.0]), 1.0, 3.0)
-    assert_close(got, np.array([0.0, 0.25, 0.5, 1.0]))
+    """t comes back as it is: the perspective is left out. w_0 and w_1 are exchanged. A factor t
+    or 1 - t, or the division, is left out. Or it is measured from the other end.
+    """
+    got = impl.fraction_in_space(np.array([0.0, 0.25, 0.5, 0.75, 0.9, 1.0]), 2.0, 6.0)
+    assert_close(got, np.array([0.0, 0.1, 0.25, 0.5, 0.75, 1.0]))
 
 
 @exercise("5.2")
@@ -89,7 +92,9 @@ def test_of_equal_w_nothing_is_corrected(impl):
 
 @exercise("5.2")
 def test_a_point_of_the_segment_is_found_again(impl, rng):
-    """The point at fraction q in space, projected to the screen, is not found at q."""
+    """The point at fraction q in space, projected to the screen, is not found at q. Or w is taken
+    to be positive: abs or a guard against a small w spoils it where both are negative.
+    """
     q = rng.uniform(0, 1, 30)
     x, w = rng.uniform(-3, 3, (2, 30)), rng.uniform(0.2, 5, (2, 30))
     s_0, s_1 = x / w  # a pinhole at the origin, its screen at w = 1
@@ -106,10 +111,15 @@ def fraction(t, w_0, w_1):
 
 @exercise("5.3")
 def test_gradients_of_the_fraction_on_paper(impl):
-    """A sign, or dv is forgotten: w_0 is in the numerator and in the denominator."""
-    got = impl.fraction_in_space_backward(np.array([16.0]), np.array([0.5]), np.array([1.0]),
-                                          np.array([3.0]))
-    assert_close(got, (np.array([12.0]), np.array([3.0]), np.array([-1.0])))
+    """The denominator is taken for constant: the quotient rule's second term, -u dv, is missing.
+    Or it is not squared. The gradient of w_1 has the wrong sign, or is exchanged with that of w_0.
+    """
+    # v = 4, 5, 5, 4, so grad_q / v^2 = 1, 2, 4, -2
+    got = impl.fraction_in_space_backward(
+        np.array([16.0, 50.0, 100.0, -32.0]), np.array([0.5, 0.25, 0.75, 0.5]),
+        np.array([2.0, 2.0, 4.0, 5.0]), np.array([6.0, 6.0, 8.0, 3.0]))
+    assert_close(got, (np.array([12.0, 24.0, 128.0, -30.0]), np.array([1.5, 2.25, 6.0, -1.5]),
+                       np.array([-0.5, -0.75, -3.0, 2.5])))
 
 
 @exercise("5.3")
@@ -129,10 +139,14 @@ def test_gradients_of_the_fraction_are_central_differences(impl, rng):
 
 @exercise("5.4")
 def test_attributes_along_a_segment_on_paper(impl):
-    """A/w is interpolated and not divided by the interpolated 1/w, or multiplied by it."""
-    t, a_0, a_1 = np.array([0.0, 0.5, 0.75, 1.0]), np.array([8.0, 0.0]), np.array([0.0, 4.0])
-    expected = np.array([[8.0, 0.0], [6.0, 1.0], [4.0, 2.0], [0.0, 4.0]])
-    assert_close(impl.attribute_on_segment(t, a_0, a_1, 1.0, 3.0), expected)
+    """One division is missing: of a_0 and a_1 by their w, or of the sum by the interpolated 1/w.
+    Or the attributes are linear on the screen, without perspective, or the ends are exchanged.
+    """
+    t, a_0, a_1 = np.array([0.0, 0.25, 0.5, 0.75, 0.9]), np.array([10.0, 30.0]), \
+        np.array([20.0, -10.0])
+    # 0, 1/10, 1/4, 1/2 and 3/4 of the way in space
+    expected = np.array([[10.0, 30.0], [11.0, 26.0], [12.5, 20.0], [15.0, 10.0], [17.5, 0.0]])
+    assert_close(impl.attribute_on_segment(t, a_0, a_1, 2.0, 6.0), expected)
 
 
 @exercise("5.4")
@@ -159,22 +173,29 @@ def test_an_attribute_is_what_stands_at_the_point_in_space(impl, rng):
 
 @exercise("5.5")
 def test_corrected_weights_on_paper(impl):
-    """Multiplied by w instead of divided, or not divided by the sum."""
-    e = np.array([[0.5, 0.5, 0.0], [0.25, 0.25, 0.5], [0.0, 0.0, 1.0]])
-    w = np.array([[1.0, 3.0, 1.0], [1.0, 1.0, 2.0], [5.0, 6.0, 7.0]])
-    expected = np.array([[0.75, 0.25, 0.0], [1 / 3, 1 / 3, 1 / 3], [0.0, 0.0, 1.0]])
+    """w multiplies instead of dividing, or is not used. The weights do not sum to 1, or e is
+    divided by its sum before w divides it. The sum runs over several pixels: use axis=-1 and
+    keepdims=True.
+    """
+    e = np.array([[0.5, 0.5, 0.0], [0.25, 0.25, 0.5], [2.0, 8.0, 25.0], [5.0, 6.0, 16.0]])
+    w = np.array([[2.0, 6.0, 3.0], [2.0, 4.0, 8.0], [2.0, 4.0, 5.0], [5.0, 2.0, 4.0]])
+    expected = np.array([[6, 2, 0], [4, 2, 2], [1, 2, 5], [1, 3, 4]]) / 8
     assert_close(impl.corrected_barycentrics(e, w), expected)
 
 
 @exercise("5.5")
 def test_any_multiple_of_the_weights_gives_the_same(impl, rng):
-    """e is taken to have the sum 1, or to be positive; or the sum runs over the points."""
+    """e is taken to have the sum 1, or to be positive: abs, or a guard against a small sum as in
+    np.maximum, spoils negative weights. Or the sum runs over several pixels.
+    """
     e, w = rng.uniform(0.1, 1, (2, 4, 5, 3))
     n = e / w
     expected = n / (n[..., :1] + n[..., 1:2] + n[..., 2:])
-    for factor in 1.0, -7.0, 1e-9:
-        assert_close(impl.corrected_barycentrics(factor * e, w), expected)
-        assert_close(impl.corrected_barycentrics(e, factor * w), expected)
+    assert_close(impl.corrected_barycentrics(e, w), expected)
+    for factor in 1e-9, -7.0:
+        got = [impl.corrected_barycentrics(factor * e, w),
+               impl.corrected_barycentrics(e, factor * w)]
+        assert_close(np.array(got), np.array([expected, expected]))
 
 
 def matrix_and_edges(rng, count):
@@ -200,13 +221,31 @@ def test_edge_functions_are_the_rows_of_the_inverse(impl, rng):
     assert_close(got, c / c.sum(-1, keepdims=True), rtol=1e-6, atol=1e-6)
 
 
+QUOTIENT_GRADS = np.array([[8.0, 10.0, 20.0, 10.0], [0.0, 20.0, 10.0, -10.0],
+                           [16.0, 30.0, -10.0, 20.0]])
+QUOTIENTS = np.array([[0.125, 0.6, 0.1, 0.2], [0.25, 0.3, 0.6, 0.3], [0.625, 0.1, 0.3, 0.5]])
+SUMS = np.array([8.0, 10.0, 20.0, 5.0])
+# grad_b . b is 11, 15, 5 and 9
+SUM_GRADS = np.array([[-3.0, -5.0, 15.0, 1.0], [-11.0, 5.0, 5.0, -19.0],
+                      [5.0, 15.0, -15.0, 11.0]]) / SUMS
+
+
 @exercise("5.6")
 def test_the_gradient_of_a_quotient_on_paper(impl):
-    """The sum's own share is left out, or has the wrong sign."""
-    grad_b, n = np.array([[14.0], [0.0], [7.0]]), np.array([[1.0], [2.0], [4.0]])
-    # b = n / 7: by n_0 alone 2, by n_2 alone 1; by the sum -(14 * 1 + 7 * 4) / 49 = -6 / 7.
-    got = impl.normalize_backward(grad_b, n / 7, np.array([7.0]))
-    assert_close(got, np.array([[8.0], [-6.0], [1.0]]) / 7)
+    """s is taken for constant: the quotient rule's second term is left out, or added instead of
+    subtracted. In it b is left out or stands outside of the sum, or the axis is wrong. 1/s is
+    left out, or squared.
+    """
+    assert_close(impl.normalize_backward(QUOTIENT_GRADS, QUOTIENTS, SUMS), SUM_GRADS)
+
+
+@exercise("5.6")
+def test_the_weights_may_lie_along_another_axis(impl):
+    """The axis is ignored: the sum always runs over axis 0, over all numbers, or loses its axis,
+    without keepdims=True.
+    """
+    got = impl.normalize_backward(QUOTIENT_GRADS.T, QUOTIENTS.T, SUMS[:, None], axis=-1)
+    assert_close(got, SUM_GRADS.T)
 
 
 def check_quotients(impl, n, axis, more):
@@ -236,19 +275,22 @@ def test_the_weights_need_not_sum_to_1(impl, rng):
 
 # --- pictures, pixel by pixel ------------------------------------------------------------------
 
-PICTURE = np.array([[[5.0, 0.75], [-8.0, 4.0], [10.0, 0.0]],
-                    [[0.0, 2.0], [0.0, 0.0], [0.0, 2.0]]])
-GRAD_OUTPUT = np.array([[[4.0, 8.0], [1.0, 0.0], [2.0, -2.0]],
-                        [[8.0, 4.0], [99.0, 99.0], [0.0, 1.0]]])
-GRAD_ATTRIBUTES = np.array([[4.0, 5.0], [2.0, 1.0], [5.0, 5.0], [1.0, -1.0], [3.0, 1.0],
+PICTURE = np.array([[[7.2, 0.5], [-2.8, 3.5], [8.8, -0.7]],
+                    [[7.6, 2.5], [0.0, 0.0], [5.8, -0.6]]])
+GRAD_OUTPUT = np.array([[[4.0, 6.0], [1.0, -3.0], [2.0, -4.0]],
+                        [[8.0, 4.0], [99.0, 97.0], [-6.0, 1.0]]])
+GRAD_ATTRIBUTES = np.array([[2.7, 4.2], [-1.4, 0.4], [5.6, 2.3], [0.6, -1.2], [1.5, -1.7],
                             [0.0, 0.0]])
-GRAD_WEIGHTS = np.array([[[32.0, 24.0, 16.0], [-8.0, 0.0, 8.0], [-4.0, 6.0, 34.0]],
-                         [[-48.0, 8.0, 64.0], [0.0, 0.0, 0.0], [0.0, 1.0, 2.0]]])
+GRAD_WEIGHTS = np.array([[[38.0, 4.0, 58.0], [-20.0, 1.0, 5.0], [8.0, 16.0, 36.0]],
+                         [[-48.0, 92.0, 68.0], [0.0, 0.0, 0.0], [-47.0, -26.0, -57.0]]])
 
 
 @exercise("5.8")
 def test_a_picture_of_six_pixels(impl):
-    """Corners are taken in another order, or row i and column j are swapped."""
+    """-1 is used as an index, which draws the last face where no face is seen. A corner overwrites
+    the one before instead of being added. i and j are swapped, or the corners are in another
+    order.
+    """
     got = impl.interpolate_loop(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_picture(got, PICTURE, atol=1e-12)
 
@@ -263,21 +305,26 @@ def test_an_empty_pixel_is_zero(impl):
 @exercise("5.8")
 @pytest.mark.parametrize("channels", [1, 4])
 def test_any_number_of_attributes(impl, rng, channels):
-    """Three channels only, or the weights are mixed with the channels."""
+    """Three channels only, or the weights are mixed with the channels. Or the weights are divided
+    by their sum, or clipped: they are used as they are.
+    """
     given = buffers(rng, channels)
     assert_picture(impl.interpolate_loop(*given), mixed(*given), atol=1e-12)
 
 
 @exercise("5.9")
 def test_the_gradients_of_six_pixels(impl):
-    """A pixel's gradient replaces that of another pixel at the same vertex instead of adding up."""
+    """A vertex that several pixels see keeps one gradient, or the mean, instead of their sum: +=
+    with an array of indices adds only once. The weights, grad_output or the sum over the channels
+    is left out. -1 is used as an index.
+    """
     got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
 
 
 @exercise("5.9")
 def test_an_empty_pixel_pulls_at_nothing(impl):
-    """The gradient at the background flows to the last face."""
+    """The gradient at the background flows to the last face, as -1 is used as an index."""
     got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, np.full((2, 3), -1),
                                          WEIGHTS)
     assert_close(got, (np.zeros((6, 2)), np.zeros((2, 3, 3))))
@@ -295,12 +342,15 @@ def test_every_channel_adds_to_the_weights(impl, rng, channels):
 
 @exercise("5.10")
 def test_the_rows_of_six_pixels(impl):
-    """A pixel without a face leaves out its row, or has entries; start counts rows, not entries."""
-    start, vertex, weight = impl.weight_rows(FACES, FACE_INDEX, WEIGHTS)
-    assert_equal(start, np.array([0, 3, 6, 9, 12, 12, 15]))
-    assert_equal(vertex, np.array([0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2]))
-    assert_close(weight, np.array([0.5, 0.25, 0.25,  1, 0, 0,  0, 0.5, 0.5,
-                                   0.25, 0.5, 0.25,  0, 0, 1]))
+    """start lacks its leading 0 or its last number, is not added up, or counts rows instead of
+    three entries each. Entries come corner by corner instead of pixel by pixel. A pixel without a
+    face has entries.
+    """
+    expected = (np.array([0, 3, 6, 9, 12, 12, 15]),
+                np.array([0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2]),
+                np.array([0.5, 0.3, 0.2,  0.7, 0.2, 0.1,  0.2, 0.5, 0.3,
+                          0.1, 0.6, 0.3,  0.3, 0.6, 0.1]))
+    assert_equal(impl.weight_rows(FACES, FACE_INDEX, WEIGHTS), expected)
 
 
 @exercise("5.10")
@@ -326,14 +376,18 @@ def test_the_rows_make_the_matrix(impl, rng):
 
 @exercise("5.11")
 def test_a_whole_picture_of_six_pixels(impl):
-    """The pixels come out in another order, or -1 is taken for the last face."""
+    """The pixels come out in another order, or the weights. -1 is used as an index, which draws
+    the last face where no face is seen.
+    """
     assert_picture(impl.interpolate(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS), PICTURE, atol=1e-12)
 
 
 @exercise("5.11")
 @pytest.mark.parametrize("channels", [1, 3, 6])
 def test_a_whole_picture_is_that_of_the_definition(impl, rng, channels):
-    """Three channels only, or the last face is drawn where no face is seen."""
+    """Three channels only, or the weights are divided by their sum, or the last face is drawn
+    where no face is seen.
+    """
     given = buffers(rng, channels)
     assert_picture(impl.interpolate(*given), mixed(*given), atol=1e-12)
 
@@ -357,7 +411,9 @@ def test_attributes_are_those_of_nvdiffrast(impl, scene):
 
 @exercise("5.12")
 def test_the_gradients_of_a_whole_picture_of_six_pixels(impl):
-    """grad[index] += ... adds a vertex once, however many pixels see it: np.add.at adds all."""
+    """grad[vertex] += ... adds only once for a vertex that several pixels see: np.add.at adds
+    all. The weights are left out. The sum over the channels is a mean, or of one channel alone.
+    """
     got = impl.interpolate_backward(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
 
@@ -395,15 +451,24 @@ def test_gradients_are_those_of_nvdiffrast(impl, scene):
 
 # --- footprints --------------------------------------------------------------------------------
 
+# Two of four pixels see a face. Attributes have three channels.
+SEEN = np.array([[1, -1], [-1, 2]])
+COLOURS = np.append(ATTRIBUTES, [[2.0], [5.0], [-4.0], [8.0], [6.0], [95.0]], 1)
+DERIVATIVES = np.full((2, 2, 3, 2), 7.0)
+DERIVATIVES[0, 0] = [[-0.5, 0.3], [0.2, -0.7], [0.3, 0.4]]
+DERIVATIVES[1, 1] = [[0.1, -0.4], [-0.6, 0.3], [0.5, 0.1]]
+
+
 @exercise("5.13")
-def test_the_footprint_of_one_pixel(impl):
-    """d/dx and d/dy are swapped, or stand before the attributes."""
-    db = np.ones((2, 3, 3, 2))
-    db[1, 2] = [[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]
-    seen = np.array([[-1, -1, -1], [-1, -1, 1]])
-    expected = np.zeros((2, 3, 2, 2))
-    expected[1, 2] = [[2.0, -4.0], [-0.5, 0.75]]
-    assert_close(impl.interpolate_derivatives(ATTRIBUTES, FACES, seen, db), expected)
+def test_the_footprints_of_two_pixels(impl):
+    """dA/dx and dA/dy are exchanged, or one has the wrong sign, as if y pointed down. x and y are
+    not the last axis but stand before the channels (J is transposed), or a reshape mixes them. -1
+    is used as an index.
+    """
+    expected = np.zeros((2, 2, 3, 2))
+    expected[0, 0] = [[0.6, 6.6], [-2.2, 1.9], [5.4, -1.5]]
+    expected[1, 1] = [[-2.8, 7.0], [-0.9, -0.6], [4.0, -3.4]]
+    assert_close(impl.interpolate_derivatives(COLOURS, FACES, SEEN, DERIVATIVES), expected)
 
 
 @exercise("5.13")
@@ -426,17 +491,20 @@ def test_derivatives_are_those_of_nvdiffrast(impl, scene):
 
 
 @exercise("5.14")
-def test_the_gradients_of_one_footprint(impl):
-    """The derivative by y is left out, or by x and by y are kept apart in grad_attributes."""
-    db, grad_output = np.ones((1, 2, 3, 2)), np.ones((1, 2, 2, 2))
-    db[0, 1] = [[-0.5, 0.25], [0.5, 0.0], [0.0, -0.25]]
-    grad_output[0, 1] = [[2.0, 4.0], [8.0, 0.0]]
-    got = impl.interpolate_derivatives_backward(grad_output, ATTRIBUTES, FACES,
-                                                np.array([[-1, 1]]), db)
-    grad_attributes = np.array([[0.0, 0.0], [1.0, 4.0], [0.0, -4.0], [-1.0, 0.0], [0.0, 0.0],
-                                [0.0, 0.0]])
-    grad_derivatives = np.array([[[16.0, 0.0], [16.0, 16.0], [24.0, 64.0]]])
-    assert_close(got, (grad_attributes, np.stack([0 * grad_derivatives, grad_derivatives], 1)))
+def test_the_gradients_of_two_footprints(impl):
+    """grad_attributes has only the part of x, that of y is left out: it is the sum of both, no
+    mean. x and y are exchanged in one of the gradients. -1 is used as an index.
+    """
+    grad_output = np.full((2, 2, 3, 2), 9.0)
+    grad_output[0, 0] = [[2.0, 4.0], [8.0, -1.0], [3.0, 6.0]]
+    grad_output[1, 1] = [[1.0, -2.0], [-3.0, 6.0], [4.0, 2.0]]
+    grad_attributes = np.array([[0.3, -0.9, 2.2], [-2.4, 2.3, -3.6], [-1.0, -0.7, -1.5],
+                                [2.2, 2.0, 3.3], [0.9, -2.7, -0.4], [0.0, 0.0, 0.0]])
+    grad_derivatives = np.zeros((2, 2, 3, 2))
+    grad_derivatives[0, 0] = [[32.0, 13.0], [7.0, 48.0], [48.0, 113.0]]
+    grad_derivatives[1, 1] = [[4.0, 52.0], [-15.0, -10.0], [13.0, -6.0]]
+    got = impl.interpolate_derivatives_backward(grad_output, COLOURS, FACES, SEEN, DERIVATIVES)
+    assert_close(got, (grad_attributes, grad_derivatives))
 
 
 @exercise("5.14")

@@ -15,19 +15,33 @@ def weights_2d(uv, width, height):
 # --- one axis ----------------------------------------------------------------------------------
 
 @exercise("6.2")
-def test_a_texels_centre_is_that_texel_alone(impl):
-    """Half a texel off: texel j is read in full at j / w, which is its border."""
-    index, weight = impl.linear_texels((np.array([0, 1, 5, 7]) + 0.5) / 8, 8)
-    assert_equal(index, np.array([[0, 1, 5, 7], [1, 2, 6, 8]]))
-    assert_close(weight, np.array([[1.0, 1, 1, 1], [0, 0, 0, 0]]))
+def test_between_two_centres_both_count(impl):
+    """Half a texel off: a centre is taken to lie at j / w, or 1/2 is added. The weights are
+    exchanged. The second texel is j - 1. x is multiplied by size - 1, or rounded to the nearest.
+    """
+    got = impl.linear_texels(np.array([0.4375, 0.55, 0.725, 0.15]), 4)  # at 1.25, 1.7, 2.4, 0.1
+    assert_close(got, (np.array([[1, 1, 2, 0], [2, 2, 3, 1]]),
+                       np.array([[0.75, 0.3, 0.6, 0.9], [0.25, 0.7, 0.4, 0.1]])))
+    assert_equal(got[0], np.array([[1, 1, 2, 0], [2, 2, 3, 1]]))
 
 
 @exercise("6.2")
-def test_between_two_centres_both_count(impl):
-    """The two weights are swapped; or below 0 numbers are truncated and not floored."""
-    index, weight = impl.linear_texels(np.array([0.5, 0.4375, 0.05, -0.2, 1.0]), 4)
-    assert_equal(index, np.array([[1, 1, -1, -2, 3], [2, 2, 0, -1, 4]]))
-    assert_close(weight, np.array([[0.5, 0.75, 0.3, 0.3, 0.5], [0.5, 0.25, 0.7, 0.7, 0.5]]))
+def test_texels_outside_have_their_own_numbers(impl):
+    """Below 0 numbers are truncated towards 0 and not floored. Or they are clipped, clamped or
+    wrapped to the texture: that comes later.
+    """
+    got = impl.linear_texels(np.array([0.05, -0.2, 0.975, 1.25, 1.0]), 4)
+    # at -0.3, -1.3, 3.4, 4.5, 3.5
+    assert_close(got, (np.array([[-1, -2, 3, 4, 3], [0, -1, 4, 5, 4]]),
+                       np.array([[0.3, 0.3, 0.6, 0.5, 0.5], [0.7, 0.7, 0.4, 0.5, 0.5]])))
+
+
+@exercise("6.2")
+def test_a_texels_centre_is_that_texel_alone(impl):
+    """On a texel's centre the second texel is j itself (by ceil), or j is the one before."""
+    got = impl.linear_texels((np.array([0, 1, 5, 7]) + 0.5) / 8, 8)
+    assert_close(got, (np.array([[0, 1, 5, 7], [1, 2, 6, 8]]),
+                       np.array([[1.0, 1, 1, 1], [0, 0, 0, 0]])))
 
 
 @exercise("6.2")
@@ -44,16 +58,29 @@ def test_a_straight_line_is_reproduced(impl, rng):
 
 # --- the look-up -------------------------------------------------------------------------------
 
-TEXELS = np.array([[0.0, 1.0], [10.0, 2.0], [30.0, 3.0], [70.0, 4.0]])
+TEXELS = np.array([[4.0, 1.0], [10.0, 2.0], [30.0, 5.0], [70.0, 9.0], [50.0, 7.0]])
 
 
 @exercise("6.5")
 def test_a_colour_is_the_weighted_sum_of_its_texels(impl):
-    """The weights are left out, or divided by their sum; or the channels are mixed."""
-    index = np.array([[0, 1, 3], [2, 2, 0], [3, 1, 2]])
-    weight = np.array([[0.5, 0.25, 0.25], [1.0, 2.0, -1.0], [0.0, 0.0, 0.5]])
+    """The weights are left out, so it is a plain sum or mean. The sum is divided by K, or by the
+    sum of the weights. A texel is left out, or overwrites the one before.
+    """
+    index = np.array([[0, 1, 3], [2, 4, 0], [3, 1, 2], [1, 0, 4]])
+    weight = np.array([[0.5, 0.2, 0.3], [1.0, 2.0, -0.5], [0.1, 0.7, 0.5], [0.3, 0.25, 0.6]])
     assert_close(impl.look_up(TEXELS, index, weight),
-                 np.array([[20.0, 2.0], [90.0, 8.0], [15.0, 1.5]]))
+                 np.array([[25.0, 3.6], [128.0, 18.5], [29.0, 4.8], [34.0, 5.05]]))
+
+
+@exercise("6.5")
+def test_a_texel_may_be_named_twice(impl):
+    """A row that names a texel twice keeps only one of its weights: M[n, index] = weight
+    overwrites, and += with an array of indices adds only once.
+    """
+    index = np.array([[2, 2, 0], [1, 4, 1], [3, 3, 3]])
+    weight = np.array([[1.0, 2.0, -0.5], [0.5, 0.2, 0.1], [0.3, 0.1, 0.4]])
+    assert_close(impl.look_up(TEXELS, index, weight),
+                 np.array([[88.0, 14.5], [16.0, 2.6], [56.0, 7.2]]))
 
 
 @exercise("6.5")
@@ -75,23 +102,25 @@ def test_look_ups_are_sums_in_a_loop(impl, rng):
 
 @exercise("6.6")
 def test_what_was_gathered_is_scattered(impl):
-    """The weights are left out, or of two points at one texel the last one wins."""
-    index = np.array([[0, 1], [1, 3]])
-    weight = np.array([[0.75, 0.25], [0.5, 0.5]])
-    grad_texels, grad_weight = impl.look_up_backward(np.array([[1.0, 0.0], [2.0, 4.0]]), TEXELS,
-                                                     index, weight)
-    assert_close(grad_texels, np.array([[0.75, 0.0], [1.25, 2.0], [0.0, 0.0], [1.0, 2.0]]))
-    assert_close(grad_weight, np.array([[0.0, 10.0], [28.0, 156.0]]))
+    """+= with an array of indices adds only once, so of several points at one texel the last one
+    wins. The weights are left out of grad_texels, or grad_colour of grad_weight. The sum over the
+    channels is a mean, or of one channel.
+    """
+    index = np.array([[0, 1], [1, 3], [4, 1]])
+    weight = np.array([[0.75, 0.25], [0.5, 0.4], [0.2, 0.6]])
+    got = impl.look_up_backward(np.array([[1.0, 3.0], [2.0, 4.0], [5.0, -10.0]]), TEXELS, index,
+                                weight)
+    grad_texels = np.array([[0.75, 2.25], [4.25, -3.25], [0.0, 0.0], [0.8, 1.6], [1.0, -2.0]])
+    assert_close(got, (grad_texels, np.array([[7.0, 16.0], [28.0, 176.0], [180.0, 30.0]])))
 
 
 @exercise("6.6")
 def test_a_texel_that_a_row_names_twice_gets_both(impl):
-    """Equal texels in one row: an assignment keeps one of them."""
-    grad_texels, grad_weight = impl.look_up_backward(
-        np.array([[1.0, 10.0]]), TEXELS, np.array([[2, 2, 1, 2]]),
-        np.array([[0.125, 0.5, 0.25, 0.125]]))
-    assert_close(grad_texels, np.array([[0.0, 0.0], [0.25, 2.5], [0.75, 7.5], [0.0, 0.0]]))
-    assert_close(grad_weight, np.array([[60.0, 60.0, 30.0, 60.0]]))
+    """Equal texels in one row: an assignment, or += with an array of indices, keeps one of them."""
+    got = impl.look_up_backward(np.array([[1.0, 10.0]]), TEXELS, np.array([[2, 2, 1, 2]]),
+                                np.array([[0.125, 0.5, 0.25, 0.125]]))
+    grad_texels = np.array([[0.0, 0.0], [0.25, 2.5], [0.75, 7.5], [0.0, 0.0], [0.0, 0.0]])
+    assert_close(got, (grad_texels, np.array([[80.0, 80.0, 30.0, 80.0]])))
 
 
 @exercise("6.6")
@@ -107,21 +136,27 @@ def test_the_gradients_of_look_ups_are_central_differences(impl, rng):
 
 @exercise("6.7")
 def test_each_texel_pulls_towards_itself(impl):
-    """The order of the four texels, u and v, or width and height are swapped; or a sign."""
-    uv = np.array([[0.125, 0.1875]])  # at 0.5 and 0.25 texels from a centre
-    expected = {0: [-6.0, -2.0], 1: [6.0, -2.0], 2: [-2.0, 2.0], 3: [2.0, 2.0]}
-    for k, grad_uv in expected.items():
-        grad_weight = np.zeros((1, 4))
-        grad_weight[0, k] = 1
-        assert_close(impl.bilinear_backward(grad_weight, uv, 8, 4), np.array([grad_uv]))
+    """The factor of the size is left out, or width and height, u and v, or the four texels are
+    exchanged: u goes along the row. The sign is flipped. The other axis' weights are left out, or
+    exchanged.
+    """
+    grad_weight = np.array([[0.0, 1.0, 0.0, 0.0], [2.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 3.0],
+                            [0.0, 0.0, -1.0, 0.0], [1.0, 2.0, 4.0, 8.0]])
+    # 0.25 and 0.4 texels from a centre, the last one 0.75 and 0.1
+    uv = np.array([[0.09375, 0.225]] * 4 + [[0.15625, 0.15]])
+    expected = np.array([[4.8, -1.0], [-9.6, -6.0], [9.6, 3.0], [3.2, -3.0], [10.4, 21.0]])
+    assert_close(impl.bilinear_backward(grad_weight, uv, 8, 4), expected)
 
 
 @exercise("6.7", fine_print=True)
 def test_on_a_centre_the_upper_side_counts(impl):
-    """The gradient is 0 on a texel's centre, where the weights have a corner."""
-    grad_weight = np.array([[1.0, 2.0, 30.0, 400.0]])
-    assert_close(impl.bilinear_backward(grad_weight, np.array([[0.375, 0.25]]), 4, 2),
-                 np.array([[4.0, 58.0]]))
+    """On a texel's centre the weights have a corner. The gradient is 0 there, or that for a
+    smaller u or v, or the mean of both sides, as a central difference is.
+    """
+    grad_weight = np.array([[1.0, 2.0, 30.0, 400.0], [5.0, 11.0, -2.0, 7.0]])
+    uv = np.array([[0.375, 0.25], [0.625, 0.75]])
+    assert_close(impl.bilinear_backward(grad_weight, uv, 4, 2),
+                 np.array([[4.0, 58.0], [24.0, -14.0]]))
 
 
 def check_bilinear(impl, uv, width, height):
@@ -134,13 +169,17 @@ def check_bilinear(impl, uv, width, height):
 
 @exercise("6.7")
 def test_the_gradients_by_uv_are_central_differences(impl, rng):
-    """The factor of the size is forgotten, or one axis' weights are left out of the other's."""
+    """The weights are used as if a texel's border were its centre. Or one axis' weights are left
+    out of the other's.
+    """
     check_bilinear(impl, rng.uniform(-1, 2, (9, 2)), 6, 5)
 
 
 @exercise("6.7", fine_print=True)
 def test_every_pixel_may_look_at_its_own_level(impl, rng):
-    """One size for all pixels."""
+    """One size for all pixels: arrays width and height (N,), one for each level, do not broadcast
+    with grad_uv (N, 2).
+    """
     check_bilinear(impl, rng.uniform(-1, 2, (9, 2)), np.array([1, 2, 4, 8, 3, 7, 2, 2, 5]),
                    np.array([9, 3, 1] * 3))
 
@@ -149,7 +188,7 @@ def test_every_pixel_may_look_at_its_own_level(impl, rng):
 
 @exercise("6.8")
 def test_one_point_is_the_pixels_centre(impl):
-    """The points lie on the pixel's corners, or are measured from one."""
+    """The points lie on the pixel's edge or corners, or d is measured from a corner."""
     uv = np.array([[0.25, 0.75], [2.0, -1.0]])
     jacobian = np.array([[[0.1, 0.2], [0.3, 0.4]], [[1.0, 2.0], [3.0, 4.0]]])
     assert_close(impl.footprint_points(uv, jacobian, 1), uv[None])
@@ -157,10 +196,15 @@ def test_one_point_is_the_pixels_centre(impl):
 
 @exercise("6.8")
 def test_a_footprint_on_paper(impl):
-    """The order of the points, or the Jacobian is transposed."""
-    jacobian = np.array([[[4.0, 8.0], [0.0, 12.0]]])
-    expected = np.array([[-3.0, -3.0], [-1.0, -3.0], [1.0, 3.0], [3.0, 3.0]])
-    assert_close(impl.footprint_points(np.zeros((1, 2)), jacobian, 2), expected[:, None])
+    """The Jacobian is transposed. The points come column by column instead of row by row, or the
+    top row first. d goes from edge to edge of the pixel or beyond, not to the centres of its
+    squares, which are 1/n apart.
+    """
+    jacobian = np.array([[[4.0, 8.0], [2.0, 12.0]], [[0.0, 0.4], [-0.8, 0.2]]])
+    expected = np.array([[[-3.0, -3.5], [9.9, 20.15]], [[-1.0, -2.5], [9.9, 19.75]],
+                         [[1.0, 2.5], [10.1, 20.25]], [[3.0, 3.5], [10.1, 19.85]]])
+    uv = np.array([[0.0, 0.0], [10.0, 20.0]])
+    assert_close(impl.footprint_points(uv, jacobian, 2), expected)
 
 
 @exercise("6.8")
