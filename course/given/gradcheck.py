@@ -169,10 +169,13 @@ def gradients_of(case, upstream):
         gradients = list(gradients[0])  # they came as a list, which has become one array
     require(len(gradients) == len(titles), f"{name}: backward must return {len(titles)} gradients, "
             f"with respect to {', '.join(titles.values())}; it returned {len(gradients)}")
+    other_order = sorted(case.inputs[k].shape for k in titles) == sorted(
+        gradient.shape for gradient in gradients)
     for k, gradient in zip(titles, gradients, strict=True):
         shape = case.inputs[k].shape
         require(gradient.shape == shape, f"{name}: the gradient with respect to {titles[k]} must "
-                f"have that input's shape {shape}; it has {gradient.shape}")
+                f"have that input's shape {shape}; it has {gradient.shape}"
+                f"{': the gradients are in the wrong order' * other_order}")
     return dict(zip(titles, gradients, strict=True))
 
 

@@ -215,6 +215,14 @@ def test_what_a_check_made_of_the_result_is_not_certain():
                                                                           False)]
 
 
+def test_outputs_in_the_wrong_order_are_seen():
+    """Each of two outputs looks like a mistake of its own."""
+    returned = np.arange(1.0, 9), np.arange(8.0) ** 2
+    compared = mismatch(returned[0], returned[1].copy()).compared
+    assert hints.suspected(compared, (edge, (), {}), returned) == (
+        "the outputs are in the wrong order", True)
+
+
 def mismatch(got, expected):
     with pytest.raises(Mismatch) as error:
         assert_close(got, expected)
