@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, exercise
+from course.checks import assert_close, exercise
 from course.given.gradcheck import gradcheck
 
 # In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
