@@ -61,16 +61,17 @@ def opposite_vertices(faces):
 
 
 def opposite_vertices(faces):
-    """it is the number of the face across the edge; the answer is the third vertex of that face"""
-    at = {}
-    for f, face in enumerate(faces.tolist()):
-        for i, j in EDGES:
-            at.setdefault(frozenset((face[i], face[j])), []).append(f)
+    """edge k ends at vertex k, from k - 1 to k, so that columns are rolled; it is the one opposite
+    to vertex k, from k + 1 to k + 2"""
+    thirds = {}
+    for face in faces.tolist():
+        for k, (i, j) in enumerate(EDGES):
+            thirds.setdefault(frozenset((face[i], face[j])), []).append(face[k])
     opposite = np.full(faces.shape, -1)
     for f, face in enumerate(faces.tolist()):
         for k, (i, j) in enumerate(EDGES):
-            others = [g for g in at[frozenset((face[i], face[j]))] if g != f]
-            opposite[f, k] = others[0] if others else -1
+            others = [v for v in thirds[frozenset((face[i], face[j]))] if v != face[k]]
+            opposite[f, k - 1] = others[0] if others else -1
     return opposite
 
 
@@ -354,11 +355,10 @@ def last_crossing(x, y, w):
 
 
 def last_crossing(x, y, w):
-    """the sign of w is left out: a corner behind the camera is mirrored"""
-    c, above = np.full(x.shape, -np.inf), y
+    """w is ignored: a corner behind the camera is mirrored, and crossings behind it do not count"""
+    c = np.full(x.shape, -np.inf)
     for k, (i, j) in enumerate(EDGES):
-        crosses = (above[i] < 0) != (above[j] < 0)
-        crosses &= w[i] * np.abs(above[j]) + w[j] * np.abs(above[i]) > 0
+        crosses = (y[i] < 0) != (y[j] < 0)
         c[k, crosses] = crossing(*(corner[crosses] for corner in (x[i], y[i], x[j], y[j])))
     edge = c.argmax(0)
     return edge, c[edge, np.arange(len(edge))]
@@ -455,13 +455,12 @@ def blend(colour, owner, other, alpha):
 
 
 def blend(colour, owner, other, alpha):
-    """both pixels of a pair change, towards each other; it is the owner if alpha > 0, and else the
-    other pixel"""
+    """both pixels of a pair change; only one does, the owner if alpha > 0, and else the other"""
     pixels = colour.reshape(-1, colour.shape[-1]).astype(float)
     output = pixels.copy()
-    change = np.abs(alpha)[:, None] * (pixels[other] - pixels[owner])
+    change = alpha[:, None] * (pixels[other] - pixels[owner])
     np.add.at(output, owner, change)
-    np.add.at(output, other, -change)
+    np.add.at(output, other, change)
     return output.reshape(colour.shape)
 
 

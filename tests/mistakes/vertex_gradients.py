@@ -254,16 +254,6 @@ def weights_backward(grad_b, m, a):
 
 
 def weights_backward(grad_b, m, a):
-    """the share of the sum, grad_b . b, is not divided by s, as grad_b is; or grad_b . c stands
-    for grad_b . b, which is the same"""
-    inverse = np.linalg.inv(m)
-    c = inverse @ a
-    grad_c = (grad_b - grad_b @ c) / c.sum()
-    grad_a = inverse.T @ grad_c
-    return -np.outer(grad_a, c), grad_a
-
-
-def weights_backward(grad_b, m, a):
     """grad_m is made with b in place of c: it is -grad_a c^T, c not divided by s"""
     inverse = np.linalg.inv(m)
     c = inverse @ a
@@ -279,3 +269,12 @@ def weights_backward(grad_b, m, a):
     grad_c = (grad_b - grad_b @ c / c.sum()) / c.sum()
     grad_a = inverse @ grad_c
     return -np.outer(grad_a, c), grad_a
+
+
+def weights_backward(grad_b, m, a):
+    """the minus sign of grad_m is missing: a vertex drags the picture along, against its slope"""
+    inverse = np.linalg.inv(m)
+    c = inverse @ a
+    grad_c = (grad_b - grad_b @ c / c.sum()) / c.sum()
+    grad_a = inverse.T @ grad_c
+    return np.outer(grad_a, c), grad_a
