@@ -2,11 +2,20 @@
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, exercise
+from course.checks import assert_close, exercise
 from course.given.gradcheck import gradcheck
 
 # In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
 NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
+
+# Numbers for paper: q_0 = (3, 2, 1), q_1 = (4, 1, 2), q_2 = (2, 5, 3). det(M) = -19.
+PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
+
+# Two faces for paper: c = (1 - x/4 - y/2, x/2, y/2) with det(M) = 4, and
+# c = (x/2, 1 - x/2 - 2y, y) with det(M) = -2.
+TWO = np.stack([NEAR, [[2.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 2.0]]], -1)
+PLANES = np.array([[2.0, 1.0], [-1.0, -2.0], [4.0, 3.0]])  # 2x - y + 4 and x - 2y + 3
+DEPTHS = np.array([[4.0, 5.0], [6.0, 3.0], [2.0, 4.0]])    # at their corners: z_k = plane . q_k
 
 # Clip positions x, y, w in columns; each makes one of the mistakes visible.
 MATRICES = {
@@ -29,7 +38,10 @@ def corners_of(rng, count):
 
 @exercise("7.10")
 def test_edges_on_paper(impl):
-    """The corners of a cross product are swapped, or rows and columns."""
+    """The cross products are in the other order, q_j x q_i. Rows and columns are swapped: corners
+    are columns of M, edges are rows. Edge k is not the one across from vertex k."""
+    expected = np.array([[-7.0, -8.0, 18.0], [-1.0, 7.0, -11.0], [3.0, -2.0, -5.0]])
+    assert_close(impl.edge_functions(PAPER), expected)
     expected = np.array([[-1.0, -2.0, 4.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
     assert_close(impl.edge_functions(NEAR), expected)
 
@@ -47,13 +59,11 @@ def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
 
 @exercise("7.10")
 def test_they_are_the_inverse_times_the_determinant(impl, rng):
-    """Right for one face alone, or for F = 3; or each row is divided by something."""
+    """Right for one face alone, or for F = 3. Or it is divided by the determinant or the length of
+    a row."""
     corners = corners_of(rng, 5)
-    got = impl.edge_functions(corners)
-    assert_equal(got.shape, (3, 3, 5))
-    for face in range(5):
-        m = corners[..., face]
-        assert_close(got[..., face], np.linalg.det(m) * np.linalg.inv(m), atol=1e-9)
+    expected = [np.linalg.det(m) * np.linalg.inv(m) for m in np.moveaxis(corners, -1, 0)]
+    assert_close(impl.edge_functions(corners), np.stack(expected, -1), atol=1e-9)
 
 
 @exercise("7.10")
@@ -62,6 +72,17 @@ def test_a_face_seen_from_its_side_has_edges(impl):
     flat = np.array([[0.0, 2.0, 4.0], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
     expected = np.array([[0.0, 2.0, 0.0], [0.0, -4.0, 0.0], [0.0, 2.0, 0.0]])
     assert_close(impl.edge_functions(flat), expected)
+
+
+@exercise("7.11")
+def test_nine_gradients_on_paper(impl):
+    """A corner has the gradient of one of its two edges alone, as by = for +=. p and q are
+    exchanged, or the order in a cross product. Rows are taken for columns. Edge k is not the one
+    across from corner k."""
+    grad_edges = np.array([[1.0, 0.0, 2.0], [3.0, -1.0, 1.0], [-2.0, 1.0, 4.0]])
+    # q_1 x g_2 = (2, -20, 6) and g_1 x q_2 = (-8, -7, 17) add up to column 0.
+    expected = np.array([[-6.0, 3.0, 1.0], [-27.0, 13.0, 6.0], [23.0, -12.0, -8.0]])
+    assert_close(impl.edge_functions_backward(grad_edges, PAPER), expected)
 
 
 @exercise("7.11")
@@ -95,13 +116,17 @@ def test_epsilon_makes_the_sum_larger(impl):
 
 @exercise("7.15")
 def test_the_gradient_of_a_derivative_on_paper(impl):
-    """The sum's own share is left out, in c or in dc."""
-    dc, c, s = np.array([[1.0], [2.0], [5.0]]), np.array([[1.0], [2.0], [1.0]]), np.array([4.0])
-    got = impl.normalize_derivative_backward(np.array([[0.0], [16.0], [32.0]]), dc, c / s, s)
-    # db_k = dc_k / s - c_k ds / s^2, s = 4, ds = 8. By dc_k alone: 1/4. By ds: -c_k / 16, which is
-    # 16 (-2/16) + 32 (-1/16) = -4. By c_k alone: -1/2. By s: -dc_k / 16 + c_k / 4, which is 6 - 2.
-    expected = np.array([[-4.0], [0.0], [4.0]]), np.array([[4.0], [-4.0], [-12.0]])
-    assert_close(got, expected)
+    """The change of b or the change of s is left out of grad_c, or c is a constant there. In
+    grad_dc the share of the sum is left out. The division by s, or a sign, is missing."""
+    dc = np.array([[1.0, 3.0], [2.0, -1.0], [5.0, 4.0]])
+    c, s = np.array([[1.0, 1.0], [2.0, -4.0], [1.0, 1.0]]), np.array([4.0, -2.0])
+    grad_db = np.array([[0.0, 2.0], [16.0, 4.0], [32.0, -6.0]])
+    # db_k = dc_k / s - c_k ds / s^2, at first with s = 4, ds = 8. By dc_k alone: 1/4. By ds:
+    # -c_k / 16, which is 16 (-2/16) + 32 (-1/16) = -4. By c_k alone: -1/2. By s: -dc_k / 16 +
+    # c_k / 4, which is 6 - 2. In the second column s = -2, ds = 6.
+    expected = (np.array([[-4.0, 4.0], [0.0, 3.0], [4.0, 8.0]]),
+                np.array([[4.0, 32.5], [-4.0, 29.5], [-12.0, 44.5]]))
+    assert_close(impl.normalize_derivative_backward(grad_db, dc, c / s, s), expected)
 
 
 @exercise("7.15")
@@ -122,10 +147,10 @@ def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon
 
 
 @exercise("7.17")
-def test_a_plane_on_paper(impl):
-    """M is transposed, or the planes are not divided by the determinant."""
-    got = impl.depth_planes(np.array([[0.0], [2.0], [1.0]]), NEAR[..., None])
-    assert_close(got, np.array([[1.0], [0.5], [0.0]]))
+def test_two_planes_on_paper(impl):
+    """M is transposed, z is divided by w, the planes are not divided by the determinant, or its
+    sign is lost."""
+    assert_close(impl.depth_planes(DEPTHS, TWO), PLANES)
 
 
 @exercise("7.17")
@@ -138,11 +163,12 @@ def test_a_plane_has_the_depth_of_its_corners(impl, rng):
 
 @exercise("7.18")
 def test_a_depth_pulls_at_its_corners_on_paper(impl):
-    """The sign, or grad_z and the weights are swapped."""
-    z, a = np.array([[0.0], [2.0], [1.0]]), np.array([[1.0], [0.0], [1.0]])
-    got = impl.depth_planes_backward(a, z, NEAR[..., None])
-    weights, slope = np.array([[0.75], [0.5], [0.0]]), np.array([1.0, 0.5, 0.0])
-    assert_close(got, (weights, -slope[:, None, None] * weights))
+    """grad_z: M^-1 is transposed, or not divided by the determinant. grad_corners: the minus sign,
+    rows and columns, or z in place of the planes."""
+    grad_planes = np.array([[1.0, 3.0], [0.25, -2.0], [1.0, 2.0]])
+    weights = np.array([[0.625, 1.5], [0.5, 4.5], [0.125, -2.0]])  # M weights = grad_planes
+    got = impl.depth_planes_backward(grad_planes, DEPTHS, TWO)
+    assert_close(got, (weights, -PLANES[:, None] * weights))
 
 
 @exercise("7.18")

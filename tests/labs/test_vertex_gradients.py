@@ -1,4 +1,6 @@
 """What the exercises of lab 7 must do."""
+import itertools
+
 import numpy as np
 import pytest
 
@@ -7,8 +9,9 @@ from course.given.gradcheck import gradcheck
 
 # A triangle for paper: c = (1 - x/4 - y/2, x/4, y/2).
 PAPER = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
-A = np.array([1.0, 1.0, 1.0])
-VALUES = np.array([8.0, 0.0, 4.0])  # f = 8 - 2 x - 2 y, less the target
+A = np.array([2.0, 0.25, 1.0])  # c = (3, 4, 1) / 8
+VALUES = np.array([8.0, 0.0, 3.0])  # f = 8 - 2 x - 2.5 y, less the target
+BY_M = np.array([[0.75, 1.0, 0.25], [0.9375, 1.25, 0.3125], [-3.0, -4.0, -1.0]])
 
 # In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
 NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
@@ -43,7 +46,8 @@ def shares(m, a):
 
 @exercise("7.1")
 def test_vertices_are_columns(impl):
-    """The vertices stand in rows, or the ones are missing."""
+    """The vertices stand in the rows of M, the row of ones is missing, has zeros or is not the last
+    one, or x and y are swapped."""
     triangle = np.array([[5.0, 6.0], [7.0, 8.0], [9.0, 10.0]])
     expected = np.array([[5.0, 7.0, 9.0], [6.0, 8.0, 10.0], [1.0, 1.0, 1.0]])
     assert_equal(impl.vertex_matrix(triangle), expected)
@@ -51,27 +55,21 @@ def test_vertices_are_columns(impl):
 
 @exercise("7.1")
 def test_the_determinant_is_twice_the_area(impl):
-    """Two columns are swapped: the determinant of a counter-clockwise triangle is positive."""
+    """Two columns or two rows are swapped: the determinant of a counter-clockwise triangle is
+    positive."""
     triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
     assert_close(np.linalg.det(impl.vertex_matrix(triangle)), 8.0)
 
 
 @exercise("7.3")
-def test_a_stretched_axis_on_paper(impl):
-    """The sign: an inverse shrinks as the matrix grows; or a factor M^-1 is missing."""
-    got = impl.inverse_differential(np.diag([1.0, 2.0, 4.0]), np.diag([3.0, 1.0, 8.0]))
-    assert_close(got, np.diag([-3.0, -0.25, -0.5]))
-
-
-@exercise("7.3")
-def test_one_element_off_the_diagonal(impl):
-    """The two inverses are on the same side, or dm is transposed."""
-    dm = np.zeros((3, 3))
-    dm[0, 1] = 3.0
-    assert_close(impl.inverse_differential(np.diag([1.0, 2.0, 4.0]), dm), -dm / 2)
-    dm[2, 0] = 8.0
-    expected = np.array([[0.0, -1.5, 0.0], [0.0, 0.0, 0.0], [-2.0, 0.0, 0.0]])
-    assert_close(impl.inverse_differential(np.diag([1.0, 2.0, 4.0]), dm), expected)
+def test_nine_changes_on_paper(impl):
+    """One M^-1 is left out, or both stand on one side. A factor is transposed. The products are
+    elementwise (* for @). It is a finite step, inv(m + dm) - inv(m), and no derivative."""
+    m = np.array([[1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 4.0]])
+    # M^-1 takes twice row 0 from row 1 of dM, twice column 1 from column 0, and divides by 4.
+    dm = np.array([[1.0, 2.0, 3.0], [0.0, 5.0, -1.0], [8.0, -4.0, 12.0]])
+    expected = np.array([[3.0, -2.0, -0.75], [4.0, -1.0, 1.75], [-4.0, 1.0, -0.75]])
+    assert_close(impl.inverse_differential(m, dm), expected)
 
 
 @exercise("7.3")
@@ -83,12 +81,19 @@ def test_the_product_with_m_stays_one(impl, m, rng):
     assert_close(got @ m, np.linalg.solve(m, -dm), atol=1e-10)
 
 
+def slopes(impl, values, m, a):
+    """The nine slopes. The last call is for row 0 and column 2, which tells i from j."""
+    found = np.zeros((3, 3))
+    for i, j in itertools.product((1, 2, 0), range(3)):
+        found[i, j] = impl.residual_slope(values, m, a, i, j)
+    return found
+
+
 @exercise("7.4")
 def test_nine_slopes_on_paper(impl):
-    """i and j are swapped, or the sign: moving a vertex right brings colour from its left."""
-    a = np.array([2.0, 0.5, 1.0])  # c = (1, 2, 1) / 4, and df/da = (-2, -2, 8)
-    got = [[impl.residual_slope(VALUES, PAPER, a, i, j) for j in range(3)] for i in range(3)]
-    assert_close(np.array(got), np.array([[0.5, 1.0, 0.5], [0.5, 1.0, 0.5], [-2.0, -4.0, -2.0]]))
+    """i and j are swapped, one M^-1 is left out, or dM stands for the change of the inverse. Or the
+    sign: moving a vertex right brings colour from its left."""
+    assert_close(slopes(impl, VALUES, PAPER, A), BY_M)  # df/da = (-2, -2.5, 8)
 
 
 @exercise("7.4")
@@ -96,30 +101,26 @@ def test_nine_slopes_on_paper(impl):
 def test_slopes_are_central_differences(impl, m, rng):
     """Right for the paper's triangle alone, whose last row is ones."""
     values = rng.normal(size=3)
-
-    def backward(grad, m):
-        return grad * np.array([[impl.residual_slope(values, m, PIXEL, i, j) for j in range(3)]
-                                for i in range(3)])
-
-    gradcheck(lambda m: brightness(values, m, PIXEL, 0.0), backward, (m,), name="residual_slope")
+    gradcheck(lambda m: brightness(values, m, PIXEL, 0.0),
+              lambda grad, m: grad * slopes(impl, values, m, PIXEL), (m,), name="residual_slope")
 
 
 @exercise("7.5")
 def test_the_gradients_on_paper(impl):
-    """The matrix is transposed, or the sign is that of the picture's slope."""
-    got = impl.residual_backward(1.0, VALUES, PAPER, A, 3.0)
-    expected = (np.array([0.25, 0.25, 0.5]),
-                np.array([[0.5, 0.5, 1.0], [0.5, 0.5, 1.0], [-2.0, -2.0, -4.0]]),
-                np.array([-2.0, -2.0, 8.0]), -1.0)
+    """grad_a: M^-1 r for M^-T r. grad_m: transposed, the sign of the picture's slope, a factor
+    M^-T left out, or r or a in place of grad_a or c. grad_target: the sign. Or f itself is a
+    factor."""
+    got = impl.residual_backward(1.0, VALUES, PAPER, A, 1.5)
+    expected = np.array([0.375, 0.5, 0.125]), BY_M, np.array([-2.0, -2.5, 8.0]), -1.0
     assert_close(got, expected)
 
 
 @exercise("7.5")
 def test_every_gradient_is_as_large_as_grad_f(impl):
-    """grad_f is left out of one of the four, or counted twice."""
-    got = impl.residual_backward(-3.0, VALUES, PAPER, A, 3.0)
-    once = np.array([[0.5, 0.5, 1.0], [0.5, 0.5, 1.0], [-2.0, -2.0, -4.0]])
-    expected = np.array([-0.75, -0.75, -1.5]), -3 * once, np.array([6.0, 6.0, -24.0]), 3.0
+    """grad_f is left out of grad_values, grad_m, grad_a or grad_target, or counted twice there.
+    All four are multiplied by it once."""
+    got = impl.residual_backward(5.0, VALUES, PAPER, A, 1.5)
+    expected = np.array([1.875, 2.5, 0.625]), 5 * BY_M, np.array([-10.0, -12.5, 40.0]), -5.0
     assert_close(got, expected)
 
 
@@ -134,15 +135,19 @@ def test_the_gradients_of_a_residual_are_central_differences(impl, m, rng):
 # --- Gauss and Newton --------------------------------------------------------------------------
 
 @exercise("7.6")
-def test_two_points_on_paper(impl):
-    """x and y or vertices and points are swapped, or slope and sign."""
-    triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
-    by_values, by_triangle = impl.residuals_jacobian(np.array([8.0, 0.0, 6.0]), triangle,
-                                                     np.array([[1.0, 1.0], [2.0, 0.5]]))
-    weights = np.array([[0.25, 0.25, 0.5], [0.25, 0.5, 0.25]])
-    assert_close(by_values, weights)
-    # f = 8 - 2 x - y: a vertex that moves by its weight w brings +2 w along x and + w along y.
-    assert_close(by_triangle, weights[:, :, None] * np.array([2.0, 1.0]))
+def test_four_points_on_paper(impl):
+    """by_triangle: the minus sign of eq. (4), M^-1 r for M^-T r, x and y swapped, or the weights
+    are left out. by_values: M is transposed, the 1 of a = (x, y, 1) left out, or the values are
+    multiplied in."""
+    triangle = np.array([[1.0, 2.0], [5.0, 2.0], [1.0, 4.0]])
+    points = np.array([[2.0, 3.0], [2.0, 2.5], [3.0, 2.25], [1.5, 3.0]])
+    # c_1 = (x - 1) / 4, c_2 = (y - 2) / 2, and c_0 is the rest.
+    weights = np.array([[0.25, 0.25, 0.5], [0.5, 0.25, 0.25],
+                        [0.375, 0.5, 0.125], [0.375, 0.125, 0.5]])
+    # df/dx = (4 - 8) / 4 and df/dy = (3 - 8) / 2. A vertex that moves by 1 brings minus w of it.
+    by_triangle = weights[:, :, None] * np.array([1.0, 2.5])
+    got = impl.residuals_jacobian(np.array([8.0, 4.0, 3.0]), triangle, points)
+    assert_close(got, (weights, by_triangle))
 
 
 @exercise("7.6")
@@ -165,25 +170,30 @@ def test_the_jacobian_is_central_differences(impl, rng, winding):
 
 @exercise("7.7")
 def test_linear_residuals_vanish_in_one_step(impl):
-    """The sign: the step goes uphill."""
-    jacobian = np.array([[2.0, 0.0], [1.0, 1.0]])
-    assert_close(impl.gauss_newton_step(np.array([4.0, 5.0]), jacobian), np.array([-2.0, -3.0]))
+    """A step along the gradient, -J^T r, without the inverse of J^T J. The sign: the step goes
+    uphill. J^T is left out, or stands for J. Something is added to the diagonal of J^T J."""
+    jacobian = np.array([[2.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0],
+                         [0.0, 3.0, 1.0, 0.0], [0.0, 0.0, 1.0, 4.0]])
+    step = np.array([-2.0, -3.0, 1.0, 0.5])  # J step = (-4, -5, -8, 3)
+    assert_close(impl.gauss_newton_step(np.array([4.0, 5.0, 8.0, -3.0]), jacobian), step)
 
 
 @exercise("7.7")
 def test_with_too_many_residuals_the_squares_are_least(impl):
-    """Only as many residuals as unknowns are looked at."""
-    got = impl.gauss_newton_step(np.array([1.0, 2.0, 6.0]), np.ones((3, 1)))
-    assert_close(got, np.array([-3.0]))
+    """Only as many residuals as unknowns are looked at, or J must be square, as np.linalg.inv and
+    np.linalg.solve ask for."""
     jacobian = np.array([[1.0, 0.0], [0.0, 2.0], [1.0, 1.0], [0.0, 1.0]])
     got = impl.gauss_newton_step(np.array([1.0, 2.0, 3.0, 4.0]), jacobian)
     # J^T J = [[2, 1], [1, 6]] and J^T f = (4, 11).
     assert_close(got, np.array([-13 / 11, -18 / 11]))
+    got = impl.gauss_newton_step(np.array([1.0, 2.0, 6.0]), np.ones((3, 1)))
+    assert_close(got, np.array([-3.0]))
 
 
 @exercise("7.7", fine_print=True)
 def test_of_several_steps_it_is_the_shortest(impl):
-    """An error where J^T J has no inverse, or some other step."""
+    """An error where J^T J is singular and has no inverse, or some other step than the shortest:
+    np.linalg.lstsq and pinv find it."""
     got = impl.gauss_newton_step(np.array([2.0, 6.0]), np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0]]))
     assert_close(got, np.array([-1.0, -1.0, -3.0]))
     got = impl.gauss_newton_step(np.array([1.0, 2.0, 3.0]), np.outer([1.0, 2.0, 3.0], [3.0, 4.0]))
@@ -193,13 +203,25 @@ def test_of_several_steps_it_is_the_shortest(impl):
 # --- in perspective ----------------------------------------------------------------------------
 
 @exercise("7.9")
-def test_the_gradient_of_a_weight_on_paper(impl):
-    """The sum's own share is left out, as in the note that the header names (-0.4 for -0.24);
-    or the sign, a transpose, or b in place of c."""
-    got = impl.weights_backward(np.array([0.0, 1.0, 0.0]), NEAR, np.array([1.0, 0.0, 1.0]))
-    expected = (np.array([[-0.24, -0.16, 0.0], [0.0, 0.0, 0.0], [0.24, 0.16, 0.0]]),
-                np.array([0.32, 0.0, -0.32]))
-    assert_close(got, expected)
+def test_the_gradients_of_weights_on_paper(impl):
+    """grad_c: the share of the sum s, grad_b . b, is left out, has the wrong sign or takes c for b,
+    or the division by s is missing. Or the inverse is not transposed. grad_m: the sign, a
+    transpose, or b in place of c."""
+    grad_b, a = np.array([4.0, 1.0, 2.0]), np.array([-2.0, 0.5, 1.0])
+    # c = (1.25, -1, 0.25), s = 1/2, b = (2.5, -2, 0.5), grad_b . b = 9, grad_c = (-10, -16, -14)
+    expected = (np.array([[6.875, -5.5, 1.375], [2.5, -2.0, 0.5], [12.5, -10.0, 2.5]]),
+                np.array([-5.5, -2.0, -10.0]))
+    assert_close(impl.weights_backward(grad_b, NEAR, a), expected)
+
+
+@exercise("7.9")
+def test_the_sum_of_c_may_be_negative(impl):
+    """s is counted once too often or too rarely, or its sign is lost, as by abs."""
+    grad_b, a = np.array([4.0, 1.0, 2.0]), np.array([-12.0, 1.0, 1.0])
+    # c = (3.5, -6, 0.5), s = -2, grad_b . b = -4.5, grad_c = (-4.25, -2.75, -3.25)
+    expected = (np.array([[1.09375, -1.875, 0.15625], [-1.75, 3.0, -0.25], [14.875, -25.5, 2.125]]),
+                np.array([-0.3125, 0.5, -4.25]))
+    assert_close(impl.weights_backward(grad_b, NEAR, a), expected)
 
 
 @exercise("7.9")

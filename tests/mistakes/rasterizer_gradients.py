@@ -2,22 +2,28 @@
 
 
 def edge_functions(corners):
-    """the two corners are swapped: every edge runs the other way"""
+    """the cross products are in reverse order, q_j x q_i: all signs are flipped"""
     return np.stack([cross(corners[:, j], corners[:, i]) for i, j in EDGES])
 
 
 def edge_functions(corners):
-    """the result is transposed: corners are columns of M, edges are rows"""
+    """rows and columns are swapped: the corners are the columns of M, corners[:, k], and edge k is
+    row k of the result; one of the two is transposed"""
     return np.stack([cross(corners[i], corners[j]) for i, j in EDGES])
 
 
 def edge_functions(corners):
-    """row k is the edge that starts at vertex k; it is the one opposite to it"""
-    return np.stack([cross(corners[:, i], corners[:, j]) for i, j in EDGES[1:] + EDGES[:1]])
+    """edge k starts at vertex k; it is the one opposite to vertex k"""
+    return np.stack([cross(corners[:, i], corners[:, j]) for i, j in EDGES[2:] + EDGES[:2]])
+
+
+def edge_functions(corners):
+    """it is the inverse M^-1 itself: the factor det(M), the determinant, is missing"""
+    return np.linalg.inv(corners)
 
 
 def edge_functions_backward(grad_edges, corners):
-    """a corner has the gradient of one of its two edges alone"""
+    """a corner has the gradient of one of its two edges alone: p gets q x g, q gets nothing"""
     grad_corners = np.zeros(np.shape(corners))
     for g, (i, j) in zip(grad_edges, EDGES, strict=True):
         grad_corners[:, i] += cross(corners[:, j], g)
@@ -25,7 +31,16 @@ def edge_functions_backward(grad_edges, corners):
 
 
 def edge_functions_backward(grad_edges, corners):
-    """the second edge's gradient replaces the first one's; they add up"""
+    """a corner has the gradient of one of its two edges alone: q gets g x p, p gets nothing"""
+    grad_corners = np.zeros(np.shape(corners))
+    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
+        grad_corners[:, j] += cross(g, corners[:, i])
+    return grad_corners
+
+
+def edge_functions_backward(grad_edges, corners):
+    """the second edge's gradient replaces the first one's, by = for +=; they add up, as each corner
+    is in two edges"""
     grad_corners = np.zeros(np.shape(corners))
     for g, (i, j) in zip(grad_edges, EDGES, strict=True):
         grad_corners[:, i] = cross(corners[:, j], g)
@@ -34,7 +49,7 @@ def edge_functions_backward(grad_edges, corners):
 
 
 def edge_functions_backward(grad_edges, corners):
-    """all signs are flipped: p x q = -q x p"""
+    """all signs are flipped, the cross products are in reverse order: p gets q x g, not g x q"""
     grad_corners = np.zeros(np.shape(corners))
     for g, (i, j) in zip(grad_edges, EDGES, strict=True):
         grad_corners[:, i] += cross(g, corners[:, j])
@@ -42,23 +57,51 @@ def edge_functions_backward(grad_edges, corners):
     return grad_corners
 
 
+def edge_functions_backward(grad_edges, corners):
+    """p and q are exchanged, each gets the other's gradient: p gets q x g, and q gets g x p"""
+    grad_corners = np.zeros(np.shape(corners))
+    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
+        grad_corners[:, i] += cross(g, corners[:, i])
+        grad_corners[:, j] += cross(corners[:, j], g)
+    return grad_corners
+
+
+def edge_functions_backward(grad_edges, corners):
+    """rows and columns are swapped: grad_edges is transposed (its row k, grad_edges[k], is of edge
+    k), or M is, both the corners and their gradients (column k, corners[:, k], is corner k)"""
+    grad_corners = np.zeros(np.shape(corners))
+    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
+        grad_corners[i] += cross(corners[j], g)
+        grad_corners[j] += cross(g, corners[i])
+    return grad_corners
+
+
 def normalize_derivative_backward(grad_db, dc, b, s):
-    """the way through s is left out"""
+    """the change of s is left out of grad_c: only the way through b = c / s is there, but s = sum c
+    depends on c, too"""
     grad_dc = normalize_backward(grad_db, b, s)
     return grad_dc, -dc.sum(0) * grad_dc / s
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):
-    """c counts as a constant, but it is in b and in s"""
+    """the change of b is left out of grad_c: only s is taken as a function of c, and b = c / s as a
+    constant"""
+    grad_dc = normalize_backward(grad_db, b, s)
+    through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
+    return grad_dc, np.tile(-through_s / s, (3, 1))
+
+
+def normalize_derivative_backward(grad_db, dc, b, s):
+    """grad_c is zero: c counts as a constant, but it is in b and in s"""
     grad_dc = normalize_backward(grad_db, b, s)
     return grad_dc, np.zeros(dc.shape)
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):
-    """the gradient of c has the wrong sign"""
-    grad_dc = normalize_backward(grad_db, b, s)
-    through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
-    return grad_dc, (dc.sum(0) * grad_dc + through_s) / s
+    """the sum of dc is taken for a constant: its share, -grad_db . b, is left out of grad_dc"""
+    grad_dc = grad_db / s
+    through_b = -dc.sum(0) / s * normalize_backward(grad_db, b, s)
+    return grad_dc, through_b - (grad_db * normalize_derivative(dc, b, s)).sum(0) / s
 
 
 def depth_planes(z, corners):
@@ -68,7 +111,8 @@ def depth_planes(z, corners):
 
 
 def depth_planes(z, corners):
-    """M is transposed: its columns are the corners"""
+    """M is transposed, it is M^-1 z and not M^-T z: the sum goes over the corners, the first axis
+    of M^-1"""
     e = edge_functions(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     return (z * e).sum(1) / det
@@ -81,8 +125,14 @@ def depth_planes(z, corners):
     return (z[:, None] * e).sum(0) / np.abs(det)
 
 
+def depth_planes(z, corners):
+    """z is divided by w at the corners; it stays as it is in clip space"""
+    return ((z / corners[2])[:, None] * inverses(corners)).sum(0)
+
+
 def depth_planes_backward(grad_planes, z, corners):
-    """the sign is wrong: a vertex drags the picture along, against its slope"""
+    """the minus sign of grad_corners is missing: a vertex drags the picture along, against its
+    slope"""
     e = edge_functions(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     grad_z = (e * grad_planes).sum(1) / det
@@ -90,7 +140,8 @@ def depth_planes_backward(grad_planes, z, corners):
 
 
 def depth_planes_backward(grad_planes, z, corners):
-    """M is transposed: its columns are the corners"""
+    """M is transposed, grad_z sums over the wrong axis of M^-1: it is M^-T grad_planes, and not
+    M^-1 grad_planes"""
     e = edge_functions(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     grad_z = (e * grad_planes[:, None]).sum(0) / det
@@ -98,7 +149,13 @@ def depth_planes_backward(grad_planes, z, corners):
 
 
 def depth_planes_backward(grad_planes, z, corners):
-    """the weights are not divided by the determinant"""
+    """the weights grad_z are not divided by the determinant"""
     e = edge_functions(corners)
     grad_z = (e * grad_planes).sum(1)
     return grad_z, -depth_planes(z, corners)[:, None] * grad_z
+
+
+def depth_planes_backward(grad_planes, z, corners):
+    """z takes the place of the planes in grad_corners: a factor M^-T is left out"""
+    grad_z = (inverses(corners) * grad_planes).sum(1)
+    return grad_z, -z[:, None] * grad_z
