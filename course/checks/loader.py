@@ -43,12 +43,12 @@ class Implementation:
 
         @functools.wraps(function)
         def call(*args, **kwargs):
-            inputs = copy.deepcopy((args, kwargs))
-            self._stash[LAST_CALL] = function, *inputs
+            given = copy.deepcopy((args, kwargs))  # what it changes is not the check's
+            self._stash[LAST_CALL] = function, args, kwargs
             self._stash[LAST_RETURN] = None
-            returned = self._stash[LAST_RETURN] = contract.called(function, *args, **kwargs)
+            returned = self._stash[LAST_RETURN] = contract.called(function, *given[0], **given[1])
             require_returned(name, returned)
-            require_unchanged(function, inputs, (args, kwargs))
+            require_unchanged(function, (args, kwargs), given)
             return returned
 
         vars(self)[name] = call

@@ -127,6 +127,7 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     if wrong:
         lines = [f"{name}: wrong gradient {summary}", *complaints(case, wrong, upstream, rtol),
                  *parts_of_outputs(case, upstream, rng, rtol)]
+        gradients_of(case, upstream)  # so that the last call, which reports show, is that of all
         raise GradientMismatch(*evidence(lines, wrong[0], slope, rtol, name))
     require_enough(elements, name, summary)
     worst = max(np.nanmax(part.error(), initial=0.0) for part in elements + directions)

@@ -13,8 +13,14 @@ import numpy as np
 
 from .contract import as_array
 
+TRUTHS = 4  # truth values say as much as one number
 ENOUGH = 4  # so many wrong numbers that a mistake explains are no chance
 DIGITS = 3e-7  # about the relative error of float32, and of a finite difference
+
+
+COMMON_FACTORS = (2, ", twice as much: a factor of 2 too many"), (
+    0.5, ", half of it: a factor of 2 is missing"), (
+    180 / np.pi, ": degrees for radians"), (np.pi / 180, ": radians for degrees")
 
 
 class Suspicion(NamedTuple):
@@ -36,8 +42,7 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
     """
     for sentence, mistaken in mistakes(got, expected, picture):
         if mistaken.shape == got.shape and np.all(agrees(got, mistaken)):
-            return Suspicion(sentence, expected.size >= ENOUGH if got.shape != expected.shape else
-                             count_wrong(got, expected, agrees) >= ENOUGH)
+            return Suspicion(sentence, evidence(got, expected, agrees) >= ENOUGH)
     if got.shape != expected.shape or not is_numeric(got, expected):
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
@@ -45,11 +50,21 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
             *(sentence for sentence, mistaken in distorted(got, expected)
               if np.all(agrees(got, mistaken))), *imprecise(got, expected),
             *in_a_part(got, expected, wrong, agrees), *by_index(wrong, inputs)]
-    return Suspicion(told[0], wrong.sum() >= ENOUGH) if told else None
+    sure = told and not told[0].endswith("?") and evidence(got, expected, agrees) >= ENOUGH
+    return Suspicion(told[0], sure) if told else None
 
 
-def count_wrong(got, expected, agrees):
-    return np.count_nonzero(~np.broadcast_to(agrees(got, expected), expected.shape))
+def evidence(got, expected, agrees):
+    """How many numbers speak for a mistake that explains them: the wrong ones, truth values less.
+
+    None does where only one value was expected.
+    """
+    wrong = np.ones(expected.shape, bool)
+    if got.shape == expected.shape:
+        wrong = ~np.broadcast_to(agrees(got, expected), expected.shape)
+    if len(set(expected.ravel().tolist())) < 2:
+        return 0
+    return int(wrong.sum()) // (TRUTHS if expected.dtype.kind == "b" else 1)
 
 
 def is_numeric(*arrays):
@@ -62,6 +77,8 @@ def mistakes(got, expected, picture):
         yield "true and false are swapped", ~expected
     if is_numeric(got, expected):
         yield "the sign is flipped", -expected
+    if "c" in (got.dtype.kind, expected.dtype.kind):
+        yield "the complex conjugate came", expected.conj()
     if picture and expected.ndim >= 2:
         yield from misplaced(expected)
     yield from in_another_order(expected, not picture)
@@ -95,12 +112,15 @@ def in_another_order(expected, along_axes):
             for step in 1, -1:
                 yield (f"the order along axis {axis} is moved on by one",
                        np.roll(expected, step, axis))
+        if expected.shape[axis] == 2:
+            yield f"0 and 1 are exchanged along axis {axis}", np.flip(expected, axis)
         yield f"the order along axis {axis} is reversed", np.flip(expected, axis)
 
 
 def in_another_shape(got, expected):
     """Yield (how it got another shape, got itself), where the numbers are those expected."""
-    if got.size == expected.size and np.array_equal(got.ravel(), expected.ravel()):
+    if got.size == expected.size and is_numeric(got, expected) and np.allclose(
+            got.ravel(), expected.ravel(), 1e-9, equal_nan=True):
         yield "the numbers are right, the shape is not", got
     for axis in range(got.ndim if got.ndim == expected.ndim + 1 and is_numeric(got) else 0):
         for name in "sum", "mean":
@@ -111,8 +131,6 @@ def in_another_shape(got, expected):
 
 def distorted(got, expected):
     """Yield (what became of the numbers, what was expected with it)."""
-    yield "the square of what was expected came", expected ** 2
-    yield "1 over what was expected came", 1 / expected
     if "c" in (got.dtype.kind, expected.dtype.kind):
         return
     if np.any(expected < 0) and np.any(expected > 0):
@@ -120,12 +138,16 @@ def distorted(got, expected):
         yield "negative numbers came as 0", np.maximum(expected, 0)
     for mended, whole in (("down", np.floor(expected)), ("toward 0", np.trunc(expected)),
                           ("to the nearest", np.rint(expected))):
-        yield f"the numbers are rounded {mended}: by //, int, or an array of integers?", whole
+        yield f"the numbers are rounded {mended}, as by //, int or an array of integers", whole
     yield "the numbers are cut off at 0 and 1", np.clip(expected, 0, 1)
-    yield "the square root of what was expected came", np.sqrt(expected)
+    if set(np.unique(expected)) - {-1, 0, 1}:
+        yield "the square of what was expected came", expected ** 2
+        yield "the square root of what was expected came", np.sqrt(expected)
+        yield "1 over what was expected came", 1 / expected
     if expected.ndim and expected.shape[-1] in (2, 3, 4):
         for name, size in (("they have length 1", np.linalg.norm), ("they sum to 1", np.sum)):
-            if np.allclose(size(expected, axis=-1), 1):
+            sizes = size(got, axis=-1)
+            if np.allclose(size(expected, axis=-1), 1) and sizes.all() and np.ptp(sizes) > 0:
                 yield (f"the numbers along the last axis are not scaled until {name}",
                        expected * size(got, axis=-1, keepdims=True))
 
@@ -136,12 +158,12 @@ def scaled(got, expected, agrees, inputs):
     finite = np.isfinite(got) & np.isfinite(expected)
     if counted >= 2 and finite.any():
         there = expected[finite]
-        factor = np.vdot(there, got[finite]) / np.vdot(there, there)
-        if np.all(agrees(got, factor * expected)):
+        factor = np.real_if_close(np.vdot(there, got[finite]) / np.vdot(there, there))
+        if factor and np.all(agrees(got, factor * expected)):
             yield (f"everything is {factor:.6g} times what was expected"
                    f"{named(factor, inputs)}")
     more = got.flat[0] - expected.flat[0]
-    if got.size >= ENOUGH and more and np.all(agrees(got, expected + more)):
+    if got.size >= ENOUGH and np.isfinite(more) and np.all(agrees(got, expected + more)):
         yield f"everything is {abs(more):.6g} {'more' if more > 0 else 'less'} than expected"
     for name, array in inputs:
         yield from times_an_input(got, expected, agrees, name, as_array(array))
@@ -149,6 +171,9 @@ def scaled(got, expected, agrees, inputs):
 
 def named(factor, inputs):
     """"; width / 2 is 4": the sizes among the inputs that a factor, or 1 over it, is made of."""
+    for common, words in COMMON_FACTORS:
+        if np.isclose(factor, common, 1e-6):
+            return words
     sizes = {name: value for name, value in inputs if not np.iterable(value)}
     sizes |= {f"len({name})": len(value) for name, value in inputs if np.iterable(value)}
     size = max(abs(factor), 1 / abs(factor))
@@ -156,7 +181,10 @@ def named(factor, inputs):
              if isinstance(value, int | float | np.number) and not isinstance(value, bool)
              for part, made in (("", value), (" / 2", value / 2))
              if made > 2 and np.isclose(size, made, 1e-6)]
-    return f"; {' or '.join(found[:3])} is {size:.6g}" if found else ""
+    if found:
+        return f"; {' or '.join(found[:3])} is {size:.6g}"
+    simple = any(np.isclose(n * size, np.round(n * size), 1e-6) for n in (1, 2, 3))
+    return "" if simple and size < 100 else ": is a factor missing, or one too many?"
 
 
 def times_an_input(got, expected, agrees, name, array):
@@ -208,7 +236,9 @@ def in_a_part(got, expected, wrong, agrees):
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    if holds(-right):
+    if not np.isfinite(part).all() or not np.isfinite(right).all():
+        return
+    if holds(-right) and (place or len(set(np.abs(right))) > 1):
         yield f"the sign is flipped{place or ' in all that is wrong'}"
     elif place and holds(0 * right):
         yield f"it is zero{place}"

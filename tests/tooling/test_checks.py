@@ -537,7 +537,7 @@ differs   in 4 of 4, first at [0, 0]: -1.0 came, 1.0 was expected; by 2 at most,
 check     tests/labs/test_transforms.py:32
           assert_close(
 seed      0
-hint      the sign is flipped
+hint      it may be that the sign is flipped
 again     python3 -m course check 1.3
           pytest --impl=labs "tests/labs/test_transforms.py::test_shifted_adds[one]"
 """)
