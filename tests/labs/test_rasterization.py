@@ -40,8 +40,7 @@ def clip_triangles(rng, count, behind=True):
 @exercise("2.1")
 def test_an_edge_is_positive_on_its_left(impl):
     """A sign: positive on the right, as with a and b swapped or y down. x and y of the edge are
-    swapped. It is divided by the edge's length (a distance), halved to an area, or its absolute
-    value.
+    swapped. It is divided by the edge's length (a distance), halved to an area, or made positive.
     """
     points = np.array([[[2.0, 3.0], [1.0, 1.0], [4.0, 2.0]],
                        [[2.0, -1.0], [1.0, 1.0], [4.0, 2.0]],
@@ -159,9 +158,8 @@ def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
 
 @exercise("2.6")
 def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
-    """Samples on an edge count for every edge (e >= 0), for none (e > 0), or for right edges: the
-    normal is turned the wrong way, or x and y are swapped. Or one edge is enough, where all three
-    count.
+    """Samples on an edge always count (e >= 0), never count (e > 0), or count for right edges: the
+    normal is turned the wrong way, or its x and y are swapped. Or one edge of three is enough.
     """
     for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
         p = centres(5, 4) + moved
@@ -229,9 +227,8 @@ WEIGHTS = np.array([[0.5, 0.25, 0.25], [0.25, 0.5, 0.25], [0.125, 0.25, 0.625], 
 
 @exercise("2.7")
 def test_weights_on_paper(impl):
-    """The weights are exchanged or moved on: e_k is of the edge opposite to vertex k, not of edge
-    k of (0, 1), (1, 2), (2, 0). They are not divided, by A for 2A (so they sum to 2), or made
-    positive.
+    """The weights are exchanged or moved on: e_k is of the edge opposite to vertex k. They are not
+    divided, or divided by A for 2A (so they sum to 2). Or they are made positive.
     """
     # TRIANGLE is (1, 1), (7, 2), (3, 6), with 2A = 28.
     p = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
@@ -352,9 +349,9 @@ def test_faces_without_area_are_culled(impl):
 
 @exercise("2.13")
 def test_one_triangle_on_paper(impl):
-    """Rows are upside down (row 0 is at the bottom), rows and columns are swapped, or pixels are
-    sampled at their corners, not at their centres. depth is not stored. Where none is seen, it is
-    not -1 and inf: each must start so.
+    """Rows are upside down (row 0 is at the bottom). Rows and columns are swapped. Pixels are
+    sampled at their corners, not at their centres. depth is not stored, or does not start as inf,
+    or face_index as -1.
     """
     clip = np.array([[-1.0, -1.0, 0.25, 1.0], [1.0, -1.0, 0.25, 1.0], [-1.0, 1.0, 0.25, 1.0]])
     face_index, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 7, 2)

@@ -13,9 +13,8 @@ def sides(planes, x, y):
 
 @exercise("2.11")
 def test_the_planes_of_a_face_on_paper(impl):
-    """Row k is the edge that starts at vertex k instead of the one opposite to it. All normals
-    point out of the face, n_x and n_y are swapped, or n has another length. from is no end of the
-    edge, or not that of smaller x.
+    """Row k is the edge that starts at vertex k instead of the one opposite to it. n points out of
+    the face, n_x and n_y are swapped, or n has another length. from is the wrong point.
     """
     x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, 1.0]])[..., None]
     n_x, n_y, from_x, from_y = impl.half_planes(x, y, w)
@@ -227,9 +226,9 @@ def covered_loop(planes, y, width):
 
 @exercise("2.15")
 def test_the_intervals_of_two_triangles_on_paper(impl):
-    """start and end are swapped, or the union: the leftmost opening, the rightmost closing edge
-    (min for max). The last edge alone decides, a sign is wrong (of y, of closing edges), end is the
-    last column, not one past it, or the planes are another face's.
+    """start and end are swapped. They make the union: leftmost opening, rightmost closing edge (min
+    for max). The last edge alone decides. A sign is wrong (of y, of closing edges). end is the last
+    column, not one past it.
     """
     # Face 0 is 1 + 0.4 (y - 1) <= x <= 9.25 - y, x <= 6 y - 5. Face 1 is face 0 mirrored at x = 4.
     n_x = np.array([[-4.0, 4.0], [5.0, -5.0], [-1.0, 1.0]])

@@ -61,8 +61,8 @@ def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape)
 @exercise("1.6")
 @pytest.mark.parametrize("axis, start, end", [("z", "x", "y"), ("x", "y", "z"), ("y", "z", "x")])
 def test_a_quarter_turn_takes_one_axis_to_the_next(impl, axis, start, end):
-    """The turn is clockwise (a sign of the sine or of [n]x, or transposed), by degrees or half the
-    angle. sin and cos are exchanged, n n^T is no outer product, a term or the last row is missing.
+    """The turn is clockwise (a sign of the sine or of [n]x, or transposed), by degrees or by half
+    the angle. sin and cos are exchanged. n n^T is no outer product. A term is missing.
     """
     k, i, j = map("xyz".index, (axis, start, end))
     expected = np.diag([float(n in (k, 3)) for n in range(4)])
@@ -106,8 +106,7 @@ def test_rotations_are_those_of_scipy(impl, rng):
 @exercise("1.7")
 def test_a_camera_on_the_z_axis_only_moves_the_world_back(impl):
     """The third axis points forward (the camera looks down +z) or is not of length 1. Left and
-    right or up and down are mirrored, two axes are exchanged. The world is moved by +eye, by the
-    target or not at all.
+    right or up and down are mirrored. The world is moved by +eye, by the target, or not at all.
     """
     matrix = impl.look_at(np.array([1.0, 2.0, 5.0]), np.array([1.0, 2.0, 1.0]),
                           np.array([0.0, 3.0, 0.0]))
@@ -180,8 +179,8 @@ def test_normals_stay_perpendicular_to_tangents(impl, rng):
 
 @exercise("1.9")
 def test_a_pinhole_shrinks_with_distance(impl):
-    """Nothing divides by z: the last row is (0, 0, 0, 1). It is (0, 0, -1, 0), or transposed. The
-    third row has no f, or f is missing in x and y: z must come out as f.
+    """Nothing divides by z: the last row is (0, 0, 0, 1). Or it is (0, 0, -1, 0). Or the matrix is
+    transposed. f is missing in the third row, or in x and y.
     """
     points = np.array([[1.0, 3.0, 4.0, 1.0], [-2.0, 5.0, 8.0, 1.0]])
     x, y, z, w = impl.pinhole(2.0) @ points.T
@@ -219,7 +218,7 @@ def test_the_top_is_seen_at_half_the_field_of_view(impl, rng):
 
 @exercise("1.11")
 def test_w_is_the_distance_in_front_of_the_camera(impl):
-    """w is z: the last row is (0, 0, 1, 0), of a camera that looks down +z. w is 1, as in an
+    """w is z, as for a camera that looks down +z: the last row is (0, 0, 1, 0). Or w is 1, as in an
     orthographic matrix. Or the matrix is transposed (column-major), rows and columns swapped.
     """
     matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
@@ -228,8 +227,8 @@ def test_w_is_the_distance_in_front_of_the_camera(impl):
 
 @exercise("1.11")
 def test_x_and_y_on_paper(impl):
-    """The 2 or near in 2 near / (r - l) is missing, r + l and r - l or l, r, b, t are mixed up. The
-    off-centre terms are missing, have the wrong sign or are in the last column, not the third.
+    """The 2 or near in 2 near / (r - l) is missing, or l, r, b, t are mixed up. The off-centre
+    terms are missing, have the wrong sign, or stand in the last column, not the third.
     """
     matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
     assert_close(matrix[:2], np.array([[0.8, 0.0, 0.6, 0.0],
@@ -238,8 +237,8 @@ def test_x_and_y_on_paper(impl):
 
 @exercise("1.11")
 def test_depth_on_paper(impl):
-    """alpha or beta: a wrong sign (far - near for near - far), near and far swapped, the factor 2
-    of beta missing (half of beta), exchanged columns, or depth from 0 to 1 as in Direct3D.
+    """alpha or beta has the wrong sign (far - near for near - far). near and far are swapped. The
+    factor 2 of beta is missing (half of beta). Or depth runs from 0 to 1 as in Direct3D.
     """
     matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
     assert_close(matrix[2], np.array([0.0, 0.0, -1.4, -4.8]))
@@ -301,8 +300,8 @@ def test_the_corners_of_the_box_become_those_of_the_cube(impl):
 
 @exercise("1.13")
 def test_the_divide_is_by_w(impl):
-    """The division is by z or -z, not w, or by |w|: the sign of w is lost. z is not divided, w of
-    the first point divides all, it is multiplied, or w is kept as a fourth number.
+    """The division is by z or -z, not w, or by |w|: the sign of w is lost. z is not divided. w of
+    the first point divides all. Or w is kept as a fourth number.
     """
     clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
     assert_close(impl.perspective_divide(clip), np.array([[1.0, 2.0, -1.5], [-2.0, -0.5, -0.25],
@@ -332,7 +331,7 @@ def test_the_gradients_by_x_y_and_z_on_paper(impl):
 
 @exercise("1.14")
 def test_the_gradient_by_w_on_paper(impl):
-    """The gradient of w is 0 (w as a constant), its sign is wrong, or x, y or z is missing: all
+    """The gradient of w is 0 (w as a constant), or has the wrong sign. x, y or z is missing: all
     three add to it. It is divided by w once or three times, not by w squared.
     """
     grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
@@ -355,8 +354,8 @@ def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape):
 
 @exercise("1.15")
 def test_the_viewport_on_paper(impl):
-    """y is flipped (row 0 is at the bottom), or it is half a pixel or one pixel off (width - 1).
-    Or ndc is taken as from 0 to 1, width and height are swapped, z is changed, or // rounds.
+    """y is flipped (row 0 is at the bottom). It is half a pixel or one pixel off (width - 1). ndc
+    is taken as from 0 to 1. Width and height are swapped, z is changed, or // rounds.
     """
     assert_close(impl.viewport(641, 479), np.array([[320.5, 0.0, 0.0, 320.5],
                                                     [0.0, 239.5, 0.0, 239.5],

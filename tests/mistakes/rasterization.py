@@ -175,8 +175,8 @@ def is_covered(p, triangle):
 
 
 def is_covered(p, triangle):
-    """the normal points outwards, so right and upper edges own the border: n is (a_y - b_y, b_x -
-    a_x)"""
+    """right and upper edges own the border instead of left and lower ones: the normal points
+    outwards (it is (a_y - b_y, b_x - a_x)), or the answer of is_top_left is negated"""
     covered = np.ones(p.shape[:-1], bool)
     for i, j in EDGES:
         a, b = triangle[i], triangle[j]
@@ -248,9 +248,10 @@ def barycentric_coordinates(p, triangle):
 
 
 def barycentric_coordinates(p, triangle):
-    """l_1 and l_2, the last two weights, are exchanged"""
+    """each weight belongs to the corner before, the order is rolled the other way: weight k is of
+    the edge opposite to corner k, e_0 of the edge from 1 to 2"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
-    return (e / e.sum(-1, keepdims=True))[..., [0, 2, 1]]
+    return np.roll(e / e.sum(-1, keepdims=True), -1, -1)
 
 
 def bounding_box(triangle, width, height):
@@ -467,6 +468,20 @@ def barycentric_on_face(px, py, x, y, w):
     x, y = x - px, y - py
     c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(EDGES)])
     return c / c.sum(-1, keepdims=True)
+
+
+def barycentric_on_face(px, py, x, y, w):
+    """e_k is divided by w of the next corner, where its edge begins: c_k is e_k / w_k"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[i] for i, j in EDGES])
+    return c / c.sum(0)
+
+
+def barycentric_on_face(px, py, x, y, w):
+    """e_k is divided by w of the corner before, where its edge ends: c_k is e_k / w_k"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[j] for i, j in EDGES])
+    return c / c.sum(0)
 
 
 def normalize_derivative(dc, b, s, axis=0):
