@@ -39,32 +39,42 @@ def clip_triangles(rng, count, behind=True):
 
 @exercise("2.1")
 def test_an_edge_is_positive_on_its_left(impl):
-    """a and b are swapped, x and y are swapped, or the screen's y points down."""
-    a, b = np.array([1.0, 1.0]), np.array([4.0, 2.0])
-    assert_close(impl.edge_function(np.array([2.0, 3.0]), a, b), 5.0)
-    assert_close(impl.edge_function(np.array([2.0, -1.0]), a, b), -7.0)
-    assert_close(impl.edge_function(np.array([7.0, 3.0]), a, b), 0.0)
+    """A sign: positive on the right, as with a and b swapped or y down. x and y of the edge are
+    swapped. It is divided by the edge's length (a distance), halved to an area, or made positive.
+    """
+    points = np.array([[[2.0, 3.0], [1.0, 1.0], [4.0, 2.0]],
+                       [[2.0, -1.0], [1.0, 1.0], [4.0, 2.0]],
+                       [[7.0, 3.0], [1.0, 1.0], [4.0, 2.0]],    # on the line
+                       [[2.0, -1.0], [4.0, 2.0], [1.0, 6.0]],   # an edge of length 5
+                       [[2.0, 3.0], [-2.0, 5.0], [3.0, -7.0]],  # and one of length 13
+                       [[5.0, 1.0], [0.0, 3.0], [2.0, 3.0]]])
+    e = np.array([impl.edge_function(p, a, b) for p, a, b in points])
+    assert_close(e, np.array([5.0, -7.0, 0.0, 17.0, 38.0, -4.0]))
 
 
 @exercise("2.1")
 def test_it_is_the_determinant_of_the_three_points(impl, rng):
-    """A coefficient is wrong, or the value is halved to the area."""
+    """A coefficient is wrong, which shows for few points only."""
     for p, a, b in rng.normal(size=(20, 3, 2)):
         expected = np.linalg.det([[*p, 1], [*a, 1], [*b, 1]])
         assert_close(impl.edge_function(p, a, b), expected, atol=1e-12)
 
 
 @exercise("2.1")
-def test_a_grid_of_points_and_one_edge(impl):
-    """The code works for one point alone, or does not broadcast."""
-    a, b = np.array([0.0, 0.0]), np.array([2.0, 1.0])
+def test_a_grid_of_points_and_two_edges(impl):
+    """The code works for one point alone, or does not broadcast: x is p[0] instead of p[..., 0]."""
+    a, b = np.array([[1.0, 1.0], [3.0, -2.0]]), np.array([[4.0, 2.0], [1.0, 2.0]])
     p = centres(4, 3)
-    assert_close(impl.edge_function(p, a, b), 2 * p[..., 1] - p[..., 0])
+    x, y = p[..., 0], p[..., 1]
+    assert_close(impl.edge_function(p[:, :, None], a, b),
+                 np.stack([3 * y - x - 2, 8 - 2 * y - 4 * x], -1))
 
 
 @exercise("2.1", fine_print=True)
 def test_swapping_the_ends_negates_every_bit(impl, rng):
-    """n . (p - a), whichever end a is: two faces round their common edge differently."""
+    """n . (p - a) is always measured from a, so rounding differs when the ends are swapped. Measure
+    from the same end in both directions, say from the one with the smaller x.
+    """
     p, a, b = rng.normal(size=(3, 2000, 2)) * 10.0 ** rng.integers(-3, 6, (3, 2000, 1))
     assert_equal(impl.edge_function(p, b, a), -impl.edge_function(p, a, b))
 
@@ -73,18 +83,21 @@ def test_swapping_the_ends_negates_every_bit(impl, rng):
 def test_an_edge_is_exactly_zero_at_both_ends(impl, rng):
     """A x + B y + C with a rounded C: a vertex on a pixel's centre falls between its faces."""
     a, b = rng.normal(size=(2, 2000, 2)) * 10.0 ** rng.integers(-3, 6, (2, 2000, 1))
-    assert_equal(impl.edge_function(a, a, b), np.zeros(2000))
-    assert_equal(impl.edge_function(b, a, b), np.zeros(2000))
+    ends = [impl.edge_function(end, a, b) for end in (a, b)]
+    assert_equal(np.array(ends), np.zeros((2, 2000)))
 
 
 @exercise("2.2")
-def test_the_gradients_of_one_edge_on_paper(impl):
-    """A sign, x for y, or the gradients in another order than p, a, b."""
-    p, a, b = np.array([1.0, 4.0]), np.array([0.0, 0.0]), np.array([2.0, 1.0])
-    grad_p, grad_a, grad_b = impl.edge_function_backward(np.array(10.0), p, a, b)
-    assert_close(grad_p, np.array([-10.0, 20.0]))
-    assert_close(grad_a, np.array([-30.0, -10.0]))
-    assert_close(grad_b, np.array([40.0, -10.0]))
+def test_the_gradients_of_two_edges_on_paper(impl):
+    """A sign, x and y exchanged, a side that is not turned, or another order than p, a, b. n taken
+    for a constant in grad_a or grad_b: the normal depends on both ends. grad_e is ignored.
+    """
+    p = np.array([[1.0, 4.0], [2.0, -1.0]])
+    a, b = np.array([[3.0, 1.0], [-1.0, 3.0]]), np.array([[5.0, 2.0], [4.0, 1.0]])
+    gradients = impl.edge_function_backward(np.array([10.0, -2.0]), p, a, b)
+    assert_close(np.stack(gradients), np.array([[[-10.0, 20.0], [-4.0, -10.0]],
+                                                [[-20.0, -40.0], [-4.0, 4.0]],
+                                                [[30.0, 20.0], [8.0, 6.0]]]))
 
 
 @exercise("2.2")
@@ -100,7 +113,9 @@ def test_the_gradients_of_edges_are_central_differences(impl, rng):
 
 @exercise("2.4")
 def test_inside_border_and_outside(impl):
-    """Only two of the three edges are asked, the border does not count, or an edge's line does."""
+    """The border does not count as inside, only two of the three edges are asked, or one of them is
+    enough (an edge's line counts). Or positive e are taken for outside.
+    """
     p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0],
                   [5.0, 11.0], [13.0, 3.0], [11.0, -2.0],  # on the edges' lines
                   [4.0, 1.5 - 1e-6]])
@@ -110,24 +125,31 @@ def test_inside_border_and_outside(impl):
 
 @exercise("2.4")
 def test_inside_does_not_depend_on_the_winding(impl):
-    """Clockwise triangles have no inside, because only positive values count."""
+    """Clockwise triangles have no inside, because only positive values count: either winding will
+    do, so all three e may be negative.
+    """
     p = centres(8, 8)
-    assert_picture(impl.is_inside(p, TRIANGLE), exact_inside(p, TRIANGLE))
-    assert_picture(impl.is_inside(p, TRIANGLE[::-1]), exact_inside(p, TRIANGLE))
+    both = [impl.is_inside(p, triangle) for triangle in (TRIANGLE, TRIANGLE[::-1])]
+    assert_picture(np.hstack(both), np.hstack([exact_inside(p, TRIANGLE)] * 2))
 
 
 @exercise("2.5")
 def test_left_and_lower_edges_own_their_samples(impl):
-    """Right for left, upper for lower (y is up here), or a horizontal edge is decided by n_x."""
-    n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0, 0.0, -1e-9])
-    n_y = np.array([0.0,  0.0, 1.0, -1.0, 9.0, -9.0,  9.0, -9.0, 0.0,  1.0])
-    owns = np.array([True, False, True, False, True, True, False, False, False, False])
-    assert_equal(impl.is_top_left(n_x, n_y), owns)
+    """Right for left (n points out), upper for lower (y is up here), n_x and n_y swapped, or n as
+    the edge's direction. Horizontal edges are forgotten, or slanted ones count as horizontal.
+    """
+    n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0, 0.0, -1e-9, 1e-9, 3.0, -2.0,  0.0,
+                    -4.0,  2.0])
+    n_y = np.array([0.0,  0.0, 1.0, -1.0, 9.0, -9.0,  9.0, -9.0, 0.0,  1.0,  -1.0, 5.0,  7.0, -2.0,
+                    -3.0, -6.0])
+    owns = np.array([[1, 0, 1, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1],
+                     [0, 1, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1, 1, 1, 0]], bool)
+    assert_equal(np.array([impl.is_top_left(sign * n_x, sign * n_y) for sign in (1, -1)]), owns)
 
 
 @exercise("2.5")
 def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
-    """>= for >: both own a vertical edge, or neither owns a horizontal one."""
+    """>= for >: both faces own a vertical edge, or neither owns a horizontal one."""
     n_x, n_y = rng.integers(-2, 3, (2, 200)).astype(float)
     edge = (n_x != 0) | (n_y != 0)
     one, other = impl.is_top_left(n_x, n_y), impl.is_top_left(-n_x, -n_y)
@@ -136,7 +158,9 @@ def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
 
 @exercise("2.6")
 def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
-    """Samples on an edge count on every side, on none, or on its right: n_x and n_y are swapped."""
+    """Samples on an edge always count (e >= 0), never count (e > 0), or count for right edges: the
+    normal is turned the wrong way, or its x and y are swapped. Or one edge of three is enough.
+    """
     for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
         p = centres(5, 4) + moved
         lower = impl.is_covered(p, np.array([[0.5, 0.5], [3.5, 0.5], [3.5, 3.5]]) + moved)
@@ -153,7 +177,9 @@ def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
 
 @exercise("2.6")
 def test_pixels_are_sampled_where_the_points_say(impl, rng):
-    """The points are cut to whole numbers, as homework 2 of GAMES101 does with (int x, int y)."""
+    """The points are cut to whole numbers, as homework 2 of GAMES101 does with (int x, int y), or
+    moved by half a pixel. Or an absolute tolerance decides what lies on an edge.
+    """
     p = rng.uniform(0, 8, (300, 2))
     assert_equal(impl.is_covered(p, TRIANGLE), exact_inside(p, TRIANGLE))
     small = 2.0**-20  # exact, so that only an absolute tolerance can tell the difference
@@ -162,12 +188,13 @@ def test_pixels_are_sampled_where_the_points_say(impl, rng):
 
 @exercise("2.6")
 def test_clockwise_and_flat_triangles_cover_nothing(impl):
-    """The sign of the area is not asked, or a flat triangle owns the samples on it."""
+    """Clockwise triangles count, too (either winding), or a flat triangle owns the samples on it.
+    """
     p = centres(9, 9)
-    nothing = np.zeros((9, 9), bool)
-    assert_picture(impl.is_covered(p, TRIANGLE[::-1]), nothing)
-    assert_picture(impl.is_covered(p, np.array([[0.5, 0.5], [6.5, 6.5], [2.5, 2.5]])), nothing)
-    assert_picture(impl.is_covered(p, np.array([[0.5, 2.5], [6.5, 2.5], [2.5, 2.5]])), nothing)
+    triangles = (TRIANGLE[::-1], np.array([[0.5, 0.5], [6.5, 6.5], [2.5, 2.5]]),
+                 np.array([[0.5, 2.5], [6.5, 2.5], [2.5, 2.5]]))
+    found = [impl.is_covered(p, triangle) for triangle in triangles]
+    assert_picture(np.hstack(found), np.zeros((9, 27), bool))
 
 
 @exercise("2.6", fine_print=True)
@@ -194,19 +221,32 @@ def test_a_fan_covers_its_hub_once(impl, rng):
         assert_equal(sum(int(impl.is_covered(hub[None], face)[0]) for face in faces), 1)
 
 
+WEIGHTS = np.array([[0.5, 0.25, 0.25], [0.25, 0.5, 0.25], [0.125, 0.25, 0.625], [1.5, -1.0, 0.5],
+                    [-1.0, 0.5, 1.5]])  # the last two are of points outside
+
+
 @exercise("2.7")
 def test_weights_on_paper(impl):
-    """e_0 and e_1 are the first two edges of the list, not those opposite to vertices 0 and 1."""
-    triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
-    p = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 2.0], [2.0, 0.0]])
-    expected = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0],
-                         [0.25, 0.25, 0.5], [0.5, 0.5, 0.0]])
-    assert_close(impl.barycentric_coordinates(p, triangle), expected)
+    """The weights are exchanged or moved on: e_k is of the edge opposite to vertex k. They are not
+    divided, or divided by A for 2A (so they sum to 2). Or they are made positive.
+    """
+    # TRIANGLE is (1, 1), (7, 2), (3, 6), with 2A = 28.
+    p = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
+    assert_close(impl.barycentric_coordinates(p, TRIANGLE), WEIGHTS)
+
+
+@exercise("2.7")
+def test_a_clockwise_triangle_has_the_same_weights(impl):
+    """The area's sign is lost (its absolute value divides): a clockwise triangle gets negative
+    weights. It is of either winding.
+    """
+    p = np.array([[3.0, 2.5], [4.5, 2.75], [3.75, 4.375], [-4.0, 2.5], [7.0, 9.0]])
+    assert_close(impl.barycentric_coordinates(p, TRIANGLE[::-1])[:, ::-1], WEIGHTS)
 
 
 @exercise("2.7")
 def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
-    """The weights are divided by the wrong area, or made positive."""
+    """Right for points (N, 2) alone, or for large triangles: a tolerance is added to the area."""
     for size in 1.0, 1e-6:
         triangle, p = size * rng.normal(size=(3, 2)), size * rng.normal(size=(4, 6, 2))
         b = impl.barycentric_coordinates(p, triangle)
@@ -216,26 +256,35 @@ def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
 
 @exercise("2.8")
 def test_the_box_of_a_triangle_on_paper(impl):
-    """The end is not one past the last pixel, or x and y are swapped."""
-    triangle = np.array([[1.5, 2.5], [4.2, 3.0], [2.0, 6.9]])
-    assert_equal(impl.bounding_box(triangle, 8, 9), (1, 2, 4, 7))
-    triangle = np.array([[0.5, -9.0], [3.0, 1.2], [2.5, 1.0]])
-    assert_equal(impl.bounding_box(triangle, 8, 8), (0, 0, 3, 1))
-    assert_equal(impl.bounding_box(triangle + [0.0, 12.0], 8, 9), (0, 3, 3, 9))
+    """x1 and y1 are the last pixel, not one past it (last column and row lost). The centre's half
+    pixel is forgotten. x and y are swapped, or the order is x0, x1, y0, y1.
+    """
+    triangle = np.array([[1.3, 3.2], [4.2, 2.8], [2.0, 7.2]])
+    boxes = [impl.bounding_box(moved, 18, 19)
+             for moved in (triangle, triangle + [5.4, 0.5], triangle + [0.4, 9.4])]
+    assert_equal(np.array(boxes), np.array([[1, 3, 4, 7], [7, 3, 10, 8], [2, 12, 5, 17]]))
 
 
 @exercise("2.8")
 def test_the_box_is_a_sixteenth_of_a_pixel_wider(impl):
-    """The margin is missing, on one side only, or taken away; or a centre on the border is out."""
+    """MARGIN is missing, on one side only, taken away, or added twice; or a centre on the border is
+    out.
+    """
     low, high = 1.5 + 1 / 16, 4.5 - 1 / 16  # the box ends at the centres 1.5 and 4.5
-    for shift, first, end in ((0.0, 1, 5), (1e-9, 2, 5), (-1e-9, 1, 4)):
-        triangle = np.array([[low, high], [high, low], [3.0, 3.0]]) + shift
-        assert_equal(impl.bounding_box(triangle, 9, 9), (first, first, end, end))
+    triangle = np.array([[low, high], [high, low], [3.0, 3.0]])
+    uneven = np.array([[1.5 + 1 / 32, 1.5 - 1 / 32], [4.5 + 1 / 32, 4.5 - 1 / 32], [3.0, 3.0]])
+    wider = uneven + [[1 / 16, 0.0], [0.0, -1 / 16], [0.0, 0.0]]
+    boxes = [impl.bounding_box(corners, 9, 9)
+             for corners in (triangle, triangle + 1e-9, triangle - 1e-9, wider, uneven)]
+    assert_equal(np.array(boxes), np.array([[1, 1, 5, 5], [2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4],
+                                            [1, 1, 5, 5]]))
 
 
 @exercise("2.8")
 def test_the_box_stays_in_the_picture(impl):
-    """The box is not clipped, is clipped after it became integers, or -0.5 is cut to 0."""
+    """The box is not cut to the picture (clipped), or to width - 1, or with width and height
+    swapped. Or only after it became integers, or -0.5 is cut to 0.
+    """
     x0, y0, x1, y1 = impl.bounding_box(np.array([[-3.0, 2.0], [99.0, 3.0], [5.0, 77.0]]), 10, 20)
     assert_equal((x0, y0, x1, y1), (0, 2, 10, 20))
     triangle = np.array([[-1e300, 2.0], [1e300, 3.0], [5.0, 1e300]])
@@ -249,7 +298,7 @@ def test_the_box_stays_in_the_picture(impl):
 
 @exercise("2.8")
 def test_no_covered_sample_lies_outside_the_box(impl, rng):
-    """The box is cut to whole numbers before the comparison: the last column or row is missing."""
+    """The box is rounded to whole numbers before the comparison: a column or row is missing."""
     p = centres(12, 10)
     for triangle in rng.uniform(-4, 16, (12, 3, 2)):
         x0, y0, x1, y1 = impl.bounding_box(triangle, 12, 10)
@@ -262,15 +311,19 @@ def test_no_covered_sample_lies_outside_the_box(impl, rng):
 
 @exercise("2.10")
 def test_clockwise_faces_are_culled(impl):
-    """Clockwise faces are kept instead of counter-clockwise ones, or the order changes."""
-    x, y, w = np.array([[0.0, 4.0, 1.0], [0.0, 0.0, 3.0], [1.0, 2.0, 3.0]])
-    faces = np.array([[0, 1, 2], [0, 2, 1], [2, 0, 1], [1, 0, 2]])
-    assert_equal(impl.cull_back_faces(x, y, w, faces), faces[[0, 2]])
+    """Clockwise faces, those that turn their back, are kept instead of counter-clockwise ones. A
+    mask or indices are returned, not faces. Or faces or their corners change their order.
+    """
+    x, y, w = np.array([[0.0, 4.0, 1.0, 5.0], [0.0, 0.0, 3.0, 4.0], [1.0, 2.0, 3.0, 4.0]])
+    faces = np.array([[3, 2, 0], [0, 2, 1], [2, 0, 1], [1, 0, 3], [3, 2, 1]])
+    assert_equal(impl.cull_back_faces(x, y, w, faces), faces[[0, 2, 4]])
 
 
 @exercise("2.10")
 def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
-    """The winding on screen alone, or right for one vertex behind the camera but not for three."""
+    """w is ignored: the winding on screen alone decides. Only one corner's w is looked at, or it is
+    right for one vertex behind the camera but not for three. Or such faces are left out.
+    """
     clip, faces = clip_triangles(rng, 80)
     face, corner = np.divmod(np.arange(240), 3)
     behind = (face >> corner) & 1  # all eight cases in turn
@@ -286,7 +339,7 @@ def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
 
 @exercise("2.10")
 def test_faces_without_area_are_culled(impl):
-    """>= for >."""
+    """>= for >: faces without area are kept."""
     x, y, w = np.array([[0.0, 2.0, 4.0], [0.0, 2.0, 4.0], [1.0, 1.0, 1.0]])
     faces = np.array([[0, 1, 2], [0, 0, 1]])
     assert_equal(impl.cull_back_faces(x, y, w, faces), faces[:0])
@@ -296,72 +349,42 @@ def test_faces_without_area_are_culled(impl):
 
 @exercise("2.13")
 def test_one_triangle_on_paper(impl):
-    """Rows are upside down, columns and rows are swapped, or pixels are tested at their corners."""
-    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 1.0, 0.0, 1.0]])
+    """Rows are upside down (row 0 is at the bottom). Rows and columns are swapped. Pixels are
+    sampled at their corners, not at their centres. depth is not stored, or does not start as inf,
+    or face_index as -1.
+    """
+    clip = np.array([[-1.0, -1.0, 0.25, 1.0], [1.0, -1.0, 0.25, 1.0], [-1.0, 1.0, 0.25, 1.0]])
     face_index, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 7, 2)
     # The hypotenuse is x / 7 + y / 2 = 1: x < 5.25 in row 0 (y = 0.5), x < 1.75 in row 1.
     seen = np.arange(7) < np.array([[5], [2]])
     assert_picture(face_index, np.where(seen, 0, -1))
-    assert_close(depth, np.where(seen, 0.0, np.inf))
+    assert_close(depth[seen], np.full(7, 0.25))
+    assert_close(depth[~seen], np.full(7, np.inf))
 
 
 @exercise("2.13")
 def test_the_nearer_face_is_seen_whatever_the_order(impl):
-    """No z-buffer (the last face wins), or the greater depth counts as nearer."""
+    """No z-buffer: the last face wins, or the first one. The greatest depth is kept: the depth test
+    is the wrong way round. depth is not updated with face_index. Depths below 0 are left out.
+    """
     triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
     clip = np.concatenate([triangle + [0, 0, z, 0] for z in (0.5, 1e-9 - 0.5, -0.5, 0.0)])
     faces = np.arange(12).reshape(4, 3)
-    for order in ([0, 1, 2, 3], [2, 0, 1, 3], [3, 1, 0, 2]):
-        face_index, depth = impl.rasterize_loop(clip, faces[order], 4, 4)
-        seen = face_index >= 0
-        assert_picture(face_index, np.where(seen, order.index(2), -1))
-        assert_close(depth[seen], np.full(seen.sum(), -0.5))
-
-
-@exercise("2.13", fine_print=True)
-def test_of_equally_deep_faces_the_first_is_seen(impl):
-    """<= for < in the depth test."""
-    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
-    clip, faces = np.concatenate([triangle] * 3), np.arange(9).reshape(3, 3)
-    face_index, _ = impl.rasterize_loop(clip, faces, 4, 4)
-    assert_picture(face_index, np.where(face_index >= 0, 0, -1))
-
-
-@exercise("2.13")
-def test_a_face_is_seen_from_behind_too(impl):
-    """Clockwise faces cover nothing."""
-    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.2, 1.0], [-1.0, 1.0, 0.4, 1.0]])
-    front = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 5, 4)
-    back = impl.rasterize_loop(clip, np.array([[0, 2, 1]]), 5, 4)
-    seen = np.add.outer(np.arange(4) / 4, np.arange(5) / 5) < 0.78
-    assert_picture(back[0], np.where(seen, 0, -1))
-    assert_picture(front[0], back[0])
-    assert_close(back[1], front[1])
-
-
-@exercise("2.13")
-def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
-    """Rows and columns of the box are swapped, or a small area counts as none."""
-    x, y = np.array([5.2, 5.9, 5.3]) / 3 - 1, np.array([0.2, 0.4, 0.9]) / 2 - 1
-    clip = np.stack([x, y, np.zeros(3), np.ones(3)], -1)
-    for faces in ([[0, 1, 2]], [[0, 2, 1]]):
-        face_index, _ = impl.rasterize_loop(clip, np.array(faces), 6, 4)
-        assert_picture(face_index, np.array([[-1, -1, -1, -1, -1, 0], *[[-1] * 6] * 3]))
-
-
-@exercise("2.13", fine_print=True)
-@pytest.mark.parametrize("z", [-1.0, 1.0])
-def test_the_near_and_the_far_plane_are_part_of_the_picture(impl, z):
-    """< for <= where the depth is compared with the planes."""
-    clip = np.array([[-1.0, -1.0, z, 1.0], [3.0, -1.0, z, 1.0], [-1.0, 3.0, z, 1.0]])
-    face_index, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 4, 4)
-    assert_picture(face_index, np.zeros((4, 4), int))
-    assert_close(depth, np.full((4, 4), z))
+    orders = [0, 1, 2, 3], [2, 0, 1, 3], [3, 1, 0, 2]
+    found = [impl.rasterize_loop(clip, faces[order], 4, 4) for order in orders]
+    seen = np.arange(4) >= np.arange(4)[:, None]
+    expected = [np.where(seen, order.index(2), -1) for order in orders]
+    assert_picture(np.hstack([face_index for face_index, _ in found]), np.hstack(expected))
+    assert_close(np.array([depth for _, depth in found]),
+                 np.tile(np.where(seen, -0.5, np.inf), (3, 1, 1)))
 
 
 @exercise("2.13")
 def test_depth_is_linear_on_the_screen(impl):
-    """z is interpolated and then divided by w: both must be done, or z/w be taken as linear."""
+    """z is not divided by w, or only after it was interpolated, or with perspective-correct
+    weights: z/w of the corners is linear on the screen. Or weights and corners do not match, or
+    it is one corner's z.
+    """
     clip = np.array([[-1.0, -1.0, -1.0, 1.0], [3.0, -3.0, 2.4, 3.0], [-1.0, 3.0, -1.0, 1.0]])
     _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 8, 8)
     x = np.arange(8) + 0.5
@@ -369,20 +392,72 @@ def test_depth_is_linear_on_the_screen(impl):
 
 
 @exercise("2.13")
+def test_a_face_is_seen_from_behind_too(impl):
+    """Clockwise faces are not turned round, and cover nothing: faces seen from behind (back faces)
+    are missing. Or their corners are turned, but not their z or w.
+    """
+    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.2, 1.0], [-1.0, 1.0, 0.4, 1.0]])
+    found = [impl.rasterize_loop(clip, np.array([face]), 5, 4) for face in ([0, 1, 2], [0, 2, 1])]
+    right, up = (np.arange(5) + 0.5) / 5, (np.arange(4)[:, None] + 0.5) / 4
+    seen = right + up < 1
+    assert_picture(np.hstack([face_index for face_index, _ in found]),
+                   np.hstack([np.where(seen, 0, -1)] * 2))
+    assert_close(np.array([depth[seen] for _, depth in found]),
+                 np.tile((0.2 * right + 0.4 * up)[seen], (2, 1)))
+
+
+@exercise("2.13", fine_print=True)
+def test_of_equally_deep_faces_the_first_is_seen(impl):
+    """The depth test is <= instead of <: of equally deep faces, the last one wins."""
+    triangle = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]])
+    clip, faces = np.concatenate([triangle] * 3), np.arange(9).reshape(3, 3)
+    face_index, _ = impl.rasterize_loop(clip, faces, 4, 4)
+    assert_picture(face_index, np.where(face_index >= 0, 0, -1))
+
+
+@exercise("2.13")
+def test_a_face_smaller_than_a_pixel_is_seen_where_it_lies(impl):
+    """Rows and columns of the box are swapped, or a small area counts as none."""
+    x, y = np.array([5.2, 5.9, 5.3]) / 3 - 1, np.array([0.2, 0.4, 0.9]) / 2 - 1
+    clip = np.stack([x, y, np.zeros(3), np.ones(3)], -1)
+    found = [impl.rasterize_loop(clip, np.array([face]), 6, 4)[0]
+             for face in ([0, 1, 2], [0, 2, 1])]
+    assert_picture(np.vstack(found), np.array([[-1, -1, -1, -1, -1, 0], *[[-1] * 6] * 3] * 2))
+
+
+@exercise("2.13", fine_print=True)
+def test_the_near_and_the_far_plane_are_part_of_the_picture(impl):
+    """< for <= where the depth is compared with -1 and 1 (near and far plane). Or z is the sum
+    l_k z_k, which rounding moves beyond them: eq. (4) is exact where all three z are equal.
+    """
+    near = np.array([[-1.3, -1.7, -1.0, 1.0], [3.9, -1.2, -1.0, 1.0], [-1.1, 4.7, -1.0, 1.0]])
+    faces = np.array([[0, 1, 2]])
+    found = [impl.rasterize_loop(near * [1, 1, sign, 1], faces, 13, 11) for sign in (1, -1)]
+    assert_picture(np.hstack([face_index for face_index, _ in found]), np.zeros((11, 26), int))
+    assert_close(np.array([depth for _, depth in found]),
+                 np.stack([np.full((11, 13), -1.0), np.ones((11, 13))]))
+
+
+@exercise("2.13")
 def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
-    """Samples on an edge are left out, or go to the face on the other side."""
+    """Samples on an edge are left out, or go to the face on the other side: the box loses its last
+    column or row, or a corner's order changes.
+    """
     x, y = np.array([0.5, 3.5, 3.5, 0.5]), np.array([0.5, 0.5, 3.5, 3.5])
     clip = np.stack([x / 2 - 1, y / 2 - 1, np.zeros(4), np.ones(4)], -1)
-    face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2], [0, 2, 3]]), 4, 4)
-    assert_picture(face_index, np.array([[ 0,  0,  0, -1],
-                                         [ 1,  0,  0, -1],
-                                         [ 1,  1,  0, -1],
-                                         [-1, -1, -1, -1]]))
+    found = [impl.rasterize_loop(clip, np.array(faces), 4, 4)[0]
+             for faces in ([[0, 1, 2], [0, 2, 3]], [[0, 2, 3], [0, 1, 2]])]
+    assert_picture(np.hstack(found), np.array([[ 0,  0,  0, -1,  1,  1,  1, -1],
+                                               [ 1,  0,  0, -1,  0,  1,  1, -1],
+                                               [ 1,  1,  0, -1,  0,  0,  1, -1],
+                                               [-1, -1, -1, -1, -1, -1, -1, -1]]))
 
 
 @exercise("2.13")
 def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
-    """z is mixed by weights of the screen and divided by w a second time, or not at all."""
+    """z is mixed by weights of the screen and divided by w a second time, or not at all. Or a
+    weight belongs to another corner's z.
+    """
     clip = np.append(rng.uniform(-1, 1, (3, 3)), rng.uniform(0.8, 1.2, (3, 1)), 1)
     clip[:, :2] *= 3
     clip[:, 2] /= 3
@@ -403,13 +478,15 @@ def test_a_face_reaches_the_ends_of_a_wide_and_of_a_high_picture(impl):
         corners = corners + [[0, 0, 0.1, 0]] * corners[:, :1]  # the depth is a tenth of ndc x
         face_index, depth = impl.rasterize_loop(corners, np.array([[0, 1, 2]]), width, height)
         assert_picture(face_index, np.zeros((height, width), int))
-        expected = 0.1 * ((np.arange(width) + 0.5) * 2 / width - 1)
-        assert_close(depth, np.tile(expected, (height, 1)), atol=1e-9)
+        ndc_x = (np.arange(width) + 0.5) * 2 / width - 1
+        assert_close(10 * depth, np.tile(ndc_x, (height, 1)), atol=1e-8)
 
 
 @exercise("2.13")
 def test_near_and_far_cut_a_face_in_its_middle(impl):
-    """Depths beyond -1 or 1 are drawn where the face crosses a plane."""
+    """Depths beyond -1 or 1 are drawn, where the face crosses the near or the far plane: they are
+    not compared, or only those of its corners.
+    """
     clip = np.array([[-1.0, -1, -2, 1], [1, -1, 2, 1], [1, 1, 2, 1], [-1, 1, -2, 1]])  # z = 2 x
     face_index, _ = impl.rasterize_loop(clip, np.array([[0, 1, 2], [0, 2, 3]]), 8, 2)
     assert_picture(face_index >= 0, np.tile(np.abs(np.arange(8) - 3.5) < 2, (2, 1)))
@@ -432,18 +509,32 @@ def ray_weights(x, y, w, px, py):
     return c / c.sum()
 
 
+def exact_weights(x, y, w, px, py):
+    """Eq. (5) without rounding: x, y, w, px, py are fractions."""
+    x, y = [k - px for k in x], [k - py for k in y]
+    c = [(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1)))]
+    return [float(k / sum(c)) for k in c]
+
+
 @exercise("2.16")
 def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
-    """The weights are linear on the screen: perspective is forgotten."""
-    # An edge from w = 1 at x = 0 to w = 3 at x = 8: its middle on screen has weights 3/4 and 1/4.
-    x, y, w = np.array([[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1.0, 3.0, 1.0]])[..., None]
-    b = impl.barycentric_on_face(np.array([4.0]), np.array([0.0]), x, y, w)
-    assert_close(b, np.array([[0.75], [0.25], [0.0]]))
+    """Nothing is divided by w: these are the picture's weights, linear on the screen, without
+    perspective. Or it is multiplied by w, or not divided by the sum s, or s is over the samples.
+    """
+    # The triangle (0, 0), (8, 0), (0, 8), moved, with w = 1, 2, 4: c is 8 - x - y, x / 2, y / 4.
+    px, py = np.array([[5.0, 2.0, 2.0, 6.0], [2.0, 4.0, 1.0, 0.0]])
+    x, y, w = np.array([[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1.0, 2.0, 4.0]])[..., None] * np.ones(4)
+    moved = np.array([0.0, 10.0, -3.0, 5.0])
+    b = impl.barycentric_on_face(px + moved, py - moved, x + moved, y - moved, w)
+    assert_close(b, np.array([[0.25, 0.5, 0.8, 0.4], [0.625, 0.25, 0.16, 0.6],
+                              [0.125, 0.25, 0.04, 0.0]]))
 
 
 @exercise("2.16")
 def test_weights_are_those_of_the_ray_through_the_pixel(impl, rng):
-    """Multiplied by w instead of divided, or the sum is taken over samples instead of vertices."""
+    """Right for positive w, and wrong behind the camera: |w| divides, or weights are made positive.
+    Or small triangles are taken for none.
+    """
     size = 10.0 ** rng.integers(-5, 2, 40)
     x, y = size * rng.uniform(0, 8, (2, 3, 40))
     w = rng.uniform(0.5, 2, (3, 40)) * rng.choice([1, 1, -1], (3, 40))
@@ -453,18 +544,46 @@ def test_weights_are_those_of_the_ray_through_the_pixel(impl, rng):
     assert_close(b, np.transpose(expected), rtol=1e-6, atol=1e-9)
 
 
+@exercise("2.16")
+def test_a_corner_near_infinity_leaves_the_weights_as_they_are(impl):
+    """`edge_function` measures from a corner, and its rounding error is as large as the corner is
+    far away. Measure from the sample, as the given `edge_functions_at` does.
+    """
+    x, y, w = np.array([[3.1, -1.1e12, 5.3], [1.2, 0.7e12, 7.7], [1.0, 1.3e-12, 3.0]])[..., None]
+    px, py = np.array([0.5, 1.5, 2.5]), np.array([6.5, 3.5, 3.5])
+    corners = [[Fraction(float(number)) for number in row[:, 0]] for row in (x, y, w)]
+    expected = [exact_weights(*corners, Fraction(px[n]), Fraction(py[n])) for n in range(3)]
+    b = impl.barycentric_on_face(px, py, *(np.tile(row, 3) for row in (x, y, w)))
+    assert_close(b, np.transpose(expected), rtol=1e-6)
+
+
 @exercise("2.17")
 def test_weights_change_by_the_quotient_rule_on_paper(impl):
-    """The second term, - b ds, is missing, or the whole is not divided by s."""
-    b, s = np.array([[0.25], [0.25], [0.5]]), np.array([4.0])
-    db = impl.normalize_derivative(np.array([[4.0], [0.0], [12.0]]), b, s)
-    assert_close(db, np.array([[0.0], [-1.0], [1.0]]))
+    """The second term, - b ds, is missing (s as a constant), added instead of subtracted, or not
+    the sum of dc. Or it is not divided by s, or by s^2.
+    """
+    b, s = np.array([[0.25, 0.5], [0.25, 0.125], [0.5, 0.375]]), np.array([4.0, 2.0])
+    db = impl.normalize_derivative(np.array([[10.0, -3.0], [0.0, 4.0], [6.0, 7.0]]), b, s)
+    assert_close(db, np.array([[1.5, -3.5], [-1.0, 1.5], [-0.5, 2.0]]))
+
+
+@exercise("2.17")
+def test_a_change_of_any_size_counts_alike(impl):
+    """A finite difference in the place of eq. (6), which is linear in dc: a large step leaves the
+    tangent, and a small one is lost in rounding.
+    """
+    b, s = np.array([0.25, 0.25, 0.5]), np.array(4.0)
+    for size in 1e9, 1e-9:
+        db = impl.normalize_derivative(size * np.array([10.0, 0.0, 6.0]), b, s)
+        assert_close(db / size, np.array([1.5, -1.0, -0.5]))
 
 
 @exercise("2.17")
 @pytest.mark.parametrize("axis", [0, -1])
 def test_the_change_is_that_of_b(impl, rng, axis):
-    """The sum is taken over the samples, not over the three weights."""
+    """The sum is taken over the samples, not over the three weights: axis says where these are. Or
+    axis is ignored.
+    """
     c, dc = rng.uniform(0.5, 2, (2, 3, 7)) if axis == 0 else rng.uniform(0.5, 2, (2, 5, 2, 3))
     s = c.sum(axis, keepdims=True)
     moved = c + 1e-20j * dc  # a complex step: its difference loses no digits

@@ -13,19 +13,38 @@ def sides(planes, x, y):
 
 @exercise("2.11")
 def test_the_planes_of_a_face_on_paper(impl):
-    """Row k is the edge that starts at vertex k instead of the one opposite to it."""
+    """Row k is the edge that starts at vertex k instead of the one opposite to it. n points out of
+    the face, n_x and n_y are swapped, or n has another length. from is the wrong point.
+    """
     x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, 1.0]])[..., None]
-    for flip in (1, -1):  # counter-clockwise, clockwise
-        n_x, n_y, from_x, from_y = impl.half_planes(x[::flip], y[::flip], w)
-        assert_close(n_x, np.array([[-4.0], [5.0], [-1.0]])[::flip])
-        assert_close(n_y, np.array([[-4.0], [-2.0], [6.0]])[::flip])
-        assert_close(from_x, np.array([[3.0], [1.0], [1.0]])[::flip])
-        assert_close(from_y, np.array([[6.0], [1.0], [1.0]])[::flip])
+    n_x, n_y, from_x, from_y = impl.half_planes(x, y, w)
+    assert_close(np.hstack([n_x, n_y]), np.array([[-4.0, -4.0], [5.0, -2.0], [-1.0, 6.0]]))
+    assert_close(np.hstack([from_x, from_y]), np.array([[3.0, 6.0], [1.0, 1.0], [1.0, 1.0]]))
+
+
+@exercise("2.11")
+def test_the_normals_of_a_clockwise_face_point_into_it_too(impl):
+    """The sign of A (the winding) is left out: the normals of clockwise faces point out of them,
+    and they cover nothing. Or its size is left in.
+    """
+    x, y, w = np.array([[3.0, 7.0, 1.0], [6.0, 2.0, 1.0], [1.0, 1.0, 1.0]])[..., None]
+    n_x, n_y, _, _ = impl.half_planes(x, y, w)
+    assert_close(np.hstack([n_x, n_y]), np.array([[-1.0, 6.0], [5.0, -2.0], [-4.0, -4.0]]))
+
+
+@exercise("2.11")
+def test_a_corner_behind_the_camera_turns_its_edge_on_paper(impl):
+    """The sign of w is left out: faces that cross the camera plane come out where they are not. Or
+    it is that of another corner, or of all three multiplied. Or w itself is multiplied, or |w|.
+    """
+    x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [-2.0, 3.0, 4.0]])[..., None]
+    n_x, n_y, _, _ = impl.half_planes(x, y, w)
+    assert_close(np.hstack([n_x, n_y]), np.array([[4.0, 4.0], [5.0, -2.0], [-1.0, 6.0]]))
 
 
 @exercise("2.11")
 def test_the_planes_hold_what_the_inverse_of_m_says(impl, rng):
-    """The sign of w is forgotten: faces that cross the camera plane appear where they are not."""
+    """Right for one corner behind the camera, but not for two or three."""
     p = rng.uniform(-5, 5, 2)
     for _ in range(100):
         x, y = rng.uniform(-10, 10, (2, 3, 1))
@@ -58,7 +77,9 @@ def test_an_edge_is_exactly_zero_at_its_ends(impl, rng):
 
 @exercise("2.11")
 def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
-    """The smaller |w|, w for |w|, or the smaller x, although |w| differs."""
+    """Its end is that of smaller |w|, or of greater w instead of |w|, or always the first end, or
+    that of smaller x, although |w| differs.
+    """
     x, y, w = np.array([[0.0, 9.0, 4.0], [1.0, 2.0, 7.0], [1.0, -3.0, 2.0]])[..., None]
     _, _, from_x, from_y = impl.half_planes(x, y, w)
     assert_close(from_x, np.array([[9.0], [4.0], [9.0]]))
@@ -70,7 +91,9 @@ def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
 
 @exercise("2.11")
 def test_at_equal_w_and_x_the_lower_end_decides(impl):
-    """Each of the two faces at a vertical edge takes its own end."""
+    """Each of the two faces at a vertical edge takes its own end: y does not decide, or the greater
+    y does.
+    """
     x, y, w = np.array([[3.0, 3.0, 5.0], [8.0, 1.0, 4.0], [1.0, -1.0, 1.0]])[..., None]
     for order in ([0, 1, 2], [1, 0, 2]):
         _, _, _, from_y = impl.half_planes(x[order], y[order], w[order])
@@ -91,17 +114,32 @@ def test_which_edges_have_n_0(impl, x, y, w, dead):
 
 
 @exercise("2.12")
-def test_a_tilted_plane_on_paper(impl):
-    """The two slopes are swapped, or they are per area instead of per pixel."""
-    x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None]
-    dz_dx, dz_dy = impl.depth_slopes(x, y, z)
-    assert_close(dz_dx, np.array([0.1]))
-    assert_close(dz_dy, np.array([-0.2]))
+def test_two_tilted_planes_on_paper(impl):
+    """The slopes by x and y are swapped, one or both have the wrong sign (the normal's), or they
+    are not divided by the determinant, or by A for 2A: twice as large.
+    """
+    x, y, z = np.array([[[1.0, 0.0], [7.0, 8.0], [3.0, 4.0]],
+                        [[1.0, 0.0], [2.0, 4.0], [6.0, 8.0]],
+                        [[0.4, 1.0], [0.8, 6.0], [-0.4, 5.0]]])
+    slopes = impl.depth_slopes(x, y, z)
+    assert_close(np.array(slopes), np.array([[0.1, 0.5], [-0.2, 0.25]]))
+
+
+@exercise("2.12")
+def test_a_clockwise_face_has_the_same_slopes(impl):
+    """The determinant's sign is lost (its absolute value divides): clockwise faces slope the wrong
+    way.
+    """
+    x, y, z = np.array([[[3.0, 4.0], [7.0, 8.0], [1.0, 0.0]],
+                        [[6.0, 8.0], [2.0, 4.0], [1.0, 0.0]],
+                        [[-0.4, 5.0], [0.8, 6.0], [0.4, 1.0]]])
+    slopes = impl.depth_slopes(x, y, z)
+    assert_close(np.array(slopes), np.array([[0.1, 0.5], [-0.2, 0.25]]))
 
 
 @exercise("2.12")
 def test_the_depth_plane_goes_through_its_corners(impl, rng):
-    """Right for one winding only, or for one face alone."""
+    """Right for large faces, or for one face alone: a tolerance is added to the determinant."""
     for size in 1.0, 1e-9:
         x, y, z = rng.normal(size=(3, 3, 50)) * np.reshape([size, size, 1], (3, 1, 1))
         dz_dx, dz_dy = impl.depth_slopes(x, y, z)
@@ -134,16 +172,33 @@ def first_column_loop(a, x0, offset, width):
 
 @exercise("2.14")
 def test_the_first_column_on_paper(impl):
-    """ceil instead of the centre's half pixel, > for >=, or a value outside of 0 ... width."""
-    a      = np.array([ 2.0,  2.0,  2.0,   2.0, 2.0,  2.0])
-    x0     = np.array([ 0.0,  0.0,  0.0,   0.0, 0.0,  3.0])
-    offset = np.array([-3.0, -3.1, -2.9, -99.0, 5.0, -1.0])  # x = 1.5, 1.55, 1.45, 49.5, -2.5, 3.5
-    assert_close(impl.first_column(a, x0, offset, 8), np.array([1.0, 2.0, 1.0, 8.0, 0.0, 3.0]))
+    """The half pixel of the centre is forgotten: the crossing is rounded (ceil, floor). > for >=: a
+    centre on the edge is left out. offset or from_x has the wrong sign, or the slope does not
+    divide.
+    """
+    slope  = np.array([ 2.0,  4.0,  0.5,   8.0,  1.0,  2.0])
+    from_x = np.array([ 0.0,  1.0, -2.0,   3.5,  5.0,  3.0])
+    offset = np.array([-3.0, -2.2, -1.725, 2.0, -0.5, -2.0])  # x = 1.5, 1.55, 1.45, 3.25, 5.5, 4
+    assert_close(impl.first_column(slope, from_x, offset, 8),
+                 np.array([1.0, 2.0, 1.0, 3.0, 5.0, 4.0]))
+
+
+@exercise("2.14")
+def test_the_first_column_lies_between_0_and_width(impl):
+    """The column is cut to width - 1, so an edge beyond the right border still covers the last
+    column: it is from 0 to width. Or it is not cut (clipped) at all.
+    """
+    slope  = np.array([ 2.0,   4.0,   0.5, 1.0])
+    from_x = np.array([ 0.0,   1.0,  -2.0, 5.0])
+    offset = np.array([-99.0, -26.4, -4.7, 7.5])  # x = 49.5, 7.6, 7.4, -2.5
+    assert_close(impl.first_column(slope, from_x, offset, 8), np.array([8.0, 8.0, 7.0, 0.0]))
 
 
 @exercise("2.14")
 def test_the_sum_decides_and_not_the_quotient(impl, rng):
-    """The column where -offset / slope says so: one off where the edge passes through a centre."""
+    """The quotient -offset / slope alone decides: one column off where the edge passes through a
+    centre, because it is rounded differently. The sum has the last word.
+    """
     a, x0 = 10.0 ** rng.uniform(-30, 6, 3000), rng.uniform(-5, 5, 3000)
     offset = -a * (rng.integers(-3, 20, 3000) + 0.5 - x0)
     offset *= 1 + rng.choice([0, 1, -1, 2, -2], 3000) * 2.0 ** -52
@@ -170,15 +225,21 @@ def covered_loop(planes, y, width):
 
 
 @exercise("2.15")
-def test_the_intervals_of_a_triangle_on_paper(impl):
-    """start and end are swapped, or the end is the last column instead of one past it."""
-    # The triangle (0, 0), (6, 0), (0, 3): 18 - 3 x - 6 y >= 0, x >= 0, y >= 0.
-    a, b  = np.array([[-3.0], [1.0], [0.0]]), np.array([[-6.0], [0.0], [1.0]])
-    x0, y0 = np.array([[0.0], [0.0], [0.0]]), np.array([[3.0], [0.0], [0.0]])
-    y = np.array([0.5, 1.5, 2.5])
-    start, end = impl.row_interval((a, b, x0, y0), np.zeros(3, int), y, 8)
-    assert_close(start, np.array([0.0, 0.0, 0.0]))
-    assert_close(end, np.array([5.0, 3.0, 1.0]))  # the slanted edge is at x = 5, 3, 1
+def test_the_intervals_of_two_triangles_on_paper(impl):
+    """start and end are swapped. They make the union: leftmost opening, rightmost closing edge (min
+    for max). The last edge alone decides. A sign is wrong (of y, of closing edges). end is the last
+    column, not one past it.
+    """
+    # Face 0 is 1 + 0.4 (y - 1) <= x <= 9.25 - y, x <= 6 y - 5. Face 1 is face 0 mirrored at x = 4.
+    n_x = np.array([[-4.0, 4.0], [5.0, -5.0], [-1.0, 1.0]])
+    n_y = np.array([[-4.0, -4.0], [-2.0, -2.0], [6.0, 6.0]])
+    from_x = np.array([[3.25, 4.75], [1.0, 7.0], [1.0, 7.0]])
+    from_y = np.array([[6.0, 6.0], [1.0, 1.0], [1.0, 1.0]])
+    face, y = np.array([0, 1, 0, 1, 0, 1]), np.array([1.5, 1.5, 2.5, 2.5, 4.5, 4.5])
+    start_end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
+    # Face 0 from 1.2 to 4, 1.6 to 6.75, 2.4 to 4.75, face 1 from 4 to 6.8, 1.25 to 6.4, 3.25 to 5.6
+    assert_close(np.array(start_end), np.array([[1.0, 4.0, 2.0, 1.0, 2.0, 3.0],
+                                                [4.0, 7.0, 7.0, 6.0, 5.0, 6.0]]))
 
 
 @exercise("2.15")
@@ -191,7 +252,9 @@ def test_a_row_of_pixels_is_half_open(impl):
 
 @exercise("2.15")
 def test_horizontal_edges_take_all_or_nothing(impl):
-    """0 / 0, a slope of 0 that is turned into NaN, or e = 0 decided by TINY times the column."""
+    """Horizontal edges (n_x = 0) are skipped, so rows above or below the face are covered. Or a
+    slope of 0 becomes NaN (0 / 0), or e = 0 is decided by TINY times the column.
+    """
     # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
     n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])
     n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])

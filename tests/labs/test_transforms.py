@@ -6,42 +6,54 @@ from scipy.spatial.transform import Rotation
 from course.checks import assert_close, exercise
 from course.given.gradcheck import gradcheck
 
+# A matrix of which no part is symmetric, and whose inverse is not its transpose.
+MATRIX = np.array([[1.0, 2.0, 0.0, 3.0],
+                   [0.0, 1.0, 4.0, -2.0],
+                   [2.0, 0.0, 1.0, 5.0],
+                   [0.0, 0.0, -1.0, 2.0]])
+
 
 @exercise("1.2")
 def test_the_matrix_acts_on_columns(impl):
-    """points @ matrix instead of points @ matrix.T: the transposed matrix was applied."""
-    matrix = np.array([[0.0, 1.0, 0.0, 0.0],
-                       [0.0, 0.0, 2.0, 0.0],
-                       [3.0, 0.0, 0.0, 0.0],
-                       [0.0, 0.0, 0.0, 1.0]])
-    assert_close(impl.transform(np.array([[10.0, 20.0, 30.0, 1.0]]), matrix),
-                 np.array([[20.0, 60.0, 30.0, 1.0]]))
+    """The transposed matrix is applied: points @ matrix, not points @ matrix.T. Or its translation
+    (last column) or last row is left out, w is taken for 1, or it is multiplied element by element.
+    """
+    points = np.array([[1.0, 2.0, 3.0, 1.0], [2.0, -1.0, 1.0, 0.0], [3.0, 1.0, -2.0, 2.0]])
+    assert_close(impl.transform(points, MATRIX),
+                 np.array([[8.0, 12.0, 10.0, -1.0], [0.0, 3.0, 5.0, -1.0],
+                           [11.0, -11.0, 14.0, 6.0]]))
 
 
 @exercise("1.2")
 def test_every_point_is_moved_by_itself(impl, rng):
-    """Points are mixed up where they have several leading axes."""
+    """Right for points (N, 4), but points of several leading axes are mixed up or raise an error:
+    .T of points exchanges all their axes. Or all are treated as the first one is.
+    """
     points, matrix = rng.normal(size=(2, 3, 4)), rng.normal(size=(4, 4))
     expected = np.array([[matrix @ point for point in row] for row in points])
     assert_close(impl.transform(points, matrix), expected)
 
 
 @exercise("1.3")
-def test_one_point_worked_out_on_paper(impl):
-    """The matrix and its transpose are mixed up, or the outer product's order."""
-    matrix = np.diag([1.0, 2.0, 3.0, 4.0])
-    matrix[0, 3] = 7.0  # output_0 = x + 7
-    points, matrix_of = impl.transform_backward(np.array([[1.0, 10.0, 0.0, 0.0]]),
-                                                np.array([[5.0, 6.0, 8.0, 1.0]]), matrix)
-    assert_close(points, np.array([[1.0, 20.0, 0.0, 7.0]]))
-    assert_close(matrix_of, np.array([[5.0, 6.0, 8.0, 1.0], [50.0, 60.0, 80.0, 10.0],
-                                      [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]))
+def test_three_points_worked_out_on_paper(impl):
+    """grad_points goes through the matrix as points do, or its inverse. grad_matrix is transposed
+    (the outer product's order), averaged, of one point alone, or not summed over the points. Or
+    both are exchanged.
+    """
+    points = np.array([[5.0, 6.0, 8.0, 1.0], [1.0, 2.0, 3.0, 1.0], [2.0, 0.0, 1.0, 3.0]])
+    grad_output = np.array([[1.0, 10.0, 0.0, 0.0], [0.0, 0.0, 2.0, 1.0], [0.0, 1.0, 0.0, -1.0]])
+    grad_points = np.array([[1.0, 12.0, 40.0, -17.0], [4.0, 0.0, 1.0, 12.0], [0.0, 1.0, 5.0, -4.0]])
+    grad_matrix = np.array([[5.0, 6.0, 8.0, 1.0], [52.0, 60.0, 81.0, 13.0],
+                            [2.0, 4.0, 6.0, 2.0], [-1.0, 2.0, 2.0, -2.0]])
+    assert_close(impl.transform_backward(grad_output, points, MATRIX), (grad_points, grad_matrix))
 
 
 @exercise("1.3")
 @pytest.mark.parametrize("shape", [(4,), (6, 4), (2, 3, 4)], ids=str)
 def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape):
-    """A gradient is transposed, averaged over the points, or taken of one point alone."""
+    """Points of no leading axis, or of several, are not all counted in grad_matrix, or it is not
+    summed over all of them. Or a gradient has another shape than its input.
+    """
     gradcheck(lambda points, matrix: points @ matrix.T, impl.transform_backward,
               (rng.normal(size=shape), rng.normal(size=(4, 4))), name="transform")
 
@@ -49,10 +61,27 @@ def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape)
 @exercise("1.6")
 @pytest.mark.parametrize("axis, start, end", [("z", "x", "y"), ("x", "y", "z"), ("y", "z", "x")])
 def test_a_quarter_turn_takes_one_axis_to_the_next(impl, axis, start, end):
-    """The turn is clockwise (a sign of sin), or the angle was taken for degrees."""
-    unit = dict(zip("xyz", np.eye(4)[:3], strict=True))
-    matrix = impl.rotate(unit[axis][:3], np.pi / 2)
-    assert_close(matrix @ unit[start], unit[end])
+    """The turn is clockwise (a sign of the sine or of [n]x, or transposed), by degrees or by half
+    the angle. sin and cos are exchanged. n n^T is no outer product. A term is missing.
+    """
+    k, i, j = map("xyz".index, (axis, start, end))
+    expected = np.diag([float(n in (k, 3)) for n in range(4)])
+    expected[j, i], expected[i, j] = 1.0, -1.0
+    assert_close(impl.rotate(np.eye(3)[k], np.pi / 2), expected)
+
+
+@exercise("1.6")
+def test_a_turn_about_a_slanted_axis_on_paper(impl):
+    """The axis is not brought to length 1 (normalised), cos I or a part of (1 - cos) n n^T is
+    missing or has another factor, or an entry of [n]x is misplaced or has the wrong sign.
+    """
+    # n = (2, 3, 6) / 7, cos = 3/5, sin = 4/5:
+    # 245 R = 147 I + 2 (2, 3, 6) (2, 3, 6)^T + 28 [(2, 3, 6)]x
+    expected = np.eye(4)
+    expected[:3, :3] = np.array([[155.0, -156.0, 108.0],
+                                 [180.0, 165.0, -20.0],
+                                 [-60.0, 92.0, 219.0]]) / 245
+    assert_close(impl.rotate(np.array([2.0, 3.0, 6.0]), np.arctan2(4.0, 3.0)), expected)
 
 
 @exercise("1.6")
@@ -76,10 +105,26 @@ def test_rotations_are_those_of_scipy(impl, rng):
 
 @exercise("1.7")
 def test_a_camera_on_the_z_axis_only_moves_the_world_back(impl):
-    """The camera looks down +z, or the world is moved by +eye."""
-    matrix = impl.look_at(np.array([0.0, 0.0, 5.0]), np.zeros(3), np.array([0.0, 1.0, 0.0]))
-    assert_close(matrix, np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0],
-                                   [0.0, 0.0, 1.0, -5.0], [0.0, 0.0, 0.0, 1.0]]))
+    """The third axis points forward (the camera looks down +z) or is not of length 1. Left and
+    right or up and down are mirrored. The world is moved by +eye, by the target, or not at all.
+    """
+    matrix = impl.look_at(np.array([1.0, 2.0, 5.0]), np.array([1.0, 2.0, 1.0]),
+                          np.array([0.0, 3.0, 0.0]))
+    assert_close(matrix[:3], np.array([[1.0, 0.0, 0.0, -1.0], [0.0, 1.0, 0.0, -2.0],
+                                       [0.0, 0.0, 1.0, -5.0]]))
+
+
+@exercise("1.7")
+def test_a_camera_that_looks_down_on_paper(impl):
+    """The axes are columns, not rows (transposed). right is not of length 1, or up itself is above,
+    which is not perpendicular to back. Or -eye is not rotated: translate comes first.
+    """
+    matrix = impl.look_at(np.array([3.0, 3.0, 7.0]), np.array([1.0, -1.0, 3.0]),
+                          np.array([-1.0, 4.0, 1.0]))
+    # right = (2, 1, -2) / 3, above = (-2, 2, -1) / 3, back = (1, 2, 2) / 3
+    assert_close(matrix[:3], np.array([[2.0, 1.0, -2.0, 5.0], [-2.0, 2.0, -1.0, 7.0],
+                                       [1.0, 2.0, 2.0, -23.0]]) / 3)
+    assert_close(matrix[3], np.array([0.0, 0.0, 0.0, 1.0]))
 
 
 @exercise("1.7")
@@ -106,15 +151,25 @@ def test_a_camera_neither_stretches_nor_mirrors(impl, rng):
 
 
 @exercise("1.8")
-def test_a_normal_of_a_squeezed_surface_on_paper(impl):
-    """The matrix itself was returned: the normal of the plane x + y = 0, squeezed in x, tilts."""
-    normals = impl.normal_matrix(np.diag([0.5, 1.0, 1.0, 1.0]))
-    assert_close(normals @ np.array([1.0, 1.0, 0.0]), np.array([2.0, 1.0, 0.0]))
+def test_a_shear_on_paper(impl):
+    """Normals are moved as points are, by the matrix itself. It takes the inverse and the
+    transpose, both: one of them is missing. Or it is not divided by the determinant, or its rows
+    are normalised.
+    """
+    matrix = np.array([[2.0, 1.0, 0.0, 5.0],
+                       [0.0, 1.0, 3.0, 6.0],
+                       [0.0, 0.0, 1.0, 7.0],
+                       [0.0, 0.0, 0.0, 1.0]])
+    assert_close(impl.normal_matrix(matrix), np.array([[0.5, 0.0, 0.0],
+                                                       [-0.5, 1.0, 0.0],
+                                                       [1.5, -3.0, 1.0]]))
 
 
 @exercise("1.8")
 def test_normals_stay_perpendicular_to_tangents(impl, rng):
-    """The inverse without the transpose, or a translation that leaks into the normals."""
+    """The whole matrix is inverted, with its translation and last row, which leak into the normals.
+    Only its upper left 3 x 3 counts.
+    """
     for _ in range(10):
         matrix = rng.normal(size=(4, 4))
         n, v = rng.normal(size=(2, 3))
@@ -124,11 +179,13 @@ def test_normals_stay_perpendicular_to_tangents(impl, rng):
 
 @exercise("1.9")
 def test_a_pinhole_shrinks_with_distance(impl):
-    """The last row is (0, 0, 0, 1): nothing divides by z."""
-    matrix = impl.pinhole(2.0)
-    for z in 4.0, 7.0:
-        x, y, depth, w = matrix @ np.array([1.0, 3.0, z, 1.0])
-        assert_close(np.array([x / w, y / w, depth / w]), np.array([2 / z, 6 / z, 2.0]))
+    """Nothing divides by z: the last row is (0, 0, 0, 1). Or it is (0, 0, -1, 0). Or the matrix is
+    transposed. f is missing in the third row, or in x and y.
+    """
+    points = np.array([[1.0, 3.0, 4.0, 1.0], [-2.0, 5.0, 8.0, 1.0]])
+    x, y, z, w = impl.pinhole(2.0) @ points.T
+    assert_close(np.stack([x / w, y / w, z / w], -1), np.array([[0.5, 1.5, 2.0],
+                                                                [-0.5, 1.25, 2.0]]))
 
 
 @exercise("1.9")
@@ -143,9 +200,11 @@ def test_points_of_one_ray_meet_in_one_pixel(impl, rng):
 
 @exercise("1.10")
 def test_half_of_the_angle_is_the_angle_of_half_the_height(impl):
-    """tan(fov_y) instead of tan(fov_y / 2), degrees for radians, or the aspect applied to t."""
-    l, r, b, t = impl.frustum_sides(np.pi / 2, 2.0, 0.5)
-    assert_close(np.array([l, r, b, t]), np.array([-1.0, 1.0, -0.5, 0.5]))
+    """tan(fov_y), the whole angle, for tan(fov_y / 2), or sin, or degrees. fov_y is taken as the
+    horizontal angle, aspect divides, is missing or on t. near is left out, or the order is wrong.
+    """
+    fov_y = 2 * np.arctan(3 / 4)
+    assert_close(np.array(impl.frustum_sides(fov_y, 1.5, 4.0)), np.array([-4.5, 4.5, -3.0, 3.0]))
 
 
 @exercise("1.10")
@@ -158,8 +217,38 @@ def test_the_top_is_seen_at_half_the_field_of_view(impl, rng):
 
 
 @exercise("1.11")
+def test_w_is_the_distance_in_front_of_the_camera(impl):
+    """w is z, as for a camera that looks down +z: the last row is (0, 0, 1, 0). Or w is 1, as in an
+    orthographic matrix. Or the matrix is transposed (column-major), rows and columns swapped.
+    """
+    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
+    assert_close(matrix[3], np.array([0.0, 0.0, -1.0, 0.0]))
+
+
+@exercise("1.11")
+def test_x_and_y_on_paper(impl):
+    """The 2 or near in 2 near / (r - l) is missing, or l, r, b, t are mixed up. The off-centre
+    terms are missing, have the wrong sign, or stand in the last column, not the third.
+    """
+    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
+    assert_close(matrix[:2], np.array([[0.8, 0.0, 0.6, 0.0],
+                                       [0.0, 0.5, 0.25, 0.0]]))
+
+
+@exercise("1.11")
+def test_depth_on_paper(impl):
+    """alpha or beta has the wrong sign (far - near for near - far). near and far are swapped. The
+    factor 2 of beta is missing (half of beta). Or depth runs from 0 to 1 as in Direct3D.
+    """
+    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
+    assert_close(matrix[2], np.array([0.0, 0.0, -1.4, -4.8]))
+
+
+@exercise("1.11")
 def test_the_corners_of_the_frustum_become_those_of_the_cube(impl, rng):
-    """A sign of alpha or beta, near and far swapped, or 2 forgotten in 2 near / (r - l)."""
+    """The matrix is right for one frustum, and wrong for others: a number stands there for l, r, b,
+    t, near or far.
+    """
     l, b, near = -rng.uniform(1, 2), -rng.uniform(1, 2), rng.uniform(0.5, 1)
     r, t, far = rng.uniform(3, 4), rng.uniform(3, 4), rng.uniform(5, 9)
     matrix = impl.frustum(l, r, b, t, near, far)
@@ -170,46 +259,93 @@ def test_the_corners_of_the_frustum_become_those_of_the_cube(impl, rng):
                 assert_close(corner[:3] / corner[3], np.array([ndc_x, ndc_y, ndc_z]), atol=1e-9)
 
 
-@exercise("1.11")
-def test_w_is_the_distance_in_front_of_the_camera(impl):
-    """The last row is (0, 0, 1, 0) of a camera that looks down +z."""
-    matrix = impl.frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 3.0)
-    assert_close(matrix[3], np.array([0.0, 0.0, -1.0, 0.0]))
+@exercise("1.12")
+def test_w_stays_1(impl):
+    """w depends on z: the last row is (0, 0, -1, 0), as in `frustum`. Or the matrix is transposed
+    (column-major), rows and columns swapped.
+    """
+    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
+    assert_close(matrix[3], np.array([0.0, 0.0, 0.0, 1.0]))
 
 
 @exercise("1.12")
-def test_the_corners_of_the_box_become_those_of_the_cube(impl, rng):
-    """The sign of the translation, or z runs the wrong way."""
+def test_the_sides_of_the_box_become_those_of_the_cube(impl):
+    """The centre is not shifted to 0, or the wrong way (the translation's sign, or its column). 1
+    for 2: ndc is 2 wide. r + l for r - l, or l, r, b, t mixed up.
+    """
+    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
+    assert_close(matrix[:2], np.array([[0.4, 0.0, 0.0, -0.6],
+                                       [0.0, 0.25, 0.0, -0.25]]))
+
+
+@exercise("1.12")
+def test_near_becomes_minus_1_and_far_1(impl):
+    """z is not flipped: the camera looks down -z, and the box is z = -near..-far, not near..far. A
+    sign of the third row, near and far swapped, or depth from 0 to 1.
+    """
+    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
+    assert_close(matrix[2], np.array([0.0, 0.0, -0.2, -1.4]))
+
+
+@exercise("1.12")
+def test_the_corners_of_the_box_become_those_of_the_cube(impl):
+    """The matrix is right for one box, and wrong for others: a number stands there for l, r, b, t,
+    near or far.
+    """
     l, r, b, t, near, far = -1.0, 3.0, -2.0, 0.5, 0.7, 4.0
     matrix = impl.orthographic(l, r, b, t, near, far)
     assert_close(matrix @ np.array([l, b, -near, 1.0]), np.array([-1.0, -1.0, -1.0, 1.0]))
     assert_close(matrix @ np.array([r, t, -far, 1.0]), np.array([1.0, 1.0, 1.0, 1.0]))
-    assert_close(matrix[3], np.array([0.0, 0.0, 0.0, 1.0]))
 
 
 @exercise("1.13")
-def test_the_divide_is_by_w(impl, rng):
-    """z is not divided, or the division is by z."""
-    ndc = impl.perspective_divide(np.array([2.0, 4.0, -2.0, 2.0]))
-    assert_close(ndc, np.array([1.0, 2.0, -1.0]))
-    clip = rng.normal(size=(2, 3, 4))
-    expected = np.array([[[p[0] / p[3], p[1] / p[3], p[2] / p[3]] for p in row] for row in clip])
-    assert_close(impl.perspective_divide(clip), expected)
+def test_the_divide_is_by_w(impl):
+    """The division is by z or -z, not w, or by |w|: the sign of w is lost. z is not divided. w of
+    the first point divides all. Or w is kept as a fourth number.
+    """
+    clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
+    assert_close(impl.perspective_divide(clip), np.array([[1.0, 2.0, -1.5], [-2.0, -0.5, -0.25],
+                                                          [0.5, -0.25, 0.375]]))
+
+
+@exercise("1.13")
+def test_every_point_is_divided_by_its_own_w(impl, rng):
+    """Right for points (N, 4), but not for one point alone, or for several leading axes: w of
+    another point divides.
+    """
+    for shape in (4,), (2, 3, 4), (3, 3, 4):
+        clip = rng.normal(size=shape)
+        expected = np.array([[p[k] / p[3] for k in range(3)] for p in clip.reshape(-1, 4)])
+        assert_close(impl.perspective_divide(clip), expected.reshape(*shape[:-1], 3))
+
+
+@exercise("1.14")
+def test_the_gradients_by_x_y_and_z_on_paper(impl):
+    """The gradients of x, y and z are grad_ndc divided by w: once, not by w^2, by z, or not at all,
+    and not multiplied by w. Or grad_clip has no place for w.
+    """
+    grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
+                                            np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]]))
+    assert_close(grad[..., :3], np.array([[0.5, 5.0, 50.0], [-0.5, -0.75, 2.0]]))
 
 
 @exercise("1.14")
 def test_the_gradient_by_w_on_paper(impl):
-    """The term of w is missing: without it, depth has no influence on the picture."""
-    grad = impl.perspective_divide_backward(np.array([1.0, 10.0, 100.0]),
-                                            np.array([2.0, 4.0, 6.0, 2.0]))
-    # ndc = (1, 2, 3); by w: -(1 * 1 + 10 * 2 + 100 * 3) / 2
-    assert_close(grad, np.array([0.5, 5.0, 50.0, -160.5]))
+    """The gradient of w is 0 (w as a constant), or has the wrong sign. x, y or z is missing: all
+    three add to it. It is divided by w once or three times, not by w squared.
+    """
+    grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
+                                            np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]]))
+    # -(1 * 2 + 10 * 4 + 100 * 6) / 2^2  and  -(2 * 1 + 3 * 2 - 8 * 4) / 4^2
+    assert_close(grad[..., 3], np.array([-160.5, 1.5]))
 
 
 @exercise("1.14")
 @pytest.mark.parametrize("shape", [(4,), (5, 4), (2, 3, 4)], ids=str)
 def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape):
-    """A sign, or 1/w for 1/w^2, in the gradient by w."""
+    """Right for points (N, 4), but not for one point alone, or for several leading axes: w's
+    gradient is summed over the points, too.
+    """
     clip = rng.normal(size=shape)
     clip[..., 3] = rng.choice([-1, 1], shape[:-1]) * rng.uniform(0.5, 2, shape[:-1])
     gradcheck(lambda clip: clip[..., :3] / clip[..., 3:], impl.perspective_divide_backward, (clip,),
@@ -217,19 +353,32 @@ def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape):
 
 
 @exercise("1.15")
+def test_the_viewport_on_paper(impl):
+    """y is flipped (row 0 is at the bottom). It is half a pixel or one pixel off (width - 1). ndc
+    is taken as from 0 to 1. Width and height are swapped, z is changed, or // rounds.
+    """
+    assert_close(impl.viewport(641, 479), np.array([[320.5, 0.0, 0.0, 320.5],
+                                                    [0.0, 239.5, 0.0, 239.5],
+                                                    [0.0, 0.0, 1.0, 0.0],
+                                                    [0.0, 0.0, 0.0, 1.0]]))
+
+
+@exercise("1.15")
 def test_the_corners_of_ndc_become_those_of_the_picture(impl):
-    """y is flipped (row 0 is at the bottom here), width and height swapped, or half a pixel off."""
-    matrix = impl.viewport(641, 479)
+    """The matrix is right for one size of the picture, and wrong for others."""
+    matrix = impl.viewport(35, 22)
     assert_close(matrix @ np.array([-1.0, -1.0, 0.5, 1.0]), np.array([0.0, 0.0, 0.5, 1.0]))
-    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([641.0, 479.0, -0.5, 1.0]))
-    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, 479.0, 0.0, 1.0]))
+    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([35.0, 22.0, -0.5, 1.0]))
+    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, 22.0, 0.0, 1.0]))
 
 
 @exercise("1.17")
 def test_a_step_in_ndc_is_half_a_picture(impl):
-    """The gradient was divided by the scale instead of multiplied."""
-    assert_close(impl.to_screen_backward(np.array([[1.0, 2.0, 3.0]]), 641, 479),
-                 np.array([[320.5, 479.0, 3.0]]))
+    """The gradient is divided by the scale instead of multiplied by width / 2 and height / 2. The
+    scale is the whole width, or that of the other side. y is flipped, or z is not kept.
+    """
+    grad = impl.to_screen_backward(np.array([[1.0, 2.0, 3.0], [-4.0, 6.0, 5.0]]), 641, 479)
+    assert_close(grad, np.array([[320.5, 479.0, 3.0], [-1282.0, 1437.0, 5.0]]))
 
 
 @exercise("1.17")

@@ -2,7 +2,7 @@
 
 
 def edge_function(p, a, b):
-    """the first product has the wrong sign"""
+    """the first product has the wrong sign: n_x is a_y - b_y"""
     x,  y  = p[..., 0], p[..., 1]
     x0, y0 = a[..., 0], a[..., 1]
     x1, y1 = b[..., 0], b[..., 1]
@@ -11,7 +11,8 @@ def edge_function(p, a, b):
 
 
 def edge_function(p, a, b):
-    """the sign is flipped: positive means on the right of the line instead of on its left"""
+    """the sign is flipped: positive means on the right of the line instead of on its left, as with
+    a and b swapped, or with y down"""
     x,  y  = p[..., 0], p[..., 1]
     x0, y0 = a[..., 0], a[..., 1]
     x1, y1 = b[..., 0], b[..., 1]
@@ -20,7 +21,8 @@ def edge_function(p, a, b):
 
 
 def edge_function(p, a, b):
-    """x and y of the edge are swapped: it is how far along the edge p lies"""
+    """x and y of the edge are swapped, its direction is taken for its normal: it is how far along
+    the edge p lies"""
     x,  y  = p[..., 0], p[..., 1]
     x0, y0 = a[..., 0], a[..., 1]
     x1, y1 = b[..., 0], b[..., 1]
@@ -28,8 +30,27 @@ def edge_function(p, a, b):
     return (x0 - x1) * (x - from_x) + (y1 - y0) * (y - from_y)
 
 
+def edge_function(p, a, b):
+    """n is normalised: e is divided by the length of the edge, and is the distance of p in pixels
+    instead of the determinant"""
+    n = np.stack([a[..., 1] - b[..., 1], b[..., 0] - a[..., 0]], -1)
+    return (n * (p - a)).sum(-1) / np.linalg.norm(n, axis=-1)
+
+
+def edge_function(p, a, b):
+    """e is halved, to the area of the triangle: it is the whole determinant, twice the area"""
+    n = np.stack([a[..., 1] - b[..., 1], b[..., 0] - a[..., 0]], -1)
+    return (n * (p - a)).sum(-1) / 2
+
+
+def edge_function(p, a, b):
+    """e has lost its sign: it is the absolute value"""
+    n = np.stack([a[..., 1] - b[..., 1], b[..., 0] - a[..., 0]], -1)
+    return np.abs((n * (p - a)).sum(-1))
+
+
 def edge_function_backward(grad_e, p, a, b):
-    """all gradients are turned the wrong way"""
+    """all three gradients have the wrong sign: the sides are turned by 90 degrees the other way"""
     def turned(side):
         return grad_e[..., None] * np.stack([-side[..., 1], side[..., 0]], -1)
     return turned(a - b), turned(b - p), turned(p - a)
@@ -43,20 +64,43 @@ def edge_function_backward(grad_e, p, a, b):
 
 
 def edge_function_backward(grad_e, p, a, b):
-    """the gradients of a and b are swapped"""
+    """the gradients of a and b are swapped: they are returned in the order p, a, b"""
     def turned(side):
         return grad_e[..., None] * np.stack([side[..., 1], -side[..., 0]], -1)
     return turned(a - b), turned(p - a), turned(b - p)
 
 
+def edge_function_backward(grad_e, p, a, b):
+    """x and y are exchanged in each gradient: the components of the turned side are in the wrong
+    order"""
+    def turned(side):
+        return grad_e[..., None] * np.stack([-side[..., 0], side[..., 1]], -1)
+    return turned(a - b), turned(b - p), turned(p - a)
+
+
+def edge_function_backward(grad_e, p, a, b):
+    """grad_a is minus grad_p, as if the normal n were a constant: n depends on a, too"""
+    def turned(side):
+        return grad_e[..., None] * np.stack([side[..., 1], -side[..., 0]], -1)
+    return turned(a - b), turned(b - a), turned(p - a)
+
+
+def edge_function_backward(grad_e, p, a, b):
+    """grad_e is ignored, the upstream gradient: every gradient must be multiplied by it"""
+    def turned(side):
+        return np.stack([side[..., 1], -side[..., 0]], -1)
+    return turned(a - b), turned(b - p), turned(p - a)
+
+
 def is_inside(p, triangle):
-    """clockwise triangles contain nothing; here either winding will do"""
+    """clockwise triangles contain nothing, because only positive e count as inside: here either
+    winding will do"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
     return (e >= 0).all(0)
 
 
 def is_inside(p, triangle):
-    """the border does not count as inside"""
+    """the border does not count as inside: > 0 for >= 0"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
     return (e > 0).all(0) | (e < 0).all(0)
 
@@ -67,8 +111,16 @@ def is_inside(p, triangle):
     return (e >= 0).any(0)
 
 
+def is_inside(p, triangle):
+    """counter-clockwise triangles contain nothing, because only negative e count as inside: here
+    either winding will do"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
+    return (e <= 0).all(0)
+
+
 def is_top_left(n_x, n_y):
-    """right and top edges own their samples instead of left and lower ones"""
+    """right and top edges own their samples instead of left and lower ones, as if the normal
+    pointed out of the face"""
     return (n_x < 0) | ((n_x == 0) & (n_y < 0))
 
 
@@ -79,12 +131,30 @@ def is_top_left(n_x, n_y):
 
 
 def is_top_left(n_x, n_y):
-    """x and y of the normal are swapped"""
+    """x and y of the normal are swapped: lower edges own their samples, and only vertical left
+    ones"""
     return (n_y > 0) | ((n_y == 0) & (n_x > 0))
 
 
+def is_top_left(n_x, n_y):
+    """n is taken for the direction of the edge instead of its normal"""
+    return (n_y < 0) | ((n_y == 0) & (n_x > 0))
+
+
+def is_top_left(n_x, n_y):
+    """horizontal edges are forgotten: only left edges count, and lower ones with n_x = 0 must"""
+    return n_x > 0
+
+
+def is_top_left(n_x, n_y):
+    """every edge with n_y > 0 counts, slanted ones too: only a horizontal edge, n_x == 0, is
+    decided by n_y"""
+    return (n_x > 0) | (n_y > 0)
+
+
 def is_covered(p, triangle):
-    """samples on the border always count: those of a shared edge belong to both faces"""
+    """samples on the border always count (>= 0, without the top-left rule): those on a shared edge
+    belong to both neighbours"""
     covered = np.ones(p.shape[:-1], bool)
     for i, j in EDGES:
         a, b = triangle[i], triangle[j]
@@ -94,7 +164,8 @@ def is_covered(p, triangle):
 
 
 def is_covered(p, triangle):
-    """samples on the border never count: those of a shared edge are lost"""
+    """samples on the border never count (> 0, without the top-left rule): those on a shared edge
+    belong to neither neighbour, and leave holes"""
     covered = np.ones(p.shape[:-1], bool)
     for i, j in EDGES:
         a, b = triangle[i], triangle[j]
@@ -104,7 +175,8 @@ def is_covered(p, triangle):
 
 
 def is_covered(p, triangle):
-    """the normal points outwards, so right and upper edges own the border"""
+    """right and upper edges own the border instead of left and lower ones: the normal points
+    outwards (it is (a_y - b_y, b_x - a_x)), or the answer of is_top_left is negated"""
     covered = np.ones(p.shape[:-1], bool)
     for i, j in EDGES:
         a, b = triangle[i], triangle[j]
@@ -113,14 +185,45 @@ def is_covered(p, triangle):
     return covered
 
 
+def is_covered(p, triangle):
+    """is_top_left is given the direction of the edge, b - a, instead of its normal"""
+    covered = np.ones(p.shape[:-1], bool)
+    for i, j in EDGES:
+        a, b = triangle[i], triangle[j]
+        e = edge_function(p, a, b)
+        covered &= (e > 0) | ((e == 0) & is_top_left(b[0] - a[0], b[1] - a[1]))
+    return covered
+
+
+def is_covered(p, triangle):
+    """one edge is enough: all three must say so"""
+    covered = np.zeros(p.shape[:-1], bool)
+    for i, j in EDGES:
+        a, b = triangle[i], triangle[j]
+        e = edge_function(p, a, b)
+        covered |= (e > 0) | ((e == 0) & is_top_left(a[1] - b[1], b[0] - a[0]))
+    return covered
+
+
+def is_covered(p, triangle):
+    """x and y of the normal are swapped where is_top_left is called"""
+    covered = np.ones(p.shape[:-1], bool)
+    for i, j in EDGES:
+        a, b = triangle[i], triangle[j]
+        e = edge_function(p, a, b)
+        covered &= (e > 0) | ((e == 0) & is_top_left(b[0] - a[0], a[1] - b[1]))
+    return covered
+
+
 def barycentric_coordinates(p, triangle):
-    """the weights are not divided by their sum"""
+    """the weights are not divided by 2A, their sum: they must sum to 1"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return e
 
 
 def barycentric_coordinates(p, triangle):
-    """each weight belongs to the next corner: weight k is of the edge opposite to corner k"""
+    """each weight belongs to the next corner, as if the edges were (0, 1), (1, 2), (2, 0): weight k
+    is of the edge opposite to corner k"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return np.roll(e / e.sum(-1, keepdims=True), 1, -1)
 
@@ -131,17 +234,30 @@ def barycentric_coordinates(p, triangle):
     return np.abs(e) / np.abs(e).sum(-1, keepdims=True)
 
 
+def barycentric_coordinates(p, triangle):
+    """they are divided by the area A instead of 2A: the weights are twice as large, and sum to 2"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return 2 * e / e.sum(-1, keepdims=True)
+
+
+def barycentric_coordinates(p, triangle):
+    """they are divided by the absolute value of the area: a clockwise triangle, whose area is
+    negative, gets weights of the wrong sign"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return e / np.abs(e.sum(-1, keepdims=True))
+
+
+def barycentric_coordinates(p, triangle):
+    """each weight belongs to the corner before, the order is rolled the other way: weight k is of
+    the edge opposite to corner k, e_0 of the edge from 1 to 2"""
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return np.roll(e / e.sum(-1, keepdims=True), -1, -1)
+
+
 def bounding_box(triangle, width, height):
-    """pixels are tested at their corners instead of at their centres"""
+    """half a pixel is forgotten: pixels are tested at their corners instead of at their centres"""
     x0, y0 = np.clip(np.ceil(triangle.min(0) - (MARGIN)), 0, [width, height])
     x1, y1 = np.clip(np.floor(triangle.max(0) + (MARGIN)), 0, [width, height])
-    return int(x0), int(y0), int(x1), int(y1)
-
-
-def bounding_box(triangle, width, height):
-    """width and height are swapped"""
-    x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [height, width])
-    x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)), 0, [height, width])
     return int(x0), int(y0), int(x1), int(y1)
 
 
@@ -152,14 +268,30 @@ def bounding_box(triangle, width, height):
     return int(x0), int(x1), int(y0), int(y1)
 
 
+def bounding_box(triangle, width, height):
+    """x1 and y1 are the last pixel itself: they are one past it, so the last column and row of the
+    box are lost"""
+    x0, y0 = np.clip(np.ceil(triangle.min(0) - (0.5 + MARGIN)), 0, [width, height])
+    x1, y1 = np.clip(np.floor(triangle.max(0) + (0.5 + MARGIN)) - 1, 0, [width - 1, height - 1])
+    return int(x0), int(y0), int(x1), int(y1)
+
+
+def bounding_box(triangle, width, height):
+    """MARGIN is missing: the box must be wider than the triangle by it, on each side"""
+    x0, y0 = np.clip(np.ceil(triangle.min(0) - 0.5), 0, [width, height])
+    x1, y1 = np.clip(np.floor(triangle.max(0) + 0.5), 0, [width, height])
+    return int(x0), int(y0), int(x1), int(y1)
+
+
 def cull_back_faces(x, y, w, faces):
-    """front faces are thrown away, and back faces stay"""
+    """front faces are thrown away, and back faces, clockwise on screen, stay"""
     area = signed_area(np.stack([x[faces], y[faces]], -1))
     return faces[area * np.sign(w[faces]).prod(-1) < 0]
 
 
 def cull_back_faces(x, y, w, faces):
-    """w is not looked at: a vertex behind the camera turns the winding over"""
+    """w is ignored, and the winding on screen alone decides: each vertex behind the camera turns it
+    over"""
     area = signed_area(np.stack([x[faces], y[faces]], -1))
     return faces[area > 0]
 
@@ -170,8 +302,15 @@ def cull_back_faces(x, y, w, faces):
     return faces[area * np.sign(w[faces]).prod(-1) >= 0]
 
 
+def cull_back_faces(x, y, w, faces):
+    """faces with a vertex behind the camera are thrown away: such a vertex only turns the winding
+    over"""
+    area = signed_area(np.stack([x[faces], y[faces]], -1))
+    return faces[(area > 0) & (w[faces] > 0).all(-1)]
+
+
 def rasterize_loop(clip, faces, width, height):
-    """rows are counted from the top; row 0 is at the bottom"""
+    """rows are counted from the top, and the picture is upside down: row 0 is at the bottom"""
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
@@ -193,7 +332,7 @@ def rasterize_loop(clip, faces, width, height):
 
 
 def rasterize_loop(clip, faces, width, height):
-    """there is no z-buffer: the last face wins"""
+    """there is no z-buffer, and the last face wins: the least depth must be kept"""
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
@@ -215,7 +354,8 @@ def rasterize_loop(clip, faces, width, height):
 
 
 def rasterize_loop(clip, faces, width, height):
-    """clockwise faces are not turned round, so that faces seen from behind are missing"""
+    """clockwise faces are not turned round, so that faces seen from behind (back faces) are
+    missing"""
     face_index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
@@ -234,39 +374,136 @@ def rasterize_loop(clip, faces, width, height):
     return face_index, depth
 
 
+def rasterize_loop(clip, faces, width, height):
+    """the depth test is the wrong way round: the greatest depth is kept, the farthest face, instead
+    of the least"""
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        if signed_area(points[corners]) < 0:
+            corners = corners[::-1]
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z0, z1, z2 = clip[corners, 2] / w[corners]
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
+                if -1 <= z <= 1 and (face_index[i, j] < 0 or z > depth[i, j]):
+                    face_index[i, j], depth[i, j] = f, z
+    return face_index, depth
+
+
+def rasterize_loop(clip, faces, width, height):
+    """pixels are sampled at their corner (j, i) instead of at their centre, half a pixel farther"""
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        if signed_area(points[corners]) < 0:
+            corners = corners[::-1]
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            p = np.array([float(j), float(i)])
+            if is_covered(p, triangle):
+                z0, z1, z2 = clip[corners, 2] / w[corners]
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
+                if -1 <= z <= 1 and z < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, z
+    return face_index, depth
+
+
+def rasterize_loop(clip, faces, width, height):
+    """z is not divided by w: what is linear on the screen is z/w of the corners"""
+    face_index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, _ = screen_points(clip, width, height)
+    points = np.stack([x, y], -1)
+    for f, corners in enumerate(faces):
+        if signed_area(points[corners]) < 0:
+            corners = corners[::-1]
+        triangle = points[corners]
+        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
+            p = np.array([j + 0.5, i + 0.5])
+            if is_covered(p, triangle):
+                z0, z1, z2 = clip[corners, 2]
+                _, l1, l2 = barycentric_coordinates(p, triangle)
+                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
+                if -1 <= z <= 1 and z < depth[i, j]:
+                    face_index[i, j], depth[i, j] = f, z
+    return face_index, depth
+
+
 def barycentric_on_face(px, py, x, y, w):
-    """w is left out: these are the weights in the picture"""
+    """nothing is divided by w: these are the weights in the picture, eq. (3), without
+    perspective"""
     x, y = x - px, y - py
     c = np.stack([(x[i] * y[j] - x[j] * y[i]) for k, (i, j) in enumerate(EDGES)])
     return c / c.sum(0)
 
 
 def barycentric_on_face(px, py, x, y, w):
-    """it is multiplied by w instead of divided"""
+    """it is multiplied by w instead of divided: c_k is e_k / w_k"""
     x, y = x - px, y - py
     c = np.stack([(x[i] * y[j] - x[j] * y[i]) * w[k] for k, (i, j) in enumerate(EDGES)])
     return c / c.sum(0)
 
 
 def barycentric_on_face(px, py, x, y, w):
-    """the weights are not divided by their sum"""
+    """the weights are not divided by their sum s: they must sum to 1"""
     x, y = x - px, y - py
     c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(EDGES)])
     return c
 
 
+def barycentric_on_face(px, py, x, y, w):
+    """the sum s is over the samples instead of over the three corners"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[k] for k, (i, j) in enumerate(EDGES)])
+    return c / c.sum(-1, keepdims=True)
+
+
+def barycentric_on_face(px, py, x, y, w):
+    """e_k is divided by w of the next corner, where its edge begins: c_k is e_k / w_k"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[i] for i, j in EDGES])
+    return c / c.sum(0)
+
+
+def barycentric_on_face(px, py, x, y, w):
+    """e_k is divided by w of the corner before, where its edge ends: c_k is e_k / w_k"""
+    x, y = x - px, y - py
+    c = np.stack([(x[i] * y[j] - x[j] * y[i]) / w[j] for i, j in EDGES])
+    return c / c.sum(0)
+
+
 def normalize_derivative(dc, b, s, axis=0):
-    """the sum s is taken for a constant"""
+    """the term - b ds is missing, as if the sum s were a constant: s changes, too"""
     return dc / s
 
 
 def normalize_derivative(dc, b, s, axis=0):
-    """the sign of b ds is flipped: d(c / s) is (dc - b ds) / s"""
+    """the sign of b ds is flipped, it is added instead of subtracted: d(c / s) is (dc - b ds) /
+    s"""
     ds = dc.sum(axis, keepdims=True)
     return (dc + b * ds) / s
 
 
 def normalize_derivative(dc, b, s, axis=0):
-    """it is divided by s^2, as if c stood in the place of b"""
+    """b ds is divided by s^2 instead of s, as if c stood in the place of b: it is (dc - b ds) /
+    s"""
     ds = dc.sum(axis, keepdims=True)
     return (dc * s - b * ds) / s**2
+
+
+def normalize_derivative(dc, b, s, axis=0):
+    """it is not divided by s: db is (dc - b ds) / s"""
+    ds = dc.sum(axis, keepdims=True)
+    return dc - b * ds

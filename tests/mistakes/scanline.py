@@ -16,7 +16,7 @@ def half_planes(x, y, w):
 
 
 def half_planes(x, y, w):
-    """the sign of A is left out: clockwise faces cover nothing"""
+    """the sign of A, the winding, is left out: clockwise faces cover nothing"""
     n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
     for k, (i, j) in enumerate(EDGES):
         w_i, w_j = np.abs(w[i]), np.abs(w[j])
@@ -42,6 +42,19 @@ def half_planes(x, y, w):
     return n_x, n_y, from_x, from_y
 
 
+def half_planes(x, y, w):
+    """all normals have the wrong sign, and point out of the face"""
+    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
+    for k, (i, j) in enumerate(EDGES):
+        w_i, w_j = np.abs(w[i]), np.abs(w[j])
+        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
+        at_i = (w_i > w_j) | ((w_i == w_j) & before)
+        from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
+        sign = -np.sign(w[k] * ((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])))
+        n_x[k], n_y[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
+    return n_x, n_y, from_x, from_y
+
+
 def depth_slopes(x, y, z):
     """the slope by y has the wrong sign"""
     x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
@@ -59,14 +72,33 @@ def depth_slopes(x, y, z):
 
 
 def depth_slopes(x, y, z):
-    """the slopes are not divided by the area"""
+    """the slopes are not divided by the determinant, twice the area"""
     x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
     x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
     return (z1 * y2 - z2 * y1), (x1 * z2 - x2 * z1)
 
 
+def depth_slopes(x, y, z):
+    """both slopes have the wrong sign: they are those of the plane's normal, n_x / n_z, without the
+    minus"""
+    x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
+    x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
+    area = x1 * y2 - x2 * y1
+    return (z2 * y1 - z1 * y2) / area, (x2 * z1 - x1 * z2) / area
+
+
+def depth_slopes(x, y, z):
+    """they are divided by the absolute value of the determinant: its sign is lost, and clockwise
+    faces slope the wrong way"""
+    x1, y1, z1 = x[1] - x[0], y[1] - y[0], z[1] - z[0]
+    x2, y2, z2 = x[2] - x[0], y[2] - y[0], z[2] - z[0]
+    area = x1 * y2 - x2 * y1
+    return (z1 * y2 - z2 * y1) / abs(area), (x1 * z2 - x2 * z1) / abs(area)
+
+
 def first_column(slope, from_x, offset, width):
-    """columns are tested at their left border instead of the centre"""
+    """the centre's half pixel is forgotten: columns are tested at their left border, j, instead of
+    at j + 0.5"""
     column = np.floor(from_x - offset / slope)
     column += slope * (column - from_x) + offset < 0
     return np.clip(column, 0, width)
@@ -80,14 +112,23 @@ def first_column(slope, from_x, offset, width):
 
 
 def first_column(slope, from_x, offset, width):
-    """a centre exactly on the edge is left out; >= 0 is in"""
+    """a centre exactly on the edge is left out: > 0 for >= 0"""
     column = np.floor(from_x - offset / slope)
     column += slope * (column + 0.5 - from_x) + offset <= 0
     return np.clip(column, 0, width)
 
 
+def first_column(slope, from_x, offset, width):
+    """the column is cut to width - 1: an edge beyond the right border then covers the last column.
+    It is from 0 to width"""
+    column = np.floor(from_x - offset / slope)
+    column += slope * (column + 0.5 - from_x) + offset < 0
+    return np.clip(column, 0, width - 1)
+
+
 def row_interval(planes, face, y, width):
-    """the sign of edges that end the interval is left out"""
+    """the sign of edges that end the interval is left out: -e, not e, grows from left to right
+    there"""
     start, end = np.zeros(len(y)), np.full(len(y), float(width))
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y).astype(float)
@@ -102,7 +143,7 @@ def row_interval(planes, face, y, width):
 
 
 def row_interval(planes, face, y, width):
-    """the last opening edge decides, instead of the one farthest right"""
+    """the last opening edge decides, instead of the one farthest right: the maximum"""
     start, end = np.zeros(len(y)), np.full(len(y), float(width))
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y).astype(float)
@@ -117,7 +158,7 @@ def row_interval(planes, face, y, width):
 
 
 def row_interval(planes, face, y, width):
-    """end is the last column that is covered; it is the first one that is not"""
+    """end is the last column that is covered; it is one past it, the first one that is not"""
     start, end = np.zeros(len(y)), np.full(len(y), float(width))
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y).astype(float)
@@ -129,3 +170,33 @@ def row_interval(planes, face, y, width):
         start = np.maximum(start, opens * column)
         end = np.minimum(end, opens * width + column)
     return start, end - 1
+
+
+def row_interval(planes, face, y, width):
+    """min and max are exchanged, which makes the union: the opening edge farthest right and the
+    closing one farthest left must count, not the leftmost and the rightmost"""
+    start, end = np.full(len(y), float(width)), np.zeros(len(y))
+    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
+        opens = is_top_left(n_x, n_y)
+        sign = np.where(opens, 1, -1)
+        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
+        offset = (sign * n_y)[face] * (y - from_y[face])
+        column = first_column(slope[face], from_x[face], offset, width)
+        start = np.where(opens[face], np.minimum(start, column), start)
+        end = np.where(opens[face], end, np.maximum(end, column))
+    return start, end
+
+
+def row_interval(planes, face, y, width):
+    """face is ignored: the planes of face 0 are taken on all rows"""
+    start, end = np.zeros(len(y)), np.full(len(y), float(width))
+    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
+        face = 0 * face
+        opens = is_top_left(n_x, n_y)
+        sign = np.where(opens, 1, -1)
+        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
+        offset = (sign * n_y)[face] * (y - from_y[face])
+        column = first_column(slope[face], from_x[face], offset, width)
+        start = np.maximum(start, np.where(opens[face], column, 0))
+        end = np.minimum(end, np.where(opens[face], width, column))
+    return start, end

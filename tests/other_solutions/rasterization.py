@@ -86,7 +86,8 @@ def rasterize_loop(clip, faces, width, height):
         if signed_area(triangle) == 0:
             continue
         covered = is_covered(p, triangle) | is_covered(p, triangle[::-1])
-        deep = barycentric_coordinates(p, triangle) @ (np.asarray(clip)[corners, 2] / w[corners])
+        z = np.asarray(clip)[corners, 2] / w[corners]
+        deep = z[0] + barycentric_coordinates(p, triangle) @ (z - z[0])
         nearer = covered & (np.abs(deep) <= 1) & (deep < depth)
         face_index[nearer], depth[nearer] = f, deep[nearer]
     return face_index, depth
