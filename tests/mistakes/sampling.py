@@ -341,7 +341,8 @@ def clip_polygon(polygon, a, b, c):
 def clip_polygon(polygon, a, b, c):
     """the last edge is left out: it leads from the last vertex back to the first"""
     kept = []
-    for p, q in zip(polygon[:-1], polygon[1:], strict=True):
+    for n in range(len(polygon) - 1):
+        p, q = polygon[n], polygon[n + 1]
         at_p, at_q = a * p[0] + b * p[1] + c, a * q[0] + b * q[1] + c
         if at_p >= 0:
             kept.append(p)
