@@ -93,26 +93,26 @@ def test_the_centre_itself_stays_to_the_bit(impl, rng):
 @exercise("4.4")
 def test_the_share_of_samples_on_paper(impl):
     """Face 0 counts as no face (> 0), or -1 as one (!= 0). Samples are counted, not divided by S.
-    Only the most frequent face counts, not all faces. Faces are counted.
+    Only the most frequent face counts, not all faces. One sample on a face is enough.
     """
     expected = np.array([[1.0, 1.0, 0.5], [0.0, 1.0, 0.75]])
     assert_picture(impl.coverage(FACE_INDEX), expected, atol=1e-12)
 
 
 @exercise("4.4")
-def test_shares_of_any_number_of_samples(impl, rng):
+@pytest.mark.parametrize("count", [1, 3, 16])
+def test_shares_of_any_number_of_samples(impl, rng, count):
     """Divided by 4, whatever the number of samples. Or averaged over another axis."""
-    for count in (1, 3, 16):
-        face_index = rng.integers(-3, 5, (count, 3, 4)).clip(-1)
-        expected = [[sum(face_index[s, i, j] > -1 for s in range(count)) / count
-                     for j in range(4)] for i in range(3)]
-        assert_picture(impl.coverage(face_index), np.array(expected), atol=1e-12)
+    face_index = rng.integers(-3, 5, (count, 3, 4)).clip(-1)
+    expected = [[sum(face_index[s, i, j] > -1 for s in range(count)) / count
+                 for j in range(4)] for i in range(3)]
+    assert_picture(impl.coverage(face_index), np.array(expected), atol=1e-12)
 
 
 @exercise("4.5")
 def test_the_order_of_an_exact_power(impl):
     """The sign of the slope is kept. The reciprocal: the slope of log n over log error. No
-    logarithm of n or of the error.
+    logarithm of n or of the error. A line through the origin: the means are not taken away.
     """
     n = np.array([1.0, 2.0, 5.0, 10.0])
     assert_close(impl.observed_order(n, 7.0 * n ** -2), 2.0)
@@ -123,7 +123,7 @@ def test_the_order_of_an_exact_power(impl):
 @exercise("4.5")
 def test_the_order_is_that_of_the_best_line(impl, rng):
     """Only the first and the last error count, or the mean of slopes, not the line of least
-    squares through all points. A line through the origin: the means are not taken away.
+    squares through all points.
     """
     n = np.array([1.0, 2.0, 3.0, 8.0, 20.0, 21.0])
     error = 3.0 * n ** -1.5 * np.exp(rng.normal(size=6))
@@ -279,7 +279,8 @@ def test_no_faces_no_shades(impl, name):
     """A picture that shows no face ends in an error. Or the background's shade is asked for."""
     pixel, face, request = getattr(impl, name)(np.full((4, 2, 3), -1))
     assert_equal((len(pixel), len(face)), (0, 0))
-    assert_equal(request, np.full((4, 2, 3), -1))
+    assert_equal(request.shape, (4, 2, 3))
+    assert_equal(bool((request == -1).all()), True)
 
 
 @exercise("4.9")
@@ -371,8 +372,9 @@ def test_a_common_colour_comes_out_to_the_bit(impl, rng, count):
 
 @exercise("4.11")
 def test_the_gradient_of_shades_on_paper(impl):
-    """Each sample brings the whole gradient. Repeated requests add only once, as by += on an index.
-    The background's goes to the last shade, is missing, or comes only from pixels that see nothing.
+    """Each sample brings the whole gradient. Repeated requests add only once, as by += on an index,
+    or become a mean. The background's part is missing, or goes to the last shade, or mixed pixels
+    bring none.
     """
     red = np.array([[4.0, 8.0, 12.0], [20.0, 28.0, 36.0]])
     blue = np.array([[40.0, 4.0, 24.0], [8.0, 60.0, 16.0]])

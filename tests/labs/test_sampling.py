@@ -75,8 +75,8 @@ def test_aliases_on_paper(impl):
     """The remainder from 0 to the rate, which never turns backwards. The sign is lost (absolute
     value). It folds at the rate instead of at half the rate. The rate is subtracted once only.
     """
-    frequency = np.array([0.0, 1.0, 4.0, 6.0, 9.0, 10.0, 11.0, 24.0, -3.0, -8.0])
-    expected = np.array([0.0, 1.0, 4.0, -4.0, -1.0, 0.0, 1.0, 4.0, -3.0, 2.0])
+    frequency = np.array([0.0, 1.0, 4.0, 6.0, 9.0, 10.0, 11.0, 24.0, 37.0, -3.0, -8.0])
+    expected = np.array([0.0, 1.0, 4.0, -4.0, -1.0, 0.0, 1.0, 4.0, -3.0, -3.0, 2.0])
     assert_close(impl.alias_frequency(frequency, 10.0), expected)
     assert_close(impl.alias_frequency(1.6, 0.5), 0.1)
 
@@ -86,8 +86,10 @@ def test_half_the_rate_counts_as_negative(impl):
     """Half the rate comes as r/2 instead of -r/2: the interval has its upper end, not its lower
     one. Or np.round takes a half to the even number, so that the sign varies.
     """
-    frequency = np.array([2.0, -2.0, 6.0, 10.0, -6.0])
-    assert_close(impl.alias_frequency(frequency, 4.0), np.full(5, -2.0))
+    frequency = np.array([[2.0, 3.0, 10.0, -2.0], [-6.0, 1.0, 6.0, -7.0]])
+    expected = np.array([[-2.0, -1.0, -2.0, -2.0], [-2.0, 1.0, -2.0, 1.0]])
+    for row in (0, 1):
+        assert_close(impl.alias_frequency(frequency[row], 4.0), expected[row])
 
 
 @exercise("3.1")
@@ -110,12 +112,12 @@ def test_the_peak_of_the_measured_spectrum_is_at_the_alias(impl):
 
 
 @exercise("3.2")
-def test_the_matrix_of_four_samples(impl):
+def test_the_spectrum_of_four_samples_on_paper(impl):
     """The exponent without its minus: the conjugate, the inverse's matrix. A factor 1/n or
-    1/sqrt(n). pi for 2 pi. k and n count from 1. n - 1 for n. The imaginary part is missing.
+    1/sqrt(n). pi for 2 pi. Rows or columns count from 1 or -n/2. n - 1 for n. No imaginary part.
     """
-    expected = np.array([[1, 1, 1, 1], [1, -1j, -1, 1j], [1, -1, 1, -1], [1, 1j, -1, -1j]])
-    assert_close(impl.dft_matrix(4), expected)
+    spectrum = impl.dft_matrix(4) @ np.array([1.0, 20.0, 300.0, 4000.0])
+    assert_close(spectrum, np.array([4321, -299 + 3980j, -3719, -299 - 3980j]))
 
 
 @exercise("3.2")
@@ -146,8 +148,9 @@ def test_large_matrices_are_exact_to_a_few_bits(impl):
 
 @exercise("3.6")
 def test_low_high_and_band_pass_of_three_waves(impl):
-    """The kept and the removed frequencies are swapped. Only positive frequencies are kept, or
-    those above 1/2 are not taken for negative ones. The spectrum is returned, not the picture.
+    """The kept and the removed part are swapped. Only positive frequencies are kept. Those above
+    1/2 are not taken for negative ones. Frequencies are in periods per picture, not in cycles per
+    pixel.
     """
     low, middle, high = (np.tile(wave(32, k), (8, 1)) for k in (2, 6, 13))
     picture = 5 + low + middle + high
@@ -161,9 +164,11 @@ def test_a_band_has_its_lower_and_not_its_upper_end(impl):
     """< for <=: a frequency on the border of two bands is in both of them, or in neither. low
     belongs to the band, high does not.
     """
-    picture = np.tile(wave(8, 2), (8, 1)).T
-    assert_close(impl.band_pass(picture, 0.25, 0.5), picture)
-    assert_close(impl.band_pass(picture, 0.0, 0.25), np.zeros((8, 8)))
+    below, low, middle, high = (np.tile(wave(32, k), (6, 1)).T for k in (3, 4, 6, 8))
+    picture = 5 + below + low + middle + high
+    assert_close(impl.band_pass(picture, 4 / 32, 8 / 32), low + middle)
+    assert_close(impl.band_pass(picture, 8 / 32, 0.5), high)
+    assert_close(impl.band_pass(picture, 0.0, 4 / 32), 5 + below)
 
 
 @exercise("3.6")
@@ -181,13 +186,13 @@ def test_the_band_is_a_ring_in_cycles_per_pixel(impl):
 @exercise("3.7")
 def test_a_point_becomes_the_kernel(impl):
     """The kernel is turned round (flipped): that is correlation. Its corner, not its middle, is
-    put at the point. It is divided by its sum. Or the result has another size than the picture.
+    put at the point. Its height and width (h and w) are swapped. It is divided by its sum.
     """
-    picture = np.zeros((5, 6))
+    picture = np.zeros((5, 7))
     picture[2, 3] = 10.0
-    kernel = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
-    expected = np.zeros((5, 6))
-    expected[1:4, 2:5] = 10 * kernel
+    kernel = np.arange(1.0, 16.0).reshape(3, 5)
+    expected = np.zeros((5, 7))
+    expected[1:4, 1:6] = 10 * kernel
     assert_close(impl.convolve(picture, kernel), expected)
 
 
@@ -288,8 +293,8 @@ def test_a_box_of_many_samples_is_a_sinc(impl):
 
 @exercise("3.10")
 def test_two_copies_on_paper(impl):
-    """Neighbours are summed instead of copies, N/s apart. One copy is kept, the others (aliases)
-    are cut off. Every s-th entry is taken. 1/s comes once or never. The imaginary part is lost.
+    """Neighbours are summed, not copies N/s apart. Copies (aliases) are cut off. Every s-th entry
+    is taken. 1/s comes once or never. The imaginary part is lost. One axis alone is folded.
     """
     columns = np.array([1 + 7j, 2 + 3j, 3 + 8j, 4 + 1j, 5 + 9j, 6 + 5j])
     spectrum = np.outer([1.0, 20.0, 300.0, 4000.0], columns)
@@ -331,8 +336,8 @@ def test_a_wave_folds_to_its_alias(impl):
 
 @exercise("3.11")
 def test_only_what_is_too_fast_folds(impl):
-    """The sum over the pixels, not the mean. The part that is kept is measured. The border is
-    1 / step, not half of it. Negative frequencies, above half of N, are missed. The root is taken.
+    """The sum over the pixels, not the mean. The kept part is measured. The border is 1 / step,
+    not half of it. Negative frequencies are missed. |F| is not squared, or the root is taken.
     """
     spectrum = np.fft.fft2(np.tile(3 + wave(32, 3) + 2 * wave(32, 11), (8, 1)))
     assert_close(impl.folded_energy(spectrum, 8), 2.5)       # cos^2 is 1/2 on average: 1/2 + 4/2
@@ -410,6 +415,8 @@ def test_all_or_nothing_stays(impl):
 @exercise("3.12")
 def test_points_on_the_line_are_inside(impl):
     """> for >=: a vertex on the line is lost, or comes twice, as itself and as a crossing."""
+    slanted = np.array([[0.0, 1.0], [5.0, 3.0], [2.0, 5.0], [-1.0, 4.0]])
+    assert_close(impl.clip_polygon(slanted, -2, 5, -5), slanted)  # its first side is on the line
     assert_close(impl.clip_polygon(SQUARE, 1.0, 0.0, 0.0), SQUARE)
     assert_close(impl.clip_polygon(SQUARE, 0.0, -1.0, 4.0), SQUARE)
 
@@ -473,9 +480,13 @@ def test_cuts_on_paper(impl):
     """t is not sorted. The lines of another square. t runs from the edge's end to its start, or
     the edge leads to the previous vertex. 0 and 1 are missing.
     """
-    line = np.array([[0.0, -2.0], [5.0, 3.0]])  # there, and back
-    t = impl.cuts(line, np.array([1.0]), np.array([0.0]))
-    assert_close(t, np.array([[[0.0, 0.2, 0.4, 0.4, 0.6, 1.0], [0.0, 0.4, 0.6, 0.6, 0.8, 1.0]]]))
+    polygon = np.array([[0.0, -2.0], [5.0, 3.0], [-1.0, -1.0], [3.0, 4.0]])
+    t = impl.cuts(polygon, np.array([1.0, 0.0]), np.array([0.0, 0.0]))
+    right = np.array([[0.0, 0.2, 0.4, 0.4, 0.6, 1.0], [0.0, 0.5, 0.5, 2 / 3, 0.75, 1.0],
+                      [0.0, 0.2, 0.4, 0.5, 0.75, 1.0], [0.0, 1 / 3, 0.5, 2 / 3, 2 / 3, 1.0]])
+    left = np.array([[0.0, 0.0, 0.2, 0.4, 0.6, 1.0], [0.0, 0.5, 2 / 3, 0.75, 5 / 6, 1.0],
+                     [0.0, 0.2, 0.25, 0.4, 0.5, 1.0], [0.0, 0.5, 2 / 3, 2 / 3, 1.0, 1.0]])
+    assert_close(t, np.array([right, left]))
 
 
 @exercise("3.16")
@@ -562,8 +573,8 @@ def test_areas_are_those_of_supersampling(impl):
 
 @exercise("3.18")
 def test_only_the_edge_inside_the_square_pulls(impl):
-    """The whole edge counts. Its two ends get the same share, or swapped ones. The normal has
-    length 1: the factor |q - p|, the edge's length, is missing. grad_area is left out.
+    """The whole edge counts. Its ends get the same share, swapped ones, or another vertex's. The
+    normal has length 1: the factor |q - p|, the edge's length, is missing. grad_area is left out.
     """
     triangle = np.array([[0.5, -1.0], [0.5, 3.0], [-3.0, 1.0]])  # its right edge: x = 1/2
     got = impl.clamped_area_backward(np.array([2.0]), triangle, np.zeros(1), np.zeros(1))

@@ -25,7 +25,7 @@ def lattice(count, step):
 
 
 def lattice(count, step):
-    """x and y are swapped: s, the column, belongs into the first place, and r_s into the second"""
+    """x and y are swapped: s, the column, belongs in the first place, and r_s in the second"""
     s = np.arange(count)
     row = step * (s + 1) % (count + 1) - 1
     return (np.stack([row, s], -1) + 0.5) / count
@@ -100,8 +100,8 @@ def coverage(face_index):
 
 
 def coverage(face_index):
-    """one sample on a face is enough for the whole pixel"""
-    return (face_index >= 0).any(0)
+    """one sample on a face is enough for the whole pixel: the share of the samples is asked for"""
+    return (face_index >= 0).any(0).astype(float)
 
 
 def coverage(face_index):

@@ -477,12 +477,15 @@ def pixel_coverage_loop(triangle, width, height):
 
 
 def pixel_coverage_loop(triangle, width, height):
-    """a pixel is covered wholly or not at all, by its centre: the area in it is asked for"""
-    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
-    inside, winding = np.ones((height, width), bool), np.sign(polygon_area(triangle))
-    for p, q in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
-        inside &= winding * ((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])) > 0
-    return inside.astype(float)
+    """a clockwise triangle covers nothing: its area is negative, and only the sign must go (abs)"""
+    coverage = np.zeros((height, width))
+    for i in range(height):
+        for j in range(width):
+            part = triangle
+            for a, b, c in (1, 0, -j), (-1, 0, j + 1), (0, 1, -i), (0, -1, i + 1):
+                part = clip_polygon(part, a, b, c)
+            coverage[i, j] = max(polygon_area(part), 0)
+    return coverage
 
 
 def cuts(polygon, x, y):
