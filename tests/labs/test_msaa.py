@@ -210,6 +210,16 @@ def pairs_of(impl, name, face_index):
 
 
 @REQUESTS
+def test_pixels_are_numbered_row_by_row(impl, name):
+    """pixel is row * H + column, or column by column, or it counts from 1. It is row * W + column.
+    Or pixel and face are swapped.
+    """
+    face_index = np.array([[[8, 7, 6, 9], [5, 4, 3, 2]]])
+    assert_equal(pairs_of(impl, name, face_index), [
+        (0, 8), (1, 7), (2, 6), (3, 9), (4, 5), (5, 4), (6, 3), (7, 2)])
+
+
+@REQUESTS
 def test_samples_of_a_pixel_that_see_the_same_face_share_a_pair(impl, name):
     """Every sample makes a request of its own: a pair comes more than once. Or samples share one
     only if they are neighbours. Only one face of a mixed pixel is asked for.
@@ -239,16 +249,6 @@ def test_face_0_is_a_face(impl, name):
     """Face 0 is taken for no face: > 0 for >= 0, or its number is tested as true or false."""
     face_index = np.array([[[2, 0, 0]], [[0, 5, 0]]])
     assert_equal(pairs_of(impl, name, face_index), [(0, 0), (0, 2), (1, 0), (1, 5), (2, 0)])
-
-
-@REQUESTS
-def test_pixels_are_numbered_row_by_row(impl, name):
-    """pixel is row * H + column, or column by column, or it counts from 1. It is row * W + column.
-    Or pixel and face are swapped.
-    """
-    face_index = np.array([[[8, 7, 6, 9], [5, 4, 3, 2]]])
-    assert_equal(pairs_of(impl, name, face_index), [
-        (0, 8), (1, 7), (2, 6), (3, 9), (4, 5), (5, 4), (6, 3), (7, 2)])
 
 
 @REQUESTS

@@ -252,7 +252,9 @@ def test_by_spectrum_a_point_becomes_the_kernel(impl):
 
 @exercise("3.8")
 def test_both_ways_of_convolving_agree_to_rounding(impl, rng):
-    """A kernel whose sides differ, or as large as the picture; h and w swapped."""
+    """A kernel whose sides differ, or that is as large as the picture. h and w, or rows and columns,
+    are swapped where its middle is moved.
+    """
     for kernel_shape in (3, 5), (1, 7), (7, 1), (7, 9):
         picture, kernel = rng.uniform(size=(7, 9)), rng.uniform(size=kernel_shape)
         h, w = kernel_shape
@@ -448,7 +450,7 @@ def test_the_gradients_of_areas_are_central_differences(impl, rng):
 @exercise("3.15")
 def test_half_and_quarter_pixels(impl):
     """Rows and columns are swapped. Pixels are half a pixel off. Row 0 is at the top. Each side
-    clips the whole triangle anew, or a side is left out. Samples are counted instead of an area.
+    clips the whole triangle anew. A side is left out, or keeps the wrong half.
     """
     triangle = np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]])
     expected = np.array([[0.0, 0.375, 0.5, 0.0],
