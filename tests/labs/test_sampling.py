@@ -252,8 +252,8 @@ def test_by_spectrum_a_point_becomes_the_kernel(impl):
 
 @exercise("3.8")
 def test_both_ways_of_convolving_agree_to_rounding(impl, rng):
-    """A kernel whose sides differ, or that is as large as the picture. h and w, or rows and columns,
-    are swapped where its middle is moved.
+    """A kernel whose sides differ, or that is as large as the picture. h and w, or rows and
+    columns, are swapped where its middle is moved.
     """
     for kernel_shape in (3, 5), (1, 7), (7, 1), (7, 9):
         picture, kernel = rng.uniform(size=(7, 9)), rng.uniform(size=kernel_shape)
