@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from course.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
 from course.given.gradcheck import gradcheck
 
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
@@ -12,6 +12,13 @@ def inverse_of(screen):
     """M^-1 by NumPy: screen (..., 3, 2)."""
     ones = np.ones((*screen.shape[:-1], 1))
     return np.linalg.inv(np.swapaxes(np.concatenate([screen, ones], -1), -1, -2))
+
+
+def outputs(returned, *names):
+    """What was returned, an output for each name. Mismatch: it is another number of outputs."""
+    if not isinstance(returned, tuple) or len(returned) != len(names):
+        raise Mismatch(("wrong", f"{len(names)} outputs are expected: {', '.join(names)}"))
+    return returned
 
 
 def random_triangles(rng, *shape):
@@ -119,8 +126,9 @@ def test_depth_alone_has_a_gradient_by_z(impl):
     """In output 2, grad_z = depth^2 w / z^2: depth^2 is left out, z is not squared, or the sign is
     wrong.
     """
-    _, grad_z = impl.weights_and_depth_backward(np.zeros(3), np.array(8.0), inverse_of(RIGHT), Z,
-                                                *AT)
+    returned = impl.weights_and_depth_backward(np.zeros(3), np.array(8.0), inverse_of(RIGHT), Z,
+                                               *AT)
+    _, grad_z = outputs(returned, "grad_inverse", "grad_z")
     assert_close(grad_z, np.array([8.0, 1.0, 2.0]))
 
 
@@ -129,8 +137,9 @@ def test_depth_depends_on_the_inverse_through_the_weights(impl):
     """The way from depth through the weights is left out of grad_inverse. The sum that they are
     divided by is taken for a constant. (x, y, 1) is in another order.
     """
-    grad_inverse, _ = impl.weights_and_depth_backward(np.zeros(3), np.array(8.0), inverse_of(RIGHT),
-                                                      Z, *AT)
+    returned = impl.weights_and_depth_backward(np.zeros(3), np.array(8.0), inverse_of(RIGHT), Z,
+                                               *AT)
+    grad_inverse, _ = outputs(returned, "grad_inverse", "grad_z")
     # By w it is -8 depth^2 / z = (-32, -8, -16), less its mean by the weights, -16.
     expected = np.array([[-32.0, -8.0, -16.0], [16.0, 4.0, 8.0], [0.0, 0.0, 0.0]])
     assert_close(grad_inverse, expected)
@@ -203,6 +212,11 @@ def corners_of_screen(screen, z, width, height):
     return np.concatenate([screen / [width / 2, height / 2] - 1, z[..., None]], -1)
 
 
+def maps(returned):
+    """face_index, weight, depth of what was returned."""
+    return outputs(returned, "face_index", "weight", "depth")
+
+
 def maps_by_search(corners, width, height, near, far):
     """Each pixel asks each face, with NumPy's inverse."""
     face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)
@@ -227,7 +241,7 @@ def test_a_square_of_two_faces(impl):
     """
     square = np.array([[1.0, 1.0], [4.0, 1.0], [4.0, 3.0], [1.0, 3.0]])
     corners = corners_of_screen(square[[[0, 1, 2], [0, 2, 3]]], [[2.0, 2.0, 2.0]], 6, 4)
-    face_index, weight, depth = impl.rasterize_loop(corners, 6, 4)
+    face_index, weight, depth = maps(impl.rasterize_loop(corners, 6, 4))
     expected = np.full((4, 6), -1)  # the diagonal rises by 2 / 3
     expected[1, 1:4], expected[2, 1:4] = [1, 0, 0], [1, 1, 0]
     assert_picture(face_index, expected)
@@ -244,10 +258,10 @@ def test_the_border_belongs_to_the_face_and_the_first_of_equals_is_seen(impl):
     two = corners_of_screen(square[[[0, 1, 2], [0, 2, 3]]], [[2.0, 2.0, 2.0]], 8, 4)
     lower = np.pad(np.array([[0, 0, 0, 0], [1, 0, 0, 0], [1, 1, 0, 0], [1, 1, 1, 0]]),
                    ((0, 0), (0, 4)), constant_values=-1)
-    assert_picture(impl.rasterize_loop(two, 8, 4)[0], lower)
+    assert_picture(maps(impl.rasterize_loop(two, 8, 4))[0], lower)
     upper = np.pad(np.array([[0, 1, 1, 1], [0, 0, 1, 1], [0, 0, 0, 1], [0, 0, 0, 0]]),
                    ((0, 0), (0, 4)), constant_values=-1)
-    assert_picture(impl.rasterize_loop(two[::-1], 8, 4)[0], upper)
+    assert_picture(maps(impl.rasterize_loop(two[::-1], 8, 4))[0], upper)
 
 
 @exercise("10.5")
@@ -258,7 +272,7 @@ def test_the_nearer_face_is_seen_and_back_faces_are_not(impl):
     large = np.array([[-9.0, -9.0], [30.0, -9.0], [-9.0, 30.0]])
     corners = corners_of_screen(np.stack([large, large, large[::-1], large]),
                                 np.array([[4.0], [3.0], [1.0], [5.0]]) * np.ones(3), 5, 3)
-    face_index, _, depth = impl.rasterize_loop(corners, 5, 3)
+    face_index, _, depth = maps(impl.rasterize_loop(corners, 5, 3))
     assert_picture(face_index, np.full((3, 5), 1))
     assert_picture(depth, np.full((3, 5), 3.0), atol=1e-9)
 
@@ -272,7 +286,7 @@ def test_only_depths_between_near_and_far_are_seen(impl, near, far, expected):
     large = np.array([[-8.0, -8.0], [24.0, -8.0], [-8.0, 24.0]])
     z = np.array([[2.0], [4.0]]) * np.ones(3)
     corners = corners_of_screen(np.stack([large, large]), z, 4, 2)
-    face_index, _, depth = impl.rasterize_loop(corners, 4, 2, near, far)
+    face_index, _, depth = maps(impl.rasterize_loop(corners, 4, 2, near, far))
     assert_picture(face_index, np.full((2, 4), expected))
     assert_picture(depth, np.full((2, 4), {0: 2.0, 1: 4.0, -1: np.inf}[expected]), atol=1e-9)
 
@@ -287,7 +301,7 @@ def test_the_maps_are_those_of_a_search(impl, rng):
     z[4, 1] = -1.0
     corners = corners_of_screen(screen, z, 9, 7)
     face_index, weight, depth = maps_by_search(corners, 9, 7, 0.1, 100.0)
-    got = impl.rasterize_loop(corners, 9, 7)
+    got = maps(impl.rasterize_loop(corners, 9, 7))
     assert_picture(got[0], face_index)
     assert_picture(got[1], weight, atol=1e-9)
     assert_picture(got[2], depth, atol=1e-9)
@@ -298,7 +312,7 @@ def test_without_a_face_the_maps_are_empty(impl):
     """No face at all is an error. Or where no face is seen, depth is 0, not inf, or face_index is
     0, not -1.
     """
-    face_index, weight, depth = impl.rasterize_loop(np.zeros((0, 3, 3)), 3, 2)
+    face_index, weight, depth = maps(impl.rasterize_loop(np.zeros((0, 3, 3)), 3, 2))
     assert_equal(face_index, np.full((2, 3), -1))
     assert_equal(weight, np.zeros((2, 3, 3)))
     assert_equal(depth, np.full((2, 3), np.inf))
