@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from course.checks import assert_close, assert_equal, exercise
+from course.checks import Mismatch, assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
 
 # Two triangles at an edge, a tail, and a vertex that is alone; every valence from 0 to 4.
@@ -52,15 +52,19 @@ def averaging(count):
 
 @exercise("9.2")
 def test_every_difference_pulls_by_twice_its_share(impl):
-    """The 2, the number of numbers, the sign or grad_loss is missing."""
-    picture, target = np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([[1.0, 5.0], [1.0, 4.0]])
-    got = impl.squared_error_backward(6.0, picture, target)
-    assert_close(got, np.array([[0.0, -9.0], [6.0, 0.0]]))
+    """The factor 2 or grad_loss is missing. The sign is wrong. The difference is still squared, or
+    only its sign is left. It is not divided by the number of values, or by that of pixels without
+    the channels.
+    """
+    target = np.array([[[1.0, 2.0, 3.0, 5.0], [4.0, 0.5, 7.0, 6.0], [9.0, 8.0, 2.5, 1.5]]])
+    difference = np.array([[[1.0, -2.0, 3.0, -5.0], [4.0, 6.0, -1.0, 2.0], [-4.0, 7.0, -3.0, 8.0]]])
+    got = impl.squared_error_backward(18.0, target + difference, target)
+    assert_close(got, 3 * difference)  # 18 * 2 / 12 values
 
 
 @exercise("9.2")
 def test_the_gradient_of_the_error_is_central_differences(impl, rng):
-    """Divided by the number of pixels, where there are channels."""
+    """It is divided by another number than that of all values: pixels times channels."""
     def forward(picture, target):
         return np.mean([(picture[p] - target[p])**2 for p in np.ndindex(picture.shape)])
 
@@ -82,44 +86,80 @@ def adam_by_sums(x, gradients, rate, beta_1, beta_2, epsilon):
     return positions
 
 
+# x, g, m, s; step, rate; b1, b2, epsilon
+STEP = (np.array([5.0, -1.0, 2.0, 7.0]), np.array([2.0, -4.0, 10.0, -8.0]),
+        np.array([4.0, 8.0, -2.0, 12.0]), np.array([5.0, 10.0, 15.0, 20.0]), 2, 0.5,
+        (0.75, 0.6, 0.0))
+NEW_MEAN = np.array([3.5, 5.0, 1.0, 7.0])         # m' = 3/4 m + 1/4 g
+NEW_SQUARE = np.array([4.6, 12.4, 49.0, 37.6])    # s' = 0.6 s + 0.4 g^2
+
+
+def three(returned):
+    """x', m', s' of what was returned. Mismatch: these are not three."""
+    if not isinstance(returned, tuple | np.ndarray) or np.ndim(returned) == 0 or len(returned) != 3:
+        raise Mismatch(("wrong", "three outputs are expected: x, mean and square"))
+    return returned
+
+
+@exercise("9.3")
+def test_the_new_mean_keeps_b1_of_the_old_one(impl):
+    """Output 2 is m'. It is m^, already corrected, or the old m. b1 and 1 - b1 are exchanged, or b1
+    and b2 are swapped. The constants that are given are not used. Outputs come in another order.
+    """
+    _, mean, _ = three(impl.adam_step(*STEP))
+    assert_close(mean, NEW_MEAN)
+
+
+@exercise("9.3")
+def test_the_new_square_keeps_b2_of_the_old_one(impl):
+    """Output 3 is s'. g is not squared. It is s^, already corrected, or the old s. b2 and 1 - b2
+    are exchanged, or b1 and b2 are swapped.
+    """
+    _, _, square = three(impl.adam_step(*STEP))
+    assert_close(square, NEW_SQUARE)
+
+
 @exercise("9.3")
 def test_the_first_step_is_by_the_rate(impl):
-    """Uphill; or the bias correction is missing, and the first step is by 0.1 or 3.2 rates."""
-    x, grad_x, zero = np.array([[1.0, 2.0, 3.0]]), np.array([[1e-3, -7.0, 1e4]]), np.zeros((1, 3))
-    x, mean, square = impl.adam_step(x, grad_x, zero, zero, 1, 0.5)
-    assert_close(x, np.array([[0.5, 2.5, 2.5]]), atol=1e-5)
-    assert_close(mean, 0.1 * grad_x)
-    assert_close(square, 1e-3 * grad_x**2)
+    """Uphill: the minus is missing. The bias correction of m, of s or of both is missing: steps of
+    0.1, 32 or 3.2 rates. The root of s^, or rate, is missing. The old m or s makes the step. n is
+    one too large or too small.
+    """
+    x, zero = np.array([[1.0, 2.0, 3.0, 4.0]]), np.zeros((1, 4))
+    x, _, _ = three(impl.adam_step(x, np.array([[1e-3, -7.0, 1e4, -0.3]]), zero, zero, 1, 0.5))
+    assert_close(x, np.array([[0.5, 2.5, 2.5, 4.5]]), atol=1e-5)
 
 
 @exercise("9.3")
-def test_a_step_in_the_middle_on_paper(impl):
-    """m^ and s^ come back for m' and s' (mean, square), or are not by this step's number."""
-    given = np.array([5.0]), np.array([2.0]), np.array([4.0]), np.array([3.0])
-    x, mean, square = impl.adam_step(*given, 2, 0.5, constants=(0.5, 0.75, 0.0))
-    # m = 2 + 1, s = 2.25 + 1; corrected by 1 - 1/4 and by 1 - 9/16.
-    assert_close(mean, np.array([3.0]))
-    assert_close(square, np.array([3.25]))
-    assert_close(x, 5 - 0.5 * 4 / np.sqrt(np.array([3.25 * 16 / 7])))
+def test_a_later_step_is_corrected_by_its_number(impl):
+    """The corrections are 1 - b^n: here n is left out, or multiplies b, or is one too small.
+    """
+    x, _, _ = three(impl.adam_step(*STEP))
+    # m^ = m' / (1 - 9/16), s^ = s' / (1 - 0.36).
+    assert_close(x, STEP[0] - 0.5 * (16 / 7 * NEW_MEAN) / np.sqrt(NEW_SQUARE / 0.64))
 
 
 @exercise("9.3")
 def test_epsilon_is_added_to_the_root(impl):
-    """epsilon is under the root, or is added before the correction; or 0 is divided by 0."""
-    x, grad_x, zero = np.array([1.0, 1.0]), np.array([3.0, 0.0]), np.zeros(2)
-    x, _, _ = impl.adam_step(x, grad_x, zero, zero, 1, 0.5, (0.9, 0.999, 2.0))
-    assert_close(x, np.array([0.7, 1.0]))
+    """epsilon is under the root, is added before the correction of s, or is left out: then 0 is
+    divided by 0.
+    """
+    x, grad_x, zero = np.ones(4), np.array([3.0, -1.0, 8.0, 0.0]), np.zeros(4)
+    x, _, _ = three(impl.adam_step(x, grad_x, zero, zero, 1, 0.5, (0.9, 0.999, 2.0)))
+    assert_close(x, np.array([0.7, 7 / 6, 0.6, 1.0]))  # by 0.5 g / (|g| + 2)
 
 
 @exercise("9.3")
 def test_many_steps_are_sums_over_all_gradients(impl, rng):
-    """The two betas are swapped, or the defaults are others: 0.9, 0.999 and 1e-8."""
+    """The defaults are others than 0.9, 0.999 and 1e-8. What a step returns is no good for the next
+    one.
+    """
     gradients, x = rng.normal(size=(6, 2, 3)), rng.normal(size=(2, 3))
     for given, constants in ((), (0.9, 0.999, 1e-8)), (((0.8, 0.95, 1e-3),), (0.8, 0.95, 1e-3)):
         expected = adam_by_sums(x, gradients, 0.1, *constants)
         state = x, np.zeros((2, 3)), np.zeros((2, 3))
         for step, grad_x in enumerate(gradients, 1):
-            state = impl.adam_step(state[0], grad_x, *state[1:], step, 0.1, *given)
+            state = three(impl.adam_step(state[0], grad_x, *state[1:], step, 0.1, *given))
             assert_close(state[0], expected[step - 1])
 
 
@@ -127,7 +167,10 @@ def test_many_steps_are_sums_over_all_gradients(impl, rng):
 
 @exercise("9.4")
 def test_a_product_on_paper(impl):
-    """A term is left out, or its sign is wrong, or elements are multiplied one by one."""
+    """The order of p and q is swapped, or the cross product has the other sign. The squares of i, j
+    and k count as +1 in w. Elements are multiplied one by one. w is taken for the last number. A
+    term is left out.
+    """
     got = impl.quaternion_product(np.array([1.0, 2.0, 3.0, 4.0]), np.array([5.0, 6.0, 7.0, 8.0]))
     # 5 - 12 - 21 - 32; 6 + 10 + 24 - 28; 7 + 15 + 24 - 16; 8 + 20 + 14 - 18.
     assert_close(got, np.array([-60.0, 12.0, 30.0, 24.0]))
@@ -135,7 +178,7 @@ def test_a_product_on_paper(impl):
 
 @exercise("9.4")
 def test_the_table_of_products(impl):
-    """A sign, or the order of the two: i j = k and j i = -k."""
+    """A sign is wrong: i i = -1, i j = k, j i = -k. Or the order of p and q is swapped."""
     for row, p in zip(PRODUCTS, "1ijk", strict=True):
         for product, q in zip(row, "1ijk", strict=True):
             assert_close(impl.quaternion_product(unit(p), unit(q)), unit(product))
@@ -143,69 +186,102 @@ def test_the_table_of_products(impl):
 
 @exercise("9.4")
 def test_products_are_those_of_matrices(impl, rng):
-    """Right for units alone."""
+    """It is right for 1, i, j and k alone. For others a term is missing or counts twice."""
     p, q = rng.normal(size=4), rng.normal(size=4)
     assert_close(as_complex(impl.quaternion_product(p, q)), as_complex(p) @ as_complex(q))
 
 
 @exercise("9.4")
 def test_products_of_many(impl, rng):
-    """Right for one pair alone; or shapes do not broadcast."""
+    """It takes one pair alone: the four numbers are those along the first axis, or shapes do not
+    broadcast.
+    """
     p, q = rng.normal(size=(5, 1, 4)), rng.normal(size=(2, 1, 3, 4))
     got = impl.quaternion_product(p, q)
     assert_equal(got.shape, (2, 5, 3, 4))
     assert_close(as_complex(got), as_complex(p) @ as_complex(q))
 
 
+def in_homogeneous(matrix):
+    """A matrix (3, 3), given as its rows, as one of (4, 4)."""
+    whole = np.eye(4)
+    whole[:3, :3] = matrix
+    return whole
+
+
 @exercise("9.5")
-def test_quarter_rotations_on_paper(impl):
-    """It rotates the other way, by half or twice the angle, or right for length 1 alone; or the
-    scalar is taken for the last.
+def test_a_rotation_on_paper(impl):
+    """It rotates the other way: the matrix is transposed. It is q v without q*. w is taken for the
+    last number. The identity, K K or a factor 2 is missing. The last row and column are missing: it
+    has another shape than (4, 4).
     """
-    about_x = impl.quaternion_matrix(np.array([1.0, 1.0, 0.0, 0.0]))
-    about_y = impl.quaternion_matrix(np.array([1.0, 0.0, 1.0, 0.0]))
-    about_z = impl.quaternion_matrix(np.array([1.0, 0.0, 0.0, 1.0]))
-    point = np.array([2.0, 3.0, 5.0, 1.0])
-    assert_close(about_x @ point, np.array([2.0, -5.0, 3.0, 1.0]))
-    assert_close(about_y @ point, np.array([5.0, 3.0, -2.0, 1.0]))
-    assert_close(about_z @ point, np.array([-3.0, 2.0, 5.0, 1.0]))
+    got = impl.quaternion_matrix(np.array([2.0, 4.0, 5.0, 6.0]) / 9)  # of length 1
+    rows = np.array([[-41.0, 16.0, 68.0], [64.0, -23.0, 44.0], [28.0, 76.0, -1.0]]) / 81
+    assert_close(got, in_homogeneous(rows))
+
+
+@exercise("9.5")
+def test_a_q_of_another_length_is_the_same_rotation(impl):
+    """q is not divided by its length. Or K and K K, or q v q*, are divided by |q|, not by |q|^2."""
+    got = impl.quaternion_matrix(np.array([1.0, 2.0, 3.0, 4.0]))  # |q|^2 = 30
+    rows = np.array([[-20.0, 4.0, 22.0], [20.0, -10.0, 20.0], [10.0, 28.0, 4.0]]) / 30
+    assert_close(got, in_homogeneous(rows))
+
+
+@exercise("9.5")
+@pytest.mark.parametrize("axis, rows", [
+    ("x", [[1, 0, 0], [0, 0, -1], [0, 1, 0]]), ("y", [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]),
+    ("z", [[0, -1, 0], [1, 0, 0], [0, 0, 1]])], ids=["x", "y", "z"])
+def test_a_quarter_turn_about_an_axis(impl, axis, rows):
+    """It rotates the other way, or by half or twice the angle. Two axes are exchanged."""
+    q = UNITS[0] + UNITS["wxyz".index(axis)]
+    assert_close(impl.quaternion_matrix(q), in_homogeneous(rows))
 
 
 @exercise("9.5")
 @pytest.mark.parametrize("length", [1.0, 0.01, 300.0, -1.0])
 def test_rotations_are_scipys_for_any_length(impl, rng, length):
-    """q is taken to have length 1; or the matrix is scaled, too."""
+    """q is taken to have length 1, or the matrix is scaled, too."""
     q = rng.normal(size=4)
-    expected = np.eye(4)
-    expected[:3, :3] = rotation(q).as_matrix()
-    assert_close(impl.quaternion_matrix(length * q / np.linalg.norm(q)), expected)
+    got = impl.quaternion_matrix(length * q / np.linalg.norm(q))
+    assert_close(got, in_homogeneous(rotation(q).as_matrix()))
 
 
 @exercise("9.5")
 @pytest.mark.parametrize("w", [3.0, -1.0])
 def test_no_rotation_is_the_identity(impl, w):
-    """By way of an axis, which a rotation by 0 has not: NaN."""
+    """The axis is divided by its length, which is 0 here: NaN."""
     assert_close(impl.quaternion_matrix(np.array([w, 0.0, 0.0, 0.0])), np.eye(4))
 
 
 @exercise("9.6")
 def test_an_elements_gradient_on_paper(impl):
-    """The length's share is left out: (0, 0, 0, 4) / 5; or a sign."""
+    """|q|^2 is taken for a constant, or the division by the length is left out. grad_matrix is
+    transposed. K K is derived like K times a constant. The gradient by w, or by x, y, z, is missing
+    or has the wrong sign.
+    """
     grad_matrix = np.zeros((4, 4))
-    grad_matrix[0, 1] = -5.0  # by 2 (x y - w z) / |q|^2, the only element that is not 0
-    got = impl.quaternion_matrix_backward(grad_matrix, np.array([2.0, 0.0, 0.0, 1.0]))
-    assert_close(got, np.array([-1.2, 0.0, 0.0, 2.4]))
-    # At (w, 0, 0, 0) the length has no share: dR = 2 / w [dx, dy, dz]x.
-    grad_matrix[2, 0] = 3.0
-    for w in 1.0, -2.0:
-        got = impl.quaternion_matrix_backward(grad_matrix, np.array([w, 0.0, 0.0, 0.0]))
-        assert_close(got, np.array([0.0, 0.0, -6.0, 10.0]) / w)
+    grad_matrix[0, 1] = 225.0  # by 2 (x y - w z) / |q|^2, which is 4 / 30 at this q
+    got = impl.quaternion_matrix_backward(grad_matrix, np.array([1.0, 2.0, 3.0, 4.0]))
+    # 225 * 2 (-z, y, x, -w) / 30 = (-60, 45, 30, -15), and the length's share: -2 q.
+    assert_close(got, np.array([-62.0, 41.0, 24.0, -23.0]))
+
+
+@exercise("9.6")
+@pytest.mark.parametrize("w", [1.0, -2.0])
+def test_without_rotation_the_length_has_no_share(impl, w):
+    """A factor w is missing or is one too many. x, y or z gets the gradient of another one."""
+    grad_matrix = np.zeros((4, 4))
+    grad_matrix[0, 1], grad_matrix[2, 0], grad_matrix[2, 1] = -5.0, 3.0, 7.0
+    got = impl.quaternion_matrix_backward(grad_matrix, np.array([w, 0.0, 0.0, 0.0]))
+    # dR = 2 / w times the cross matrix of (dx, dy, dz).
+    assert_close(got, np.array([0.0, 14.0, -6.0, 10.0]) / w)
 
 
 @exercise("9.6")
 @pytest.mark.parametrize("length", [1.0, 0.1, 7.0])
 def test_the_gradient_of_a_rotation_is_central_differences(impl, rng, length):
-    """grad_matrix is transposed; or right for length 1 alone."""
+    """It is right for length 1 alone: for others, a factor |q| or |q|^2 is missing."""
     def forward(q):
         matrix = np.eye(4)
         matrix[:3, :3] = rotation(q).as_matrix()
@@ -218,7 +294,9 @@ def test_the_gradient_of_a_rotation_is_central_differences(impl, rng, length):
 
 @exercise("9.6")
 def test_a_longer_q_is_the_same_rotation(impl, rng):
-    """The gradient has a share along q; or the constant row and column have one."""
+    """The gradient has a share along q. Or the last row and column, which are constant, have a
+    share in it.
+    """
     q, grad_matrix = rng.normal(size=4), rng.normal(size=(4, 4))
     got = impl.quaternion_matrix_backward(grad_matrix, q)
     assert_close(got @ q, 0.0)
@@ -229,17 +307,22 @@ def test_a_longer_q_is_the_same_rotation(impl, rng):
 
 @exercise("9.7")
 def test_angles_on_paper(impl):
-    """Half of the angle; or q and -q are two rotations."""
+    """Half of the angle, or degrees. q and -q are taken for two rotations: the absolute value of
+    p . q is missing. It is the angle of p q, without the conjugate. The arccos of a number above 1
+    is NaN. Only one pair is taken.
+    """
     still, half = np.array([1.0, 0.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0])
     third = np.array([0.5, 0.5, 0.5, 0.5])  # by 120 degrees about the diagonal
-    for p, q, degrees in ((still, half, 180.0), (still, third, 120.0), (third, -still, 120.0),
-                          (third, third, 0.0), (third, -third, 0.0), (half, third, 120.0)):
-        assert_close(impl.rotation_angle(p, q), np.radians(degrees))
+    sixth = np.array([np.sqrt(0.75), 0.5, 0.0, 0.0])  # by 60 degrees about x
+    p = np.array([still, still, third, third, third, half, sixth])
+    q = np.array([half, third, -still, third, -third, third, -still])
+    degrees = np.array([180.0, 120.0, 120.0, 0.0, 0.0, 120.0, 60.0])
+    assert_close(impl.rotation_angle(p, q), np.radians(degrees))
 
 
 @exercise("9.7")
 def test_angles_are_scipys(impl, rng):
-    """Right from or to no rotation alone; or shapes do not broadcast."""
+    """Only w is looked at, or only rotations from p or q to none. Or shapes do not broadcast."""
     p, q = rng.normal(size=(5, 1, 4)), rng.normal(size=(3, 4))
     p, q = (x / np.linalg.norm(x, axis=-1, keepdims=True) for x in (p, q))
     expected = [[(rotation(a[0]) * rotation(b).inv()).magnitude() for b in q] for a in p]
@@ -249,7 +332,9 @@ def test_angles_are_scipys(impl, rng):
 @exercise("9.7", fine_print=True)
 @pytest.mark.parametrize("angle", [0.05, 0.01, 0.003, 1e-5, 1e-9])
 def test_small_angles_keep_their_digits(impl, rng, angle):
-    """An arccos, near 1: all angles under 1e-8 come out as 0; or a first term is taken for all."""
+    """An arccos loses the digits near 1: all angles under 1e-8 come out as 0. Or a series is broken
+    off too early.
+    """
     axis = rng.normal(size=3)
     small = np.append(np.cos(angle / 2), np.sin(angle / 2) * axis / np.linalg.norm(axis))
     assert_close(impl.rotation_angle(np.array([1.0, 0.0, 0.0, 0.0]), small), angle, atol=1e-15)
@@ -261,7 +346,7 @@ def test_small_angles_keep_their_digits(impl, rng, angle):
 @exercise("9.7", fine_print=True)
 @pytest.mark.parametrize("short", [1e-3, 1e-6])
 def test_angles_near_pi_keep_their_digits(impl, rng, short):
-    """An arcsin, near 1: the slope of it is infinite there."""
+    """An arcsin loses the digits near 1, where its slope is infinite."""
     axis = rng.normal(size=3)
     large = np.append(np.sin(short / 2), np.cos(short / 2) * axis / np.linalg.norm(axis))
     still = np.array([1.0, 0.0, 0.0, 0.0])
@@ -270,15 +355,20 @@ def test_angles_near_pi_keep_their_digits(impl, rng, short):
 
 @exercise("9.8")
 def test_silhouettes_on_paper(impl):
-    """It is the overlap and not the loss; or the union counts the overlap twice."""
-    coverage, target = np.array([[1.0, 1.0, 1.0, 0.0]]), np.array([[0.0, 1.0, 1.0, 1.0]])
-    assert_close(impl.silhouette_loss(coverage, np.array([[0.0, 0.0, 1.0, 0.0]])), 2 / 3)
-    assert_close(impl.silhouette_loss(coverage, target), 0.5)
+    """It is the overlap, not 1 minus it. The union is c + t and counts the overlap twice, or has a
+    number added. It is the Dice loss, or a mean of the ratios of pixels or rows, not the ratio of
+    the sums.
+    """
+    coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
+    target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
+    assert_close(impl.silhouette_loss(coverage, target), 5 / 9)  # 1 - 2 / 4.5
 
 
 @exercise("9.8")
 def test_the_loss_is_0_for_the_same_and_1_for_apart(impl):
-    """The loss does not know its ends; or pixels that neither covers count."""
+    """Pixels that neither covers count. Or what is not 0 or 1 is the loss of silhouettes that are
+    the same, or apart.
+    """
     here, there = np.zeros((4, 6)), np.zeros((4, 6))
     here[1:3, 0:2], there[1:3, 3:6] = 1.0, 1.0
     assert_close(impl.silhouette_loss(here, here), 0.0)
@@ -287,7 +377,9 @@ def test_the_loss_is_0_for_the_same_and_1_for_apart(impl):
 
 @exercise("9.8")
 def test_pixels_covered_in_part_count_in_part(impl, rng):
-    """Coverage is rounded; or max and min take the place of sum and product."""
+    """The minimum and the maximum of c and t take the place of the product c t and of c + t - c t.
+    Or coverage is rounded to 0 and 1.
+    """
     half = np.full((2, 3), 0.5)
     assert_close(impl.silhouette_loss(half, half), 2 / 3)
     coverage, target = rng.random((3, 5)), rng.random((3, 5))
@@ -296,7 +388,7 @@ def test_pixels_covered_in_part_count_in_part(impl, rng):
 
 @exercise("9.8")
 def test_sums_are_over_all_pixels_at_once(impl, rng):
-    """A mean of the losses of rows, channels or views."""
+    """It is the mean of the losses of rows, channels or views, not one ratio of sums."""
     share = np.array([0.1, 1.0])[:, None, None] * [[0.3], [1.0], [0.6]] * [1.0, 0.2, 0.5, 0.9]
     coverage, target = share * rng.random((2, 3, 4)), rng.random((2, 3, 4))
     assert_close(impl.silhouette_loss(coverage, target), pixel_by_pixel(coverage, target))
@@ -304,17 +396,22 @@ def test_sums_are_over_all_pixels_at_once(impl, rng):
 
 @exercise("9.9")
 def test_silhouette_gradients_on_paper(impl):
-    """The union is held fixed: pixels outside of the target then have no gradient."""
-    coverage, target = np.array([[1.0, 1.0, 0.5, 0.0]]), np.array([[0.0, 1.0, 1.0, 0.0]])
-    # A = 1.5, U = 3: inside -1 / 3, outside A / U^2 = 1 / 6.
-    expected = np.array([[1 / 6, -1 / 3, -1 / 3, 1 / 6]])
-    assert_close(impl.silhouette_loss_backward(1.0, coverage, target), expected)
-    assert_close(impl.silhouette_loss_backward(-12.0, coverage, target), -12 * expected)
+    """grad_loss is missing. The sign is that of the overlap's gradient, or one in the quotient rule
+    is wrong. The union or the overlap is taken for a constant. It is divided by U, not by U^2.
+    coverage and target are exchanged.
+    """
+    coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
+    target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
+    got = impl.silhouette_loss_backward(-81.0, coverage, target)
+    # A = 2, U = 4.5: (A (1 - t) - U t) / U^2 = (8 - 26 t) / 81.
+    assert_close(got, np.array([[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]]))
 
 
 @exercise("9.9")
 def test_the_gradient_of_silhouettes_is_central_differences(impl, rng):
-    """Right where every pixel is covered, or none is, and wrong between."""
+    """It is right where each pixel is covered or not, and wrong between. Or rows or channels have
+    ratios of their own.
+    """
     def forward(coverage, target):
         neither = ((1 - coverage) * (1 - target)).sum()
         return 1 - (coverage * target).sum() / (coverage.size - neither)
@@ -328,19 +425,34 @@ def test_the_gradient_of_silhouettes_is_central_differences(impl, rng):
 
 # --- the regularizer ---------------------------------------------------------------------------
 
+PAIRS = np.array([[0, 1], [2, 1], [2, 0], [3, 2], [1, 3]])  # of valence 2, 3, 3, 2
+RHOMBUS = np.array([[6.0, 0.0], [0.0, 12.0], [3.0, 9.0], [12.0, 3.0]])
+
+
 @exercise("9.10")
-def test_a_path_on_paper(impl):
-    """The sign; the neighbours' sum for their mean; or each edge counts for one end alone. C is
-    taken for 3; or += counts a vertex that is named twice only once (see np.add.at).
+def test_four_vertices_on_paper(impl):
+    """The sign is wrong. The neighbours are summed, not averaged. Edges count for one of their ends
+    alone. += counts a vertex that is named twice only once (see np.add.at). x is left out, or its
+    own neighbour. C is taken for 3.
     """
-    got = impl.uniform_laplacian(np.array([[1.0], [4.0], [9.0]]), np.array([[1, 0], [1, 2]]))
-    assert_close(got, np.array([[-3.0], [-1.0], [5.0]]))
+    expected = np.array([[4.5, -10.5], [-7.0, 8.0], [-3.0, 4.0], [10.5, -7.5]])
+    assert_close(impl.uniform_laplacian(RHOMBUS, PAIRS), expected)
+
+
+@exercise("9.10")
+def test_a_vertex_without_edges_has_0(impl):
+    """It keeps its position, as it is subtracted from no mean; or 0 is divided by 0."""
+    positions = np.array([[3.0, 1.0], [7.0, 5.0], [1.0, 4.0], [2.0, 6.0]])
+    expected = np.array([[2.0, -3.0], [0.0, 0.0], [-2.0, 3.0], [0.0, 0.0]])
+    assert_close(impl.uniform_laplacian(positions, np.array([[2, 0]])), expected)
 
 
 @exercise("9.10")
 @pytest.mark.parametrize("channels", [1, 2, 5])
 def test_each_vertex_and_the_mean_of_its_neighbours(impl, rng, channels):
-    """A mean over all vertices' largest valence; a vertex of no edge; C is taken for 3."""
+    """All are divided by one valence. The last row is left out where its vertex is in no edge. C is
+    taken for 3.
+    """
     positions = rng.normal(size=(6, channels))
     expected = np.zeros((6, channels))
     for v, neighbours in enumerate(NEIGHBOURS):
@@ -351,7 +463,7 @@ def test_each_vertex_and_the_mean_of_its_neighbours(impl, rng, channels):
 
 @exercise("9.10")
 def test_where_the_mesh_lies_makes_no_difference(impl, rng):
-    """A vertex's own share is too large or too small by its valence."""
+    """A vertex's own share is not 1: its weights and those of its neighbours do not cancel."""
     positions = rng.normal(size=(6, 3))
     moved = positions + np.array([10.0, -20.0, 30.0])
     moved[5] = positions[5]
@@ -360,21 +472,30 @@ def test_where_the_mesh_lies_makes_no_difference(impl, rng):
 
 
 @exercise("9.11")
-def test_a_path_backward_on_paper(impl):
-    """The forward again: the share is divided by the other end's valence."""
-    path = np.array([[0, 1], [1, 2]])
-    for grad, expected in (([8, 4, 0], [6, -4, -2]), ([8, 0, 0], [8, -8, 0]),
-                           ([0, 8, 0], [-4, 8, -4])):
-        grad = np.array(grad, float)[:, None]
-        got = impl.uniform_laplacian_backward(grad, np.zeros((3, 1)), path)
-        assert_close(got, np.array(expected, float)[:, None])
+def test_four_vertices_backward_on_paper(impl):
+    """It is the forward again, divided by the receiver's valence; the matrix must be transposed.
+    Neighbours get the whole gradient. += counts a vertex that is named twice only once (see
+    np.add.at). Its own gradient is left out, or a sign is wrong. Edges count for one end alone.
+    """
+    got = impl.uniform_laplacian_backward(RHOMBUS, np.zeros((4, 2)), PAIRS)
+    # Each gives a half, or a third, of its gradient to its neighbours.
+    assert_close(got, np.array([[5.0, -7.0], [-10.0, 7.5], [-6.0, 3.5], [11.0, -4.0]]))
+
+
+@exercise("9.11")
+def test_a_vertex_without_edges_gets_0(impl):
+    """It keeps its gradient, where d is 0 whatever its position; or 0 is divided by 0."""
+    grad = np.array([[3.0, 1.0], [7.0, 5.0], [1.0, 4.0], [2.0, 6.0]])
+    expected = np.array([[2.0, -3.0], [0.0, 0.0], [-2.0, 3.0], [0.0, 0.0]])
+    got = impl.uniform_laplacian_backward(grad, np.zeros((4, 2)), np.array([[2, 0]]))
+    assert_close(got, expected)
 
 
 @exercise("9.11")
 @pytest.mark.parametrize("channels", [1, 2, 5])
 def test_it_is_the_transposed_matrix(impl, rng, channels):
-    """A vertex of no edge gets a gradient; or C is taken for 3; or += counts a vertex that is named
-    twice only once (see np.add.at).
+    """It is right for a mesh whose vertices have one valence alone. The last row is left out where
+    its vertex is in no edge. C is taken for 3.
     """
     grad = rng.normal(size=(6, channels))
     got = impl.uniform_laplacian_backward(grad, rng.normal(size=(6, channels)), EDGES)
@@ -383,7 +504,7 @@ def test_it_is_the_transposed_matrix(impl, rng, channels):
 
 @exercise("9.11")
 def test_the_gradient_of_the_laplacian_is_central_differences(impl, rng):
-    """Right for a regular mesh alone, whose matrix is symmetric."""
+    """It is right for a regular mesh alone, whose matrix is symmetric."""
     matrix = averaging(6)
     gradcheck(lambda x, edges: matrix @ x, impl.uniform_laplacian_backward,
               (rng.normal(size=(6, 3)), EDGES), differentiable=[0], name="uniform_laplacian")

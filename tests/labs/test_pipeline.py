@@ -1,7 +1,8 @@
 """What the exercises of lab 9 that join the labs must do."""
 import numpy as np
+import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from course.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
 from course.given import places
 from course.given.gradcheck import gradcheck
 
@@ -59,43 +60,109 @@ def bar(width, height, end):
     return np.array([[ndc, -30.0, 0.25, 1.0], [ndc, 30.0, 0.25, 1.0], [-30.0, 0.0, 0.25, 1.0]])
 
 
+def form(value):
+    """"4x6x1": the shape of what was returned. Of a tuple, those of its parts in brackets."""
+    if isinstance(value, tuple):
+        return f"({', '.join(map(form, value))})"
+    return "None" if value is None else "x".join(map(str, np.shape(value))) or "number"
+
+
+def drawn(impl, *scene):
+    """The picture and the buffers that `draw` returns. Mismatch: it is something else."""
+    returned = impl.draw(*scene)
+    is_drawn = (isinstance(returned, tuple) and len(returned) == 2 and
+                isinstance(returned[0], np.ndarray) and isinstance(returned[1], tuple))
+    if not is_drawn or len(returned[1]) != 6:
+        raise Mismatch(("wrong", "draw must return the picture, and then a tuple of six buffers"))
+    return returned
+
+
 @exercise("9.12")
-def test_a_bar_on_paper(impl):
-    """The picture is not antialiased, or the buffer colour is; width and height are swapped."""
-    for end, expected in (1.75, [1.0, 0.75, 0.0, 0.0]), (2.25, [1.0, 1.0, 0.25, 0.0]):
-        picture, buffers = impl.draw(bar(4, 3, end), *ALONE, (np.ones((3, 1)),), 4, 3, np.zeros(1))
-        assert_picture(picture, np.tile(np.array(expected)[:, None], (3, 1, 1)), atol=1e-9)
-        _, face_index, depth, _, _, colour = buffers
-        seen = np.tile(np.array([True, True, False, False]), (3, 1))
-        assert_picture(face_index, np.where(seen, 0, -1))
-        assert_close(depth, np.where(seen, 0.25, np.inf))
-        assert_picture(colour, np.where(seen, 1.0, 0.0)[..., None], atol=1e-9)
+def test_the_picture_comes_first_and_then_six_buffers(impl):
+    """Width and height are swapped. The buffers come first and the picture second, or only the
+    picture comes, without the buffers. They are those of `visible`, without the colour that `shade`
+    adds.
+    """
+    texture = np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]]), ALONE[0], np.ones((4, 8, 2)), "linear"
+    got = impl.draw(bar(6, 5, 2.5), *ALONE, texture, 6, 5, np.zeros(2))
+    assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, 5x6x3x2, 5x6x2))")
+
+
+@exercise("9.12")
+@pytest.mark.parametrize("end, row", [(1.75, [1.0, 0.75, 0.0, 0.0]), (2.25, [1.0, 1.0, 0.25, 0.0])],
+                         ids=["1.75", "2.25"])
+def test_the_edge_of_a_bar_is_antialiased(impl, end, row):
+    """The picture is not antialiased, or is twice. The background is painted over it after
+    antialiasing, so that it never blends with the outline. Width and height are swapped.
+    """
+    picture, _ = drawn(impl, bar(4, 3, end), *ALONE, (np.ones((3, 1)),), 4, 3, np.zeros(1))
+    assert_picture(picture, np.tile(np.array(row)[:, None], (3, 1, 1)), atol=1e-9)
+
+
+@exercise("9.12")
+@pytest.mark.parametrize("end", [1.75, 2.25])
+def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, end):
+    """The buffer colour is antialiased, too: the way back needs the colour of before. Or the
+    buffers come in another order.
+    """
+    _, (_, face_index, depth, _, _, colour) = drawn(impl, bar(4, 3, end), *ALONE,
+                                                    (np.ones((3, 1)),), 4, 3, np.zeros(1))
+    seen = np.tile(np.array([True, True, False, False]), (3, 1))
+    assert_picture(colour, np.where(seen, 1.0, 0.0)[..., None], atol=1e-9)
+    assert_picture(face_index, np.where(seen, 0, -1))
+    assert_close(depth, np.where(seen, 0.25, np.inf))
+
+
+# Two faces at a diagonal, larger than the picture and parallel to the screen.
+QUAD = np.array([[-2.0, -1.7, 0.3, 1.0], [2.2, -2.0, 0.1, 1.0], [1.9, 2.3, 0.2, 1.0],
+                 [-2.1, 2.0, 0.4, 1.0]])
+QUAD_MESH = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[-1, 3, -1], [-1, -1, 1]])
+SHADES = np.array([[0.5, 0.3], [0.2, 0.0], [0.0, -0.1]])  # 0.5 + 0.2 x and 0.3 - 0.1 y, in ndc
+QUAD_COLOURS = np.column_stack([np.ones(4), QUAD[:, :2]]) @ SHADES
+
+
+def centres():
+    """(1, x, y) of each pixel's centre, in ndc: (HEIGHT, WIDTH, 3)."""
+    x, y = 2 * (np.arange(WIDTH) + 0.5) / WIDTH - 1, 2 * (np.arange(HEIGHT) + 0.5) / HEIGHT - 1
+    return np.stack(np.broadcast_arrays(1.0, x, y[:, None]), -1)
+
+
+@exercise("9.12")
+def test_inside_of_a_mesh_nothing_is_blended(impl):
+    """Each edge is taken for an outline: opposite is not passed on to antialias, or is all -1."""
+    picture, _ = drawn(impl, QUAD, *QUAD_MESH, (QUAD_COLOURS,), WIDTH, HEIGHT, BACKGROUND)
+    assert_picture(picture, centres() @ SHADES, atol=1e-9)
 
 
 @exercise("9.12")
 def test_a_triangle_is_that_of_a_search(impl):
-    """Perspective is left out, or the background, or the order of the buffers is another one."""
-    picture, buffers = impl.draw(CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
-    expected, buffers_expected, _ = by_hand(CLIP, COLOURS)
-    assert_picture(picture, expected, atol=1e-9)
-    assert_equal(len(buffers), 6)
-    for k in 0, 1, 2, 3, 5:
-        assert_close(buffers[k], buffers_expected[k])
+    """Perspective is left out, or the background is another one."""
+    picture, _ = drawn(impl, CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
+    assert_picture(picture, by_hand(CLIP, COLOURS)[0], atol=1e-9)
+
+
+@exercise("9.12")
+@pytest.mark.parametrize("number", [0, 1, 2, 3, 5],
+                         ids=["clip", "face_index", "depth", "barycentric", "colour"])
+def test_each_buffer_of_a_triangle_is_that_of_a_search(impl, number):
+    """This buffer holds something else, or the buffers come in another order."""
+    _, buffers = drawn(impl, CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
+    assert_close(buffers[number], by_hand(CLIP, COLOURS)[1][number])
 
 
 @exercise("9.12")
 def test_a_texture_of_one_colour_gives_the_picture_of_that_colour(impl):
-    """Colours are taken for granted: a texture is not drawn."""
+    """Colours are taken for granted: a texture, or its derivatives, is not drawn."""
     shade, uv = np.array([0.2, 0.9]), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
     texture = uv, ALONE[0], np.tile(shade, (4, 8, 1)), "linear"
-    picture, buffers = impl.draw(CLIP, *ALONE, texture, WIDTH, HEIGHT, BACKGROUND)
+    picture, buffers = drawn(impl, CLIP, *ALONE, texture, WIDTH, HEIGHT, BACKGROUND)
     assert_picture(picture, by_hand(CLIP, np.tile(shade, (3, 1)))[0], atol=1e-9)
     assert_equal(np.shape(buffers[4]), (HEIGHT, WIDTH, 3, 2))
 
 
 @exercise("9.12")
 def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
-    """Right for a single face alone."""
+    """It is right for a single face alone, or for faces that do not hide each other."""
     golden = np.load(GOLDEN)
     clip, uv = golden["cube_64x64/clip"].astype(float), golden["cube_64x64/uv"].astype(float)
     faces, seen = golden["cube_64x64/faces"].astype(int), golden["cube_64x64/face_index"] >= 0
@@ -103,7 +170,8 @@ def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
     colours = np.array([[0, 1, 2], [3, 5, 4], [6, 1, 9], [2, 8, 0], [5, 5, 1], [7, 0, 3], [1, 4, 4],
                         [9, 2, 6]]) / 9
     # No vertex across: all edges are outlines, and what is inside of a face stays as it is.
-    _, buffers = impl.draw(clip, faces, np.full(faces.shape, -1), (colours,), 64, 64, np.zeros(3))
+    _, buffers = drawn(impl, clip, faces, np.full(faces.shape, -1), (colours,), 64, 64,
+                       np.zeros(3))
     _, face_index, depth, barycentric, _, colour = map(np.asarray, buffers)
     assert_picture(face_index, golden["cube_64x64/face_index"].astype(int))
     assert_close(depth[seen], golden["cube_64x64/depth"][seen], rtol=0, atol=2e-5)
@@ -114,34 +182,118 @@ def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
 
 # --- and back ----------------------------------------------------------------------------------
 
+def gradients(impl, *given):
+    """grad_surface, grad_clip of `draw_backward`, by default with a grad_depth of 0. Mismatch: it
+    returns something else.
+    """
+    no_depth = [np.zeros(given[0].shape[:2])] if len(given) < 6 else []
+    returned = impl.draw_backward(*given, *no_depth)
+    if not (isinstance(returned, tuple) and len(returned) == 2 and isinstance(returned[0], tuple)):
+        raise Mismatch(("wrong", "draw_backward must return grad_surface, and then grad_clip"))
+    return returned
+
+
+def buffers_of_bar(end):
+    """`draw`'s buffers of a bar of 4 x 3 pixels, with barycentrics that are easy to add up."""
+    seen = np.tile(np.array([True, True, False, False]), (3, 1))
+    barycentric = np.where(seen[..., None], [0.5, 0.3, 0.2], 0.0)
+    return (bar(4, 3, end), np.where(seen, 0, -1), np.where(seen, 0.25, np.inf), barycentric,
+            None, np.where(seen, 1.0, 0.0)[..., None])
+
+
 @exercise("9.13")
-def test_moving_a_bar_changes_what_it_covers(impl):
-    """The path through the edges is left out: a face of one colour has no other gradient."""
-    for end in 1.75, 2.25:
-        seen = np.tile(np.array([True, True, False, False]), (3, 1))
-        barycentric = np.where(seen[..., None], np.full(3, 1 / 3), 0.0)
-        buffers = (bar(4, 3, end), np.where(seen, 0, -1), np.where(seen, 0.25, np.inf), barycentric,
-                   None, np.where(seen, 1.0, 0.0)[..., None])
-        grad_surface, grad_clip = impl.draw_backward(
-            np.full((3, 4, 1), 5.0), buffers, *ALONE, (np.ones((3, 1)),))
-        # Each of the 3 rows covers as much more as the edge moves, and a pixel is 1/2 in clip.
-        assert_close(np.asarray(grad_clip)[:2, 0].sum(), 5.0 * 3 * 2)
-        assert_close(np.asarray(grad_surface[0]).sum(), 5.0 * 3 * end)
+def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
+    """The results come in the other order, grad_clip first. grad_surface is not the tuple that
+    surface_backward returns first. Of grad_clip there are two, not their sum.
+    """
+    got = impl.draw_backward(np.ones((HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1], *ALONE,
+                             (COLOURS,), np.zeros((HEIGHT, WIDTH)))
+    assert_equal(form(got), "((3x2), 3x4)")
+
+
+@exercise("9.13")
+@pytest.mark.parametrize("end", [1.75, 2.25])
+def test_moving_a_bar_changes_what_it_covers(impl, end):
+    """grad_clip lacks the path through the edges: a face of one colour has no other gradient. Or it
+    is subtracted, not added.
+    """
+    _, grad_clip = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), *ALONE,
+                             (np.ones((3, 1)),))
+    # Each of the 3 rows covers as much more as the edge moves, and a pixel is 1/2 in clip. Each end
+    # moves it by half. x / w falls by x as w grows from 1.
+    x = 2 * end / 4 - 1
+    assert_close(grad_clip, np.array([[15.0, 0.0, 0.0, -15 * x]] * 2 + [[0.0] * 4]))
+
+
+@exercise("9.13")
+@pytest.mark.parametrize("end", [1.75, 2.25])
+def test_a_bars_colours_pull_by_how_much_they_cover(impl, end):
+    """grad_picture goes on to surface_backward: it is grad_colour, after the blend."""
+    (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), *ALONE,
+                                   (np.ones((3, 1)),))
+    assert_close(grad_colours, 5.0 * 3 * end * np.array([[0.5], [0.3], [0.2]]))
+
+
+# Larger than the picture, parallel to the screen: what is seen is linear in x and y.
+WALL = np.array([[-3.0, -2.0, 0.1, 1.0], [4.0, -3.0, 0.4, 1.0], [-1.0, 5.0, -0.2, 1.0]])
+
+
+def slopes(values):
+    """By x and y of clip, how do values (3, C) change on the WALL? (C, 2)"""
+    return (np.linalg.inv(WALL[:, [0, 1, 3]])[:2] @ values).T
+
+
+@exercise("9.13")
+def test_moving_a_wall_moves_the_colours_on_it(impl, rng):
+    """grad_clip lacks the path through the colours: that of rasterize_backward. No edge is seen
+    here.
+    """
+    grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(WALL, COLOURS)[1]
+    _, grad_clip = gradients(impl, grad_picture, buffers, *ALONE, (COLOURS,))
+    # Where a corner goes, each point goes by its share, and it was there less by the slope.
+    pulls = np.einsum("hwc,hwk->kc", grad_picture, buffers[3])
+    assert_close(grad_clip[:, :2], -pulls @ slopes(COLOURS))
+
+
+@exercise("9.13")
+def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
+    """Each edge is taken for an outline: opposite is not passed on to antialias_backward, or is
+    all -1.
+    """
+    faces, opposite = QUAD_MESH
+    ndc, grad_picture = centres(), rng.normal(size=(HEIGHT, WIDTH, 2))
+    weights = ndc @ np.linalg.inv(QUAD[faces][..., [3, 0, 1]])[:, None]  # of both faces
+    face_index = (weights[1] > 0).all(-1).astype(int)
+    barycentric = np.where(face_index[..., None], weights[1], weights[0])
+    buffers = QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric, None, ndc @ SHADES
+    _, grad_clip = gradients(impl, grad_picture, buffers, faces, opposite, (QUAD_COLOURS,))
+    pulls = np.zeros((4, 2))
+    np.add.at(pulls, faces[face_index], barycentric[..., None] * grad_picture[..., None, :])
+    assert_close(grad_clip[:, :2], -pulls @ SHADES[1:].T)
+
+
+@exercise("9.13")
+def test_the_depths_gradient_reaches_the_vertices(impl, rng):
+    """grad_depth is left out, or is not passed on to rasterize_backward."""
+    grad_depth, buffers = rng.normal(size=(HEIGHT, WIDTH)), by_hand(WALL, COLOURS)[1]
+    _, grad_clip = gradients(impl, np.zeros((HEIGHT, WIDTH, 2)), buffers, *ALONE, (COLOURS,),
+                             grad_depth)
+    pulls = np.einsum("hw,hwk->k", grad_depth, buffers[3])[:, None]
+    assert_close(grad_clip[:, :3], np.hstack([-pulls @ slopes(WALL[:, 2:3]), pulls]))
 
 
 @exercise("9.13")
 def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl):
-    """One of the two paths is left out, or the picture's gradient is shaded where the colour's
-    should be; grad_depth is dropped.
+    """One of the two paths is left out, or counts twice. They meet where outlines cut colours.
     """
     def forward(clip, colours):
         picture, buffers, _ = by_hand(clip, colours)
         return picture, np.where(buffers[1] == 0, buffers[2], 0.0)
 
     def backward(grad_picture, grad_depth, clip, colours):
-        grad_surface, grad_clip = impl.draw_backward(
-            grad_picture, by_hand(clip, colours)[1], *ALONE, (colours,), grad_depth)
-        return grad_clip, grad_surface[0]
+        (grad_colours,), grad_clip = gradients(impl, grad_picture, by_hand(clip, colours)[1],
+                                               *ALONE, (colours,), grad_depth)
+        return grad_clip, grad_colours
 
     def decisions(clip, colours):
         _, buffers, decided = by_hand(clip, colours)
@@ -152,10 +304,10 @@ def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl):
 
 @exercise("9.13")
 def test_without_a_depth_there_is_its_gradient_of_0(impl, rng):
-    """grad_depth is needed, or its default is not None."""
+    """A grad_depth of None, the default, is not allowed for, or counts as another one than 0."""
     grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1]
     given = grad_picture, buffers, *ALONE, (COLOURS,)
-    _, expected = impl.draw_backward(*given, np.zeros((HEIGHT, WIDTH)))
+    _, expected = gradients(impl, *given, np.zeros((HEIGHT, WIDTH)))
     _, grad_clip = impl.draw_backward(*given)
     assert_close(grad_clip, expected)
 
@@ -170,7 +322,31 @@ def test_all_that_a_colour_covers_comes_back_to_its_texture(impl, rng):
     grad_picture = rng.normal(size=(HEIGHT, WIDTH, 2))
     texture = uv, ALONE[0], np.ones((4, 8, 2)), "linear"
     derivatives = np.zeros((HEIGHT, WIDTH, 3, 2))  # the filter "linear" does not look at them
-    grad_surface, _ = impl.draw_backward(grad_picture, (*seen, derivatives, colour), *ALONE,
-                                         texture)
+    grad_surface, _ = gradients(impl, grad_picture, (*seen, derivatives, colour), *ALONE, texture)
     assert_close(np.asarray(grad_surface[2]).sum((0, 1)),
                  (grad_picture * (picture_of_one - picture_of_zero)).sum((0, 1)))
+
+
+@exercise("9.13")
+def test_a_larger_face_has_a_smaller_footprint(impl):
+    """grad_derivatives is dropped on its way from surface_backward to rasterize_backward: the path
+    through the footprint of a pixel on its texture.
+    """
+    width, height = 5, 3
+    image = np.array([[1.0, 0.0], [0.0, 0.0]])  # 1/4 on average, and so is all of the next level
+    x, y = np.meshgrid((np.arange(width) - 2) * 2 / width, (np.arange(height) - 1) * 2 / height)
+    inverse = np.linalg.inv(WALL[:, [0, 1, 3]])
+    barycentric = np.stack([x, y, np.ones_like(x)], -1) @ inverse
+    derivatives = np.tile((inverse[:2] * [[2 / width], [2 / height]]).T, (height, width, 1, 1))
+    # A pixel is 0.3 x 0.2 of 4 x 4 texels: 1.2 texels wide. The middle one sees the first texel.
+    uv = WALL[:, :2] * [0.3 * width / 2, 0.2 * height / 2] + 1 / 8
+    texture = uv, ALONE[0], np.tile(image, (2, 2))[..., None], "linear-mipmap-linear"
+    level = np.log2(1.2)
+    colour = np.full((height, width, 1), 1 - level * 3 / 4)  # right in the middle
+    buffers = (WALL, np.zeros((height, width), int), barycentric @ WALL[:, 2], barycentric,
+               derivatives, colour)
+    grad_picture = np.zeros((height, width, 1))
+    grad_picture[1, 2] = 8.0
+    _, grad_clip = gradients(impl, grad_picture, buffers, *ALONE, texture)
+    # Twice as large about the middle, the wall is seen a level lower: 3/4 more of the texel.
+    assert_close((grad_clip * WALL)[:, :2].sum(), 8 * 3 / 4 / np.log(2))

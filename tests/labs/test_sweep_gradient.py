@@ -1,41 +1,68 @@
 """What the exercises of lab 10's sweep must do."""
 import numpy as np
 
-from course.checks import assert_close, exercise
+from course.checks import Mismatch, assert_close, exercise
+
+ENDS = np.array([2.0, 0.25]), np.array([10.0, 4.25])
+ROWS = np.array([0.5, 1.5, 3.5, 2.75])
+
+
+def two(returned):
+    """x_edge, share of what was returned. Mismatch: these are not two."""
+    if not isinstance(returned, tuple) or len(returned) != 2:
+        raise Mismatch(("wrong", "two outputs are expected: x_edge, and share"))
+    return returned
 
 
 @exercise("10.12")
 def test_crossings_on_paper(impl):
-    """The shares are exchanged, or x and y."""
-    crossing, share = impl.edge_crossing(np.array([2.0, 0.25]), np.array([10.0, 4.25]),
-                                         np.array([0.5, 1.5, 3.5]))
-    assert_close(crossing, np.array([2.5, 4.5, 8.5]))
-    assert_close(share, np.array([[15, 1], [11, 5], [3, 13]]) / 16)
+    """a and b are exchanged, or share_a and share_b. a_x is not added. The share is not divided by
+    b_y - a_y. It is a y, where the edge crosses a column: x and y are exchanged. The outputs come
+    in the other order.
+    """
+    crossing, _ = two(impl.edge_crossing(*ENDS, ROWS))
+    assert_close(crossing, np.array([2.5, 4.5, 8.5, 7.0]))
+
+
+@exercise("10.12")
+def test_shares_on_paper(impl):
+    """The shares are exchanged: share_b comes first. They are stacked along the first axis, not the
+    last one. There is one alone.
+    """
+    _, share = two(impl.edge_crossing(*ENDS, ROWS))
+    assert_close(share, np.array([[15, 1], [11, 5], [3, 13], [6, 10]]) / 16)
 
 
 @exercise("10.12")
 def test_each_edge_has_its_own_row(impl, rng):
-    """Many edges at once, up and down; ends that are exchanged for half of them."""
+    """Edges that go down are taken for edges that go up. Or one edge alone is taken: x and y are
+    along the last axis.
+    """
     a, b = rng.uniform(-3, 9, (2, 4, 5, 2))
     t = rng.uniform(0, 1, (4, 5))
-    crossing, share = impl.edge_crossing(a, b, (1 - t) * a[..., 1] + t * b[..., 1])
+    crossing, share = two(impl.edge_crossing(a, b, (1 - t) * a[..., 1] + t * b[..., 1]))
     assert_close(crossing, (1 - t) * a[..., 0] + t * b[..., 0], atol=1e-9)
     assert_close(share, np.stack([1 - t, t], -1), atol=1e-9)
 
 
 @exercise("10.12")
 def test_a_share_is_how_far_the_crossing_moves_with_its_end(impl, rng):
-    """A share that belongs to the other end: an end moves by 1 along x."""
+    """A share belongs to the other end: it tells how far the crossing moves where its own end moves
+    by 1 along x.
+    """
     a, b, y = np.array([1.5, 2.0]), np.array([4.0, 7.0]), np.array(3.25)
-    crossing, share = impl.edge_crossing(a, b, y)
-    moved_a, _ = impl.edge_crossing(a + [1.0, 0.0], b, y)
-    moved_b, _ = impl.edge_crossing(a, b + [1.0, 0.0], y)
+    crossing, share = two(impl.edge_crossing(a, b, y))
+    moved_a, _ = two(impl.edge_crossing(a + [1.0, 0.0], b, y))
+    moved_b, _ = two(impl.edge_crossing(a, b + [1.0, 0.0], y))
     assert_close(np.array([moved_a, moved_b]) - crossing, np.asarray(share))
 
 
 @exercise("10.13")
 def test_two_pixels_pull_on_paper(impl):
-    """The sign: descent must take the edge to the pixel; or the share multiplies the way."""
+    """The minus is left out: descent must take the edge to the pixel. The difference of the colours
+    has the wrong sign. way loses its sign, as an absolute value. The share multiplies the way, or
+    is left out. Pixels are summed.
+    """
     colour, beyond = np.array([[1.0], [0.0]]), np.array([[0.0], [1.0]])
     grad_colour, way = np.array([[3.0], [-2.0]]), np.array([0.5, -0.25])  # they pull by 3 and 2
     got = impl.edge_pulls(grad_colour, colour, beyond, way, np.array([[0.25, 0.75]] * 2),
@@ -44,19 +71,8 @@ def test_two_pixels_pull_on_paper(impl):
 
 
 @exercise("10.13")
-def test_a_pixel_outside_pulls_as_in_the_original(impl):
-    """The original's own example, outside: row 38 of 64 x 64, pixel 35, the edge at 45.846."""
-    # Its edge runs from (57.6, 57.6) to (32, 16): at y = 38.5 it is 22.5 / 41.6 of the way up.
-    up = 22.5 / 41.6
-    way = np.array([2 / 64 * (35.5 - (32 + up * 25.6))])
-    got = impl.edge_pulls(np.array([[-1.0]]), np.array([[0.0]]), np.array([[1.0]]), way,
-                          np.array([[up, 1 - up]]), np.array([-1e-4]))
-    assert_close(got, np.array([[1.67258, 1.41987]]), rtol=1e-5)
-
-
-@exercise("10.13")
 def test_only_a_change_that_lowers_the_loss_counts(impl):
-    """max(0, ...) is left out."""
+    """max(0, ...) is left out: pixels that would raise the loss pull, too."""
     colour, beyond = np.array([[1.0], [0.0], [1.0]]), np.array([[0.0], [1.0], [0.0]])
     got = impl.edge_pulls(np.array([[-3.0], [2.0], [4.0]]), colour, beyond,
                           np.array([0.5, 0.125, 1.0]), np.array([[0.25, 0.5]] * 3), np.zeros(3))
@@ -65,16 +81,18 @@ def test_only_a_change_that_lowers_the_loss_counts(impl):
 
 @exercise("10.13")
 def test_epsilon_is_added_to_the_way_of_each_end(impl):
-    """eps is scaled by the share, or taken away."""
-    way, eps = np.array([0.5, -0.25]), np.array([0.25, -0.5])
+    """eps has the sign of way already: here it is signed twice, or loses its sign. It is scaled by
+    the share, taken away, or left out.
+    """
+    way, eps = np.array([0.5, -0.25]), np.array([0.25, -0.25])
     got = impl.edge_pulls(np.ones((2, 1)), np.array([[3.0], [2.0]]), np.zeros((2, 1)), way,
                           np.array([[0.5, 0.125]] * 2), eps)
-    assert_close(got, np.array([[-3 / 1.25, -3 / 4.25], [2 / 1.0, 2 / 2.5]]))
+    assert_close(got, np.array([[-3 / 1.25, -3 / 4.25], [2 / 0.75, 2 / 2.25]]))
 
 
 @exercise("10.13")
 def test_channels_are_added_before_the_loss_is_asked(impl):
-    """max(0, ...) of each channel, or their mean."""
+    """max(0, ...) is taken of each channel, before their sum. Or it is their mean."""
     grad_colour = np.array([[-3.0, 1.0], [3.0, 1.0], [2.0, 7.0]])
     colour, beyond = np.array([[0.0, 1.0]] * 3), np.array([[1.0, 0.0]] * 3)
     got = impl.edge_pulls(grad_colour, colour, beyond, np.full(3, 0.75),
@@ -84,7 +102,7 @@ def test_channels_are_added_before_the_loss_is_asked(impl):
 
 @exercise("10.13")
 def test_every_pixel_pulls_on_its_own_edge(impl, rng):
-    """Two pixels are mixed, or they are added up. Pixel by pixel."""
+    """Pixels are mixed, or are added up: each has its own row. Or no pixel at all is an error."""
     for count in 0, 1, 7:
         colour, beyond, grad_colour = rng.normal(size=(3, count, 3))
         way, share = rng.choice([-1, 1], count) * rng.uniform(0.1, 1, count), rng.random((count, 2))
@@ -96,9 +114,24 @@ def test_every_pixel_pulls_on_its_own_edge(impl, rng):
         assert_close(got, expected)
 
 
+@exercise("10.13")
+def test_a_pixel_outside_pulls_as_in_the_original(impl):
+    """eps is scaled or left out, or way is not divided by the share.
+
+    The original's own example, outside: row 38 of 64 x 64, pixel 35, the edge at 45.846.
+    """
+    # Its edge runs from (57.6, 57.6) to (32, 16): at y = 38.5 it is 22.5 / 41.6 of the way up.
+    up = 22.5 / 41.6
+    way = np.array([2 / 64 * (35.5 - (32 + up * 25.6))])
+    got = impl.edge_pulls(np.array([[-1.0]]), np.array([[0.0]]), np.array([[1.0]]), way,
+                          np.array([[up, 1 - up]]), np.array([-1e-4]))
+    assert_close(got, np.array([[1.67258, 1.41987]]), rtol=1e-5)
+
+
 @exercise("10.13", fine_print=True)
 def test_an_end_without_a_share_gets_nothing(impl):
-    """0 / 0, where the pixel lies on the crossing."""
+    """way / share with a share of 0 is a division by 0: NaN where the pixel lies on the crossing.
+    """
     got = impl.edge_pulls(np.ones((2, 1)), np.ones((2, 1)), np.zeros((2, 1)), np.array([0.0, 0.5]),
                           np.array([[1.0, 0.0], [0.0, 0.5]]), np.array([0.5, 0.25]))
     assert_close(got, np.array([[-2.0, 0.0], [0.0, -0.8]]))

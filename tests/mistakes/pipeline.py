@@ -11,7 +11,7 @@ def draw(clip, faces, opposite, surface, width, height, background):
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
-    """the buffer colour is antialiased, too; the way back needs the colour of before"""
+    """the buffer colour is antialiased, too; the way back needs the colour before antialiasing"""
     face_index, depth = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     seen = Buffers(clip, face_index, depth, barycentric)
@@ -27,6 +27,31 @@ def draw(clip, faces, opposite, surface, width, height, background):
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, surface, background)
     picture = outlines.antialias(buffers.colour, face_index, depth, clip, faces, opposite)
+    return picture, buffers
+
+
+def draw(clip, faces, opposite, surface, width, height, background):
+    """the background is painted over after antialiasing; it must blend with the outline"""
+    buffers = shade(visible(clip, faces, width, height), faces, surface, background)
+    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
+                                 opposite)
+    picture[buffers.face_index < 0] = background
+    return picture, buffers
+
+
+def draw(clip, faces, opposite, surface, width, height, background):
+    """each edge is taken for an outline, inner edges too: antialias is not given opposite"""
+    buffers = shade(visible(clip, faces, width, height), faces, surface, background)
+    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
+                                 np.full(faces.shape, -1))
+    return picture, buffers
+
+
+def draw(clip, faces, opposite, surface, width, height, background):
+    """the background is not passed on to shade: it is black"""
+    buffers = shade(visible(clip, faces, width, height), faces, surface, 0.0)
+    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
+                                 opposite)
     return picture, buffers
 
 
@@ -51,7 +76,7 @@ def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=No
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """grad_picture goes on to the colours; it is grad_colour, after the blend"""
+    """grad_picture goes on to surface_backward, not the grad_colour of antialias_backward"""
     clip, face_index, depth, *_, colour = buffers
     _, through_edges = outlines.antialias_backward(
         grad_picture, colour, face_index, depth, clip, faces, opposite)
@@ -59,3 +84,32 @@ def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=No
     through_colours = rasterizer_gradients.rasterize_backward(
         *grad_weights, grad_depth, face_index, clip, faces)
     return grad_surface, through_edges + through_colours
+
+
+def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+    """grad_depth is left out: it is not passed on to rasterize_backward"""
+    clip, face_index, depth, *_, colour = buffers
+    grad_colour, through_edges = outlines.antialias_backward(
+        grad_picture, colour, face_index, depth, clip, faces, opposite)
+    grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)
+    through_colours = rasterizer_gradients.rasterize_backward(
+        *grad_weights, None, face_index, clip, faces)
+    return grad_surface, through_edges + through_colours
+
+
+def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+    """grad_derivatives is left out: a texture's footprint has no gradient"""
+    clip, face_index, depth, *_, colour = buffers
+    grad_colour, through_edges = outlines.antialias_backward(
+        grad_picture, colour, face_index, depth, clip, faces, opposite)
+    grad_surface, grad_barycentric, _ = surface_backward(grad_colour, buffers, faces, surface)
+    through_colours = rasterizer_gradients.rasterize_backward(
+        grad_barycentric, None, grad_depth, face_index, clip, faces)
+    return grad_surface, through_edges + through_colours
+
+
+def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+    """the way back through antialiasing is left out: of the blend and of the edges"""
+    grad_surface, *grad_weights = surface_backward(grad_picture, buffers, faces, surface)
+    return grad_surface, rasterizer_gradients.rasterize_backward(
+        *grad_weights, grad_depth, buffers[1], buffers[0], faces)

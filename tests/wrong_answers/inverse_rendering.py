@@ -249,7 +249,7 @@ def silhouette_loss(coverage, target):
 def silhouette_loss(coverage, target):
     """intersection and union are those of fuzzy sets, minimum and maximum, not product and c + t - c t
 
-    told by: minimum | maximum | fuzzy | product c t | min(
+    told by: minimum | maximum | max and min | fuzzy | product c t | min(
     """
     return 1 - np.minimum(coverage, target).sum() / np.maximum(coverage, target).sum()
 
