@@ -64,7 +64,8 @@ def test_boundary_vertices_of_a_house_on_paper(impl):
 @exercise("11.10")
 def test_edge_points_of_a_house_on_paper(impl):
     """A boundary edge is drawn to its one face: (A + B + f) / 3, or / 4. An inner edge gets its
-    middle, without the face points, or Loop's weights. Points come in another order."""
+    middle, without the face points, or Loop's weights. Points are made of moved vertices, or come
+    in another order."""
     got = impl.catmull_clark_slow(*HOUSE)  # of the edges 0 1, 0 3, 1 2, 2 3, 2 4, 3 4
     assert_close(got[5:11], np.array([[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]]))
 

@@ -49,8 +49,8 @@ def test_one_quadric_for_each_plane(impl, rng):
 @exercise("12.3")
 def test_quadrics_are_summed_over_the_faces_at_a_vertex(impl):
     """+= with repeated indices adds only one of a vertex's faces. It is their mean, or each corner
-    gets a third. A vertex gets another face's quadric (tile, not repeat). vertex_count is ignored:
-    no row for unused vertices."""
+    gets a third. A vertex gets another face's quadric (tile, not repeat). A corner is left out.
+    vertex_count is ignored: no row for unused vertices."""
     factors = np.array([1.0, 10.0, 100.0, 1000.0])
     quadric = np.arange(1.0, 17.0).reshape(4, 4)
     faces = np.array([[0, 1, 2], [2, 1, 4], [1, 4, 6], [4, 0, 1]])
@@ -69,8 +69,8 @@ def test_quadrics_of_a_mesh_face_by_face(impl, rng):
 
 @exercise("12.4")
 def test_an_error_on_paper(impl):
-    """The 1 after x is missing, 0, or comes first. 2 b.x lacks its factor 2. It is the distance,
-    not its square; or Q v is squared."""
+    """The 1 after x is missing, 0, or comes first. 2 b.x lacks its factor 2, or it or c is left
+    out. It is the distance, not its square. Q v is squared, or not multiplied by v."""
     q = outer(np.array([2.0, -1.0, 3.0, -4.0]))
     assert_close(impl.quadric_error(q, np.array([3.0, 1.0, 2.0])), 49.0)
     assert_close(impl.quadric_error(q, np.array([1.0, 1.0, 1.0])), 0.0)
@@ -95,8 +95,9 @@ def test_the_error_is_the_double_sum(impl, rng):
 
 @exercise("12.5")
 def test_the_gradient_of_an_error_on_paper(impl):
-    """grad_x is 2 Q v: Q is not symmetric, it is (Q + Q^T) v. One of the two is left out. grad_x or
-    grad_q is not multiplied by grad_error. grad_x has the gradient of the 1, too."""
+    """grad_x is 2 Q v: Q is not symmetric, so it is (Q + Q^T) v. One of the two is left out. grad_x
+    or grad_q is not multiplied by grad_error. grad_x has the gradient of the 1, too. The outputs
+    are exchanged."""
     q = np.arange(16.0).reshape(4, 4)
     grad_q, grad_x = impl.quadric_error_backward(np.array(2.0), q, np.array([1.0, 0.0, 2.0]))
     assert_close(grad_x, 2 * np.array([0 + 4 + 3 + 0 + 16 + 12, 4 + 12 + 7 + 1 + 18 + 13,
@@ -118,8 +119,9 @@ def test_the_gradient_of_an_error_is_its_derivative(impl, rng):
 
 @exercise("12.6")
 def test_boundary_planes_of_a_triangle(impl):
-    """n points into the face, not away from it, or is not of length 1. d has the wrong sign. It is
-    the plane of the face itself, not perpendicular to it. All is right for one winding only."""
+    """n points into the face, not away from it: the edge runs from low to high, not as its face
+    does. n is not of length 1. d has the wrong sign. It is the plane of the face itself, not
+    perpendicular to it."""
     vertices = np.array([[1.0, 2.0, 5.0], [5.0, 2.0, 5.0], [1.0, 5.0, 5.0]])
     expected = np.array([[0.0, -1.0, 0.0, 2.0], [-1.0, 0.0, 0.0, 1.0], [0.6, 0.8, 0.0, -4.6]])
     for face in [0, 1, 2], [1, 0, 2]:
@@ -237,8 +239,8 @@ def test_along_a_plane_no_place_is_best(impl):
 @exercise("12.10")
 def test_a_corner_is_found(impl):
     """b has the wrong sign, or there is a factor 2. The right-hand side has the shape (N, 3), which
-    solve takes for one matrix: it needs (N, 3, 1). That axis is left in the result. b is multiplied
-    by A."""
+    solve takes for one matrix: it needs (N, 3, 1). That axis is left in the result. Only the
+    diagonal of A counts, or b is multiplied by A."""
     q = np.concatenate([planes_of([1, 0, 0, -1], [0, 1, 0, -2], [0, 0.6, 0.8, -3.6]),
                         planes_of([2, 0, 0, 6], [0, 1, 0, 5], [0, 0, 3, 12])])
     assert_close(impl.best_anywhere(q), np.array([[1.0, 2.0, 3.0], [-3.0, -5.0, -4.0]]))
@@ -246,7 +248,7 @@ def test_a_corner_is_found(impl):
 
 @exercise("12.10")
 def test_at_the_best_place_the_gradient_is_zero(impl, rng):
-    """Quadrics of several pairs are mixed. Only the diagonal of A counts, or A is transposed."""
+    """Quadrics of several pairs are mixed with each other."""
     axes = np.linalg.qr(rng.normal(size=(7, 3, 3)))[0] * rng.uniform(0.3, 1.5, (7, 3, 1))
     planes = np.concatenate([axes, rng.normal(size=(7, 3, 1))], -1)
     q = np.array([sum(map(outer, rows)) for rows in planes])
@@ -284,9 +286,9 @@ def test_costs_are_those_of_pair_by_pair(impl, rng):
 
 @exercise("12.11")
 def test_a_collapse_on_paper(impl):
-    """Faces with both vertices are kept and name a twice. All faces with a or b go, not only those
-    with both. The new vertex is called b instead of a. Numbers above b are lowered. The order of
-    faces or corners changes."""
+    """Faces with both vertices are kept and name a twice. All faces with a or b go, or only faces
+    with both stay. The new vertex is called b instead of a. Numbers above b are lowered. The order
+    of faces or corners changes."""
     faces = np.array([[7, 2, 5], [5, 2, 9], [5, 1, 7], [3, 4, 6], [9, 8, 5], [2, 8, 9], [2, 7, 0],
                       [8, 1, 0]])
     expected = np.array([[2, 1, 7], [3, 4, 6], [9, 8, 2], [2, 8, 9], [2, 7, 0], [8, 1, 0]])
@@ -438,8 +440,8 @@ def test_the_angle_between_the_normals_decides(impl, rng):
 
 @exercise("12.14")
 def test_a_triangle_must_not_become_a_sliver(impl):
-    """The area is compared, not the shape; or with a number that has a unit; or the longest edge is
-    taken for one of the others. A sliver may stay one."""
+    """The area is compared, not the shape, or the new shape with LEAST_SHAPE itself, not times the
+    old one: a sliver may stay one. The longest edge is taken for one of the others."""
     right = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])               # of shape 1 / 2
     for x in 0.0, 1.0, 2.0:                                         # of shape height
         for height, expected in (0.475 * LEAST_SHAPE, True), (0.525 * LEAST_SHAPE, False):
@@ -501,8 +503,9 @@ def test_nothing_to_do(impl, rng):
 
 @exercise("12.15")
 def test_it_stops_at_the_first_count_that_is_low_enough(impl, rng):
-    """One collapse too few: it stops above face_count. One too many. Or several edges are collapsed
-    in one round, before the faces are counted again."""
+    """One collapse too few: it stops above face_count. One too many. Several edges are collapsed in
+    one round, before the faces are counted again. Or none is: why_refused is 0 for an edge that may
+    be collapsed, and is asked the wrong way round."""
     vertices, faces = bumpy(80, rng)
     asked = [80, 79, 78, 77, 74]
     left = np.array([len(loop(impl, vertices, faces, face_count)[1]) for face_count in asked])

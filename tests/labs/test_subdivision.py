@@ -16,9 +16,9 @@ from course.checks import assert_close, assert_equal, exercise
 
 @exercise("11.1")
 def test_edges_of_two_triangles(impl):
-    """An edge of two faces comes twice, once in each direction. A pair is not low < high, or the
-    pairs do not ascend. corner_edge names the edge behind the corner, or has one entry for each
-    edge (return_index)."""
+    """An edge of two faces comes twice, once in each direction. Edges are not low < high, or not
+    ascending. corner_edge names the edge behind the corner, has one entry per edge (return_index),
+    or another order. A face's last side is missing."""
     edges = np.array([[1, 5], [1, 7], [5, 7], [5, 9], [7, 9]])
     assert_equal(impl.edges_of(np.array([7, 5, 1, 5, 7, 9]), np.array([3, 3])),
                  (edges, np.array([2, 0, 1, 2, 4, 3])))
@@ -57,7 +57,8 @@ def test_edges_of_large_numbers_in_int32(impl):
 @exercise("11.6")
 def test_pulls_add_up(impl):
     """-u is missing on the diagonal, so the vertex keeps its whole weight. It has the wrong sign,
-    is 1 - u, or stands on the diagonal of the column. Rows and columns are exchanged."""
+    is 1 - u, or stands on the diagonal of the column. Rows and columns are exchanged, or both are
+    pulled."""
     rows, columns = np.array([2, 2, 0]), np.array([0, 3, 1])
     entries = impl.pull_entries(rows, columns, np.array([0.25, 0.5, 2.0]))
     expected = np.array([[-2.0, 2.0, 0, 0], [0, 0, 0, 0], [0.25, 0, -0.75, 0.5], [0, 0, 0, 0]])

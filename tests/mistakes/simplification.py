@@ -44,8 +44,8 @@ def vertex_quadrics(face_quadrics, faces, vertex_count):
 
 
 def vertex_quadrics(face_quadrics, faces, vertex_count):
-    """only the last of a vertex's faces counts: += with repeated indices does not add up, np.add.at
-    does"""
+    """only the last of a vertex's faces counts: = in a loop, or += with repeated indices, does not
+    add them up, and np.add.at does"""
     total = np.zeros((vertex_count, 4, 4))
     total[faces] += face_quadrics[:, None]
     return total
