@@ -78,8 +78,22 @@ def dense(entries, shape):
     if not rows.shape == columns.shape == weights.shape == (rows.size,):
         raise Mismatch(("wrong", "rows, columns and weights must be rows of numbers, equally long; "
                         f"got {rows.shape}, {columns.shape}, {weights.shape}"))
+    require_inside(rows, columns, shape)
     np.add.at(matrix, (rows, columns), weights)
     return matrix
+
+
+def require_inside(rows, columns, shape):
+    """Mismatch where an entry lies outside of the matrix."""
+    height, width = shape
+    outside = (rows < 0) | (rows >= height) | (columns < 0) | (columns >= width)
+    if outside.any():
+        k = outside.argmax()
+        turned = not np.any((rows < 0) | (rows >= width) | (columns < 0) | (columns >= height))
+        asked = ": are rows and columns exchanged?" if turned else ""
+        raise Mismatch(("expected", f"entries of a matrix of {height} rows and {width} columns"),
+                       ("got", f"an entry in row {rows[k]}, column {columns[k]}"),
+                       ("differs", f"it lies outside{asked}"))
 
 
 def old_vertices(count, edges, is_boundary, u, w):

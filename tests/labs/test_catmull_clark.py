@@ -5,7 +5,6 @@ from subdivision_meshes import (
     CUBE,
     CUBE_VERTICES,
     PUBLISHED,
-    TETRAHEDRON,
     dense,
     each_polygon_mesh,
     farthest,
@@ -42,9 +41,49 @@ def catmull_clark_of(count, faces):
 
 # --- point by point ------------------------------------------------------------------------------
 
+HOUSE = (np.array([[0.0, 0.0], [16.0, 0.0], [16.0, 32.0], [0.0, 32.0], [32.0, 56.0]]),  # a square
+         np.array([3, 2, 4, 0, 1, 2, 3]), np.array([3, 4]))  # and a triangle, with the edge 2 3
+
+
+@exercise("11.10")
+def test_face_points_of_a_triangle_and_a_square_on_paper(impl):
+    """A face point is the sum of the corners over 4, also for a triangle. Face points come before
+    the edge points, or are left out; they must come last."""
+    got = impl.catmull_clark_slow(*HOUSE)
+    assert_close(got[11:], np.array([[16, 40], [8, 16.0]]))
+
+
+@exercise("11.10")
+def test_boundary_vertices_of_a_house_on_paper(impl):
+    """A vertex on the boundary stays, or the inside's rule with F and R is used there. Its whole
+    ring pulls, not only the two neighbours along the boundary. v keeps another weight than 3/4."""
+    got = impl.catmull_clark_slow(*HOUSE)
+    assert_close(got[:5], np.array([[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]]))
+
+
+@exercise("11.10")
+def test_edge_points_of_a_house_on_paper(impl):
+    """A boundary edge is drawn to its one face: (A + B + f) / 3, or / 4. An inner edge gets its
+    middle, without the face points, or Loop's weights. Points are made of moved vertices, or come
+    in another order."""
+    got = impl.catmull_clark_slow(*HOUSE)  # of the edges 0 1, 0 3, 1 2, 2 3, 2 4, 3 4
+    assert_close(got[5:11], np.array([[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]]))
+
+
+@exercise("11.10")
+def test_vertices_of_a_pyramid_on_paper(impl):
+    """R counts once, not twice. R is the mean of the ring, or of the new edge points, not of the
+    edges' middles. F is a sum. n is always 4, or 3, not the valence. The division by n is left
+    out."""
+    faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [4, 3, 2, 1]]
+    got = impl.catmull_clark_slow(np.array([[36.0], [72.0], [108.0], [216.0], [180.0]]),
+                                  *flat(faces))
+    assert_close(got[:5].T, np.array([[243, 284, 328, 460, 416]]) / 3)
+
+
 @exercise("11.10")
 def test_a_square_alone_on_paper(impl):
-    """Corners stay, or the boundary is pulled inwards; or the face point is left out."""
+    """A corner stays, or the boundary is pulled inwards. The face point is left out."""
     got = impl.catmull_clark_slow(np.array([[0.0, 0], [8, 0], [8, 16], [0, 16]]),
                                   np.array([0, 1, 2, 3]), np.array([4]))
     assert_close(got, np.array([[1, 2], [7, 2], [7, 14], [1, 14], [4, 0], [0, 8], [8, 8], [4, 16],
@@ -53,7 +92,8 @@ def test_a_square_alone_on_paper(impl):
 
 @exercise("11.10")
 def test_a_cube_on_paper(impl):
-    """R is the mean of the ring, or of the new edge points, and not of the edges' middles."""
+    """R is the mean of the ring, or of the new edge points, not of the edges' middles. A face point
+    is wrong, or comes in another place."""
     got = impl.catmull_clark_slow(CUBE_VERTICES, *flat(CUBE))
     assert_close(got[:8], 5 / 9 * CUBE_VERTICES)
     assert_close(got[[8, 19]], np.array([[-3, -3, 0], [3, 3, 0]]) / 4)
@@ -63,7 +103,8 @@ def test_a_cube_on_paper(impl):
 
 @exercise("11.10")
 def test_two_triangles_back_to_back_on_paper(impl):
-    """Right for valence 3 alone: at valence 2, n - 3 is -1."""
+    """At valence 2, n - 3 is -1: v has another weight there. Two faces with the same corners count
+    as one."""
     got = impl.catmull_clark_slow(np.array([[12.0], [0.0], [6.0]]), np.array([0, 1, 2, 2, 1, 0]),
                                   np.array([3, 3]))
     assert_close(got.T, np.array([[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]]))
@@ -72,7 +113,7 @@ def test_two_triangles_back_to_back_on_paper(impl):
 @exercise("11.10")
 @each_polygon_mesh
 def test_point_by_point_is_the_matrix(impl, rng, count, faces):
-    """Faces of another vertex, or the order of the points."""
+    """F is taken over faces that do not meet at the vertex. Points come in another order."""
     del count
     corners, counts = flat(faces)
     used, corners = np.unique(corners, return_inverse=True)
@@ -85,7 +126,8 @@ def test_point_by_point_is_the_matrix(impl, rng, count, faces):
 @exercise("11.10", fine_print=True)
 @each_polygon_mesh
 def test_an_isolated_vertex_stays(impl, rng, count, faces):
-    """0 / 0, or it vanishes, and all numbers behind it are wrong."""
+    """An isolated vertex is divided by its valence 0 and becomes nan. Or it vanishes, and all
+    numbers behind it are wrong."""
     vertices = rng.normal(size=(count, 2))
     got = impl.catmull_clark_slow(vertices, *flat(faces))
     assert_close(got, catmull_clark_of(count, faces) @ vertices)
@@ -104,8 +146,21 @@ def test_the_published_polygons_of_opensubdiv(impl, name):
 # --- the matrix ----------------------------------------------------------------------------------
 
 @exercise("11.11")
+def test_the_inner_edge_of_a_house_on_paper(impl):
+    """The face points' columns begin at 0, not at vertex_count. A face point is left out, or counts
+    for one of the two faces only. The weights are Loop's, 3/8 and 1/8, or the face points have 1/2.
+    Rows and columns are exchanged."""
+    edges = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
+    entries = impl.catmull_clark_edge_rows(edges, np.array([3, 4, 5, 0, 2, 3, 1]), np.array([3, 4]),
+                                           6)
+    expected = np.array([0, 0, 1, 1, 0, 0, 1, 1]) / 4
+    assert_close(dense(entries, (6, 8))[3], expected)
+
+
+@exercise("11.11")
 def test_edges_between_two_triangles_on_paper(impl):
-    """The face points' columns begin at 0, or the boundary has the inside's weights."""
+    """On the boundary, the ends have the inside's 1/4, not 1/2. Or the face point pulls there, too,
+    so that the row sums to 5/4."""
     edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
     entries = impl.catmull_clark_edge_rows(edges, np.array([3, 0, 1, 3, 4, 2]), np.array([3, 3]), 5)
     expected = np.zeros((5, 7))
@@ -118,7 +173,8 @@ def test_edges_between_two_triangles_on_paper(impl):
 @exercise("11.11")
 @each_polygon_mesh
 def test_points_on_edges_row_by_row(impl, count, faces):
-    """A face of the wrong number where faces differ in size."""
+    """A corner gets the face point of another face where faces differ in size: the face's number is
+    not the corner's over 3 or 4."""
     edges, corner_edge, _ = topology(faces)
     entries = impl.catmull_clark_edge_rows(edges, corner_edge, flat(faces)[1], count)
     expected = np.zeros((len(edges), count + len(faces)))
@@ -129,20 +185,40 @@ def test_points_on_edges_row_by_row(impl, count, faces):
 
 
 @exercise("11.12")
-def test_a_tetrahedron_on_paper(impl):
-    """The face point of the face that a vertex does not belong to; or v's own weight."""
-    edges = topology(TETRAHEDRON)[0]
-    entries = impl.catmull_clark_vertex_rows(edges, np.zeros(6, bool), TETRAHEDRON.ravel(),
-                                             np.full(4, 3), np.full(4, 3))
-    expected = np.array([[3, 1, 1, 1, 1, 1, 1, 0], [1, 3, 1, 1, 1, 0, 1, 1],
-                         [1, 1, 3, 1, 1, 1, 0, 1], [1, 1, 1, 3, 0, 1, 1, 1]]) / 9
-    assert_close(dense(entries, (4, 8)), expected)
+def test_a_pyramid_on_paper(impl):
+    """The pull is 1 / n, not 1 / n^2. A neighbour pulls by 2 / n^2, as if R were the ring's mean.
+    Face points are left out, are those of other faces, or stand in the columns from 0 on. v keeps
+    another weight."""
+    faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [4, 3, 2, 1]]
+    entries = impl.catmull_clark_vertex_rows(topology(faces)[0], np.zeros(8, bool), *flat(faces),
+                                             np.array([4, 3, 3, 3, 3]))
+    expected = np.array([[72, 9, 9, 9, 9, 9, 9, 9, 9, 0],
+                         [16, 48, 16, 0, 16, 16, 0, 0, 16, 16],
+                         [16, 16, 48, 16, 0, 16, 16, 0, 0, 16],
+                         [16, 0, 16, 48, 16, 0, 16, 16, 0, 16],
+                         [16, 16, 0, 16, 48, 0, 0, 16, 16, 16]]) / 144
+    assert_close(dense(entries, (5, 10)), expected)
+
+
+@exercise("11.12")
+def test_boundary_vertices_and_one_of_no_face_on_paper(impl):
+    """Face points pull at boundary vertices as well. The boundary has another w than 1/8. A vertex
+    of no face is divided by its valence 0, or does not stay."""
+    corners, counts = np.array([3, 2, 4, 0, 1, 2, 3]), np.array([3, 4])
+    edges = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
+    entries = impl.catmull_clark_vertex_rows(edges, np.arange(6) != 3, corners, counts,
+                                             np.array([2, 2, 3, 3, 2, 0]))
+    expected = np.array([[6, 1, 0, 1, 0, 0, 0, 0], [1, 6, 1, 0, 0, 0, 0, 0],
+                         [0, 1, 6, 0, 1, 0, 0, 0], [1, 0, 0, 6, 1, 0, 0, 0],
+                         [0, 0, 1, 1, 6, 0, 0, 0], [0, 0, 0, 0, 0, 8, 0, 0]]) / 8
+    assert_close(dense(entries, (6, 8)), expected)
 
 
 @exercise("11.12")
 @each_polygon_mesh
 def test_moved_vertices_row_by_row(impl, count, faces):
-    """Boundary vertices are pulled inwards by face points, or isolated ones divide by 0."""
+    """Face points pull at boundary vertices as well. The strength is that of another vertex. A
+    vertex is pulled by faces that do not meet there."""
     edges, _, is_boundary = topology(faces)
     entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *flat(faces),
                                              valence_of(count, edges))
@@ -158,7 +234,9 @@ def test_moved_vertices_row_by_row(impl, count, faces):
 
 @exercise("11.13")
 def test_a_triangle_and_a_square_become_seven_quads(impl):
-    """A quad is wound the other way, begins elsewhere, or has the edge of another corner."""
+    """A face's vertex is numbered from V, or V + the number of corners: two faces share an edge.
+    The edge behind is that of the previous entry, across faces (np.roll). A quad is wound the other
+    way or begins elsewhere."""
     corners, counts = np.array([0, 1, 2, 2, 1, 4, 3]), np.array([3, 4])
     corner_edge = np.array([0, 2, 1, 2, 3, 5, 4])  # 01, 02, 12, 14, 23, 34
     assert_equal(impl.catmull_clark_faces(corners, counts, corner_edge, 6), np.array([
@@ -187,7 +265,8 @@ def test_quads_fill_their_polygon(impl, count, faces):
 
 @exercise("11.15")
 def test_the_limit_of_a_cube_on_paper(impl):
-    """The diagonals weigh as much as the ring, or the sum is not 1."""
+    """The ring's 4 is missing. A neighbour is taken for the end of the diagonal, or diagonals are
+    left out. The factor 1 / (n (n + 5)) is wrong, as 1 / n^2, 1 / (n + 5)."""
     quads = np.array(CUBE)
     edges = topology(quads)[0]
     entries = impl.catmull_clark_limit_rows(edges, np.zeros(12, bool), quads, np.full(8, 3))
@@ -198,7 +277,8 @@ def test_the_limit_of_a_cube_on_paper(impl):
 
 @exercise("11.15")
 def test_limits_on_a_boundary(impl):
-    """A diagonal pulls a boundary vertex inwards, or a step's 1/8 is used for the limit."""
+    """The boundary has a step's 1/8, not the limit's 1/6. Diagonals pull at boundary vertices as
+    well. A vertex of valence 0 does not stay."""
     quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]])
     edges, _, is_boundary = topology(quads)
     n = np.append(valence_of(9, edges), 0)

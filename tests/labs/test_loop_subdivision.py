@@ -32,7 +32,9 @@ def loop_of(count, faces, u):
 
 @exercise("11.4")
 def test_loops_own_weights(impl):
-    """The square, the cosine's quarter or the division by n is forgotten; degrees for radians."""
+    """The square, the cosine's 1/4, or the division by n is forgotten or in the wrong place. The
+    angle is in degrees, or lacks its 2. A sign is wrong, or 3/8 and 5/8 are exchanged. It is
+    Warren's formula."""
     n = np.array([2, 3, 4, 6, 12])
     total = np.array([5 / 8 - 1 / 64, 9 / 16, 5 / 8 - 9 / 64, 3 / 8,
                       5 / 8 - (3 + np.sqrt(3)) ** 2 / 64])
@@ -40,17 +42,41 @@ def test_loops_own_weights(impl):
     assert_close(impl.loop_weight(n[:, None]), (total / n)[:, None])
 
 
-@exercise("11.5")
-def test_a_triangle_alone_on_paper(impl):
-    """Corners stay, or the inside's rules are used on the boundary."""
-    got = impl.loop_slow(np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 16.0]]), np.array([[1, 2, 0]]),
-                         np.full(3, 9.0))
-    assert_close(got, np.array([[1, 2], [6, 2], [1, 12], [4, 0], [0, 8], [4, 8.0]]))
+TWO = (np.array([[0.0, 0.0], [16.0, 8.0], [8.0, 40.0], [0.0, 16.0]]),  # two triangles in a plane,
+       np.array([[3, 1, 2], [1, 3, 0]]), np.array([3.0, 5.0, 7.0, 9.0]))  # with the edge 1 3
 
 
 @exercise("11.5")
-def test_a_tetrahedrons_points_on_paper(impl):
-    """3/8 and 1/8 are swapped, or u is the weight of all neighbours together."""
+def test_boundary_vertices_of_two_triangles_on_paper(impl):
+    """A vertex on the boundary stays, or the inside's rule with u is used there. Its whole ring
+    pulls, not only the two neighbours along the boundary. v keeps another weight than 3/4. The
+    edges' points come first."""
+    got = impl.loop_slow(*TWO)
+    assert_close(got[:4], np.array([[2, 3], [13, 11], [8, 33], [1, 17.0]]))
+
+
+@exercise("11.5")
+def test_edge_points_of_two_triangles_on_paper(impl):
+    """3/8 and 1/8 are exchanged. An inner edge gets its middle, without the opposite corners. The
+    inside's rule is used on a boundary edge, or the opposite corner pulls there. Points are made of
+    moved vertices, not of the old ones."""
+    got = impl.loop_slow(*TWO)  # of the edges 0 1, 0 3, 1 2, 1 3, 2 3
+    assert_close(got[4:], np.array([[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]]))
+
+
+@exercise("11.5")
+def test_a_tetrahedrons_vertices_on_paper(impl):
+    """u is the weight of all neighbours together (of their mean). v keeps 1 - u instead of 1 - n u.
+    The u is that of a neighbour, or it is computed from n, and the given u is not used."""
+    got = impl.loop_slow(np.array([[16.0], [32.0], [0.0], [8.0]]), TETRAHEDRON,
+                         np.array([1 / 8, 1 / 16, 1 / 4, 3 / 8]))
+    assert_close(got[:4].T, np.array([[15, 27.5, 14, 17]]))
+
+
+@exercise("11.5")
+def test_a_tetrahedrons_edge_points_on_paper(impl):
+    """3/8 and 1/8 are exchanged, or a corner opposite to the edge is left out, or is one of its
+    ends."""
     got = impl.loop_slow(np.array([[16.0], [0.0], [0.0], [8.0]]), TETRAHEDRON,
                          np.array([1 / 8, 1 / 8, 1 / 4, 3 / 16]))
     assert_close(got.T, np.array([[11, 3, 6, 6.5, 7, 7, 9, 3, 5, 5]]))
@@ -58,7 +84,8 @@ def test_a_tetrahedrons_points_on_paper(impl):
 
 @exercise("11.5")
 def test_a_vertex_of_no_face_stays(impl):
-    """A mean of nothing, nan; or it vanishes, and all numbers behind it are wrong."""
+    """An isolated vertex becomes nan, the mean of nothing. Or it vanishes, and all numbers behind
+    it are wrong."""
     vertices = np.array([[8.0, 3.0], [0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     got = impl.loop_slow(vertices, np.array([[1, 2, 3]]), np.full(4, 0.3))
     assert_close(got[0], np.array([8.0, 3.0]))
@@ -68,7 +95,8 @@ def test_a_vertex_of_no_face_stays(impl):
 @exercise("11.5")
 @each_mesh
 def test_the_slow_step_is_that_of_the_matrix(impl, rng, count, faces):
-    """The order of the points, a weight of another vertex, an isolated vertex that vanishes."""
+    """Points come in another order. A vertex has the u of another one. A corner of another face is
+    taken for the one opposite to an edge."""
     vertices, u = rng.normal(size=(count, 2)), rng.uniform(0.05, 0.2, count)
     assert_close(impl.loop_slow(vertices, faces, u), loop_of(count, faces, u) @ vertices)
 
@@ -87,20 +115,33 @@ def test_the_published_meshes_of_opensubdiv(impl, name):
 
 # --- the matrix ----------------------------------------------------------------------------------
 
-@exercise("11.8")
-def test_two_triangles_on_paper(impl):
-    """The opposite vertices are those of the next edge."""
+def edge_rows_of_two_triangles(impl):
     faces = np.array([[3, 1, 0], [1, 3, 2]])
     edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
-    corner_edge = np.array([3, 0, 1, 3, 4, 2])
+    return dense(impl.loop_edge_rows(faces, edges, np.array([3, 0, 1, 3, 4, 2])), (5, 4))
+
+
+@exercise("11.8")
+def test_the_inner_edge_of_two_triangles_on_paper(impl):
+    """3/8 and 1/8, or inside and boundary, are exchanged. An opposite corner is left out, or is an
+    end of the edge (np.roll in the wrong direction). A mask with one entry per edge is used for
+    corners. Rows and columns are exchanged."""
+    assert_close(edge_rows_of_two_triangles(impl)[3], np.array([1, 3, 1, 3]) / 8)
+
+
+@exercise("11.8")
+def test_two_triangles_on_paper(impl):
+    """Boundary edges have the inside's 3/8, not 1/2. Or the opposite corner pulls at a boundary
+    edge, too, so that its row sums to 9/8."""
     expected = np.array([[4, 4, 0, 0], [4, 0, 0, 4], [0, 4, 4, 0], [1, 3, 1, 3], [0, 0, 4, 4]]) / 8
-    assert_close(dense(impl.loop_edge_rows(faces, edges, corner_edge), (5, 4)), expected)
+    assert_close(edge_rows_of_two_triangles(impl), expected)
 
 
 @exercise("11.8")
 @each_mesh
 def test_new_points_on_edges_row_by_row(impl, count, faces):
-    """A boundary edge is pulled inwards; or the winding is relied on."""
+    """A boundary edge is pulled inwards. An opposite corner is taken from another face. The winding
+    of the faces is relied on."""
     edges, corner_edge, _ = topology(faces)
     got = dense(impl.loop_edge_rows(faces, edges, corner_edge), (len(edges), count))
     assert_close(got, loop_of(count, faces, np.zeros(count))[count:])
@@ -108,7 +149,9 @@ def test_new_points_on_edges_row_by_row(impl, count, faces):
 
 @exercise("11.9")
 def test_two_triangles_become_eight(impl):
-    """A child is wound the other way, begins elsewhere, or has the edge of another side."""
+    """New vertices are numbered from 0, or from the largest vertex of the faces, not from
+    vertex_count; or by corner, not by edge. Triangles come kind by kind, or one is left out. A
+    child is wound the other way, begins elsewhere, or has another side's edge."""
     faces, corner_edge = np.array([[3, 1, 0], [1, 3, 2]]), np.array([3, 0, 1, 3, 4, 2])
     assert_equal(impl.loop_faces(faces, corner_edge, 6), np.array([
         [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]]))
@@ -133,9 +176,10 @@ def test_children_fill_their_parent(impl, count, faces):
 
 @exercise("11.14")
 def test_limit_weights_on_paper(impl):
-    """The old weight for the limit's: m is 1/12 at valence 6, where u is 1/16."""
-    assert_close(impl.limit_weight(np.array([6, 3, 4]), np.array([1 / 16, 3 / 16, 3 / 32])),
-                 np.array([1 / 12, 1 / 5, 1 / 8]))
+    """The reciprocal is forgotten: 1 / m. The fraction is upside down, 8 u / 3 or 8 / (3 u), or
+    multiplied by u. u is not used, or m is u itself. n is left out, or the sign is wrong."""
+    n, u = np.array([6, 3, 4, 7, 2]), np.array([1 / 16, 3 / 16, 3 / 32, 1 / 8, 1 / 24])
+    assert_close(impl.limit_weight(n, u), np.array([1 / 12, 1 / 5, 1 / 8, 1 / 10, 1 / 11]))
 
 
 @exercise("11.14")

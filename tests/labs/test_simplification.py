@@ -30,7 +30,8 @@ from course.given.gradcheck import gradcheck
 
 @exercise("12.2")
 def test_the_quadric_of_a_plane(impl):
-    """Row times column instead of column times row: a number, not a matrix."""
+    """p is scaled to a unit normal first. d is left out: the last row and column are 0. Only the
+    diagonal is filled. Row times column gives a number, not a matrix."""
     expected = np.array([[1.0, 2.0, 3.0, 4.0], [2.0, 4.0, 6.0, 8.0],
                          [3.0, 6.0, 9.0, 12.0], [4.0, 8.0, 12.0, 16.0]])
     assert_close(impl.plane_quadrics(np.array([1.0, 2.0, 3.0, 4.0])), expected)
@@ -38,7 +39,8 @@ def test_the_quadric_of_a_plane(impl):
 
 @exercise("12.2")
 def test_one_quadric_for_each_plane(impl, rng):
-    """Planes are mixed with each other, or only one axis of them is understood."""
+    """The matrices of all planes are summed into one. Leading axes are lost, or only one is
+    understood. Planes are mixed with each other."""
     p = rng.normal(size=(3, 2, 4))
     expected = np.array([[outer(p[i, j]) for j in range(2)] for i in range(3)])
     assert_close(impl.plane_quadrics(p), expected)
@@ -46,17 +48,20 @@ def test_one_quadric_for_each_plane(impl, rng):
 
 @exercise("12.3")
 def test_quadrics_are_summed_over_the_faces_at_a_vertex(impl):
-    """q[faces] += ... counts one face only; faces' quadrics are shared out, in thirds; or there is
-    no row for a vertex of no face."""
-    quadrics = np.array([1.0, 10.0, 100.0])[:, None, None] * np.arange(16.0).reshape(4, 4)
-    got = impl.vertex_quadrics(quadrics, np.array([[0, 1, 2], [2, 1, 4], [1, 4, 6]]), 9)
-    counts = np.array([1.0, 111.0, 11.0, 0.0, 110.0, 0.0, 100.0, 0.0, 0.0])
-    assert_close(got, counts[:, None, None] * np.arange(16.0).reshape(4, 4))
+    """+= with repeated indices adds only one of a vertex's faces. It is their mean, or each corner
+    gets a third. A vertex gets another face's quadric (tile, not repeat). A corner is left out.
+    vertex_count is ignored: no row for unused vertices."""
+    factors = np.array([1.0, 10.0, 100.0, 1000.0])
+    quadric = np.arange(1.0, 17.0).reshape(4, 4)
+    faces = np.array([[0, 1, 2], [2, 1, 4], [1, 4, 6], [4, 0, 1]])
+    got = impl.vertex_quadrics(factors[:, None, None] * quadric, faces, 9)
+    sums = np.array([1001.0, 1111.0, 11.0, 0.0, 1110.0, 0.0, 100.0, 0.0, 0.0])
+    assert_close(got, sums[:, None, None] * quadric)
 
 
 @exercise("12.3")
 def test_quadrics_of_a_mesh_face_by_face(impl, rng):
-    """A corner of the faces is left out."""
+    """A corner of the faces is left out, or counts for another face."""
     vertices, faces = bumpy(20, rng)
     each = np.array([quadrics_of(vertices, face[None])[face[0]] for face in faces])
     assert_close(impl.vertex_quadrics(each, faces, len(vertices)), quadrics_of(vertices, faces))
@@ -64,15 +69,25 @@ def test_quadrics_of_a_mesh_face_by_face(impl, rng):
 
 @exercise("12.4")
 def test_an_error_on_paper(impl):
-    """The 1 after x, y, z is missing; or the distance is not squared."""
-    q = outer(np.array([0.6, 0.8, 0.0, -2.0]))
-    assert_close(impl.quadric_error(q, np.array([5.0, 5.0, 9.0])), 25.0)
-    assert_close(impl.quadric_error(q, np.array([2.0, 1.0, 9.0])), 0.0)
+    """The 1 after x is missing, 0, or comes first. 2 b.x lacks its factor 2, or it or c is left
+    out. It is the distance, not its square. Q v is squared, or not multiplied by v."""
+    q = outer(np.array([2.0, -1.0, 3.0, -4.0]))
+    assert_close(impl.quadric_error(q, np.array([3.0, 1.0, 2.0])), 49.0)
+    assert_close(impl.quadric_error(q, np.array([1.0, 1.0, 1.0])), 0.0)
+
+
+@exercise("12.4")
+def test_errors_of_four_points_on_paper(impl):
+    """Only one point is understood: the leading axes are lost, or the points are summed."""
+    q = np.concatenate([planes_of([2, -1, 3, -4]), planes_of([0, 1, 2, 1], [3, 0, 0, 2]),
+                        planes_of([1, 5, 0, 0]), planes_of([0, 0, 4, -7], [1, 1, 1, 1])])
+    x = np.array([[3.0, 1.0, 2.0], [2.0, 4.0, 3.0], [6.0, -1.0, 8.0], [5.0, 7.0, 1.0]])
+    assert_close(impl.quadric_error(q, x), np.array([49.0, 185.0, 1.0, 205.0]))
 
 
 @exercise("12.4")
 def test_the_error_is_the_double_sum(impl, rng):
-    """Shapes that broadcast; a quadric that is not symmetric."""
+    """The leading shapes of q and x do not broadcast. Q is taken for symmetric."""
     q, x = rng.normal(size=(2, 1, 4, 4)), rng.normal(size=(5, 3))
     expected = np.array([[error(q[i, 0], x[j]) for j in range(5)] for i in range(2)])
     assert_close(impl.quadric_error(q, x), expected)
@@ -80,7 +95,9 @@ def test_the_error_is_the_double_sum(impl, rng):
 
 @exercise("12.5")
 def test_the_gradient_of_an_error_on_paper(impl):
-    """2 Q v where Q is not symmetric, or the gradient of the 1 is returned, too."""
+    """grad_x is 2 Q v: Q is not symmetric, so it is (Q + Q^T) v. One of the two is left out. grad_x
+    or grad_q is not multiplied by grad_error. grad_x has the gradient of the 1, too. The outputs
+    are exchanged."""
     q = np.arange(16.0).reshape(4, 4)
     grad_q, grad_x = impl.quadric_error_backward(np.array(2.0), q, np.array([1.0, 0.0, 2.0]))
     assert_close(grad_x, 2 * np.array([0 + 4 + 3 + 0 + 16 + 12, 4 + 12 + 7 + 1 + 18 + 13,
@@ -90,7 +107,7 @@ def test_the_gradient_of_an_error_on_paper(impl):
 
 @exercise("12.5")
 def test_the_gradient_of_an_error_is_its_derivative(impl, rng):
-    """grad_error is left out, or summed over the points."""
+    """grad_x or grad_q is not multiplied by grad_error, or is summed over the points."""
     def forward(q, x):
         v = np.concatenate([x, np.ones((*x.shape[:-1], 1))], -1)
         return np.einsum("...i,...ij,...j", v, q, v)
@@ -102,9 +119,11 @@ def test_the_gradient_of_an_error_is_its_derivative(impl, rng):
 
 @exercise("12.6")
 def test_boundary_planes_of_a_triangle(impl):
-    """The plane of the face itself; or n points into the face; or it is not of length 1."""
-    vertices = np.array([[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [0.0, 3.0, 5.0]])
-    expected = np.array([[0.0, -1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.6, 0.8, 0.0, -2.4]])
+    """n points into the face, not away from it: the edge runs from low to high, not as its face
+    does. n is not of length 1. d has the wrong sign. It is the plane of the face itself, not
+    perpendicular to it."""
+    vertices = np.array([[1.0, 2.0, 5.0], [5.0, 2.0, 5.0], [1.0, 5.0, 5.0]])
+    expected = np.array([[0.0, -1.0, 0.0, 2.0], [-1.0, 0.0, 0.0, 1.0], [0.6, 0.8, 0.0, -4.6]])
     for face in [0, 1, 2], [1, 0, 2]:
         edges, p = impl.boundary_planes(vertices, np.array([face]))
         assert_equal(edges, np.array([[0, 1], [0, 2], [1, 2]]))
@@ -113,7 +132,8 @@ def test_boundary_planes_of_a_triangle(impl):
 
 @exercise("12.6")
 def test_they_contain_their_edge_and_leave_their_face_behind(impl, rng):
-    """Planes in the order of the faces, not of the edges; the wrong face, or the wrong corner."""
+    """Planes come in the order of the faces, not of the edges. Inner edges get a plane, too. The
+    normal is that of another face."""
     vertices, faces = mesh.grid(18)
     vertices = vertices + 0.2 * rng.normal(size=vertices.shape)
     faces = rng.permuted(rng.permutation(faces)[3:], axis=1)
@@ -133,7 +153,7 @@ def test_they_contain_their_edge_and_leave_their_face_behind(impl, rng):
 
 @exercise("12.6", fine_print=True)
 def test_no_boundary_and_no_area(impl):
-    """A closed surface fails; or a face without area gives nan."""
+    """A closed surface, which has no boundary, fails. A face without area gives nan."""
     edges, p = impl.boundary_planes(*mesh.icosphere(20))
     assert_equal((np.shape(edges), np.shape(p)), ((0, 2), (0, 4)))
     line = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [3.0, 3.0, 3.0]])
@@ -144,7 +164,39 @@ def test_no_boundary_and_no_area(impl):
 
 @exercise("12.8")
 def test_the_best_place_on_a_segment_on_paper(impl):
-    """b of the quadric is left out; or the place is not clipped to the segment."""
+    """t has the wrong sign or a factor 2, or is not kept within 0 and 1. b of the quadric or A x_i
+    is left out. The slope is that at b. It is divided by e.e, not e.A e. The place is t e, without
+    a."""
+    q = np.concatenate([planes_of([1, 0, 0, -2]), planes_of([0, 2, 0, -6], [1, 0, 0, -1]),
+                        planes_of([1, 0, 0, -2]), planes_of([0, 0, 3, -9]),
+                        planes_of([1, 1, 0, -7], [0, 0, 1, -1])])
+    a = np.array([[0.0, 0.0, 1.0], [5.0, 0.0, 2.0], [3.0, 0.0, 0.0], [4.0, 5.0, -5.0],
+                  [1.0, 1.0, 1.0]])
+    b = np.array([[8.0, 4.0, 1.0], [5.0, 4.0, 6.0], [9.0, 9.0, 0.0], [8.0, 7.0, 1.0],
+                  [6.0, 6.0, 1.0]])
+    expected = np.array([[2.0, 1.0, 1.0], [5.0, 3.0, 5.0], [3.0, 0.0, 0.0], [8.0, 7.0, 1.0],
+                         [3.5, 3.5, 1.0]])
+    assert_close(impl.best_on_segment(q, a, b)[0], expected)
+
+
+@exercise("12.8")
+def test_in_a_plane_no_place_of_a_segment_is_best(impl):
+    """Every place is called unique, or none. In the plane of the quadric the error is the same
+    along the whole segment: e.A e is 0."""
+    q = np.concatenate([planes_of([1, 0, 0, -2]), planes_of([1, 0, 0, -2]),
+                        planes_of([0, 0, 3, -9]), planes_of([0, 0, 3, -9], [0, 1, 0, -5]),
+                        planes_of([0, 1, 0, -5]), planes_of([0, 1, 0, -5])])
+    a = np.array([[3.0, 0.0, 4.0], [0.0, 0.0, 1.0], [4.0, 5.0, 1.0], [4.0, 2.0, 1.0],
+                  [1.0, 2.0, 3.0], [7.0, 8.0, 9.0]])
+    b = np.array([[3.0, 5.0, 9.0], [8.0, 4.0, 1.0], [9.0, 7.0, 1.0], [8.0, 7.0, 1.0],
+                  [4.0, 9.0, 6.0], [1.0, 8.0, 3.0]])
+    assert_equal(impl.best_on_segment(q, a, b)[1],
+                 np.array([False, True, False, True, True, False]))
+
+
+@exercise("12.8")
+def test_a_short_segment_has_a_best_place(impl):
+    """e.A e is compared with a number that has a unit, not with the size of A and of e."""
     q = np.repeat(planes_of([1, 0, 0, -2]), 4, 0)
     a = np.array([[0.0, 0.0, 1.0], [3.0, 0.0, 0.0], [-5.0, 1.0, 0.0], [1.995, 0.0, 0.0]])
     b = np.array([[8.0, 4.0, 1.0], [9.0, 9.0, 0.0], [1.0, 7.0, 3.0], [2.015, 0.0, 0.0]])
@@ -154,7 +206,8 @@ def test_the_best_place_on_a_segment_on_paper(impl):
 
 @exercise("12.8")
 def test_no_point_of_the_segment_is_better(impl, rng):
-    """A wrong sign, or a factor 2, for planes in general position."""
+    """t has a wrong sign or a factor 2, for planes in general position. Only the diagonal of A
+    counts."""
     p = rng.normal(size=(6, 5, 4))
     q = np.array([sum(map(outer, planes)) for planes in p])
     a, b = rng.normal(size=(2, 6, 3))
@@ -168,7 +221,8 @@ def test_no_point_of_the_segment_is_better(impl, rng):
 
 @exercise("12.8", fine_print=True)
 def test_along_a_plane_no_place_is_best(impl):
-    """e in the plane: 0/0, or rounding decides. LEAST_CURVATURE is compared with trace(A) e.e."""
+    """e lies in the plane: 0 / 0 gives nan, or rounding decides. e.A e must be compared with
+    LEAST_CURVATURE trace(A) e.e, and x be a where it is not greater."""
     edge = 1e3 * np.array([[0.0, 1.0, 0.0]])
     for factor, expected in (0.0, False), (0.95, False), (1.06, True):
         for scale in 1e-6, 1e6:
@@ -184,7 +238,9 @@ def test_along_a_plane_no_place_is_best(impl):
 
 @exercise("12.10")
 def test_a_corner_is_found(impl):
-    """The sign of b, or its scale: three planes meet in one point."""
+    """b has the wrong sign, or there is a factor 2. The right-hand side has the shape (N, 3), which
+    solve takes for one matrix: it needs (N, 3, 1). That axis is left in the result. Only the
+    diagonal of A counts, or b is multiplied by A."""
     q = np.concatenate([planes_of([1, 0, 0, -1], [0, 1, 0, -2], [0, 0.6, 0.8, -3.6]),
                         planes_of([2, 0, 0, 6], [0, 1, 0, 5], [0, 0, 3, 12])])
     assert_close(impl.best_anywhere(q), np.array([[1.0, 2.0, 3.0], [-3.0, -5.0, -4.0]]))
@@ -192,7 +248,7 @@ def test_a_corner_is_found(impl):
 
 @exercise("12.10")
 def test_at_the_best_place_the_gradient_is_zero(impl, rng):
-    """Quadrics of several pairs are mixed."""
+    """Quadrics of several pairs are mixed with each other."""
     axes = np.linalg.qr(rng.normal(size=(7, 3, 3)))[0] * rng.uniform(0.3, 1.5, (7, 3, 1))
     planes = np.concatenate([axes, rng.normal(size=(7, 3, 1))], -1)
     q = np.array([sum(map(outer, rows)) for rows in planes])
@@ -204,19 +260,20 @@ def test_at_the_best_place_the_gradient_is_zero(impl, rng):
 
 
 @exercise("12.17")
-def test_costs_of_two_pairs_on_paper(impl):
-    """One vertex's quadric alone, their mean, or the cost at an end of the pair."""
-    vertices = np.array([[0.0, 0.0, 0.0], [9.0, 9.0, 9.0], [6.0, 0.0, 0.0]])
-    q = np.concatenate([planes_of([1, 0, 0, 0]), planes_of([0, 1, 0, 0], [0, 0, 1, 0]),
-                        planes_of([1, 0, 0, -6], [1, 0, 0, -6])])
-    positions, costs = impl.pair_costs(vertices, q, np.array([[0, 2], [0, 1]]))
-    assert_close(positions, np.array([[4.0, 0.0, 0.0], [0.0, 0.0, 0.0]]))
-    assert_close(costs, np.array([24.0, 0.0]))
+def test_costs_of_four_pairs_on_paper(impl):
+    """Costs and positions are exchanged. Q is one vertex's quadric alone, or the mean of both, not
+    their sum. The cost is that at an end or the middle of the pair, not at the best position."""
+    vertices = np.array([[0.0, 7, 1], [9, 7, -8], [6, 7, -5], [3, 7, -2]])  # on a line
+    q = np.concatenate([planes_of([1, 0, 0, 0]), 3 * planes_of([1, 0, 0, -8]),
+                        2 * planes_of([1, 0, 0, -6]), 2 * planes_of([1, 0, 0, -4])])
+    places = np.array([[4.0, 7.0, -3.0], [6.0, 7.0, -5.0], [5.0, 7.0, -4.0], [6.4, 7.0, -5.4]])
+    assert_close(impl.pair_costs(vertices, q, np.array([[0, 2], [0, 1], [2, 3], [1, 3]])),
+                 (places, np.array([24.0, 48.0, 4.0, 19.2])))
 
 
 @exercise("12.17")
 def test_costs_are_those_of_pair_by_pair(impl, rng):
-    """Pairs are mixed, or numbered as vertices are."""
+    """Pairs are mixed with each other, or their numbers are taken for those of vertices."""
     vertices, faces = bumpy(20, rng, 0.3)
     pairs, q = rng.permutation(edges_of(faces)), quadrics_of(vertices, faces)
     expected = [place_and_cost(q[a] + q[b], vertices[a], vertices[b]) for a, b in pairs]
@@ -229,23 +286,64 @@ def test_costs_are_those_of_pair_by_pair(impl, rng):
 
 @exercise("12.11")
 def test_a_collapse_on_paper(impl):
-    """Faces of both stay, a is renamed instead of b, or the corners turn."""
-    faces = np.array([[7, 2, 5], [5, 2, 9], [5, 1, 7], [3, 4, 6], [9, 8, 5], [2, 8, 9], [2, 7, 0]])
-    expected = np.array([[2, 1, 7], [3, 4, 6], [9, 8, 2], [2, 8, 9], [2, 7, 0]])
+    """Faces with both vertices are kept and name a twice. All faces with a or b go, or only faces
+    with both stay. The new vertex is called b instead of a. Numbers above b are lowered. The order
+    of faces or corners changes."""
+    faces = np.array([[7, 2, 5], [5, 2, 9], [5, 1, 7], [3, 4, 6], [9, 8, 5], [2, 8, 9], [2, 7, 0],
+                      [8, 1, 0]])
+    expected = np.array([[2, 1, 7], [3, 4, 6], [9, 8, 2], [2, 8, 9], [2, 7, 0], [8, 1, 0]])
     assert_equal(impl.collapse_faces(faces, 2, 5), expected)
 
 
 @exercise("12.11")
 def test_a_collapse_may_leave_nothing_or_everything(impl):
-    """Shapes of no faces; a pair without a common face loses none."""
+    """No face is left, and the shape is not (0, 3). A pair without a common face loses a face."""
     assert_equal(impl.collapse_faces(np.array([[0, 1, 2]]), 2, 0), np.zeros((0, 3), int))
     assert_equal(impl.collapse_faces(np.array([[0, 1, 2], [3, 4, 5]]), 1, 4),
                  np.array([[0, 1, 2], [3, 1, 5]]))
 
 
+def asked(impl, faces, pairs):
+    """What satisfies_link_condition says of each of these pairs."""
+    return np.array([impl.satisfies_link_condition(faces, a, b) for a, b in pairs])
+
+
+def given(faces, pairs):
+    """In words: the faces, and all the pairs that were asked about, where one call says little."""
+    return f"faces={faces.tolist()}, for each of the pairs a, b in {[list(pair) for pair in pairs]}"
+
+
+@exercise("12.12")
+def test_the_edges_of_one_triangle_pass_and_a_pinched_ring_does_not(impl):
+    """True and False are exchanged. Always True. Always False: a and b are removed on one side
+    only. No vertex may be shared at all, or always two must be: an edge of one face has one third
+    vertex."""
+    faces = np.concatenate([DOUBLE, [[5, 6, 7]]])
+    pairs = [(5, 6), (7, 5), (1, 2), (6, 7), (3, 1), (2, 3), (6, 5), (2, 1)]
+    expected = np.array([True, True, False, True, False, False, True, False])
+    assert_equal(asked(impl, faces, pairs), expected, given(faces, pairs))
+
+
+@exercise("12.12")
+def test_a_tetrahedrons_edges_share_the_thirds_of_both_faces(impl):
+    """Only the first face at the edge is looked at: the third vertex of the second one is missing.
+    No vertex may be shared, or only one."""
+    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    pairs = [(0, 1), (2, 1), (3, 0), (1, 3)]
+    assert_equal(asked(impl, faces, pairs), np.full(4, True), given(faces, pairs))
+
+
+@exercise("12.12")
+def test_from_tip_to_ring_a_double_pyramid_may_be_collapsed(impl):
+    """The union of the neighbours is taken, not those that both ends share: instead of the
+    intersection, all neighbours must be third vertices."""
+    pairs = [*itertools.product((0, 4), (1, 2, 3)), (2, 0), (3, 4)]
+    assert_equal(asked(impl, DOUBLE, pairs), np.full(8, True), given(DOUBLE, pairs))
+
+
 @exercise("12.12")
 def test_the_ring_of_a_double_pyramid_must_not_be_pinched(impl):
-    """The two thirds are shared, but so is the ring's other vertex."""
+    """The two thirds are shared, but so is the ring's other vertex: more may not be shared."""
     for a, b in itertools.permutations((1, 2, 3), 2):
         assert_equal(impl.satisfies_link_condition(DOUBLE, a, b), False)
     for a, b in itertools.product((0, 4), (1, 2, 3)):
@@ -255,7 +353,7 @@ def test_the_ring_of_a_double_pyramid_must_not_be_pinched(impl):
 
 @exercise("12.12")
 def test_every_edge_of_a_sphere_satisfies_it(impl):
-    """Not more than two neighbours are shared, but the numbers of the vertices count."""
+    """The numbers of the vertices count, not only who is shared, or the size of the ring does."""
     _, faces = mesh.icosphere(20)
     for a, b in edges_of(faces):
         near = faces[(faces == a).any(1) | (faces == b).any(1)]
@@ -275,7 +373,8 @@ def test_a_thin_ring_must_not_lose_its_hole(impl):
 
 @exercise("12.12")
 def test_three_faces_at_an_edge_have_three_thirds(impl):
-    """The number of shared neighbours is compared with 2."""
+    """The number of shared neighbours is compared with 2, not with the third vertices of the
+    faces."""
     book = np.array([[0, 1, k] for k in (2, 3, 4)])
     assert_equal(impl.satisfies_link_condition(book, 0, 1), True)
 
@@ -284,28 +383,51 @@ def triangle(*corners):
     return np.array([corners], float)
 
 
+def asked_flips(impl, before, afters):
+    return np.array([impl.flips(before, after) for after in afters])
+
+
 @exercise("12.14")
 def test_a_face_that_turns_over_flips(impl):
-    """One that turns in its own plane, moves or grows does not."""
+    """True and False are exchanged. Always False. A face that only moves, grows, or turns in its
+    own plane flips: corners or sides are compared, not normals."""
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
-    assert_equal(impl.flips(before, 7 * before + [1.0, 2.0, 3.0]), False)
-    assert_equal(impl.flips(before, triangle([0, 0, 0], [0, 2, 0], [-2, 0, 0])), False)
-    assert_equal(impl.flips(before, triangle([0, 0, 0], [2, 0, 0], [0, -1, 0])), True)
+    afters = (7 * before + [1.0, 2.0, 3.0], triangle([0, 0, 0], [0, 2, 0], [-2, 0, 0]),
+              triangle([0, 0, 0], [2, 0, 0], [0, -1, 0]), before[:, [1, 0, 2]])
+    assert_equal(asked_flips(impl, before, afters), np.array([False, False, True, True]),
+                 f"before={before.tolist()}, and four triangles after={np.stack(afters).tolist()}")
 
 
 @exercise("12.14")
 def test_more_than_45_degrees_flip_and_a_little_less_does_not(impl):
-    """Another angle, or its sine."""
+    """It is another angle: 90 degrees where only the sign of n . n' is asked, or 60. It is the sine
+    instead of the cosine. n . n' is not divided by both lengths."""
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
-    for height, expected in ((1.0, 0.95), False), ((1.0, 0.2), False), ((0.95, 1.0), True), \
-                            ((0.0, 1.0), True), ((-0.01, 1.0), True), ((0.0, 0.0), True):
-        after = triangle([0, 0, 0], [2, 0, 0], [0, *height])
-        assert_equal(impl.flips(before, after), expected)
+    heights = [(1.0, 0.95), (0.95, 1.0), (1.0, 0.2), (0.3, 0.31), (0.0, 1.0), (-0.01, 1.0),
+               (3.0, 2.9), (2.9, 3.0)]
+    afters = [triangle([0, 0, 0], [2, 0, 0], [0, *height]) for height in heights]
+    expected = np.array([False, True, False, True, True, True, False, True])
+    assert_equal(asked_flips(impl, before, afters), expected,
+                 f"before={before.tolist()}, and after with the third corner at 0, y, z for each "
+                 f"of the y, z in {heights}")
+
+
+@exercise("12.14")
+def test_a_triangle_that_loses_its_area_flips(impl):
+    """A normal that becomes uncertain is let through: the shape, LEAST_SHAPE, is not asked. Needles
+    and slivers come."""
+    before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
+    heights = [1e-3, 0.5, 0.0, 0.1, 1e-6]
+    afters = [triangle([0, 0, 0], [2, 0, 0], [0.5, height, 0]) for height in heights]
+    assert_equal(asked_flips(impl, before, afters), np.array([True, False, True, False, True]),
+                 f"before={before.tolist()}, and after with the third corner at 0.5, y, 0 for each "
+                 f"y in {heights}")
 
 
 @exercise("12.14")
 def test_the_angle_between_the_normals_decides(impl, rng):
-    """A side is measured from the origin: right only where the first corner lies there."""
+    """A side is measured from the origin, which is right only where the first corner lies there. n
+    is not divided by its length."""
     for _ in range(40):
         before = 3 + rng.normal(size=(1, 3, 3))
         after = before + 0.4 * rng.normal(size=(1, 3, 3))
@@ -318,8 +440,8 @@ def test_the_angle_between_the_normals_decides(impl, rng):
 
 @exercise("12.14")
 def test_a_triangle_must_not_become_a_sliver(impl):
-    """The area is compared, not the shape; or with a number that has a unit; or the longest edge is
-    taken for one of the others. A sliver may stay one."""
+    """The area is compared, not the shape, or the new shape with LEAST_SHAPE itself, not times the
+    old one: a sliver may stay one. The longest edge is taken for one of the others."""
     right = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])               # of shape 1 / 2
     for x in 0.0, 1.0, 2.0:                                         # of shape height
         for height, expected in (0.475 * LEAST_SHAPE, True), (0.525 * LEAST_SHAPE, False):
@@ -333,7 +455,7 @@ def test_a_triangle_must_not_become_a_sliver(impl):
 
 @exercise("12.14")
 def test_the_size_of_a_triangle_does_not_matter(impl):
-    """A number that has a unit decides."""
+    """A number that has a unit decides: n . n' is not divided by the lengths of both."""
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
     for size in 1e-6, 1e6:
         for height, expected in (1.05, False), (0.95, True), (-0.01, True):
@@ -343,7 +465,8 @@ def test_the_size_of_a_triangle_does_not_matter(impl):
 
 @exercise("12.14")
 def test_one_of_many_is_enough(impl, rng):
-    """all for any."""
+    """All triangles must flip, instead of any: all for any. Or only the first or the last one is
+    looked at."""
     before = rng.normal(size=(5, 3, 3))
     assert_equal(impl.flips(before, before), False)
     for k in range(5):
@@ -372,15 +495,41 @@ def loop(impl, vertices, faces, face_count):
 
 @exercise("12.15")
 def test_nothing_to_do(impl, rng):
-    """One collapse too many, where there are just as many faces as asked for."""
+    """One collapse too many, where there are just as many faces as asked for: >= instead of >."""
     vertices, faces = bumpy(20, rng)
     for face_count in 20, 21:
         assert_equal(loop(impl, vertices, faces, face_count), (vertices, faces))
 
 
 @exercise("12.15")
+def test_it_stops_at_the_first_count_that_is_low_enough(impl, rng):
+    """One collapse too few: it stops above face_count. One too many. Several edges are collapsed in
+    one round, before the faces are counted again. Or none is: why_refused is 0 for an edge that may
+    be collapsed, and is asked the wrong way round."""
+    vertices, faces = bumpy(80, rng)
+    asked = [80, 79, 78, 77, 74]
+    left = np.array([len(loop(impl, vertices, faces, face_count)[1]) for face_count in asked])
+    assert_equal(left, np.array([80, 78, 78, 76, 74]),
+                 f"a ball of 80 faces, and face_count={asked}: how many faces are left of each?")
+
+
+@exercise("12.15")
+def test_the_cheapest_edge_is_collapsed_into_its_lower_vertex(impl, rng):
+    """It is another edge than the cheapest. The upper vertex stays, not the lower one. Vertices are
+    renumbered, or faces of both vertices are left."""
+    vertices, faces = bumpy(20, rng, 0.2)
+    [(expected, left)] = greedy(vertices, faces, [19])
+    got, got_left = loop(impl, vertices, faces, 19)
+    ball = "a ball of 20 faces, down to 19"
+    assert_equal(gone(faces, got_left), gone(faces, left), ball)
+    assert_equal(rows(got_left), rows(left), ball)
+    assert_equal(np.shape(got), np.shape(expected), ball)
+
+
+@exercise("12.15")
 def test_one_collapse(impl, rng):
-    """The upper vertex stays, or the lower one stays where it was; or it is another pair."""
+    """The vertex that is left does not move to the pair's best position: it stays where it was, or
+    goes to the middle."""
     vertices, faces = bumpy(20, rng, 0.2)
     [(expected, left)] = greedy(vertices, faces, [19])
     got, got_left = loop(impl, vertices, faces, 19)
@@ -388,10 +537,121 @@ def test_one_collapse(impl, rng):
     assert_close(got, expected, atol=1e-9)
 
 
+def refused_and_next(rng):
+    """A ball whose cheapest edge 0 is refused. -> vertices, faces, quadrics, edges 0 and 1.
+
+    Each vertex has an error that is the same everywhere, and an edge costs the sum of its two. But
+    edge 0 would like to be on the other side of the ball, at no cost. Edge 1 is the next cheapest.
+    """
+    vertices, faces = bumpy(180, rng, 0.01)
+    errors = 100 + rng.uniform(size=len(vertices))
+    allowed = allowed_edges(vertices, faces)
+    bad = next(allowed)
+    good = next(pair for pair in allowed if not near(faces, bad, pair))
+    errors[list(good)] = 8, 11
+    q = constant(errors)
+    x, y, z = 9 * vertices[bad[0]]
+    q[list(bad)] = planes_of([1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z])
+    return vertices, faces, q, bad, good
+
+
+def constant(errors):
+    """Quadrics (V, 4, 4) whose error is the same everywhere."""
+    q = np.zeros((len(errors), 4, 4))
+    q[:, 3, 3] = errors
+    return q
+
+
+def allowed_edges(vertices, faces):
+    """Yields the edges a b that may be collapsed into the place of a."""
+    for a, b in edges_of(faces).tolist():
+        if is_allowed(vertices, faces.tolist(), a, b, vertices[a]):
+            yield a, b
+
+
+def near(faces, *pairs):
+    """Is there an edge between the two pairs, or do they share a vertex?"""
+    return any({i, j} <= {*face} for face in faces.tolist() for i in pairs[0] for j in pairs[1])
+
+
+def collapsed(faces, *pairs):
+    """The faces after these collapses, one after the other, as lists."""
+    faces = faces.tolist()
+    for a, b in pairs:
+        faces = [[a if v == b else v for v in face] for face in faces if not {a, b} <= {*face}]
+    return faces
+
+
+@exercise("12.15")
+def test_a_refused_edge_is_not_collapsed(impl, rng):
+    """The cheapest edge is collapsed without asking why_refused, or though it is refused. 0 means
+    that it may be collapsed."""
+    vertices, faces, q, bad, _ = refused_and_next(rng)
+    left = impl.simplify_loop(vertices, faces, q, 178)[1]
+    ball = f"a ball of 180 faces, down to 178; its cheapest edge {list(bad)} is refused, for a flip"
+    assert_equal(f"of this edge are left: {np.intersect1d(left, bad).tolist()}",
+                 f"of this edge are left: {list(bad)}", ball)
+
+
+@exercise("12.15")
+def test_after_a_refused_edge_the_next_cheapest_is_tried(impl, rng):
+    """It gives up when the cheapest edge is refused. The next cheapest one must be tried, and so
+    on."""
+    vertices, faces, q, bad, good = refused_and_next(rng)
+    left = impl.simplify_loop(vertices, faces, q, 178)[1]
+    ball = (f"a ball of 180 faces, down to 178; its cheapest edge {list(bad)} is refused, the next "
+            f"is {list(good)}")
+    assert_equal(gone(faces, left), gone(faces, collapsed(faces, good)), ball)
+    assert_equal(rows(left), rows(collapsed(faces, good)), ball)
+
+
+@exercise("12.15")
+def test_edges_and_costs_are_renewed_after_each_collapse(impl, rng):
+    """Edges and costs are computed once, before the loop, and never again: they are out of date
+    after a collapse. The upper vertex's edges are lost; the lower one gets them."""
+    vertices, faces = bumpy(180, rng, 0.01)
+    a, b, x = next((a, b, x) for a, b in allowed_edges(vertices, faces)
+                   for x in range(a + 1, len(vertices))
+                   if near(faces, [b], [x]) and not near(faces, [a], [x])
+                   and is_allowed(vertices, collapsed(faces, (a, b)), a, x, vertices[a]))
+    errors = 100 + rng.uniform(size=len(vertices))
+    errors[[a, b, x]] = 1, 2, 3
+    left = impl.simplify_loop(vertices, faces, constant(errors), 176)[1]
+    ball = (f"a ball of 180 faces, down to 176. An edge costs the sum of two numbers: 1 at vertex "
+            f"{a}, 2 at {b}, 3 at {x}, and 100 or more elsewhere. First {[a, b]} is collapsed. "
+            f"Then {[a, x]} is an edge, the cheapest one")
+    expected = collapsed(faces, (a, b), (a, x))
+    assert_equal(gone(faces, left), gone(faces, expected), ball)
+    assert_equal(rows(left), rows(expected), ball)
+
+
+@exercise("12.15")
+def test_the_lower_vertex_gets_the_sum_of_both_quadrics(impl, rng):
+    """Quadrics are not summed: the lower vertex keeps its own, or gets that of the upper one, or
+    their mean."""
+    vertices, faces = bumpy(180, rng, 0.01)
+    a, b, c, d, y = next(
+        (a, b, c, d, y) for a, b in allowed_edges(vertices, faces)
+        for c, d in allowed_edges(vertices, faces)
+        for y in {v for face in faces.tolist() if {a, b} <= {*face} for v in face} - {a, b}
+        if not near(faces, [a, b, y], [c, d])
+        and is_allowed(vertices, collapsed(faces, (a, b)), c, d, vertices[c]))
+    for own, other in (1, 10), (10, 1):
+        errors = 100 + rng.uniform(size=len(vertices))
+        errors[[a, b, c, d, y]] = own, other, 8, 11, 12
+        left = impl.simplify_loop(vertices, faces, constant(errors), 176)[1]
+        ball = (f"a ball of 180 faces, down to 176. An edge costs the sum of two numbers: {own} at "
+                f"vertex {a}, {other} at {b}, 8 at {c}, 11 at {d}, 12 at {y}, and 100 or more "
+                f"elsewhere. First {[a, b]} is collapsed, and {a} has {own + other}")
+        expected = collapsed(faces, (a, b), (c, d))
+        assert_equal(gone(faces, left), gone(faces, expected), ball)
+        assert_equal(rows(left), rows(expected), ball)
+
+
 @exercise("12.15")
 def test_all_collapses_are_those_of_the_slow_loop(impl, rng):
-    """Quadrics are not summed, costs are out of date, pairs of the upper vertex are lost, refused
-    pairs never come back. The first collapse that differs is shown."""
+    """Costs are out of date, quadrics are not summed, or a refused edge ends the loop, somewhere on
+    the way. The first collapse that differs is shown."""
     for noise in 0.05, 0.3:
         vertices, faces = bumpy(45, rng, noise)
         face_counts = range(len(faces), 3, -2)
@@ -403,8 +663,10 @@ def test_all_collapses_are_those_of_the_slow_loop(impl, rng):
                 fast[face_count] = loop(impl, vertices, faces, face_count)
                 got, expected = fast[face_count][1], slow[face_count][1]
                 before = slow[min(face_count + 2, len(faces))][1]
-                assert_equal(gone(before, got), gone(before, expected))
-                assert_equal(rows(got), rows(expected))
+                ball = (f"a ball of {len(faces)} faces, down to {face_count}; down to "
+                        f"{face_count + 2} it was right")
+                assert_equal(gone(before, got), gone(before, expected), ball)
+                assert_equal(rows(got), rows(expected), ball)
         for face_count, (got, left) in fast.items():
             used = np.unique(left)
             assert_close(got[used], slow[face_count][0][used], rtol=1e-6, atol=1e-6)
@@ -433,7 +695,8 @@ def test_of_equal_costs_the_first_pair_counts(impl, rng):
 
 @exercise("12.15")
 def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
-    """A torus becomes a sphere, an edge gets four faces or one, or a face comes twice."""
+    """why_refused is not asked: a torus becomes a sphere, an edge gets four faces or one, or a face
+    comes twice."""
     for vertices, faces in mesh.torus(100), mesh.torus(36):
         vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
         left = loop(impl, vertices, faces, 0)[1]
@@ -447,7 +710,8 @@ def test_a_surface_stays_closed_and_keeps_its_holes(impl, rng):
 
 @exercise("12.15")
 def test_it_ends_with_a_tetrahedron(impl, rng):
-    """The target cannot be reached: an endless loop, or nothing is left."""
+    """The number of faces cannot be reached, since all edges are refused: an endless loop, or
+    nothing is left."""
     vertices, faces = bumpy(20, rng)
     left = loop(impl, vertices, faces, 0)[1]
     assert_equal((len(left), len(np.unique(left))), (4, 4))

@@ -16,16 +16,19 @@ from course.checks import assert_close, assert_equal, exercise
 
 @exercise("11.1")
 def test_edges_of_two_triangles(impl):
-    """The shared edge comes twice, or an edge runs from high to low."""
-    edges, corner_edge = impl.edges_of(np.array([7, 5, 1, 5, 7, 9]), np.array([3, 3]))
-    assert_equal(edges, np.array([[1, 5], [1, 7], [5, 7], [5, 9], [7, 9]]))
-    assert_equal(corner_edge, np.array([2, 0, 1, 2, 4, 3]))
+    """An edge of two faces comes twice, once in each direction. Edges are not low < high, or not
+    ascending. corner_edge names the edge behind the corner, has one entry per edge (return_index),
+    or another order. A face's last side is missing."""
+    edges = np.array([[1, 5], [1, 7], [5, 7], [5, 9], [7, 9]])
+    assert_equal(impl.edges_of(np.array([7, 5, 1, 5, 7, 9]), np.array([3, 3])),
+                 (edges, np.array([2, 0, 1, 2, 4, 3])))
 
 
 @exercise("11.1")
 @each_polygon_mesh
 def test_edges_are_those_of_a_dictionary(impl, count, faces):
-    """The last corner of a face is joined to the next face, or all faces count as triangles."""
+    """The last corner of a face is joined to the next face, or not at all. All faces are taken for
+    triangles."""
     edges, corner_edge, _ = topology(faces)
     assert_equal(impl.edges_of(*flat(faces)), (edges, corner_edge))
 
@@ -40,15 +43,26 @@ def test_edges_of_large_numbers(impl):
     assert_equal(corner_edge, np.array([0, 5, 1, 1, 6, 3, 4, 7, 2]))
 
 
+@exercise("11.1", fine_print=True)
+def test_edges_of_large_numbers_in_int32(impl):
+    """The corners come as int32, and a product of two of them overflows: compute in int64."""
+    corners = np.array([300_007, 7_000_003, 5_000_001, 7_000_003, 300_007, 40_009], np.int32)
+    edges = np.array([[40_009, 300_007], [40_009, 7_000_003], [300_007, 5_000_001],
+                      [300_007, 7_000_003], [5_000_001, 7_000_003]])
+    assert_equal(impl.edges_of(corners, np.array([3, 3])), (edges, np.array([3, 4, 2, 3, 0, 1])))
+
+
 # --- entries of a matrix -------------------------------------------------------------------------
 
 @exercise("11.6")
 def test_pulls_add_up(impl):
-    """The pulled vertex keeps its whole weight: rows that do not sum to 1."""
+    """-u is missing on the diagonal, so the vertex keeps its whole weight. It has the wrong sign,
+    is 1 - u, or stands on the diagonal of the column. Rows and columns are exchanged, or both are
+    pulled."""
     rows, columns = np.array([2, 2, 0]), np.array([0, 3, 1])
     entries = impl.pull_entries(rows, columns, np.array([0.25, 0.5, 2.0]))
-    expected = np.array([[-2.0, 2.0, 0, 0], [0, 0, 0, 0], [0.25, 0, -0.75, 0.5]])
-    assert_close(dense(entries, (3, 4)), expected)
+    expected = np.array([[-2.0, 2.0, 0, 0], [0, 0, 0, 0], [0.25, 0, -0.75, 0.5], [0, 0, 0, 0]])
+    assert_close(dense(entries, (4, 4)), expected)
 
 
 @exercise("11.6")
@@ -65,8 +79,31 @@ def test_what_is_alike_pulls_at_nothing(impl, rng):
 
 
 @exercise("11.7")
+def test_a_path_inside(impl):
+    """The 1 on the diagonal is missing. An edge pulls only one of its two ends. The strength is the
+    u of the neighbour (the column), or w. u is shared by all neighbours."""
+    edges, is_boundary = np.array([[0, 2], [1, 2], [1, 3]]), np.zeros(3, bool)
+    entries = impl.vertex_rows(edges, is_boundary, np.array([0.5, 0.25, 0.125, 0.75]), 0.375)
+    expected = np.array([[4, 0, 4, 0], [0, 4, 2, 2], [1, 1, 6, 0], [0, 6, 0, 2]]) / 8
+    assert_close(dense(entries, (4, 4)), expected)
+
+
+@exercise("11.7")
+def test_a_vertex_of_no_edge_stays(impl):
+    """The 1 on the diagonal is there only for vertices with an edge. An isolated vertex goes to 0,
+    or is nan."""
+    entries = impl.vertex_rows(np.array([[1, 3]]), np.array([False]),
+                               np.array([9.0, 0.25, 8.0, 0.5, 7.0]), 0.125)
+    expected = np.eye(5)
+    expected[1, [1, 3]] = 0.75, 0.25
+    expected[3, [1, 3]] = 0.5
+    assert_close(dense(entries, (5, 5)), expected)
+
+
+@exercise("11.7")
 def test_a_path_with_a_boundary_edge(impl):
-    """A vertex on the boundary is pulled inwards, or one inside with a neighbour's u."""
+    """A vertex on the boundary is pulled along inner edges as well, by u or w. It is pulled by u
+    instead of w: the boundary is ignored. A vertex inside is not pulled by one on the boundary."""
     edges, is_boundary = np.array([[0, 2], [1, 2], [1, 3]]), np.array([True, False, False])
     entries = impl.vertex_rows(edges, is_boundary, np.array([9.0, 0.25, 9.0, 0.5, 9.0]), 0.125)
     expected = np.eye(5)
@@ -80,7 +117,8 @@ def test_a_path_with_a_boundary_edge(impl):
 @pytest.mark.parametrize("w", [1 / 8, 1 / 6])
 @each_mesh
 def test_old_vertices_row_by_row(impl, rng, count, faces, w):
-    """An edge between two boundary vertices counts as boundary; an isolated vertex goes to 0."""
+    """An inner edge between two boundary vertices counts as a boundary edge. w is not the one that
+    is given, but always 1/8."""
     edges, _, is_boundary = topology(faces)
     u = rng.uniform(0.05, 0.2, count)
     got = dense(impl.vertex_rows(edges, is_boundary, u, w), (count, count))

@@ -210,7 +210,7 @@ def collapse_faces(faces, a, b):
 def collapse_faces(faces, a, b):
     """removes every face with a or b instead of those with both
 
-    told by: or instead of and | either | only one of | too many faces | any of | a or b instead
+    told by: or instead of and | either | only one of | too many faces | any of | a or b instead | a or b goes
     """
     touched = ((faces == a) | (faces == b)).any(1)
     kept = faces[~touched]
