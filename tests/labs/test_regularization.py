@@ -26,9 +26,9 @@ def triangles(rng, *shape):
 
 @exercise("13.1")
 def test_angles_on_paper(impl):
-    """Degrees. The angle at another corner, or the one outside, where the sides go round. An obtuse
-    angle: arcsin takes it for an acute one, arctan for a negative one. arctan2's arguments are
-    exchanged. The cosine is returned.
+    """Degrees. The angle at another corner, or the one outside. An obtuse angle: arcsin gives an
+    acute one, arctan a negative one. arctan2's arguments are exchanged, or it has the area and not
+    twice the area. It is the cosine, or p . q is not divided by both lengths.
     """
     small, large = np.arctan2(3, 4), np.arctan2(4, 3)
     obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
@@ -110,15 +110,17 @@ def test_angles_without_area(impl):
 
 @exercise("13.2")
 def test_radius_ratios_on_paper(impl):
-    """The factor 2, or R / r. `area_vectors` is as long as twice the area. Half of the perimeter is
-    taken for a + b + c.
+    """The factor 2, the 4 of R, or R / r. `area_vectors` is as long as twice the area. Half of the
+    perimeter is taken for a + b + c. It is another measure, with squares.
     """
     # 3, 4, 5: r = 1 and R = 5/2. Half of an equilateral one, 1, sqrt 3, 2: r = (sqrt 3 - 1) / 2.
     # Half of a square, 2, 2, sqrt 8: r = 2 - sqrt 2 and R = sqrt 2.
+    # 5, 12, 13: r = 2 and R = 13/2.
     half = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, np.sqrt(3)]])
+    long = np.array([[2.0, 0.0, 0.0], [2.0, 5.0, 0.0], [2.0, 0.0, 12.0]])
     square = np.array([[1.0, 0.0, 1.0], [1.0, 2.0, 1.0], [1.0, 0.0, 3.0]])
-    expected = np.array([0.8, 1.0, np.sqrt(3) - 1, 2 * np.sqrt(2) - 2])
-    assert_close(impl.radius_ratio(np.stack([RIGHT, EQUILATERAL, half, square])), expected)
+    expected = np.array([0.8, 1.0, np.sqrt(3) - 1, 2 * np.sqrt(2) - 2, 8 / 13])
+    assert_close(impl.radius_ratio(np.stack([RIGHT, EQUILATERAL, half, square, long])), expected)
     assert_close(impl.radius_ratio(RIGHT[None, None]), np.array([[0.8]]))
 
 
@@ -160,9 +162,9 @@ def test_radius_ratio_without_area(impl):
 
 @exercise("13.3")
 def test_cotangents_on_paper(impl):
-    """Of another corner. Divided by the area, not by twice the area, or by the sides' lengths: that
-    is the cosine. Tangents. An obtuse angle has a negative cotangent. Sides that go round have the
-    other sign.
+    """Of another corner. Divided by the area, not by twice the area, or by both lengths: that is
+    the cosine. Tangents. An obtuse angle has a negative cotangent. Sides that go round have the
+    other sign. Only x and y count.
     """
     acute = np.array([[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [1.0, 2.0, 2.0]])
     obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
@@ -183,6 +185,14 @@ def test_cotangents_of_obtuse_angles_are_negative(impl, rng):
 
 
 @exercise("13.3", fine_print=True)
+def test_cotangents_without_area(impl):
+    """NaN or infinity, where corners coincide: it is divided by an area of 0."""
+    a, b = np.array([[0.0, 1.0, 1.0], [2.0, 0.0, 1.0]])
+    given = np.array([[a, a, b], [a, b, b], [b, a, b], [a, a, a]])
+    assert_close(impl.cotangents(given), np.zeros((4, 3)))
+
+
+@exercise("13.3", fine_print=True)
 def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     """NO_AREA is compared with something that has a unit; or with another side than the longest."""
     given, expected = [], []
@@ -195,19 +205,11 @@ def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     assert_close(impl.cotangents(np.array(given)), np.array(expected), rtol=1e-3)
 
 
-@exercise("13.3", fine_print=True)
-def test_cotangents_without_area(impl):
-    """NaN, where corners coincide."""
-    a, b = np.array([[0.0, 1.0, 1.0], [2.0, 0.0, 1.0]])
-    given = np.array([[a, a, b], [a, b, b], [b, a, b], [a, a, a]])
-    assert_close(impl.cotangents(given), np.zeros((4, 3)))
-
-
 @exercise("13.4")
 def test_gradients_of_cotangents_on_paper(impl):
-    """The area is held fixed, or its part has the wrong sign. The corner itself, where both sides
-    start, gets nothing. p . q has q as its derivative by p. A corner's gradient is taken for
-    another one's.
+    """The area is held fixed. Its part has the wrong sign, or a normal not of length 1, or only one
+    cotangent. The corner itself, where both sides start, gets nothing. p and q, or corners, are
+    exchanged. grad_cotangents is left out.
     """
     triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
     by_1 = np.array([[0.0, 1.25, 0.0], [0.5, -0.25, 0.0], [-0.5, -1.0, 0.0]])
@@ -247,11 +249,13 @@ def test_flat_triangles_have_no_gradient(impl, rng):
 
 def matrix(entries, vertex_count):
     """Rows, columns and values of entries as a full matrix."""
-    assert len(entries) == 3, (
-        f"{len(entries)} things came: rows, columns and values are expected, each (N,), and not a "
-        "full matrix")
+    if len(entries) != 3:
+        raise AssertionError(f"{len(entries)} things came; rows, columns and values are expected, "
+                             "each (N,), and not a full matrix")
     rows, columns, values = map(np.asarray, entries)
-    assert_equal((rows.dtype.kind, columns.dtype.kind), ("i", "i"))
+    if (rows.dtype.kind, columns.dtype.kind) != ("i", "i"):
+        raise AssertionError(f"rows are {rows.dtype}, and columns {columns.dtype}; they must be "
+                             "integers")
     assert_equal((rows.shape, columns.shape), (values.shape, values.shape))
     full = np.zeros((vertex_count, vertex_count))
     np.add.at(full, (rows, columns), values)
@@ -291,8 +295,8 @@ def test_beside_the_diagonal_are_the_negative_weights(impl):
 
 @exercise("13.6")
 def test_the_diagonal_is_the_sum_of_the_weights_at_each_vertex(impl):
-    """The diagonal is left out or negative. It is 1, or the valence, the number of edges. Only the
-    last edge counts: += adds once to a repeated index, np.add.at each time.
+    """The diagonal is left out or negative. It is 1, or the valence, the number of edges. An edge
+    counts at one end only, or twice. += adds once to a repeated index, np.add.at each time.
     """
     _, diagonal = apart(matrix(impl.laplacian_entries(*CORNER, 5), 5))
     assert_close(diagonal, np.diag(CORNER_MATRIX))
@@ -312,7 +316,8 @@ def test_its_rows_sum_to_zero(impl, rng):
 @exercise("13.7")
 def test_energies_on_paper(impl):
     """The mass is left out, squared, or multiplied instead of divided. It is x . L x, of
-    differences along the edges, and L x is not squared. A mean, a half or a root is taken.
+    differences along the edges, and L x is not squared. A mean, a half or a root is taken, or one
+    channel.
     """
     edges = np.array([[0, 1], [1, 2]])
     mass = np.array([1.0, 2.0, 4.0])
@@ -398,8 +403,9 @@ EIGENVALUES = 2 - 2 * np.cos(2 * np.pi * np.arange(5) / 8)
 
 @exercise("13.9")
 def test_explicit_smoothing_on_paper(impl):
-    """The sign: it moves away from the neighbours. It is not divided by the mass. The step is left
-    out. Only the move is returned, without x. Vertices see neighbours that have moved already.
+    """The sign: it moves away from the neighbours. The mass, the weights or the step is left out;
+    it is divided by the valence. Only the move is returned, without x. Vertices see neighbours that
+    have moved already.
     """
     x, edges = np.array([[1.0], [4.0], [10.0], [9.0]]), np.array([[0, 1], [1, 2]])
     weights, mass = np.array([2.0, 3.0]), np.array([4.0, 2.0, 6.0, 5.0])
@@ -437,8 +443,9 @@ def test_without_mass_a_vertex_stays(impl):
 
 @exercise("13.10")
 def test_implicit_smoothing_on_paper(impl):
-    """The mass is left out, on the left, on the right, or on both sides. The sign of L, or the step
-    is left out. It is an explicit step, and no system is solved.
+    """The mass is left out on the left, on the right, or on both sides. The sign of L, or the step
+    is left out. No system is solved: it is an explicit step, or a product. `spsolve` gives (V,) for
+    one channel.
     """
     x, mass = np.array([[1.0], [7.0], [8.0], [2.0], [9.0]]), np.array([1.0, 2.0, 4.0, 12.0, 5.0])
     # Two pairs: their mass-weighted means stay, 5 and 7/2. Differences fall to a 4th and a 3rd.
@@ -484,8 +491,9 @@ PAIRS = np.array([[1.0], [7.0], [50.0], [-14.0], [9.0]]), np.array([[0, 1], [2, 
 
 @exercise("13.11")
 def test_a_round_on_paper(impl):
-    """Both steps go the same way, or there is one only. Both start from the first x: the second one
-    must see the result of the first. shrink and grow are swapped. grow is added to shrink.
+    """Both steps go the same way, or there is one only. Both start from the first x: the second
+    must see the result of the first. shrink and grow are swapped. grow is added to shrink. A round
+    too many.
     """
     # Differences in the pairs have the eigenvalues 3 and 1/2 of M^-1 L; their factors are
     # (1 - 3/2) (1 + 3) = -2 and (1 - 1/4) (1 + 1/2) = 9/8. The means, 5 and 2, stay.
@@ -543,11 +551,12 @@ def test_gradients_of_the_volume_are_central_differences(impl, rng):
 @exercise("13.16")
 def test_a_large_step_on_paper(impl):
     """x is taken for u, or u is returned. The gradient is not spread: grad_x is taken for grad_u.
-    Or it is spread twice, or multiplied by (I + lambda L) and not by its inverse.
+    Or it is spread twice, or multiplied by (I + lambda L) and not by its inverse. lambda is left
+    out.
     """
     x, grad_x, zero = np.array([[1.0], [4.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     got = impl.large_step(x, grad_x, zero, zero, 1, 2.0,
-                          (np.array([[0, 1]]), np.ones(1), 1.0))
+                          (np.array([[0, 1]]), np.array([2.0]), 0.5))
     # u = (-2, 7) and grad_u = (1, 2), so u becomes (-3, 5).
     mean, square = np.array([[0.1], [0.2]]), np.array([[0.001], [0.004]])
     expected = np.array([[-1.0], [7.0]]) / 3, mean, square

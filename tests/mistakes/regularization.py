@@ -151,7 +151,8 @@ def cotangents_backward(grad_cotangents, triangles):
 
 
 def cotangents_backward(grad_cotangents, triangles):
-    """the derivative of p . q by p is taken for p; it is q"""
+    """by_p and by_q are exchanged: the derivative of p . q by p is q, and p ends at the next
+    corner, k + 1"""
     p, q = sides(triangles)
     area_vector = np.cross(p, q)[..., :1, :]
     s = np.linalg.norm(area_vector, axis=-1, keepdims=True)
@@ -364,7 +365,8 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
 
 
 def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
-    """both steps start from the same x: the second one must see the result of the first"""
+    """both steps start from the same x, which makes one step of shrink - grow: the second one must
+    see the result of the first"""
     for _ in range(rounds):
         smoothed = smooth_explicit(x, edges, weights, mass, shrink)
         x = x + (smoothed - x) + (smooth_explicit(x, edges, weights, mass, -grow) - x)
@@ -372,7 +374,8 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
 
 
 def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
-    """only the first round is made: return stands inside the loop, or rounds is ignored"""
+    """only one round is made: return stands inside the loop, rounds is ignored, or each round
+    starts from the first x again"""
     for _ in range(min(rounds, 1)):
         x = smooth_explicit(x, edges, weights, mass, shrink)
         x = smooth_explicit(x, edges, weights, mass, -grow)
