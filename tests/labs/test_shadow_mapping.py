@@ -76,8 +76,9 @@ def test_the_rows_are_the_axes(impl, rng):
 
 @exercise("14.2")
 def test_a_light_that_moves_pulls_all_points_on_paper(impl):
-    """The gradient is turned by rotation.T, as the points are. grad_position has the points' sign,
-    its minus is missing, or it is a mean, or that of one point, or is not turned.
+    """The gradient is turned by rotation.T, as the points are, or not at all. grad_position has the
+    wrong sign: its minus is missing. It is a mean, or that of one point, and not the sum over all
+    points.
     """
     grad_q = np.array([[5.0, 10.0, 1.0], [-10.0, 5.0, 2.0], [15.0, 0.0, 3.0]])
     points = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 7.0], [0.0, 8.0, 6.0]])
@@ -98,9 +99,9 @@ def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
 
 @exercise("14.3")
 def test_places_on_the_map_on_paper(impl):
-    """It is not divided by w, or w has the wrong sign. y is counted downwards from the top. The + 1
-    is missing, so the middle is at 0. ndc is 2 wide, not 1. Width and height, or C_00 and C_11, are
-    swapped. A half is taken away, or it is rounded.
+    """It is not divided by w. y is counted downwards from the top. The middle is at 0: the + 1 is
+    missing. ndc is 2 wide. Width and height, or C_00 and C_11, are swapped or left out. A half is
+    taken away, or one of the width.
     """
     q = np.array([[1.0, 1.5, -3.0], [-0.5, -0.75, -1.5], [3.0, -1.25, -4.0], [0.0, 0.0, -2.0]])
     assert_close(impl.map_position(q, CONE, 12, 8),
@@ -120,7 +121,7 @@ def test_it_is_the_whole_matrix_and_the_viewport(impl, rng, light):
 
 @exercise("14.3")
 def test_any_perspective_has_its_w(impl, rng):
-    """w is taken to be the distance, or 1: C_32 and C_33 say what it is."""
+    """w is taken to be the distance, -q_z, or 1: C_32 and C_33 say what it is."""
     light, q = CONE.copy(), before_the_light(rng, 5)
     light[3, 2:] = -0.5, 2.0
     assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light)[0])
@@ -128,8 +129,8 @@ def test_any_perspective_has_its_w(impl, rng):
 
 @exercise("14.4")
 def test_a_point_that_comes_nearer_moves_outwards(impl):
-    """The gradient through w, by q_z, is missing or has the wrong sign: w is no constant. Only x,
-    or only y, has its share in it. dw / dq_z is C_32. 1 / w has the derivative -1 / w^2.
+    """The gradient through w, by q_z, is missing or has the wrong sign: w is no constant. Its share
+    of x or of y, C_32 or a 1 / w is lost. x and y are not divided by w. grad_place is left out.
     """
     # 2 C is the same light as C, with twice the w: 6 and 12 here.
     q, grad_place = np.array([[2.0, -1.5, -3.0], [1.0, 3.0, -6.0]]), np.array([[1.0, 3], [4, -3]])
@@ -174,7 +175,9 @@ def test_the_distance_is_what_the_matrix_made_the_depth_of(impl, rng, light):
 @exercise("14.5", fine_print=True)
 @each_light
 def test_where_the_light_sees_nothing_the_distance_is_infinite(impl, light):
-    """NaN, -inf, or a number from the far plane."""
+    """NaN, -inf, 0, or a number from the far plane, where the depth is np.inf: the light sees
+    nothing.
+    """
     got = impl.distance_of_depth(np.array([[np.inf, 0.0], [np.inf, np.inf]]), light)
     assert_equal(np.isinf(got), np.array([[True, False], [True, True]]))
     assert_equal(bool((got > 0).all()), True)
@@ -199,14 +202,16 @@ def test_what_lies_behind_is_dark_and_what_lies_before_is_lit(impl):
     assert_equal(got, np.arange(16) >= 8)
 
 
+BIAS = np.array([0.5, 1.0, 0.75, 2.0, 1.5, 0.5, 3.0, 0.25])
+
+
 @exercise("14.7")
 def test_the_bias_lights_what_is_just_behind(impl):
-    """The bias is subtracted, left out, or that of one point for all."""
-    bias = np.array([0.5, 1.0, 0.5, 2.0, 0.0, 0.5, 3.0, 0.25])
-    got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT]),
-                      np.concatenate([STORED + bias - 0.125, STORED + bias + 0.125]),
-                      np.concatenate([bias, bias]))
-    assert_equal(got, np.arange(16) < 8)
+    """The bias is subtracted, left out, or that of one point for all. It is a factor."""
+    got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT, EIGHT]),
+                      np.concatenate([STORED + BIAS - 0.125, STORED + BIAS + 0.125,
+                                      STORED - BIAS + 0.125]), np.tile(BIAS, 3))
+    assert_equal(got, np.repeat([True, False, True], 8))
     assert_equal(impl.is_lit(MAP, EIGHT, STORED + 0.25, 0.5), np.ones(8, bool))
     assert_equal(impl.is_lit(MAP, EIGHT, STORED - 0.5, -0.75), np.zeros(8, bool))
 
@@ -214,26 +219,30 @@ def test_the_bias_lights_what_is_just_behind(impl):
 @exercise("14.7")
 def test_a_point_at_exactly_stored_plus_bias_is_lit(impl):
     """< instead of <=: a point at an equal distance is lit."""
-    bias = np.array([0.5, 1.0, 0.5, 2.0, 0.0, 0.5, 3.0, 0.25])
-    got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT]), np.concatenate([STORED + bias, STORED]),
-                      np.concatenate([bias, 0 * bias]))
-    assert_equal(got, np.ones(16, bool))
+    got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT, EIGHT]),
+                      np.concatenate([STORED + BIAS, STORED, STORED + BIAS + 0.125]),
+                      np.concatenate([BIAS, 0 * BIAS, BIAS]))
+    assert_equal(got, np.repeat([True, True, False], 8))
 
 
 @exercise("14.7")
 def test_outside_the_map_all_is_lit(impl):
-    """What the light's picture does not hold is dark, or is looked up elsewhere."""
-    place = np.array([[-1.0, 2.0], [9.0, 1.0], [1.0, -1.0], [3.5, 1.5]])
-    assert_equal(impl.is_lit(MAP, place, np.full(4, 100.0), 0.0), np.ones(4, bool))
+    """What the light's picture does not hold is dark, or is looked up elsewhere: on the other side,
+    or at the border. Where the map holds np.inf, all is lit, too.
+    """
+    place = np.array([[-1.0, 2.0], [9.0, 1.0], [1.0, -1.0], [2.0, 3.0], [-0.25, 0.5], [4.0, 2.5],
+                      [3.5, 1.5], [3.0, 1.0]])
+    got = impl.is_lit(MAP, np.concatenate([place, EIGHT]), np.full(16, 100.0), np.full(16, 0.5))
+    assert_equal(got, np.arange(16) < 8)
 
 
 # --- bias ---------------------------------------------------------------------------------------
 
 @exercise("14.8")
 def test_slopes_on_paper(impl):
-    """The sign. Clip space is 2 wide, so a texel is 2 / width of it, and not 1 / width, or a unit
-    of the world. n_x and n_y, or C_00 and C_11, are swapped. A cone's ray is not parallel to the
-    light's axis, and w is left out.
+    """The sign. A texel is 2 / width of clip space, not 1 / width, or a unit of the world. x and y,
+    or width and height, are swapped. A cone's rays are not parallel, (0, 0, -1), and not of length
+    1. w is left out.
     """
     light, normal = np.diag([0.25, 0.5, -1.0, 1.0]), np.array([[2.0, -1.0, 2.0], [1, 2, -2]]) / 3
     q = np.array([[4.0, -2.0, -4.0], [-2.0, 1.0, -2.0]])
@@ -286,9 +295,9 @@ def test_a_plane_seen_edge_on_keeps_a_finite_slope(impl):
 
 @exercise("14.9")
 def test_the_bias_on_paper(impl):
-    """The signs cancel: absolute values are added, and not their squares under a root, as of a
-    length. The half, the factor or the constant is missing. The limit leaves the constant out, or
-    is a least value.
+    """The signs cancel: absolute values are added. It is a length, the root of squares, or the
+    larger slope. The half, factor or constant is missing. The limit is missing, leaves the constant
+    out, or is a maximum.
     """
     slope = np.array([[0.0, 0.0], [0.5, -0.25], [-1.0, 0.75], [-3.0, -1.0], [8.0, 0.0]])
     assert_close(impl.slope_scaled_bias(slope, 0.125, 2.0, 4.0),
