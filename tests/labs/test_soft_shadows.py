@@ -10,9 +10,9 @@ CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 
 
 @exercise("14.10")
 def test_the_plane_is_measured_at_the_texels_centre(impl):
-    """At the place itself, or at the texel's corner: the 0.5 is missing. Followed from the new
-    place and not from place, or from the centre of the receiver's own texel. The sign. One slope
-    alone.
+    """At the place itself, or at the texel's corner: the 0.5 is missing, or it is rounded. Followed
+    from the new place and not from place, or from the centre of the receiver's own texel. The sign.
+    The distance is not added. One slope alone.
     """
     place = np.array([[2.75, 1.25], [1.5, 3.75], [0.25, 2.5], [4.5, 0.5]])
     slope = np.array([[2.0, -4.0], [1.0, 3.0], [-2.0, 0.5], [3.0, 5.0]])
@@ -73,8 +73,8 @@ OVER_WALLS = (np.array([[1.5, 1.5], [2.5, 1.5], [4.5, 0.5], [2.25, 0.5]]),
 @exercise("14.11")
 def test_shares_on_paper(impl):
     """The dark share is returned, or the sum, not divided by the number of places. The distances
-    are averaged and then compared. The radius is not used. Each step starts from the last place,
-    not from (x, y). x and y are swapped. Outside is dark.
+    are averaged and then compared. The radius is not used. Each step starts from the last place.
+    Places do not move. Outside is dark.
     """
     got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS, np.array([1.0, 1, 1, 2]))
     # The map holds 4, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9.
@@ -90,14 +90,18 @@ def test_a_slanted_plane_does_not_darken_itself(impl, rng):
     column, row = np.meshgrid(np.arange(9) + 0.5, np.arange(6) + 0.5)
     distance_map = 5 + slope[0] * column + slope[1] * row
     place = rng.uniform(2, [7, 4], (20, 2))
-    got = impl.percentage_closer(distance_map, place, 5 + place @ slope, np.tile(slope, (20, 1)),
-                                 1e-9, CROSS, 1.5)
-    assert_close(got, np.ones(20))
+    above = np.where(np.arange(20) % 2, -0.125, 0.125)  # every other receiver lies before the map
+    got = impl.percentage_closer(distance_map, place, 5 + place @ slope + above,
+                                 np.tile(slope, (20, 1)),
+                                 0.05, CROSS, 1.5)
+    assert_close(got, np.arange(20) % 2)
 
 
 @exercise("14.11")
 def test_each_receiver_has_its_radius_and_bias(impl, rng):
-    """One radius for all, a place off by a half, a slope that is left out, or dark outside."""
+    """One radius for all. The bias is left out, or added to the distance. A place is off by a half,
+    a slope is left out, or it is dark outside.
+    """
     given = around(rng)
     expected = np.array([lit.mean() for _, lit in places(*given)])
     assert_close(impl.percentage_closer(*given), expected)
@@ -105,9 +109,9 @@ def test_each_receiver_has_its_radius_and_bias(impl, rng):
 
 @exercise("14.12")
 def test_blockers_on_paper(impl):
-    """Lit places count, too; or the sum is divided by all places, or by none. The nearest blocker
-    is taken, or the plane's distance, and not what is stored. Without a blocker it is 0 or NaN, not
-    inf.
+    """Lit places count, too. The sum is divided by all places, or by none. The nearest or farthest
+    blocker is taken, or the plane's distance, not what is stored. Without a blocker it is 0 or NaN.
+    The radius is not used.
     """
     distance = np.array([5.0, 5.0, 1.5, 8.0])
     got = impl.blocker_distance(WALLS, OVER_WALLS[0], distance, FLAT, 0.0, CROSS,
@@ -141,20 +145,23 @@ def test_blockers_are_the_places_that_are_not_lit(impl, rng):
 @exercise("14.13")
 def test_a_border_grows_with_the_distance_behind_the_blocker(impl):
     """Distances are swapped. The border is measured in the world: not divided by distance. It is
-    not a difference of reciprocals. C_00, width or the half is missing: the diameter. It is
-    rounded.
+    not a difference of reciprocals. C_00, light_radius, width or the half is missing: the diameter.
+    It is rounded.
     """
     distance, blocker = np.array([4.0, 8.0, 2.0, 6.0, 4.0]), np.array([2.0, 2.0, 1.0, 3.0, 4.0])
-    assert_close(impl.penumbra_radius(distance, blocker, 0.5, CONE, 16),
-                 np.array([1.5, 2.25, 3.0, 1.0, 0.0]))
+    assert_close(impl.penumbra_radius(distance, blocker, 0.2, CONE, 16),
+                 np.array([0.6, 0.9, 1.2, 0.4, 0.0]))
 
 
 @exercise("14.13")
 def test_no_blocker_has_no_border(impl):
-    """A negative radius, where the blocker is farther than the point, or NaN, where it is inf."""
-    got = impl.penumbra_radius(np.array([3.0, 4.0, 3.0, 2.0]), np.array([np.inf, np.inf, 3.5, 5.0]),
-                               0.5, CONE, 16)
-    assert_close(got, np.zeros(4))
+    """A negative radius, or its absolute value, where the blocker is farther than the point. NaN,
+    where it is inf.
+    """
+    distance = np.array([3.0, 4.0, 3.0, 2.0, 4.0, 8.0])
+    blocker = np.array([np.inf, np.inf, 3.5, 5.0, 2.0, 2.0])
+    assert_close(impl.penumbra_radius(distance, blocker, 0.25, CONE, 16),
+                 np.array([0.0, 0.0, 0.0, 0.0, 0.75, 1.125]))
 
 
 @exercise("14.13")

@@ -42,7 +42,8 @@ def each_square(picture, radius, of):
 @exercise("14.16")
 def test_a_pixel_gives_to_all_squares_that_hold_it(impl):
     """The gradient is blurred: divided after the sum, by the pixel's own number, and not before. It
-    is not divided at all, or by that of a whole square, also at the border.
+    is not divided at all, or twice, or by the number of a whole square, also at the border. The
+    neighbours get nothing.
     """
     grad = np.array([[0.0, 6.0, 0.0, 8.0]])[..., None]
     assert_close(impl.box_blur_backward(grad, 1), np.array([[2.0, 2.0, 6.0, 4.0]])[..., None])
@@ -58,8 +59,9 @@ def test_the_gradients_of_the_blur_are_central_differences(impl, rng):
 
 @exercise("14.17")
 def test_lit_shares_on_paper(impl):
-    """The variance is not E_1 - E_0^2: the squared mean is not subtracted. The near side is dark,
-    too, or instead. distance - E_0 is not squared. It is the dark share. least_variance is added.
+    """The variance is not E_1 - E_0^2: the squared mean is not subtracted, or a root is taken. The
+    near side is dark, too, or instead. distance - E_0 is not squared. It is the dark share.
+    least_variance is added, or is no least value.
     """
     got = impl.chebyshev(np.array([7.0, 8.0, 5.0, 4.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0, 3.0]),
                          np.array([13.0, 25.0, 5.0, 13.0, 13.0]), 0.125)
@@ -95,9 +97,9 @@ def lit_share(distance, mean, mean_square, least=0.3):
 
 @exercise("14.18")
 def test_gradients_of_the_share_on_paper(impl):
-    """The near side, where the share is 1, has a gradient. The variance is in numerator and
-    denominator (quotient rule). The mean's part in the variance is forgotten, or that by the
-    distance. grad_lit is left out. A finite difference is not exact.
+    """The near side, where the share is 1, has a gradient. Quotient rule: the variance is in
+    numerator and denominator. A 2, a square or grad_lit is missing. The mean's part by the
+    variance, or by the distance, is forgotten. A finite difference is not exact.
     """
     # v = 4, b = 4: by the distance -2 v b / 400, by the variance b^2 / 400 = 1/25. And so on.
     got = impl.chebyshev_backward(np.array([25.0, 62.5, -50.0, 25.0]),
@@ -138,8 +140,8 @@ def test_the_gradients_of_the_share_are_central_differences(impl, rng):
 @exercise("14.19")
 def test_the_middle_stays_and_the_border_runs_outwards_on_paper(impl):
     """The derivative by q_z is missing, as if w were held, or has the wrong sign. w has: q_z is
-    -distance. It is measured from the map's corner, or at the texel's. Rows and columns, or C_00
-    and C_11, are swapped.
+    -distance. C_32 or a w is lost. It is measured from the map's corner, or at the texel's. Rows
+    and columns are swapped.
     """
     # 2 C is the same light as C, with w = 2 distance.
     distance_map = np.array([[3.0, 1.5, 6.0], [2.0, 0.5, 4.5]])
@@ -184,19 +186,20 @@ def moved(distance_map, motion, move):
 
 
 STEP = np.array([[1.0, 1.0, 3.0, 3.0]])
-ACROSS = np.tile([[2.0, 0, 0], [0, 2.0, 0]], (1, 4, 1, 1)) / STEP[..., None, None]
+ACROSS = np.eye(2, 3) * np.array([5.0, 2.0, 2 / 3, 7.0])[:, None, None][None]  # texels to a unit
 
 
 @exercise("14.20")
 def test_a_step_moves_with_the_nearer_side(impl):
-    """With the farther side. To the left: the sign. The pixels change by the whole jump each, not
-    by half of it. Only the texel on one side of a border changes. Moments are taken after the move.
+    """With the farther side, or both. To the left: the sign. Pixels change by the whole jump each,
+    not by half of it. Only the texel on one side of a border changes, or the other one gets the
+    opposite. One axis is left out.
     """
     # By 0.2 texels, the jump is 2.
     got = impl.moved_moments(STEP, ACROSS, np.array([0.1, 0.0, 0.0]))
     assert_close(got, np.array([[[1.0, 1.0], [0.8, 0.2], [2.8, 8.2], [3.0, 9.0]]]))
-    got = impl.moved_moments(STEP.T.copy(), ACROSS.swapaxes(0, 1), np.array([9, -0.1, 0]))
-    assert_close(got, np.array([[[1.0, 1.0]], [[1.2, 1.8]], [[3.2, 9.8]], [[3.0, 9.0]]]))
+    got = impl.moved_moments(STEP.T.copy(), ACROSS.swapaxes(0, 1), np.array([9, 0.3, 0]))
+    assert_close(got, np.array([[[1.0, 1.0]], [[0.4, -1.4]], [[2.4, 6.6]], [[3.0, 9.0]]]))
 
 
 @exercise("14.20")
@@ -221,9 +224,9 @@ def test_every_pair_moves_its_border(impl, rng):
 
 @exercise("14.21")
 def test_the_gradient_of_a_step_on_paper(impl):
-    """By x and y: the sign, the half, or one of a border's two texels, is lost. By z: the gradient
-    through the distances is missing, or that of the square (second moment). It is 2 (d - move_z),
-    and not 2 d.
+    """By x and y: the sign, the half, or one of a border's two texels, is lost, or the farther one
+    moves it. By z: the gradient through the distances is missing, or that of the square (second
+    moment). It is 2 (d - move_z), and not 2 d.
     """
     # A step in x between the first two, in y between the last two; the nearer moves 2 texels.
     distance_map = np.array([[1.0, 3.0], [1.0, 1.0]])

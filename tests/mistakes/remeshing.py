@@ -2,13 +2,6 @@
 
 
 def delaunay_gain(corners):
-    """delta is taken at a, an end of the edge; it is the angle at d, opposite to the edge"""
-    gamma = corner_angles(corners[:, [2, 0, 1]])[:, 0]
-    delta = corner_angles(corners[:, [3, 1, 0]])[:, 1]
-    return gamma + delta - np.pi
-
-
-def delaunay_gain(corners):
     """pi is not subtracted: it is gamma + delta"""
     gamma = corner_angles(corners[:, [2, 0, 1]])[:, 0]
     delta = corner_angles(corners[:, [3, 1, 0]])[:, 0]
@@ -45,6 +38,13 @@ def delaunay_gain(corners):
     gamma = corner_angles(corners[:, [2, 0, 1]])[:, 0]
     delta = corner_angles(corners[:, [3, 1, 0]])[:, 0]
     return np.degrees(gamma + delta - np.pi)
+
+
+def delaunay_gain(corners):
+    """180 is subtracted from angles in radians; it is pi"""
+    gamma = corner_angles(corners[:, [2, 0, 1]])[:, 0]
+    delta = corner_angles(corners[:, [3, 1, 0]])[:, 0]
+    return gamma + delta - 180
 
 
 def relax_step(vertices, normals, edges, rate):

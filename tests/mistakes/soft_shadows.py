@@ -22,8 +22,8 @@ def on_plane(place, distance, slope, step):
 
 
 def on_plane(place, distance, slope, step):
-    """the plane is followed from the new place, place + step, and not from place: the step itself
-    adds no distance"""
+    """the plane is followed from the new place, place + step, and not from place (which += changes
+    in place): the step itself adds no distance"""
     there = place + step
     return there, distance + (slope * (np.floor(there) + 0.5 - there)).sum(1)
 

@@ -83,12 +83,12 @@ def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
 
 
 def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
-    """grad_distance has the wrong sign, and its part in grad_mean, too: the share falls with the
-    distance"""
+    """the factor 2, the derivative of the squared distance, is missing in grad_distance, and in its
+    part of grad_mean"""
     variance = np.maximum(mean_square - mean**2, least_variance)
     beyond = np.maximum(distance - mean, 0)
     total = variance + beyond**2
-    grad_beyond = grad_lit * 2 * variance * beyond / total**2
+    grad_beyond = -grad_lit * variance * beyond / total**2
     grad_mean_square = grad_lit * (beyond / total)**2 * (mean_square - mean**2 > least_variance)
     return grad_beyond, -grad_beyond - 2 * mean * grad_mean_square, grad_mean_square
 
