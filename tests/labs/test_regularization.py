@@ -26,9 +26,9 @@ def triangles(rng, *shape):
 
 @exercise("13.1")
 def test_angles_on_paper(impl):
-    """Degrees. The angle at another corner, or the one outside. An obtuse angle: arcsin gives an
-    acute one, arctan a negative one. arctan2's arguments are exchanged, or it has the area and not
-    twice the area. It is the cosine, or p . q is not divided by both lengths.
+    """Degrees. Another corner's angle, or the one outside. An obtuse angle: arcsin gives an acute
+    one, arctan a negative one. arctan2's arguments are exchanged, or it has the area, not twice
+    that. It is the cosine.
     """
     small, large = np.arctan2(3, 4), np.arctan2(4, 3)
     obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])

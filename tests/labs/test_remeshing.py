@@ -59,9 +59,8 @@ def test_gains_of_tiny_angles_and_of_none(impl):
 
 @exercise("13.15")
 def test_a_slide_on_paper(impl):
-    """The part along n is not taken away, or only that part is kept. It is the sum of the offsets
-    instead of the mean: not divided by the valence. The rate, or x, is left out. An edge pulls one
-    end only. The place itself is projected.
+    """The part along n is not taken away, or alone is kept. It is the sum of the offsets, not the
+    mean: not divided by the valence. The rate, or x, is left out. An edge pulls one end only.
     """
     vertices = np.array([[1.0, 1.0, 1.0], [5.0, 1.0, 3.0], [1.0, 9.0, 3.0], [9.0, 8.0, 7.0]])
     normals = np.array([[0.6, 0.0, 0.8], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])

@@ -99,9 +99,9 @@ def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
 
 @exercise("14.3")
 def test_places_on_the_map_on_paper(impl):
-    """It is not divided by w. y is counted downwards from the top. The middle is at 0: the + 1 is
-    missing. ndc is 2 wide. Width and height, or C_00 and C_11, are swapped or left out. A half is
-    taken away, or one of the width.
+    """It is not divided by w. y is counted downwards. The middle is at 0: the + 1 is missing. ndc
+    is 2 wide. Width and height, or C_00 and C_11, are swapped or left out. A half, or one, is taken
+    away.
     """
     q = np.array([[1.0, 1.5, -3.0], [-0.5, -0.75, -1.5], [3.0, -1.25, -4.0], [0.0, 0.0, -2.0]])
     assert_close(impl.map_position(q, CONE, 12, 8),
@@ -130,7 +130,7 @@ def test_any_perspective_has_its_w(impl, rng):
 @exercise("14.4")
 def test_a_point_that_comes_nearer_moves_outwards(impl):
     """The gradient through w, by q_z, is missing or has the wrong sign: w is no constant. Its share
-    of x or of y, C_32 or a 1 / w is lost. x and y are not divided by w. grad_place is left out.
+    of x or of y, C_32 or a 1 / w is lost. grad_place is left out.
     """
     # 2 C is the same light as C, with twice the w: 6 and 12 here.
     q, grad_place = np.array([[2.0, -1.5, -3.0], [1.0, 3.0, -6.0]]), np.array([[1.0, 3], [4, -3]])
@@ -240,9 +240,8 @@ def test_outside_the_map_all_is_lit(impl):
 
 @exercise("14.8")
 def test_slopes_on_paper(impl):
-    """The sign. A texel is 2 / width of clip space, not 1 / width, or a unit of the world. x and y,
-    or width and height, are swapped. A cone's rays are not parallel, (0, 0, -1), and not of length
-    1. w is left out.
+    """The sign. A texel is 2 / width of clip space, not 1 / width, or a unit of the world. x and y
+    are swapped. A cone's rays are not parallel, (0, 0, -1). w is left out.
     """
     light, normal = np.diag([0.25, 0.5, -1.0, 1.0]), np.array([[2.0, -1.0, 2.0], [1, 2, -2]]) / 3
     q = np.array([[4.0, -2.0, -4.0], [-2.0, 1.0, -2.0]])

@@ -10,9 +10,9 @@ CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 
 
 @exercise("14.10")
 def test_the_plane_is_measured_at_the_texels_centre(impl):
-    """At the place itself, or at the texel's corner: the 0.5 is missing, or it is rounded. Followed
-    from the new place and not from place, or from the centre of the receiver's own texel. The sign.
-    The distance is not added. One slope alone.
+    """At the place itself, or at the texel's corner: the 0.5 is missing. Followed from the new
+    place and not from place, or from the centre of the receiver's own texel. The sign. The distance
+    is not added.
     """
     place = np.array([[2.75, 1.25], [1.5, 3.75], [0.25, 2.5], [4.5, 0.5]])
     slope = np.array([[2.0, -4.0], [1.0, 3.0], [-2.0, 0.5], [3.0, 5.0]])
