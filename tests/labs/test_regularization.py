@@ -4,6 +4,7 @@ import itertools
 import math
 
 import numpy as np
+import pytest
 from regularization_graphs import angle, dense, graph
 
 from course.checks import assert_close, assert_equal, exercise
@@ -25,15 +26,21 @@ def triangles(rng, *shape):
 
 @exercise("13.1")
 def test_angles_on_paper(impl):
-    """In degrees, of the neighbouring corner, or of one triangle only."""
+    """Degrees. Another corner's angle, or the one outside. An obtuse angle: arcsin gives an acute
+    one, arctan a negative one. arctan2's arguments are exchanged, or it has the area, not twice
+    that. It is the cosine.
+    """
     small, large = np.arctan2(3, 4), np.arctan2(4, 3)
-    expected = np.array([[[np.pi / 2, small, large]], [[np.pi / 3] * 3]])
-    assert_close(impl.corner_angles(np.stack([RIGHT, EQUILATERAL])[:, None]), expected)
+    obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
+    given = np.stack([RIGHT, obtuse, EQUILATERAL])[:, None]
+    expected = np.array([[[np.pi / 2, small, large]],
+                         [[3 * np.pi / 4, np.arctan2(1, 3), np.arctan2(1, 2)]], [[np.pi / 3] * 3]])
+    assert_close(impl.corner_angles(given), expected)
 
 
 @exercise("13.1")
 def test_an_obtuse_angle_is_more_than_a_right_one(impl):
-    """arcsin of the cross product, which cannot tell 60 degrees from 120."""
+    """One triangle without leading axes; arcsin, which cannot tell 60 degrees from 120."""
     triangle = np.array([[-3.0, 1.0, 0.0], [0.0, 0.0, 0.0], [5.0, 0.0, 0.0]])
     at_1 = np.pi - np.arctan2(1, 3)
     at_2 = np.arctan2(1, 8)
@@ -103,11 +110,17 @@ def test_angles_without_area(impl):
 
 @exercise("13.2")
 def test_radius_ratios_on_paper(impl):
-    """The factor 2, or R / r."""
+    """The factor 2, the 4 of R, or R / r. `area_vectors` is as long as twice the area. Half of the
+    perimeter is taken for a + b + c. It is another measure, with squares.
+    """
     # 3, 4, 5: r = 1 and R = 5/2. Half of an equilateral one, 1, sqrt 3, 2: r = (sqrt 3 - 1) / 2.
+    # Half of a square, 2, 2, sqrt 8: r = 2 - sqrt 2 and R = sqrt 2.
+    # 5, 12, 13: r = 2 and R = 13/2.
     half = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, np.sqrt(3)]])
-    expected = np.array([0.8, 1.0, np.sqrt(3) - 1])
-    assert_close(impl.radius_ratio(np.stack([RIGHT, EQUILATERAL, half])), expected)
+    long = np.array([[2.0, 0.0, 0.0], [2.0, 5.0, 0.0], [2.0, 0.0, 12.0]])
+    square = np.array([[1.0, 0.0, 1.0], [1.0, 2.0, 1.0], [1.0, 0.0, 3.0]])
+    expected = np.array([0.8, 1.0, np.sqrt(3) - 1, 2 * np.sqrt(2) - 2, 8 / 13])
+    assert_close(impl.radius_ratio(np.stack([RIGHT, EQUILATERAL, half, square, long])), expected)
     assert_close(impl.radius_ratio(RIGHT[None, None]), np.array([[0.8]]))
 
 
@@ -149,20 +162,34 @@ def test_radius_ratio_without_area(impl):
 
 @exercise("13.3")
 def test_cotangents_on_paper(impl):
-    """Tangents, or of the neighbouring corner."""
-    expected = np.array([[0.0, 4 / 3, 3 / 4], [1 / np.sqrt(3)] * 3])
-    assert_close(impl.cotangents(np.stack([RIGHT, EQUILATERAL])), expected)
+    """Of another corner. Divided by the area, not by twice the area, or by both lengths: that is
+    the cosine. Tangents. An obtuse angle has a negative cotangent. Sides that go round have the
+    other sign. Only x and y count.
+    """
+    acute = np.array([[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [1.0, 2.0, 2.0]])
+    obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
+    expected = np.array([[0.5, 1.5, 0.125], [-1.0, 3.0, 2.0], [0.0, 4 / 3, 3 / 4],
+                         [1 / np.sqrt(3)] * 3])
+    assert_close(impl.cotangents(np.stack([acute, obtuse, RIGHT, EQUILATERAL])), expected)
 
 
 @exercise("13.3")
 def test_cotangents_of_obtuse_angles_are_negative(impl, rng):
-    """The sign is lost, or only x and y are looked at."""
+    """The sign is lost, or only x and y are looked at. One triangle has no leading axes."""
     obtuse = np.array([[-1.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
     assert_close(impl.cotangents(obtuse)[1], -1.0)
     given = triangles(rng, 4, 3)
     expected = [[[1 / np.tan(angle(t[k], t[k - 1], t[k - 2])) for k in range(3)] for t in row]
                 for row in given]
     assert_close(impl.cotangents(given), np.array(expected), rtol=1e-7, atol=1e-9)
+
+
+@exercise("13.3", fine_print=True)
+def test_cotangents_without_area(impl):
+    """NaN or infinity, where corners coincide: it is divided by an area of 0."""
+    a, b = np.array([[0.0, 1.0, 1.0], [2.0, 0.0, 1.0]])
+    given = np.array([[a, a, b], [a, b, b], [b, a, b], [a, a, a]])
+    assert_close(impl.cotangents(given), np.zeros((4, 3)))
 
 
 @exercise("13.3", fine_print=True)
@@ -178,22 +205,19 @@ def test_a_triangle_is_flat_up_to_the_limit_and_not_beyond(impl):
     assert_close(impl.cotangents(np.array(given)), np.array(expected), rtol=1e-3)
 
 
-@exercise("13.3", fine_print=True)
-def test_cotangents_without_area(impl):
-    """NaN, where corners coincide."""
-    a, b = np.array([[0.0, 1.0, 1.0], [2.0, 0.0, 1.0]])
-    given = np.array([[a, a, b], [a, b, b], [b, a, b], [a, a, a]])
-    assert_close(impl.cotangents(given), np.zeros((4, 3)))
-
-
 @exercise("13.4")
 def test_gradients_of_cotangents_on_paper(impl):
-    """A corner's cotangent is taken for another one's; or the area is held fixed."""
+    """The area is held fixed. Its part has the wrong sign, or a normal not of length 1, or only one
+    cotangent. The corner itself, where both sides start, gets nothing. p and q, or corners, are
+    exchanged. grad_cotangents is left out.
+    """
     triangle = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
     by_1 = np.array([[0.0, 1.25, 0.0], [0.5, -0.25, 0.0], [-0.5, -1.0, 0.0]])
-    assert_close(impl.cotangents_backward(np.array([0.0, 1.0, 0.0]), triangle), by_1)
     # The right angle closes by dy_1 / 4 and dx_2 / 2, and its cotangent grows by as much.
     by_0 = np.array([[-0.5, -0.25, 0.0], [0.0, 0.25, 0.0], [0.5, 0.0, 0.0]])
+    got = impl.cotangents_backward(np.array([[0.0, 1.0, 0.0], [2.0, 0.0, 0.0]]),
+                                   np.stack([triangle, triangle]))
+    assert_close(got, np.stack([by_1, 2 * by_0]))
     assert_close(impl.cotangents_backward(np.array([1.0, 0.0, 0.0]), triangle), by_0)
 
 
@@ -225,53 +249,92 @@ def test_flat_triangles_have_no_gradient(impl, rng):
 
 def matrix(entries, vertex_count):
     """Rows, columns and values of entries as a full matrix."""
+    if len(entries) != 3:
+        raise AssertionError(f"{len(entries)} things came; rows, columns and values are expected, "
+                             "each (N,), and not a full matrix")
     rows, columns, values = map(np.asarray, entries)
-    assert_equal((rows.dtype.kind, columns.dtype.kind), ("i", "i"))
+    if (rows.dtype.kind, columns.dtype.kind) != ("i", "i"):
+        raise AssertionError(f"rows are {rows.dtype}, and columns {columns.dtype}; they must be "
+                             "integers")
     assert_equal((rows.shape, columns.shape), (values.shape, values.shape))
     full = np.zeros((vertex_count, vertex_count))
     np.add.at(full, (rows, columns), values)
     return full
 
 
-@exercise("13.6")
-def test_the_matrix_of_two_edges(impl):
-    """The signs are swapped: L is not -L; or the diagonal holds 1."""
-    got = matrix(impl.laplacian_entries(np.array([[0, 2], [2, 3]]), np.array([5.0, 0.5]), 5), 5)
-    expected = np.array([[ 5.0, 0.0, -5.0,  0.0, 0.0],
-                         [ 0.0, 0.0,  0.0,  0.0, 0.0],
-                         [-5.0, 0.0,  5.5, -0.5, 0.0],
-                         [ 0.0, 0.0, -0.5,  0.5, 0.0],
-                         [ 0.0, 0.0,  0.0,  0.0, 0.0]])
-    assert_close(got, expected)
+CORNER = np.array([[0, 2], [2, 3], [0, 3]]), np.array([5.0, 0.5, 2.0])  # edges, weights
+CORNER_MATRIX = np.array([[ 7.0, 0.0, -5.0, -2.0, 0.0],
+                          [ 0.0, 0.0,  0.0,  0.0, 0.0],
+                          [-5.0, 0.0,  5.5, -0.5, 0.0],
+                          [-2.0, 0.0, -0.5,  2.5, 0.0],
+                          [ 0.0, 0.0,  0.0,  0.0, 0.0]])
+
+
+def apart(full):
+    """A matrix beside its diagonal, with zeros on it, and the diagonal."""
+    return full - np.diag(np.diag(full)), np.diag(full).copy()
 
 
 @exercise("13.6")
-def test_it_is_symmetric_and_its_rows_sum_to_zero(impl, rng):
-    """One half of the matrix is missing, or its diagonal is the valence."""
-    edges, weights = graph(rng)
-    got = matrix(impl.laplacian_entries(edges, weights, 7), 7)
-    assert_close(got, dense(edges, weights, 7))
-    assert_close(got - got.T, np.zeros((7, 7)))
-    assert_close(got.sum(1), np.zeros(7))
+def test_each_edge_stands_in_the_rows_of_both_ends(impl):
+    """An edge is entered in one direction only, from i to j: the entry from j to i is missing, and
+    L is not symmetric.
+    """
+    beside, _ = apart(matrix(impl.laplacian_entries(*CORNER, 5), 5))
+    assert_equal(beside != 0, apart(CORNER_MATRIX)[0] != 0)
+
+
+@exercise("13.6")
+def test_beside_the_diagonal_are_the_negative_weights(impl):
+    """The sign: the weights are negative here, and it is not -L. Rows are divided by their sums, as
+    in M^-1 L, which gives the mean of the neighbours. The weights are left out or halved.
+    """
+    beside, _ = apart(matrix(impl.laplacian_entries(*CORNER, 5), 5))
+    assert_close(beside, apart(CORNER_MATRIX)[0])
+
+
+@exercise("13.6")
+def test_the_diagonal_is_the_sum_of_the_weights_at_each_vertex(impl):
+    """The diagonal is left out or negative. It is 1, or the valence, the number of edges. An edge
+    counts at one end only, or twice. += adds once to a repeated index, np.add.at each time.
+    """
+    _, diagonal = apart(matrix(impl.laplacian_entries(*CORNER, 5), 5))
+    assert_close(diagonal, np.diag(CORNER_MATRIX))
+
+
+@exercise("13.6")
+def test_its_rows_sum_to_zero(impl, rng):
+    """An edge is lost or entered twice; the number of vertices is taken from the edges."""
+    edges, _ = graph(rng, 6)
+    weights = rng.permutation(len(edges)) / 4 + 0.5
+    got = matrix(impl.laplacian_entries(edges, weights, 6), 6)
+    assert_close(got, dense(edges, weights, 6))
+    assert_close(got - got.T, np.zeros((6, 6)))
+    assert_close(got.sum(1), np.zeros(6))
 
 
 @exercise("13.7")
 def test_energies_on_paper(impl):
-    """A mean instead of a sum, a half, or the sum over edges of squared lengths."""
+    """The mass is left out, squared, or multiplied instead of divided. It is x . L x, of
+    differences along the edges, and L x is not squared. A mean, a half or a root is taken, or one
+    channel.
+    """
     edges = np.array([[0, 1], [1, 2]])
-    x, mass = np.array([[1.0], [2.0], [4.0]]), np.array([1.0, 2.0, 4.0])
-    assert_close(impl.laplacian_energy(x, edges, np.ones(2), np.ones(3)), 6.0)
-    assert_close(impl.laplacian_energy(x, edges, np.ones(2), mass), 2.5)
+    mass = np.array([1.0, 2.0, 4.0])
     x = np.array([[1.0, 0.0], [2.0, 1.0], [4.0, 0.0]])  # L x is (-2, -2), (-4, 5), (6, -3)
     assert_close(impl.laplacian_energy(x, edges, np.array([2.0, 3.0]), mass),
                  (4.0 + 4.0) / 1 + (16.0 + 25.0) / 2 + (36.0 + 9.0) / 4)
+    x = np.array([[1.0], [2.0], [4.0]])
+    assert_close(impl.laplacian_energy(x, edges, np.ones(2), np.ones(3)), 6.0)
+    assert_close(impl.laplacian_energy(x, edges, np.ones(2), mass), 2.5)
 
 
 @exercise("13.7")
-def test_energy_is_of_the_laplacian(impl, rng):
+@pytest.mark.parametrize("channels", [1, 2, 3])
+def test_energy_is_of_the_laplacian(impl, rng, channels):
     """Weights are left out, or the mass is squared."""
     edges, weights = graph(rng)
-    x, mass = rng.normal(size=(7, 3)), rng.uniform(0.5, 2.0, 7)
+    x, mass = rng.normal(size=(7, channels)), rng.uniform(0.5, 2.0, 7)
     pull = (dense(edges, weights, 7) @ x)**2
     assert_close(impl.laplacian_energy(x, edges, weights, mass), (pull / mass[:, None]).sum())
 
@@ -289,10 +352,16 @@ def test_what_has_no_mass_adds_no_energy(impl, rng):
 
 @exercise("13.8")
 def test_gradients_of_the_energy_on_paper(impl):
-    """L is applied once, not twice; the factor 2; the sign by the mass; or grad_energy."""
-    x, edges = np.array([[1.0], [2.0], [4.0]]), np.array([[0, 1], [1, 2]])
-    got = impl.laplacian_energy_backward(0.5, x, edges, np.ones(2), np.ones(3))
-    expected = np.array([[0.0], [-3.0], [3.0]]), np.array([0.0, 6.0]), np.array([-0.5, -0.5, -2.0])
+    """L is applied once and not twice, or grad_x is not divided by the mass. The 2 of the square or
+    grad_energy is missing. grad_weights is that of one end. grad_mass has the wrong sign, or no
+    square.
+    """
+    x, edges = np.array([[1.0], [2.0], [6.0]]), np.array([[0, 1], [1, 2]])
+    weights, mass = np.array([2.0, 3.0]), np.array([1.0, 2.0, 4.0])
+    got = impl.laplacian_energy_backward(0.25, x, edges, weights, mass)
+    # L x = (-2, -10, 12), so z = (-2, -5, 3), and L z = (6, -30, 24).
+    expected = (np.array([[3.0], [-15.0], [12.0]]), np.array([-1.5, 16.0]),
+                np.array([-1.0, -6.25, -2.25]))
     assert_close(got, expected)
 
 
@@ -322,19 +391,26 @@ def test_what_has_no_mass_has_no_part_in_the_gradient(impl):
 
 # --- smoothing ---------------------------------------------------------------------------------
 
-def waves(k, channels=2):
-    """A cosine and a sine with k periods around RING: (8, channels), eigenvectors of L."""
+def wave(k):
+    """A cosine and a sine with k periods around RING: (8, 2), eigenvectors of L."""
     phase = 2 * np.pi * k * np.arange(8) / 8
-    return np.stack([np.cos(phase), np.sin(phase)], 1)[:, :channels]
+    return (k + 1) * np.stack([np.cos(phase), np.sin(phase)], 1)
+
+
+WAVES = np.array([wave(k) for k in range(5)])                    # of L with weights 1 they have
+EIGENVALUES = 2 - 2 * np.cos(2 * np.pi * np.arange(5) / 8)
 
 
 @exercise("13.9")
 def test_explicit_smoothing_on_paper(impl):
-    """The sign: the surface gets rougher; or it is not divided by the mass."""
-    x, edges = np.array([[0.0], [4.0], [10.0], [7.0]]), np.array([[0, 1], [1, 2]])
-    mass = np.array([1.0, 2.0, 1.0, 4.0])
-    expected = np.array([[2.0], [4.5], [7.0], [7.0]])
-    assert_close(impl.smooth_explicit(x, edges, np.ones(2), mass, 0.5), expected)
+    """The sign: it moves away from the neighbours. The mass, the weights or the step is left out;
+    it is divided by the valence. Only the move is returned, without x. Vertices see neighbours that
+    have moved already.
+    """
+    x, edges = np.array([[1.0], [4.0], [10.0], [9.0]]), np.array([[0, 1], [1, 2]])
+    weights, mass = np.array([2.0, 3.0]), np.array([4.0, 2.0, 6.0, 5.0])
+    expected = np.array([[1.75], [7.0], [8.5], [9.0]])  # L x = (-6, -12, 18, 0)
+    assert_close(impl.smooth_explicit(x, edges, weights, mass, 0.5), expected)
 
 
 @exercise("13.9")
@@ -352,10 +428,9 @@ def test_a_step_of_1_goes_to_the_mean_of_the_neighbours(impl, rng):
 @exercise("13.9")
 def test_waves_decay_by_their_frequency(impl):
     """A wave is multiplied by 1 - s (2 - 2 cos) / 3 here, whichever it is."""
-    for k in range(5):
-        factor = 1 - 0.4 * (2 - 2 * np.cos(2 * np.pi * k / 8)) * 1.5 / 3.0
-        got = impl.smooth_explicit(waves(k), RING, np.full(8, 1.5), np.full(8, 3.0), 0.4)
-        assert_close(got, factor * waves(k))
+    factor = 1 - 0.4 * EIGENVALUES * 1.5 / 3.0
+    got = impl.smooth_explicit(WAVES.sum(0), RING, np.full(8, 1.5), np.full(8, 3.0), 0.4)
+    assert_close(got, (factor[:, None, None] * WAVES).sum(0))
 
 
 @exercise("13.9", fine_print=True)
@@ -368,16 +443,20 @@ def test_without_mass_a_vertex_stays(impl):
 
 @exercise("13.10")
 def test_implicit_smoothing_on_paper(impl):
-    """x is not multiplied by the mass, or the step is left out."""
-    x = np.array([[0.0], [3.0], [7.0]])
-    expected = np.array([[1.5], [2.25], [7.0]])
-    got = impl.smooth_implicit(x, np.array([[0, 1]]), np.ones(1), np.array([1.0, 2.0, 4.0]), 2.0)
+    """The mass is left out on the left, on the right, or on both sides. The sign of L, or the step
+    is left out. No system is solved: it is an explicit step, or a product. `spsolve` gives (V,) for
+    one channel.
+    """
+    x, mass = np.array([[1.0], [7.0], [8.0], [2.0], [9.0]]), np.array([1.0, 2.0, 4.0, 12.0, 5.0])
+    # Two pairs: their mass-weighted means stay, 5 and 7/2. Differences fall to a 4th and a 3rd.
+    expected = np.array([[4.0], [5.5], [5.0], [3.0], [9.0]])
+    got = impl.smooth_implicit(x, np.array([[0, 1], [2, 3]]), np.array([1.0, 3.0]), mass, 2.0)
     assert_close(got, expected)
 
 
 @exercise("13.10")
 def test_implicit_smoothing_solves_the_system(impl, rng):
-    """One channel, or several; the mass is left out on one side."""
+    """One channel, or several: `spsolve` returns (V,) for one. The mass is left out on one side."""
     edges, weights = graph(rng)
     mass = rng.uniform(0.1, 0.9, 7)
     system = np.diag(mass) + 0.7 * dense(edges, weights, 7)
@@ -406,31 +485,53 @@ def test_a_huge_step_goes_to_the_centre_of_mass_and_no_farther(impl, rng):
     assert_close(got, np.tile(centre, (8, 1)), rtol=1e-5, atol=1e-5)
 
 
+PAIRS = np.array([[1.0], [7.0], [50.0], [-14.0], [9.0]]), np.array([[0, 1], [2, 3]]), np.array(
+    [2.0, 0.75]), np.array([1.0, 2.0, 2.0, 6.0, 5.0])  # x, edges, weights, mass
+
+
 @exercise("13.11")
 def test_a_round_on_paper(impl):
-    """Both steps go the same way, or the second one starts from the first x."""
-    x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
-    got = impl.smooth_taubin(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5, 1.0, 1)
-    assert_close(got, np.array([[-0.5], [4.5], [9.5]]))
+    """Both steps go the same way, or there is one only. Both start from the first x: the second
+    must see the result of the first. shrink and grow are swapped. grow is added to shrink. A round
+    too many.
+    """
+    # Differences in the pairs have the eigenvalues 3 and 1/2 of M^-1 L; their factors are
+    # (1 - 3/2) (1 + 3) = -2 and (1 - 1/4) (1 + 1/2) = 9/8. The means, 5 and 2, stay.
+    got = impl.smooth_taubin(*PAIRS, 0.5, 1.0, 1)
+    assert_close(got, np.array([[13.0], [1.0], [56.0], [-16.0], [9.0]]))
+
+
+@exercise("13.11")
+def test_two_rounds_on_paper(impl):
+    """Only one round is made, as where return stands inside the loop; or each round starts from the
+    first x again.
+    """
+    got = impl.smooth_taubin(*PAIRS, 0.5, 1.0, 2)
+    assert_close(got, np.array([[-11.0], [13.0], [62.75], [-18.25], [9.0]]))
 
 
 @exercise("13.11")
 def test_each_wave_has_its_factor(impl):
-    """The number of rounds; or shrink and grow are swapped."""
+    """The number of rounds: one too many, or one in place of none; or shrink and grow are swapped.
+    """
     shrink, grow = 0.5, 0.53
-    for k, rounds in itertools.product(range(5), (0, 1, 7)):
-        eigenvalue = 1 - np.cos(2 * np.pi * k / 8)  # of M^-1 L
-        factor = ((1 - shrink * eigenvalue) * (1 + grow * eigenvalue))**rounds
-        got = impl.smooth_taubin(waves(k), RING, np.ones(8), np.full(8, 2.0), shrink, grow, rounds)
-        assert_close(got, factor * waves(k))
+    for rounds in 0, 1, 7:
+        by_mass = EIGENVALUES / 2                      # of M^-1 L
+        factor = ((1 - shrink * by_mass) * (1 + grow * by_mass))**rounds
+        got = impl.smooth_taubin(WAVES.sum(0), RING, np.ones(8), np.full(8, 2.0), shrink, grow,
+                                 rounds)
+        assert_close(got, (factor[:, None, None] * WAVES).sum(0))
 
 
 @exercise("13.13")
 def test_gradients_of_the_volume_on_paper(impl):
-    """The cross product is turned round, or belongs to the neighbouring corner."""
-    triangle = np.array([[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]])
-    expected = np.array([[[2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 6.0]]])
-    assert_close(impl.enclosed_volume_backward(6.0, triangle), expected)
+    """The factors of a cross product are exchanged, at all corners or at the middle one: its sign
+    is flipped. It belongs to another corner, or is an area vector. The sixth or grad_volume is
+    missing.
+    """
+    triangle = np.array([[[3.0, 1.0, 0.0], [0.0, 2.0, 1.0], [1.0, 0.0, 4.0]]])
+    expected = np.array([[[16.0, 2.0, -4.0], [-8.0, 24.0, 2.0], [2.0, -6.0, 12.0]]])
+    assert_close(impl.enclosed_volume_backward(12.0, triangle), expected)
 
 
 @exercise("13.13")
@@ -449,12 +550,16 @@ def test_gradients_of_the_volume_are_central_differences(impl, rng):
 
 @exercise("13.16")
 def test_a_large_step_on_paper(impl):
-    """The gradient is spread once, and x not; or u is taken for x."""
-    x, grad_x, zero = np.zeros((2, 1)), np.array([[0.0], [3.0]]), np.zeros((2, 1))
+    """x is taken for u, or u is returned. The gradient is not spread: grad_x is taken for grad_u.
+    Or it is spread twice, or multiplied by (I + lambda L) and not by its inverse. lambda is left
+    out.
+    """
+    x, grad_x, zero = np.array([[1.0], [4.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     got = impl.large_step(x, grad_x, zero, zero, 1, 2.0,
-                          (np.array([[0, 1]]), np.ones(1), 1.0))
+                          (np.array([[0, 1]]), np.array([2.0]), 0.5))
+    # u = (-2, 7) and grad_u = (1, 2), so u becomes (-3, 5).
     mean, square = np.array([[0.1], [0.2]]), np.array([[0.001], [0.004]])
-    expected = -np.array([[4.0], [5.0]]) / 3, mean, square
+    expected = np.array([[-1.0], [7.0]]) / 3, mean, square
     assert_close(got, expected, rtol=1e-7)
 
 

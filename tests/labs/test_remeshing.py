@@ -7,13 +7,18 @@ from course.checks import assert_close, assert_equal, exercise
 
 
 @exercise("13.14")
-def test_gains_of_a_square_and_a_kite(impl):
-    """Degrees, the sign, or half of it; or it is the angle at a and b."""
+def test_gains_on_paper(impl):
+    """pi is not taken away, or the sign is wrong. The angles are those at a and b, the ends of the
+    edge, and not opposite to it. One angle is missing, or halved. Cotangents are taken, or degrees.
+    """
+    half = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [3.0, -np.sqrt(3.0), 0.0]]
+    wide = [[2.0, 1.0, 0.0], [-1.0, 1.0, 1.0], [0.0, 1.0, 0.0], [2.0, 1.0, 1.0]]
+    bent = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
     square = [[-3.0, 0.0, 1.0], [3.0, 0.0, 1.0], [0.0, 3.0, 1.0], [0.0, -3.0, 1.0]]
     kite = [[0.0, 0.0, -3.0], [0.0, 0.0, 3.0], [0.0, np.sqrt(27.0), 0.0], [0.0, -np.sqrt(3.0), 0.0]]
-    bent = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
-    expected = np.array([0.0, np.pi / 3 + 2 * np.pi / 3 - np.pi, np.pi / 2])
-    assert_close(impl.delaunay_gain(np.array([square, kite, bent])), expected)
+    expected = np.array([np.pi / 4 + np.pi / 3, 3 * np.pi / 4 + np.pi / 2, np.pi / 2 + np.pi,
+                         np.pi / 2 + np.pi / 2, np.pi / 3 + 2 * np.pi / 3]) - np.pi
+    assert_close(impl.delaunay_gain(np.array([half, wide, bent, square, kite])), expected)
 
 
 @exercise("13.14")
@@ -36,7 +41,7 @@ def test_an_edge_is_delaunay_if_no_circle_holds_the_fourth_point(impl, rng):
 
 @exercise("13.14")
 def test_gains_are_sums_of_two_angles(impl, rng):
-    """In space; the four corners come in another order."""
+    """In space; the four corners come in another order; or an angle of another corner is taken."""
     corners = rng.normal(size=(9, 4, 3))
     expected = [angle(c, a, b) + angle(d, a, b) - np.pi for a, b, c, d in corners]
     assert_close(impl.delaunay_gain(corners), np.array(expected), atol=1e-7)
@@ -54,10 +59,13 @@ def test_gains_of_tiny_angles_and_of_none(impl):
 
 @exercise("13.15")
 def test_a_slide_on_paper(impl):
-    """Vertices leave the plane at right angles to n, or overshoot the rate."""
-    vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 2.0], [0.0, 8.0, 2.0], [9.0, 9.0, 9.0]])
-    expected = np.array([[1.0, 2.0, 0.0], [2.0, 0.0, 2.0], [0.0, 4.0, 2.0], [9.0, 9.0, 9.0]])
-    normals = np.tile([0.0, 0.0, 1.0], (4, 1))
+    """The part along n is not taken away, or alone is kept. It is the sum of the offsets, not the
+    mean: not divided by the valence. The rate, or x, is left out. An edge pulls one end only.
+    """
+    vertices = np.array([[1.0, 1.0, 1.0], [5.0, 1.0, 3.0], [1.0, 9.0, 3.0], [9.0, 8.0, 7.0]])
+    normals = np.array([[0.6, 0.0, 0.8], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+    # The first one's move is (1, 2, 1), its part along n 1.4 n.
+    expected = np.array([[1.16, 3.0, 0.88], [3.0, 1.0, 3.0], [1.0, 9.0, 2.0], [9.0, 8.0, 7.0]])
     assert_close(impl.relax_step(vertices, normals, np.array([[0, 1], [0, 2]]), 0.5), expected)
 
 

@@ -39,15 +39,31 @@ def point_at(x, y, distance, light, width, height):
 
 # --- the light's frame and its map --------------------------------------------------------------
 
+# Looks down -y, turned about it.
+DOWN = np.array([[0.6, 0.0, 0.8], [0.8, 0.0, -0.6], [0.0, 1.0, 0.0]])
+
+
 @exercise("14.1")
 def test_a_light_looks_down_on_paper(impl):
-    """The position is added, or the matrix is transposed."""
-    rotation = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-    got = impl.to_light(np.array([[1.0, 2.0, 3.0], [7.0, 8.0, 9.0]]), np.array([7.0, 8.0, 9.0]),
-                        rotation)
-    assert_close(got, np.array([[-6.0, -6.0, -6.0], [0.0, 0.0, 0.0]]))
-    got = impl.to_light(np.array([[1.0, 2.0, 4.0]]), np.array([0.0, 8.0, 3.0]), rotation)
-    assert_close(got, np.array([[1.0, 1.0, -6.0]]))
+    """The position is added, not subtracted, or left out. Points are turned first and moved after
+    that. rotation is not transposed, or multiplies from the left, though the points are rows.
+    """
+    away = np.array([[5.0, -4.0, 10.0], [-5.0, -3.0, 15.0], [10.0, -7.0, 5.0]])
+    position = np.array([2.0, 30.0, -1.0])
+    assert_close(impl.to_light(away + position, position, DOWN),
+                 np.array([[11.0, -2.0, -4.0], [9.0, -13.0, -3.0], [10.0, 5.0, -7.0]]))
+
+
+@exercise("14.1")
+def test_any_number_of_points_may_come(impl):
+    """Points are rows (N, 3): rotation @ points works only for three of them, and is wrong there.
+    """
+    position = np.array([2.0, 30.0, -1.0])
+    assert_close(impl.to_light(np.array([[7.0, 26.0, 9.0]]), position, DOWN),
+                 np.array([[11.0, -2.0, -4.0]]))
+    away = np.array([[5.0, -4.0, 10.0], [-5.0, -3.0, 15.0]])
+    assert_close(impl.to_light(away + position, position, DOWN),
+                 np.array([[11.0, -2.0, -4.0], [9.0, -13.0, -3.0]]))
 
 
 @exercise("14.1")
@@ -60,17 +76,20 @@ def test_the_rows_are_the_axes(impl, rng):
 
 @exercise("14.2")
 def test_a_light_that_moves_pulls_all_points_on_paper(impl):
-    """The position's gradient has the points' sign, or is that of one point alone."""
-    rotation = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-    grad_q = np.array([[1.0, 2.0, 3.0], [10.0, 0.0, 0.0]])
-    got = impl.to_light_backward(grad_q, np.ones((2, 3)), np.array([5.0, 6.0, 7.0]), rotation)
-    assert_close(got, (np.array([[2.0, 3.0, 1.0], [0.0, 0.0, 10.0]]),
-                       np.array([-2.0, -3.0, -11.0])))
+    """The gradient is turned by rotation.T, as the points are, or not at all. grad_position has the
+    wrong sign: its minus is missing. It is a mean, or that of one point, and not the sum over all
+    points.
+    """
+    grad_q = np.array([[5.0, 10.0, 1.0], [-10.0, 5.0, 2.0], [15.0, 0.0, 3.0]])
+    points = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 7.0], [0.0, 8.0, 6.0]])
+    got = impl.to_light_backward(grad_q, points, np.array([5.0, 6.0, 7.0]), DOWN)
+    assert_close(got, (np.array([[11.0, 1.0, -2.0], [-2.0, 2.0, -11.0], [9.0, 3.0, 12.0]]),
+                       np.array([-18.0, -6.0, 1.0])))
 
 
 @exercise("14.2")
 def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
-    """The rotation is not transposed."""
+    """The rotation is not transposed, or multiplies from the left, though gradients are rows."""
     rotation = rotation_of(rng)
     gradcheck(lambda points, position: (points - position) @ rotation.T,
               lambda grad, points, position: impl.to_light_backward(grad, points, position,
@@ -80,13 +99,16 @@ def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
 
 @exercise("14.3")
 def test_places_on_the_map_on_paper(impl):
-    """Width and height are swapped, or the middle is not where the light looks."""
-    q = np.array([[0.0, 0.0, -3.0], [2.0, 0.0, -3.0], [0.0, 1.5, -3.0], [0.0, -0.75, -1.5]])
+    """It is not divided by w. y is counted downwards. The middle is at 0: the + 1 is missing. ndc
+    is 2 wide. Width and height, or C_00 and C_11, are swapped or left out. A half, or one, is taken
+    away.
+    """
+    q = np.array([[1.0, 1.5, -3.0], [-0.5, -0.75, -1.5], [3.0, -1.25, -4.0], [0.0, 0.0, -2.0]])
     assert_close(impl.map_position(q, CONE, 12, 8),
-                 np.array([[6.0, 4.0], [12.0, 4.0], [6.0, 8.0], [6.0, 0.0]]))
-    q = np.array([[2.5, 0.0, -3.0], [-2.5, 1 / 0.7, -9.0]])
+                 np.array([[9.0, 8.0], [3.0, 0.0], [12.75, 1.5], [6.0, 4.0]]))
+    q = np.array([[2.5, 0.5 / 0.7, -3.0], [-1.25, 1 / 0.7, -9.0]])
     assert_close(impl.map_position(q, PARALLEL, 12, 8),
-                 np.array([[12.0, 4.0], [0.0, 8.0]]))
+                 np.array([[12.0, 6.0], [3.0, 8.0]]))
 
 
 @exercise("14.3")
@@ -99,7 +121,7 @@ def test_it_is_the_whole_matrix_and_the_viewport(impl, rng, light):
 
 @exercise("14.3")
 def test_any_perspective_has_its_w(impl, rng):
-    """w is taken to be the distance, or 1: C_32 and C_33 say what it is."""
+    """w is taken to be the distance, -q_z, or 1: C_32 and C_33 say what it is."""
     light, q = CONE.copy(), before_the_light(rng, 5)
     light[3, 2:] = -0.5, 2.0
     assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light)[0])
@@ -107,12 +129,15 @@ def test_any_perspective_has_its_w(impl, rng):
 
 @exercise("14.4")
 def test_a_point_that_comes_nearer_moves_outwards(impl):
-    """The gradient by q_z is missing, or has the wrong sign."""
-    q = np.array([[2.0, 0.0, -3.0], [0.0, -0.75, -3.0]])
-    got = impl.map_position_backward(np.eye(2), q, CONE, 12, 8)
-    assert_close(got, np.array([[3.0, 0.0, 2.0], [0.0, 8 / 3, -2 / 3]]))
-    got = impl.map_position_backward(np.eye(2), q, PARALLEL, 10, 8)
-    assert_close(got, np.array([[2.0, 0.0, 0.0], [0.0, 2.8, 0.0]]))
+    """The gradient through w, by q_z, is missing or has the wrong sign: w is no constant. Its share
+    of x or of y, C_32 or a 1 / w is lost. grad_place is left out.
+    """
+    # 2 C is the same light as C, with twice the w: 6 and 12 here.
+    q, grad_place = np.array([[2.0, -1.5, -3.0], [1.0, 3.0, -6.0]]), np.array([[1.0, 3], [4, -3]])
+    got = impl.map_position_backward(grad_place, q, 2 * CONE, 12, 8)
+    assert_close(got, np.array([[3.0, 8.0, -2.0], [6.0, -4.0, -1.0]]))
+    got = impl.map_position_backward(grad_place, q, PARALLEL, 10, 8)
+    assert_close(got, np.array([[2.0, 8.4, 0.0], [8.0, -8.4, 0.0]]))
 
 
 @exercise("14.4")
@@ -127,12 +152,14 @@ def test_the_gradients_of_places_are_central_differences(impl, rng, light):
 
 @exercise("14.5")
 def test_near_and_far_on_paper(impl):
-    """The near plane comes out far, or the distance is negative."""
+    """The distance is negative: q_z is returned. The depth is taken for linear, not divided by w,
+    or for one from 0 to 1. The matrix is applied to the depth. C_33, or a sign, is lost.
+    """
     # CONE: -1.5 q_z - 2.5 = depth (-q_z), so at distance 1 the depth is -1, and at 5 it is 1.
-    assert_close(impl.distance_of_depth(np.array([[-1.0, 1.0, 0.25]]), CONE),
-                 np.array([[1.0, 5.0, 2.0]]))
-    assert_close(impl.distance_of_depth(np.array([[-1.0], [1.0], [0.0]]), PARALLEL),
-                 np.array([[2.0], [6.0], [4.0]]))
+    assert_close(impl.distance_of_depth(np.array([[-1.0, 0.25, 0.5, 1.0]]), CONE),
+                 np.array([[1.0, 2.0, 2.5, 5.0]]))
+    assert_close(impl.distance_of_depth(np.array([[-1.0], [1.0], [0.0], [0.5]]), PARALLEL),
+                 np.array([[2.0], [6.0], [4.0], [5.0]]))
 
 
 @exercise("14.5")
@@ -148,7 +175,9 @@ def test_the_distance_is_what_the_matrix_made_the_depth_of(impl, rng, light):
 @exercise("14.5", fine_print=True)
 @each_light
 def test_where_the_light_sees_nothing_the_distance_is_infinite(impl, light):
-    """NaN, -inf, or a number from the far plane."""
+    """NaN, -inf, 0, or a number from the far plane, where the depth is np.inf: the light sees
+    nothing.
+    """
     got = impl.distance_of_depth(np.array([[np.inf, 0.0], [np.inf, np.inf]]), light)
     assert_equal(np.isinf(got), np.array([[True, False], [True, True]]))
     assert_equal(bool((got > 0).all()), True)
@@ -157,45 +186,71 @@ def test_where_the_light_sees_nothing_the_distance_is_infinite(impl, light):
 MAP = np.array([[1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0, np.inf], [9.0, 10.0, 11.0, 12.0]])
 
 
+EIGHT = np.array([[0.5, 0.5], [2.25, 0.75], [3.5, 0.0], [1.75, 1.5], [2.5, 1.25], [0.0, 2.75],
+                  [1.5, 2.5], [3.25, 2.0]])
+STORED = np.array([1.0, 3.0, 4.0, 6.0, 7.0, 9.0, 10.0, 12.0])  # of MAP there
+
+
 @exercise("14.7")
-def test_what_lies_behind_is_dark(impl):
-    """The comparison is turned round, as with a map of the farthest surface."""
-    place = np.tile([1.5, 0.5], (3, 1))
-    assert_equal(impl.is_lit(MAP, place, np.array([1.0, 2.0, 3.0]), 0.0),
-                 np.array([True, True, False]))
+def test_what_lies_behind_is_dark_and_what_lies_before_is_lit(impl):
+    """The comparison is turned round, as with a map of the farthest surface. Dark points are True.
+    What lies in front of the stored surface, nearer than it, is dark: the absolute difference is
+    taken. x and y are swapped.
+    """
+    got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT]),
+                      np.concatenate([STORED + 0.75, STORED - 0.75]), np.full(16, 0.25))
+    assert_equal(got, np.arange(16) >= 8)
+
+
+BIAS = np.array([0.5, 1.0, 0.75, 2.0, 1.5, 0.5, 3.0, 0.25])
 
 
 @exercise("14.7")
 def test_the_bias_lights_what_is_just_behind(impl):
-    """The bias is subtracted, or one for all; or < for <=."""
-    place, distance = np.tile([0.5, 1.5], (4, 1)), np.array([5.25, 5.25, 4.9, 5.5])
-    got = impl.is_lit(MAP, place, distance, np.array([0.25, 0.0, 0.5, 0.75]))
-    assert_equal(got, np.array([True, False, True, True]))
-    assert_equal(impl.is_lit(MAP, place, np.full(4, 5.5), 0.5), np.ones(4, bool))
-    assert_equal(impl.is_lit(MAP, place, np.full(4, 4.5), -0.75), np.zeros(4, bool))
+    """The bias is subtracted, left out, or that of one point for all. It is a factor."""
+    got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT, EIGHT]),
+                      np.concatenate([STORED + BIAS - 0.125, STORED + BIAS + 0.125,
+                                      STORED - BIAS + 0.125]), np.tile(BIAS, 3))
+    assert_equal(got, np.repeat([True, False, True], 8))
+    assert_equal(impl.is_lit(MAP, EIGHT, STORED + 0.25, 0.5), np.ones(8, bool))
+    assert_equal(impl.is_lit(MAP, EIGHT, STORED - 0.5, -0.75), np.zeros(8, bool))
+
+
+@exercise("14.7")
+def test_a_point_at_exactly_stored_plus_bias_is_lit(impl):
+    """< instead of <=: a point at an equal distance is lit."""
+    got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT, EIGHT]),
+                      np.concatenate([STORED + BIAS, STORED, STORED + BIAS + 0.125]),
+                      np.concatenate([BIAS, 0 * BIAS, BIAS]))
+    assert_equal(got, np.repeat([True, True, False], 8))
 
 
 @exercise("14.7")
 def test_outside_the_map_all_is_lit(impl):
-    """What the light's picture does not hold is dark, or is looked up elsewhere."""
-    place = np.array([[-1.0, 2.0], [9.0, 1.0], [1.0, -1.0], [3.5, 1.5]])
-    assert_equal(impl.is_lit(MAP, place, np.full(4, 100.0), 0.0), np.ones(4, bool))
+    """What the light's picture does not hold is dark, or is looked up elsewhere: on the other side,
+    or at the border. Where the map holds np.inf, all is lit, too.
+    """
+    place = np.array([[-1.0, 2.0], [9.0, 1.0], [1.0, -1.0], [2.0, 3.0], [-0.25, 0.5], [4.0, 2.5],
+                      [3.5, 1.5], [3.0, 1.0]])
+    got = impl.is_lit(MAP, np.concatenate([place, EIGHT]), np.full(16, 100.0), np.full(16, 0.5))
+    assert_equal(got, np.arange(16) < 8)
 
 
 # --- bias ---------------------------------------------------------------------------------------
 
 @exercise("14.8")
 def test_slopes_on_paper(impl):
-    """Texels are taken for units of the world, or x and y for each other."""
-    light, q = np.diag([0.25, 0.5, -1.0, 1.0]), np.array([[3.0, -1.0, -4.0]] * 2)
-    normal = np.array([[0.6, 0.0, 0.8], [0.0, -0.8, 0.6]])
-    assert_close(impl.distance_slopes(normal, q, light, 4, 8),
-                 np.array([[1.5, 0.0], [0.0, -2 / 3]]), atol=1e-12)
-    # The cone's ray is (1, -1/2, -1), n . ray = 0.6 - 0.8, and a texel there is 2 x 4 / (1/4 x 4).
+    """The sign. A texel is 2 / width of clip space, not 1 / width, or a unit of the world. x and y
+    are swapped. A cone's rays are not parallel, (0, 0, -1). w is left out.
+    """
+    light, normal = np.diag([0.25, 0.5, -1.0, 1.0]), np.array([[2.0, -1.0, 2.0], [1, 2, -2]]) / 3
+    q = np.array([[4.0, -2.0, -4.0], [-2.0, 1.0, -2.0]])
+    assert_close(impl.distance_slopes(normal, q, light, 4, 8),  # a texel is 2 x 1/2
+                 np.array([[2.0, -0.25], [-1.0, -0.5]]))
+    # The cone's rays are (1, -1/2, -1) and (-1, 1/2, -1), so n . ray is 1/6 and 2/3.
     light[3, 2:] = -1, 0
-    q = np.array([[4.0, -2.0, -4.0]])
-    assert_close(impl.distance_slopes(normal[:1], q, light, 4, 8),
-                 np.array([[24.0, 0.0]]), atol=1e-12)
+    assert_close(impl.distance_slopes(normal, q, light, 4, 8),
+                 np.array([[-32.0, 4.0], [-2.0, -1.0]]))
 
 
 @exercise("14.8")
@@ -226,7 +281,9 @@ def test_slopes_are_those_of_the_plane_on_the_map(impl, rng, light):
 
 @exercise("14.8", fine_print=True)
 def test_a_plane_seen_edge_on_keeps_a_finite_slope(impl):
-    """An infinite slope, or the wrong side of it; the limit is GRAZING = 0.01, no sooner."""
+    """An infinite slope. The sign of n . ray is lost: where it is negative, -GRAZING stands in its
+    place. The limit is GRAZING = 0.01, no sooner.
+    """
     light, facing = np.diag([1.0, 0.5, -1.0, 1.0]), np.array([0.0, 0.004, -0.004, 0.011, -0.0099])
     # n . ray = -n_z = facing
     normal = np.stack([np.full(5, 0.8), np.full(5, -0.6), -facing], 1)
@@ -237,10 +294,13 @@ def test_a_plane_seen_edge_on_keeps_a_finite_slope(impl):
 
 @exercise("14.9")
 def test_the_bias_on_paper(impl):
-    """The signs cancel, the half is missing, or the limit leaves the constant out."""
-    slope = np.array([[0.0, 0.0], [0.5, -0.25], [-0.5, 0.25], [-3.0, -1.0], [8.0, 0.0]])
+    """The signs cancel: absolute values are added. It is a length, the root of squares, or the
+    larger slope. The half, factor or constant is missing. The limit is missing, leaves the constant
+    out, or is a maximum.
+    """
+    slope = np.array([[0.0, 0.0], [0.5, -0.25], [-1.0, 0.75], [-3.0, -1.0], [8.0, 0.0]])
     assert_close(impl.slope_scaled_bias(slope, 0.125, 2.0, 4.0),
-                 np.array([0.125, 0.875, 0.875, 4.0, 4.0]))
+                 np.array([0.125, 0.875, 1.875, 4.0, 4.0]))
     assert_close(impl.slope_scaled_bias(slope, 0.125, 0.0, 4.0), np.full(5, 0.125))
 
 

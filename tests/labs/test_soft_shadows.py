@@ -10,12 +10,21 @@ CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 
 
 @exercise("14.10")
 def test_the_plane_is_measured_at_the_texels_centre(impl):
-    """At the place itself; or from the centre of the receiver's own texel."""
-    receiver = np.array([[2.75, 1.25]]), np.array([10.0]), np.array([[2.0, -4.0]])
-    got = impl.on_plane(*receiver, np.array([0.5, -1.0]))
-    assert_close(got, (np.array([[3.25, 0.25]]), np.array([10 + 2 * 0.75 + 4 * 0.75])))
-    got = impl.on_plane(*receiver, np.zeros((1, 2)))
+    """At the place itself, or at the texel's corner: the 0.5 is missing. Followed from the new
+    place and not from place, or from the centre of the receiver's own texel. The sign. The distance
+    is not added.
+    """
+    place = np.array([[2.75, 1.25], [1.5, 3.75], [0.25, 2.5], [4.5, 0.5]])
+    slope = np.array([[2.0, -4.0], [1.0, 3.0], [-2.0, 0.5], [3.0, 5.0]])
+    step = np.array([[0.5, -1.0], [2.0, 0.5], [1.5, -1.75], [-2.75, 1.25]])
+    # The ways to the centres are (3/4, -3/4), (2, 3/4), (5/4, -2) and (-3, 1).
+    got = impl.on_plane(place, np.array([10.0, 20.0, 8.0, 6.0]), slope, step)
+    assert_close(got, (np.array([[3.25, 0.25], [3.5, 4.25], [1.75, 0.75], [1.75, 1.75]]),
+                       np.array([14.5, 24.25, 4.5, 2.0])))
+    got = impl.on_plane(place[:1], np.array([10.0]), slope[:1], np.zeros((1, 2)))
     assert_close(got[1], np.array([10 - 2 * 0.25 - 4 * 0.25]))
+    got = impl.on_plane(place[:2], np.array([10.0, 20.0]), slope[:2], np.array([0.5, -1.0]))
+    assert_close(got, (np.array([[3.25, 0.25], [2.0, 2.75]]), np.array([14.5, 20 + 1.0 - 3.75])))
 
 
 @exercise("14.10")
@@ -54,60 +63,78 @@ def around(rng, count=40):
             rng.uniform(-1, 1, (11, 2)), rng.uniform(0, 3, count))
 
 
-FLAT = np.zeros((2, 2))
-CROSS = np.array([[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 0.0]])
+FLAT = np.zeros((4, 2))
+CROSS = np.array([[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 0.0]])  # left, right, below, there
+WALLS = np.array([[3.0, 3.0, 9.0, 9.0, 2.0], [4.0, 3.0, 9.0, 1.0, 9.0]])
+OVER_WALLS = (np.array([[1.5, 1.5], [2.5, 1.5], [4.5, 0.5], [2.25, 0.5]]),
+              np.array([5.0, 5.0, 5.0, 8.0]))  # place, distance
 
 
 @exercise("14.11")
 def test_shares_on_paper(impl):
-    """The distances are averaged; the dark share is returned; x and y are swapped."""
-    distance_map = np.array([[3.0, 3.0, 9.0, 9.0], [3.0, 3.0, 9.0, 1.0]])
-    got = impl.percentage_closer(distance_map, np.array([[1.5, 1.5], [2.5, 1.5]]),
-                                 np.array([5.0, 5.0]), FLAT, 0.0, CROSS, 1.0)
-    assert_close(got, np.array([0.25, 0.5]))
+    """The dark share is returned, or the sum, not divided by the number of places. The distances
+    are averaged and then compared. The radius is not used. Each step starts from the last place.
+    Places do not move. Outside is dark.
+    """
+    got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS, np.array([1.0, 1, 1, 2]))
+    # The map holds 4, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9.
+    assert_close(got, np.array([0.25, 0.5, 0.75, 0.5]))
+
+
+@exercise("14.11")
+def test_a_slanted_plane_does_not_darken_itself(impl, rng):
+    """Every neighbour is compared with the distance at the middle, that of the receiver itself: the
+    plane's slope is not followed, and acne comes back.
+    """
+    slope = np.array([0.7, -0.4])
+    column, row = np.meshgrid(np.arange(9) + 0.5, np.arange(6) + 0.5)
+    distance_map = 5 + slope[0] * column + slope[1] * row
+    place = rng.uniform(2, [7, 4], (20, 2))
+    above = np.where(np.arange(20) % 2, -0.125, 0.125)  # every other receiver lies before the map
+    got = impl.percentage_closer(distance_map, place, 5 + place @ slope + above,
+                                 np.tile(slope, (20, 1)),
+                                 0.05, CROSS, 1.5)
+    assert_close(got, np.arange(20) % 2)
 
 
 @exercise("14.11")
 def test_each_receiver_has_its_radius_and_bias(impl, rng):
-    """One radius for all, a place off by a half, a slope that is left out, or dark outside."""
+    """One radius for all. The bias is left out, or added to the distance. A place is off by a half,
+    a slope is left out, or it is dark outside.
+    """
     given = around(rng)
     expected = np.array([lit.mean() for _, lit in places(*given)])
     assert_close(impl.percentage_closer(*given), expected)
 
 
-@exercise("14.11")
-def test_a_slanted_plane_does_not_darken_itself(impl, rng):
-    """Every neighbour is compared with the distance at the middle: acne comes back."""
-    slope = np.array([0.7, -0.4])
-    column, row = np.meshgrid(np.arange(9) + 0.5, np.arange(6) + 0.5)
-    distance_map = 5 + slope[0] * column + slope[1] * row
-    place = rng.uniform(2, [7, 4], (20, 2))
-    got = impl.percentage_closer(distance_map, place, 5 + place @ slope, np.tile(slope, (20, 1)),
-                                 1e-9, CROSS, 1.5)
-    assert_close(got, np.ones(20))
-
-
 @exercise("14.12")
 def test_blockers_on_paper(impl):
-    """Lit places count, too; or the sum is divided by all places."""
-    distance_map = np.array([[3.0, 4.0, 9.0, 9.0], [2.0, 3.0, 9.0, 1.0]])
-    got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5], [2.5, 1.5]]),
-                                np.array([5.0, 5.0]), FLAT, 0.0, CROSS, 1.0)
-    assert_close(got, np.array([3.0, 2.0]))
+    """Lit places count, too. The sum is divided by all places, or by none. The nearest or farthest
+    blocker is taken, or the plane's distance, not what is stored. Without a blocker it is 0 or NaN.
+    The radius is not used.
+    """
+    distance = np.array([5.0, 5.0, 1.5, 8.0])
+    got = impl.blocker_distance(WALLS, OVER_WALLS[0], distance, FLAT, 0.0, CROSS,
+                                np.array([1.0, 1, 1, 2]))
+    assert_close(got, np.array([10 / 3, 2.0, np.inf, 2.5]))
 
 
 @exercise("14.12")
 def test_what_is_just_lit_is_no_blocker(impl):
-    """A place at the very distance that is stored, and its bias, counts as dark."""
+    """A place at the very distance that is stored, and its bias, counts as dark. The bias is left
+    out.
+    """
     distance_map = np.array([[3.0, 4.0, 9.0, 9.0], [2.0, 3.0, 9.0, 1.0]])
-    got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5]] * 2), np.array([4.0, 4.5]),
-                                FLAT, np.array([0.0, 0.5]), CROSS, 1.0)
-    assert_close(got, np.array([2.5, 2.5]))
+    got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5]] * 4),
+                                np.array([4.0, 4.5, 9.0, 3.25]), FLAT,
+                                np.array([0.0, 0.5, 0.0, 0.25]), CROSS, 1.0)
+    assert_close(got, np.array([2.5, 2.5, 3.0, 2.0]))
 
 
 @exercise("14.12")
 def test_blockers_are_the_places_that_are_not_lit(impl, rng):
-    """The bias or the plane is left out; what lies outside the map blocks."""
+    """The bias or the plane is left out; the radius is not used; what lies outside the map blocks.
+    """
     given = around(rng)
     expected = np.array([stored[~lit].mean() if not lit.all() else np.inf
                          for stored, lit in places(*given)])
@@ -117,17 +144,24 @@ def test_blockers_are_the_places_that_are_not_lit(impl, rng):
 
 @exercise("14.13")
 def test_a_border_grows_with_the_distance_behind_the_blocker(impl):
-    """Distances are swapped, or the border is measured in the world and not on the map."""
-    distance, blocker = np.array([4.0, 4.0, 8.0, 2.0]), np.array([4.0, 2.0, 2.0, 1.0])
-    assert_close(impl.penumbra_radius(distance, blocker, 0.5, CONE, 16),
-                 np.array([0.0, 1.5, 2.25, 3.0]))
+    """Distances are swapped. The border is measured in the world: not divided by distance. It is
+    not a difference of reciprocals. C_00, light_radius, width or the half is missing: the diameter.
+    It is rounded.
+    """
+    distance, blocker = np.array([4.0, 8.0, 2.0, 6.0, 4.0]), np.array([2.0, 2.0, 1.0, 3.0, 4.0])
+    assert_close(impl.penumbra_radius(distance, blocker, 0.2, CONE, 16),
+                 np.array([0.6, 0.9, 1.2, 0.4, 0.0]))
 
 
 @exercise("14.13")
 def test_no_blocker_has_no_border(impl):
-    """A negative radius, or NaN."""
-    got = impl.penumbra_radius(np.array([3.0, 3.0]), np.array([np.inf, 3.5]), 0.5, CONE, 16)
-    assert_close(got, np.zeros(2))
+    """A negative radius, or its absolute value, where the blocker is farther than the point. NaN,
+    where it is inf.
+    """
+    distance = np.array([3.0, 4.0, 3.0, 2.0, 4.0, 8.0])
+    blocker = np.array([np.inf, np.inf, 3.5, 5.0, 2.0, 2.0])
+    assert_close(impl.penumbra_radius(distance, blocker, 0.25, CONE, 16),
+                 np.array([0.0, 0.0, 0.0, 0.0, 0.75, 1.125]))
 
 
 @exercise("14.13")

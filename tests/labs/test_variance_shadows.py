@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.checks import assert_close, assert_equal, assert_picture, exercise
+from course.checks import assert_close, assert_picture, exercise
 from course.given.gradcheck import gradcheck
 
 # Light from a point and from a direction; their maps are not square.
@@ -41,9 +41,12 @@ def each_square(picture, radius, of):
 
 @exercise("14.16")
 def test_a_pixel_gives_to_all_squares_that_hold_it(impl):
-    """The gradient is blurred: at the border, it was another number of pixels that shared."""
+    """The gradient is blurred: divided after the sum, by the pixel's own number, and not before. It
+    is not divided at all, or twice, or by the number of a whole square, also at the border. The
+    neighbours get nothing.
+    """
     grad = np.array([[0.0, 6.0, 0.0, 8.0]])[..., None]
-    assert_close(impl.box_blur_backward(grad, 1)[..., 0], np.array([[2.0, 2.0, 6.0, 4.0]]))
+    assert_close(impl.box_blur_backward(grad, 1), np.array([[2.0, 2.0, 6.0, 4.0]])[..., None])
 
 
 @exercise("14.16")
@@ -56,17 +59,23 @@ def test_the_gradients_of_the_blur_are_central_differences(impl, rng):
 
 @exercise("14.17")
 def test_lit_shares_on_paper(impl):
-    """The variance is not the mean square less the squared mean; the near side is dark, too."""
-    got = impl.chebyshev(np.array([1.0, 3.0, 4.0, 7.0]), np.full(4, 3.0), np.full(4, 13.0), 1e-3)
-    assert_close(got, np.array([1.0, 1.0, 4 / 5, 1 / 5]))
+    """The variance is not E_1 - E_0^2: the squared mean is not subtracted. The near side is dark,
+    too, or instead. distance - E_0 is not squared. It is the dark share. least_variance is added.
+    """
+    got = impl.chebyshev(np.array([7.0, 8.0, 5.0, 4.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0, 3.0]),
+                         np.array([13.0, 25.0, 5.0, 13.0, 13.0]), 0.125)
+    # The variances are 4, 9, 1, 4, 4, the distances beyond the mean 4, 4, 3, 1 and none.
+    assert_close(got, np.array([4 / 20, 9 / 25, 1 / 10, 4 / 5, 1.0]))
 
 
 @exercise("14.17")
 def test_the_variance_has_a_floor(impl):
-    """Rounding makes the variance negative; the floor is added in place of a maximum."""
-    got = impl.chebyshev(np.array([5.0, 5.0, 5.0]), np.array([3.0, 3.0, 3.0]),
-                         np.array([9.0, 8.0, 9.5]), 0.5)
-    assert_close(got, np.full(3, 1 / 9))
+    """The floor least_variance is left out, or added in place of a maximum. Rounding can make the
+    variance negative.
+    """
+    got = impl.chebyshev(np.array([5.0, 4.0, 6.0, 5.0]), np.array([3.0, 3.0, 3.0, 3.0]),
+                         np.array([9.0, 8.0, 9.25, 9.5]), 0.5)
+    assert_close(got, np.array([1 / 9, 1 / 3, 1 / 19, 1 / 9]))
 
 
 @exercise("14.17")
@@ -87,21 +96,29 @@ def lit_share(distance, mean, mean_square, least=0.3):
 
 @exercise("14.18")
 def test_gradients_of_the_share_on_paper(impl):
-    """The mean's part in the variance is forgotten; the near side has a gradient."""
-    # v = 4, b = 4: by the distance -2 v b / 400, by the variance b^2 / 400 = 1/25.
-    got = impl.chebyshev_backward(np.array([25.0, 25.0]), np.array([7.0, 2.0]), np.full(2, 3.0),
-                                  np.full(2, 13.0), 1e-3)
-    assert_close(got, (np.array([-2.0, 0.0]), np.array([-4.0, 0.0]), np.array([1.0, 0.0])))
+    """The near side, where the share is 1, has a gradient. Quotient rule: the variance is in
+    numerator and denominator. A 2 or grad_lit is missing. The mean's part by variance or distance
+    is forgotten. A finite difference is inexact.
+    """
+    # v = 4, b = 4: by the distance -2 v b / 400, by the variance b^2 / 400 = 1/25. And so on.
+    got = impl.chebyshev_backward(np.array([25.0, 62.5, -50.0, 25.0]),
+                                  np.array([7.0, 8.0, 5.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0]),
+                                  np.array([13.0, 25.0, 5.0, 13.0]), 0.125)
+    assert_close(got, (np.array([-2.0, -7.2, 3.0, 0.0]), np.array([-4.0, -5.6, 15.0, 0.0]),
+                       np.array([1.0, 1.6, -4.5, 0.0])))
 
 
 @exercise("14.18")
 def test_a_floored_variance_has_no_gradient(impl):
-    """The floor hands a gradient on."""
-    got = impl.chebyshev_backward(np.ones(3), np.full(3, 5.0), np.full(3, 3.0),
-                                  np.array([9.0, 9.5, 10.5]), 1.0)
-    assert_close(got[0], np.array([-4 / 25, -4 / 25, -6 / 5.5**2]))
-    assert_close(got[2], np.array([0.0, 0.0, (2 / 5.5)**2]))
-    assert_close(got[1][:2], np.array([4 / 25, 4 / 25]))
+    """The floor least_variance hands a gradient on to the moments; there the variance is a
+    constant. Or all gradients are 0 there: that by the distance, and the mean's part of it, stay.
+    """
+    got = impl.chebyshev_backward(np.array([25.0, 50.0, 30.25, 4.0]),
+                                  np.array([5.0, 5.0, 5.0, 4.0]), np.full(4, 3.0),
+                                  np.array([9.0, 9.5, 10.5, 9.75]), 1.0)
+    # The variances are 1, 1, 3/2, 1. By the distance: -2 v b / (v + b^2)^2, say -4/25 at first.
+    assert_close(got, (np.array([-4.0, -8.0, -6.0, -2.0]), np.array([4.0, 8.0, -18.0, 2.0]),
+                       np.array([0.0, 0.0, 4.0, 0.0])))
 
 
 @exercise("14.18")
@@ -121,14 +138,20 @@ def test_the_gradients_of_the_share_are_central_differences(impl, rng):
 
 @exercise("14.19")
 def test_the_middle_stays_and_the_border_runs_outwards_on_paper(impl):
-    """Measured from the map's corner, or from the texel's; rows and columns are swapped."""
-    distance_map = np.array([[3.0, 1.5, 3.0, 3.0], [3.0, 3.0, 6.0, 3.0]])
-    motion = impl.map_motion(distance_map, CONE)
-    assert_equal(motion.shape, (2, 4, 2, 3))
-    assert_close(motion[0, 1], np.array([[2.0, 0.0, -1 / 3], [0.0, 4 / 3, -1 / 3]]))
-    assert_close(motion[1, 2], np.array([[0.5, 0.0, 1 / 12], [0.0, 1 / 3, 1 / 12]]))
+    """The derivative by q_z is missing, as if w were held, or has the wrong sign. w has: q_z is
+    -distance. C_32 or a w is lost. It is measured from the map's corner, or at the texel's. Rows
+    and columns are swapped.
+    """
+    # 2 C is the same light as C, with w = 2 distance.
+    distance_map = np.array([[3.0, 1.5, 6.0], [2.0, 0.5, 4.5]])
+    expected = np.zeros((2, 3, 2, 3))
+    expected[..., 0, 0] = 2.25 / distance_map                            # 3 x 3/2 / w
+    expected[..., 1, 1] = 2 / distance_map                               # 4 x 1 / w
+    expected[..., 0, 2] = [[-1 / 3, 0.0, 1 / 6], [-0.5, 0.0, 2 / 9]]     # -1, 0, 1 from the middle
+    expected[..., 1, 2] = [[-1 / 6, -1 / 3, -1 / 12], [0.25, 1.0, 1 / 9]]
+    assert_close(impl.map_motion(distance_map, 2 * CONE), expected)
     got = impl.map_motion(distance_map, PARALLEL)
-    assert_close(got, np.broadcast_to([[0.8, 0, 0], [0, 0.7, 0]], (2, 4, 2, 3)))
+    assert_close(got, np.broadcast_to([[0.6, 0, 0], [0, 0.7, 0]], (2, 3, 2, 3)))
 
 
 @exercise("14.19")
@@ -162,17 +185,19 @@ def moved(distance_map, motion, move):
 
 
 STEP = np.array([[1.0, 1.0, 3.0, 3.0]])
-ACROSS = np.tile([[2.0, 0, 0], [0, 2.0, 0]], (1, 4, 1, 1)) / STEP[..., None, None]
+ACROSS = np.eye(2, 3) * np.array([5.0, 2.0, 2 / 3, 7.0])[:, None, None][None]  # texels to a unit
 
 
 @exercise("14.20")
 def test_a_step_moves_with_the_nearer_side(impl):
-    """With the farther side; to the left; or the pixels change by the whole jump each."""
+    """With the farther side, or both. To the left: the sign. Pixels change by the whole jump, not
+    by half of it. Only the texel on one side of a border changes. One axis is left out.
+    """
+    # By 0.2 texels, the jump is 2.
     got = impl.moved_moments(STEP, ACROSS, np.array([0.1, 0.0, 0.0]))
-    assert_close(got[0, :, 0], np.array([1.0, 0.8, 2.8, 3.0]))     # by 0.2 texels, the jump is 2
-    assert_close(got[0, :, 1], np.array([1.0, 0.2, 8.2, 9.0]))
-    got = impl.moved_moments(STEP.T.copy(), ACROSS.swapaxes(0, 1), np.array([9, -0.1, 0]))
-    assert_close(got[:, 0, 0], np.array([1.0, 1.2, 3.2, 3.0]))
+    assert_close(got, np.array([[[1.0, 1.0], [0.8, 0.2], [2.8, 8.2], [3.0, 9.0]]]))
+    got = impl.moved_moments(STEP.T.copy(), ACROSS.swapaxes(0, 1), np.array([9, 0.3, 0]))
+    assert_close(got, np.array([[[1.0, 1.0]], [[0.4, -1.4]], [[2.4, 6.6]], [[3.0, 9.0]]]))
 
 
 @exercise("14.20")
@@ -185,7 +210,9 @@ def test_without_steps_only_the_distance_changes(impl):
 
 @exercise("14.20")
 def test_every_pair_moves_its_border(impl, rng):
-    """Steps are taken from what other pairs have changed; a pair is left out."""
+    """Steps E_b - E_a are taken from what other pairs have changed already, or after the move; a
+    pair, or an axis, is left out.
+    """
     distance_map = rng.integers(1, 4, (5, 7)).astype(float)
     motion, move = rng.normal(size=(5, 7, 2, 3)), 0.3 * rng.normal(size=3)
     got = impl.moved_moments(distance_map, motion, move)
@@ -195,16 +222,26 @@ def test_every_pair_moves_its_border(impl, rng):
 
 @exercise("14.21")
 def test_the_gradient_of_a_step_on_paper(impl):
-    """The sign is lost, or only one side of the step counts."""
-    grad = np.array([[[5.0, 0.0], [1.0, 0.0], [3.0, 0.0], [0.0, 2.0]]])
-    got = impl.moved_moments_backward(grad, STEP, ACROSS, np.zeros(3))
-    # By x: half of -(1 + 3) 2 x the jump of 2. By z: -(5 + 1 + 3) - 2 x 3 x 2.
-    assert_close(got, np.array([-8.0, 0.0, -21.0]))
+    """By x and y: the sign, the half, or one of a border's two texels, is lost. By z: the gradient
+    through the distances is missing, or that of the square (second moment): 2 (d - move_z), not 2
+    d.
+    """
+    # A step in x between the first two, in y between the last two; the nearer moves 2 texels.
+    distance_map = np.array([[1.0, 3.0], [1.0, 1.0]])
+    motion = np.zeros((2, 2, 2, 3))
+    motion[..., 0, 0], motion[..., 1, 1] = 2 / distance_map, 2 / distance_map
+    grad = np.array([[[5.0, 0.0], [1.0, 0.5]], [[3.0, 0.0], [2.0, 1.0]]])
+    got = impl.moved_moments_backward(grad, distance_map, motion, np.array([0.0, 0.0, 0.5]))
+    # By x: -2/2 x ((5 + 1) 2 + 0.5 x 8). By y: the step is -2, and -8 of the squares, from 3 to 1:
+    # -2/2 x ((1 + 2) (-2) + (0.5 + 1) (-8)). By z: -(5 + 1 + 3 + 2) - 2 (0.5 x 2.5 + 1 x 0.5).
+    assert_close(got, np.array([-16.0, 18.0, -14.5]))
 
 
 @exercise("14.21")
 def test_the_gradients_of_the_move_are_central_differences(impl, rng):
-    """The second moment's part is forgotten; the owner is not that of the forward pass."""
+    """The second moment's part is forgotten, or is 2 d: it is 2 (d - move_z), of the moved
+    distance. The texel in front is not that of the forward pass.
+    """
     distance_map = rng.integers(1, 4, (4, 6)).astype(float)
     motion, move = rng.normal(size=(4, 6, 2, 3)), 0.3 * rng.normal(size=3)
     gradcheck(moved, lambda grad, *given: impl.moved_moments_backward(grad, *given),

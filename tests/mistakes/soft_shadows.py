@@ -2,28 +2,40 @@
 
 
 def on_plane(place, distance, slope, step):
-    """the plane is taken at the place itself; it is at the centre of the texel there"""
+    """the plane is measured at place + step itself, and not at the centre of the texel there"""
     there = place + step
     centre = there
     return there, distance + (slope * (centre - place)).sum(1)
 
 
 def on_plane(place, distance, slope, step):
-    """the texel's corner is taken for its centre"""
+    """the plane is measured at the texel's corner, and not at its centre: the 0.5 is missing"""
     there = place + step
     centre = np.floor(there)
     return there, distance + (slope * (centre - place)).sum(1)
 
 
 def on_plane(place, distance, slope, step):
-    """the slope by x has the wrong sign"""
+    """the sign is wrong: the distance falls with the slope, which is subtracted instead of added"""
     there = place + step
-    centre = np.floor(there) + 0.5
-    return there, distance + (slope * (centre - place) * [-1, 1]).sum(1)
+    return there, distance - (slope * (np.floor(there) + 0.5 - place)).sum(1)
+
+
+def on_plane(place, distance, slope, step):
+    """the plane is followed from the new place, place + step, and not from place (which += changes
+    in place): the step itself adds no distance"""
+    there = place + step
+    return there, distance + (slope * (np.floor(there) + 0.5 - there)).sum(1)
+
+
+def on_plane(place, distance, slope, step):
+    """the plane is followed from the centre of the receiver's own texel, and not from place"""
+    there = place + step
+    return there, distance + (slope * (np.floor(there) - np.floor(place))).sum(1)
 
 
 def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
-    """the lit places are counted, but not divided by their number"""
+    """the lit places are counted: the sum is not divided by the number of places, len(offsets)"""
     lit = np.zeros(distance.shape)
     for step in steps_around(offsets, radius):
         there, plane = on_plane(place, distance, slope, step)
@@ -32,7 +44,8 @@ def percentage_closer(distance_map, place, distance, slope, bias, offsets, radiu
 
 
 def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
-    """every place is compared with the distance of the receiver, not of its plane there"""
+    """every place is compared with the distance of the receiver itself: the slope of its plane is
+    not followed"""
     lit = np.zeros(distance.shape)
     for step in steps_around(offsets, radius):
         there, _ = on_plane(place, distance, slope, step)
@@ -41,7 +54,7 @@ def percentage_closer(distance_map, place, distance, slope, bias, offsets, radiu
 
 
 def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
-    """distances are averaged and then compared"""
+    """the stored distances are averaged and then compared; the answers are to be averaged"""
     lit = np.zeros(distance.shape)
     for step in steps_around(offsets, radius):
         there, _ = on_plane(place, distance, slope, step)
@@ -49,8 +62,33 @@ def percentage_closer(distance_map, place, distance, slope, bias, offsets, radiu
     return (distance <= lit / len(offsets) + bias) + 0.0
 
 
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """it is the share in shadow, 1 - the share that light reaches"""
+    lit = np.zeros(distance.shape)
+    for step in steps_around(offsets, radius):
+        lit += is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
+    return 1 - lit / len(offsets)
+
+
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """the radius is not used: the offsets themselves are the steps"""
+    lit = np.zeros(distance.shape)
+    for step in offsets:
+        lit += is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
+    return lit / len(offsets)
+
+
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """the steps add up: each one starts from the last place, and not from (x, y)"""
+    lit = np.zeros(distance.shape)
+    for step in steps_around(offsets, radius):
+        place, distance = on_plane(place, distance, slope, step)
+        lit += is_lit(distance_map, place, distance, bias)
+    return lit / len(offsets)
+
+
 def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
-    """lit places are taken for blockers"""
+    """lit places are taken for blockers: a blocker is a place that is not lit"""
     total, count = np.zeros((2, *distance.shape))
     for step in steps_around(offsets, radius):
         there, plane = on_plane(place, distance, slope, step)
@@ -61,7 +99,8 @@ def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius
 
 
 def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
-    """the sum is divided by the number of all places; only blockers count"""
+    """the sum is divided by the number of all places, len(offsets), instead of the number of
+    blockers"""
     total, count = np.zeros((2, *distance.shape))
     for step in steps_around(offsets, radius):
         there, plane = on_plane(place, distance, slope, step)
@@ -72,7 +111,7 @@ def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius
 
 
 def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
-    """the blockers' distances are added, not averaged"""
+    """the blockers' distances are added and not averaged: the sum is not divided by their number"""
     total, count = np.zeros((2, *distance.shape))
     for step in steps_around(offsets, radius):
         there, plane = on_plane(place, distance, slope, step)
@@ -82,19 +121,72 @@ def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius
     return total
 
 
+def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
+    """the nearest blocker is taken, and not the mean of all blockers"""
+    best = np.full(distance.shape, np.inf)
+    for step in steps_around(offsets, radius):
+        there, plane = on_plane(place, distance, slope, step)
+        stored = stored_distance(distance_map, there)
+        best = np.where(plane > stored + bias, np.minimum(best, stored), best)
+    return best
+
+
+def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
+    """the receiver's own distances are averaged, and not what the map has stored there"""
+    total, count = np.zeros((2, *distance.shape))
+    for step in steps_around(offsets, radius):
+        there, plane = on_plane(place, distance, slope, step)
+        blocks = ~is_lit(distance_map, there, plane, bias)
+        total += np.where(blocks, plane, 0)
+        count += blocks
+    return np.where(count > 0, total / np.maximum(count, 1), np.inf)
+
+
+def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
+    """it is 0 where there is no blocker, instead of np.inf"""
+    total, count = np.zeros((2, *distance.shape))
+    for step in steps_around(offsets, radius):
+        there, plane = on_plane(place, distance, slope, step)
+        blocks = ~is_lit(distance_map, there, plane, bias)
+        total[blocks] += stored_distance(distance_map, there[blocks])
+        count += blocks
+    return total / np.maximum(count, 1)
+
+
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """blocker and distance are swapped"""
+    """blocker and distance are swapped, so the sign is wrong, and the maximum with 0 leaves
+    nothing"""
     spread = light_radius * (1 / distance - 1 / blocker)
     return np.maximum(spread, 0) * (clip_from_light[0, 0] * width / 2)
 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """a blocker behind the point gives a negative radius"""
+    """the maximum with 0 is missing: a blocker farther than the point gives a negative radius"""
     spread = light_radius * (1 / blocker - 1 / distance)
     return spread * (clip_from_light[0, 0] * width / 2)
 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """it is the diameter, or ndc is taken to be 1 wide"""
+    """the half is missing: it is the diameter of the border, or ndc is taken to be 1 wide"""
     spread = light_radius * (1 / blocker - 1 / distance)
     return np.maximum(spread, 0) * (clip_from_light[0, 0] * width)
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """it is the border's width in the world, R (distance - blocker) / blocker: to be one on the
+    map, in perspective, it is divided by distance, too"""
+    spread = light_radius * np.maximum(distance / blocker - 1, 0)
+    return spread * (clip_from_light[0, 0] * width / 2)
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """C_00 is left out: clip_from_light[0, 0] says how wide the light's camera looks"""
+    return np.maximum(light_radius * (1 / blocker - 1 / distance), 0) * (width / 2)
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """it is 1 / (distance - blocker), the reciprocal of the difference, and not the difference of
+    the reciprocals"""
+    gap = distance - blocker
+    spread = np.where(gap > 0, light_radius / np.where(gap > 0, gap, 1), 0)
+    return spread * (clip_from_light[0, 0] * width / 2)
