@@ -34,27 +34,61 @@ def two_views():
     return views, targets
 
 
-@exercise("16.15")
-def test_a_face_that_fills_the_picture_on_paper(impl):
-    """Coverage or its weight is left out; a sum for a mean; or what goes back is of the target."""
+def full_picture():
+    """A face that fills a picture of 2 x 3 pixels, whose colour is (1.5, 0.75, 1): what
+    `there_and_back` takes. E is (3 + z, 1, 2), and z is 1.
+    """
     vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
-    light = np.zeros((9, 3))
+    light, albedo = np.zeros((9, 3)), np.tile([0.375, 0.75, 0.5], (3, 1))
     light[0], light[2, 0] = np.array([3, 1, 2]) / Y0, 1 / Y1
-    target = np.tile([1.0, 0.5, 0.0, 0.5], (2, 3, 1))
-    loss, grad_vertices, grad_albedo, grad_light, grad_level = impl.there_and_back(
-        vertices, np.array([[0, 1, 2]]), np.full((3, 3), 0.5), light,
-        (view_of(np.eye(4), target, outside=True),), target[None], 4.0)
-    assert_close(loss, 2 / 3 + 1)  # the picture is (2, 0.5, 1, 1)
-    assert_close(np.sum(grad_albedo, 0), np.array([8 / 3, 0, 4 / 3]))
-    assert_close(np.array(grad_light)[:3] / [[Y0], [Y1], [Y1]],
-                 np.array([[1, 0, 1], [0, 0, 0], [1, 0, 1]]) / 3)
-    assert_close(grad_vertices, np.zeros((3, 3)))
+    target = np.tile([1.0, 0.5, 0.25, 0.6], (2, 3, 1))
+    views = (view_of(np.eye(4), target, outside=True),)
+    return vertices, np.array([[0, 1, 2]]), albedo, light, views, target[None], 5.0
+
+
+@exercise("16.15")
+def test_the_loss_of_a_full_picture_on_paper(impl):
+    """The loss: the albedo is rendered as it is, without the light, for shade is left out.
+    Coverage's weight is left out, another picture is the target, or a sum stands for a mean.
+    """
+    loss = impl.there_and_back(*full_picture())[0]
+    assert_close(loss, (0.5**2 + 0.25**2 + 0.75**2) / 3 + 5 * 0.4**2)
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
+    """grad_albedo: grad_colours does not go back through shade_backward, and lacks the light. The
+    loss itself is handed to picture_loss_backward as grad_loss, which is 1. Picture and target are
+    swapped there.
+    """
+    grad_albedo = impl.there_and_back(*full_picture())[2]
+    grad_colours = 2 / 3 * np.array([0.5, 0.25, 0.75])
+    assert_close(np.sum(grad_albedo, 0), grad_colours * [4, 1, 2])
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
+    """grad_light: the albedo is missing, or grad_light and grad_albedo are exchanged."""
+    grad_light = impl.there_and_back(*full_picture())[3]
+    grad_irradiance = 2 / 3 * np.array([0.5, 0.25, 0.75]) * [0.375, 0.75, 0.5]
+    assert_close(np.array(grad_light)[:3], np.array([[Y0], [0], [Y1]]) * grad_irradiance)
+
+
+@exercise("16.15")
+def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
+    """grad_level: carving's gradient, which `see_backward` gives, is left out, scaled, or added to
+    another. grad_vertices: a face that fills the picture in even light has none.
+    """
+    _, grad_vertices, _, _, grad_level = impl.there_and_back(*full_picture())
     assert_close(np.sum(grad_level), -1.0)  # every pixel asks the surface to go
+    assert_close(grad_vertices, np.zeros((3, 3)))
 
 
 @exercise("16.15")
 def test_two_views_are_the_mean_of_each_alone(impl):
-    """The last view decides, views add up, or one is compared with the other's target."""
+    """One view alone decides, such as the last one, views add up and are no mean, or one is
+    compared with the other's target.
+    """
     (vertices, faces, albedo, light), (views, targets) = solid(), two_views()
 
     def found(chosen):
@@ -66,21 +100,53 @@ def test_two_views_are_the_mean_of_each_alone(impl):
         assert_close(got, (np.asarray(first) + np.asarray(second)) / 2)
 
 
-@exercise("16.15")
-def test_the_whole_step_is_central_differences(impl):
-    """A way back is missing: through outlines, normals, shading, or paint."""
+def check_gradient(impl, of):
+    """Gradcheck the loss along a random direction of vertices (0), albedo (1), light (2), or of
+    several together.
+    """
     (vertices, faces, albedo, light), (views, targets) = solid(), two_views()
     rng = np.random.default_rng(6)
     directions = [rng.normal(size=part.shape) for part in (vertices, albedo, light)]
 
     def moved(steps):
-        places = [part + step * direction for part, step, direction in
-                  zip((vertices, albedo, light), steps, directions, strict=True)]
+        places = [vertices, albedo, light]
+        for part, step in zip(of, steps, strict=True):
+            places[part] = places[part] + step * directions[part]
         return impl.there_and_back(places[0], faces, *places[1:], views, targets, 0.7)
 
     def backward(grad_loss, steps):
-        gradients = map(np.asarray, moved(steps)[1:4])
-        return grad_loss * np.array([(gradient * direction).sum() for gradient, direction in
-                                     zip(gradients, directions, strict=True)])
+        gradients = moved(steps)[1:4]
+        return grad_loss * np.array([(np.asarray(gradients[part]) * directions[part]).sum()
+                                     for part in of])
 
-    gradcheck(lambda steps: np.array(moved(steps)[0]), backward, (np.zeros(3),), name="the step")
+    gradcheck(lambda steps: np.array(moved(steps)[0]), backward, (np.zeros(len(of)),),
+              name="the step")
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_albedo_is_central_differences(impl):
+    """grad_albedo: grad_colours comes as it is, without the light of shade_backward; or views,
+    pictures or the forward pass's normals are not those of the way there.
+    """
+    check_gradient(impl, [1])
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_light_is_central_differences(impl):
+    """grad_light: it is wrong where light comes from several sides or the albedo is uneven."""
+    check_gradient(impl, [2])
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_vertices_is_central_differences(impl):
+    """grad_vertices: one of its two ways is missing, that through the normals, of
+    vertex_normals_backward, or that through the pictures, of see_backward. Or coverage's weight
+    is not passed to picture_loss_backward.
+    """
+    check_gradient(impl, [0])
+
+
+@exercise("16.15")
+def test_the_whole_step_is_central_differences(impl):
+    """A way back is missing: through outlines, normals, shading, or paint."""
+    check_gradient(impl, [0, 1, 2])

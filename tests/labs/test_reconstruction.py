@@ -218,8 +218,8 @@ def lit_points():
 
 @exercise("16.5")
 def test_gradients_of_the_albedo_on_paper(impl):
-    """grad_albedo: E is left out, the albedo is multiplied in, though the product's other factor is E
-    alone, or the colours are summed.
+    """grad_albedo: E is left out, the albedo is multiplied in, though the product's other factor is
+    E alone, or the colours are summed.
     """
     grad_colour, albedo, normals, light = lit_points()
     irradiance = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # E

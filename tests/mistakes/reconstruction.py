@@ -448,8 +448,8 @@ def spread(x, amount):
 
 
 def spread(x, amount):
-    """it multiplies by I + amount * Laplacian, which sharpens; the inverse is asked for, so it is to
-    divide by the factor
+    """it multiplies by I + amount * Laplacian, which sharpens; the inverse is asked for, so it is
+    to divide by the factor
     """
     m = round(len(x)**(1 / 3))
     k = 2 - 2 * np.cos(np.pi * np.arange(m) / m)
