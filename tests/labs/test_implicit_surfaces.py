@@ -121,8 +121,8 @@ def test_one_point_has_one_gradient(impl):
 
 @exercise("15.3")
 def test_a_ring_on_paper(impl):
-    """Its axis is not y, radius and tube are swapped, tube is not taken away, a root is missing,
-    radius is that of the outer rim, or it is a sphere.
+    """Its axis is not y, radius and tube are swapped, tube is not taken away, or half of it is, a
+    root is missing, radius is that of the outer rim, or it is a sphere.
     """
     points = np.array([[3.0, 3.0, 4.0], [8.0, 0.75, -6.0], [-5.0, -3.0, 12.0], [9.0, 8.0, 12.0],
                        [-1.2, 2.4, -1.6]])
@@ -200,7 +200,7 @@ def test_a_smooth_union_is_a_mix_of_both(impl, rng):
 @exercise("15.6")
 def test_shares_of_the_seam_on_paper(impl):
     """The shares are swapped, the seam is left out as in a plain union, the half of h is missing,
-    h is squared, b gets the share of a, or grad_distance is left out.
+    h is squared or multiplied by k, b gets the share of a, or grad_distance is left out.
     """
     a, b = np.array([2.0, 2.0, 4.0, -1.0, 3.0]), np.array([2.0, 4.0, 1.0, -2.0, 9.0])
     grad = np.array([6.0, 8.0, 32.0, 16.0, -1.0])  # h = 1, 1/2, 1/4, 3/4, 0
@@ -254,6 +254,17 @@ def rays(rng, count):
 
 
 @exercise("15.7")
+def test_t_and_evaluations_are_two_outputs(impl):
+    """One output alone is returned, or the two outputs are exchanged: t comes first, then the
+    number of evaluations, integers.
+    """
+    found = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)
+    kinds = tuple({"f": "floats", "i": "integers"}.get(np.asarray(output).dtype.kind, "others")
+                  for output in (found if isinstance(found, tuple) else [found]))
+    assert_equal(kinds, ("floats", "integers"))
+
+
+@exercise("15.7")
 def test_places_of_hits_on_paper(impl):
     """t is one step too far, for it moves before s is compared; a miss is not np.inf; a ray that
     begins inside is no hit, since |s| is compared; one ray ends them all; or t is no length.
@@ -262,29 +273,42 @@ def test_places_of_hits_on_paper(impl):
     assert_close(t, np.array([4.0, np.inf, 0.0, 14.0, 6.0, np.inf]))
 
 
+# s = 4, 2, 1, 1/2, 1/4, ...; t = 0, 2, 3, 3.5, 3.75, ...
+HALF_STEPS = [  # far, epsilon, most, t, evaluations
+    (9.0, 0.3, 99, 3.75, 5), (9.0, 0.5, 99, 3.75, 5), (9.0, 0.6, 99, 3.5, 4),
+    (9.0, 0.3, 5, 3.75, 5), (9.0, 0.3, 4, np.inf, 4), (3.75, 0.3, 99, 3.75, 5),
+    (3.7, 0.3, 99, np.inf, 4), (3.7, 0.5, 99, np.inf, 4)]
+
+
+@exercise("15.7")
+def test_half_a_step_comes_nearer_by_half(impl):
+    """The step is not divided by L, is multiplied by it, takes the place of t and is not added, or
+    s / L is compared with epsilon; or epsilon, far and most are compared the other way, or not at
+    all.
+    """
+    for far, epsilon, most, t, _ in HALF_STEPS:
+        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
+        got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
+        assert_close(got[0], np.array([t]))
+
+
 @exercise("15.7")
 def test_evaluations_on_paper(impl):
     """The evaluation that finds the hit is not counted. Rays that are done are counted on, as long
-    as any ray is on its way. A miss is evaluated once more behind far. It begins at 1, or has the
-    limit.
+    as any ray is on its way. A miss is evaluated once more beyond far. It begins at 1.
     """
     evaluations = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[1]
     assert_equal(evaluations, np.array([2, 3, 1, 2, 2, 4]))
 
 
 @exercise("15.7")
-def test_half_a_step_comes_nearer_by_half(impl):
-    """The step is not divided by L, is multiplied by it, or s / L is compared with epsilon; or
-    epsilon, far and most are compared the other way, or not at all.
+def test_half_a_step_takes_more_evaluations(impl):
+    """The evaluation of a hit, or the one before a miss, is not counted, or one more is: t > far
+    ends a ray before s is evaluated there, and so do `most` evaluations.
     """
-    ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-    # s = 4, 2, 1, 1/2, 1/4, ...; t = 0, 2, 3, 3.5, 3.75, ...
-    for far, epsilon, most, t, evaluations in (
-            (9.0, 0.3, 99, 3.75, 5), (9.0, 0.5, 99, 3.75, 5), (9.0, 0.6, 99, 3.5, 4),
-            (9.0, 0.3, 5, 3.75, 5), (9.0, 0.3, 4, np.inf, 4),
-            (3.75, 0.3, 99, 3.75, 5), (3.7, 0.3, 99, np.inf, 4), (3.7, 0.5, 99, np.inf, 4)):
+    for far, epsilon, most, _, evaluations in HALF_STEPS:
+        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
         got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
-        assert_close(got[0], np.array([t]))
         assert_equal(got[1], np.array([evaluations]))
 
 
@@ -411,24 +435,41 @@ def test_thick_and_short_pieces(impl):
     assert_close(remaining, np.array([0.0, b * c]))
 
 
-@exercise("15.9")
-def test_gradients_of_two_rays_on_paper(impl):
-    """grad_density: the background or the samples behind, which become hidden, are left out, or the
-    sample itself is counted with them; T is that before the sample; spacing is missing.
-    grad_colour: the weights are missing.
-    """
-    passed = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2]])
+PASSED = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2]])  # T before and behind 3 samples
+
+
+def two_rays():
+    """density, colour (2, 3, 3), spacing and background, as `volume_render_backward` takes them."""
     spacing = np.array([[0.5, 2.0, 4.0], [3.0, 0.25, 1.5]])
-    density = -np.log(passed[:, 1:] / passed[:, :-1]) / spacing
-    colour = np.array([[[1.0, 2], [3, 5], [2, 7]], [[5, 1], [6, 2], [3, 4]]])
-    grad_output, background = np.array([[10.0, 1.0], [2.0, -3.0]]), np.array([4.0, 6.0])
-    # The loss feels the colours as 12, 35, 27 and 46; 7, 6, -6 and -10. Behind each sample is
-    # 16.2, 12.7, 4.6; -2.6, -4.4, -2.
-    expected = np.array([[0.5 * (0.5 * 12 - 16.2), 2 * (0.4 * 35 - 12.7), 4 * (0.1 * 27 - 4.6)],
-                         [3 * (0.9 * 7 + 2.6), (0.6 * 6 + 4.4) / 4, 1.5 * (2 - 0.2 * 6)]])
+    density = -np.log(PASSED[:, 1:] / PASSED[:, :-1]) / spacing
+    colour = np.array([[[1.0, 2, 1], [3, 5, 4], [2, 7, 5]], [[5, 1, 2], [6, 2, 4], [3, 4, 7]]])
+    return density, colour, spacing, np.array([4.0, 6.0, 3.0])
+
+
+@exercise("15.9")
+def test_gradients_of_densities_on_paper(impl):
+    """grad_density: the background or the samples behind, which become hidden, are left out, or the
+    sample itself, or one in front, is counted with them. T is that before the sample. spacing or
+    grad_output is missing. Colours are averaged.
+    """
+    grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
+    got = impl.volume_render_backward(grad_output, *two_rays())[0]
+    # The loss feels the colours as 10, 27, 17 and 40; 9, 10, 1 and -7. Behind each sample is
+    # 11.8, 9.1, 4; 2, -1, -1.4.
+    expected = np.array([[0.5 * (0.5 * 10 - 11.8), 2 * (0.4 * 27 - 9.1), 4 * (0.1 * 17 - 4)],
+                         [3 * (0.9 * 9 - 2), (0.6 * 10 + 1) / 4, 1.5 * (0.2 * 1 + 1.4)]])
+    assert_close(got, expected)
+
+
+@exercise("15.9")
+def test_gradients_of_colours_on_paper(impl):
+    """grad_colour: the weights are missing, or T or the opacity alone stands for them, or it is
+    multiplied by the colour or by spacing; or grad_output is missing.
+    """
+    grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
     weights = np.array([[0.5, 0.1, 0.3], [0.1, 0.3, 0.4]])
-    got = impl.volume_render_backward(grad_output, density, colour, spacing, background)
-    assert_close(got, (expected, weights[..., None] * grad_output[:, None]))
+    got = impl.volume_render_backward(grad_output, *two_rays())[1]
+    assert_close(got, weights[..., None] * grad_output[:, None])
 
 
 @exercise("15.9")

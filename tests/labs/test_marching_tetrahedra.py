@@ -247,16 +247,28 @@ def directed_edges(faces):
 
 @exercise("15.13")
 def test_one_tetrahedron_on_paper(impl):
-    """Another vertex is taken to be inside: the bits of a case are read in reverse. ends are sorted
-    by number, and not inside first, or vertices lie in the middle or near the wrong end: the
-    distances are swapped.
+    """Another vertex is taken to be inside: the bits of a case are read in reverse, or < is >.
+    Numbers are those within the tetrahedron, and not the grid's. ends are sorted by number.
+    Vertices lie in the middle, or near the wrong end.
+    """
+    points = np.array([[1.0, 10.0, 3.0], [9.0, 2.0, 3.0], [7.0, 7.0, 7.0], [1.0, 2.0, 3.0],
+                       [1.0, 2.0, 11.0]])
+    distance = np.array([3.0, -1.0, 9.0, 1.0, 7.0])  # 1/4, 1/2 and 1/8 of the edges from points[1]
+    vertices, _, ends = impl.marching_tetrahedra(points, distance, np.array([[3, 1, 0, 4]]))
+    assert_equal(ends, np.array([[1, 0], [1, 3], [1, 4]]))
+    assert_close(vertices, np.array([[7.0, 4.0, 3.0], [5.0, 2.0, 3.0], [8.0, 2.0, 4.0]]))
+
+
+@exercise("15.13")
+def test_the_face_of_one_tetrahedron_on_paper(impl):
+    """All faces are wound inward, clockwise seen from outside: their corners are in reverse order.
+    Or faces do not name the rows of vertices.
     """
     points = np.array([[1.0, 2.0, 3.0], [9.0, 2.0, 3.0], [1.0, 10.0, 3.0], [1.0, 2.0, 11.0]])
-    distance = np.array([1.0, 3.0, -1.0, 7.0])  # from points[2], 1/2, 1/4 and 1/8 of the edges
-    vertices, faces, ends = impl.marching_tetrahedra(points, distance, np.array([[0, 1, 2, 3]]))
-    assert_equal(ends, np.array([[2, 0], [2, 1], [2, 3]]))
-    assert_close(vertices, np.array([[1.0, 6.0, 3.0], [3.0, 8.0, 3.0], [1.0, 9.0, 4.0]]))
-    assert_equal(sorted(directed_edges(faces)), [(0, 1), (1, 2), (2, 0)])
+    for inside, edges in (0, [(0, 1), (1, 2), (2, 0)]), (1, [(0, 2), (1, 0), (2, 1)]):
+        distance = np.where(np.arange(4) == inside, -1.0, [1.0, 2.0, 3.0, 4.0])
+        _, faces, _ = impl.marching_tetrahedra(points, distance, np.array([[0, 1, 2, 3]]))
+        assert_equal(sorted(directed_edges(faces)), edges)
 
 
 @exercise("15.13")

@@ -1,11 +1,12 @@
 """What the exercise of multi_view_fit.py must do: the step of the search, there and back."""
 import numpy as np
 
-from course.checks import assert_close, exercise
+from course.checks import assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
 
 Y0, Y1 = np.sqrt(np.array([1, 3]) / np.pi) / 2
 IN_FRONT = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, 0], [0, 0, -1, 3]])
+FROM_BELOW = np.array([[1.0, 0, 0, 0.1], [0, 0.8, 0.6, 0], [0, -0.6, 0.8, 0], [0, 0, 0, 1]])
 FROM_THE_SIDE = IN_FRONT @ np.array([[0.6, 0, -0.8, 0], [0, 1, 0, 0.1], [0.8, 0, 0.6, 0],
                                      [0, 0, 0, 1]])
 
@@ -27,10 +28,10 @@ def solid():
     return vertices, faces, rng.uniform(0.2, 0.8, (4, 3)), light
 
 
-def two_views():
-    targets = np.random.default_rng(5).uniform(0, 1, (2, 7, 8, 4))
+def several_views(cameras=(IN_FRONT, FROM_THE_SIDE)):
+    targets = np.random.default_rng(5).uniform(0, 1, (len(cameras), 7, 8, 4))
     views = tuple(view_of(camera, target, outside=True) for camera, target in
-                  zip((IN_FRONT, FROM_THE_SIDE), targets, strict=True))
+                  zip(cameras, targets, strict=True))
     return views, targets
 
 
@@ -44,6 +45,15 @@ def full_picture():
     target = np.tile([1.0, 0.5, 0.25, 0.6], (2, 3, 1))
     views = (view_of(np.eye(4), target, outside=True),)
     return vertices, np.array([[0, 1, 2]]), albedo, light, views, target[None], 5.0
+
+
+@exercise("16.15")
+def test_five_outputs_have_the_shapes_of_their_inputs(impl):
+    """An output is missing, such as the loss, or the outputs are in another order: loss, then the
+    gradients of vertices, albedo and light, and grad_level.
+    """
+    found = impl.there_and_back(*full_picture())
+    assert_equal(tuple(map(np.shape, found)), ((), (3, 3), (3, 3), (9, 3), (3,)))
 
 
 @exercise("16.15")
@@ -77,34 +87,36 @@ def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
 @exercise("16.15")
 def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
     """grad_level: carving's gradient, which `see_backward` gives, is left out, scaled, or added to
-    another. grad_vertices: a face that fills the picture in even light has none.
+    grad_vertices. Those have none here, where light is even. They are no normals' gradients:
+    vertex_normals_backward takes those to the vertices.
     """
     _, grad_vertices, _, _, grad_level = impl.there_and_back(*full_picture())
     assert_close(np.sum(grad_level), -1.0)  # every pixel asks the surface to go
-    assert_close(grad_vertices, np.zeros((3, 3)))
+    assert_close(np.abs(grad_vertices).max(), 0.0)
 
 
 @exercise("16.15")
-def test_two_views_are_the_mean_of_each_alone(impl):
-    """One view alone decides, such as the last one, views add up and are no mean, or one is
-    compared with the other's target.
+def test_three_views_are_the_mean_of_each_alone(impl):
+    """One view alone decides, such as the last or the first, views add up and are no mean, or are
+    divided by their number once more, or one is compared with the other's target.
     """
-    (vertices, faces, albedo, light), (views, targets) = solid(), two_views()
+    vertices, faces, albedo, light = solid()
+    views, targets = several_views((IN_FRONT, FROM_THE_SIDE, IN_FRONT @ FROM_BELOW))
 
     def found(chosen):
         return impl.there_and_back(vertices, faces, albedo, light, views[chosen], targets[chosen],
                                    0.7)
 
-    both = zip(found(slice(0, 1)), found(slice(1, 2)), strict=True)
-    for got, (first, second) in zip(found(slice(0, 2)), both, strict=True):
-        assert_close(got, (np.asarray(first) + np.asarray(second)) / 2)
+    alone = zip(*(found(slice(k, k + 1)) for k in range(3)), strict=True)
+    for got, parts in zip(found(slice(0, 3)), alone, strict=True):
+        assert_close(got, sum(map(np.asarray, parts)) / 3)
 
 
 def check_gradient(impl, of):
     """Gradcheck the loss along a random direction of vertices (0), albedo (1), light (2), or of
     several together.
     """
-    (vertices, faces, albedo, light), (views, targets) = solid(), two_views()
+    (vertices, faces, albedo, light), (views, targets) = solid(), several_views()
     rng = np.random.default_rng(6)
     directions = [rng.normal(size=part.shape) for part in (vertices, albedo, light)]
 
@@ -139,9 +151,9 @@ def test_the_gradient_of_the_light_is_central_differences(impl):
 
 @exercise("16.15")
 def test_the_gradient_of_the_vertices_is_central_differences(impl):
-    """grad_vertices: one of its two ways is missing, that through the normals, of
-    vertex_normals_backward, or that through the pictures, of see_backward. Or coverage's weight
-    is not passed to picture_loss_backward.
+    """grad_vertices: of its two ways, that through the normals or that through the pictures is
+    missing or has a minus. Coverage's weight is not passed to picture_loss_backward. see_backward
+    gets the albedo for the colours.
     """
     check_gradient(impl, [0])
 
