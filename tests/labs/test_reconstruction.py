@@ -41,7 +41,7 @@ def test_nine_numbers_stand_along_a_new_last_axis(impl):
 @exercise("16.1")
 def test_the_first_four_harmonics_on_paper(impl):
     """Y_0 is not C0. Y_1, Y_2, Y_3 are in the order x, y, z, which is to be y, z, x. They have a
-    minus sign, as with the Condon-Shortley phase. C1 is missing, or it is another constant.
+    minus sign, as with the Condon-Shortley phase. C1 is another constant. Or n is normalised first.
     """
     got = impl.sh_basis(NORMALS.copy())[..., :4]
     expected = np.array([[1.0, 3, 5, 2], [1, 4, 6, -1], [1, -2, 3, 7], [1, 1, -2, 4]])
@@ -107,8 +107,8 @@ def slopes_at_2_3_5(impl, rows):
 
 @exercise("16.2")
 def test_slopes_of_the_first_four_harmonics_on_paper(impl):
-    """Gradients of Y_1, Y_2, Y_3 go to x, y, z in place of y, z, x; C1 is missing; or Y_0 has a
-    slope.
+    """Gradients of Y_1, Y_2, Y_3 go to x, y, z in place of y, z, x; C1 or grad_basis is missing; or
+    the part along n is taken away, though n can move along itself.
     """
     one, each = slopes_at_2_3_5(impl, [0, 1, 2, 3])
     assert_close(each, 10 * np.array([[0, 0, 0], [0, Y1, 0], [0, 0, Y1], [Y1, 0, 0]]))
@@ -518,12 +518,12 @@ def test_large_distances_do_not_overflow(impl):
 def test_gradients_of_sign_changes_on_paper(impl):
     """The sign: an inside end is to be pulled out, an outside end in. The slope is that of
     log(1 + exp(-|s|)), exp(-|s|) in the numerator. A point of several edges counts once. Edges
-    that are not crossed count.
+    that are not crossed count, or one end of each alone.
     """
-    distance = np.array([-np.log(4.0), np.log(3.0), -np.log(2.0), np.log(5.0), np.log(9.0)])
-    edges = np.array([[0, 1], [1, 2], [0, 2], [3, 1], [4, 0], [0, 3]])
+    distance = np.log([1 / 4, 3, 1 / 2, 5, 9, 7])
+    edges = np.array([[0, 1], [1, 2], [0, 2], [3, 1], [0, 4], [0, 3], [5, 2]])
     got = impl.sign_changes_backward(60.0, distance, edges)
-    assert_close(got, np.array([-3 * 48.0, 2 * 45.0, -40.0, 50.0, 54.0]))
+    assert_close(got, np.array([-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5]))
 
 
 @exercise("16.11", fine_print=True)
@@ -564,7 +564,7 @@ def grid_laplacian(m):
 def test_spreading_on_paper(impl):
     """It multiplies by I + amount * Laplacian; the inverse is asked for. The cosine has 2 pi k / m,
     as where the grid wraps around. The axes are solved one after another, a product. Colours are
-    spread, too. A sign.
+    spread, too. norm or a sign is another.
     """
     # Undo x = y + 2 Laplacian(y). Point 1 = (0, 0, 1) has four neighbours, so has 21 = (2, 1, 0).
     x, y = np.zeros((27, 2)), np.zeros((27, 2))

@@ -96,6 +96,11 @@ def distant_light(towards, strength):
     return factors[:, None] * (sh_basis(towards).T @ strength)
 
 
+def distant_light(towards, strength):
+    """the factors A_k lack their pi, as where light is divided by pi"""
+    return A[:, None] / np.pi * (sh_basis(towards).T @ strength)
+
+
 def shade(albedo, normals, light):
     """the albedo is left out: this is E, the light that arrives"""
     return sh_basis(normals) @ light
