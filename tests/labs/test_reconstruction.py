@@ -386,9 +386,9 @@ def test_the_loss_of_several_pictures_has_one_mean_on_paper(impl):
     """The number of pixels is that of one picture, H W, though several pictures are given: the mean
     is over all pictures.
     """
-    difference = np.arange(1.0, 25).reshape(3, 2, 1, 4)  # 6 pixels again
-    target = np.linspace(-3, 2, 24).reshape(3, 2, 1, 4)
-    got = impl.picture_loss_backward(9.0, target + difference, target, 7.0)
+    difference = np.arange(1.0, 97).reshape(4, 3, 2, 4)  # 24 pixels in 4 pictures
+    target = np.linspace(-3, 2, 96).reshape(4, 3, 2, 4)
+    got = impl.picture_loss_backward(36.0, target + difference, target, 7.0)
     assert_close(got, difference * [1, 1, 1, 21])
 
 
