@@ -31,18 +31,23 @@ def blended(a, b, k):
 # --- signed distances --------------------------------------------------------------------------
 
 @exercise("15.1")
-def test_a_box_on_paper(impl):
-    """Whole sides are taken for half of them; or the distance to a corner is the largest of three.
+def test_outside_of_a_box_on_paper(impl):
+    """Outside: half_size is taken for the whole size, negative coordinates get no abs, squares have
+    no root, the largest coordinate alone counts as if no edge or corner were nearest, or axes
+    within the sides count, too.
     """
-    points = np.array([[2.5, 0.0, 0.0], [3.5, -5.0, 0.0], [-1.5, 3.0, -3.5], [0.0, 0.0, 0.0]])
-    assert_close(impl.box(points, HALF), np.array([2.0, 5.0, 3.0, -0.5]))
+    points = np.array([[2.5, 0.3, -0.4], [3.5, -5.0, 0.25], [-1.5, 3.0, -3.5], [0.2, 7.0, -9.5]])
+    assert_close(impl.box(points, HALF), np.array([2.0, 5.0, 3.0, 10.0]))
 
 
 @exercise("15.1")
 def test_inside_a_box_the_nearest_side_counts(impl):
-    """Inside it is 0, or the distance to a corner, or to the farthest side."""
-    points = np.array([[0.0, 0.75, 0.0], [0.0, 0.0, -1.4], [0.25, -0.9, 1.25], [0.5, 0.2, 0.3]])
-    assert_close(impl.box(points, HALF), np.array([-0.25, -0.1, -0.1, 0.0]))
+    """Inside: it is 0, it is positive, it is the distance to a corner or to the middle, or the
+    farthest side counts in place of the nearest side.
+    """
+    points = np.array([[0.1, 0.75, -0.2], [0.05, 0.3, -1.4], [0.25, -0.8, 1.2], [-0.3, 0.4, 0.6],
+                       [0.5, 0.2, 0.3]])
+    assert_close(impl.box(points, HALF), np.array([-0.25, -0.1, -0.2, -0.2, 0.0]))
 
 
 @exercise("15.1")
@@ -60,12 +65,24 @@ def test_one_point_has_one_distance(impl):
 
 
 @exercise("15.2")
-def test_gradients_of_a_box_on_paper(impl):
-    """The sign of negative coordinates; grad_distance is left out; or its length is not 1."""
-    points = np.array([[3.5, -5.0, 0.0], [-1.5, 0.5, 1.5], [0.1, -0.9, 1.0], [0.0, 0.5, 1.4]])
-    expected = np.array([[1.2, -1.6, 0.0], [-3.0, 0, 0], [0, -5.0, 0], [0, 0, -7.0]])
-    grad = np.array([2.0, 3.0, 5.0, -7.0])
-    assert_close(impl.box_backward(grad, points, HALF), expected)
+def test_gradients_outside_of_a_box_on_paper(impl):
+    """Outside: it is not divided by its length, which is to be 1, negative coordinates have no
+    sign, grad_distance is left out, the axis of the largest coordinate alone has a gradient, or
+    axes within the sides have one.
+    """
+    points = np.array([[3.5, -5.0, 0.25], [-1.5, 0.5, 1.25], [-1.5, 3.0, -3.5], [0.2, 7.0, -9.5]])
+    expected = np.array([[1.2, -1.6, 0], [-3.0, 0, 0], [2.0, -4.0, 4.0], [0, 3.0, -4.0]])
+    assert_close(impl.box_backward(np.array([2.0, 3.0, -6.0, 5.0]), points, HALF), expected)
+
+
+@exercise("15.2")
+def test_gradients_inside_a_box_on_paper(impl):
+    """Inside: the gradient is 0, it points inward, away from the nearest side, to the farthest
+    side or away from the middle, or more than one axis has a share.
+    """
+    points = np.array([[0.1, -0.9, 1.0], [0.2, 0.5, 1.4], [-0.3, 0.4, -0.6], [0.15, 0.8, -0.7]])
+    expected = np.array([[0, -5.0, 0], [0, 0, -7.0], [-4.0, 0, 0], [0, 6.0, 0]])
+    assert_close(impl.box_backward(np.array([5.0, -7.0, 4.0, 6.0]), points, HALF), expected)
 
 
 @exercise("15.2", fine_print=True)
@@ -104,10 +121,13 @@ def test_one_point_has_one_gradient(impl):
 
 @exercise("15.3")
 def test_a_ring_on_paper(impl):
-    """Its axis is not y; or radius and tube are swapped; or it is a sphere."""
-    points = np.array([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [3.0, 0.0, 4.0], [0.0, 12.0, 0.0],
-                       [8.0, 4.0, 0.0]])
-    assert_close(impl.torus(points, 5.0, 2.0), np.array([3.0, -2.0, -2.0, 11.0, 3.0]))
+    """Its axis is not y, radius and tube are swapped, tube is not taken away, or half of it is, a
+    root is missing, radius is that of the outer rim, or it is a sphere.
+    """
+    points = np.array([[3.0, 3.0, 4.0], [8.0, 0.75, -6.0], [-5.0, -3.0, 12.0], [9.0, 8.0, 12.0],
+                       [-1.2, 2.4, -1.6]])
+    # From the axis 5, 10, 13, 15, 2; from the circle 5, 1.25, 5, 10, 7.4.
+    assert_close(impl.torus(points, 9.0, 2.0), np.array([3.0, -0.75, 3.0, 8.0, 5.4]))
 
 
 @exercise("15.3")
@@ -119,11 +139,15 @@ def test_all_around_a_ring_it_is_the_distance(impl, rng):
 
 @exercise("15.4")
 def test_gradients_of_a_ring_on_paper(impl):
-    """In the hole the surface lies farther out: the gradient there points to the axis."""
-    points = np.array([[9.0, -3.0, 0.0], [0.0, 0.0, 2.0], [-5.0, 3.0, 0.0], [0.0, 4.0, -2.0]])
-    expected = np.array([[8.0, -6.0, 0.0], [0, 0, -2.0], [0, 3.0, 0], [0, 4.0, 3.0]])
-    grad = np.array([10.0, 2.0, 3.0, 5.0])
-    assert_close(impl.torus_backward(grad, points, 5.0, 1.0), expected)
+    """x and z are not divided by the distance from the axis, nothing is by the distance from the
+    circle, or tube is taken from it first; in the hole the gradient does not point to the axis;
+    grad_distance is left out.
+    """
+    points = np.array([[3.0, 3.0, 4.0], [8.0, 0.75, -6.0], [-5.0, -3.0, 12.0], [9.0, 8.0, 12.0]])
+    expected = np.array([[-4.8, 6.0, -6.4], [3.2, 3.0, -2.4], [-4.0, -7.8, 9.6],
+                         [-7.2, -16.0, -9.6]])
+    assert_close(impl.torus_backward(np.array([10.0, 5.0, 13.0, -20.0]), points, 9.0, 1.0),
+                 expected)
 
 
 @exercise("15.4", fine_print=True)
@@ -146,14 +170,20 @@ def test_gradients_of_a_ring_are_central_differences(impl, rng):
 
 @exercise("15.5")
 def test_a_smooth_union_on_paper(impl):
-    """The 4 or the square is missing, or k is only half as wide; swelling is dented."""
-    a, b = np.array([2.0, 2.0, 2.0, -1.0]), np.array([2.0, 4.0, 6.0, -3.0])
-    assert_close(impl.smooth_union(a, b, 4.0), np.array([1.0, 1.75, 2.0, -3.25]))
+    """The term is added and not subtracted, taken from the maximum, without its factor k, its 4 or
+    its square, or with h^3 / 6; or h lacks its 1, its abs or its division by k.
+    """
+    a = np.array([2.0, 2.0, 5.0, -1.0, 3.0, -6.0])
+    b = np.array([2.0, 4.0, 1.0, -3.0, 9.0, -2.0])  # h = 1, 3/4, 1/2, 3/4, 1/4, 1/2
+    expected = np.array([0.0, 0.875, 0.5, -4.125, 2.875, -6.5])
+    assert_close(impl.smooth_union(a, b, 8.0), expected)
 
 
 @exercise("15.5")
 def test_far_from_the_seam_it_is_the_union(impl, rng):
-    """h is not clamped: one shape swells where the other is far away."""
+    """h is not kept at 0 where |a - b| > k: its maximum with 0 is missing. One shape swells where
+    the other is far away.
+    """
     a = rng.normal(size=(5, 4))
     b = a + rng.choice([-1, 1], a.shape) * rng.uniform(0.5, 2, a.shape)
     assert_close(impl.smooth_union(a, b, 0.5), np.minimum(a, b))
@@ -169,11 +199,13 @@ def test_a_smooth_union_is_a_mix_of_both(impl, rng):
 
 @exercise("15.6")
 def test_shares_of_the_seam_on_paper(impl):
-    """The smaller distance has the larger share; both have half where they are equal."""
-    a, b = np.array([2.0, 2.0, 4.0, 2.0]), np.array([2.0, 4.0, 2.0, 7.0])
-    grad_a, grad_b = impl.smooth_union_backward(np.array([8.0, 8.0, 8.0, -1.0]), a, b, 4.0)
-    assert_close(grad_a, np.array([4.0, 6.0, 2.0, -1.0]))
-    assert_close(grad_b, np.array([4.0, 2.0, 6.0, 0.0]))
+    """The shares are swapped, the seam is left out as in a plain union, the half of h is missing,
+    h is squared or multiplied by k, b gets the share of a, or grad_distance is left out.
+    """
+    a, b = np.array([2.0, 2.0, 4.0, -1.0, 3.0]), np.array([2.0, 4.0, 1.0, -2.0, 9.0])
+    grad = np.array([6.0, 8.0, 32.0, 16.0, -1.0])  # h = 1, 1/2, 1/4, 3/4, 0
+    expected = np.array([3.0, 6.0, 4.0, 6.0, -1.0]), np.array([3.0, 2.0, 28.0, 10.0, 0.0])
+    assert_close(impl.smooth_union_backward(grad, a, b, 4.0), expected)
 
 
 @exercise("15.6")
@@ -189,6 +221,15 @@ def test_gradients_of_the_smooth_union_are_central_differences(impl, rng):
 
 BALLS = np.array([[0.0, 0.0, 0.0], [1.5, 0.3, -0.8]]), np.array([1.0, 0.6])
 TWO_BALLS = ("union", ("sphere", 1.0), ("moved", BALLS[0][1], ("sphere", 0.6)))
+
+
+def rays_on_paper():
+    """Toward a ball of radius 1, away from it, from within it, from far away and from beside it."""
+    origins = np.array([[0.0, 0.0, 5.0], [0.0, 0.0, 5.0], [0.5, 0.0, 0.0], [0.0, 9.0, 12.0],
+                        [7.0, 0.0, 0.0], [3.0, 0.0, 0.0]])
+    directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, -0.6, -0.8],
+                           [-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    return origins, directions
 
 
 def traced(origin, direction, far, lipschitz, epsilon, most):
@@ -213,26 +254,61 @@ def rays(rng, count):
 
 
 @exercise("15.7")
-def test_rays_to_a_sphere_on_paper(impl):
-    """A hit from the front is found at once; a ray that leads away misses; one begins inside."""
-    origins = np.array([[0.0, 0.0, 5.0], [0.0, 0.0, 5.0], [0.5, 0.0, 0.0], [0.0, 9.0, 12.0]])
-    directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, -0.6, -0.8]])
-    t, evaluations = impl.sphere_trace(origins, directions, ("sphere", 1.0), 20.0)
-    assert_close(t, np.array([4.0, np.inf, 0.0, 14.0]))
-    assert_equal(evaluations, np.array([2, 3, 1, 2]))
+def test_t_and_evaluations_are_two_outputs(impl):
+    """One output alone is returned, or the two outputs are exchanged: t comes first, then the
+    number of evaluations, integers.
+    """
+    found = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)
+    kinds = tuple({"f": "floats", "i": "integers"}.get(np.asarray(output).dtype.kind, "others")
+                  for output in (found if isinstance(found, tuple) else [found]))
+    assert_equal(kinds, ("floats", "integers"))
+
+
+@exercise("15.7")
+def test_places_of_hits_on_paper(impl):
+    """t is one step too far, for it moves before s is compared; a miss is not np.inf; a ray that
+    begins inside is no hit, since |s| is compared; one ray ends them all; or t is no length.
+    """
+    t = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[0]
+    assert_close(t, np.array([4.0, np.inf, 0.0, 14.0, 6.0, np.inf]))
+
+
+# s = 4, 2, 1, 1/2, 1/4, ...; t = 0, 2, 3, 3.5, 3.75, ...
+HALF_STEPS = [  # far, epsilon, most, t, evaluations
+    (9.0, 0.3, 99, 3.75, 5), (9.0, 0.5, 99, 3.75, 5), (9.0, 0.6, 99, 3.5, 4),
+    (9.0, 0.3, 5, 3.75, 5), (9.0, 0.3, 4, np.inf, 4), (3.75, 0.3, 99, 3.75, 5),
+    (3.7, 0.3, 99, np.inf, 4), (3.7, 0.5, 99, np.inf, 4)]
 
 
 @exercise("15.7")
 def test_half_a_step_comes_nearer_by_half(impl):
-    """The step is not divided by L; or epsilon, far and most are compared the other way."""
-    ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-    # s = 4, 2, 1, 1/2, 1/4, ...; t = 0, 2, 3, 3.5, 3.75, ...
-    for far, epsilon, most, t, evaluations in (
-            (9.0, 0.3, 99, 3.75, 5), (9.0, 0.5, 99, 3.75, 5), (9.0, 0.6, 99, 3.5, 4),
-            (9.0, 0.3, 5, 3.75, 5), (9.0, 0.3, 4, np.inf, 4),
-            (3.75, 0.3, 99, 3.75, 5), (3.7, 0.3, 99, np.inf, 4), (3.7, 0.5, 99, np.inf, 4)):
+    """The step is not divided by L, is multiplied by it, takes the place of t and is not added, or
+    s / L is compared with epsilon; or epsilon, far and most are compared the other way, or not at
+    all.
+    """
+    for far, epsilon, most, t, _ in HALF_STEPS:
+        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
         got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
         assert_close(got[0], np.array([t]))
+
+
+@exercise("15.7")
+def test_evaluations_on_paper(impl):
+    """The evaluation that finds the hit is not counted. Rays that are done are counted on, as long
+    as any ray is on its way. A miss is evaluated once more beyond far. It begins at 1.
+    """
+    evaluations = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[1]
+    assert_equal(evaluations, np.array([2, 3, 1, 2, 2, 4]))
+
+
+@exercise("15.7")
+def test_half_a_step_takes_more_evaluations(impl):
+    """The evaluation of a hit, or the one before a miss, is not counted, or one more is: t > far
+    ends a ray before s is evaluated there, and so do `most` evaluations.
+    """
+    for far, epsilon, most, _, evaluations in HALF_STEPS:
+        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
+        got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
         assert_equal(got[1], np.array([evaluations]))
 
 
@@ -308,11 +384,17 @@ def composited(density, colour, spacing, background):
 
 @exercise("15.8")
 def test_weights_on_paper(impl):
-    """T holds the sample's own density, or those behind it; or weights are opacities."""
-    density, spacing = np.log([[2.0, 4.0, 1.0, 2.0]]), np.array([[1.0, 0.5, 3.0, 2.0]])
-    weights, remaining = impl.ray_weights(density, spacing)  # half, half, nothing, three quarters
-    assert_close(weights, np.array([[0.5, 0.25, 0.0, 0.1875]]))
-    assert_close(remaining, np.array([0.0625]))
+    """T holds the sample's own density, those behind it, or other rays. The opacity is its first
+    order, sigma delta. T, 1 - exp or spacing is left out. The weights are scaled to sum to 1. T_end
+    lacks the last sample.
+    """
+    # T: what is left of the light before the first sample, behind it, the second and the third.
+    passed = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2], [1.0, 0.7, 0.3, 0.25],
+                       [1.0, 0.8, 0.15, 0.05]])
+    spacing = np.array([[0.5, 2.0, 4.0], [3.0, 0.25, 1.5], [0.2, 1.25, 0.8], [5.0, 0.4, 2.5]])
+    weights = np.array([[0.5, 0.1, 0.3], [0.1, 0.3, 0.4], [0.3, 0.4, 0.05], [0.2, 0.65, 0.1]])
+    density = -np.log(passed[:, 1:] / passed[:, :-1]) / spacing
+    assert_close(impl.ray_weights(density, spacing), (weights, np.array([0.1, 0.2, 0.25, 0.05])))
 
 
 @exercise("15.8")
@@ -325,7 +407,7 @@ def test_light_is_neither_lost_nor_made(impl, rng):
 
 @exercise("15.8")
 def test_weights_are_those_of_light_that_goes_from_sample_to_sample(impl, rng):
-    """spacing is taken for constant, or rays are mixed."""
+    """Rays are mixed, or spacing counts where it is constant alone."""
     density, spacing = rng.gamma(0.5, 2.0, (5, 7)), rng.uniform(0.1, 1, (5, 7))
     weights, remaining = impl.ray_weights(density, spacing)
     each = np.broadcast_to(np.eye(7), (5, 7, 7))
@@ -353,15 +435,41 @@ def test_thick_and_short_pieces(impl):
     assert_close(remaining, np.array([0.0, b * c]))
 
 
+PASSED = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2]])  # T before and behind 3 samples
+
+
+def two_rays():
+    """density, colour (2, 3, 3), spacing and background, as `volume_render_backward` takes them."""
+    spacing = np.array([[0.5, 2.0, 4.0], [3.0, 0.25, 1.5]])
+    density = -np.log(PASSED[:, 1:] / PASSED[:, :-1]) / spacing
+    colour = np.array([[[1.0, 2, 1], [3, 5, 4], [2, 7, 5]], [[5, 1, 2], [6, 2, 4], [3, 4, 7]]])
+    return density, colour, spacing, np.array([4.0, 6.0, 3.0])
+
+
 @exercise("15.9")
-def test_gradients_of_one_ray_on_paper(impl):
-    """What is behind does not count, or the background; or colours get the opacity."""
-    density, colour = np.log([[2.0, 2.0]]), np.array([[[2.0], [0.0]]])
-    given = density, colour, np.ones((1, 2)), np.array([4.0])
-    grad_density, grad_colour = impl.volume_render_backward(np.array([[8.0]]), *given)
-    # Of the first: half of the light passes; behind it are 1/4 of 0 and 1/4 of 4.
-    assert_close(grad_density, 8 * np.array([[0.5 * 2 - 1.0, 0.25 * 0 - 1.0]]))
-    assert_close(grad_colour, 8 * np.array([[[0.5], [0.25]]]))
+def test_gradients_of_densities_on_paper(impl):
+    """grad_density: the background or the samples behind, which become hidden, are left out, or the
+    sample itself, or one in front, is counted with them. T is that before the sample. spacing or
+    grad_output is missing. Colours are averaged.
+    """
+    grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
+    got = impl.volume_render_backward(grad_output, *two_rays())[0]
+    # The loss feels the colours as 10, 27, 17 and 40; 9, 10, 1 and -7. Behind each sample is
+    # 11.8, 9.1, 4; 2, -1, -1.4.
+    expected = np.array([[0.5 * (0.5 * 10 - 11.8), 2 * (0.4 * 27 - 9.1), 4 * (0.1 * 17 - 4)],
+                         [3 * (0.9 * 9 - 2), (0.6 * 10 + 1) / 4, 1.5 * (0.2 * 1 + 1.4)]])
+    assert_close(got, expected)
+
+
+@exercise("15.9")
+def test_gradients_of_colours_on_paper(impl):
+    """grad_colour: the weights are missing, or T or the opacity alone stands for them, or it is
+    multiplied by the colour or by spacing; or grad_output is missing.
+    """
+    grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
+    weights = np.array([[0.5, 0.1, 0.3], [0.1, 0.3, 0.4]])
+    got = impl.volume_render_backward(grad_output, *two_rays())[1]
+    assert_close(got, weights[..., None] * grad_output[:, None])
 
 
 @exercise("15.9")

@@ -36,16 +36,88 @@ def around(triangles):
 
 
 @exercise("15.10")
+def test_no_case_is_left_out(impl):
+    """The number of triangles: 1 where one or three vertices are inside, 2 where two are. A case is
+    left out, two inside give one triangle, or four corners come as they are and not as triangles.
+    """
+    for inside in CASES:
+        got = impl.tetrahedron_triangles(np.array(inside))
+        assert_equal(got.shape, (1 + (sum(inside) == 2), 3, 2), given=f"inside {inside}")
+
+
+@exercise("15.10")
+def test_each_corner_is_an_edge_that_is_crossed(impl):
+    """A corner joins two vertices inside, or two outside, or an edge that is crossed has no corner.
+    Which of its two vertices comes first does not matter to this check.
+    """
+    for inside in CASES:
+        triangles = impl.tetrahedron_triangles(np.array(inside)).reshape(-1, 2)
+        crossed = [(a, b) for a, b in itertools.combinations(range(4), 2) if inside[a] != inside[b]]
+        assert_equal(sorted({(int(min(pair)), int(max(pair))) for pair in triangles}), crossed,
+                     given=f"inside {inside}")
+
+
+@exercise("15.10")
+def test_the_vertex_inside_comes_first(impl):
+    """A corner is (outside, inside), or inside and outside are swapped: triangles lie around the
+    vertices outside.
+    """
+    for inside in CASES:
+        if sorted(inside, reverse=True) == list(inside):  # those inside have the smallest numbers
+            first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
+            assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
+                         (True, False), given=f"inside {inside}: are the first, and the second, "
+                                              "vertices of all corners inside?")
+
+
+@exercise("15.10")
+def test_the_vertex_inside_comes_first_whatever_its_number(impl):
+    """A corner has its smaller vertex first: both are sorted by their numbers, or the vertices
+    inside are taken to be the first ones, or their numbers belong to another order of the four.
+    """
+    for inside in CASES:
+        first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
+        assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
+                     (True, False), given=f"inside {inside}: are the first, and the second, "
+                                          "vertices of all corners inside?")
+
+
+@exercise("15.10")
 def test_one_vertex_inside_is_one_triangle(impl):
-    """The winding, or the order within a pair; vertex 0 of the unit tetrahedron is inside."""
+    """Vertex 0 is inside. The winding is clockwise seen from outside, so that all triangles face
+    inward; is it the opposite of what is asked, or of 0, 1, 2?
+    """
     triangles = impl.tetrahedron_triangles(np.array([True, False, False, False]))
-    assert_equal(triangles.shape, (1, 3, 2))
     assert_equal(around(triangles), [((0, 1), (0, 2)), ((0, 2), (0, 3)), ((0, 3), (0, 1))])
+
+
+@exercise("15.10")
+def test_any_one_vertex_inside_is_one_triangle(impl):
+    """Right for vertex 0, and wound the wrong way for others: an odd order of the four vertices
+    mirrors space, see `is_odd`, and is taken for a turn.
+    """
+    for a, b, c, d in (1, 0, 3, 2), (2, 0, 1, 3), (3, 0, 2, 1):
+        triangles = impl.tetrahedron_triangles(np.arange(4) == a)
+        assert_equal(around(triangles), sorted([((a, b), (a, c)), ((a, c), (a, d)),
+                                                ((a, d), (a, b))]))
+
+
+@exercise("15.10")
+def test_three_vertices_inside_are_one_triangle(impl):
+    """Three inside are treated as one inside with the roles exchanged, and the triangle is not
+    turned round: it faces inward. Or odd orders are taken for turns here.
+    """
+    for a, b, c, d in (0, 1, 2, 3), (1, 0, 3, 2), (2, 0, 1, 3), (3, 0, 2, 1):
+        triangles = impl.tetrahedron_triangles(np.arange(4) != a)
+        assert_equal(around(triangles), sorted([((c, a), (b, a)), ((d, a), (c, a)),
+                                                ((b, a), (d, a))]))
 
 
 @exercise("15.10", fine_print=True)
 def test_nothing_or_all_inside_is_no_triangle(impl):
-    """Shapes of empty arrays; or a surface where there is none."""
+    """Without a surface the shape is another than (0, 3, 2), or there is a triangle where there is
+    none.
+    """
     for inside in np.zeros(4, bool), np.ones(4, bool):
         assert_equal(impl.tetrahedron_triangles(inside).shape, (0, 3, 2))
 
@@ -53,7 +125,7 @@ def test_nothing_or_all_inside_is_no_triangle(impl):
 @exercise("15.10")
 @each_case
 def test_corners_lie_on_the_crossed_edges(impl, inside):
-    """A pair of vertices on one side, the outside vertex first, or a corner is left out."""
+    """A pair of vertices on one side, the vertex outside first, or a corner is left out."""
     triangles = impl.tetrahedron_triangles(np.array(inside)).reshape(-1, 2)
     crossed = {(a, b) for a in range(4) for b in range(4) if inside[a] and not inside[b]}
     assert_equal(sorted(set(map(tuple, triangles.tolist()))), sorted(crossed))
@@ -63,7 +135,10 @@ def test_corners_lie_on_the_crossed_edges(impl, inside):
 @exercise("15.10")
 @each_case
 def test_the_border_goes_round_once_from_face_to_face(impl, inside):
-    """Two triangles overlap, as a bow tie, or are wound against each other."""
+    """With two inside, the four corners are not in their order around the quadrangle: two triangles
+    cross each other as a bow tie. Or they are wound against each other: one of them is turned
+    round.
+    """
     border = around(impl.tetrahedron_triangles(np.array(inside)))
     crossed = sum(inside) * (4 - sum(inside))
     assert_equal(len(border), crossed)
@@ -75,7 +150,9 @@ def test_the_border_goes_round_once_from_face_to_face(impl, inside):
 @exercise("15.10")
 @each_case
 def test_the_front_faces_the_outside(impl, rng, inside):
-    """A case is wound the wrong way: an odd permutation, or two or three vertices inside."""
+    """A case is wound the wrong way: its triangles face inward, clockwise seen from outside. It may
+    be an odd order that is taken for a turn, where two vertices are inside.
+    """
     triangles = impl.tetrahedron_triangles(np.array(inside))
     for corners in CORNERS, turned(rng), turned(rng):
         for a, b, c in middles(corners, triangles):
@@ -85,22 +162,40 @@ def test_the_front_faces_the_outside(impl, rng, inside):
                              given=f"inside {inside}: is a vertex behind the triangle?")
 
 
+# Four edges, crossed where P_A + t STEP is, t = s_a / (s_a - s_b).
+P_A = np.array([[1.0, 2.0, -3.0], [4.0, -1.0, 2.0], [-2.0, 3.0, 5.0], [0.5, -4.0, 1.0]])
+STEP = np.array([[2.0, 4.0, 1.0], [3.0, 5.0, -1.0], [-4.0, 2.0, 3.0], [7.0, 1.0, 10.0]])
+S_A, S_B = np.array([-1.0, -6.0, -2.0, -2.0]), np.array([3.0, 2.0, 3.0, 8.0])
+GRAD_P = np.array([[5.0, 4.0, 6.0], [8.0, 7.0, -5.0], [6.0, -7.0, -4.0], [10.0, 20.0, 21.0]])
+
+
 @exercise("15.12")
-def test_gradients_of_a_crossing_on_paper(impl):
-    """The weights of both ends are swapped; or the distances' gradients have a sign or a factor."""
-    p_a, p_b = np.array([[0.0, 0.0, 0.0]]), np.array([[0.0, 8.0, 0.0]])
-    # p = 8 s_a / (s_a - s_b): at (-1, 3) it is 2, by s_a -8 * 3 / 16, by s_b -8 * 1 / 16.
-    grad_p = np.array([[100.0, 2.0, 0.0]])
-    got = impl.crossing_backward(grad_p, p_a, p_b, np.array([-1.0]), np.array([3.0]))
-    assert_close(got[0], 0.75 * grad_p)
-    assert_close(got[1], 0.25 * grad_p)
-    assert_close(got[2], np.array([-3.0]))
-    assert_close(got[3], np.array([-1.0]))
+def test_gradients_of_both_points_on_paper(impl):
+    """grad_p_a and grad_p_b: the weights of both ends are swapped, the nearer end gets the smaller
+    part, t has the wrong sign, or both ends get all, or a half.
+    """
+    got = impl.crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)  # t = 1/4, 3/4, 2/5, 1/5
+    assert_close(got[:2], (np.array([0.75, 0.25, 0.6, 0.8])[:, None] * GRAD_P,
+                           np.array([0.25, 0.75, 0.4, 0.2])[:, None] * GRAD_P))
+
+
+@exercise("15.12")
+def test_gradients_of_both_distances_on_paper(impl):
+    """grad_s_a and grad_s_b: both are swapped, or 0, the sign is wrong, s_b - s_a is not squared,
+    the denominator's derivative is missing, or grad_p's three numbers are not summed along
+    p_b - p_a.
+    """
+    got = impl.crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)
+    # grad_p . (p_b - p_a) = 32, 64, -50, 300. By s_a it is that times -s_b / (s_b - s_a)^2, by s_b
+    # times s_a / (s_b - s_a)^2.
+    expected = np.array([-32 * 3 / 16, -64 * 2 / 64, 50 * 3 / 25, -300 * 8 / 100])
+    assert_close(got[2], expected)
+    assert_close(got[3], np.array([-32 * 1 / 16, -64 * 6 / 64, 50 * 2 / 25, -300 * 2 / 100]))
 
 
 @exercise("15.12")
 def test_gradients_of_crossings_are_central_differences(impl, rng):
-    """Edges are mixed, or one coordinate alone counts."""
+    """Edges are mixed, or one coordinate alone counts: x, y and z all move the crossing."""
     def forward(p_a, p_b, s_a, s_b):
         return np.stack([(a * t - b * s) / (t - s)
                          for a, b, s, t in zip(p_a, p_b, s_a, s_b, strict=True)])
@@ -112,7 +207,8 @@ def test_gradients_of_crossings_are_central_differences(impl, rng):
 
 @exercise("15.12")
 def test_gradients_where_the_surface_meets_a_point_of_the_grid(impl):
-    """s_b = 0 is divided by; or the span is cut off where distances are small."""
+    """s_b = 0 is divided by, or what is divided by is kept away from 0 where distances are small.
+    """
     p_a, p_b, grad_p = np.array([[0.0, 0, 0]]), np.array([[0.0, 8.0, 0]]), np.array([[5.0, 2.0, 0]])
     for unit in 1.0, 1e-6:
         got = impl.crossing_backward(grad_p, p_a, p_b, np.array([-4.0 * unit]), np.array([0.0]))
@@ -151,17 +247,47 @@ def directed_edges(faces):
 
 @exercise("15.13")
 def test_one_tetrahedron_on_paper(impl):
-    """The vertices' places, their order, or the numbers of the corners."""
-    distance = np.array([-1.0, 1.0, 3.0, 1.0])
-    vertices, faces, ends = impl.marching_tetrahedra(CORNERS, distance, np.array([[0, 1, 2, 3]]))
-    assert_close(vertices, np.array([[0.5, 0, 0], [0, 0.25, 0], [0, 0, 0.5]]))
-    assert_equal(ends, np.array([[0, 1], [0, 2], [0, 3]]))
-    assert_equal(sorted(directed_edges(faces)), [(0, 1), (1, 2), (2, 0)])
+    """Another vertex is taken to be inside: the bits of a case are read in reverse, or < is >.
+    Numbers are those within the tetrahedron, and not the grid's. ends are sorted by number.
+    Vertices lie in the middle, or near the wrong end.
+    """
+    points = np.array([[1.0, 10.0, 3.0], [9.0, 2.0, 3.0], [7.0, 7.0, 7.0], [1.0, 2.0, 3.0],
+                       [1.0, 2.0, 11.0]])
+    distance = np.array([3.0, -1.0, 9.0, 1.0, 7.0])  # 1/4, 1/2 and 1/8 of the edges from points[1]
+    vertices, _, ends = impl.marching_tetrahedra(points, distance, np.array([[3, 1, 0, 4]]))
+    assert_equal(ends, np.array([[1, 0], [1, 3], [1, 4]]))
+    assert_close(vertices, np.array([[7.0, 4.0, 3.0], [5.0, 2.0, 3.0], [8.0, 2.0, 4.0]]))
+
+
+@exercise("15.13")
+def test_the_face_of_one_tetrahedron_on_paper(impl):
+    """All faces are wound inward, clockwise seen from outside: their corners are in reverse order.
+    Or faces do not name the rows of vertices.
+    """
+    points = np.array([[1.0, 2.0, 3.0], [9.0, 2.0, 3.0], [1.0, 10.0, 3.0], [1.0, 2.0, 11.0]])
+    for inside, edges in (0, [(0, 1), (1, 2), (2, 0)]), (1, [(0, 2), (1, 0), (2, 1)]):
+        distance = np.where(np.arange(4) == inside, -1.0, [1.0, 2.0, 3.0, 4.0])
+        _, faces, _ = impl.marching_tetrahedra(points, distance, np.array([[0, 1, 2, 3]]))
+        assert_equal(sorted(directed_edges(faces)), edges)
+
+
+@exercise("15.13")
+def test_each_case_of_one_tetrahedron_has_its_faces(impl):
+    """A case is left out: the loop over range ends before case 14, where all are inside but one
+    vertex, or begins after case 1, or those with two inside are missing. The surface has holes.
+    """
+    for inside in CASES:
+        distance = np.where(inside, -1.0, 1.0) * [1.0, 2.0, 3.0, 4.0]
+        _, faces, ends = impl.marching_tetrahedra(CORNERS.copy(), distance, np.arange(4)[None])
+        assert_equal((len(faces), len(ends)), (1 + (sum(inside) == 2), 3 + (sum(inside) == 2)),
+                     given=f"one tetrahedron, inside {inside}: how many faces and vertices?")
 
 
 @exercise("15.13")
 def test_two_tetrahedra_share_the_points_of_their_edges(impl):
-    """Each has vertices of its own: the mesh falls apart into triangles."""
+    """Vertices are not merged: they come several times, each triangle or tetrahedron has its own
+    vertices, and the mesh falls apart.
+    """
     points = np.array([*CORNERS, [1.0, 1.0, 1.0]])
     tetrahedra = np.array([[0, 1, 2, 3], [4, 2, 1, 3]])
     distance = np.array([1.0, 2.0, 1.0, -2.0, 2.0])
@@ -175,7 +301,9 @@ def test_two_tetrahedra_share_the_points_of_their_edges(impl):
 
 @exercise("15.13", fine_print=True)
 def test_zero_is_outside_and_nothing_is_no_surface(impl):
-    """<= for <; or an empty mesh is an error, or its shapes are others."""
+    """A distance of 0 counts as inside, <= for <; or without a surface there is an error, or the
+    shapes are others.
+    """
     tetrahedra = np.array([[0, 1, 2, 3]])
     vertices, faces, ends = impl.marching_tetrahedra(CORNERS, np.array([-1.0, 0, 0, 2]), tetrahedra)
     assert_equal(ends, np.array([[0, 1], [0, 2], [0, 3]]))
@@ -187,7 +315,9 @@ def test_zero_is_outside_and_nothing_is_no_surface(impl):
 
 @exercise("15.13")
 def test_vertices_are_the_crossed_edges_of_the_grid_each_once(impl, rng):
-    """Twice, or in the order of tetrahedra; or the ends are sorted by their numbers."""
+    """Vertices come more than once, in the order of tetrahedra, or in another order than that of
+    their ends, or the ends are sorted by number and not inside first.
+    """
     points, tetrahedra = random_tetrahedra(rng)
     distance = random_field(rng, points)
     vertices, _, ends = impl.marching_tetrahedra(points, distance, tetrahedra)
@@ -201,7 +331,8 @@ def test_vertices_are_the_crossed_edges_of_the_grid_each_once(impl, rng):
 
 @exercise("15.13")
 def test_random_fields_give_closed_and_consistently_wound_surfaces(impl, rng):
-    """A case is left out, doubled, or wound against its neighbours."""
+    """A case is left out, so that there are holes, or is doubled, or wound against its neighbours.
+    """
     for count in 12, 40, 90:
         points, tetrahedra = random_tetrahedra(rng, count)
         distance = random_field(rng, points)

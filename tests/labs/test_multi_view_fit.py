@@ -1,11 +1,12 @@
 """What the exercise of multi_view_fit.py must do: the step of the search, there and back."""
 import numpy as np
 
-from course.checks import assert_close, exercise
+from course.checks import assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
 
 Y0, Y1 = np.sqrt(np.array([1, 3]) / np.pi) / 2
 IN_FRONT = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, 0], [0, 0, -1, 3]])
+FROM_BELOW = np.array([[1.0, 0, 0, 0.1], [0, 0.8, 0.6, 0], [0, -0.6, 0.8, 0], [0, 0, 0, 1]])
 FROM_THE_SIDE = IN_FRONT @ np.array([[0.6, 0, -0.8, 0], [0, 1, 0, 0.1], [0.8, 0, 0.6, 0],
                                      [0, 0, 0, 1]])
 
@@ -27,60 +28,137 @@ def solid():
     return vertices, faces, rng.uniform(0.2, 0.8, (4, 3)), light
 
 
-def two_views():
-    targets = np.random.default_rng(5).uniform(0, 1, (2, 7, 8, 4))
+def several_views(cameras=(IN_FRONT, FROM_THE_SIDE)):
+    targets = np.random.default_rng(5).uniform(0, 1, (len(cameras), 7, 8, 4))
     views = tuple(view_of(camera, target, outside=True) for camera, target in
-                  zip((IN_FRONT, FROM_THE_SIDE), targets, strict=True))
+                  zip(cameras, targets, strict=True))
     return views, targets
 
 
-@exercise("16.15")
-def test_a_face_that_fills_the_picture_on_paper(impl):
-    """Coverage or its weight is left out; a sum for a mean; or what goes back is of the target."""
+def full_picture():
+    """A face that fills a picture of 2 x 3 pixels, whose colour is (1.5, 0.75, 1): what
+    `there_and_back` takes. E is (3 + z, 1, 2), and z is 1.
+    """
     vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
-    light = np.zeros((9, 3))
+    light, albedo = np.zeros((9, 3)), np.tile([0.375, 0.75, 0.5], (3, 1))
     light[0], light[2, 0] = np.array([3, 1, 2]) / Y0, 1 / Y1
-    target = np.tile([1.0, 0.5, 0.0, 0.5], (2, 3, 1))
-    loss, grad_vertices, grad_albedo, grad_light, grad_level = impl.there_and_back(
-        vertices, np.array([[0, 1, 2]]), np.full((3, 3), 0.5), light,
-        (view_of(np.eye(4), target, outside=True),), target[None], 4.0)
-    assert_close(loss, 2 / 3 + 1)  # the picture is (2, 0.5, 1, 1)
-    assert_close(np.sum(grad_albedo, 0), np.array([8 / 3, 0, 4 / 3]))
-    assert_close(np.array(grad_light)[:3] / [[Y0], [Y1], [Y1]],
-                 np.array([[1, 0, 1], [0, 0, 0], [1, 0, 1]]) / 3)
-    assert_close(grad_vertices, np.zeros((3, 3)))
-    assert_close(np.sum(grad_level), -1.0)  # every pixel asks the surface to go
+    target = np.tile([1.0, 0.5, 0.25, 0.6], (2, 3, 1))
+    views = (view_of(np.eye(4), target, outside=True),)
+    return vertices, np.array([[0, 1, 2]]), albedo, light, views, target[None], 5.0
 
 
 @exercise("16.15")
-def test_two_views_are_the_mean_of_each_alone(impl):
-    """The last view decides, views add up, or one is compared with the other's target."""
-    (vertices, faces, albedo, light), (views, targets) = solid(), two_views()
+def test_five_outputs_have_the_shapes_of_their_inputs(impl):
+    """An output is missing, such as the loss, or the outputs are in another order: loss, then the
+    gradients of vertices, albedo and light, and grad_level.
+    """
+    found = impl.there_and_back(*full_picture())
+    assert_equal(tuple(map(np.shape, found)), ((), (3, 3), (3, 3), (9, 3), (3,)))
+
+
+@exercise("16.15")
+def test_the_loss_of_a_full_picture_on_paper(impl):
+    """The loss: the albedo is rendered as it is, without the light, for shade is left out.
+    Coverage's weight is left out, another picture is the target, or a sum stands for a mean.
+    """
+    loss = impl.there_and_back(*full_picture())[0]
+    assert_close(loss, (0.5**2 + 0.25**2 + 0.75**2) / 3 + 5 * 0.4**2)
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
+    """grad_albedo: grad_colours does not go back through shade_backward, and lacks the light. The
+    loss itself is handed to picture_loss_backward as grad_loss, which is 1. Picture and target are
+    swapped there.
+    """
+    grad_albedo = impl.there_and_back(*full_picture())[2]
+    grad_colours = 2 / 3 * np.array([0.5, 0.25, 0.75])
+    assert_close(np.sum(grad_albedo, 0), grad_colours * [4, 1, 2])
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
+    """grad_light: the albedo is missing, or grad_light and grad_albedo are exchanged."""
+    grad_light = impl.there_and_back(*full_picture())[3]
+    grad_irradiance = 2 / 3 * np.array([0.5, 0.25, 0.75]) * [0.375, 0.75, 0.5]
+    assert_close(np.array(grad_light)[:3], np.array([[Y0], [0], [Y1]]) * grad_irradiance)
+
+
+@exercise("16.15")
+def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
+    """grad_level: carving's gradient, which `see_backward` gives, is left out, scaled, or added to
+    grad_vertices. Those have none here, where light is even. They are no normals' gradients:
+    vertex_normals_backward takes those to the vertices.
+    """
+    _, grad_vertices, _, _, grad_level = impl.there_and_back(*full_picture())
+    assert_close(np.sum(grad_level), -1.0)  # every pixel asks the surface to go
+    assert_close(np.abs(grad_vertices).max(), 0.0)
+
+
+@exercise("16.15")
+def test_three_views_are_the_mean_of_each_alone(impl):
+    """One view alone decides, such as the last or the first, views add up and are no mean, or are
+    divided by their number once more, or one is compared with the other's target.
+    """
+    vertices, faces, albedo, light = solid()
+    views, targets = several_views((IN_FRONT, FROM_THE_SIDE, IN_FRONT @ FROM_BELOW))
 
     def found(chosen):
         return impl.there_and_back(vertices, faces, albedo, light, views[chosen], targets[chosen],
                                    0.7)
 
-    both = zip(found(slice(0, 1)), found(slice(1, 2)), strict=True)
-    for got, (first, second) in zip(found(slice(0, 2)), both, strict=True):
-        assert_close(got, (np.asarray(first) + np.asarray(second)) / 2)
+    alone = zip(*(found(slice(k, k + 1)) for k in range(3)), strict=True)
+    for got, parts in zip(found(slice(0, 3)), alone, strict=True):
+        assert_close(got, sum(map(np.asarray, parts)) / 3)
+
+
+def check_gradient(impl, of):
+    """Gradcheck the loss along a random direction of vertices (0), albedo (1), light (2), or of
+    several together.
+    """
+    (vertices, faces, albedo, light), (views, targets) = solid(), several_views()
+    rng = np.random.default_rng(6)
+    directions = [rng.normal(size=part.shape) for part in (vertices, albedo, light)]
+
+    def moved(steps):
+        places = [vertices, albedo, light]
+        for part, step in zip(of, steps, strict=True):
+            places[part] = places[part] + step * directions[part]
+        return impl.there_and_back(places[0], faces, *places[1:], views, targets, 0.7)
+
+    def backward(grad_loss, steps):
+        gradients = moved(steps)[1:4]
+        return grad_loss * np.array([(np.asarray(gradients[part]) * directions[part]).sum()
+                                     for part in of])
+
+    gradcheck(lambda steps: np.array(moved(steps)[0]), backward, (np.zeros(len(of)),),
+              name="the step")
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_albedo_is_central_differences(impl):
+    """grad_albedo: grad_colours comes as it is, without the light of shade_backward; or views,
+    pictures or the forward pass's normals are not those of the way there.
+    """
+    check_gradient(impl, [1])
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_light_is_central_differences(impl):
+    """grad_light: it is wrong where light comes from several sides or the albedo is uneven."""
+    check_gradient(impl, [2])
+
+
+@exercise("16.15")
+def test_the_gradient_of_the_vertices_is_central_differences(impl):
+    """grad_vertices: of its two ways, that through the normals or that through the pictures is
+    missing or has a minus. Coverage's weight is not passed to picture_loss_backward. see_backward
+    gets the albedo for the colours.
+    """
+    check_gradient(impl, [0])
 
 
 @exercise("16.15")
 def test_the_whole_step_is_central_differences(impl):
     """A way back is missing: through outlines, normals, shading, or paint."""
-    (vertices, faces, albedo, light), (views, targets) = solid(), two_views()
-    rng = np.random.default_rng(6)
-    directions = [rng.normal(size=part.shape) for part in (vertices, albedo, light)]
-
-    def moved(steps):
-        places = [part + step * direction for part, step, direction in
-                  zip((vertices, albedo, light), steps, directions, strict=True)]
-        return impl.there_and_back(places[0], faces, *places[1:], views, targets, 0.7)
-
-    def backward(grad_loss, steps):
-        gradients = map(np.asarray, moved(steps)[1:4])
-        return grad_loss * np.array([(gradient * direction).sum() for gradient, direction in
-                                     zip(gradients, directions, strict=True)])
-
-    gradcheck(lambda steps: np.array(moved(steps)[0]), backward, (np.zeros(3),), name="the step")
+    check_gradient(impl, [0, 1, 2])

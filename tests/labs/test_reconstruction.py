@@ -27,23 +27,59 @@ def directions(rng, *shape):
 
 # --- light and shading -------------------------------------------------------------------------
 
+NORMALS = np.array([[2.0, 3.0, 5.0], [-1.0, 4.0, 6.0], [7.0, -2.0, 3.0], [4.0, 1.0, -2.0]])
+
+
 @exercise("16.1")
-def test_harmonics_on_paper(impl):
-    """The order of x, y, z; a constant; or 3 z^2 - 1 without its 1."""
-    got = impl.sh_basis(np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]))
-    expected = np.zeros((3, 9))
-    expected[:, 0] = 0.28209479177387814
-    expected[[0, 1, 2], [3, 1, 2]] = 0.4886025119029199
-    expected[:, 6] = [-0.31539156525252005, -0.31539156525252005, 0.6307831305050401]
-    expected[:, 8] = [0.5462742152960396, -0.5462742152960396, 0]
-    assert_close(got, expected)
-    got = impl.sh_basis(np.array([2.0, 3.0, 5.0]))[[4, 5, 7]]
-    assert_close(got, 1.0925484305920792 * np.array([6.0, 15.0, 10.0]))
+def test_nine_numbers_stand_along_a_new_last_axis(impl):
+    """The shape: numbers are stacked along the first axis, Y_0 is one number in place of one for
+    each direction, or x, y and z are taken from the wrong axis.
+    """
+    assert_equal(impl.sh_basis(np.arange(24.0).reshape(2, 4, 3)).shape, (2, 4, 9))
+
+
+@exercise("16.1")
+def test_the_first_four_harmonics_on_paper(impl):
+    """Y_0 is not C0. Y_1, Y_2, Y_3 are in the order x, y, z, which is to be y, z, x. They have a
+    minus sign, as with the Condon-Shortley phase. C1 is another constant. Or n is normalised first.
+    """
+    got = impl.sh_basis(NORMALS.copy())[..., :4]
+    expected = np.array([[1.0, 3, 5, 2], [1, 4, 6, -1], [1, -2, 3, 7], [1, 1, -2, 4]])
+    assert_close(got, expected * [0.28209479177387814, *[0.4886025119029199] * 3])
+
+
+@exercise("16.1")
+def test_harmonics_of_products_on_paper(impl):
+    """Y_4, Y_5 and Y_7: two of x y, y z and x z are exchanged, a sign is a minus, C2 is missing or
+    another constant, or one of them is a sum.
+    """
+    got = impl.sh_basis(NORMALS.copy())[..., [4, 5, 7]]
+    expected = np.array([[6.0, 15, 10], [-4, 24, -6], [-14, -6, 21], [4, -2, -8]])
+    assert_close(got, 1.0925484305920792 * expected)
+
+
+@exercise("16.1")
+def test_harmonics_of_the_square_of_z_on_paper(impl):
+    """Y_6: 3 z^2 - 1 has lost its - 1 or its 3, holds another axis, such as y, or a minus, or its
+    constant is not C3.
+    """
+    got = impl.sh_basis(NORMALS.copy())[..., 6]
+    assert_close(got, 0.31539156525252005 * np.array([74.0, 107, 26, 11]))
+
+
+@exercise("16.1")
+def test_harmonics_of_the_difference_of_squares_on_paper(impl):
+    """Y_8: it is y^2 - x^2, with the wrong sign, or x^2 + y^2, or its constant is not C4, as where
+    C2 stands for it.
+    """
+    got = impl.sh_basis(NORMALS.copy())[..., 8]
+    assert_close(got, 0.5462742152960396 * np.array([-5.0, -15, 45, 15]))
 
 
 @exercise("16.1")
 def test_each_direction_of_any_array(impl, rng):
-    """One direction alone, or a list of them, is right; or a length is divided out."""
+    """Right for a list of directions alone, and not for one or a grid; or a length is divided out.
+    """
     normals = rng.normal(size=(2, 4, 3))
     expected = np.array([[harmonics(n) for n in row] for row in normals])
     assert_close(impl.sh_basis(normals), expected)
@@ -61,20 +97,49 @@ def test_harmonics_are_orthonormal_on_the_sphere(impl):
     assert_close((basis * np.repeat(weights * PI / 4, 8)[:, None]).T @ basis, np.eye(9), atol=1e-9)
 
 
+def slopes_at_2_3_5(impl, rows):
+    """Where the gradient of one Y_k after the other is 10: (K, 3), and of the last one alone (3,).
+    """
+    n, grad_basis = np.array([2.0, 3.0, 5.0]), 10 * np.eye(9)[rows]
+    return (impl.sh_basis_backward(grad_basis[-1], n),
+            impl.sh_basis_backward(grad_basis, np.tile(n, (len(rows), 1))))
+
+
 @exercise("16.2")
-def test_gradients_of_harmonics_on_paper(impl):
-    """x, y and z are swapped; 6 z is taken for 3 z; or the sign of y in x^2 - y^2."""
-    n = np.array([2.0, 3.0, 5.0])
-    for k, expected in enumerate(np.array([
-            [0, 0, 0], [0, Y1, 0], [0, 0, Y1], [Y1, 0, 0], [3 * Y2, 2 * Y2, 0],
-            [0, 5 * Y2, 3 * Y2], [0, 0, 30 * Y20], [5 * Y2, 0, 2 * Y2],
-            [4 * Y22, -6 * Y22, 0]])):
-        assert_close(impl.sh_basis_backward(10 * np.eye(9)[k], n), 10 * expected)
+def test_slopes_of_the_first_four_harmonics_on_paper(impl):
+    """Gradients of Y_1, Y_2, Y_3 go to x, y, z in place of y, z, x; C1 or grad_basis is missing; or
+    the part along n is taken away, though n can move along itself.
+    """
+    one, each = slopes_at_2_3_5(impl, [0, 1, 2, 3])
+    assert_close(each, 10 * np.array([[0, 0, 0], [0, Y1, 0], [0, 0, Y1], [Y1, 0, 0]]))
+    assert_close(one, each[-1])
+
+
+@exercise("16.2")
+def test_slopes_of_products_on_paper(impl):
+    """Y_4, Y_5 and Y_7: the product rule's other term is left out, two of the three products are
+    exchanged, or the slope with respect to x is x itself.
+    """
+    one, each = slopes_at_2_3_5(impl, [4, 5, 7])
+    assert_close(each, 10 * Y2 * np.array([[3.0, 2, 0], [0, 5, 3], [5, 0, 2]]))
+    assert_close(one, each[-1])
+
+
+@exercise("16.2")
+def test_slopes_of_squares_on_paper(impl):
+    """Y_6: z^2 has the slope 2 z, so 3 z^2 has 6 z; the 2 or the 3 is missing. Y_8: the minus sign
+    of y^2 in x^2 - y^2 is missing, or a 2.
+    """
+    one, each = slopes_at_2_3_5(impl, [6, 8])
+    assert_close(each, 10 * np.array([[0, 0, 30 * Y20], [4 * Y22, -6 * Y22, 0]]))
+    assert_close(one, each[-1])
 
 
 @exercise("16.2")
 def test_gradients_of_harmonics_are_central_differences(impl, rng):
-    """Directions are mixed, or taken for unit."""
+    """Directions are mixed, or taken for unit: the part along n is taken away, though n can move
+    along itself.
+    """
     def forward(normals):
         return np.array([[harmonics(n) for n in row] for row in normals])
 
@@ -83,16 +148,21 @@ def test_gradients_of_harmonics_are_central_differences(impl, rng):
 
 @exercise("16.3")
 def test_one_lamp_on_paper(impl):
-    """A_k is left out, or that of another order; or strength is of one colour."""
-    got = impl.distant_light(np.array([[0.0, 0.0, 1.0]]), np.array([[1.0, 10.0]]))
-    expected = np.zeros((9, 1))
-    expected[[0, 2, 6], 0] = PI * Y0, 2 / 3 * PI * Y1, PI / 4 * 2 * Y20
-    assert_close(got, expected * [1.0, 10.0])
+    """The factors A_k are left out, have no pi, or are of another order: four numbers get 2/3, Y_4
+    among them. The direction is turned round. strength is of one colour.
+    """
+    got = impl.distant_light(np.array([[2.0, 3.0, 6.0]]) / 7, np.array([[1.0, 10.0]]))
+    basis = np.array([Y0, Y1 * 3 / 7, Y1 * 6 / 7, Y1 * 2 / 7, Y2 * 6 / 49, Y2 * 18 / 49,
+                      Y20 * 59 / 49, Y2 * 12 / 49, Y22 * -5 / 49])
+    bands = PI * np.array([1, 2 / 3, 2 / 3, 2 / 3, 1 / 4, 1 / 4, 1 / 4, 1 / 4, 1 / 4])
+    assert_close(got, (bands * basis)[:, None] * [1.0, 10.0])
 
 
 @exercise("16.3")
 def test_lamps_add_up(impl, rng):
-    """Lamps are averaged, or one's strength goes with another's direction."""
+    """The mean of the lamps is taken and not their sum, one lamp alone counts, or one's strength
+    goes with another's direction.
+    """
     towards, strength = directions(rng, 4), rng.uniform(0, 1, (4, 2))
     expected = sum(np.outer(BANDS * harmonics(n), s)
                    for n, s in zip(towards, strength, strict=True))
@@ -113,37 +183,80 @@ def test_it_comes_near_the_cosine_of_a_true_lamp(impl, rng):
 
 @exercise("16.4")
 def test_shading_on_paper(impl):
-    """Albedo is left out, or added; or the light's colours are mixed."""
+    """The albedo is left out, added to E, divided by pi, or squared. The colours of the light are
+    summed or mixed. The factors A_k of eq. (2) are applied again: the light holds them already.
+    """
     light = np.zeros((9, 2))
-    light[0], light[3] = [4 / Y0, 1 / Y0], [2 / Y1, 0.0]
-    normals = np.array([[1.0, 0, 0], [-1.0, 0, 0], [0, 0.6, 0.8]])
-    albedo = np.array([[0.5, 1.0], [0.25, 3.0], [1.0, 0.5]])
-    assert_close(impl.shade(albedo, normals, light), np.array([[3.0, 1], [0.5, 3], [4.0, 0.5]]))
+    light[:4] = np.array([[5, 2], [1, 0.5], [3, -1], [-2, 0.25]]) / [[Y0], [Y1], [Y1], [Y1]]
+    normals = np.array([[1.0, 0, 0], [0.6, -0.8, 0], [0, 0.6, 0.8], [-0.8, 0, 0.6]])
+    albedo = np.array([[0.5, 0.8], [0.25, 0.4], [0.125, 0.6], [0.375, 0.2]])
+    irradiance = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # of eq. (1)
+    assert_close(impl.shade(albedo, normals, light), albedo * irradiance)
 
 
 @exercise("16.4")
 def test_shading_point_by_point(impl, rng):
-    """Points are mixed; light below 0 is cut off, which eq. (1) does not; one colour is right."""
+    """Light below 0 is cut off, clipped, or taken positive, which eq. (1) does not do; points are
+    mixed; or normals or light beyond the first four numbers do not count.
+    """
     albedo, normals, light = rng.uniform(0, 1, (6, 4)), directions(rng, 6), rng.normal(size=(9, 4))
     expected = [a * (harmonics(n) @ light) for a, n in zip(albedo, normals, strict=True)]
     assert_close(impl.shade(albedo, normals, light), np.array(expected))
 
 
+def lit_points():
+    """grad_colour, albedo (4, 2), normals (4, 3), light (9, 2): what `shade_backward` takes.
+
+    Only Y_0, Y_1, Y_2 and Y_3 have light: E is a + b y + c z + d x.
+    """
+    light = np.zeros((9, 2))
+    light[:4] = np.array([[5, 2], [1, 0.5], [3, -1], [-2, 0.25]]) / [[Y0], [Y1], [Y1], [Y1]]
+    normals = np.array([[1.0, 0, 0], [0.6, -0.8, 0], [0, 0.6, 0.8], [-0.8, 0, 0.6]])
+    albedo = np.array([[0.5, 0.8], [0.25, 0.4], [0.125, 0.6], [0.375, 0.2]])
+    return np.array([[10.0, 5], [-4, 20], [8, 3], [16, -30]]), albedo, normals, light
+
+
 @exercise("16.5")
-def test_gradients_of_shading_on_paper(impl):
-    """A factor is missing in one of the three, or the light's is a mean."""
-    light = np.zeros((9, 1))
-    light[0], light[1], light[8] = 4 / Y0, 2 / Y1, 1 / Y22
-    albedo, normals = np.array([[0.5], [2.0]]), np.array([[0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
-    got = impl.shade_backward(np.array([[10.0], [1.0]]), albedo, normals, light)
-    assert_close(got[0], np.array([[53.2], [4.0]]))  # 4 + 1.6 + 0.36 - 0.64 = 5.32
-    assert_close(got[1], np.array([[6.0, 2.0, 0.0], [0.0, 4.0, 0.0]]))
-    assert_close(got[2][[0, 1, 3], 0], np.array([7 * Y0, 4 * Y1, 3 * Y1]))
+def test_gradients_of_the_albedo_on_paper(impl):
+    """grad_albedo: E is left out, the albedo is multiplied in, though the product's other factor is
+    E alone, or the colours are summed.
+    """
+    grad_colour, albedo, normals, light = lit_points()
+    irradiance = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # E
+    assert_close(impl.shade_backward(grad_colour, albedo, normals, light)[0],
+                 grad_colour * irradiance)
+
+
+@exercise("16.5")
+def test_gradients_of_the_normals_on_paper(impl):
+    """grad_normals: the albedo is left out. One colour alone reaches the normals, or a mean of the
+    colours; they are to be summed. The part along n is taken away, which is eq. (4)'s.
+    """
+    # grad_colour * albedo is (5, 4), (-1, 8), (1, 1.8), (6, -6). E falls by 2 with x, and so on.
+    expected = np.array([[5 * -2 + 4 * 0.25, 5 * 1 + 4 * 0.5, 5 * 3 - 4 * 1],
+                         [-1 * -2 + 8 * 0.25, -1 * 1 + 8 * 0.5, -1 * 3 - 8 * 1],
+                         [1 * -2 + 1.8 * 0.25, 1 * 1 + 1.8 * 0.5, 1 * 3 - 1.8 * 1],
+                         [6 * -2 - 6 * 0.25, 6 * 1 - 6 * 0.5, 6 * 3 + 6 * 1]])
+    assert_close(impl.shade_backward(*lit_points())[1], expected)
+
+
+@exercise("16.5")
+def test_gradients_of_the_light_on_paper(impl):
+    """grad_light: the albedo is left out, it is a mean over the vertices and not their sum, one
+    vertex alone counts, or the factors A_k are applied.
+    """
+    # The sums of (5, 4), (-1, 8), (1, 1.8), (6, -6), each times 1, y, z, x: the first colour's
+    # are 11, 0.8 + 0.6, 0.8 + 3.6 and 5 - 0.6 - 4.8.
+    expected = np.array([[11.0, 7.8], [1.4, -5.32], [4.4, -2.16], [-0.4, 13.6]])
+    got = impl.shade_backward(*lit_points())[2]
+    assert_equal(got.shape, (9, 2))
+    assert_close(got[:4], expected * [[Y0], [Y1], [Y1], [Y1]])
 
 
 @exercise("16.5")
 def test_gradients_of_shading_are_central_differences(impl, rng):
-    """A gradient's points or colours are mixed."""
+    """A gradient's points or colours are mixed, or light beyond the first four numbers is left out.
+    """
     def forward(albedo, normals, light):
         return albedo * (np.array([harmonics(n) for n in normals]) @ light)
 
@@ -162,15 +275,33 @@ def normals_of(vertices, faces):
 
 
 @exercise("16.6")
-def test_gradients_of_normals_on_paper(impl):
-    """The normal's length is free; a corner's share has the wrong sign; or |m| is left out."""
-    vertices = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0], [9.0, 9.0, 9.0]])
-    faces = np.array([[0, 1, 2]])
-    for k in range(3):
-        grad = np.zeros((4, 3))
-        grad[k] = 8.0, 0.0, 5.0  # x of the normal: raise the corner at x = 4 by 1, it falls by 1/4
-        got = impl.vertex_normals_backward(grad, vertices, faces)
-        assert_close(got, np.array([[0, 0, 2.0], [0, 0, -2.0], [0, 0, 0], [0, 0, 0]]))
+def test_gradients_of_one_face_on_paper(impl):
+    """The part along n, which only makes m longer, is not taken away. It is not divided by |m|. A
+    corner gets no gradient, such as a, or the wrong sign. A face uses the gradient of one corner
+    alone and not the sum of all three.
+    """
+    # b - a = (1, -2, 0), c - a = (1, 0, -1), m = (2, 1, 2), |m| = 3 at all three corners. Their
+    # gradients add up to (27, 0, 0), of which (15, -6, -12) is across n: g = (5, -2, -4).
+    vertices = np.array([[3.0, 1.0, 4.0], [4.0, -1.0, 4.0], [4.0, 1.0, 3.0]])
+    grad = np.array([[20.0, 3.0, -1.0], [4.0, -5.0, 3.0], [3.0, 2.0, -2.0]])
+    expected = np.array([[10.0, 5, 10], [-2, -1, -2], [-8, -4, -8]])  # (b - c) x g, ...
+    got = impl.vertex_normals_backward(grad, vertices, np.array([[0, 1, 2]]))
+    assert_close(got, expected)
+
+
+@exercise("16.6")
+def test_gradients_of_two_faces_on_paper(impl):
+    """A vertex in several faces counts once only: += with indices keeps the last face, which takes
+    `scatter`. Or m is a sum of unit normals: faces are not weighted by their area.
+    """
+    # Both lie in the plane z = 0, with m = (0, 0, 8) and (0, 0, 20). So |m| is 8, 28, 28, 20, and
+    # g is (1, 2) + (1, 2) + (1, 1) of one, (1, 2) + (1, 1) + (2, -1) of the other.
+    vertices = np.array([[0.0, 0, 0], [4, 0, 0], [0, 2, 0], [6, 4, 0]])
+    grad = np.array([[8.0, 16, 3], [28, 56, -5], [28, 28, 7], [40, -20, 2]])
+    got = impl.vertex_normals_backward(grad, vertices, np.array([[0, 1, 2], [1, 3, 2]]))
+    expected = np.zeros((4, 3))
+    expected[:, 2] = 26.0, 4.0 - 6.0, 12.0 - 20.0, -16.0
+    assert_close(got, expected)
 
 
 @exercise("16.6", fine_print=True)
@@ -216,7 +347,9 @@ def test_small_faces_turn_faster(impl):
 
 @exercise("16.6")
 def test_gradients_of_normals_are_central_differences(impl, rng):
-    """Faces at a vertex are averaged by number, not by area; or only one corner moves them."""
+    """Faces at a vertex are averaged by number, not by area, or their shares do not add up; or one
+    corner alone moves a face.
+    """
     vertices, faces = mesh.icosphere(20)
     vertices = vertices * [1.0, 1.5, 2.0] + rng.normal(scale=0.1, size=vertices.shape)
 
@@ -236,16 +369,32 @@ def test_gradients_of_normals_are_central_differences(impl, rng):
 
 @exercise("16.8")
 def test_the_gradient_of_the_loss_on_paper(impl):
-    """The 2, the sign, or what a mean divides by."""
-    picture, target = np.zeros((2, 1, 4)), np.zeros((2, 1, 4))
-    picture[1, 0], target[0, 0] = [3.0, 0, 0, 1], [0, 6.0, 0, 2]
-    expected = np.array([[[0, -20.0, 0, -100]], [[10.0, 0, 0, 50]]])
-    assert_close(impl.picture_loss_backward(10.0, picture, target, 5.0), expected)
+    """The 2 of the square, grad_loss or the weight is missing, the weight is at the colours, or the
+    sign is that of target - picture. Each mean is over its own numbers: a mean over all four, or a
+    sum, is not.
+    """
+    difference = np.array([[[1.0, -2, 3, 4], [5, 6, -7, 8], [9, -1, 2, -3]],
+                           [[-4, 5, 6, 7], [8, 9, -2, 1], [3, -5, 4, 6]]])
+    target = np.linspace(-3, 2, 24).reshape(2, 3, 4)
+    # 2 * 9 / (3 * 6) = 1 for the colours of 6 pixels, and 2 * 9 * 7 / 6 = 21 for coverage.
+    got = impl.picture_loss_backward(9.0, target + difference, target, 7.0)
+    assert_close(got, difference * [1, 1, 1, 21])
+
+
+@exercise("16.8")
+def test_the_loss_of_several_pictures_has_one_mean_on_paper(impl):
+    """The number of pixels is that of one picture, H W, though several pictures are given: the mean
+    is over all pictures.
+    """
+    difference = np.arange(1.0, 97).reshape(4, 3, 2, 4)  # 24 pixels in 4 pictures
+    target = np.linspace(-3, 2, 96).reshape(4, 3, 2, 4)
+    got = impl.picture_loss_backward(36.0, target + difference, target, 7.0)
+    assert_close(got, difference * [1, 1, 1, 21])
 
 
 @exercise("16.8")
 def test_the_gradient_of_the_loss_is_central_differences(impl, rng):
-    """A channel is left out."""
+    """A channel or a pixel is left out."""
     picture, target = rng.uniform(0, 1, (2, 4, 3, 4))
 
     def forward(picture):
@@ -260,15 +409,27 @@ def test_the_gradient_of_the_loss_is_central_differences(impl, rng):
 
 @exercise("16.9")
 def test_the_level_on_paper(impl):
-    """The nearer end gets less; a sign; or an end of several vertices gets the last one's share."""
-    ends, distance = np.array([[1, 0], [1, 3], [4, 3]]), np.array([3.0, -1.0, 7.0, 0.0, -2.0])
-    got = impl.level_backward(np.array([8.0, 10.0, 100.0]), ends, distance)
-    assert_close(got, np.array([2.0, 6.0, 0.0, 110.0, 0.0]))
+    """The ends' shares are swapped: the nearer end is to get more. t has the wrong sign. An end of
+    several vertices keeps the last one's share. Or t is differentiated, too: it is to be held.
+    """
+    ends = np.array([[1, 0], [1, 3], [4, 3], [2, 5]])
+    distance = np.array([3.0, -1.0, -2.0, 4.0, -6.0, 0.5])  # t = 1/4, 1/5, 3/5, 4/5
+    got = impl.level_backward(np.array([8.0, 10.0, 100.0, -5.0]), ends, distance)
+    assert_close(got, np.array([2.0, 6.0 + 8.0, -1.0, 2.0 + 60.0, 40.0, -4.0]))
+
+
+@exercise("16.9")
+def test_the_level_where_the_surface_meets_a_point_of_the_grid(impl):
+    """A distance of 0 is divided by, or its end gets less than all."""
+    got = impl.level_backward(np.array([10.0]), np.array([[1, 2]]), np.array([5.0, -1.0, 0.0, 3.0]))
+    assert_close(got, np.array([0.0, 0.0, 10.0, 0.0]))
 
 
 @exercise("16.9")
 def test_the_level_where_the_vertex_is_held(impl, rng):
-    """It is the gradient of a point that goes along, which is 0; or s is taken by its size."""
+    """t is differentiated, too: it is to be held, as s of a vertex that goes along is always 0. Or
+    |s| is taken for s.
+    """
     ends = np.array([[a, b] for a, b in itertools.product(range(3), range(3, 8)) if (a + b) % 3])
     distance = np.concatenate([-rng.uniform(0.2, 2, 3), rng.uniform(0.2, 2, 6)])
     part = np.array([distance[a] / (distance[a] - distance[b]) for a, b in ends])
@@ -297,20 +458,40 @@ def changes(distance, edges):
 
 
 @exercise("16.10")
-def test_sign_changes_on_paper(impl):
-    """Edges count that are not crossed; one end of the two is left out; or it is a mean."""
+def test_one_sign_change_on_paper(impl):
+    """Each end is compared with its own sign and not with the other's: log(1 + exp(-|s|)), a minus
+    in the exponent. One of the two ends is left out. Or log or 1 + is missing.
+    """
+    distance = np.array([-1.0, 2.0, 5.0, -3.0, -2.5])
+    edges = np.array([[[0, 1]], [[2, 3]], [[4, 1]], [[2, 0]]])  # one at a time
+    got = np.array([impl.sign_changes(distance, edge) for edge in edges])
+    ends = np.log(1 + np.exp([[1.0, 2.0], [5.0, 3.0], [2.5, 2.0], [5.0, 1.0]]))
+    assert_close(got, ends.sum(1))
+
+
+@exercise("16.10")
+def test_an_edge_that_is_not_crossed_costs_nothing_on_paper(impl):
+    """All edges count, also those that are not crossed: both ends have the same sign."""
+    distance = np.array([-1.0, 2.0, 5.0, -3.0])
+    assert_close(impl.sign_changes(distance, np.array([[0, 3], [1, 2]])), 0.0)
+    expected = np.log((1 + np.exp(2.0)) * (1 + np.exp(3.0)))
+    assert_close(impl.sign_changes(distance, np.array([[0, 3], [3, 1], [1, 2]])), expected)
+
+
+@exercise("16.10")
+def test_sign_changes_add_up_on_paper(impl):
+    """It is a mean over the edges, or over the crossed ones, and not their sum; or each point
+    counts once, though it is an end of several edges.
+    """
     distance = np.array([-1.0, 1.0, 2.0, -3.0])
-    edges = np.array([[0, 1], [1, 2], [3, 0]])
-    assert_close(impl.sign_changes(distance, edges), 2 * np.log(1 + np.e))
-    edges = np.array([[0, 1], [1, 2], [2, 3]])
-    expected = np.log((1 + np.e)**2 * (1 + np.e**2) * (1 + np.e**3))
+    edges = np.array([[0, 1], [1, 2], [2, 3], [2, 0]])
+    expected = np.log((1 + np.e)**3 * (1 + np.e**2)**2 * (1 + np.e**3))
     assert_close(impl.sign_changes(distance, edges), expected)
-    assert_close(impl.sign_changes(distance, edges[1:2]), 0.0)
 
 
 @exercise("16.10", fine_print=True)
 def test_zero_has_the_sign_plus(impl):
-    """np.sign(0) = 0 is a sign of its own."""
+    """A distance of 0 has a sign of its own, as with np.sign, or counts as inside."""
     distance = np.array([0.0, -0.0, 1.0, -1.0])
     assert_close(impl.sign_changes(distance, np.array([[0, 1], [0, 2]])), 0.0)
     expected = np.log(2) + np.log(1 + np.e)
@@ -320,29 +501,34 @@ def test_zero_has_the_sign_plus(impl):
 
 @exercise("16.10")
 def test_sign_changes_edge_by_edge(impl, rng):
-    """The other end's sign is mistaken for one's own."""
+    """Right where an edge goes from inside to outside alone, or an edge from a point to itself, or
+    one that comes twice, counts otherwise.
+    """
     distance, edges = rng.normal(size=12), rng.integers(12, size=(40, 2))
     assert_close(impl.sign_changes(distance, edges), changes(distance, edges))
 
 
 @exercise("16.10", fine_print=True)
 def test_large_distances_do_not_overflow(impl):
-    """exp(1000) = inf."""
+    """exp(1000) overflows and is inf; np.logaddexp does not."""
     assert_close(impl.sign_changes(np.array([-1000.0, 2000.0]), np.array([[1, 0]])), 3000.0)
 
 
 @exercise("16.11")
 def test_gradients_of_sign_changes_on_paper(impl):
-    """A sign: the inside end must be pulled out, the outside end in; or an edge counts twice."""
-    distance = np.array([-np.log(4.0), np.log(3.0), -np.log(2.0), 5.0])
-    edges = np.array([[0, 1], [1, 2], [0, 2]])
+    """The sign: an inside end is to be pulled out, an outside end in. The slope is that of
+    log(1 + exp(-|s|)), exp(-|s|) in the numerator. A point of several edges counts once. Edges
+    that are not crossed count, or one end of each alone.
+    """
+    distance = np.log([1 / 4, 3, 1 / 2, 5, 9, 7])
+    edges = np.array([[0, 1], [1, 2], [0, 2], [3, 1], [0, 4], [0, 3], [5, 2]])
     got = impl.sign_changes_backward(60.0, distance, edges)
-    assert_close(got, np.array([-48.0, 90.0, -40.0, 0.0]))
+    assert_close(got, np.array([-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5]))
 
 
 @exercise("16.11", fine_print=True)
 def test_at_zero_and_far_away(impl):
-    """A distance of 0 has no slope; or exp overflows."""
+    """A distance of 0 has no slope, as np.sign is 0 there; or exp overflows for large distances."""
     distance, edges = np.array([0.0, -1000.0, 1000.0]), np.array([[0, 1], [2, 1], [0, 2]])
     got = impl.sign_changes_backward(2.0, distance, edges)
     assert_close(got, np.array([1.0, -4.0, 2.0]))
@@ -350,7 +536,7 @@ def test_at_zero_and_far_away(impl):
 
 @exercise("16.11")
 def test_gradients_of_sign_changes_are_central_differences(impl, rng):
-    """Ends of several edges get one edge's share."""
+    """Ends of several edges get one edge's share, or grad_changes is left out."""
     distance, edges = rng.normal(size=12), rng.integers(12, size=(40, 2))
 
     def backward(grad_changes, distance):
@@ -376,17 +562,25 @@ def grid_laplacian(m):
 
 @exercise("16.12")
 def test_spreading_on_paper(impl):
-    """Sums do not stay; the grid wraps around; or the amount is of the wrong power."""
-    x = np.array([[105.0], [0], [0], [0], [0], [0], [0], [0]])
-    expected = np.array([[36.0, 13, 13, 8, 13, 8, 8, 6]]).T
-    assert_close(impl.spread(x, 1.0), expected)
+    """It multiplies by I + amount * Laplacian; the inverse is asked for. The cosine has 2 pi k / m,
+    as where the grid wraps around. The axes are solved one after another, a product. Colours are
+    spread, too. norm or a sign is another.
+    """
+    # Undo x = y + 2 Laplacian(y). Point 1 = (0, 0, 1) has four neighbours, so has 21 = (2, 1, 0).
+    x, y = np.zeros((27, 2)), np.zeros((27, 2))
+    y[1], y[21] = [4.0, 5.0], [-3.0, 7.0]
+    x[1], x[21] = 9 * y[1], 9 * y[21]
+    x[[0, 2, 4, 10]], x[[12, 18, 22, 24]] = -2 * y[1], -2 * y[21]
+    assert_close(impl.spread(x, 2.0), y)
     assert_close(impl.spread(np.full(27, 4.0), 3.0), np.full(27, 4.0))
 
 
 @exercise("16.12")
 @pytest.mark.parametrize("m", [2, 3, 5])
 def test_spreading_solves_its_equation(impl, rng, m):
-    """The border's points count as if they had six neighbours; or sine and cosine."""
+    """The border's points count as if they had six neighbours, the cosine transform goes over the
+    colours, too, which it mixes, or its norm or kind is another.
+    """
     x = rng.normal(size=(m**3, 2))
     for amount in 0.0, 0.3, 7.0:
         y = impl.spread(x, amount)
@@ -396,7 +590,7 @@ def test_spreading_solves_its_equation(impl, rng, m):
 
 @exercise("16.12")
 def test_numbers_without_channels_and_many_channels(impl, rng):
-    """(G,) comes back as (G, 1); or channels are mixed with an axis of the grid."""
+    """(G,) comes back as (G, 1), or colours are mixed with each other or an axis of the grid."""
     x = rng.normal(size=(27, 3))
     together = impl.spread(x, 0.7)
     for k in range(3):
@@ -418,20 +612,32 @@ def test_a_large_grid_takes_no_minutes(impl):
 
 @exercise("16.13")
 def test_genus_on_paper(impl):
-    """V - E + F is taken for the genus; or a sign."""
+    """A ball: V - E + F, which is 2, is taken for the genus, each edge counts twice, once for
+    either face, or the two outputs are in the wrong order.
+    """
     tetrahedron = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
     assert_equal(impl.genus(tetrahedron), (1, 0))
 
 
 @exercise("16.13")
 def test_genus_of_a_ring(impl):
-    """V - E + F is not halved; a ball is right all the same."""
+    """V - E + F is not halved: twice the genus comes; or its sign is wrong. A ball is right all the
+    same.
+    """
     assert_equal(impl.genus(mesh.torus(100)[1]), (1, 1))
 
 
 @exercise("16.13")
+def test_numbers_that_no_face_names_are_no_vertices(impl):
+    """V is the greatest number of a vertex: numbers that no face names, unused ones, count too."""
+    assert_equal(impl.genus(3 + mesh.torus(36)[1]), (1, 1))
+    assert_equal(impl.genus(5 * mesh.icosphere(20)[1]), (1, 0))
+
+
+@exercise("16.13")
 def test_genus_of_several_pieces(impl):
-    """Each piece adds 2 to V - E + F; or vertices of no face count."""
+    """Each piece adds 2 to V - E + F, and is taken for a hole; or one piece is taken for granted.
+    """
     ball, ring = mesh.icosphere(20)[1], mesh.torus(36)[1]
     far = 5 + ball.max()
     assert_equal(impl.genus(np.concatenate([ring + 3, ring + 100])), (2, 2))
@@ -464,10 +670,13 @@ def block(cubes):
 
 @exercise("16.14")
 def test_the_scale_on_paper(impl):
-    """One factor for all colours; or the factor of the truth."""
-    found = np.array([[1.0, 2.0, 1.0], [1.0, 0.0, 2.0]])
-    truth = np.array([[3.0, 1.0, -1.0], [5.0, 7.0, 3.0]])
-    assert_close(impl.best_scale(found, truth), np.array([4.0, 0.5, 1.0]))
+    """One factor for all colours, sums over the colours and not the vertices, or found and truth
+    are exchanged: the squares are those of the truth. It is a mean of quotients, or of sums.
+    """
+    found = np.array([[1.0, 2.0, 1.0, 3.0], [2.0, 1.0, 2.0, -1.0], [2.0, -2.0, 4.0, 0.5]])
+    truth = np.array([[3.0, 1.0, 4.0, 2.0], [5.0, 7.0, 7.0, 1.0], [7.0, 0.0, 6.0, 0.25]])
+    # 27 / 9, 9 / 9, 42 / 21, 5.125 / 10.25
+    assert_close(impl.best_scale(found, truth), np.array([3.0, 1.0, 2.0, 0.5]))
 
 
 @exercise("16.14")

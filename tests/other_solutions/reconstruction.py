@@ -75,8 +75,8 @@ def vertex_normals_backward(grad_normals, vertices, faces):
 
 
 def picture_loss_backward(grad_loss, picture, target, weight):
-    each = np.array([2/3, 2/3, 2/3, 2 * weight]) / (picture.shape[0] * picture.shape[1])
-    return np.einsum("ijc,c->ijc", picture - target, grad_loss * each)
+    each = np.array([2/3, 2/3, 2/3, 2 * weight]) / np.prod(picture.shape[:-1])
+    return np.einsum("...c,c->...c", picture - target, grad_loss * each)
 
 
 def level_backward(grad_level, ends, distance):
