@@ -192,7 +192,7 @@ def times_an_input(got, expected, agrees, name, array):
     if array.dtype.kind != "f" or not array.ndim or not array.size or (
             not np.isfinite(array).all()):
         return
-    factors = [(name, array)]
+    factors = [(name, array), (name, array[..., None])]
     if array.shape[-1] in (2, 3, 4):
         factors += [(f"{name}[..., {k}]", array[..., k:k + 1]) for k in range(array.shape[-1])]
         factors += [(f"{name}[..., {k}]", array[..., k]) for k in range(array.shape[-1])]
