@@ -26,13 +26,13 @@ def text_map(got, expected):
 
 def draw(got, expected, distance):
     """Write expected | got | difference as a PNG to out/checks/ -> its path."""
+    path = places.check_picture("mismatch")
     distance = distance.reshape(*distance.shape[:2], -1).max(-1)
     panels = {"expected": colours(expected, expected, got), "got": colours(got, expected, got),
               "difference": difference_colours(distance)}
     worst = np.unravel_index(distance.argmax(), distance.shape)
     content = io.BytesIO()
     sheet(panels, worst).save(content, "PNG")
-    path = places.check_picture("mismatch")
     places.write_whole(path, content.getvalue())
     return path
 

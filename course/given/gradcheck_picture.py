@@ -8,6 +8,7 @@ from . import places
 
 def draw(part, rtol, name, steps, D, change):
     """Write analytic | numeric | difference | what is off | the worst sweep -> the path."""
+    path = places.check_picture(name)
     from matplotlib.figure import Figure  # here, so that a check that passes does not wait for it
 
     error, worst = part.error(), part.worst()
@@ -36,7 +37,7 @@ def draw(part, rtol, name, steps, D, change):
     curve.minorticks_off()
     curve.legend()
 
-    png, path = io.BytesIO(), places.check_picture(name)
+    png = io.BytesIO()
     figure.savefig(png)
     places.write_whole(path, png.getvalue())
     return path

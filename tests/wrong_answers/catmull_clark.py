@@ -2,269 +2,223 @@
 
 
 def catmull_clark_slow(vertices, corners, counts):
-    """the vertex rule weighs R once instead of twice
+    """r is the mean of the neighbours instead of the mean of the middles of the edges
 
-    told by: 2 R | 2R | factor 2 | twice & middles | weigh & twice | weigh & once
+    told by: middle & edge & R | midpoint & R | R & neighbour | R & ring | mean of the middles | mean of the neighbours | middle & vert
     """
-    faces = polygons(corners, counts)
+    polys = polygons(corners, counts)
     at_edge = faces_at_edges(corners, counts)
-    centres = np.array([vertices[face].mean(0) for face in faces])
+    centre = np.array([vertices[p].mean(0) for p in polys])
     moved = []
     for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
+        ring, rim = ring_of(v, at_edge)
         n = len(ring)
-        if along:
-            moved.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
-        elif n:
-            F = centres[[f for f, face in enumerate(faces) if v in face]].mean(0)
-            R = (vertices[v] + vertices[ring].mean(0)) / 2
-            moved.append((F + R + (n - 3) * vertices[v]) / n)
+        if rim:
+            moved.append(0.75 * vertices[v] + 0.125 * vertices[rim].sum(0))
+        elif n == 0:
+            moved.append(vertices[v])
+        else:
+            F = np.mean([centre[f] for f, p in enumerate(polys) if v in p], axis=0)
+            R = vertices[ring].mean(0)
+            moved.append((F + 2 * R + (n - 3) * vertices[v]) / n)
+    on_edges = []
+    for (a, b), its in at_edge:
+        s = vertices[a] + vertices[b]
+        on_edges.append(s / 2 if len(its) == 1 else (s + centre[its].sum(0)) / 4)
+    return np.concatenate([moved, on_edges, centre])
+
+
+def catmull_clark_slow(vertices, corners, counts):
+    """all edge points are plain middles of their edge, without the face points
+
+    told by: edge & middle & face point | edge & midpoint | edge & face point | edge & f_1 | (A + B) / 2 | 1/2 (A + B) | edge & plain & middle
+    """
+    polys = polygons(corners, counts)
+    at_edge = faces_at_edges(corners, counts)
+    centre = np.array([vertices[p].mean(0) for p in polys])
+    moved = []
+    for v in range(len(vertices)):
+        ring, rim = ring_of(v, at_edge)
+        if rim:
+            moved.append(0.75 * vertices[v] + 0.125 * vertices[rim].sum(0))
+        elif ring:
+            n = len(ring)
+            F = np.mean([centre[f] for f, p in enumerate(polys) if v in p], axis=0)
+            R = np.mean([(vertices[v] + vertices[o]) / 2 for o in ring], axis=0)
+            moved.append((F + 2 * R + (n - 3) * vertices[v]) / n)
         else:
             moved.append(vertices[v])
-    middles = []
-    for (a, b), near in at_edge:
-        if len(near) == 1:
-            middles.append((vertices[a] + vertices[b]) / 2)
-        else:
-            middles.append((vertices[a] + vertices[b] + centres[near].sum(0)) / 4)
-    return np.concatenate([moved, middles, centres])
+    on_edges = [(vertices[a] + vertices[b]) / 2 for (a, b), _ in at_edge]
+    return np.concatenate([moved, on_edges, centre])
 
 
 def catmull_clark_slow(vertices, corners, counts):
-    """R is the mean of the neighbours, not of the middles of the edges
+    """the face points stand before the edge points
 
-    told by: mean of the neighbours | mean of the ring | midpoint | middles | middle of & edge
+    told by: order & point | face points & before | face points & first | edge points & last | edge points & after | order & block
     """
-    faces = polygons(corners, counts)
+    polys = polygons(corners, counts)
     at_edge = faces_at_edges(corners, counts)
-    face_points = np.stack([vertices[face].mean(0) for face in faces])
-    points = []
+    centre = np.stack([vertices[p].sum(0) / len(p) for p in polys])
+    moved = np.array(vertices, float)
     for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
+        ring, rim = ring_of(v, at_edge)
+        if rim:
+            moved[v] = 3 / 4 * vertices[v] + 1 / 8 * vertices[rim].sum(0)
         elif ring:
-            F = face_points[[v in face for face in faces]].mean(0)
-            R = vertices[ring].mean(0)
-            points.append((F + 2 * R + (len(ring) - 3) * vertices[v]) / len(ring))
-        else:
-            points.append(vertices[v])
-    for edge, its_faces in at_edge:
-        ends = vertices[list(edge)].sum(0)
-        points.append(ends / 2 if len(its_faces) == 1 else
-                      (ends + face_points[its_faces].sum(0)) / 4)
-    return np.concatenate([points, face_points])
-
-
-def catmull_clark_slow(vertices, corners, counts):
-    """R is the mean of the new edge points of eq. (8), not of the middles of the edges
-
-    told by: edge point | eq. (8) | middles | midpoint | middle of & edge
-    """
-    faces = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    face_points = np.stack([vertices[face].mean(0) for face in faces])
-    edge_points = {}
-    for (a, b), its_faces in at_edge:
+            n = len(ring)
+            F = centre[[v in p for p in polys]].mean(0)
+            R = (vertices[v] + vertices[ring].mean(0)) / 2
+            moved[v] = (F + 2 * R + (n - 3) * vertices[v]) / n
+    on_edges = []
+    for (a, b), its in at_edge:
         s = vertices[a] + vertices[b]
-        edge_points[a, b] = (s / 2 if len(its_faces) == 1
-                             else (s + face_points[its_faces].sum(0)) / 4)
-    points = []
-    for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
-        elif ring:
-            F = face_points[[v in face for face in faces]].mean(0)
-            R = np.mean([edge_points[min(v, o), max(v, o)] for o in ring], axis=0)
-            points.append((F + 2 * R + (len(ring) - 3) * vertices[v]) / len(ring))
-        else:
-            points.append(vertices[v])
-    points += [edge_points[edge] for edge, _ in at_edge]
-    return np.concatenate([points, face_points])
-
-
-def catmull_clark_slow(vertices, corners, counts):
-    """boundary edges take the mean with their single face point: (A + B + f) / 3 instead of (A + B) / 2
-
-    told by: boundary edge | edge & boundary | / 3 | one face & edge | 1/2 (A + B) | single face
-    """
-    faces = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    face_points = np.stack([vertices[face].mean(0) for face in faces])
-    points = []
-    for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
-        elif ring:
-            F = face_points[[v in face for face in faces]].mean(0)
-            R = ((vertices[v] + vertices[ring]) / 2).mean(0)
-            points.append((F + 2 * R + (len(ring) - 3) * vertices[v]) / len(ring))
-        else:
-            points.append(vertices[v])
-    for edge, its_faces in at_edge:
-        points.append(np.concatenate([vertices[list(edge)], face_points[its_faces]]).mean(0))
-    return np.concatenate([points, face_points])
-
-
-def catmull_clark_slow(vertices, corners, counts):
-    """the valence is fixed to 4, as in a regular grid: n is not counted
-
-    told by: valence | n = 4 | regular | quad grid | number of neighbours | length of the ring
-    """
-    faces = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    face_points = np.stack([vertices[face].mean(0) for face in faces])
-    points = []
-    for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
-        elif ring:
-            F = face_points[[v in face for face in faces]].mean(0)
-            R = ((vertices[v] + vertices[ring]) / 2).mean(0)
-            points.append((F + 2 * R + vertices[v]) / 4)
-        else:
-            points.append(vertices[v])
-    for edge, its_faces in at_edge:
-        ends = vertices[list(edge)].sum(0)
-        points.append(ends / 2 if len(its_faces) == 1 else
-                      (ends + face_points[its_faces].sum(0)) / 4)
-    return np.concatenate([points, face_points])
-
-
-def catmull_clark_slow(vertices, corners, counts):
-    """face points are summed corners over 4, also for faces that have another number of corners
-
-    told by: triangle & 4 | face point & 4 | number of corners | divided by 4 | face point & quad
-    """
-    faces = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    face_points = np.stack([vertices[face].sum(0) / 4 for face in faces])
-    points = []
-    for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
-        elif ring:
-            F = face_points[[v in face for face in faces]].mean(0)
-            R = ((vertices[v] + vertices[ring]) / 2).mean(0)
-            points.append((F + 2 * R + (len(ring) - 3) * vertices[v]) / len(ring))
-        else:
-            points.append(vertices[v])
-    for edge, its_faces in at_edge:
-        ends = vertices[list(edge)].sum(0)
-        points.append(ends / 2 if len(its_faces) == 1 else
-                      (ends + face_points[its_faces].sum(0)) / 4)
-    return np.concatenate([points, face_points])
+        on_edges.append(s / 2 if len(its) == 1 else (s + centre[its[0]] + centre[its[1]]) / 4)
+    return np.concatenate([moved, centre, on_edges])
 
 
 def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
-    """the weights are Loop's: 3/8 for the ends and 1/8 for the face points
+    """the columns of the face points are f instead of vertex_count + f, so they hit old vertices
 
-    told by: loop | 3/8 | 1/8 | weights & triangle scheme
+    told by: vertex_count + f | V + f | vertex_count & column | face point & column | offset | old vertex & column
     """
-    is_boundary = on_boundary(corner_edge)
-    every = np.arange(len(edges))
-    end_weight = np.where(is_boundary, 1 / 2, 3 / 8)
-    inside = ~is_boundary[corner_edge]
-    face_point = vertex_count + face_of_corner(counts)
-    return join((every, edges[:, 0], end_weight), (every, edges[:, 1], end_weight),
-                (corner_edge[inside], face_point[inside], np.full(inside.sum(), 1 / 8)))
+    rim = on_boundary(corner_edge)
+    r, c, weights = [], [], []
+    for e, (a, b) in enumerate(edges):
+        for end in (a, b):
+            r.append(e)
+            c.append(end)
+            weights.append(0.5 if rim[e] else 0.25)
+    for e, f in zip(corner_edge, face_of_corner(counts)):
+        if not rim[e]:
+            r.append(e)
+            c.append(f)
+            weights.append(0.25)
+    return np.array(r), np.array(c), np.array(weights)
 
 
 def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
-    """each pull is 1/n instead of 1/n^2
+    """neighbours pull by 2 / n^2: that the middle of an edge is only half way to them is forgotten
 
-    told by: n^2 | n**2 | squared | 1/n instead | n times
+    told by: half way | halfway | midpoint | 2 / n^2 | 2/n^2 | twice & neighbour | middle & neighbour
     """
-    u = 1 / np.maximum(n, 1)
+    safe = np.where(n > 0, n, 1)
+    strong = 2.0 / safe**2
     inside = ~np.isin(corners, edges[is_boundary])
-    face_point = len(n) + face_of_corner(counts)
-    return join(vertex_rows(edges, is_boundary, u, 1 / 8),
-                pull_entries(corners[inside], face_point[inside], u[corners[inside]]))
-
-
-def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
-    """face points pull at boundary vertices as well
-
-    told by: boundary & face point | boundary & face | boundary vert & pull | boundary & inside
-    """
-    u = 1 / np.maximum(n, 1) ** 2
-    face_point = len(n) + face_of_corner(counts)
-    return join(vertex_rows(edges, is_boundary, u, 1 / 8),
-                pull_entries(corners, face_point, u[corners]))
-
-
-def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
-    """the neighbours pull with 2/n^2: that R is a middle, half way to the neighbour, is forgotten
-
-    told by: 2/n^2 | half way | halfway | middle | twice & neighbour | neighbour & half
-    """
-    valence = np.maximum(n, 1)
-    u = 1 / valence / valence
-    inside = ~np.isin(corners, edges[is_boundary])
-    face_point = len(n) + face_of_corner(counts)
-    return join(vertex_rows(edges, is_boundary, 2 * u, 1 / 8),
-                pull_entries(corners[inside], face_point[inside], u[corners[inside]]))
+    here = corners[inside]
+    to_face = len(n) + face_of_corner(counts)[inside]
+    return join(vertex_rows(edges, is_boundary, strong, 1 / 8),
+                pull_entries(here, to_face, 1.0 / safe[here]**2))
 
 
 def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
-    """the edges ahead and behind are exchanged, so the quads are wound the other way
+    """the edges ahead and behind are exchanged, so the quads are wound the other way round
 
-    told by: ahead & behind | wound | winding | orientation | clockwise | exchang & edge
+    told by: ahead & behind | wound | winding | clockwise | orient | other way round | exchang & edge
     """
-    ahead = vertex_count + corner_edge
-    behind = np.zeros_like(ahead)
-    behind[next_corner(counts)] = ahead
     middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
-    return np.stack([corners, behind, middle, ahead], axis=1)
-
-
-def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
-    """the edge behind is taken as the previous entry of corner_edge, across the borders of the faces
-
-    told by: np.roll | roll & face | first corner & face | previous face | face & border | behind & face
-    """
-    ahead = vertex_count + corner_edge
-    behind = np.roll(ahead, 1)
-    middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
-    return np.stack([corners, ahead, middle, behind], axis=1)
-
-
-def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
-    """the number of edges is taken as that of the corners, although two faces share an edge
-
-    told by: number of edges | edge count | number of corners | len(corner_edge) | share & edge
-    """
-    ahead = vertex_count + corner_edge
-    behind = np.empty_like(ahead)
-    behind[next_corner(counts)] = ahead
-    face_vertex = vertex_count + len(corner_edge)
-    quads = []
-    c = 0
-    for f in range(len(counts)):
-        for _ in range(counts[f]):
-            quads.append([corners[c], ahead[c], face_vertex + f, behind[c]])
-            c += 1
-    return np.array(quads)
+    before = np.empty_like(corner_edge)
+    before[next_corner(counts)] = corner_edge
+    return np.stack([corners, vertex_count + before, middle, vertex_count + corner_edge], axis=1)
 
 
 def catmull_clark_limit_rows(edges, is_boundary, quads, n):
-    """on the boundary w is 1/8, that of a step, instead of 1/6, that of the limit
+    """the next corner of a quad is taken for the diagonal one
 
-    told by: 1/6 | 1/8 | boundary & limit | step & limit
+    told by: diagonal | across | opposite corner | next corner | two corners on | roll
     """
     u = 1 / (np.maximum(n, 1) * (n + 5))
-    rim = np.zeros(len(n), bool)
-    rim[edges[is_boundary].ravel()] = True
-    rows, columns = [], []
-    for quad in quads:
+    rim = set(edges[is_boundary].ravel().tolist())
+    here, there = [], []
+    for quad in quads.tolist():
         for k in range(4):
-            if not rim[quad[k]]:
-                rows.append(quad[k])
-                columns.append(quad[k - 2])
-    rows, columns = np.array(rows, int), np.array(columns, int)
-    return join(vertex_rows(edges, is_boundary, 4 * u, 1 / 8),
-                pull_entries(rows, columns, u[rows]))
+            if quad[k] not in rim:
+                here.append(quad[k])
+                there.append(quad[(k + 1) % 4])
+    here, there = np.array(here, int), np.array(there, int)
+    return join(vertex_rows(edges, is_boundary, 4 * u, 1 / 6), pull_entries(here, there, u[here]))
+
+
+def catmull_clark_slow(vertices, corners, counts):
+    """the points are returned in another order: old vertices, face points, edge points
+
+    told by: order & points | edge points & face points & exchang | face points & before | edges & then & faces | face points & last
+    """
+    faces = polygons(corners, counts)
+    at_edge = faces_at_edges(corners, counts)
+    V, F, E = len(vertices), len(faces), len(at_edge)
+    out = np.zeros((V + F + E, vertices.shape[1]))
+    for f, face in enumerate(faces):
+        out[V + f] = sum(vertices[v] for v in face) / len(face)
+    for v in range(V):
+        ring, along = ring_of(v, at_edge)
+        n = len(ring)
+        if along:
+            out[v] = 3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0)
+        elif n > 0:
+            around = [V + f for f in range(F) if v in faces[f]]
+            R = (vertices[v] + vertices[ring].mean(0)) / 2
+            out[v] = (out[around].mean(0) + 2 * R + (n - 3) * vertices[v]) / n
+        else:
+            out[v] = vertices[v]
+    for e, (edge, its_faces) in enumerate(at_edge):
+        ends = vertices[list(edge)].sum(0)
+        if len(its_faces) == 2:
+            out[V + F + e] = (ends + out[V + its_faces[0]] + out[V + its_faces[1]]) / 4
+        else:
+            out[V + F + e] = ends / 2
+    return out
+
+
+def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
+    """the face points' columns do not begin after the old vertices: vertex_count is not added
+
+    told by: vertex_count | column & face point | not added | offset | after the old vertices
+    """
+    is_boundary = on_boundary(corner_edge)
+    every = np.arange(len(edges))
+    k = np.where(is_boundary, 1 / 2, 1 / 4)
+    inside = ~is_boundary[corner_edge]
+    face = face_of_corner(counts)[inside]
+    return join((every, edges[:, 0], k), (every, edges[:, 1], k),
+                (corner_edge[inside], face, np.full(len(face), 1 / 4)))
+
+
+def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
+    """boundary edges have the weights of inner ones: 1/4 for the ends and for the one face point
+
+    told by: boundary & 1/4 | boundary & 1/2 | boundary & half | boundary & face point | boundary & inner | 3/4
+    """
+    rows, columns = [], []
+    for e in range(len(edges)):
+        rows += [e, e]
+        columns += [edges[e, 0], edges[e, 1]]
+    face = face_of_corner(counts)
+    for c in range(len(corner_edge)):
+        rows.append(corner_edge[c])
+        columns.append(vertex_count + face[c])
+    return np.array(rows), np.array(columns), np.full(len(rows), 1 / 4)
+
+
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):
+    """a quad's neighbouring corner is taken for the diagonal one: rolled by 1 instead of 2
+
+    told by: diagonal & neighbour | roll & 1 | next corner | opposite corner | two corners | diagonal & adjacent
+    """
+    u = 1 / (np.maximum(n, 1) * (n + 5))
+    inside = ~np.isin(quads, edges[is_boundary])
+    across = np.roll(quads, 1, axis=1)
+    return join(vertex_rows(edges, is_boundary, 4 * u, 1 / 6),
+                pull_entries(quads[inside], across[inside], u[quads[inside]]))
+
+
+def catmull_clark_limit_rows(edges, is_boundary, quads, n):
+    """the neighbours' factor 4 is missing
+
+    told by: factor 4 | 4 sum(ring) | 4 times | neighbour & 4 | ring & 4 | four times
+    """
+    safe = np.maximum(n, 1)
+    u = 1 / (safe * (safe + 5))
+    inside = ~np.isin(quads, edges[is_boundary])
+    start, end = quads[inside], quads[:, [2, 3, 0, 1]][inside]
+    return join(vertex_rows(edges, is_boundary, u, 1 / 6), pull_entries(start, end, u[start]))

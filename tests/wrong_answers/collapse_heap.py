@@ -2,59 +2,42 @@
 
 
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """a refused entry is thrown away instead of waiting
+    """every collapse is counted as two faces, but at the boundary only one goes
 
-    told by: wait | thrown away | put_back | put back | dropped | discarded | never tried again | lost
+    told by: two faces | 2 faces | one face | how many faces | boundary & count | count & went | merge & count
     """
     state = start(vertices, faces, quadrics, pairs)
     left = len(faces)
     refused = np.zeros(3, int)
     while left > face_count and has_cheapest(state):
+        top = heapq.heappop(state.heap)
+        a, b, place = top[1], top[2], np.array(top[4])
+        why = why_refused(state.vertices, rows_around(state, a, b), a, b, place)
+        if why == 0:
+            collapse(state, top)
+            left -= 2
+            continue
+        refused[why - 1] += 1
+        wait(state, top)
+    return state.vertices, open_faces(state), refused
+
+
+def simplify_heap(vertices, faces, quadrics, pairs, face_count):
+    """pops the heap without has_cheapest, so entries that are out of date are collapsed
+
+    told by: has_cheapest | out of date | outdated | stale | up to date | lazy | old entries
+    """
+    state = start(vertices, faces, quadrics, pairs)
+    left, refused = len(faces), np.zeros(3, int)
+    while left > face_count and state.heap:
         entry = heapq.heappop(state.heap)
-        a, b, place = entry[1], entry[2], np.array(entry[4])
-        reason = why_refused(state.vertices, rows_around(state, a, b), a, b, place)
+        _, a, b, _, place = entry
+        if state.became[a] != a or state.became[b] != b:
+            continue
+        reason = why_refused(state.vertices, rows_around(state, a, b), a, b, np.array(place))
         if reason:
             refused[reason - 1] += 1
-            continue
-        left -= collapse(state, entry)
-    return state.vertices, open_faces(state), refused
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """counts all rows at first, with the faces to outside, so too many collapses follow
-
-    told by: outside | boundary faces | state.rows | first count | closing faces | too many & boundary
-    """
-    state = start(vertices, faces, quadrics, pairs)
-    refused = np.zeros(3, int)
-    number = len(state.rows)
-    while number > face_count and has_cheapest(state):
-        entry = heapq.heappop(state.heap)
-        _, a, b, _, place = entry
-        why = why_refused(state.vertices, rows_around(state, a, b), a, b, np.array(place))
-        if why > 0:
-            refused[why - 1] += 1
             wait(state, entry)
         else:
-            number -= collapse(state, entry)
-    return state.vertices, open_faces(state), refused
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """refused is indexed by the reason itself, which starts at 1: each count is one place too late
-
-    told by: reason - 1 | starts at 1 | start at 1 | off by one | one place | index & reason | shifted | from 1
-    """
-    state = start(vertices, faces, quadrics, pairs)
-    left = len(faces)
-    refused = np.zeros(3, int)
-    while left > face_count and has_cheapest(state):
-        entry = heapq.heappop(state.heap)
-        _, a, b, _, place = entry
-        reason = why_refused(state.vertices, rows_around(state, a, b), a, b, np.array(place))
-        if reason == 0:
             left -= collapse(state, entry)
-        else:
-            refused[reason % 3] += 1
-            wait(state, entry)
     return state.vertices, open_faces(state), refused

@@ -4,350 +4,396 @@
 def squared_error_backward(grad_loss, picture, target):
     """the factor 2 of the square's derivative is missing
 
-    told by: factor 2 | half | factor of 2 | factor of two | twice | times 2
+    told by: factor & 2 | half | twice | factor & two | 0.5 | 1/2 | 2 (I - T)
     """
     return grad_loss * (picture - target) / picture.size
 
 
 def squared_error_backward(grad_loss, picture, target):
-    """divided by the number of pixels only, not by the number of all values with the channels
+    """the sign is wrong: it has target - picture
 
-    told by: channels | number of pixels | per pixel | H W
+    told by: sign | minus | negat | target - picture | opposite
+    """
+    return 2 * grad_loss / np.size(target) * (target - picture)
+
+
+def squared_error_backward(grad_loss, picture, target):
+    """it divides by the number of pixels only, but the mean is also over the channels
+
+    told by: channel | number of pixels | picture.size | last axis | count & mean
     """
     pixels = np.prod(picture.shape[:-1])
     return grad_loss * 2 * (picture - target) / pixels
 
 
-def squared_error_backward(grad_loss, picture, target):
-    """not divided by the number of values: the derivative of the sum, not of the mean
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
+    """the correction by 1 - b^n is missing, so the means are too small at first
 
-    told by: mean | number of values | sum instead | not divided | divide by | derivative of the sum
+    told by: correct | bias | 1 - b | m^ | too small & first | first steps | m-hat | 1 - b1^n
     """
-    return grad_loss * 2 * (picture - target)
-
-
-def squared_error_backward(grad_loss, picture, target):
-    """the squared difference is used where the difference belongs
-
-    told by: squared diff | square of the diff | power | difference & squared | quadratic
-    """
-    grad = np.zeros(picture.shape)
-    for index in np.ndindex(*picture.shape):
-        grad[index] = 2 * grad_loss * (picture[index] - target[index])**2 / picture.size
-    return grad
+    b1, b2, tiny = constants
+    m = b1 * mean + (1 - b1) * grad_x
+    s = b2 * square + (1 - b2) * grad_x * grad_x
+    return x - rate * m / (np.sqrt(s) + tiny), m, s
 
 
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """the corrected m^ and s^ are returned in place of m' and s', so that the next step corrects them again
+    """it returns the corrected m^ and s^ in the place of m' and s', so the next step corrects them again
 
-    told by: return & corrected | corrected & instead | corrected & in place of | corrected twice | keeps the corrected | corrects them again
+    told by: correct & return | return & m^ | m^ & m' | corrected & instead | corrected mean | before the correction | uncorrected | already corrected | mean & 1 - b
     """
-    b1, b2, eps = constants
-    m = (b1 * mean + (1 - b1) * grad_x) / (1 - b1**step)
-    s = (b2 * square + (1 - b2) * grad_x**2) / (1 - b2**step)
-    return x - rate * m / (np.sqrt(s) + eps), m, s
+    b1, b2, tiny = constants
+    mean = (b1 * mean + (1 - b1) * grad_x) / (1 - b1**step)
+    square = (b2 * square + (1 - b2) * grad_x**2) / (1 - b2**step)
+    return x - rate * mean / (np.sqrt(square) + tiny), mean, square
 
 
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """epsilon is added inside of the square root
+    """it divides by s^ instead of by its square root
 
-    told by: epsilon & root | epsilon & inside | epsilon & sqrt | sqrt(s^ + epsilon) | epsilon & under
+    told by: square root | root of | sqrt | by s^ itself | s^ & instead
     """
-    b1, b2, eps = constants
-    mean = b1 * mean + (1 - b1) * grad_x
-    square = b2 * square + (1 - b2) * grad_x * grad_x
-    m_hat, s_hat = mean / (1 - b1**step), square / (1 - b2**step)
-    return x - rate * m_hat / np.sqrt(s_hat + eps), mean, square
-
-
-def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """b1 and 1 - b1 are exchanged, as are b2 and 1 - b2
-
-    told by: 1 - b1 & exchanged | weights & exchanged | swapped | old and new | b1 g | mixed up
-    """
-    b1, b2, eps = constants
-    mean = (1 - b1) * mean + b1 * grad_x
-    square = (1 - b2) * square + b2 * grad_x**2
-    m_hat = mean / (1 - b1**step)
-    s_hat = square / (1 - b2**step)
-    return x - rate * m_hat / (np.sqrt(s_hat) + eps), mean, square
+    b1, b2, tiny = constants
+    m = mean + (1 - b1) * (grad_x - mean)
+    s = square + (1 - b2) * (grad_x**2 - square)
+    m_hat, s_hat = m / (1 - b1**step), s / (1 - b2**step)
+    return x - rate * m_hat / (s_hat + tiny), m, s
 
 
 def quaternion_product(p, q):
-    """the factors are exchanged: q p instead of p q, so that the cross product has the other sign
+    """it is the product q p: the factors are in the wrong order
 
-    told by: q p | factors & exchanged | swapped | revers | order of the factors | cross product & sign
+    told by: product q p | order | revers | swap | exchang | commut | cross & sign
     """
-    w = p[..., 0] * q[..., 0] - (p[..., 1:] * q[..., 1:]).sum(-1)
-    u = p[..., :1] * q[..., 1:] + q[..., :1] * p[..., 1:] - np.cross(p[..., 1:], q[..., 1:])
-    return np.concatenate([w[..., None], u], -1)
-
-
-def quaternion_product(p, q):
-    """the squares of i, j, k count as +1 in w
-
-    told by: squares of i | squares & -1 | sign & dot | counts as +1 | count as +1 | i^2
-    """
-    pw, px, py, pz = np.moveaxis(p, -1, 0)
-    qw, qx, qy, qz = np.moveaxis(q, -1, 0)
-    return np.stack([pw * qw + px * qx + py * qy + pz * qz,
-                     pw * qx + px * qw + py * qz - pz * qy,
-                     pw * qy + py * qw + pz * qx - px * qz,
-                     pw * qz + pz * qw + px * qy - py * qx], -1)
+    p, q = np.broadcast_arrays(p, q)
+    pw, qw, u, v = p[..., :1], q[..., :1], p[..., 1:], q[..., 1:]
+    real = pw * qw - (u * v).sum(-1, keepdims=True)
+    rest = pw * v + qw * u + np.cross(v, u)
+    return np.concatenate([real, rest], -1)
 
 
 def quaternion_matrix(q):
-    """the transpose: it rotates the other way, as for points that are row vectors
+    """it divides by |q|, not by |q|^2
 
-    told by: transpos | other way | inverse rotation | row vector | opposite direction | backwards
+    told by: |q|^2 | squared length | length & squar | norm & squar | |q| & divi | length | normali
     """
-    w, x, y, z = q / np.linalg.norm(q)
-    m = np.eye(4)
-    m[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
-                 [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
-                 [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)]]
-    return m
-
-
-def quaternion_matrix(q):
-    """q is not normalised: only length 1 is right
-
-    told by: normali | length | unit quaternion | scale
-    """
-    w, x, y, z = q
-    return np.array([
-        [1 - 2 * (y**2 + z**2), 2 * (x * y - w * z), 2 * (x * z + w * y), 0],
-        [2 * (x * y + w * z), 1 - 2 * (x**2 + z**2), 2 * (y * z - w * x), 0],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x**2 + y**2), 0],
-        [0, 0, 0, 1]])
-
-
-def quaternion_matrix(q):
-    """w is taken to be the last of the four numbers, (x, y, z, w)
-
-    told by: (x, y, z, w) | w comes last | scalar last | order of the numbers | w is first | scalar & last
-    """
-    x, y, z, w = q / np.sqrt((q * q).sum())
-    m = np.eye(4)
-    m[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                 [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                 [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
-    return m
-
-
-def quaternion_matrix(q):
-    """only q v without the q* behind it: the rotation is one-sided
-
-    told by: q* | conjugate | only q v | one-sided | half the angle | second product
-    """
-    q = q / np.linalg.norm(q)
     matrix = np.eye(4)
-    for k in range(3):
-        v = np.zeros(4)
-        v[k + 1] = 1.0
-        matrix[:3, k] = quaternion_product(q, v)[1:]
+    K = cross_matrix(q[1:])
+    matrix[:3, :3] += 2 * (q[0] * K + K @ K) / np.linalg.norm(q)
     return matrix
 
 
 def quaternion_matrix(q):
-    """divided by the length |q|, not by its square
+    """it rotates the other way: the matrix is transposed, as for q* v q
 
-    told by: square & length | divided by & length | length squared | norm
+    told by: transpos | other way | inverse | q* v q | opposite & rotat | opposite & direction | backward | row vector | wrong direction | wrong way
     """
-    matrix = np.eye(4)
-    conjugate = q * np.array([1, -1, -1, -1])
-    for k in range(3):
-        v = np.zeros(4)
-        v[k + 1] = 1.0
-        matrix[:3, k] = quaternion_product(quaternion_product(q, v), conjugate)[1:]
-    matrix[:3, :3] /= np.linalg.norm(q)
-    return matrix
+    w, x, y, z = q / np.sqrt((q**2).sum())
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0],
+                     [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0],
+                     [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y), 0],
+                     [0, 0, 0, 1]])
 
 
 def quaternion_matrix(q):
-    """a matrix (3, 3) without the homogeneous row and column
+    """the real part w is taken to be the last number of q, not the first
 
-    told by: shape | (3, 3) | homogeneous | 3 x 3 | 4 x 4 | (4, 4)
+    told by: (x, y, z, w) | w & last | w & first | real part | scalar & last | order & q | w comes
     """
-    K = cross_matrix(q[1:])
-    return np.eye(3) + 2 / (q @ q) * (q[0] * K + K @ K)
+    matrix = np.identity(4)
+    unit = q / np.linalg.norm(q)
+    conjugate = unit * [-1, -1, -1, 1]
+
+    def product(p, r):
+        return np.append(p[3] * r[:3] + r[3] * p[:3] + np.cross(p[:3], r[:3]),
+                         p[3] * r[3] - p[:3] @ r[:3])
+
+    for axis in range(3):
+        v = np.zeros(4)
+        v[axis] = 1
+        matrix[:3, axis] = product(product(unit, v), conjugate)[:3]
+    return matrix
 
 
 def quaternion_matrix_backward(grad_matrix, q):
-    """the length's share is left out: grad_q is not at right angles to q
+    """the derivative of 2 / |q|^2 is left out, so grad_q is not at right angles to q
 
-    told by: length | right angles | normali | perpendicular | orthogonal | along q
+    told by: right angle | length | |q|^2 | normali | perpendicular | orthogonal | along q
     """
-    G = grad_matrix[:3, :3]
-    K = cross_matrix(q[1:])
-    s = 2 / (q @ q)
-    grad_K = s * (q[0] * G + G @ K.T + K.T @ G)
-    return np.array([s * (G * K).sum(), grad_K[2, 1] - grad_K[1, 2],
-                     grad_K[0, 2] - grad_K[2, 0], grad_K[1, 0] - grad_K[0, 1]])
-
-
-def quaternion_matrix_backward(grad_matrix, q):
-    """the gradient of the transposed matrix: x, y and z have the wrong sign in the terms with w
-
-    told by: transpos | inverse rotation | other way | terms with w | rows & columns
-    """
-    G = grad_matrix[:3, :3].T
-    K = cross_matrix(q[1:])
-    s = 2 / (q @ q)
-    w = q[0]
-    grad_K = s * (w * G + G @ K.T + K.T @ G)
-    grad_xyz = [grad_K[2, 1] - grad_K[1, 2], grad_K[0, 2] - grad_K[2, 0],
-                grad_K[1, 0] - grad_K[0, 1]]
-    return np.append(s * (G * K).sum(), grad_xyz) - s**2 * (G * (w * K + K @ K)).sum() * q
-
-
-def quaternion_matrix_backward(grad_matrix, q):
-    """the product rule's second term is left out: K K is derived like K times a constant
-
-    told by: product rule | K K | second term | both factors | quadratic
-    """
-    G = grad_matrix[:3, :3]
-    K = cross_matrix(q[1:])
-    s = 2 / (q @ q)
-    grad_K = s * (q[0] * G + G @ K.T)
-    grad_xyz = [grad_K[2, 1] - grad_K[1, 2], grad_K[0, 2] - grad_K[2, 0],
-                grad_K[1, 0] - grad_K[0, 1]]
-    direct = np.append(s * (G * K).sum(), grad_xyz)
-    return direct - s**2 * (G * (q[0] * K + K @ K)).sum() * q
+    R = grad_matrix[:3, :3]
+    w, K, s = q[0], cross_matrix(q[1:]), 2 / np.sum(q**2)
+    by_K = w * R + R @ K.T + K.T @ R
+    grad = [np.sum(R * K), by_K[2, 1] - by_K[1, 2], by_K[0, 2] - by_K[2, 0],
+            by_K[1, 0] - by_K[0, 1]]
+    return s * np.array(grad)
 
 
 def rotation_angle(p, q):
-    """q and -q count as different rotations: the absolute value is missing, and angles go up to 2 pi
+    """it forgets that -q is the same rotation as q, so angles come out above pi
 
-    told by: and -q | absolute | same rotation | 2 pi | greater than pi | above pi
+    told by: -q | same rotation | above pi | greater than pi | more than pi | larger than pi | 2 pi | exceed | antipod | sign of q
     """
-    return 2 * np.arccos(np.clip(np.einsum("...i,...i", p, q), -1, 1))
+    apart = np.sqrt(((p - q)**2).sum(-1))
+    together = np.sqrt(((p + q)**2).sum(-1))
+    return 4 * np.arctan2(apart, together)
 
 
 def silhouette_loss(coverage, target):
-    """the union is the sum c + t: the intersection is counted twice
+    """the union is sum(c + t): the intersection is counted twice
 
-    told by: counted twice | union | c t | c + t | denominator | overlap
+    told by: c t & twice | intersection & twice | intersection & subtract | overlap & twice | union & twice | union & overlap | without & c t | dice
     """
-    overlap = np.sum(coverage * target)
-    return 1 - overlap / (np.sum(coverage) + np.sum(target))
+    both = np.sum(coverage * target)
+    return 1 - both / np.sum(coverage + target)
 
 
 def silhouette_loss(coverage, target):
-    """the mean of the pixels' own ratios instead of the ratio of the sums
+    """it takes the mean of each pixel's ratio, not the ratio of the sums
 
-    told by: ratio of | ratios | mean of the pixels | pixel by pixel | quotient of the sums | of the sums
+    told by: mean & ratio | mean & pixel | ratio & sum | each pixel | per pixel | per-pixel | average | pixel by pixel
     """
-    total, n = 0.0, 0
+    ratios = []
     for c, t in zip(np.ravel(coverage), np.ravel(target)):
         union = c + t - c * t
-        total += c * t / union if union > 0 else 1.0
-        n += 1
-    return 1 - total / n
+        ratios.append(c * t / union if union > 0 else 1.0)
+    return 1 - sum(ratios) / len(ratios)
 
 
 def silhouette_loss(coverage, target):
-    """intersection and union are those of fuzzy sets, minimum and maximum, not product and c + t - c t
+    """it returns the ratio of intersection to union itself, without 1 -
 
-    told by: minimum | maximum | max and min | fuzzy | product c t | min(
+    told by: 1 - & miss | without 1 - | 1 - & forg | 1 - & instead | 1 minus | one minus | iou itself | similarity | ratio itself | not the loss | from 1
     """
-    return 1 - np.minimum(coverage, target).sum() / np.maximum(coverage, target).sum()
+    product = coverage * target
+    return product.sum() / (coverage + target - product).sum()
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):
-    """the sign is flipped: the gradient of the IoU, not of 1 - IoU
+    """the union is taken as a constant: only the derivative of the intersection is there
 
-    told by: sign | minus | 1 - IoU | negat | uphill | opposite
+    told by: union & constant | union & depend | union & derivative | denominator | quotient | second term | only & intersection
     """
-    both = (coverage * target).sum()
-    either = (coverage + target - coverage * target).sum()
-    return grad_loss * (target / either - both / either**2 * (1 - target))
+    union = np.sum(coverage + target - coverage * target)
+    return -grad_loss * target / union
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):
-    """the derivative by target is returned: coverage and target are exchanged
+    """the derivative of the union is taken as 1 instead of 1 - t
 
-    told by: exchanged | swapped | with respect to target | by target | with respect to the target | by the target
+    told by: 1 - t | union & derivative | union & 1 | union & overlap | c t & union | 1 - target
     """
-    A = (coverage * target).sum()
-    U = (coverage + target - coverage * target).sum()
-    return grad_loss * (A * (1 - coverage) - U * coverage) / U**2
+    inter, union = 0.0, 0.0
+    for c, t in zip(coverage.flat, target.flat):
+        inter += c * t
+        union += c + t - c * t
+    return grad_loss * (inter - union * target) / union**2
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):
-    """the quotient rule's denominator is U, not U^2
+    """the union's term is divided by the union only once, not by its square
 
-    told by: U^2 | union squared | square of & union | denominator | divided by & union
+    told by: squar | U^2 | union^2 | divi & twice | divi & once | union & once | second power | ** 2
     """
-    A = (coverage * target).sum()
-    U = (coverage + target - coverage * target).sum()
-    return -grad_loss * (target * U - A * (1 - target)) / U
-
-
-def silhouette_loss_backward(grad_loss, coverage, target):
-    """grad_loss is forgotten
-
-    told by: grad_loss | chain rule | upstream | incoming
-    """
-    A = (coverage * target).sum()
-    U = (coverage + target - coverage * target).sum()
-    return -(target * U - A * (1 - target)) / U**2
+    both = np.sum(coverage * target)
+    either = np.sum(coverage + target) - both
+    return grad_loss * (both * (1 - target) / either - target / either)
 
 
 def uniform_laplacian(positions, edges):
-    """the sum over the neighbours instead of their mean: not divided by the valence
+    """each edge counts only for its first vertex: the way back, from the second to the first, is missing
 
-    told by: mean | valence | sum | divided | number of neighbours | degree
+    told by: direction | both ends | both vertices | one way | first vertex | second vertex | either order | one end | symmetr | revers & edge | one of their ends alone
     """
-    d = np.zeros(positions.shape)
-    for a, b in edges:
-        d[a] += positions[a] - positions[b]
-        d[b] += positions[b] - positions[a]
-    return d
-
-
-def uniform_laplacian(positions, edges):
-    """the sign is flipped: mean of the neighbours minus x_v
-
-    told by: sign | negat | minus | other way round | mean - x
-    """
-    n = len(positions)
-    A = np.zeros((n, n))
-    A[edges[:, 0], edges[:, 1]] = 1
-    A[edges[:, 1], edges[:, 0]] = 1
-    valence = A.sum(1, keepdims=True)
-    return np.where(valence > 0, A @ positions / np.maximum(valence, 1) - positions, 0)
-
-
-def uniform_laplacian(positions, edges):
-    """a vertex without edges keeps its position as d, not 0
-
-    told by: without edges | no edges | no neighbour | isolated | valence 0 | without neighbour
-    """
-    d = positions.astype(float)
+    result = np.zeros(np.shape(positions))
     for v in range(len(positions)):
-        near = [b if a == v else a for a, b in edges.tolist() if v in (a, b)]
-        if near:
-            d[v] = positions[v] - positions[near].mean(0)
-    return d
+        near = edges[edges[:, 0] == v, 1]
+        if len(near):
+            result[v] = positions[v] - positions[near].mean(0)
+    return result
 
 
 def uniform_laplacian_backward(grad_laplacian, positions, edges):
-    """the matrix instead of its transpose: the forward Laplacian of the gradient, divided by the valence of the receiving vertex
+    """it applies the forward pass again: each vertex divides by its own valence instead of its neighbour's
 
-    told by: transpos | symmetric | valence | forward | uniform_laplacian itself | receiv
+    told by: transpos | symmetr | forward | own valence | neighbour's valence | neighbours' valence | valence & neighbour | number of neighbours
     """
     return uniform_laplacian(grad_laplacian, edges)
 
 
-def uniform_laplacian_backward(grad_laplacian, positions, edges):
-    """a vertex without edges keeps its gradient, where it should get 0
+def squared_error_backward(grad_loss, picture, target):
+    """the sign: target - picture
 
-    told by: without edges | no edges | no neighbour | isolated | valence 0 | without neighbour
+    told by: sign | target - picture | negat | minus | other way round | uphill
     """
-    grad = grad_laplacian.astype(float)
+    diff = target - picture
+    return 2.0 / diff.size * grad_loss * diff
+
+
+def squared_error_backward(grad_loss, picture, target):
+    """grad_loss is forgotten
+
+    told by: grad_loss | chain rule | upstream | incoming
+    """
+    return 2 * (picture - target) / picture.size
+
+
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
+    """without the bias correction: m and s are used as they are
+
+    told by: bias | correct | began at 0 | too small | 1 - b1^n
+    """
+    b1, b2, eps = constants
+    mean = b1 * mean + (1 - b1) * grad_x
+    square = b2 * square + (1 - b2) * grad_x**2
+    return x - rate * mean / (np.sqrt(square) + eps), mean, square
+
+
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
+    """the step goes uphill: it is added to x
+
+    told by: uphill | downhill | sign | added to x | ascent | opposite direction
+    """
+    b1, b2, eps = constants
+    mean = b1 * mean + (1 - b1) * grad_x
+    square = b2 * square + (1 - b2) * grad_x**2
+    m_hat, s_hat = mean / (1 - b1**step), square / (1 - b2**step)
+    return x + rate * m_hat / (np.sqrt(s_hat) + eps), mean, square
+
+
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
+    """the bias correction counts the steps from 0: n + 1 in place of n
+
+    told by: n + 1 | step + 1 | off by one | counts the steps | one step late | next step
+    """
+    b1, b2, eps = constants
+    mean = b1 * mean + (1 - b1) * grad_x
+    square = b2 * square + (1 - b2) * grad_x**2
+    t = step + 1
+    return (x - rate * (mean / (1 - b1**t)) / (np.sqrt(square / (1 - b2**t)) + eps),
+            mean, square)
+
+
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
+    """mean and square are changed in place: the caller's arrays are overwritten
+
+    told by: in place | in-place | overwr | input | caller | copy
+    """
+    b1, b2, eps = constants
+    mean *= b1
+    mean += (1 - b1) * grad_x
+    square *= b2
+    square += (1 - b2) * grad_x**2
+    m_hat, s_hat = mean / (1 - b1**step), square / (1 - b2**step)
+    return x - rate * m_hat / (np.sqrt(s_hat) + eps), mean, square
+
+
+def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
+    """the square root of s^ is missing
+
+    told by: root | sqrt | s^ itself
+    """
+    b1, b2, eps = constants
+    m = b1 * mean + (1 - b1) * grad_x
+    s = b2 * square + (1 - b2) * grad_x**2
+    m_hat = m / (1 - b1**step)
+    s_hat = s / (1 - b2**step)
+    return x - rate * m_hat / (s_hat + eps), m, s
+
+
+def quaternion_product(p, q):
+    """w is taken to be the last of the four numbers, (x, y, z, w)
+
+    told by: (x, y, z, w) | w comes last | scalar last | order of the numbers | w is first | w comes first | scalar & last
+    """
+    px, py, pz, pw = np.moveaxis(p, -1, 0)
+    qx, qy, qz, qw = np.moveaxis(q, -1, 0)
+    return np.stack([pw * qx + px * qw + py * qz - pz * qy,
+                     pw * qy + py * qw + pz * qx - px * qz,
+                     pw * qz + pz * qw + px * qy - py * qx,
+                     pw * qw - px * qx - py * qy - pz * qz], -1)
+
+
+def rotation_angle(p, q):
+    """the angle between p and q as vectors of four numbers, half of the rotation's
+
+    told by: half | twice | factor 2 | double | factor of 2 | times 2
+    """
+    return np.arccos(np.clip(np.abs((p * q).sum(-1)), 0, 1))
+
+
+def rotation_angle(p, q):
+    """by arccos of the dot product, which loses the digits of small angles (fine print)
+
+    told by: arccos | digits | small angle | precision | rounding | tiny angle
+    """
+    return 2 * np.arccos(np.minimum(np.abs((p * q).sum(-1)), 1))
+
+
+def silhouette_loss(coverage, target):
+    """the intersection over union itself, without the 1 -
+
+    told by: 1 - | one minus | IoU itself | similarity | union itself | not a loss
+    """
+    both = (coverage * target).sum()
+    return both / (coverage + target - coverage * target).sum()
+
+
+def silhouette_loss(coverage, target):
+    """Dice's coefficient: 2 sum(c t) / (sum c + sum t)
+
+    told by: dice | twice the intersection | 2 sum | union | F1 score | denominator
+    """
+    return 1 - 2 * (coverage * target).sum() / (coverage.sum() + target.sum())
+
+
+def silhouette_loss(coverage, target):
+    """coverage and target are rounded to inside and outside first, so that the loss is not soft
+
+    told by: round | threshold | soft | binary | 0 or 1 | bool
+    """
+    c, t = coverage > 0.5, target > 0.5
+    return 1 - (c & t).sum() / (c | t).sum()
+
+
+def silhouette_loss_backward(grad_loss, coverage, target):
+    """the union is treated as a constant: the quotient rule's second term is left out
+
+    told by: union | quotient | denominator | second term | constant | outside the target
+    """
+    union = (coverage + target - coverage * target).sum()
+    return -grad_loss * target / union
+
+
+def silhouette_loss_backward(grad_loss, coverage, target):
+    """dU/dc is 1, not 1 - t: the product c t is forgotten in the union
+
+    told by: 1 - t | union & derivative | product c t | dU/dc | inside the target | counted twice
+    """
+    both = (coverage * target).sum()
+    either = (coverage + target - coverage * target).sum()
+    grad = np.zeros(coverage.shape)
+    for i in np.ndindex(*coverage.shape):
+        grad[i] = -grad_loss * (target[i] * either - both) / either**2
+    return grad
+
+
+def uniform_laplacian(positions, edges):
+    """each edge is used in one direction only, so that its second vertex does not see the first
+
+    told by: one direction | both ways | one way | both ends | either order | second vertex
+    """
+    v, u = edges.T
+    valence = np.bincount(v, minlength=len(positions))[:, None]
+    total = scatter(positions[u], v, len(positions))
+    return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
+
+
+def uniform_laplacian_backward(grad_laplacian, positions, edges):
+    """the neighbours' share is left out: only a vertex' own gradient is returned
+
+    told by: neighbour | own gradient | identity | share | W^T
+    """
     valence = np.bincount(edges.ravel(), minlength=len(positions))
-    for a, b in edges:
-        grad[b] -= grad_laplacian[a] / valence[a]
-        grad[a] -= grad_laplacian[b] / valence[b]
+    grad = grad_laplacian.copy()
+    grad[valence == 0] = 0
     return grad

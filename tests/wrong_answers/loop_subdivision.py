@@ -2,61 +2,247 @@
 
 
 def loop_weight(n):
-    """the square of the bracket is forgotten
+    """the whole is not divided by n
 
-    told by: square | power | exponent
+    told by: / n & missing | divid & by n | by n & not | divid & valence | n times | times n | factor & n & large
     """
-    inner = 3 / 8 + np.cos(2 * np.pi / n) / 4
-    return (5 / 8 - inner) / n
+    return 5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2
 
 
 def loop_weight(n):
-    """Warren's formula is computed instead of Loop's
+    """the angle is pi / n instead of 2 pi / n
 
-    told by: warren | 3/(8 n) | 3/8n | 3 / (8 n) | other formula
+    told by: 2 pi | pi / n | pi/n | half & angle | angle & cos | twice & angle
     """
-    return np.where(n == 3, 3 / 16, 3 / (8 * n))
+    out = np.zeros(np.shape(n))
+    for at, k in np.ndenumerate(n):
+        out[at] = (0.625 - (0.375 + 0.25 * np.cos(np.pi / k)) ** 2) / k
+    return out
 
 
 def loop_weight(n):
-    """the angle is in degrees: np.cos gets 360 / n
+    """the difference as a whole is squared, not the bracket after 5/8 alone
 
-    told by: degree | radian | 360 | angle & unit
+    told by: square | **2 | ** 2 | ^2 & bracket | bracket | parenthes
     """
-    return (5 / 8 - (3 / 8 + np.cos(360 / n) / 4) ** 2) / n
+    return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4)) ** 2 / n
 
 
 def loop_slow(vertices, faces, u):
-    """an edge's new point is the middle everywhere: the rule of the boundary is used inside as well
+    """vertices on the boundary are moved by the rule for the inside, with u and their whole ring
 
-    told by: middle | midpoint | 1/2 (A + B) | opposite & ignored | opposite & left out | inner edge & boundary
+    told by: boundary & vert | vert & border | w = 1/8 | boundary & rule & inside | boundary & ring
     """
     at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
-    points = np.zeros((len(vertices) + len(at_edge), vertices.shape[1]))
-    for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points[v] = 3 / 4 * vertices[v] + (vertices[along[0]] + vertices[along[1]]) / 8
+    new = np.zeros((len(vertices) + len(at_edge), vertices.shape[1]))
+    for v, here in enumerate(vertices):
+        ring, _ = ring_of(v, at_edge)
+        new[v] = (1 - len(ring) * u[v]) * here
+        for other in ring:
+            new[v] += u[v] * vertices[other]
+    for e, ((a, b), near) in enumerate(at_edge):
+        if len(near) == 1:
+            point = (vertices[a] + vertices[b]) / 2
         else:
-            points[v] = (1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0)
-    for e, ((a, b), _) in enumerate(at_edge):
-        points[len(vertices) + e] = (vertices[a] + vertices[b]) / 2
-    return points
+            tips = [v for f in near for v in faces[f] if v != a and v != b]
+            point = 0.375 * (vertices[a] + vertices[b]) + 0.125 * vertices[tips].sum(0)
+        new[len(vertices) + e] = point
+    return new
 
 
 def loop_slow(vertices, faces, u):
-    """the old vertices are moved in place, so later points are computed from moved ones
+    """3/8 and 1/8 are exchanged: the ends of an edge get 1/8 and the opposite corners 3/8
 
-    told by: in place | already moved | moved & later | old position | changed & input | overwrit
+    told by: 3/8 & 1/8 | exchang & weight | swap & weight | ends & opposite & weight | 3/8 & opposite | 1/8 & ends
     """
     at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    result = []
     for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            vertices[v] = 3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0)
+        ring, rim = ring_of(v, at_edge)
+        if rim:
+            result.append(0.75 * vertices[v] + 0.125 * (vertices[rim[0]] + vertices[rim[1]]))
         else:
-            vertices[v] = (1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0)
-    points = list(vertices)
+            result.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
+    for edge, near in at_edge:
+        a, b = edge
+        if len(near) == 1:
+            result.append((vertices[a] + vertices[b]) / 2)
+        else:
+            tips = [v for f in near for v in faces[f] if v not in edge]
+            result.append((vertices[a] + vertices[b]) / 8 + 3 / 8 * vertices[tips].sum(0))
+    return np.array(result)
+
+
+def loop_slow(vertices, faces, u):
+    """the edge points are made from the moved vertices instead of the old ones
+
+    told by: moved | already & new | old & position | old vertices & instead | old places | updated | in place
+    """
+    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    moved = []
+    for v in range(len(vertices)):
+        ring, rim = ring_of(v, at_edge)
+        pull = 1 / 8 if rim else u[v]
+        near = rim if rim else ring
+        moved.append((1 - len(near) * pull) * vertices[v] + pull * vertices[near].sum(0))
+    moved = np.array(moved)
+    edge_points = []
+    for edge, its in at_edge:
+        ends = moved[list(edge)].sum(0)
+        if len(its) == 1:
+            edge_points.append(ends / 2)
+        else:
+            tips = [v for f in its for v in faces[f] if v not in edge]
+            edge_points.append(3 / 8 * ends + 1 / 8 * moved[tips].sum(0))
+    return np.concatenate([moved, edge_points])
+
+
+def loop_edge_rows(faces, edges, corner_edge):
+    """the corner taken as opposite to an edge is the end of the edge itself
+
+    told by: opposite & corner | end of the edge | own end | third corner | edge's end | C and D | opposite & edge
+    """
+    rim = on_boundary(corner_edge)
+    e = np.arange(len(edges))
+    half = np.where(rim, 0.5, 0.375)
+    tip = np.roll(faces, -1, axis=1).ravel()
+    use = ~rim[corner_edge]
+    return (np.concatenate([e, e, corner_edge[use]]),
+            np.concatenate([edges[:, 0], edges[:, 1], tip[use]]),
+            np.concatenate([half, half, np.full(use.sum(), 0.125)]))
+
+
+def loop_edge_rows(faces, edges, corner_edge):
+    """boundary edges get the weight 1/8 of their opposite corner as well, besides 1/2 for the ends
+
+    told by: boundary & 1/8 | boundary & opposite | boundary & third | boundary & sum | boundary & 9/8 | boundary & C
+    """
+    rim = on_boundary(corner_edge)
+    e = np.arange(len(edges))
+    half = np.where(rim, 1 / 2, 3 / 8)
+    tip = faces[:, [2, 0, 1]].ravel()
+    return join((e, edges[:, 0], half), (e, edges[:, 1], half),
+                (corner_edge, tip, np.full(len(tip), 1 / 8)))
+
+
+def loop_edge_rows(faces, edges, corner_edge):
+    """only one of the two opposite corners of an edge is kept, the other is overwritten
+
+    told by: one of & two & opposite | only one | one opposite | both opposite | overwrit | second face | both faces
+    """
+    rim = on_boundary(corner_edge)
+    tip = {}
+    for f, face in enumerate(faces):
+        for k in range(3):
+            tip[int(corner_edge[3 * f + k])] = face[k - 1]
+    r, c, weights = [], [], []
+    for e, (a, b) in enumerate(edges):
+        if rim[e]:
+            r += [e, e]
+            c += [a, b]
+            weights += [1 / 2, 1 / 2]
+        else:
+            r += [e, e, e]
+            c += [a, b, tip[e]]
+            weights += [3 / 8, 3 / 8, 1 / 8]
+    return np.array(r), np.array(c), np.array(weights)
+
+
+def loop_faces(faces, corner_edge, vertex_count):
+    """the three edges of a face are read as those opposite to a, b, c, not those that start there
+
+    told by: opposite & edge | starts at | AB & BC | edges & rotat | edges & shifted | order & edges | corner to the next
+    """
+    new = vertex_count + corner_edge.reshape(-1, 3)
+    bc, ca, ab = new[:, 0], new[:, 1], new[:, 2]
+    a, b, c = faces[:, 0], faces[:, 1], faces[:, 2]
+    four = [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+    return np.stack([np.stack(three, -1) for three in four], 1).reshape(-1, 3)
+
+
+def loop_faces(faces, corner_edge, vertex_count):
+    """the new faces are grouped by kind, all first ones, then all second ones, and not face by face
+
+    told by: face by face | order of the & faces | grouped | all first | kind | order & rows | interleav
+    """
+    a, b, c = faces.T
+    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
+    return np.concatenate([np.stack([a, ab, ca], 1), np.stack([ab, b, bc], 1),
+                           np.stack([ca, bc, c], 1), np.stack([ab, bc, ca], 1)])
+
+
+def loop_faces(faces, corner_edge, vertex_count):
+    """the middle triangle is wound the other way round
+
+    told by: middle | wound | winding | clockwise | orient | fourth | other way round
+    """
+    out = []
+    for f, (a, b, c) in enumerate(faces):
+        ab, bc, ca = vertex_count + corner_edge[3 * f:3 * f + 3]
+        out += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, ca, bc)]
+    return np.array(out)
+
+
+def limit_weight(n, u):
+    """3 / (8 u) is computed as 3 / 8 * u
+
+    told by: 3 / (8 u) | 3/(8 u) | 3/8 u | 3/8 * u | 3 / 8 * u | divid & u | multipl & u
+    """
+    return 1 / (n + 3 / 8 * u)
+
+
+def limit_weight(n, u):
+    """the bracket is forgotten: 1 / n + 3 / (8 u) instead of 1 over the sum
+
+    told by: 1 / n + | 1/n + | bracket | parenthes | reciprocal & sum | 1 over & sum | precedence
+    """
+    return 1 / n + 3 / (8 * u)
+
+
+def limit_weight(n, u):
+    """the given u is not used: warren's weight of n is put in its place
+
+    told by: Warren | given u | ignor & u | u & not used | argument u | depend & u
+    """
+    own = warren_weight(n)
+    return 1 / (n + 3 / (8 * own))
+
+
+def loop_weight(n):
+    """the division by n at the end is forgotten
+
+    told by: divided by n | division by n | divide by n | n times | factor n | factor 1/n
+    """
+    return 5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2
+
+
+def loop_weight(n):
+    """the cosine is taken of pi / n instead of 2 pi / n
+
+    told by: half & angle | angle & twice | full turn | 2 pi & instead | pi/n & instead | pi / n & instead
+    """
+    bracket = 3 / 8 + 1 / 4 * np.cos(np.pi / n)
+    return 1 / n * (5 / 8 - bracket * bracket)
+
+
+def loop_weight(n):
+    """the cosine is not divided by 4
+
+    told by: by 4 | factor 1/4 | factor 4 | quarter | four times
+    """
+    return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n)) ** 2) / n
+
+
+def loop_slow(vertices, faces, u):
+    """vertices on the boundary are moved by the rule for vertices inside
+
+    told by: boundary & vert & inside | boundary vert | w = 1/8 | old vert & boundary | vert & on the boundary | boundary & inner rule
+    """
+    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    points = []
+    for v in range(len(vertices)):
+        ring, _ = ring_of(v, at_edge)
+        points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
     for edge, its_faces in at_edge:
         ends = vertices[list(edge)].sum(0)
         opposite = [v for f in its_faces for v in faces[f] if v not in edge]
@@ -68,154 +254,111 @@ def loop_slow(vertices, faces, u):
 
 
 def loop_slow(vertices, faces, u):
-    """a vertex on the boundary is pulled by 1/8 by its whole ring, not only by its two neighbours along the boundary
+    """an old vertex takes the mean of its ring instead of the sum, so its weights do not add up to 1
 
-    told by: whole ring | all neighbours | along the boundary | two neighbours | ring & boundary | inner neighbour
+    told by: mean & ring | sum & ring | add up & 1 | average & ring | mean instead of sum
     """
     at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
     points = []
     for v in range(len(vertices)):
         ring, along = ring_of(v, at_edge)
-        k = 1 / 8 if along else u[v]
-        points.append((1 - len(ring) * k) * vertices[v] + k * vertices[ring].sum(0))
+        if along:
+            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
+        else:
+            n = len(ring)
+            points.append((1 - n * u[v]) * vertices[v] + u[v] * vertices[ring].mean(0))
+    for edge, its_faces in at_edge:
+        A, B = vertices[edge[0]], vertices[edge[1]]
+        if len(its_faces) == 1:
+            points.append((A + B) / 2)
+            continue
+        C, D = (vertices[[v for v in faces[f] if v not in edge][0]] for f in its_faces)
+        points.append(3 / 8 * (A + B) + 1 / 8 * (C + D))
+    return np.array(points)
+
+
+def loop_slow(vertices, faces, u):
+    """the edge's weights are exchanged: 1/8 for its ends and 3/8 for the opposite corners
+
+    told by: 3/8 & 1/8 | weights & exchang | weights & swap | opposite & 3/8 | ends & 1/8
+    """
+    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
+    points = []
+    for v in range(len(vertices)):
+        ring, along = ring_of(v, at_edge)
+        if along:
+            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
+        else:
+            points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
     for edge, its_faces in at_edge:
         ends = vertices[list(edge)].sum(0)
         opposite = [v for f in its_faces for v in faces[f] if v not in edge]
-        points.append(ends / 2 if len(its_faces) == 1
-                      else 3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0))
+        if len(its_faces) == 2:
+            points.append(1 / 8 * ends + 3 / 8 * vertices[opposite].sum(0))
+        else:
+            points.append(0.5 * ends)
     return np.stack(points)
 
 
 def loop_edge_rows(faces, edges, corner_edge):
-    """the opposite corner is the next one after the edge's start, which is the edge's own end
+    """an inner edge's opposite corner is written only once: the second face's overwrites the first's
 
-    told by: own end | np.roll | roll & direction | end of the edge | next corner | wrong & opposite
+    told by: only one & face | second face | one opposite | overwrit | other face | both faces
     """
     is_boundary = on_boundary(corner_edge)
     every = np.arange(len(edges))
     end_weight = np.where(is_boundary, 1 / 2, 3 / 8)
-    inside = ~is_boundary[corner_edge]
-    opposite = np.roll(faces, -1, axis=1).ravel()
+    across = np.zeros(len(edges), int)
+    across[corner_edge] = np.roll(faces, 1, axis=1).ravel()
+    inner = every[~is_boundary]
     return join((every, edges[:, 0], end_weight), (every, edges[:, 1], end_weight),
-                (corner_edge[inside], opposite[inside], np.full(inside.sum(), 1 / 8)))
-
-
-def loop_edge_rows(faces, edges, corner_edge):
-    """the opposite corners pull at boundary edges as well, so their rows sum to more than 1
-
-    told by: boundary & opposite | boundary & 1/8 | boundary & third | more than 1 | 9/8
-    """
-    rim = on_boundary(corner_edge)
-    every = np.arange(len(edges))
-    end_weight = np.where(rim, 1 / 2, 3 / 8)
-    opposite = faces[:, [2, 0, 1]].ravel()
-    return join((every, edges[:, 0], end_weight), (every, edges[:, 1], end_weight),
-                (corner_edge, opposite, np.full(len(corner_edge), 1 / 8)))
-
-
-def loop_edge_rows(faces, edges, corner_edge):
-    """rows and columns are exchanged: the transposed matrix
-
-    told by: rows and columns | transpos | columns & rows & exchang | columns & rows & swap | column & edge
-    """
-    is_boundary = on_boundary(corner_edge)
-    rows, columns, weights = [], [], []
-    for e, (a, b) in enumerate(edges):
-        k = 1 / 2 if is_boundary[e] else 3 / 8
-        rows += [a, b]
-        columns += [e, e]
-        weights += [k, k]
-    opposite = np.roll(faces, 1, axis=1).ravel()
-    for c, e in enumerate(corner_edge):
-        if not is_boundary[e]:
-            rows.append(opposite[c])
-            columns.append(e)
-            weights.append(1 / 8)
-    return np.array(rows), np.array(columns), np.array(weights)
-
-
-def loop_edge_rows(faces, edges, corner_edge):
-    """all edges get the weights of inner edges: no 1/2 on the boundary
-
-    told by: boundary & 1/2 | boundary & half | boundary & 3/8 | boundary & inner | boundary rule | on_boundary
-    """
-    every = np.arange(len(edges))
-    three = np.full(len(edges), 3 / 8)
-    opposite = np.roll(faces, 1, axis=1).ravel()
-    return join((every, edges[:, 0], three), (every, edges[:, 1], three),
-                (corner_edge, opposite, np.full(len(opposite), 1 / 8)))
-
-
-def loop_edge_rows(faces, edges, corner_edge):
-    """the mask of inner edges has one entry for each edge, but is used for the corners
-
-    told by: mask | per edge & corner | one for each corner | is_boundary[corner_edge] | edges & corners & mixed
-    """
-    is_boundary = on_boundary(corner_edge)
-    every = np.arange(len(edges))
-    end_weight = np.where(is_boundary, 1 / 2, 3 / 8)
-    opposite = np.roll(faces, 1, axis=1).ravel()
-    inner = np.flatnonzero(~is_boundary)
-    return join((every, edges[:, 0], end_weight), (every, edges[:, 1], end_weight),
-                (corner_edge[inner], opposite[inner], np.full(len(inner), 1 / 8)))
+                (inner, across[inner], np.full(len(inner), 1 / 8)))
 
 
 def loop_faces(faces, corner_edge, vertex_count):
-    """the new vertices are numbered from 0: vertex_count is not added to the edge's number
+    """the three edges of a face are taken to be opposite to its corners: BC, CA, AB instead of AB, BC, CA
 
-    told by: vertex_count | number of old vertices | not added | offset | numbered from 0
+    told by: opposite | BC, CA | BC & first | edges & order | cyclic | shifted & edge
     """
-    a, b, c = faces.T
-    ab, bc, ca = corner_edge.reshape(-1, 3).T
-    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1).reshape(-1, 3)
+    new = []
+    for f in range(len(faces)):
+        A, B, C = faces[f]
+        BC, CA, AB = vertex_count + corner_edge[3 * f:3 * f + 3]
+        new += [(A, AB, CA), (AB, B, BC), (CA, BC, C), (AB, BC, CA)]
+    return np.array(new)
 
 
 def loop_faces(faces, corner_edge, vertex_count):
-    """the triangles come kind by kind, not face by face
+    """the middle triangle is wound the other way round
 
-    told by: face by face | order & triangles | kind by kind | grouped | order & faces | all first
+    told by: wound | winding | orientation | clockwise | turned round | middle & order
     """
     a, b, c = faces.T
     ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
-    return np.concatenate([np.stack([a, ab, ca], 1), np.stack([ab, b, bc], 1),
-                           np.stack([ca, bc, c], 1), np.stack([ab, bc, ca], 1)])
+    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, ca, bc], axis=1).reshape(-1, 3)
 
 
 def loop_faces(faces, corner_edge, vertex_count):
-    """vertex_count is replaced by the largest vertex number plus 1 of the faces, so unused vertices are forgotten
+    """the middle triangle is left out: three new triangles a face
 
-    told by: unused | vertex_count | largest & vertex | max & faces | isolated
+    told by: no middle | middle & missing | middle & left out | three & triangle | fourth | 3 F
     """
-    n = faces.max() + 1
-    new = np.empty((4 * len(faces), 3), dtype=int)
-    for f, (a, b, c) in enumerate(faces):
-        ab, bc, ca = n + corner_edge[3 * f:3 * f + 3]
-        new[4 * f] = a, ab, ca
-        new[4 * f + 1] = ab, b, bc
-        new[4 * f + 2] = ca, bc, c
-        new[4 * f + 3] = ab, bc, ca
-    return new
+    a, b, c = faces.T
+    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
+    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c], axis=1).reshape(-1, 3)
 
 
 def limit_weight(n, u):
-    """the reciprocal is forgotten: n + 3 / (8 u) is returned
+    """the fraction is 3 u / 8 instead of 3 / (8 u)
 
-    told by: reciprocal | 1 / m | inverse | one over
+    told by: 3 u / 8 | 3/8 u | 3u/8 | divided by u | multiplied by u | times u
     """
-    return n + 3 / (8 * u)
+    return 1 / (n + 3 / 8 * u)
 
 
 def limit_weight(n, u):
-    """u is ignored and Warren's 3 / (8 n) is put in, so m is 1 / (2 n) for every u
+    """the plus is read as a product: 1 / (n 3 / (8 u))
 
-    told by: u is ignored | u is not used | warren | 1 / (2 n) | 1/(2n) | depend on u
+    told by: product & sum | times & plus | multipl & add | product & plus | times instead of
     """
-    return 1 / (n + n)
-
-
-def limit_weight(n, u):
-    """the numerator is 8 and the denominator 3: 8 / (3 u) instead of 3 / (8 u)
-
-    told by: 8 / (3 | 8/(3 | 3 and 8 | 8/3 | 8 over 3 | upside down
-    """
-    return 1 / (n + 8 / (3 * u))
+    return 1 / (n * 3 / (8 * u))

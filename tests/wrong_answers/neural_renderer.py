@@ -2,283 +2,273 @@
 
 
 def face_inverse(screen):
-    """the matrix is built with the corners in rows, so the inverse comes out transposed
+    """the corners are put into the rows of m instead of its columns, so the result is transposed
 
-    told by: transpos | rows & columns | corners & in rows | rows instead of columns
+    told by: transpose | rows & columns & M | corners & in the rows | corner & row & instead of & column | M^T | M^-T | row & column & swapped
     """
     ones = np.ones(screen.shape[:-1] + (1,))
-    matrix = np.concatenate([screen, ones], axis=-1)
-    return np.linalg.inv(matrix)
+    m = np.concatenate([screen, ones], axis=-1)
+    return np.linalg.inv(m)
 
 
 def face_inverse(screen):
     """the rows are divided by the area instead of twice the area
 
-    told by: twice & area | 2A | double & area | half & area | twice too large | factor of 2
+    told by: twice & area | 2A | 2 A | double & area | half & area | factor & 2 | factor & two
     """
-    x = screen[..., 0]
-    y = screen[..., 1]
-    area = signed_area(screen)
-    result = np.zeros(screen.shape[:-2] + (3, 3))
-    for k in range(3):
-        i, j = (k + 1) % 3, (k + 2) % 3
-        result[..., k, 0] = (y[..., i] - y[..., j]) / area
-        result[..., k, 1] = (x[..., j] - x[..., i]) / area
-        result[..., k, 2] = (x[..., i] * y[..., j] - x[..., j] * y[..., i]) / area
-    return result
+    px, py = screen[..., 0], screen[..., 1]
+    out = np.empty(screen.shape[:-2] + (3, 3))
+    for row in range(3):
+        s, e = (row + 1) % 3, (row + 2) % 3
+        out[..., row, 0] = py[..., s] - py[..., e]
+        out[..., row, 1] = px[..., e] - px[..., s]
+        out[..., row, 2] = px[..., s] * py[..., e] - px[..., e] * py[..., s]
+    return out / signed_area(screen)[..., None, None]
 
 
 def face_inverse(screen):
-    """row k belongs to the edge that starts at corner k, not to the edge opposite to it
+    """row k holds the edge that starts at corner k, not the edge opposite to it
 
-    told by: opposite | cyclic | shifted & row | rows & order | starts at & corner | wrong edge
+    told by: opposite & corner | starts at & corner | rows & rotat | rows & permut | rows & shifted | rows & order | row & another corner
     """
-    x, y = screen[..., 0], screen[..., 1]
+    px, py = screen[..., 0], screen[..., 1]
     rows = []
-    for i, j in ((0, 1), (1, 2), (2, 0)):
-        rows.append(np.stack([y[..., i] - y[..., j], x[..., j] - x[..., i],
-                              x[..., i] * y[..., j] - x[..., j] * y[..., i]], -1))
-    double_area = sum(row[..., 2] for row in rows)
-    return np.stack(rows, -2) / double_area[..., None, None]
-
-
-def face_inverse(screen):
-    """the edge functions are returned as they are, without the division by twice the area
-
-    told by: not divided | division & area | divide & area | adjugate | determinant | normali
-    """
-    x, y = np.moveaxis(screen, -1, 0)
-    xn, xp = np.roll(x, -1, -1), np.roll(x, -2, -1)
-    yn, yp = np.roll(y, -1, -1), np.roll(y, -2, -1)
-    return np.stack([yn - yp, xp - xn, xn * yp - xp * yn], axis=-1)
-
-
-def face_inverse(screen):
-    """the area is its absolute value, so a clockwise face gets the negative of its inverse
-
-    told by: absolute | abs( | clockwise | orientation | winding
-    """
-    x, y = screen[..., 0], screen[..., 1]
-    rows = np.stack([np.stack([y[..., i] - y[..., j], x[..., j] - x[..., i],
-                               x[..., i] * y[..., j] - x[..., j] * y[..., i]], -1)
-                     for i, j in EDGES], -2)
-    double_area = 2 * np.abs(signed_area(screen))
-    return rows / double_area[..., None, None]
+    for s, e in ((0, 1), (1, 2), (2, 0)):
+        rows.append(np.stack([py[..., s] - py[..., e], px[..., e] - px[..., s],
+                              px[..., s] * py[..., e] - px[..., e] * py[..., s]], -1))
+    stacked = np.stack(rows, -2)
+    return stacked / stacked[..., 2].sum(-1)[..., None, None]
 
 
 def weights_and_depth(inverse, z, x, y):
-    """the clamped weights are not divided by their sum
+    """the depth is the plain weighted mean of the z_k instead of 1 over the weighted mean of 1 / z_k
 
-    told by: not normali | sum & 1 | divided by & sum | division by & sum | renormali | divide & sum
+    told by: perspective | 1 / z | 1/z | reciprocal | harmonic | sum w_k z_k | mean of & z
     """
-    p = np.stack([x, y, np.ones_like(x)], -1)
-    weight = np.clip((inverse @ p[..., None])[..., 0], 0, 1)
-    return weight, 1 / (weight / z).sum(-1)
+    point = np.stack([x, y, np.ones_like(x)], -1)
+    raw = (inverse * point[..., None, :]).sum(-1)
+    held = np.maximum(np.minimum(raw, 1), 0)
+    share = held / held.sum(-1, keepdims=True)
+    return share, (share * z).sum(-1)
 
 
 def weights_and_depth(inverse, z, x, y):
-    """the weights are not clamped to 0 .. 1
+    """the weights come back divided by z_k, right in perspective, instead of those on the screen
 
-    told by: clamp | clip | negative & weight | below 0 | above 1
+    told by: weight & perspective | weight & z_k | weight & 1 / z | weight & 1/z | weight & divid & depth | weight & on screen | weight & on the screen
     """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight = c / c.sum(-1, keepdims=True)
-    return weight, 1 / (weight / z).sum(-1)
+    raw = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
+    u = np.clip(raw, 0, 1)
+    u = u / u.sum(-1, keepdims=True)
+    over = u / z
+    total = over.sum(-1)
+    return over / total[..., None], 1 / total
 
 
 def weights_and_depth(inverse, z, x, y):
-    """the sum of w_k / z_k is returned without taking its reciprocal, so it is 1 / depth
+    """after the clamp the weights are not divided by their sum
 
-    told by: reciprocal | 1 / depth | 1 / z | 1/z | inverse depth | inverted
+    told by: sum & to 1 | sum u | divid & sum | normali | add up to 1 | sum & not 1 | rescal
     """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    clamped = np.clip(c, 0, 1)
-    weight = clamped / clamped.sum(-1, keepdims=True)
-    depth = np.zeros(weight.shape[:-1])
+    w = np.zeros(inverse.shape[:-1])
     for k in range(3):
-        depth = depth + weight[..., k] / z[..., k]
-    return weight, depth
+        w[..., k] = np.clip(inverse[..., k, 0] * x + inverse[..., k, 1] * y + inverse[..., k, 2],
+                            0, 1)
+    return w, 1 / (w / z).sum(-1)
 
 
 def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
-    """the way from depth to the inverse, through the weights, is left out
+    """grad_depth reaches z alone: the way from depth through the weights to inverse is left out
 
-    told by: through & weight | depth & weight & left out | depth & inverse | grad_depth & grad_weight | through weight
+    told by: depth & through & weight | grad_depth & inverse | depth & missing & weight | depth & grad_inverse | depth & depends on & weight | grad_depth & weight
     """
-    p = np.stack([x, y, np.ones_like(x)], -1)
-    c = (inverse @ p[..., None])[..., 0]
+    point = np.stack([x, y, np.ones_like(x)], -1)
+    raw = (inverse * point[..., None, :]).sum(-1)
     weight, depth = weights_and_depth(inverse, z, x, y)
-    s = np.clip(c, 0, 1).sum(-1, keepdims=True)
-    grad_u = interpolation.normalize_backward(grad_weight, weight, s, axis=-1)
-    grad_c = grad_u * ((c >= 0) & (c <= 1))
+    total = np.clip(raw, 0, 1).sum(-1, keepdims=True)
     grad_z = (grad_depth * depth**2)[..., None] * weight / z**2
-    return grad_c[..., None] * p[..., None, :], grad_z
-
-
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
-    """the clamp is forgotten: a clamped c_k gets a gradient too
-
-    told by: clamp | clip | outside & 0 and 1 | outside & face | c < 0 | above 1
-    """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
-    grad_q = (-grad_depth * depth**2)[..., None]
-    grad_weight = grad_weight + grad_q / z
-    grad_z = -grad_q * weight / z**2
-    s = np.clip(c, 0, 1).sum(-1, keepdims=True)
-    grad_c = interpolation.normalize_backward(grad_weight, weight, s, axis=-1)
-    p = np.stack([x, y, np.ones_like(x)], -1)
-    return grad_c[..., None] * p[..., None, :], grad_z
-
-
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
-    """the sum of the weights is treated as a constant: the quotient rule has only its first term
-
-    told by: quotient | normali | constant & sum | sum & constant | division & sum | second term
-    """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
-    grad_q = (-grad_depth * depth**2)[..., None]
-    total = grad_weight + grad_q / z
-    s = np.clip(c, 0, 1).sum(-1, keepdims=True)
-    grad_c = np.where((c < 0) | (c > 1), 0, total / s)
-    p = np.stack([x, y, np.ones_like(x)], -1)
-    return grad_c[..., None] * p[..., None, :], -grad_q * weight / z**2
-
-
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
-    """the gradient of z is not divided by z squared but by z
-
-    told by: squared | z**2 | z^2 | square & z | power & z
-    """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
-    grad_q = (-grad_depth * depth**2)[..., None]
-    grad_z = -grad_q * weight / z
-    s = np.clip(c, 0, 1).sum(-1, keepdims=True)
-    grad_u = interpolation.normalize_backward(grad_weight + grad_q / z, weight, s, axis=-1)
-    grad_c = np.where((c < 0) | (c > 1), 0, grad_u)
-    p = np.stack([x, y, np.ones_like(x)], -1)
-    return grad_c[..., None] * p[..., None, :], grad_z
+    back = (grad_weight - (grad_weight * weight).sum(-1, keepdims=True)) / total
+    back = np.where((raw < 0) | (raw > 1), 0, back)
+    return back[..., :, None] * point[..., None, :], grad_z
 
 
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """the farthest face is kept: the depth is compared the other way
-
-    told by: farthest | furthest | behind & wins | comparison & depth | depth & compared | depth test & revers
-    """
-    face_index = np.full((height, width), -1)
-    weight = np.zeros((height, width, 3))
-    depth = np.full((height, width), np.inf)
-    screen, z = on_screen(corners, width, height), corners[..., 2]
-    drawn = front_faces(screen, z)
-    for f in range(len(corners)):
-        if not drawn[f]:
-            continue
-        inverse = face_inverse(screen[f])
-        x0, y0, x1, y1 = pixel_box(screen[f], width, height)
-        for i in range(y0, y1):
-            for j in range(x0, x1):
-                x, y = np.array(j + 0.5), np.array(i + 0.5)
-                if not covers(screen[f], x, y):
-                    continue
-                w, d = weights_and_depth(inverse, z[f], x, y)
-                if near < d < far and (face_index[i, j] == -1 or d > depth[i, j]):
-                    face_index[i, j] = f
-                    weight[i, j] = w
-                    depth[i, j] = d
-    return face_index, weight, depth
-
-
-def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """pixels are sampled at their lower left corner j, i instead of their centre
+    """pixels are tested at their integer corners (j, i), not at their centres j + 1/2, i + 1/2
 
     told by: centre | center | half a pixel | 1/2 | 0.5 | pixel's corner
     """
-    face_index = np.full((height, width), -1)
-    weight = np.zeros((height, width, 3))
-    depth = np.full((height, width), np.inf)
+    index = -np.ones((height, width), int)
+    weights = np.zeros((height, width, 3))
+    deep = np.full((height, width), np.inf)
     screen, z = on_screen(corners, width, height), corners[..., 2]
     for f in np.flatnonzero(front_faces(screen, z)):
-        inverse = face_inverse(screen[f])
+        m = face_inverse(screen[f])
         x0, y0, x1, y1 = pixel_box(screen[f], width, height)
-        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
-            x, y = np.array(float(j)), np.array(float(i))
-            if covers(screen[f], x, y):
-                w, d = weights_and_depth(inverse, z[f], x, y)
-                if near < d < far and d < depth[i, j]:
-                    face_index[i, j], weight[i, j], depth[i, j] = f, w, d
-    return face_index, weight, depth
+        for row in range(y0, y1):
+            for col in range(x0, x1):
+                x, y = np.array(float(col)), np.array(float(row))
+                if not covers(screen[f], x, y):
+                    continue
+                w, d = weights_and_depth(m, z[f], x, y)
+                if near < d < far and d < deep[row, col]:
+                    index[row, col] = f
+                    weights[row, col] = w
+                    deep[row, col] = d
+    return index, weights, deep
 
 
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """back faces and faces behind the camera are not left out: front_faces is not asked
+    """face_index counts only the drawn faces, so it is not the face's number in corners
 
-    told by: back fac | front_faces | clockwise | behind the camera | front fac | culling
+    told by: number & drawn | count & drawn | number & front | count & front | place & among | skipped faces | index & drawn
     """
-    face_index = np.full((height, width), -1)
-    weight = np.zeros((height, width, 3))
-    depth = np.full((height, width), np.inf)
+    index = np.full((height, width), -1)
+    weights = np.zeros((height, width, 3))
+    deep = np.full((height, width), np.inf)
     screen, z = on_screen(corners, width, height), corners[..., 2]
-    for f in range(len(corners)):
-        tri, deep = screen[f], z[f]
-        if signed_area(tri) == 0:
-            continue
-        if signed_area(tri) < 0:
-            tri = tri[[0, 2, 1]]
-            deep = deep[[0, 2, 1]]
-        inverse = face_inverse(tri)
-        x0, y0, x1, y1 = pixel_box(tri, width, height)
-        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
-            x, y = np.array(j + 0.5), np.array(i + 0.5)
-            if covers(tri, x, y):
-                w, d = weights_and_depth(inverse, deep, x, y)
-                if near < d < far and d < depth[i, j]:
-                    if signed_area(screen[f]) < 0:
-                        w = w[[0, 2, 1]]
-                    face_index[i, j], weight[i, j], depth[i, j] = f, w, d
-    return face_index, weight, depth
-
-
-def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """row 0 is taken for the top of the picture, so the maps are upside down
-
-    told by: upside down | flip | y up | y down | from the bottom | the top
-    """
-    face_index = np.full((height, width), -1)
-    weight = np.zeros((height, width, 3))
-    depth = np.full((height, width), np.inf)
-    screen, z = on_screen(corners, width, height), corners[..., 2]
-    for f in np.flatnonzero(front_faces(screen, z)):
-        inverse = face_inverse(screen[f])
+    drawn = front_faces(screen, z)
+    screen, z = screen[drawn], z[drawn]
+    for f in range(len(screen)):
+        m = face_inverse(screen[f])
         x0, y0, x1, y1 = pixel_box(screen[f], width, height)
         for row in range(y0, y1):
             for col in range(x0, x1):
                 x, y = np.array(col + 0.5), np.array(row + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
-                    i = height - 1 - row
-                    if near < d < far and d < depth[i, col]:
-                        face_index[i, col], weight[i, col], depth[i, col] = f, w, d
-    return face_index, weight, depth
+                    w, d = weights_and_depth(m, z[f], x, y)
+                    if near < d < far and d < deep[row, col]:
+                        index[row, col], weights[row, col], deep[row, col] = f, w, d
+    return index, weights, deep
 
 
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """fine print: of two equally deep faces the last is seen, because of <= in the depth test
+    """there is no depth test: the last face that covers a pixel is seen, not the nearest
 
-    told by: equally deep | equal depth | same depth | <= | a tie | as deep
+    told by: depth test | z-buffer | nearest | last & face | nearer | overwrit | compar & depth
+    """
+    index = np.full((height, width), -1)
+    weights = np.zeros((height, width, 3))
+    deep = np.full((height, width), np.inf)
+    screen, z = on_screen(corners, width, height), corners[..., 2]
+    for f in np.flatnonzero(front_faces(screen, z)):
+        m = face_inverse(screen[f])
+        x0, y0, x1, y1 = pixel_box(screen[f], width, height)
+        row, col = np.meshgrid(np.arange(y0, y1), np.arange(x0, x1), indexing="ij")
+        inside = covers(screen[f], col + 0.5, row + 0.5)
+        row, col = row[inside], col[inside]
+        w, d = weights_and_depth(m, z[f], col + 0.5, row + 0.5)
+        keep = (d > near) & (d < far)
+        row, col = row[keep], col[keep]
+        index[row, col] = f
+        weights[row, col] = w[keep]
+        deep[row, col] = d[keep]
+    return index, weights, deep
+
+
+def face_inverse(screen):
+    """the normals of the edges have the wrong sign in the x and y columns, the constant has the right one
+
+    told by: sign & normal | sign & first two columns | sign & x and y | negative & column | sign & constant
+    """
+    x, y = screen[..., 0], screen[..., 1]
+    rows = [np.stack([y[..., j] - y[..., i], x[..., i] - x[..., j],
+                      x[..., i] * y[..., j] - x[..., j] * y[..., i]], -1) for i, j in EDGES]
+    rows = np.stack(rows, -2)
+    return rows / rows[..., 2].sum(-1)[..., None, None]
+
+
+def weights_and_depth(inverse, z, x, y):
+    """the depth is the weighted mean of the z_k, not of their reciprocals
+
+    told by: reciprocal | perspective | 1 / z | 1/z | linear & depth | harmonic
+    """
+    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
+    clamped = np.clip(c, 0, 1)
+    weight = clamped / clamped.sum(-1, keepdims=True)
+    return weight, (weight * z).sum(-1)
+
+
+def weights_and_depth(inverse, z, x, y):
+    """the returned weights are the perspective-correct ones w_k z / z_k, not the weights on screen
+
+    told by: perspective | on screen | screen & weight | z / z_k | in space
+    """
+    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
+    c = np.clip(c, 0, 1)
+    on_face = c / c.sum(-1, keepdims=True)
+    q = on_face / z
+    depth = 1 / q.sum(-1)
+    return q * depth[..., None], depth
+
+
+def weights_and_depth(inverse, z, x, y):
+    """the point is multiplied from the left, as if the inverse were transposed
+
+    told by: transpos | columns & rows | rows & columns | from the left | row vector
+    """
+    p = np.stack([x, y, np.ones_like(x)], -1)
+    c = np.einsum("...i,...ik->...k", p, inverse)
+    clamped = np.clip(c, 0, 1)
+    weight = clamped / clamped.sum(-1, keepdims=True)
+    return weight, 1 / (weight / z).sum(-1)
+
+
+def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+    """fine print: a c_k of exactly 0 or 1 counts as clamped and gets no gradient
+
+    told by: exactly 0 | exactly 1 | c_k = 0 | <= | exactly & clamp | border & clamp
+    """
+    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
+    weight, depth = weights_and_depth(inverse, z, x, y)
+    grad_q = (-grad_depth * depth**2)[..., None]
+    grad_z = -grad_q * weight / z**2
+    s = np.clip(c, 0, 1).sum(-1, keepdims=True)
+    g = grad_weight + grad_q / z
+    g = (g - (g * weight).sum(-1, keepdims=True)) / s
+    g = np.where((c > 0) & (c < 1), g, 0)
+    p = np.stack([x, y, np.ones_like(x)], -1)
+    return g[..., None] * p[..., None, :], grad_z
+
+
+def rasterize_loop(corners, width, height, near=0.1, far=100.0):
+    """near and far are never compared with the depth of a pixel
+
+    told by: near & far | near < depth | near plane | far plane | depth range
     """
     face_index = np.full((height, width), -1)
     weight = np.zeros((height, width, 3))
     depth = np.full((height, width), np.inf)
     screen, z = on_screen(corners, width, height), corners[..., 2]
     for f in np.flatnonzero(front_faces(screen, z)):
-        M = face_inverse(screen[f])
+        inverse = face_inverse(screen[f])
         x0, y0, x1, y1 = pixel_box(screen[f], width, height)
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             x, y = np.array(j + 0.5), np.array(i + 0.5)
             if covers(screen[f], x, y):
-                w, d = weights_and_depth(M, z[f], x, y)
-                if near < d < far and d <= depth[i, j]:
+                w, d = weights_and_depth(inverse, z[f], x, y)
+                if d < depth[i, j]:
                     face_index[i, j], weight[i, j], depth[i, j] = f, w, d
+    return face_index, weight, depth
+
+
+def rasterize_loop(corners, width, height, near=0.1, far=100.0):
+    """background pixels have depth far instead of infinity
+
+    told by: infin | np.inf | background & depth | no face & depth | empty & depth
+    """
+    face_index = -np.ones((height, width), dtype=int)
+    weight = np.zeros((height, width, 3))
+    depth = np.full((height, width), far)
+    screen = on_screen(corners, width, height)
+    z = corners[..., 2]
+    for f in np.flatnonzero(front_faces(screen, z)):
+        inverse = face_inverse(screen[f])
+        x0, y0, x1, y1 = pixel_box(screen[f], width, height)
+        for i in range(y0, y1):
+            for j in range(x0, x1):
+                x, y = np.array(j + 0.5), np.array(i + 0.5)
+                if covers(screen[f], x, y):
+                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    if d > near and d < depth[i, j]:
+                        face_index[i, j], weight[i, j], depth[i, j] = f, w, d
     return face_index, weight, depth

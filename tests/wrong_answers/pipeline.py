@@ -2,137 +2,163 @@
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
-    """width and height are exchanged
+    """the colour in the buffers is the antialiased picture, not the one before antialiasing
 
-    told by: width | height | transpos | rows & columns
-    """
-    seen = visible(clip, faces, height, width)
-    buffers = shade(seen, faces, surface, background)
-    picture = outlines.antialias(buffers.colour, seen.face_index, seen.depth, clip, faces, opposite)
-    return picture, buffers
-
-
-def draw(clip, faces, opposite, surface, width, height, background):
-    """the buffers come first and the picture second
-
-    told by: order & results | picture & second | buffers & first | exchanged | swapped | other order
-    """
-    seen = visible(clip, faces, width, height)
-    buffers = shade(seen, faces, surface, background)
-    picture = outlines.antialias(buffers.colour, seen.face_index, seen.depth, clip, faces, opposite)
-    return buffers, picture
-
-
-def draw(clip, faces, opposite, surface, width, height, background):
-    """the background is painted over after antialiasing, so that it never blends with the outline
-
-    told by: background & after | background & outline | background & over | background & blend | outer edge | background & antialias
+    told by: buffers & before | colour & before | buffers & antialias | buffers.colour | colour & already | buffers & picture & same
     """
     buffers = shade(visible(clip, faces, width, height), faces, surface, background)
     picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
                                  opposite)
-    picture[buffers.face_index < 0] = background
-    return picture, buffers
+    return picture, buffers._replace(colour=picture)
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
-    """only the picture is returned, without the buffers
+    """the picture is not antialiased: it is the shaded colour
 
-    told by: only the picture | without the buffers | buffers & missing | two results | buffers are not | no buffers
+    told by: not antialias | no antialias | without antialias | before antialias | antialias & miss | not blended | antialias & left out | shaded colour | unblended
     """
     seen = visible(clip, faces, width, height)
-    colour = shade(seen, faces, surface, background).colour
-    return outlines.antialias(colour, seen.face_index, seen.depth, clip, faces, opposite)
+    buffers = shade(seen, faces, surface, background)
+    outlines.antialias(buffers.colour, seen.face_index, seen.depth, clip, faces, opposite)
+    return buffers.colour.copy(), buffers
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
-    """all edges are taken for outlines: antialias gets -1 for each opposite vertex
+    """width and height are exchanged
 
-    told by: opposite | silhouette | inner edges | all edges | every edge | interior
+    told by: width & height | swap & size | height & swap | transpos | (W, H | rows & columns
     """
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
-    weights = rasterization.barycentrics(face_index, clip, faces)
-    buffers = shade(Buffers(clip, face_index, depth, weights), faces, surface, background)
-    picture = outlines.antialias(buffers.colour, face_index, depth, clip, faces,
-                                 np.full(faces.shape, -1))
+    seen = visible(clip, faces, height, width)
+    buffers = shade(seen, faces, surface, background)
+    _, face_index, depth, *_ = buffers
+    picture = outlines.antialias(buffers.colour, face_index, depth, clip, faces, opposite)
     return picture, buffers
-
-
-def draw(clip, faces, opposite, surface, width, height, background):
-    """the buffers of visible are returned, without the colour and derivatives that shade adds
-
-    told by: shade adds | buffers & without & colour | before shad | buffers of visible | colour is None | buffers & colour & missing
-    """
-    seen = visible(clip, faces, width, height)
-    shaded = shade(seen, faces, surface, background)
-    picture = outlines.antialias(shaded.colour, seen.face_index, seen.depth, clip, faces, opposite)
-    return picture, seen
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """the path through the colours is left out: rasterize_backward's grad_clip is not added
+    """grad_clip lacks the path through the edges, that of antialiasing
 
-    told by: through the colours | rasterize_backward & missing | colours & left out | inside of faces | only & edges | rasterize_backward & not added
+    told by: through & edges | edges & path | edges & miss | outline | antialias & grad_clip | antialias & add | only & colours | first & grad_clip | silhouette
     """
-    clip, face_index, depth, *_, colour = buffers
-    grad_colour, grad_clip = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
-    grad_surface = surface_backward(grad_colour, buffers, faces, surface)[0]
+    clip, face_index, depth, barycentric, derivatives, colour = buffers
+    grad_colour, _ = outlines.antialias_backward(grad_picture, colour, face_index, depth, clip,
+                                                 faces, opposite)
+    grad_surface, grad_barycentric, grad_derivatives = surface_backward(grad_colour, buffers,
+                                                                        faces, surface)
+    grad_clip = rasterizer_gradients.rasterize_backward(
+        grad_barycentric, grad_derivatives, grad_depth, face_index, clip, faces)
     return grad_surface, grad_clip
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """grad_depth is ignored: None is passed to rasterize_backward
+    """the surface gets grad_picture, not the grad_colour that comes out of antialiasing's backward
 
-    told by: grad_depth | depth & ignored | depth & missing | depth & left out | depth
+    told by: grad_picture & surface | grad_picture & instead | grad_colour & antialias | grad_colour & outline | before antialias | surface & antialias | blend & surface | skip & antialias | unblended
     """
-    clip, face_index, depth = buffers[0], buffers[1], buffers[2]
-    colour = buffers[-1]
-    grad_colour, grad_1 = outlines.antialias_backward(grad_picture, colour, face_index, depth, clip,
-                                                      faces, opposite)
-    grad_surface, grad_weights, grad_change = surface_backward(grad_colour, buffers, faces, surface)
-    grad_2 = rasterizer_gradients.rasterize_backward(grad_weights, grad_change, None, face_index,
-                                                     clip, faces)
-    return grad_surface, grad_1 + grad_2
+    whole = Buffers(*buffers)
+    grad_clip = outlines.antialias_backward(grad_picture, whole.colour, whole.face_index,
+                                            whole.depth, whole.clip, faces, opposite)[1]
+    grad_surface, by_weights, by_changes = surface_backward(grad_picture, buffers, faces, surface)
+    grad_clip = grad_clip + rasterizer_gradients.rasterize_backward(
+        by_weights, by_changes, grad_depth, whole.face_index, whole.clip, faces)
+    return grad_surface, grad_clip
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """grad_derivatives is dropped, so that a texture's footprint has no gradient
+    """grad_depth is not passed on: the depth's gradient is lost
 
-    told by: grad_derivatives | footprint | derivatives & missing | derivatives & left out | derivatives | texture
+    told by: grad_depth | depth & ignor | depth & lost | depth & path | depth & miss | depth & pass
+    """
+    b = Buffers(*buffers)
+    grad_colour, grad_clip = outlines.antialias_backward(
+        grad_picture, b.colour, b.face_index, b.depth, b.clip, faces, opposite)
+    grad_surface, *rest = surface_backward(grad_colour, b, faces, surface)
+    grad_clip += rasterizer_gradients.rasterize_backward(*rest, None, b.face_index, b.clip, faces)
+    return grad_surface, grad_clip
+
+
+def draw(clip, faces, opposite, surface, width, height, background):
+    """the picture is not antialiased: the shaded colour is returned
+
+    told by: antialias | edges & blend | not smoothed | blend
+    """
+    seen = visible(clip, faces, width, height)
+    buffers = shade(seen, faces, surface, background)
+    return buffers.colour, buffers
+
+
+def draw(clip, faces, opposite, surface, width, height, background):
+    """the buffers hold the antialiased picture as their colour, where the colour before antialiasing belongs
+
+    told by: colour before antialias | before antialias | buffers & colour | buffers.colour | antialiased & colour & buffers
+    """
+    buffers = shade(visible(clip, faces, width, height), faces, surface, background)
+    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
+                                 opposite)
+    return picture, buffers._replace(colour=picture)
+
+
+def draw(clip, faces, opposite, surface, width, height, background):
+    """the background is black: the argument is not passed on to shade
+
+    told by: background & black | background & ignored | background & not used | background & passed | background & zero
+    """
+    seen = visible(clip, faces, width, height)
+    buffers = shade(seen, faces, surface, np.zeros_like(background))
+    picture = outlines.antialias(buffers.colour, *buffers[1:3], clip, faces, opposite)
+    return picture, buffers
+
+
+def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+    """the path through the edges is left out: antialiasing's grad_clip is not added
+
+    told by: through the edges | antialiasing's grad_clip | edges & missing | edges & left out | path & edges | only & colours
     """
     clip, face_index, depth, *_, colour = buffers
-    grad_colour, through_edges = outlines.antialias_backward(
+    grad_colour, _ = outlines.antialias_backward(grad_picture, colour, face_index, depth, clip,
+                                                 faces, opposite)
+    grad_surface, grad_b, grad_db = surface_backward(grad_colour, buffers, faces, surface)
+    grad_clip = rasterizer_gradients.rasterize_backward(grad_b, grad_db, grad_depth, face_index,
+                                                        clip, faces)
+    return grad_surface, grad_clip
+
+
+def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+    """the surface gets grad_picture, not the grad_colour that comes back from antialiasing
+
+    told by: not the grad_colour | gets grad_picture | instead of grad_colour | before antialias | skips & antialias | grad_picture & surface
+    """
+    clip, face_index, depth, *_, colour = buffers
+    _, through_edges = outlines.antialias_backward(
         grad_picture, colour, face_index, depth, clip, faces, opposite)
-    grad_surface, grad_barycentric, _ = surface_backward(grad_colour, buffers, faces, surface)
-    through_colours = rasterizer_gradients.rasterize_backward(
-        grad_barycentric, None, grad_depth, face_index, clip, faces)
+    grad_surface, *grads = surface_backward(grad_picture, buffers, faces, surface)
+    through_colours = rasterizer_gradients.rasterize_backward(*grads, grad_depth, face_index, clip,
+                                                              faces)
     return grad_surface, through_edges + through_colours
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """the gradient of edges is subtracted from that of the colours
+    """the two grad_clips are averaged, not added
 
-    told by: subtract | sign | minus | added | negat
+    told by: averag | mean | half | 0.5 | added | 1/2
     """
     clip, face_index, depth, *_, colour = buffers
-    grad_colour, grad_edges = outlines.antialias_backward(
+    grad_colour, g1 = outlines.antialias_backward(
         grad_picture, colour, face_index, depth, clip, faces, opposite)
     grad_surface, *grads = surface_backward(grad_colour, buffers, faces, surface)
-    grad_clip = rasterizer_gradients.rasterize_backward(*grads, grad_depth, face_index, clip, faces)
-    grad_clip -= grad_edges
-    return grad_surface, grad_clip
+    g2 = rasterizer_gradients.rasterize_backward(*grads, grad_depth, face_index, clip, faces)
+    return grad_surface, (g1 + g2) / 2
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """the results are returned in the other order: grad_clip, grad_surface
+    """buffers is used like the named tuple, though it is a plain one: buffers.clip does not exist
 
-    told by: order | exchanged | swapped | grad_clip & first | grad_surface & second
+    told by: plain tuple | named | NamedTuple | attribute | buffers.clip | no attribute
     """
-    clip, face_index, depth, *_, colour = buffers
     grad_colour, through_edges = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
-    grad_surface, grad_b, grad_d = surface_backward(grad_colour, buffers, faces, surface)
+        grad_picture, buffers.colour, buffers.face_index, buffers.depth, buffers.clip, faces,
+        opposite)
+    grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)
     through_colours = rasterizer_gradients.rasterize_backward(
-        grad_b, grad_d, grad_depth, face_index, clip, faces)
-    return through_edges + through_colours, grad_surface
+        *grad_weights, grad_depth, buffers.face_index, buffers.clip, faces)
+    return grad_surface, through_edges + through_colours

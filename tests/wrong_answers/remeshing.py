@@ -2,83 +2,78 @@
 
 
 def delaunay_gain(corners):
-    """the angles at a and b instead of those opposite to the edge, at c and d
+    """the sign is turned: pi - gamma - delta, positive where the edge is Delaunay already
 
-    told by: at a and b | at the ends | opposite | c and d | ends of the edge | alpha
+    told by: sign | pi - gamma | pi - (gamma | negative | reversed | already delaunay | should stay
     """
-    at_a = corner_angles(corners[:, [0, 1, 2]])[:, 0]
-    at_b = corner_angles(corners[:, [1, 0, 3]])[:, 0]
-    return at_a + at_b - np.pi
+    a, b, c, d = corners.swapaxes(0, 1)
+    at_c = corner_angles(np.stack([c, a, b], 1))[:, 0]
+    at_d = corner_angles(np.stack([d, b, a], 1))[:, 0]
+    return np.pi - (at_c + at_d)
 
 
 def delaunay_gain(corners):
-    """the cotangents' sum negated instead of the angles: right sign, wrong value
+    """the angles at a and b are taken (the first corners of abc and bad), not the opposite ones at c and d
 
-    told by: cotangent | cot | not the angle | instead of the angle | in radians
+    told by: at a and b | at a and at b | at c and d | at c and at d | ends of the edge | opposite to the edge | first corner
     """
-    a, b, c, d = corners.swapaxes(0, 1)
     total = np.zeros(len(corners))
-    for tip in (c, d):
-        p, q = a - tip, b - tip
-        area = np.linalg.norm(np.cross(p, q), axis=1)
-        total += (p * q).sum(1) / np.where(area > 0, area, 1)
-    return -total
+    for face in ([0, 1, 2], [1, 0, 3]):
+        total += corner_angles(corners[:, face])[:, 0]
+    return total - np.pi
 
 
 def delaunay_gain(corners):
-    """the arccos of a cosine loses the digits of tiny angles and is nan where corners coincide (fine print)
+    """the angles at c and d are those of the new faces adc and bcd, after the flip, instead of abc and bad
 
-    told by: arccos | acos | tiny | digits | nan | coincid | the cosine
+    told by: after the flip | after a flip | new face | adc & bcd | a, d, c | edge cd | before the flip
     """
-    def angle(tip, one, other):
-        p, q = one - tip, other - tip
-        with np.errstate(divide="ignore", invalid="ignore"):
-            cosine = (p * q).sum(1) / (np.linalg.norm(p, axis=1) * np.linalg.norm(q, axis=1))
-        return np.arccos(np.clip(cosine, -1, 1))
-
-    a, b, c, d = corners.swapaxes(0, 1)
-    return angle(c, a, b) + angle(d, a, b) - np.pi
-
-
-def delaunay_gain(corners):
-    """a bool, whether to flip, instead of the amount
-
-    told by: bool | the amount | True or False | whether | comparison | yes or no
-    """
-    gamma = corner_angles(corners[:, [2, 0, 1]])[:, 0]
-    delta = corner_angles(corners[:, [3, 1, 0]])[:, 0]
-    return gamma + delta > np.pi
-
-
-def delaunay_gain(corners):
-    """pi is not subtracted: gamma + delta
-
-    told by: pi is missing | pi is not | - pi | pi & subtract | without pi | forgot & pi | too large by pi | too big by pi | pi too
-    """
-    gain = np.zeros(len(corners))
-    for n, (a, b, c, d) in enumerate(corners):
-        gain[n] = corner_angles(np.stack([c, a, b]))[0] + corner_angles(np.stack([d, b, a]))[0]
-    return gain
+    faces = flip(np.tile(np.arange(4), (len(corners), 1)))[0]
+    gamma = corner_angles(corners[:, faces[0]])[:, 2]
+    delta = corner_angles(corners[:, faces[1]])[:, 2]
+    return gamma + delta - np.pi
 
 
 def relax_step(vertices, normals, edges, rate):
-    """the move is not made tangential: the normal part is not taken away
+    """an edge counts for its first vertex only, the second one does not see the first as a neighbour
 
-    told by: normal part | tangential | tangent | along n | along the normal | n n^T | normal component | not projected | projection
+    told by: one direction | both directions | only one end | one end | both ends | second vertex | neighbours & missing
     """
-    valence = np.bincount(edges.ravel(), minlength=len(vertices))
     total = np.zeros(vertices.shape)
+    count = np.zeros(len(vertices))
     for i, j in edges:
         total[i] += vertices[j]
-        total[j] += vertices[i]
-    mean = np.where(valence[:, None] > 0, total / np.maximum(valence, 1)[:, None], vertices)
-    return vertices + rate * (mean - vertices)
+        count[i] += 1
+    mean = np.where(count[:, None] > 0, total / np.maximum(count, 1)[:, None], vertices)
+    move = rate * (mean - vertices)
+    return vertices + move - (move * normals).sum(1)[:, None] * normals
+
+
+def delaunay_gain(corners):
+    """pi - gamma - delta: the sign is the other way round, positive where the edge is Delaunay already
+
+    told by: sign | other way | pi - gamma | negative | reversed | minus
+    """
+    c_first = corners[:, [2, 0, 1]]
+    d_first = corners[:, [3, 1, 0]]
+    return np.pi - corner_angles(c_first)[:, 0] - corner_angles(d_first)[:, 0]
+
+
+def delaunay_gain(corners):
+    """the face of d is taken as a, c, d: its angle is between the wrong sides
+
+    told by: a, c, d | acd | wrong face | wrong triangle | a, b, d | b, a, d | between c | other triangle
+    """
+    gamma = corner_angles(corners[:, [2, 0, 1]])[:, 0]
+    delta = corner_angles(corners[:, [3, 0, 2]])[:, 0]
+    return gamma + delta - np.pi
 
 
 def relax_step(vertices, normals, edges, rate):
-    """the sum of the neighbours' offsets instead of their mean: not divided by the valence
+    """only the normal part of the move is kept, n n^T instead of I - n n^T
 
-    told by: sum instead | not the mean | instead of the mean | instead of their mean | valence | number of neighbours | not divided by | not averaged
+    told by: only the normal | only & normal part | only & along n | I - n n^T | instead of the tangent | normal part is kept | along the normal & instead
     """
-    move = smooth_explicit(vertices, edges, np.ones(len(edges)), np.ones(len(vertices)), rate) - vertices
-    return vertices + move - (move * normals).sum(1, keepdims=True) * normals
+    valence = np.bincount(edges.ravel(), minlength=len(vertices))
+    move = smooth_explicit(vertices, edges, np.ones(len(edges)), valence, rate) - vertices
+    return vertices + (move * normals).sum(1, keepdims=True) * normals

@@ -2,357 +2,607 @@
 
 
 def alias_frequency(frequency, rate):
-    """the remainder lies between 0 and r, not between -r/2 and r/2, so nothing seems to turn backwards
+    """the result lies between 0 and the rate instead of between -r/2 and r/2
 
-    told by: 0 to r | between 0 and | modulo | remainder | never negative | backwards
+    told by: 0 to r | 0 and r | remainder | modulo | % | negative | -r/2
     """
-    return frequency % rate
+    return np.mod(frequency, rate)
 
 
 def alias_frequency(frequency, rate):
-    """the sign is lost: the absolute value of the alias is returned
+    """the sign is lost: an absolute value is returned, where a wheel turns backwards it should be negative
 
-    told by: absolute | sign | magnitude | never negative | backwards | np.abs
+    told by: sign | absolute | abs | negative | backwards | direction
     """
-    folded = frequency - rate * np.floor(frequency / rate + 0.5)
-    return np.abs(folded)
+    turns = np.floor(frequency / rate + 0.5)
+    return np.abs(frequency - turns * rate)
 
 
 def alias_frequency(frequency, rate):
-    """folds at the rate instead of at half the rate: the range is -r to r
+    """the rate is subtracted at most once, but it takes as many times as fit
 
-    told by: half the rate | -r to r | twice the range | 2 * rate | rate instead of half | nyquist
+    told by: once | one rate | several | many & times | more than one | multiple | whole m
     """
-    out = np.empty(frequency.shape)
-    for k, f in np.ndenumerate(frequency):
-        out[k] = (f + rate) % (2 * rate) - rate
-    return out
+    f = np.asarray(frequency, float)
+    return np.where(f >= rate / 2, f - rate, np.where(f < -rate / 2, f + rate, f))
 
 
 def dft_matrix(n):
-    """the exponent has a plus: this is the matrix of the inverse transform, the conjugate
+    """the exponent is positive: this is the matrix of the inverse transform, the conjugate
 
-    told by: sign | conjugate | inverse | exponent & plus | +2 | minus
+    told by: sign | conjugate | inverse | exp(+ | minus | positive exponent | negative exponent
     """
     k = np.arange(n)
-    return np.exp(2j * np.pi * np.outer(k, k) / n)
+    return np.exp(2j * np.pi * k[:, None] * k / n)
 
 
 def dft_matrix(n):
-    """divided by n, as if it were the mean of the samples
+    """the matrix is scaled by 1/sqrt(n), the unitary convention
 
-    told by: 1/n | by n | / n | normali | factor n | factor of n
+    told by: sqrt | unitary | 1/n | scaled | factor | normali | root
     """
-    k = np.arange(n)
-    return np.exp(-2j * np.pi * np.outer(k, k) / n) / n
+    d = np.empty((n, n), complex)
+    for row in range(n):
+        for column in range(n):
+            d[row, column] = np.exp(-2j * np.pi * row * column / n)
+    return d / np.sqrt(n)
 
 
 def dft_matrix(n):
-    """the unitary transform: divided by the square root of n
+    """the indices k and n count from 1 instead of from 0
 
-    told by: sqrt | square root | unitary | orthonormal | normali
+    told by: from 1 | from 0 | start & 0 | start & 1 | first row | shifted & index | index 0
     """
-    D = np.empty((n, n), complex)
-    for k in range(n):
-        for m in range(n):
-            D[k, m] = np.exp(-2j * np.pi * k * m / n) / np.sqrt(n)
-    return D
-
-
-def dft_matrix(n):
-    """k and n count from 1, not from 0, so that the first row is not constant
-
-    told by: from 1 | starts at | off by one | first row | k = 0 | count from
-    """
-    k = np.arange(1, n + 1)
-    return np.exp(-2j * np.pi * np.outer(k, k) / n)
+    count = np.arange(1, n + 1)
+    return np.exp(-2j * np.pi * np.outer(count, count) / n)
 
 
 def band_pass(picture, low, high):
-    """all frequencies count as positive, from 0 to 1: those above 1/2 are not folded to negative ones
+    """frequencies are k/n from 0 to 1: the upper half of the spectrum is not taken as negative frequencies
 
-    told by: negative freq | 0 to 1 | fold | above 1/2 | fftfreq | conjugate
+    told by: negative & frequenc | k - n | wrap | above & half | upper half | 0 to 1 | [-1/2
     """
     height, width = picture.shape
-    fy = np.arange(height) / height
-    fx = np.arange(width) / width
-    length = np.sqrt(fy[:, None] ** 2 + fx ** 2)
-    return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
-
-
-def band_pass(picture, low, high):
-    """the greater of |f_y| and |f_x| is compared instead of the length: a square instead of a disc
-
-    told by: square instead | maximum | greater of | hypot | euclid | circle
-    """
-    height, width = picture.shape
-    f = np.maximum(np.abs(frequencies(height))[:, None], np.abs(frequencies(width)))
-    keep = (f >= low) & (f < high)
+    f_y, f_x = np.arange(height) / height, np.arange(width) / width
+    radius = np.sqrt(f_y[:, None] ** 2 + f_x[None, :] ** 2)
+    keep = (radius >= low) & (radius < high)
     return picture_of(np.where(keep, spectrum_of(picture), 0))
 
 
 def convolve(picture, kernel):
-    """zeros stand beyond the border, they should go round
+    """the kernel is not flipped: this is a correlation, n + m instead of n - m
 
-    told by: zero & border | zeros beyond | zero padding | circular | wrap | go round
+    told by: correlat | flip | mirror | n + m | rotated by 180 | turned round | revers
     """
-    H, W = picture.shape
+    height, width = picture.shape
     h, w = kernel.shape
-    padded = np.zeros((H + h - 1, W + w - 1))
-    padded[h // 2:h // 2 + H, w // 2:w // 2 + W] = picture
+    out = np.zeros((height, width))
+    for y in range(height):
+        for x in range(width):
+            for i in range(h):
+                for j in range(w):
+                    out[y, x] += kernel[i, j] * picture[(y + i - h // 2) % height, (x + j - w // 2) % width]
+    return out
+
+
+def convolve(picture, kernel):
+    """beyond the border the picture is taken as 0 instead of going round
+
+    told by: border | zero & pad | circular | wrap | go round | goes round | going round
+    """
+    height, width = picture.shape
+    h, w = kernel.shape
+    wide = np.pad(picture, ((h // 2, h // 2), (w // 2, w // 2)))
     flipped = kernel[::-1, ::-1]
-    result = np.zeros((H, W))
+    result = np.zeros(picture.shape)
     for i in range(h):
         for j in range(w):
-            result += flipped[i, j] * padded[i:i + H, j:j + W]
+            result += flipped[i, j] * wide[i:i + height, j:j + width]
     return result
 
 
 def convolve(picture, kernel):
-    """for a kernel larger than the picture, entries that land on the same pixel overwrite each other instead of adding up (fine print)
+    """the kernel is not centred: kernel[0, 0] is taken as g_0 instead of the middle
 
-    told by: larger than the picture | overwrit | same pixel | more than once | kernel is larger | twice round
+    told by: centre | center | middle | g_0 | kernel[0, 0] | shifted | h // 2
     """
-    H, W = picture.shape
-    h, w = kernel.shape
-    placed = np.zeros((H, W))
-    rows = (np.arange(h) - h // 2) % H
-    cols = (np.arange(w) - w // 2) % W
-    placed[np.ix_(rows, cols)] = kernel
-    return picture_of(spectrum_of(picture) * spectrum_of(placed))
+    result = np.zeros(picture.shape)
+    for (i, j), g in np.ndenumerate(kernel):
+        result += g * np.roll(np.roll(picture, i, axis=0), j, axis=1)
+    return result
 
 
 def convolve_by_spectrum(picture, kernel):
-    """the kernel's spectrum is conjugated, which makes it a correlation
+    """the kernel's middle is not brought to [0, 0] before the transform
 
-    told by: conj | correlation | flip | mirrored | reversed | n + m
+    told by: middle | centre | center | roll | shifted | [0, 0] | corner
     """
-    height, width = picture.shape
-    h, w = kernel.shape
-    padded = np.pad(kernel, ((0, height - h), (0, width - w)))
-    centred = np.roll(padded, (-(h // 2), -(w // 2)), (0, 1))
-    return picture_of(spectrum_of(picture) * np.conj(spectrum_of(centred)))
+    big = np.zeros(picture.shape)
+    big[:kernel.shape[0], :kernel.shape[1]] = kernel
+    return picture_of(spectrum_of(picture) * spectrum_of(big))
 
 
 def box_spectrum(width, n):
-    """the continuous sinc: pi k/N stands below where sin(pi k/N) should, so the box is not a sampled one
+    """the denominator is pi w k/N, the sinc of a continuous box, without the second sine
 
-    told by: continuous | np.sinc | periodic | denominator & sin | dirichlet | sampled box
+    told by: continuous | denominator | sin(pi k | second sine | np.sinc | sine & below | periodic
     """
     return np.sinc(width * np.arange(n) / n)
 
 
-def box_spectrum(width, n):
-    """not divided by the width: the box is 1 and not 1 / width
+def sampled_spectrum(spectrum, step):
+    """the sum of the copies is divided by s once, not once for each of the two axes
 
-    told by: width times | divided by width | divided by the width | factor width | factor of width | sum of the box
+    told by: 1/s | s^2 | step**2 | s squared | both axes & factor | once for each | divi & step
     """
-    result = np.ones(n)
-    for k in range(1, n):
-        result[k] = np.sin(np.pi * width * k / n) / np.sin(np.pi * k / n)
-    return result
+    rows, columns = spectrum.shape[0] // step, spectrum.shape[1] // step
+    folded = np.zeros((rows, columns), complex)
+    for i in range(step):
+        for j in range(step):
+            folded += spectrum[i * rows:(i + 1) * rows, j * columns:(j + 1) * columns]
+    return folded / step
 
 
 def sampled_spectrum(spectrum, step):
-    """neighbouring entries are added up, instead of those N/s apart
+    """neighbouring entries are added in blocks instead of entries that lie N/s apart
 
-    told by: neighbour | neighbor | adjacent | consecutive | n/s apart | n / s
+    told by: neighbour | adjacent | N/s | apart | block | consecutive | H / step
     """
-    H, W = spectrum.shape
-    blocks = spectrum.reshape(H // step, step, W // step, step)
-    return blocks.sum((1, 3)) / step**2
+    h, w = spectrum.shape
+    groups = spectrum.reshape(h // step, step, w // step, step)
+    return groups.mean(axis=(1, 3))
 
 
 def sampled_spectrum(spectrum, step):
-    """only the copy m = 0 is kept: the others, the aliases, are not added
+    """only the first copy, m = 0, is kept: the others are not added, so nothing aliases
 
-    told by: copies | m = 0 | first block | aliases | cropped | cut off
+    told by: m = 0 | first copy | one copy | copies & add | other copies | all copies | cropped
     """
-    H, W = spectrum.shape
-    return spectrum[:H // step, :W // step] / step**2
-
-
-def sampled_spectrum(spectrum, step):
-    """the spectrum itself is sampled: every step-th entry is taken
-
-    told by: every step-th | ::step | every s-th | spectrum itself | like the picture | as the picture
-    """
-    return spectrum[::step, ::step]
-
-
-def sampled_spectrum(spectrum, step):
-    """the imaginary part is lost: the sums go into an array of real numbers
-
-    told by: imaginary | real part | real number | complex | real array | float array
-    """
-    H, W = spectrum.shape
-    h, w = H // step, W // step
-    out = np.zeros((h, w))
-    for m in range(step):
-        for n in range(step):
-            out += spectrum[m * h:(m + 1) * h, n * w:(n + 1) * w].real
-    return out / (step * step)
+    h, w = spectrum.shape
+    return spectrum[:h // step, :w // step] / step**2
 
 
 def folded_energy(spectrum, step):
-    """divided by H W only once: this is the sum of squares over the pixels and not their mean
+    """a frequency counts only if both |f_y| and |f_x| are too fast, it should be one or the other
 
-    told by: not the mean | not their mean | mean & sum | size**2 | number of pixels | only once
+    told by: both | either | or instead of and | one of | and & or | smaller of | minimum
     """
     height, width = spectrum.shape
-    f_y, f_x = np.abs(frequencies(height))[:, None], np.abs(frequencies(width))
-    fast = (f_y >= 0.5 / step) | (f_x >= 0.5 / step)
-    return (np.abs(spectrum) ** 2 * fast).sum() / (height * width)
+    limit = 1 / (2 * step)
+    fast_y, fast_x = np.abs(frequencies(height)) >= limit, np.abs(frequencies(width)) >= limit
+    power = np.abs(spectrum) ** 2 * (fast_y[:, None] & fast_x[None, :])
+    return power.sum() / spectrum.size**2
 
 
 def clip_polygon(polygon, a, b, c):
-    """the other part is kept, where a x + b y + c <= 0
+    """the crossing is measured from the wrong end of the edge: t is 1 - t
 
-    told by: other part | other side | wrong side | wrong half | <= 0 | outside part
+    told by: wrong end | other end | 1 - t | from q | mirrored | end & edge | at_q
     """
-    out = []
-    for k in range(len(polygon)):
-        p, q = polygon[k], polygon[(k + 1) % len(polygon)]
-        dp = a * p[0] + b * p[1] + c
-        dq = a * q[0] + b * q[1] + c
-        if dp <= 0:
-            out.append(p)
-        if (dp <= 0) != (dq <= 0):
-            out.append(p + (q - p) * (dp / (dp - dq)))
-    return np.array(out).reshape(-1, 2)
+    side = polygon @ np.array([a, b]) + c
+    points = []
+    for n in range(len(polygon)):
+        m = (n + 1) % len(polygon)
+        if side[n] >= 0:
+            points.append(polygon[n])
+        if (side[n] >= 0) != (side[m] >= 0):
+            t = side[m] / (side[m] - side[n])
+            points.append(polygon[n] + t * (polygon[m] - polygon[n]))
+    return np.array(points).reshape(-1, 2)
 
 
 def clip_polygon(polygon, a, b, c):
-    """a crossing is added only where the polygon leaves the half-plane, not where it comes back in
+    """an edge's crossing is added before its first vertex instead of after it, so the points are in the wrong order
 
-    told by: leaves the | leaving | entering | enters | comes back | one crossing
+    told by: order | before & crossing | crossing & after | sequence | first vertex & crossing | border & itself
+    """
+    inside = [a * v[0] + b * v[1] + c for v in polygon]
+    result = []
+    for k, v in enumerate(polygon):
+        here, there = inside[k], inside[(k + 1) % len(polygon)]
+        if (here >= 0) != (there >= 0):
+            towards = polygon[(k + 1) % len(polygon)]
+            result.append((v * there - towards * here) / (there - here))
+        if here >= 0:
+            result.append(v)
+    return np.array(result).reshape(-1, 2)
+
+
+def clip_polygon(polygon, a, b, c):
+    """the closing edge, from the last vertex back to the first, gets no crossing
+
+    told by: closing edge | last edge | last vertex | back to the first | edge & missing | closed | wrap
     """
     kept = []
-    N = len(polygon)
-    for n in range(N):
-        p, q = polygon[n], polygon[(n + 1) % N]
-        at_p = a * p[0] + b * p[1] + c
-        at_q = a * q[0] + b * q[1] + c
-        if at_p >= 0:
-            kept.append(p)
-            if at_q < 0:
-                kept.append(p + at_p / (at_p - at_q) * (q - p))
+    value = a * polygon[:, 0] + b * polygon[:, 1] + c
+    for n in range(len(polygon)):
+        if value[n] >= 0:
+            kept.append(polygon[n])
+        if n + 1 < len(polygon) and (value[n] >= 0) != (value[n + 1] >= 0):
+            t = value[n] / (value[n] - value[n + 1])
+            kept.append((1 - t) * polygon[n] + t * polygon[n + 1])
     return np.array(kept).reshape(-1, 2)
 
 
 def polygon_area_backward(grad_area, polygon):
-    """the factor 1/2 of the shoelace formula is forgotten
+    """the factor 1/2 of the shoelace formula is missing
 
-    told by: 1/2 | half | factor 2 | factor of 2 | twice | 0.5
+    told by: 1/2 | half | halve | twice | factor & 2 | double | 0.5
     """
-    x, y = polygon[..., 0], polygon[..., 1]
-    g = grad_area[..., None]
-    return np.stack([g * (np.roll(y, -1, -1) - np.roll(y, 1, -1)),
-                     g * (np.roll(x, 1, -1) - np.roll(x, -1, -1))], -1)
+    after, before = np.roll(polygon, -1, axis=-2), np.roll(polygon, 1, axis=-2)
+    d = after - before
+    return grad_area[..., None, None] * np.stack([d[..., 1], -d[..., 0]], -1)
 
 
 def polygon_area_backward(grad_area, polygon):
-    """next and previous vertex are exchanged, which flips the sign of everything
+    """only the term with the next vertex is derived, each point also occurs in the term with the previous one
 
-    told by: wrong sign | opposite sign | next and previous | previous and next | exchanged | swapped
+    told by: previous | next & only | both neighbours | one neighbour | n-1 | two terms | occurs & twice
     """
-    N = polygon.shape[-2]
-    grad = np.zeros(polygon.shape)
-    for n in range(N):
-        after, before = polygon[..., (n + 1) % N, :], polygon[..., n - 1, :]
-        grad[..., n, 0] = grad_area * (before[..., 1] - after[..., 1]) / 2
-        grad[..., n, 1] = grad_area * (after[..., 0] - before[..., 0]) / 2
-    return grad
+    out = np.zeros(polygon.shape)
+    count = polygon.shape[-2]
+    for n in range(count):
+        following = polygon[..., (n + 1) % count, :]
+        out[..., n, 0] = grad_area * following[..., 1] / 2
+        out[..., n, 1] = -grad_area * following[..., 0] / 2
+    return out
 
 
 def polygon_area_backward(grad_area, polygon):
-    """the gradients with respect to x and y are stored in exchanged columns
+    """the gradient of y has the opposite sign: the minus of the second term is forgotten
 
-    told by: x and y | columns & exchanged | columns & swapped | components & exchanged | components & swapped | y and x
+    told by: sign & y | minus | opposite & y | negative & y | y & sign | negated | y component | sign & [..., 1]
     """
     x, y = polygon[..., 0], polygon[..., 1]
-    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
-    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
-    return grad_area[..., None, None] / 2 * np.stack((by_y, by_x), -1)
+    d_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
+    d_y = np.roll(x, -1, -1) - np.roll(x, 1, -1)
+    return grad_area[..., None, None] * 0.5 * np.stack([d_x, d_y], axis=-1)
 
 
 def pixel_coverage_loop(triangle, width, height):
-    """rows and columns are exchanged: the row is taken as x and the column as y
+    """the area of a clockwise triangle stays negative, its absolute value is not taken
 
-    told by: rows and columns | row and column | transpos | x and y | i and j | exchanged
+    told by: clockwise | negative | absolute | abs | winding | sign
+    """
+    shares = np.zeros((height, width))
+    for i, j in np.ndindex(height, width):
+        piece = clip_polygon(triangle, 1.0, 0.0, -j)
+        piece = clip_polygon(piece, -1.0, 0.0, j + 1)
+        piece = clip_polygon(piece, 0.0, 1.0, -i)
+        piece = clip_polygon(piece, 0.0, -1.0, i + 1)
+        shares[i, j] = polygon_area(piece)
+    return shares
+
+
+def pixel_coverage_loop(triangle, width, height):
+    """the pixel's square lies around (j, i), from j - 0.5 to j + 0.5, instead of from j to j + 1
+
+    told by: j + 1 | half a pixel | half pixel | 0.5 | shifted | centred | centre
+    """
+    shares = np.zeros((height, width))
+    for i in range(height):
+        for j in range(width):
+            piece = triangle
+            for a, b, c in [(1, 0, 0.5 - j), (-1, 0, j + 0.5), (0, 1, 0.5 - i), (0, -1, i + 0.5)]:
+                piece = clip_polygon(piece, a, b, c)
+            shares[i, j] = abs(polygon_area(piece))
+    return shares
+
+
+def pixel_coverage_loop(triangle, width, height):
+    """only the centre is tested, covered or not: 0 or 1 instead of the area
+
+    told by: 0 or 1 | centre | center | 0 and 1 | partial | fraction | all or nothing
+    """
+    turn = np.sign(polygon_area(triangle))
+    result = np.zeros((height, width))
+    for i in range(height):
+        for j in range(width):
+            middle = np.array([j + 0.5, i + 0.5])
+            pieces = [polygon_area(np.stack([triangle[k], triangle[(k + 1) % 3], middle])) for k in range(3)]
+            result[i, j] = float(min(turn * piece for piece in pieces) >= 0)
+    return result
+
+
+def cuts(polygon, x, y):
+    """edge n leads to the previous vertex instead of the next: the roll goes the wrong way
+
+    told by: previous | roll & way | next vertex | n - 1 | other neighbour | backwards | roll & -1
+    """
+    other = np.roll(polygon, 1, axis=0)
+    t = np.empty((len(x), len(polygon), 6))
+    t[..., 0], t[..., 1] = 0, 1
+    for n, (p, q) in enumerate(zip(polygon, other)):
+        for axis, low in enumerate((x, y)):
+            run = q[axis] - p[axis] if q[axis] != p[axis] else 1.0
+            t[:, n, 2 + 2 * axis] = np.clip((low - p[axis]) / run, 0, 1)
+            t[:, n, 3 + 2 * axis] = np.clip((low + 1 - p[axis]) / run, 0, 1)
+    return np.sort(t, axis=-1)
+
+
+def clamped_area(polygon, x, y):
+    """only the vertices are clamped to the square, not the points of the edges at their cuts
+
+    told by: cuts | only the vert | crossing | vertices & clamp | points & edges | corners & clamp
+    """
+    corner = np.stack([x, y], -1)[:, None]
+    moved = np.clip(polygon[None] - corner, 0, 1)
+    return polygon_area(moved)
+
+
+def clamped_area_backward(grad_area, polygon, x, y):
+    """the weights 1 - t of p and t of q are exchanged: each end of an edge gets the other's share
+
+    told by: exchang | swap | 1 - t | p and q | other end | mixed up | ends & edge
+    """
+    p = polygon[:, None]
+    run = np.roll(polygon, -1, axis=0)[:, None] - p
+    low = np.stack([x, y], -1)[:, None, None]
+    t = cuts(polygon, x, y)
+    begin, end = t[..., :-1], t[..., 1:]
+    place = p + 0.5 * (begin + end)[..., None] * run - low
+    within = ((place >= 0) & (place < 1)).all(-1)
+    share = grad_area[:, None, None] * within
+    with_t = (share * (end**2 - begin**2) / 2).sum((0, 2))
+    rest = (share * (end - begin)).sum((0, 2)) - with_t
+    outward = np.concatenate([run[..., 1], -run[..., 0]], -1)
+    return with_t[:, None] * outward + np.roll(rest[:, None] * outward, 1, axis=0)
+
+
+def alias_frequency(frequency, rate):
+    """rate / 2 itself is not turned into -rate / 2: the interval is open at the wrong end (fine print)
+
+    told by: -rate/2 | -rate / 2 | half the rate | r/2 | upper end | ceil
+    """
+    return frequency - rate * np.ceil(frequency / rate - 0.5)
+
+
+def alias_frequency(frequency, rate):
+    """the rate is subtracted only once, which is too few times for a frequency above 3/2 of the rate
+
+    told by: only once | several times | more than one | whole number of | many times | one time
+    """
+    return np.where(frequency >= rate / 2, frequency - rate, frequency)
+
+
+def dft_matrix(n):
+    """the 2 of 2 pi is forgotten: the frequencies are half as high
+
+    told by: 2 pi | 2pi | factor 2 | factor of 2
+    """
+    index = np.arange(n)
+    angle = np.pi * index[:, None] * index / n
+    return np.cos(angle) - 1j * np.sin(angle)
+
+
+def convolve(picture, kernel):
+    """correlation: the kernel is not flipped, f_(n + m) is taken instead of f_(n - m)
+
+    told by: correlation | flip | n + m | mirrored | turned round | reversed
+    """
+    H, W = picture.shape
+    h, w = kernel.shape
+    out = np.zeros((H, W))
+    for y in range(H):
+        for x in range(W):
+            for i in range(h):
+                for j in range(w):
+                    out[y, x] += kernel[i, j] * picture[(y + i - h // 2) % H, (x + j - w // 2) % W]
+    return out
+
+
+def convolve(picture, kernel):
+    """the kernel's first entry [0, 0] is taken as g_0, not its middle, so the result is shifted
+
+    told by: shift | middle | centre of the kernel | center | h // 2 | w // 2
+    """
+    total = np.zeros(picture.shape)
+    for i, row in enumerate(kernel):
+        for j, weight in enumerate(row):
+            total += weight * np.roll(picture, (i, j), axis=(0, 1))
+    return total
+
+
+def convolve(picture, kernel):
+    """the border pixels are repeated outwards (clamped), they should go round
+
+    told by: clamp | border & repeat | replicate | circular | wrap | go round
+    """
+    H, W = picture.shape
+    h, w = kernel.shape
+    padded = np.pad(picture, ((h // 2,), (w // 2,)), mode="edge")
+    total = np.zeros((H, W))
+    for i in range(h):
+        for j in range(w):
+            top, left = h - 1 - i, w - 1 - j
+            total += kernel[i, j] * padded[top:top + H, left:left + W]
+    return total
+
+
+def convolve_by_spectrum(picture, kernel):
+    """the kernel stays in the corner: it is padded, but its middle is not moved to [0, 0]
+
+    told by: middle | shift | roll | [0, 0] | corner | centre
+    """
+    height, width = picture.shape
+    h, w = kernel.shape
+    padded = np.zeros((height, width))
+    padded[:h, :w] = kernel
+    return picture_of(spectrum_of(picture) * spectrum_of(padded))
+
+
+def sampled_spectrum(spectrum, step):
+    """divided by the step only once, though there are two axes
+
+    told by: step**2 | s^2 | squared | two axes | both axes | only once
+    """
+    H, W = spectrum.shape
+    blocks = spectrum.reshape(step, H // step, step, W // step)
+    return blocks.sum(axis=(0, 2)) / step
+
+
+def folded_energy(spectrum, step):
+    """only what is too fast along both axes counts: and where or is needed
+
+    told by: both axes | and instead of or | and where | minimum | f_y or f_x
+    """
+    height, width = spectrum.shape
+    limit = 1 / (2 * step)
+    total = 0.0
+    for i, f_y in enumerate(frequencies(height)):
+        for j, f_x in enumerate(frequencies(width)):
+            if abs(f_y) >= limit and abs(f_x) >= limit:
+                total += abs(spectrum[i, j]) ** 2
+    return total / spectrum.size ** 2
+
+
+def clip_polygon(polygon, a, b, c):
+    """the last edge, from the last vertex back to the first, is forgotten
+
+    told by: last edge | closing edge | back to the first | last vertex | last to the first | wrap
+    """
+    kept = []
+    value = polygon @ np.array([a, b]) + c
+    for k in range(len(polygon)):
+        if value[k] >= 0:
+            kept.append(polygon[k])
+        if k + 1 < len(polygon) and (value[k] >= 0) != (value[k + 1] >= 0):
+            t = value[k] / (value[k] - value[k + 1])
+            kept.append(polygon[k] + t * (polygon[k + 1] - polygon[k]))
+    return np.array(kept).reshape(-1, 2)
+
+
+def clip_polygon(polygon, a, b, c):
+    """the crossing is measured from the wrong end of the edge: t and 1 - t are exchanged
+
+    told by: wrong end | 1 - t | other end | exchanged | swapped | mirrored
+    """
+    kept = []
+    for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+        at_p, at_q = a * p[0] + b * p[1] + c, a * q[0] + b * q[1] + c
+        if at_p >= 0:
+            kept.append(p)
+        if (at_p >= 0) != (at_q >= 0):
+            t = abs(at_p) / (abs(at_p) + abs(at_q))
+            kept.append(t * p + (1 - t) * q)
+    return np.array(kept).reshape(-1, 2)
+
+
+def clip_polygon(polygon, a, b, c):
+    """the crossings are not added: only the vertices inside are kept
+
+    told by: crossing & missing | crossing & not added | only the vertices | only vertices | no crossing | crossings are
+    """
+    inside = a * polygon[:, 0] + b * polygon[:, 1] + c >= 0
+    return polygon[inside]
+
+
+def polygon_area_backward(grad_area, polygon):
+    """only the terms of the edge that leaves the vertex are there: those of the edge that arrives are left out
+
+    told by: previous | arrives | only one edge | one of its two | n-1 | n - 1
+    """
+    x, y = polygon[..., 0], polygon[..., 1]
+    by_x = np.roll(y, -1, -1)
+    by_y = -np.roll(x, -1, -1)
+    return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
+
+
+def polygon_area_backward(grad_area, polygon):
+    """the y component has the wrong sign: the minus of the second product is lost
+
+    told by: sign of y | sign of the y | y component | second component | along y | y & minus & second
+    """
+    before, after = np.roll(polygon, 1, -2), np.roll(polygon, -1, -2)
+    by_x = after[..., 1] - before[..., 1]
+    by_y = after[..., 0] - before[..., 0]
+    return 0.5 * grad_area[..., None, None] * np.stack([by_x, by_y], -1)
+
+
+def pixel_coverage_loop(triangle, width, height):
+    """a clockwise triangle has a negative coverage: the area's sign is not removed
+
+    told by: clockwise | negative | absolute | np.abs | sign of the area | winding
     """
     coverage = np.zeros((height, width))
     for i in range(height):
         for j in range(width):
-            part = triangle
-            for line in [(1, 0, -i), (-1, 0, i + 1), (0, 1, -j), (0, -1, j + 1)]:
-                part = clip_polygon(part, *line)
-            coverage[i, j] = abs(polygon_area(part))
+            part = clip_polygon(triangle, 1, 0, -j)
+            part = clip_polygon(part, -1, 0, j + 1)
+            part = clip_polygon(part, 0, 1, -i)
+            part = clip_polygon(part, 0, -1, i + 1)
+            coverage[i, j] = polygon_area(part)
     return coverage
 
 
 def pixel_coverage_loop(triangle, width, height):
-    """the pixels lie half a pixel too low and too far left: their centres are at whole numbers
+    """one sample at the pixel's centre decides, 0 or 1: no area is measured
 
-    told by: half a pixel | half pixel | 0.5 | centre | center | whole numbers
+    told by: 0 or 1 | one sample | 0 and 1 | fraction | binary | sample at
     """
     coverage = np.zeros((height, width))
     for i in range(height):
         for j in range(width):
-            part = triangle
-            for a, b, c in (1, 0, 0.5 - j), (-1, 0, j + 0.5), (0, 1, 0.5 - i), (0, -1, i + 0.5):
-                part = clip_polygon(part, a, b, c)
-            coverage[i, j] = abs(polygon_area(part))
-    return coverage
-
-
-def pixel_coverage_loop(triangle, width, height):
-    """row 0 is the top row of the screen, so the picture is upside down
-
-    told by: upside down | y up | y down | top row | flipped | bottom
-    """
-    coverage = np.zeros((height, width))
-    for row in range(height):
-        bottom = height - 1 - row
-        for j in range(width):
-            part = triangle
-            for a, b, c in (1, 0, -j), (-1, 0, j + 1), (0, 1, -bottom), (0, -1, bottom + 1):
-                part = clip_polygon(part, a, b, c)
-            coverage[row, j] = abs(polygon_area(part))
+            sides = []
+            for k in range(3):
+                p, q = triangle[k], triangle[(k + 1) % 3]
+                sides.append((q[0] - p[0]) * (i + 0.5 - p[1]) - (q[1] - p[1]) * (j + 0.5 - p[0]))
+            if min(sides) >= 0 or max(sides) <= 0:
+                coverage[i, j] = 1.0
     return coverage
 
 
 def cuts(polygon, x, y):
-    """t is not limited to 0 .. 1: crossings beyond the ends of the edge are kept
+    """the t are not sorted along the edge
 
-    told by: beyond | clip | clamp | outside [0, 1] | less than 0 | greater than 1
+    told by: sort | in order | order of | ascending | increasing | monoton
     """
+    N = len(polygon)
+    t = np.zeros((len(x), N, 6))
+    t[..., 5] = 1
+    for n in range(N):
+        p, q = polygon[n], polygon[(n + 1) % N]
+        for m, (axis, line) in enumerate([(0, x), (0, x + 1), (1, y), (1, y + 1)]):
+            d = q[axis] - p[axis]
+            t[:, n, 1 + m] = np.clip((line - p[axis]) / (d if d != 0 else 1.0), 0, 1)
+    return t
+
+
+def clamped_area(polygon, x, y):
+    """only the polygon's vertices are clamped, without the points at the cuts
+
+    told by: cuts | only the vertices | only vertices | crossings | vertices alone | corners alone
+    """
+    corner = np.stack([x, y], -1)[:, None]
+    points = np.clip(polygon - corner, 0, 1)
+    return polygon_area(points)
+
+
+def clamped_area(polygon, x, y):
+    """the sign is lost: the area of a clockwise polygon comes out positive
+
+    told by: sign | absolute | clockwise | negative | np.abs | orientation
+    """
+    t = cuts(polygon, x, y)[..., None]
     p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
-    sides = np.stack([[x, y], [x + 1, y + 1]]).transpose(2, 0, 1)
-    across = np.where(p == q, 1.0, q - p)
-    t = (sides[:, None] - p) / across
-    t = np.pad(t.reshape(*t.shape[:2], 4), ((0, 0), (0, 0), (1, 1)), constant_values=(0, 1))
-    return np.sort(t)
+    corner = np.stack([x, y], -1)[:, None, None]
+    points = np.clip(p + t * (q - p) - corner, 0, 1)
+    return np.abs(polygon_area(points.reshape(len(x), -1, 2)))
 
 
 def clamped_area_backward(grad_area, polygon, x, y):
-    """the edge's normal is made a unit vector, and the factor |q - p| is lost
+    """the weights t and 1 - t are exchanged between the two ends of the edge
 
-    told by: length of the edge | edge's length | unit | normali | factor & length | q - p
+    told by: 1 - t | exchanged | swapped | ends of the edge | wrong end | other end
     """
-    N = len(polygon)
-    grad = np.zeros((N, 2))
+    p = polygon[:, None]
+    edge = np.roll(polygon, -1, axis=0)[:, None] - p
+    corner = np.stack([x, y], -1)[:, None, None]
     t = cuts(polygon, x, y)
-    for n in range(N):
-        m = (n + 1) % N
-        e = polygon[m] - polygon[n]
-        normal = np.array([e[1], -e[0]]) / np.hypot(e[0], e[1])
-        for s in range(len(x)):
-            for k in range(5):
-                t0, t1 = t[s, n, k], t[s, n, k + 1]
-                mid = polygon[n] + (t0 + t1) / 2 * e
-                if x[s] <= mid[0] < x[s] + 1 and y[s] <= mid[1] < y[s] + 1:
-                    to_q = (t1 ** 2 - t0 ** 2) / 2
-                    grad[m] += grad_area[s] * to_q * normal
-                    grad[n] += grad_area[s] * (t1 - t0 - to_q) * normal
-    return grad
+    t0, t1 = t[..., :-1], t[..., 1:]
+    middle = p + (t0 + t1)[..., None] / 2 * edge - corner
+    inside = ((middle >= 0) & (middle < 1)).all(-1)
+    first = np.einsum("p,pni->n", grad_area, inside * (t1**2 - t0**2) / 2)
+    second = np.einsum("p,pni->n", grad_area, inside * (t1 - t0)) - first
+    normal = np.concatenate([edge[..., 1], -edge[..., 0]], -1)
+    return first[:, None] * normal + np.roll(second[:, None] * normal, 1, axis=0)

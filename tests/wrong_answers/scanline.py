@@ -1,87 +1,93 @@
 """Wrong answers to scanline, written without a look at the checks."""
 
 
-def depth_slopes(x, y, z):
-    """both slopes have the wrong sign: those of the plane's normal, without the minus
+def half_planes(x, y, w):
+    """every normal has the sign of the product of all three w, not of the w of its own opposite corner
 
-    told by: sign | minus | negated | negative | wrong way | uphill
+    told by: product & w | all three w | w_k | opposite & w | own w | sign & each w | corner & sign & w
     """
-    ux, uy, uz = x[1] - x[0], y[1] - y[0], z[1] - z[0]
-    vx, vy, vz = x[2] - x[0], y[2] - y[0], z[2] - z[0]
-    nx = uy * vz - uz * vy
-    ny = uz * vx - ux * vz
-    nz = ux * vy - uy * vx
-    return nx / nz, ny / nz
+    n_x, n_y = np.empty_like(x), np.empty_like(x)
+    from_x, from_y = np.empty_like(x), np.empty_like(x)
+    side = np.sign(twice_area(x, y)) * np.sign(w).prod(0)
+    size = np.abs(w)
+    for k, (i, j) in enumerate(EDGES):
+        first = (size[i] > size[j]) | ((size[i] == size[j]) & (
+            (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))))
+        from_x[k] = np.where(first, x[i], x[j])
+        from_y[k] = np.where(first, y[i], y[j])
+        n_x[k] = side * (y[i] - y[j])
+        n_y[k] = side * (x[j] - x[i])
+    return n_x, n_y, from_x, from_y
 
 
 def depth_slopes(x, y, z):
-    """divides by the absolute value of the area, so clockwise faces slope the wrong way
+    """the slope along y has the opposite sign
 
-    told by: clockwise | winding | absolute | sign of the area | sign of the determinant | orientation
+    told by: dz_dy & sign | along y & sign | opposite sign | minus | negated | dz_dy & negative | y & sign
     """
-    F = x.shape[1]
-    dz_dx, dz_dy = np.empty(F), np.empty(F)
-    for f in range(F):
-        x1, y1, z1 = x[1, f] - x[0, f], y[1, f] - y[0, f], z[1, f] - z[0, f]
-        x2, y2, z2 = x[2, f] - x[0, f], y[2, f] - y[0, f], z[2, f] - z[0, f]
-        area = abs(x1 * y2 - x2 * y1)
-        dz_dx[f] = (z1 * y2 - z2 * y1) / area
-        dz_dy[f] = (x1 * z2 - x2 * z1) / area
-    return dz_dx, dz_dy
+    ux, uy, uz = (v[1] - v[0] for v in (x, y, z))
+    vx, vy, vz = (v[2] - v[0] for v in (x, y, z))
+    d = ux * vy - vx * uy
+    return (uz * vy - vz * uy) / d, (vx * uz - ux * vz) / d
 
 
 def first_column(slope, from_x, offset, width):
-    """the half pixel of the centre is forgotten: the column of j and not of j + 0.5 is asked
+    """the column is tested at its left side j instead of at its centre j + 0.5
 
-    told by: half a pixel | half pixel | 0.5 | centre | center
+    told by: centre | center | 0.5 | half | left side | 1/2 | left border
     """
-    column = np.ceil(from_x - offset / slope)
-    return np.clip(column, 0, width)
-
-
-def first_column(slope, from_x, offset, width):
-    """the column is cut to width - 1, so an edge that opens beyond the right border still covers the last column
-
-    told by: width - 1 | last column | from 0 to width | right border | cut to | clip
-    """
-    column = np.floor(from_x - offset / slope)
-    column = column + (slope * (column + 0.5 - from_x) + offset < 0)
-    return np.clip(column, 0, width - 1)
+    j = np.ceil(from_x - offset / slope)
+    return np.clip(j, 0, width)
 
 
 def row_interval(planes, face, y, width):
-    """start and end are combined the wrong way: the leftmost opening and the rightmost closing edge are kept, the union
+    """for the edges that end the interval only the slope is negated, the offset along y is not
 
-    told by: minimum | maximum | min and max | union | leftmost | rightmost
+    told by: offset & sign | n_y & sign | -e | offset & negat | closing & negat | n_y & negat | slope & not & offset
     """
-    start = np.full(len(y), float(width))
-    end = np.zeros(len(y))
-    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y)
-        sign = np.where(opens, 1, -1)
-        slope = np.where(n_x == 0, TINY, sign * n_x)
-        from_x = np.where(n_x == 0, 0, from_x)
-        offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        o = opens[face]
-        start = np.where(o, np.minimum(start, column), start)
-        end = np.where(o, end, np.maximum(end, column))
-    return start, end
-
-
-def row_interval(planes, face, y, width):
-    """horizontal edges are skipped: the rows above and below the face are not excluded (fine print)
-
-    told by: horizontal | n_x = 0 | n_x == 0 | slope of 0 | rows above | rows below
-    """
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
+    nx, ny, fx, fy = planes
+    begin, end = np.zeros(len(y)), np.full(len(y), float(width))
     for k in range(3):
-        n_x, n_y, from_x, from_y = (values[k][face] for values in planes)
-        opens = n_x > 0
-        closes = n_x < 0
-        safe = np.where(n_x == 0, 1.0, np.abs(n_x))
-        offset = np.where(opens, n_y, -n_y) * (y - from_y)
-        column = first_column(safe, from_x, offset, width)
-        start = np.where(opens, np.maximum(start, column), start)
-        end = np.where(closes, np.minimum(end, column), end)
-    return start, end
+        a, b = nx[k][face], ny[k][face]
+        opening = is_top_left(a, b)
+        steep = np.where(a == 0, TINY, np.where(opening, a, -a))
+        origin = np.where(a == 0, 0, fx[k][face])
+        column = first_column(steep, origin, b * (y - fy[k][face]), width)
+        begin = np.where(opening, np.maximum(begin, column), begin)
+        end = np.where(opening, end, np.minimum(end, column))
+    return begin, end
+
+
+def half_planes(x, y, w):
+    """the normals are not multiplied by the sign of w_k, so that faces behind the camera are wrong
+
+    told by: sign of w | w_k | signs of w | behind | negative w | w < 0
+    """
+    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
+    winding = np.sign(twice_area(x, y))
+    for k, (i, j) in enumerate(EDGES):
+        first = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
+        take_i = (np.abs(w[i]) > np.abs(w[j])) | ((np.abs(w[i]) == np.abs(w[j])) & first)
+        from_x[k] = np.where(take_i, x[i], x[j])
+        from_y[k] = np.where(take_i, y[i], y[j])
+        n_x[k] = winding * (y[i] - y[j])
+        n_y[k] = winding * (x[j] - x[i])
+    return n_x, n_y, from_x, from_y
+
+
+def half_planes(x, y, w):
+    """row k holds the edge from corner k to the next, not the edge opposite to corner k
+
+    told by: opposite | order of the edges | cyclic | shifted | wrong edge | permut
+    """
+    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
+    winding = np.sign(twice_area(x, y))
+    for k in range(3):
+        i, j = k, (k + 1) % 3
+        w_i, w_j = np.abs(w[i]), np.abs(w[j])
+        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
+        at_i = (w_i > w_j) | ((w_i == w_j) & before)
+        from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
+        sign = winding * np.sign(w[3 - i - j])
+        n_x[k], n_y[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
+    return n_x, n_y, from_x, from_y

@@ -2,254 +2,291 @@
 
 
 def to_light(points, position, rotation):
-    """the rotation is not transposed: its columns are taken for the light's axes, which turns the wrong way
+    """multiplied by rotation instead of its transpose, as if the light's axes were its columns
 
-    told by: transpos | rotation.t | columns & axes | rows & axes | inverse & rotation | turn & other way | turned back
+    told by: transpos | columns | rotation.T | inverse & rotation | turn & other way | rotat & other way | back into the world
     """
-    return (points - position) @ rotation
+    offset = points - position
+    return np.einsum("nj,jk->nk", offset, rotation)
 
 
 def to_light(points, position, rotation):
-    """the points are turned first and the position is subtracted after, without having been turned
+    """rotation p - position: the position is taken away after the rotation instead of before it
 
-    told by: turned first | rotat & first | before & rotat | subtract & after | position & not & rotat | position & not & turned | wrong order | other order
+    told by: after the rotation | after rotat | before rotat | before the rotation | position & not rotated | position & not turned | rotation p - position | turned first
     """
-    turned = np.einsum("ij,nj->ni", rotation, points)
+    turned = np.array([rotation @ p for p in points]).reshape(-1, 3)
     return turned - position
 
 
 def to_light(points, position, rotation):
-    """the position is added, not subtracted
+    """z is turned so that it grows away from the light, but the light looks down its -z axis
 
-    told by: add & position | + position | subtract & position | sign & position | plus & position
+    told by: sign & z | -q_z | z & negat | z & flipped | z & mirrored | third & sign | left-handed | sign & [..., 2]
     """
-    q = np.empty(points.shape)
-    for i, p in enumerate(points):
-        q[i] = rotation @ (p + position)
+    q = (points - position) @ rotation.T
+    q[:, 2] *= -1
     return q
 
 
-def to_light(points, position, rotation):
-    """position - p instead of p - position, so that all of q has the other sign
-
-    told by: position - p | p - position | sign | negat | opposite | minus
-    """
-    d = position[None, :] - points
-    return d @ rotation.T
-
-
-def to_light(points, position, rotation):
-    """the position is not subtracted at all: only the rotation is applied
-
-    told by: forg & position | without & position | position & not subtract | position & missing | ignor & position | only & rotat
-    """
-    return points @ rotation.T
-
-
 def to_light_backward(grad_q, points, position, rotation):
-    """the gradient goes through the same rotation.T as the points, not through its transpose, rotation
+    """grad_position is not rotated into the world's axes
 
-    told by: transpos | rotation.t | turn & back | inverse & rotation | same & rotation
+    told by: grad_position & rotat | grad_position & turned | grad_position & axes | grad_position & frame | light's frame | light's axes | world's axes
     """
-    grad_points = grad_q @ rotation.T
-    return grad_points, -grad_points.sum(axis=0)
-
-
-def to_light_backward(grad_q, points, position, rotation):
-    """the minus of grad_position is missing
-
-    told by: sign & grad_position | minus & grad_position | sign & position | minus & position | negat & position
-    """
-    grad_points = np.array([rotation.T @ g for g in grad_q])
-    grad_position = grad_points.sum(axis=0)
-    return grad_points, grad_position
+    grad_offset = np.array([rotation.T @ g for g in grad_q]).reshape(-1, 3)
+    return grad_offset, -np.sum(grad_q, axis=0)
 
 
 def map_position(q, clip_from_light, width, height):
-    """y is counted downwards from the top, as in OpenCV or a window system
+    """y counts down from the top: height minus the right y
 
-    told by: upside down | downward | flip | from the top | sign of y | bottom
+    told by: upside down | flipped | y & down | y & top | y & sign | y & mirror | height - y
     """
     w = w_of(q, clip_from_light)
-    ndc_x = clip_from_light[0, 0] * q[:, 0] / w
-    ndc_y = clip_from_light[1, 1] * q[:, 1] / w
-    return np.column_stack([(ndc_x + 1) * 0.5 * width, (1 - ndc_y) * 0.5 * height])
+    x_ndc = clip_from_light[0, 0] * q[:, 0] / w
+    y_ndc = clip_from_light[1, 1] * q[:, 1] / w
+    return np.column_stack([(x_ndc + 1) * width / 2, (1 - y_ndc) * height / 2])
 
 
 def map_position(q, clip_from_light, width, height):
-    """width and height are exchanged
+    """width - 1 and height - 1 in place of width and height
 
-    told by: width & height | exchanged | swapped | mixed up
+    told by: width - 1 | size - 1 | W - 1 | height - 1 | minus 1 | minus one | one texel less
     """
     w = w_of(q, clip_from_light)
-    x = (clip_from_light[0, 0] * q[:, 0] / w + 1) * height / 2
-    y = (clip_from_light[1, 1] * q[:, 1] / w + 1) * width / 2
-    return np.stack([x, y], -1)
+    out = np.empty((len(q), 2))
+    for axis, size in enumerate((width, height)):
+        out[:, axis] = (clip_from_light[axis, axis] * q[:, axis] / w + 1) / 2 * (size - 1)
+    return out
 
 
 def map_position(q, clip_from_light, width, height):
-    """the places are in whole texels: rounded down to integers
+    """the divide is by the distance -q_z instead of w, which is 1 in parallel light
 
-    told by: integer | round | floor | whole | truncat
+    told by: -q_z | by the distance | by z | w is 1 | orthographic | parallel | light from a direction
     """
-    w = w_of(q, clip_from_light)
-    x = (clip_from_light[0, 0] * q[:, 0] / w + 1) * width / 2
-    y = (clip_from_light[1, 1] * q[:, 1] / w + 1) * height / 2
-    return np.floor(np.stack([x, y], -1))
+    away = -q[:, 2]
+    x = (clip_from_light[0, 0] * q[:, 0] / away + 1) * width / 2
+    y = (clip_from_light[1, 1] * q[:, 1] / away + 1) * height / 2
+    return np.stack([x, y], axis=1)
 
 
 def map_position_backward(grad_place, q, clip_from_light, width, height):
-    """w is held: the gradient through w with respect to q_z is left out
+    """C_32 is missing in grad_q_z: the gradient of w is passed on to q_z as it is
 
-    told by: through w | gradient & q_z | q_z is 0 | q_z gets | w is held | w is constant | w as a constant | depends on w
+    told by: C_32 | sign & q_z | sign & z | q_z & opposite | dw / dq_z | dw/dq_z | grad_w
     """
     w = w_of(q, clip_from_light)
     grad_q = np.zeros_like(q)
-    grad_q[:, 0] = grad_place[:, 0] * clip_from_light[0, 0] * width / 2 / w
-    grad_q[:, 1] = grad_place[:, 1] * clip_from_light[1, 1] * height / 2 / w
+    grad_w = np.zeros(len(q))
+    for axis, size in enumerate((width, height)):
+        scale = clip_from_light[axis, axis] * size / 2
+        grad_q[:, axis] = grad_place[:, axis] * scale / w
+        grad_w -= grad_place[:, axis] * scale * q[:, axis] / w**2
+    grad_q[:, 2] = grad_w
     return grad_q
 
 
-def map_position_backward(grad_place, q, clip_from_light, width, height):
-    """the gradient with respect to w has no C_32: dw / dq_z is taken for 1, so q_z's gradient has the wrong sign
+def distance_of_depth(depth, clip_from_light):
+    """depth is taken to be linear in the distance between the near and the far plane
 
-    told by: c_32 | dw/dq_z | dw / dq_z | sign & q_z | sign of z | clip_from_light[3, 2]
+    told by: linear | near and far | near & far & evenly | proportion | straight line | perspective | 1 / distance
+    """
+    (a, b), (c, d) = clip_from_light[2:, 2:]
+    near = (-d - b) / (-c - a)
+    far = (d - b) / (c - a)
+    return near + (depth + 1) / 2 * (far - near)
+
+
+def is_lit(distance_map, place, distance, bias):
+    """the bias is on the wrong side: added to the distance instead of the stored distance
+
+    told by: wrong side | other side | bias & sign | bias & added to the distance | bias & subtract | distance + bias | stored - bias
+    """
+    return distance + bias <= stored_distance(distance_map, place)
+
+
+def is_lit(distance_map, place, distance, bias):
+    """x and y of the place are exchanged: the map is read at [floor x, floor y]
+
+    told by: x and y | transpos | swapped | exchanged | row and column | rows and columns | [floor x
+    """
+    rows, columns = distance_map.shape
+    lit = np.ones(len(place), bool)
+    limit = np.broadcast_to(bias, lit.shape)
+    for n, (x, y) in enumerate(np.floor(place).astype(int)):
+        if 0 <= x < rows and 0 <= y < columns:
+            lit[n] = distance[n] <= distance_map[x, y] + limit[n]
+    return lit
+
+
+def is_lit(distance_map, place, distance, bias):
+    """|distance - stored| <= bias, so a point well before the stored surface is dark
+
+    told by: absolute | distance - stored | nearer & lit | nearer & shadow | in front of the stored | before the stored | within the bias
+    """
+    gap = distance - stored_distance(distance_map, place)
+    return np.isinf(gap) | (np.abs(gap) <= bias)
+
+
+def distance_slopes(normal, q, clip_from_light, width, height):
+    """the ray is (0, 0, -1) everywhere, as in parallel light
+
+    told by: parallel | (0, 0, -1) | orthographic | ray & axis | n_z alone | only n_z | ray & same
     """
     w = w_of(q, clip_from_light)
-    gx = grad_place[:, 0] * clip_from_light[0, 0] * width / (2 * w)
-    gy = grad_place[:, 1] * clip_from_light[1, 1] * height / (2 * w)
-    gz = -(gx * q[:, 0] + gy * q[:, 1]) / w
-    return np.stack([gx, gy, gz], axis=1)
+    facing = -normal[:, 2]
+    facing = np.where(np.abs(facing) < GRAZING, np.where(facing < 0, -GRAZING, GRAZING), facing)
+    slope = np.zeros((len(q), 2))
+    for axis, size in enumerate((width, height)):
+        slope[:, axis] = -w * normal[:, axis] / facing * 2 / (clip_from_light[axis, axis] * size)
+    return slope
 
 
-def map_position_backward(grad_place, q, clip_from_light, width, height):
-    """only x's share reaches q_z, that of y is forgotten
+def slope_scaled_bias(slope, constant, factor, most):
+    """the length of the slope (square root of the squares) instead of |slope_x| + |slope_y|
 
-    told by: share of y | y's share | that of y | only x | y's part | both x and y | both & q_z
+    told by: euclid | square root | hypot | length of the slope | slope's length | norm | slope_x & slope_y & sum
+    """
+    steep = np.linalg.norm(slope, axis=1)
+    return np.minimum(constant + factor * steep / 2, most)
+
+
+def to_light(points, position, rotation):
+    """the light looks along +z: the z coordinate is turned round so that it is the distance
+
+    told by: sign & q_z | sign of z | sign of the z | +z | z is flipped | z is positive | -z | third coordinate
+    """
+    local = (points - position) @ rotation.T
+    local[:, 2] = -local[:, 2]
+    return local
+
+
+def to_light_backward(grad_q, points, position, rotation):
+    """grad_position is the mean over the points, not the sum
+
+    told by: mean | average | sum & position | divided by n | number of points
+    """
+    grad_points = grad_q @ rotation
+    return grad_points, -grad_points.mean(0)
+
+
+def map_position(q, clip_from_light, width, height):
+    """the division by w is left out
+
+    told by: divided by w | divide by w | division by w | / w | perspective | without w
+    """
+    x = (clip_from_light[0, 0] * q[:, 0] + 1) * width / 2
+    y = (clip_from_light[1, 1] * q[:, 1] + 1) * height / 2
+    return np.stack([x, y], axis=1)
+
+
+def map_position(q, clip_from_light, width, height):
+    """pixel centres are taken to be at integers: half a texel is subtracted
+
+    told by: half a texel | half a pixel | 0.5 | 1/2 | centre & integer
     """
     w = w_of(q, clip_from_light)
-    gx = grad_place[:, 0] * clip_from_light[0, 0] * width / (2 * w)
-    gy = grad_place[:, 1] * clip_from_light[1, 1] * height / (2 * w)
-    gz = -clip_from_light[3, 2] * gx * q[:, 0] / w
-    return np.stack([gx, gy, gz], axis=1)
+    out = np.zeros((len(q), 2))
+    for i in range(len(q)):
+        out[i, 0] = (clip_from_light[0, 0] * q[i, 0] / w[i] + 1) * width / 2 - 0.5
+        out[i, 1] = (clip_from_light[1, 1] * q[i, 1] / w[i] + 1) * height / 2 - 0.5
+    return out
 
 
 def distance_of_depth(depth, clip_from_light):
-    """fine print: empty texels, where depth is np.inf, become nan and not np.inf
+    """the result is q_z, without the minus that makes it a distance
 
-    told by: nan | np.inf | infinite | empty | sees nothing | background
+    told by: sign | minus | negative | -q_z
+    """
+    result = np.full(depth.shape, np.inf)
+    ok = depth < np.inf
+    c22, c23 = clip_from_light[2, 2], clip_from_light[2, 3]
+    c32, c33 = clip_from_light[3, 2], clip_from_light[3, 3]
+    result[ok] = (c23 - c33 * depth[ok]) / (c32 * depth[ok] - c22)
+    return result
+
+
+def distance_of_depth(depth, clip_from_light):
+    """the depth is taken for OpenGL's window depth from 0 to 1 and mapped to -1 to 1 first
+
+    told by: 0 to 1 | 0 and 1 | [0, 1] | 2 * depth | -1 to 1 | opengl | window
     """
     (c22, c23), (c32, c33) = clip_from_light[2:, 2:]
-    with np.errstate(all="ignore"):
-        return (c33 * depth - c23) / (c32 * depth - c22)
-
-
-def distance_of_depth(depth, clip_from_light):
-    """the depth is treated as linear: clip space's z is not divided by w
-
-    told by: linear | divided by w | perspective | times w | c_32 | division by w
-    """
     out = np.full(depth.shape, np.inf)
-    for row in range(depth.shape[0]):
-        for column in range(depth.shape[1]):
-            d = depth[row, column]
-            if np.isfinite(d):
-                out[row, column] = (clip_from_light[2, 3] - d) / clip_from_light[2, 2]
+    ok = np.isfinite(depth)
+    ndc = 2 * depth[ok] - 1
+    out[ok] = (c33 * ndc - c23) / (c32 * ndc - c22)
     return out
 
 
 def is_lit(distance_map, place, distance, bias):
-    """< instead of <=: a point at exactly stored + bias counts as in shadow
+    """the bias is on the wrong side: it makes the point more distant and so darker
 
-    told by: < instead | exactly | equal | strict | <=
+    told by: bias & side | bias & sign | bias & subtract | bias & added to | bias & minus | bias & negative
     """
-    limit = stored_distance(distance_map, place) + bias
-    return np.array([d < s for d, s in zip(distance, limit)], bool)
+    return distance + bias <= stored_distance(distance_map, place)
 
 
 def is_lit(distance_map, place, distance, bias):
-    """lit means that the point is the surface that the map holds: |distance - stored| <= bias, so a point before it is in shadow
+    """the comparison is the other way round: it says which points are in shadow
 
-    told by: abs( | absolute | before & stored | nearer & stored | nearer than | in front
+    told by: in shadow | other way round | comparison & turned | reversed | inverted | opposite | negated | >=
     """
-    return np.abs(distance - stored_distance(distance_map, place)) <= bias
+    return distance > stored_distance(distance_map, place) + bias
 
 
 def is_lit(distance_map, place, distance, bias):
-    """the map is read with x as the row and y as the column
+    """the bias is forgotten
 
-    told by: row & column | x and y | [x, y] | transposed | exchanged | swapped | x for y
+    told by: forg & bias | without & bias | bias & missing | bias & ignor | bias & left out | no bias | acne
     """
-    stored = stored_distance(distance_map, place[:, ::-1])
-    return distance <= stored + bias
+    return distance <= stored_distance(distance_map, place)
 
 
 def distance_slopes(normal, q, clip_from_light, width, height):
-    """fine print: an edge-on plane's n . ray is set to +GRAZING also where it is negative, so the slope's sign is lost
+    """the factor w is left out, which is 1 only in parallel light
 
-    told by: sign & grazing | sign & n . ray | negative & n . ray | keep & sign | grazing & negative
+    told by: factor w | times w | w is left out | w is missing | without w | multiplied by w
     """
     w = w_of(q, clip_from_light)
-    ray = np.stack([-clip_from_light[3, 2] * q[:, 0] / w, -clip_from_light[3, 2] * q[:, 1] / w, -np.ones(len(q))], 1)
-    n_ray = (normal * ray).sum(1)
-    n_ray = np.where(np.abs(n_ray) < GRAZING, GRAZING, n_ray)
-    return np.stack([-w * normal[:, 0] / n_ray * 2 / (clip_from_light[0, 0] * width),
-                     -w * normal[:, 1] / n_ray * 2 / (clip_from_light[1, 1] * height)], 1)
-
-
-def distance_slopes(normal, q, clip_from_light, width, height):
-    """the ray is taken for (0, 0, -1), as in parallel light: a cone's rays are not parallel
-
-    told by: parallel | (0, 0, -1) | n_z | cone | perspective | ray & q_x | ray & straight
-    """
-    w = w_of(q, clip_from_light)
-    along = -normal[:, 2]
-    along = np.where(np.abs(along) < GRAZING, np.where(along < 0, -GRAZING, GRAZING), along)
-    sx = -w * normal[:, 0] / along * 2 / (clip_from_light[0, 0] * width)
-    sy = -w * normal[:, 1] / along * 2 / (clip_from_light[1, 1] * height)
-    return np.stack([sx, sy], -1)
-
-
-def distance_slopes(normal, q, clip_from_light, width, height):
-    """a texel's size is taken for 1 / width instead of 2 / width: clip space is 2 wide
-
-    told by: factor 2 | 2 / | half | twice | texel & size | 2 wide | too small by
-    """
-    w = w_of(q, clip_from_light)
-    along = -(normal[:, 0] * q[:, 0] + normal[:, 1] * q[:, 1]) * clip_from_light[3, 2] / w - normal[:, 2]
-    along = np.where(np.abs(along) < GRAZING, np.where(along < 0, -GRAZING, GRAZING), along)
-    return np.stack([-w * normal[:, 0] / along / (clip_from_light[0, 0] * width),
-                     -w * normal[:, 1] / along / (clip_from_light[1, 1] * height)], -1)
+    slopes = np.zeros((len(q), 2))
+    for i in range(len(q)):
+        ray = np.array([-clip_from_light[3, 2] * q[i, 0] / w[i], -clip_from_light[3, 2] * q[i, 1] / w[i], -1.0])
+        d = normal[i] @ ray
+        if abs(d) < GRAZING:
+            d = -GRAZING if d < 0 else GRAZING
+        slopes[i, 0] = -normal[i, 0] / d * 2 / (clip_from_light[0, 0] * width)
+        slopes[i, 1] = -normal[i, 1] / d * 2 / (clip_from_light[1, 1] * height)
+    return slopes
 
 
 def slope_scaled_bias(slope, constant, factor, most):
-    """the slopes are added without their absolute values, so opposite ones cancel
+    """only the slope's part is bounded by most, and the constant is added after
 
-    told by: absolute | abs( | sign | cancel | negative
+    told by: constant & after | clip & before | most & constant | bound & slope | limit & slope | minimum & sum
     """
-    return np.minimum(constant + factor * slope.sum(1) / 2, most)
+    bias = np.zeros(len(slope))
+    for i, (sx, sy) in enumerate(slope):
+        bias[i] = constant + min(factor * (abs(sx) + abs(sy)) / 2, most)
+    return bias
 
 
-def slope_scaled_bias(slope, constant, factor, most):
-    """the half is left out: a point is at most half a texel from the centre, not a whole one
+def map_position(q, clip_from_light, width, height):
+    """the result has the shape (2, N) and not (N, 2)
 
-    told by: half | 1/2 | / 2 | twice | 0.5 | double
+    told by: (2, | shape | transpos | (n, 2)
     """
-    return np.clip(constant + factor * (abs(slope[:, 0]) + abs(slope[:, 1])), None, most)
+    w = w_of(q, clip_from_light)
+    x = (clip_from_light[0, 0] * q[:, 0] / w + 1) * width / 2
+    y = (clip_from_light[1, 1] * q[:, 1] / w + 1) * height / 2
+    return np.stack([x, y])
 
 
-def slope_scaled_bias(slope, constant, factor, most):
-    """the Euclidean length of the slope is taken, not the sum of its absolute values
+def is_lit(distance_map, place, distance, bias):
+    """one answer for all points, np.all, and not one for each
 
-    told by: norm | euclid | length of the slope | root | pythagor | sum of the absolute
+    told by: one answer | all( | .all | for each point | each point | shape | single
     """
-    return np.minimum(constant + factor * np.linalg.norm(slope, axis=1) / 2, most)
-
-
-def to_light(points, position, rotation):
-    """the input is changed in place: the position is subtracted from the caller's points
-
-    told by: in place | input & change | caller | overwrit | argument & change | copy
-    """
-    points -= position
-    return points @ rotation.T
+    return np.all(distance <= stored_distance(distance_map, place) + bias)

@@ -2,214 +2,134 @@
 
 
 def on_plane(place, distance, slope, step):
-    """the distance is that at place + step itself, not at the centre of its texel
+    """the distance is that at place + step, not at the centre of the texel there
 
-    told by: centre | center | exactly at | floor | not & middle of the texel
+    told by: centre | center | middle of the texel | half a texel | 0.5 | slope & step & only | floor
     """
-    return place + step, distance + (slope * step).sum(1)
+    return place + step, distance + (slope * step).sum(axis=1)
 
 
-def on_plane(place, distance, slope, step):
-    """the 0.5 is forgotten: the distance is that at the texel's corner, not at its centre
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """every place is compared at the point's own distance, the plane's slope is ignored
 
-    told by: corner | 0.5 | half a texel | half | + 1/2
+    told by: slope | plane | own distance | same distance | constant distance | distance & not follow | receiver's distance
     """
-    there = place + step
-    out = np.empty(len(distance))
-    for i in range(len(distance)):
-        dx, dy = np.floor(there[i]) - place[i]
-        out[i] = distance[i] + slope[i, 0] * dx + slope[i, 1] * dy
-    return there, out
+    shares = [is_lit(distance_map, place + step, distance, bias)
+              for step in steps_around(offsets, radius)]
+    return np.mean(shares, axis=0)
 
 
-def on_plane(place, distance, slope, step):
-    """the plane is followed from the new place and not from place, so the step itself adds no distance
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """the stored distances are averaged and compared once, instead of averaging the answers
 
-    told by: from the new | from place | from `place` | step & adds no | from & there | from & place + step
+    told by: stored & mean | stored & averag | map & averag | averag & before | mean & before & compar | compared once | all or nothing | averaged and then compared
     """
-    there = place + step
-    to_centre = np.floor(there) + 0.5 - there
-    return there, distance + (slope * to_centre).sum(1)
+    stored, plane = 0.0, 0.0
+    for step in steps_around(offsets, radius):
+        there, far = on_plane(place, distance, slope, step)
+        stored = stored + stored_distance(distance_map, there) / len(offsets)
+        plane = plane + far / len(offsets)
+    return (plane <= stored + bias).astype(float)
 
 
-def on_plane(place, distance, slope, step):
-    """the distance falls with the slope: its sign is the other one
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """divided by offsets.size, which is 2 K, so each share is half of the right one
 
-    told by: sign | minus | subtract | falls | wrong direction | other way
+    told by: 2 K | half | halv | offsets.size | factor 2 | factor of 2 | twice
     """
-    there = place + step
-    return there, distance - (slope * (np.floor(there) + 0.5 - place)).sum(-1)
+    count = np.zeros(len(distance))
+    for step in steps_around(offsets, radius):
+        there, far = on_plane(place, distance, slope, step)
+        count = count + is_lit(distance_map, there, far, bias)
+    return count / offsets.size
+
+
+def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
+    """the sum is divided by the number of all places instead of the blockers'
+
+    told by: all places | number of places | number of offsets | divided by K | len(offsets) | number of blockers | number of the blockers
+    """
+    total, any_blocker = np.zeros(len(distance)), np.zeros(len(distance), bool)
+    for step in steps_around(offsets, radius):
+        there, far = on_plane(place, distance, slope, step)
+        dark = ~is_lit(distance_map, there, far, bias)
+        total[dark] += stored_distance(distance_map, there)[dark]
+        any_blocker |= dark
+    return np.where(any_blocker, total / len(offsets), np.inf)
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """R (distance - blocker) / blocker, the width on the receiver: the divide by its distance is missing
+
+    told by: on the receiver | (distance - blocker) | similar triangles | divid & distance & missing | times the distance | multiplied by & distance | world's unit
+    """
+    with np.errstate(invalid="ignore"):
+        wide = np.where(np.isinf(blocker), 0.0, light_radius * (distance - blocker) / blocker)
+    return np.maximum(wide, 0) * (clip_from_light[0, 0] * width / 2)
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """the maximum with 0 is forgotten, so the radius is negative where nothing blocks
+
+    told by: negative | maximum | max with | below 0 | below zero | at least 0 | nothing blocks
+    """
+    spread = light_radius / blocker - light_radius / distance
+    return spread * clip_from_light[0, 0] * (width / 2)
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """width instead of width / 2, so the radius is twice too large
+
+    told by: twice | double | width / 2 | half the width | factor 2 | factor of 2 | half
+    """
+    radius = np.zeros(len(distance))
+    for n, (d, b) in enumerate(zip(distance, blocker)):
+        radius[n] = max(light_radius * (1 / b - 1 / d), 0.0) * clip_from_light[0, 0] * width
+    return radius
 
 
 def percentage_closer(distance_map, place, distance, slope,
                       bias, offsets, radius):
-    """the share in shadow is returned, not the share that light reaches
+    """the stored distances are averaged first and compared once, which gives only 0 or 1
 
-    told by: in shadow | 1 - | complement | inverted | opposite | not lit | dark
+    told by: averag & first | mean & stored | blur & map | compare & once | only 0 or 1 | averag & depth | averag & distance | before comparing
     """
-    blocked = np.zeros(len(distance))
+    stored = np.zeros(distance.shape)
+    plane = np.zeros(distance.shape)
     for step in steps_around(offsets, radius):
         there, d = on_plane(place, distance, slope, step)
-        blocked += ~is_lit(distance_map, there, d, bias)
-    return blocked / len(offsets)
+        stored += stored_distance(distance_map, there) / len(offsets)
+        plane += d / len(offsets)
+    return (plane <= stored + bias).astype(float)
 
 
 def percentage_closer(distance_map, place, distance, slope,
                       bias, offsets, radius):
-    """every place is compared with the distance of the point itself: the plane's slope is not followed
+    """the number of lit places is divided by the number of points and not by that of the offsets
 
-    told by: slope | on_plane | same distance | plane | tilt
-    """
-    total = 0
-    for step in steps_around(offsets, radius):
-        total = total + is_lit(distance_map, place + step, distance, bias)
-    return total / len(offsets)
-
-
-def percentage_closer(distance_map, place, distance, slope,
-                      bias, offsets, radius):
-    """the sum of the lit places is not divided by their number
-
-    told by: divided & number | sum & mean | not divided | more than 1 | above 1 | count & share | len(offsets)
+    told by: number of points | len(distance) | n instead of k | number of offsets | divi & offsets | wrong number
     """
     lit = np.zeros(distance.shape)
     for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        lit += is_lit(distance_map, there, plane, bias)
-    return lit
-
-
-def percentage_closer(distance_map, place, distance, slope,
-                      bias, offsets, radius):
-    """the steps are the offsets themselves: the radius is not used
-
-    told by: radius | scaled | unit disc | steps_around
-    """
-    lit = np.zeros(distance.shape)
-    for offset in offsets:
-        there, d = on_plane(place, distance, slope, offset)
-        lit += is_lit(distance_map, there, d, bias)
-    return lit / len(offsets)
-
-
-def blocker_distance(distance_map, place, distance, slope,
-                     bias, offsets, radius):
-    """the mean is over all places and not over the blockers alone: it is divided by the number of all offsets
-
-    told by: all offsets | all places | number of blockers | number of offsets | only & blockers | len(offsets) | blockers alone
-    """
-    total = np.zeros(distance.shape)
-    found = np.zeros(distance.shape, bool)
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        stored = stored_distance(distance_map, there)
-        blocks = plane > stored + bias
-        total[blocks] += stored[blocks]
-        found |= blocks
-    return np.where(found, total / len(offsets), np.inf)
-
-
-def blocker_distance(distance_map, place, distance, slope,
-                     bias, offsets, radius):
-    """where there is no blocker it is 0, not np.inf
-
-    told by: no blocker | np.inf | infinite | nothing blocks | without a blocker | without blocker
-    """
-    total, count = np.zeros(len(distance)), np.zeros(len(distance))
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        stored = stored_distance(distance_map, there)
-        dark = ~is_lit(distance_map, there, plane, bias)
-        total += np.where(dark, stored, 0)
-        count += dark
-    return total / np.maximum(count, 1)
-
-
-def blocker_distance(distance_map, place, distance, slope,
-                     bias, offsets, radius):
-    """the nearest blocker is taken, not the mean of them all
-
-    told by: nearest | minimum | smallest | mean & blockers | least
-    """
-    best = np.full(len(distance), np.inf)
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        stored = stored_distance(distance_map, there)
-        best = np.where(plane > stored + bias, np.minimum(best, stored), best)
-    return best
-
-
-def blocker_distance(distance_map, place, distance, slope,
-                     bias, offsets, radius):
-    """the mean is of the receiver's own distances at the blocked places, not of what the map stores there
-
-    told by: receiver | plane's distance | own distance | stored | of the point
-    """
-    total, count = np.zeros((2, len(distance)))
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        blocks = ~is_lit(distance_map, there, plane, bias)
-        total += blocks * plane
-        count += blocks
-    return np.where(count > 0, total / np.maximum(count, 1), np.inf)
+        lit += is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
+    return lit / len(place)
 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """the width of the border in the world, R (distance - blocker) / blocker, is used: the division by distance, the perspective of the map, is missing
+    """the radius is not clipped at 0: it is negative where nothing blocks
 
-    told by: / blocker | divi & distance | distance - blocker | in the world | perspective | world's unit | fernando
+    told by: clip | negative | max( | maximum | below 0 | nothing blocks | no blocker
     """
-    spread = light_radius * (distance - blocker) / blocker
-    spread = np.where(np.isinf(blocker), 0, spread)
-    return np.maximum(spread, 0) * clip_from_light[0, 0] * width / 2
+    out = np.zeros(len(distance))
+    for i in range(len(distance)):
+        out[i] = light_radius * (1 / blocker[i] - 1 / distance[i]) * clip_from_light[0, 0] * width / 2
+    return out
 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """the difference is the other way round, so that the clip at 0 leaves nothing
+    """width is not halved, so the radius is the diameter
 
-    told by: other way round | sign | exchanged | swapped | 1/distance - 1/blocker | always 0 | everywhere 0
-    """
-    spread = light_radius * (1 / distance - 1 / blocker)
-    return np.maximum(spread, 0) * clip_from_light[0, 0] * width / 2
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """C_00 is left out: the radius does not know how wide the light's camera looks
-
-    told by: c_00 | clip_from_light | field of view | projection | [0, 0] | how wide & looks
-    """
-    spread = light_radius * (1 / blocker - 1 / distance)
-    return np.maximum(spread, 0) * width / 2
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """it takes 1 / (blocker - distance) and not the difference of the reciprocals
-
-    told by: reciprocal | 1 / (blocker | 1/(blocker | inverse & difference | difference & inverse
-    """
-    with np.errstate(divide="ignore"):
-        gap = np.maximum(distance - blocker, 0)
-        spread = np.where(gap > 0, light_radius / np.where(gap > 0, gap, 1), 0)
-    return spread * clip_from_light[0, 0] * width / 2
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """the radius is cut down to whole texels
-
-    told by: integer | whole | round | truncat | floor | int(
+    told by: half | twice | / 2 | 1/2 | diameter | double | 0.5 | factor 2
     """
     spread = light_radius * np.maximum(1 / blocker - 1 / distance, 0)
-    return (spread * clip_from_light[0, 0] * width / 2).astype(int)
-
-
-def percentage_closer(distance_map, place, distance, slope,
-                      bias, offsets, radius):
-    """the places follow one another: each step starts from the last place and not from (x, y)
-
-    told by: last place | one another | add up | accumulat | in place | from the previous | place & changed | wander
-    """
-    lit = np.zeros(distance.shape)
-    for step in steps_around(offsets, radius):
-        place, distance = on_plane(place, distance, slope, step)
-        lit += is_lit(distance_map, place, distance, bias)
-    return lit / len(offsets)
+    return spread * clip_from_light[0, 0] * width

@@ -2,133 +2,104 @@
 
 
 def edges_of(corners, counts):
-    """an edge's direction is kept, so an edge of two faces occurs twice
+    """the pairs keep the direction of their face, so an edge of two faces stands in the list twice
 
-    told by: twice | direction | both ways | half-edge | duplicate | not sorted
+    told by: direction | low < high | low & high | edge & twice | both ways | half-edge | smaller & first
     """
-    pairs = np.stack([corners, corners[next_corner(counts)]], axis=1)
-    edges, corner_edge = np.unique(pairs, axis=0, return_inverse=True)
-    return edges, corner_edge.ravel()
+    start = corners.astype(np.int64)
+    end = start[next_corner(counts)]
+    pairs = np.stack([start, end], 1)
+    edges, inverse = np.unique(pairs, axis=0, return_inverse=True)
+    return edges, inverse.ravel()
 
 
 def edges_of(corners, counts):
-    """corner_edge is the index of an edge's first occurrence: return_index instead of return_inverse
+    """a face's last corner is joined to the first corner of the next face, not to its own first
 
-    told by: return_index | return_inverse | first occurrence | length & corner_edge | one entry & edge | shape & corner_edge
+    told by: last corner | next face | closing | close & face | wrap | across faces | same face
     """
-    low = np.minimum(corners, corners[next_corner(counts)])
-    high = np.maximum(corners, corners[next_corner(counts)])
-    return np.unique(np.stack([low, high], 1), axis=0, return_index=True)
+    start = corners.astype(np.int64)
+    end = np.roll(start, -1)
+    pairs = np.sort(np.stack([start, end], 1), axis=1)
+    edges, inverse = np.unique(pairs, axis=0, return_inverse=True)
+    return edges, inverse.ravel()
 
 
 def edges_of(corners, counts):
-    """corner_edge is that of the edge from the previous corner, not to the next one
+    """corner_edge names the edge from the previous corner, not the one to the next
 
-    told by: previous | edge behind | arriv | precede | instead of the next | corner before
+    told by: previous | arriv | behind | corner before | shifted & corner | one corner | to the next
     """
-    nxt = next_corner(counts)
-    pairs = np.sort(np.stack([corners, corners[nxt]], 1), axis=1)
-    edges, ahead = np.unique(pairs, axis=0, return_inverse=True)
-    corner_edge = np.empty(len(corners), int)
-    corner_edge[nxt] = ahead.ravel()
-    return edges, corner_edge
-
-
-def edges_of(corners, counts):
-    """fine print: the keys are computed in the corners' own int32 and overflow for large vertex numbers
-
-    told by: overflow | int32 | 32 bit | int64 | large number | narrow
-    """
-    end = corners[next_corner(counts)]
-    low, high = np.minimum(corners, end), np.maximum(corners, end)
-    n = high.max() + corners.dtype.type(1)
-    key, corner_edge = np.unique(low * n + high, return_inverse=True)
-    return np.stack([key // n, key % n], axis=1), corner_edge
-
-
-def edges_of(corners, counts):
-    """each edge is written high, low instead of low, high
-
-    told by: low < high | high & low | larger & first | greater & first | descending | within & pair
-    """
-    following = corners[next_corner(counts)]
-    pairs = np.sort(np.stack([corners, following], 1), axis=1)
-    edges, corner_edge = np.unique(pairs, axis=0, return_inverse=True)
-    return edges[:, ::-1], corner_edge.ravel()
+    every = []
+    first = 0
+    for n in counts:
+        face = [int(v) for v in corners[first:first + n]]
+        for k in range(n):
+            u, v = face[k - 1], face[k]
+            every.append((min(u, v), max(u, v)))
+        first += n
+    edges = sorted(set(every))
+    number = {edge: e for e, edge in enumerate(edges)}
+    return np.array(edges), np.array([number[edge] for edge in every])
 
 
 def pull_entries(rows, columns, u):
-    """the -u stands on the diagonal of the column's vertex, not of the row's
+    """-u goes to the diagonal of the column's vertex, not of the row's
 
-    told by: diagonal & column | -u & column | -u & row | -u & place | wrong diagonal
+    told by: diagonal & column | (column, column) | -u & column | own row | diagonal & row | row's own | x_row
     """
-    return (np.concatenate([rows, columns]), np.concatenate([columns, columns]),
-            np.concatenate([u, -u]))
-
-
-def pull_entries(rows, columns, u):
-    """the 1 of the diagonal is included: 1 - u instead of -u
-
-    told by: 1 - u | already & 1 | diagonal & 1 | identity | extra 1
-    """
-    r, c, w = [], [], []
-    for i in range(len(rows)):
-        r += [rows[i], rows[i]]
-        c += [columns[i], rows[i]]
-        w += [u[i], 1 - u[i]]
-    return np.array(r), np.array(c), np.array(w)
+    r = np.hstack([rows, columns])
+    c = np.hstack([columns, columns])
+    return r, c, np.hstack([u, -u])
 
 
 def vertex_rows(edges, is_boundary, u, w):
-    """vertices on the boundary are pulled along inner edges as well
+    """a boundary vertex is pulled along its inner edges too, not along the boundary alone
 
-    told by: inner edge | interior edge | boundary edges alone | along the boundary | only & boundary edge | inside edge
-    """
-    every = np.arange(len(u))
-    start, end = np.concatenate([edges, edges[:, ::-1]]).T
-    strength = np.where(np.tile(is_boundary, 2), w, u[start])
-    return join((every, every, np.ones(len(u))), pull_entries(start, end, strength))
-
-
-def vertex_rows(edges, is_boundary, u, w):
-    """each edge pulls only its first vertex, not both ends
-
-    told by: both ends | one end | other end | either end | one direction | second vertex
-    """
-    every = np.arange(len(u))
-    start, end = edges[:, 0], edges[:, 1]
-    at_boundary = np.zeros(len(u), bool)
-    at_boundary[edges[is_boundary]] = True
-    pulled = is_boundary | ~at_boundary[start]
-    strength = np.where(is_boundary, w, u[start])[pulled]
-    return join((every, every, np.ones(len(u))),
-                pull_entries(start[pulled], end[pulled], strength))
-
-
-def vertex_rows(edges, is_boundary, u, w):
-    """the boundary is ignored: every vertex is pulled along all its edges by u
-
-    told by: boundary & ignored | boundary & like & inside | boundary rule | like & inner vert | w is not used | boundary & u instead
-    """
-    every = np.arange(len(u))
-    start = np.concatenate([edges[:, 0], edges[:, 1]])
-    end = np.concatenate([edges[:, 1], edges[:, 0]])
-    return join((every, every, np.ones(len(u))), pull_entries(start, end, u[start]))
-
-
-def vertex_rows(edges, is_boundary, u, w):
-    """the strength is the u of the neighbour (column), not of the vertex that moves (row)
-
-    told by: u of the neighbour | neighbour's u | neighbour's valence | u of the other | of the column | u[end]
+    told by: inner edge | inside & edge | interior & edge | inner neighbour | neighbours inside | boundary & alone | boundary & only
     """
     n = len(u)
-    border = set(edges[is_boundary].ravel().tolist())
-    rows, cols, strength = [], [], []
-    for (a, b), on_rim in zip(edges.tolist(), is_boundary):
-        for v, other in ((a, b), (b, a)):
-            if on_rim:
-                rows.append(v), cols.append(other), strength.append(w)
-            elif v not in border:
-                rows.append(v), cols.append(other), strength.append(u[other])
-    pulls = pull_entries(np.array(rows, int), np.array(cols, int), np.array(strength, float))
-    return join((np.arange(n), np.arange(n), np.ones(n)), pulls)
+    r, c, weights = list(range(n)), list(range(n)), [1.0] * n
+    for (p, q), rim in zip(edges, is_boundary):
+        for here, there in ((p, q), (q, p)):
+            strength = w if rim else u[here]
+            r += [here, here]
+            c += [there, here]
+            weights += [strength, -strength]
+    return np.array(r), np.array(c), np.array(weights, float)
+
+
+def edges_of(corners, counts):
+    """the edges are numbered in the order in which they are found, not sorted
+
+    told by: sorted & edges | order & found | order & edges | first seen | ascending | lexicograph
+    """
+    following = corners[next_corner(counts)]
+    numbers, edges = {}, []
+    corner_edge = np.zeros(len(corners), int)
+    for c in range(len(corners)):
+        edge = (min(corners[c], following[c]), max(corners[c], following[c]))
+        if edge not in numbers:
+            numbers[edge] = len(edges)
+            edges.append(edge)
+        corner_edge[c] = numbers[edge]
+    return np.array(edges), corner_edge
+
+
+def edges_of(corners, counts):
+    """the next corner is simply the next entry of corners: a face's last corner is not joined to its first
+
+    told by: next_corner | closing edge | last corner & first | last corner & face | across faces | next face
+    """
+    after = np.roll(corners, -1)
+    pairs = np.sort(np.stack([corners, after], 1), axis=1)
+    edges, corner_edge = np.unique(pairs, axis=0, return_inverse=True)
+    return edges, corner_edge.reshape(-1)
+
+
+def pull_entries(rows, columns, u):
+    """the part - u x_row is left out: there are only the entries u in the columns
+
+    told by: x_row | -u & missing | no & diagonal | sum of & row | diagonal & missing | diagonal & left out
+    """
+    return np.array(rows), np.array(columns), np.array(u)

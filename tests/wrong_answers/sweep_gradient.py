@@ -2,122 +2,90 @@
 
 
 def edge_crossing(a, b, y):
-    """the two shares are returned in the wrong order: share_b first
+    """share_a and share_b are returned in exchanged order
 
-    told by: order & share | share & exchang | share & swap | share_b & first | share & mixed up
+    told by: share & swap | share & exchang | share & order | share & mixed up | share & other end | share & interchang | share & reversed
     """
-    t = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
-    return (1 - t) * a[..., 0] + t * b[..., 0], np.stack([t, 1 - t], -1)
+    s = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
+    return (1 - s) * a[..., 0] + s * b[..., 0], np.stack([s, 1 - s], -1)
 
 
 def edge_crossing(a, b, y):
-    """share_a is computed as (y - a_y) / (b_y - a_y), so the ends are exchanged in x_edge as well
+    """the two shares are stacked along the first axis, not the last
 
-    told by: ends & exchang | ends & swap | share_a & share_b | wrong end | other end | a and b
+    told by: last axis | first axis | axis 0 | axis & share | share & shape | shape & (2, | share & transpos
     """
-    share_a = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
-    share = np.stack([share_a, 1 - share_a], axis=-1)
-    x_edge = share[..., 0] * a[..., 0] + share[..., 1] * b[..., 0]
-    return x_edge, share
+    s = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
+    return a[..., 0] + s * (b[..., 0] - a[..., 0]), np.stack([1 - s, s])
 
 
 def edge_crossing(a, b, y):
-    """x and y are exchanged: the crossing with the column x = y is computed
+    """x and y of the ends are exchanged: it finds where the edge crosses a column
 
-    told by: x and y | column | vertical | axes | y_edge | coordinates & exchang
+    told by: x and y | column | vertical | x instead of y | a_x & a_y | swap & coordinates | y instead of x
     """
-    share_b = (y - a[..., 0]) / (b[..., 0] - a[..., 0])
-    return a[..., 1] + share_b * (b[..., 1] - a[..., 1]), np.stack([1 - share_b, share_b], -1)
-
-
-def edge_crossing(a, b, y):
-    """the shares are stacked along the first axis instead of the last
-
-    told by: axis | shape | last dimension | stack | transpos | (2, ...)
-    """
-    share_b = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
-    share_a = 1 - share_b
-    return share_a * a[..., 0] + share_b * b[..., 0], np.array([share_a, share_b])
-
-
-def edge_crossing(a, b, y):
-    """the x of the edge is measured from a: a_x is not added
-
-    told by: a_x | measured from | relative to | offset | add & x of a | start & added
-    """
-    dx, dy = b[..., 0] - a[..., 0], b[..., 1] - a[..., 1]
-    share_b = (y - a[..., 1]) / dy
-    share_a = (b[..., 1] - y) / dy
-    return share_b * dx, np.stack([share_a, share_b], -1)
+    s = (y - a[..., 0]) / (b[..., 0] - a[..., 0])
+    return a[..., 1] + s * (b[..., 1] - a[..., 1]), np.stack([1 - s, s], -1)
 
 
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):
     """the minus of eq. (7) is left out
 
-    told by: minus | wrong sign | opposite sign | sign & flip | negated | opposite direction
+    told by: minus | sign is | sign & wrong | opposite sign | negated | times -1 | wrong sign
     """
-    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))[:, None]
-    scaled = way[:, None] + eps[:, None] * share
-    return pull * share / np.where(share > 0, scaled, 1)
+    gain = np.maximum(((colour - beyond) * grad_colour).sum(1), 0)
+    out = np.zeros(share.shape)
+    for p in range(len(share)):
+        for end in range(2):
+            s = share[p, end]
+            if s > 0:
+                out[p, end] = gain[p] / (way[p] / s + eps[p])
+    return out
 
 
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):
-    """the difference of the colours has the wrong sign: I_beyond - I_j, so the pixels that would raise the loss pull
+    """max(0, .) is taken for each channel before the sum over the channels
 
-    told by: beyond - | difference & sign | colours & exchang | I_j & exchang | raise | colour & sign
+    told by: channel | each colour | before & sum & max | per component | max & each | order & max
     """
-    gain = ((beyond - colour) * grad_colour).sum(1)
-    pull = np.maximum(0, gain)[:, None]
-    scaled = way[:, None] + eps[:, None] * share
-    return -pull * share / np.where(share > 0, scaled, 1)
+    gain = np.maximum(0, (colour - beyond) * grad_colour).sum(1)[:, None]
+    moves = share > 0
+    d = way[:, None] / np.where(moves, share, 1) + eps[:, None]
+    return np.where(moves, -gain / np.where(moves, d, 1), 0)
 
 
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):
     """d_j is way times share instead of way divided by share
 
-    told by: divi & share | times share | multipl & share | share & upside down | way / share
+    told by: way * share | way times | times & share | way / share | divid & share | multipl & share | 1 / share
     """
-    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))
-    d = way[:, None] * share
-    bottom = d + eps[:, None]
-    return np.where(share > 0, -pull[:, None] / np.where(share > 0, bottom, 1), 0)
+    gain = np.maximum(0, np.einsum("pc,pc->p", colour - beyond, grad_colour))
+    out = np.zeros_like(share)
+    for end in (0, 1):
+        s = share[:, end]
+        d = way * s + eps
+        out[:, end] = np.where(s > 0, -gain / np.where(s > 0, d, 1), 0)
+    return out
+
+
+def edge_crossing(a, b, y):
+    """the row's centre is added again: y is already where the row is, not its index
+
+    told by: half a pixel | 0.5 | 1/2 | centre | center | row's index
+    """
+    share_b = (y + 0.5 - a[..., 1]) / (b[..., 1] - a[..., 1])
+    return a[..., 0] + share_b * (b[..., 0] - a[..., 0]), np.stack([1 - share_b, share_b], -1)
 
 
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):
-    """the maximum with 0 is left out: pixels that would raise the loss push the edge away
+    """max(0, .) is taken for each channel before the sum, not of the dot product
 
-    told by: max(0 & missing | max(0 & forgot | max(0 & left out | cut off | raise & loss | maximum & missing
+    told by: each channel | per channel | channel & sum | dot product | before the sum | every channel
     """
-    pull = np.einsum("pc,pc->p", colour - beyond, grad_colour)[:, None]
-    scaled = way[:, None] + eps[:, None] * share
-    return -pull * share / np.where(share > 0, scaled, 1)
-
-
-def edge_pulls(grad_colour, colour, beyond, way, share, eps):
-    """fine print: an end of share 0 divides by 0, and its term is nan
-
-    told by: share 0 | share of 0 | nan | divi & 0 | divi & zero
-    """
-    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(axis=1, keepdims=True))
-    d = way[:, None] / share  # eq. (8)
-    return -pull / (d + eps[:, None])
-
-
-def edge_pulls(grad_colour, colour, beyond, way, share, eps):
-    """the distance's absolute value is taken, so pixels on either side pull in the same direction
-
-    told by: absolute | abs( | either side | both sides | same direction | sign of & way
-    """
-    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))[:, None]
-    scaled = np.abs(way)[:, None] + np.abs(eps)[:, None] * share
-    return -pull * share / np.where(share > 0, scaled, 1)
-
-
-def edge_pulls(grad_colour, colour, beyond, way, share, eps):
-    """the terms are already summed over the pixels
-
-    told by: sum & pixels | summed | shape | (P, 2) | one row & pixel
-    """
-    pull = np.maximum(0, ((colour - beyond) * grad_colour).sum(1))[:, None]
-    scaled = way[:, None] + eps[:, None] * share
-    return (-pull * share / np.where(share > 0, scaled, 1)).sum(0)
+    out = np.zeros((len(way), 2))
+    for p in range(len(way)):
+        pull = np.maximum(0, (colour[p] - beyond[p]) * grad_colour[p]).sum()
+        for i in range(2):
+            if share[p, i] > 0:
+                out[p, i] = -pull * share[p, i] / (way[p] + eps[p] * share[p, i])
+    return out

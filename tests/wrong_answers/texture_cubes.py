@@ -2,225 +2,140 @@
 
 
 def cube_taps(weight, depth, z, size):
-    """the weights on screen are taken as they are: the factor depth / z_k of the perspective is missing
+    """the place in the cube is (T - 1) w_k, without the z / z_k that makes it right in perspective
 
-    told by: perspective | z / z_k | depth / z | depth & factor | weights on screen | on screen & weight
+    told by: perspective | z / z_k | z/z_k | depth / z | divid & z_k | depth & not used | depth & ignored
     """
-    t = (size - 1) * weight
-    low = np.minimum(np.floor(t), size - 2).astype(int)
-    part = t - low
-    index = np.zeros((len(t), 8), int)
-    tap = np.ones((len(t), 8))
+    place = np.minimum((size - 1) * weight, size - 1)
+    first = np.minimum(np.floor(place), size - 2).astype(int)
+    part = place - first
+    index = np.empty((len(weight), 8), int)
+    tap = np.empty((len(weight), 8))
     for n in range(8):
-        for k in range(3):
-            bit = (n // 2**k) % 2
-            index[:, n] += (low[:, k] + bit) * size**(2 - k)
-            tap[:, n] *= part[:, k] if bit else 1 - part[:, k]
-    return index, tap
-
-
-def cube_taps(weight, depth, z, size):
-    """the last axis takes bit 0 of the tap's number, so the taps are in the order of the texels
-
-    told by: order & tap | bit & axis | reversed & bit | order & axes | axis & exchanged | n // 2
-    """
-    t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
-    low = np.minimum(np.floor(t), size - 2).astype(int)
-    part = t - low
-    index, tap = np.zeros((len(t), 8), int), np.zeros((len(t), 8))
-    n = 0
-    for i in (0, 1):
-        for j in (0, 1):
-            for k in (0, 1):
-                p, q, r = (low + [i, j, k]).T
-                index[:, n] = (p * size + q) * size + r
-                tap[:, n] = np.prod(np.where([i, j, k], part, 1 - part), axis=1)
-                n += 1
-    return index, tap
-
-
-def cube_taps(weight, depth, z, size):
-    """the lower texel is not limited to T - 2, so at t_k = T - 1 the upper one lies outside of the cube
-
-    told by: T - 2 | size - 2 | last texel | outside & cube | beyond & cube | t_k = T - 1
-    """
-    t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
-    low = np.floor(t).astype(int)
-    index, tap = np.zeros((len(t), 8), int), np.ones((len(t), 8))
-    for n in range(8):
-        for k in range(3):
-            upper = n >> k & 1
-            index[:, n] = index[:, n] * size + low[:, k] + upper
-            tap[:, n] *= t[:, k] - low[:, k] if upper else 1 - (t[:, k] - low[:, k])
+        step = [n // 2**k % 2 for k in range(3)]
+        i, j, k = (first[:, axis] + step[axis] for axis in range(3))
+        index[:, n] = (i * size + j) * size + k
+        tap[:, n] = np.prod([part[:, q] if step[q] else 1 - part[:, q] for q in range(3)], axis=0)
     return index, tap
 
 
 def cube_taps_backward(grad_tap, weight, depth, z, size):
-    """the sign is forgotten: a lower texel's weight 1 - part falls as t grows
+    """grad_z has one factor 1 / z_k too few: the derivative of 1 / z_k is -1 / z_k^2
 
-    told by: sign & tap | minus & tap | 1 - part | lower texel | - 1 & tap | 1 - (t
-    """
-    scale = (size - 1) / z
-    t = scale * weight * depth[:, None]
-    part = t - np.minimum(np.floor(t), size - 2)
-    grad_t = np.zeros(t.shape)
-    for n in range(8):
-        f = [part[:, k] if n >> k & 1 else 1 - part[:, k] for k in range(3)]
-        grad_t[:, 0] += grad_tap[:, n] * f[1] * f[2]
-        grad_t[:, 1] += grad_tap[:, n] * f[0] * f[2]
-        grad_t[:, 2] += grad_tap[:, n] * f[0] * f[1]
-    grad_weight = grad_t * scale * depth[:, None]
-    return grad_weight, (grad_t * scale * weight).sum(1), -grad_weight * weight / z
-
-
-def cube_taps_backward(grad_tap, weight, depth, z, size):
-    """the factor T - 1 of the places is forgotten in the chain rule
-
-    told by: T - 1 | size - 1 | cube's size | factor & size | chain rule & size
+    told by: z_k^2 | z^2 | z**2 | z_k**2 | squar & z | grad_z & once more | grad_z & factor & z
     """
     t = (size - 1) * weight * depth[:, None] / z
-    part = t - np.minimum(np.floor(t), size - 2)
-    grad_t = np.zeros(t.shape)
+    f = t - np.minimum(np.floor(t), size - 2)
+    back = np.zeros_like(t)
     for n in range(8):
         bits = [(n >> k) & 1 for k in range(3)]
-        a = [part[:, k] if bits[k] else 1 - part[:, k] for k in range(3)]
-        for k, (i, j) in enumerate(EDGES):
-            grad_t[:, k] += (2 * bits[k] - 1) * grad_tap[:, n] * a[i] * a[j]
-    grad_weight = grad_t * depth[:, None] / z
-    grad_depth = (grad_t * weight / z).sum(1)
-    grad_z = -grad_t * weight * depth[:, None] / z**2
+        a = [f[:, k] if bits[k] else 1 - f[:, k] for k in range(3)]
+        for k in range(3):
+            rest = a[(k + 1) % 3] * a[(k + 2) % 3] * grad_tap[:, n]
+            back[:, k] += rest if bits[k] else -rest
+    back = back * (size - 1)
+    grad_weight = back * depth[:, None] / z
+    grad_depth = (back * weight / z).sum(1)
+    grad_z = -back * weight * depth[:, None] / z
     return grad_weight, grad_depth, grad_z
 
 
-def cube_taps_backward(grad_tap, weight, depth, z, size):
-    """grad_z has a plus: t_k falls as z_k grows
+def face_light(corners, ambient, directional, towards):
+    """the direction l is divided by its length, but it is to be used as it is
 
-    told by: grad_z & sign | grad_z & minus | grad_z & negative | z_k & sign | z_k & minus | falls & z_k
+    told by: towards & length | l & divided & length | towards & normali | l & normali | l & as it is | towards & unit
     """
-    scale = (size - 1) / z
-    t = scale * weight * depth[:, None]
-    part = t - np.minimum(np.floor(t), size - 2)
-    grad_t = np.zeros(t.shape)
-    for n in range(8):
-        a = [part[:, k] if n >> k & 1 else 1 - part[:, k] for k in range(3)]
-        for k, (i, j) in enumerate(EDGES):
-            grad_t[:, k] += (1 if n >> k & 1 else -1) * grad_tap[:, n] * a[i] * a[j]
-    grad_weight = grad_t * scale * depth[:, None]
-    return grad_weight, (grad_t * scale * weight).sum(1), grad_t * t / z
+    e1, e2 = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    n = np.cross(e1, e2)
+    size = np.linalg.norm(n, axis=1, keepdims=True)
+    n = n / np.where(size > 0, size, 1)
+    direction = towards / np.linalg.norm(towards)
+    return ambient + np.maximum(n @ direction, 0)[:, None] * directional
 
 
 def face_light(corners, ambient, directional, towards):
-    """the normal is not divided by its length
+    """the normal points to the other side, from where the corners are clockwise
 
-    told by: normali | unit normal | length & normal | unit length | divided by & length
+    told by: normal & other side | clockwise | normal & opposite | normal & sign | normal & flip | order of & cross | normal & turned
     """
-    v0, v1, v2 = corners[:, 0], corners[:, 1], corners[:, 2]
-    n = np.cross(v1 - v0, v2 - v0)
-    return ambient + np.maximum(n @ towards, 0)[:, None] * directional
-
-
-def face_light(corners, ambient, directional, towards):
-    """the cosine is not cut off at 0, so faces that look away from the light are darkened
-
-    told by: max(0 | cut off | clamp | negative & light | turned away | look away
-    """
-    light = np.zeros((len(corners), len(ambient)))
-    for f, (a, b, c) in enumerate(corners):
-        n = np.cross(b - a, c - a)
-        length = np.linalg.norm(n)
-        if length > 0:
-            n = n / length
-        light[f] = ambient + directional * (n @ towards)
+    light = np.empty((len(corners), len(ambient)))
+    for f, (p, q, r) in enumerate(corners):
+        n = np.cross(r - p, q - p)
+        size = np.linalg.norm(n)
+        cosine = (n / size) @ towards if size > 0 else 0.0
+        light[f] = ambient + max(0.0, cosine) * directional
     return light
 
 
 def face_light(corners, ambient, directional, towards):
-    """the light is lit from both sides: the absolute value of the cosine is taken
+    """the max with 0 is missing, so faces turned away from the light get less than the ambient light
 
-    told by: absolute | both sides | abs( | two-sided | back side | from behind
+    told by: max(0 | maximum | negative & light | turned away | away from the light | n . l & below 0 | clamp & 0
+    """
+    p, q, r = corners[:, 0], corners[:, 1], corners[:, 2]
+    n = np.cross(q - p, r - p)
+    size = np.sqrt((n * n).sum(1))
+    n = n / np.where(size == 0, 1, size)[:, None]
+    return ambient[None] + np.outer(n @ towards, directional)
+
+
+def face_light_backward(grad_light, corners, ambient, directional, towards):
+    """back through n = N / |N| it only divides by |N| and keeps the part along n, which has no effect
+
+    told by: along n | along the normal | unit & normal | normaliz | normalis | project | length & normal
+    """
+    p, q, r = corners.swapaxes(0, 1)
+    big = np.cross(q - p, r - p)
+    size = np.linalg.norm(big, axis=1, keepdims=True)
+    size = np.where(size == 0, 1, size)
+    n = big / size
+    cos = n @ towards
+    lit = cos > 0
+    back = np.where(lit, grad_light @ directional, 0)
+    grad_big = back[:, None] * towards / size
+    to_q = np.cross(r - p, grad_big)
+    to_r = np.cross(grad_big, q - p)
+    return (np.stack([-(to_q + to_r), to_q, to_r], 1), grad_light.sum(0),
+            (grad_light * np.where(lit, cos, 0)[:, None]).sum(0), back @ n)
+
+
+def cube_taps(weight, depth, z, size):
+    """the place in the cube uses T instead of T - 1
+
+    told by: T - 1 | size - 1 | T instead | off by one & texel | one texel too
+    """
+    t = np.minimum(size * weight * depth[:, None] / z, size - 1)
+    low = np.minimum(np.floor(t), size - 2).astype(int)
+    part = t - low
+    index, tap = [], []
+    for n in range(8):
+        bits = np.array([n % 2, n // 2 % 2, n // 4 % 2])
+        at = low + bits
+        index.append((at[:, 0] * size + at[:, 1]) * size + at[:, 2])
+        tap.append(np.where(bits, part, 1 - part).prod(1))
+    return np.stack(index, 1), np.stack(tap, 1)
+
+
+def face_light(corners, ambient, directional, towards):
+    """the normal points to the other side: the factors of the cross product are exchanged
+
+    told by: cross product & exchang | normal & other side | normal & sign | clockwise | normal & flip | normal & revers
     """
     a, b, c = corners.swapaxes(0, 1)
-    area = np.cross(b - a, c - a)
+    area = np.cross(c - a, b - a)
     length = np.linalg.norm(area, axis=1, keepdims=True)
     cosine = (area / np.where(length > 0, length, 1)) @ towards
-    return ambient + np.abs(cosine)[:, None] * directional
+    return ambient + np.maximum(cosine, 0)[:, None] * directional
 
 
 def face_light(corners, ambient, directional, towards):
-    """fine print: a face without area divides 0 by 0 and its light is nan
+    """towards is divided by its length, although it is to be taken as it is
 
-    told by: nan | without area | degenerate | 0 / 0 | divi & 0 | no normal
-    """
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    n = np.cross(b - a, c - a)
-    n /= np.linalg.norm(n, axis=1, keepdims=True)
-    return ambient[None] + np.clip(n @ towards, 0, None)[:, None] * directional[None]
-
-
-def face_light(corners, ambient, directional, towards):
-    """the length of the normals is taken over all faces at once, without an axis
-
-    told by: axis | all faces & length | each face & length | whole array | norm & once
-    """
-    a, b, c = corners.swapaxes(0, 1)
-    normal = np.cross(b - a, c - a)
-    normal = normal / np.linalg.norm(normal)
-    return ambient + np.maximum(normal @ towards, 0)[:, None] * directional
-
-
-def face_light_backward(grad_light, corners, ambient, directional, towards):
-    """the normal's division by its length is treated as a constant in grad_corners
-
-    told by: division & length | normali | length & constant | length & depends | tangent | project
+    told by: towards & length | towards & normali | light & normali | as it is | towards & unit | l by its length
     """
     a, b, c = corners.swapaxes(0, 1)
     area = np.cross(b - a, c - a)
     length = np.linalg.norm(area, axis=1, keepdims=True)
-    length[length == 0] = 1
-    normal = area / length
-    cosine = (normal @ towards)[:, None]
-    grad_cosine = np.where(cosine > 0, (grad_light * directional).sum(1, keepdims=True), 0)
-    grad_area = grad_cosine * towards / length
-    grad_b, grad_c = np.cross(c - a, grad_area), np.cross(grad_area, b - a)
-    grad_corners = np.stack([-grad_b - grad_c, grad_b, grad_c], 1)
-    grad_directional = (grad_light * np.maximum(cosine, 0)).sum(0)
-    return grad_corners, grad_light.sum(0), grad_directional, (grad_cosine * normal).sum(0)
-
-
-def face_light_backward(grad_light, corners, ambient, directional, towards):
-    """faces turned away from the light get gradients as well: the max(0, .) is forgotten in grad_cosine
-
-    told by: max(0 | turned away | n . l <= 0 | away from the light | cut off | clamp
-    """
-    a, b, c = corners.swapaxes(0, 1)
-    area = np.cross(b - a, c - a)
-    length = np.linalg.norm(area, axis=1, keepdims=True)
-    length[length == 0] = 1
-    n = area / length
-    cosine = (n * towards).sum(1, keepdims=True)
-    grad_cosine = (grad_light * directional).sum(1, keepdims=True)
-    grad_area = grad_cosine * (towards - cosine * n) / length
-    grad_b, grad_c = np.cross(c - a, grad_area), np.cross(grad_area, b - a)
-    grad_corners = np.stack([-grad_b - grad_c, grad_b, grad_c], 1)
-    grad_directional = (grad_light * np.maximum(cosine, 0)).sum(0)
-    return grad_corners, grad_light.sum(0), grad_directional, (grad_cosine * n).sum(0)
-
-
-def face_light_backward(grad_light, corners, ambient, directional, towards):
-    """corner a has no gradient, although both edge vectors start at it
-
-    told by: corner a | first corner | both edge | corner 0 | starts at
-    """
-    a, b, c = corners.swapaxes(0, 1)
-    area = np.cross(b - a, c - a)
-    length = np.linalg.norm(area, axis=1, keepdims=True)
-    length[length == 0] = 1
-    normal = area / length
-    cosine = (normal @ towards)[:, None]
-    grad_cosine = np.where(cosine > 0, (grad_light * directional).sum(1, keepdims=True), 0)
-    grad_area = grad_cosine * (towards - cosine * normal) / length
-    grad_corners = np.zeros_like(corners)
-    grad_corners[:, 1] = np.cross(c - a, grad_area)
-    grad_corners[:, 2] = np.cross(grad_area, b - a)
-    grad_directional = (grad_light * np.maximum(cosine, 0)).sum(0)
-    return grad_corners, grad_light.sum(0), grad_directional, (grad_cosine * normal).sum(0)
+    direction = towards / np.linalg.norm(towards)
+    cosine = (area / np.where(length > 0, length, 1)) @ direction
+    return ambient + np.maximum(cosine, 0)[:, None] * directional

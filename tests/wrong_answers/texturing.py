@@ -2,236 +2,224 @@
 
 
 def linear_texels(x, size):
-    """the half texel is forgotten: p = w u instead of w u - 1/2
+    """p is u (w - 1), as if the first and the last texel's centres were at 0 and 1 (align_corners)
 
-    told by: half a texel | half texel | 1/2 | - 0.5 | centre & texel | corner & texel
+    told by: w - 1 | size - 1 | align_corners | align corners | centres & ends | last texel's centre
     """
-    p = np.asarray(x * size)
+    p = np.asarray(x) * (size - 1)
     j = np.floor(p).astype(int)
-    a = p - j
-    return np.stack([j, j + 1]), np.stack([1 - a, a])
-
-
-def linear_texels(x, size):
-    """astype(int) cuts towards 0 instead of floor, so a negative p gets the wrong texel
-
-    told by: towards 0 | toward 0 | floor | negative | truncat | towards zero | astype
-    """
-    p = x * size - 0.5
-    j = p.astype(int)
     a = p - j
     return np.array([j, j + 1]), np.array([1 - a, a])
 
 
 def linear_texels(x, size):
-    """the two weights are exchanged: a belongs to texel j and 1 - a to j + 1
+    """the two weights are exchanged: a goes to j instead of j + 1
 
-    told by: exchanged | swapped | a of j | 1 - a & j + 1 | other texel | mixed up | reversed
-    """
-    position = x * size - 0.5
-    lower = np.floor(position).astype(int)
-    t = position - lower
-    return np.stack([lower, lower + 1]), np.stack([t, 1 - t])
-
-
-def linear_texels(x, size):
-    """the numbers are already clipped to the texture, although they may lie outside of it
-
-    told by: clip | clamp | outside | boundary | below 0 | beyond
+    told by: exchanged | swapped | 1 - a | mixed up | reversed | farther
     """
     p = x * size - 0.5
     j = np.floor(p)
     a = p - j
-    first = np.clip(j, 0, size - 1).astype(int)
-    second = np.clip(j + 1, 0, size - 1).astype(int)
-    return np.stack([first, second]), np.stack([1 - a, a])
+    return np.stack([j, j + 1]).astype(int), np.stack([a, 1 - a])
 
 
 def linear_texels(x, size):
-    """the second texel is j - 1 instead of j + 1
+    """the half texel is added instead of subtracted
 
-    told by: j - 1 | left & right | one before | on the other side | j + 1 | lower neighbour
+    told by: half & added | half & sign | + 1/2 | + 0.5 | next texel | plus & half | one texel
     """
-    p = x * size - 0.5
+    p = x * size + 0.5
     j = np.floor(p).astype(int)
-    a = p - j
-    return np.stack([j, j - 1]), np.stack([1 - a, a])
+    return np.stack([j, j + 1]), np.stack([1 - (p - j), p - j])
 
 
 def look_up(texels, index, weight):
-    """the weights are ignored: the plain mean of the K texels
+    """the mean over the K texels instead of the sum: divided by K
 
-    told by: weights are ignored | plain mean | mean of | without & weight | not weighted | equal weight | weights & not used
+    told by: mean & sum | mean over | mean of | divided by K | division by K | averag | 1 / K
     """
-    return texels[index].mean(axis=1)
+    return np.mean(weight[:, :, None] * texels[index], axis=1)
 
 
 def look_up(texels, index, weight):
-    """the sum is divided by the sum of the weights, which must not be made 1
+    """the weights are normalised to sum to 1
 
-    told by: sum of the weights | normalis | divided by | weights sum to 1 | add up to 1 | weighted mean
+    told by: normal | sum to 1 | add up to 1 | sum of the weights | sum of its weights
     """
-    gathered = texels[index]
-    total = (gathered * weight[:, :, None]).sum(1)
-    return total / weight.sum(1, keepdims=True)
+    out = np.zeros((len(index), texels.shape[1]))
+    for n in range(len(index)):
+        share = weight[n] / weight[n].sum()
+        for t, part in zip(index[n], share):
+            out[n] += part * texels[t]
+    return out
 
 
 def look_up(texels, index, weight):
-    """a row that names a texel twice keeps only one of its weights in the matrix
+    """a texel that is named twice in a row counts once: its weights overwrite each other in M instead of adding up
 
-    told by: twice | several times | more than once | same texel | only one of | repeated | overwrit
+    told by: twice | overwr | same texel | more than once | several times | adds up | add up
     """
     M = np.zeros((len(index), len(texels)))
     M[np.arange(len(index))[:, None], index] = weight
     return M @ texels
 
 
-def look_up(texels, index, weight):
-    """the last of the K texels is left out
-
-    told by: last texel | last one | K - 1 | texel & left out | off by one | all but
-    """
-    N, K = index.shape
-    colours = np.zeros((N, texels.shape[1]))
-    for k in range(K - 1):
-        colours += weight[:, k:k + 1] * texels[index[:, k]]
-    return colours
-
-
 def look_up_backward(grad_colour, texels, index, weight):
-    """`grad[index] += ...` adds only once where a texel is named several times
+    """grad_weight is multiplied by the weight itself
 
-    told by: += | only once | several times | repeated | many times | more than once | add.at
-    """
-    grad_texels = np.zeros(texels.shape)
-    grad_texels[index] += weight[..., None] * grad_colour[:, None, :]
-    grad_weight = (texels[index] * grad_colour[:, None, :]).sum(-1)
-    return grad_texels, grad_weight
-
-
-def look_up_backward(grad_colour, texels, index, weight):
-    """grad_weight is multiplied by the weight again
-
-    told by: multiplied by the weight | times the weight | weight again | factor weight | weight & twice
+    told by: grad_weight & itself | times the weight | times weight | multiplied by & weight | does not depend on weight | weight too many | weight once more
     """
     grad_texels = np.zeros(texels.shape)
     grad_weight = np.zeros(weight.shape)
     for n in range(len(index)):
         for k in range(index.shape[1]):
-            t = index[n, k]
-            grad_texels[t] += weight[n, k] * grad_colour[n]
-            grad_weight[n, k] = weight[n, k] * (grad_colour[n] @ texels[t])
-    return grad_texels, grad_weight
-
-
-def look_up_backward(grad_colour, texels, index, weight):
-    """the gradients of the texels are gathered without the factor weight
-
-    told by: without & weight | not weighted | weight & left out | weight & missing | whole gradient | weight & forgotten
-    """
-    grad_texels = np.zeros(texels.shape)
-    for k in range(index.shape[1]):
-        np.add.at(grad_texels, index[:, k], grad_colour)
-    grad_weight = np.einsum("nc,nkc->nk", grad_colour, texels[index])
+            grad_texels[index[n, k]] += weight[n, k] * grad_colour[n]
+            grad_weight[n, k] = weight[n, k] * (grad_colour[n] @ texels[index[n, k]])
     return grad_texels, grad_weight
 
 
 def bilinear_backward(grad_weight, uv, width, height):
-    """the sign is flipped, since the derivative of 1 - a is taken for 1 and that of a for -1
+    """the factors width and height are missing: the result is a gradient by texels, not by u and v
 
-    told by: sign | derivative of 1 - a | opposite | negative | minus
+    told by: width & missing | factor & width | da = w du | in texels | per texel | times the width | multiplied by & width
     """
-    row = linear_texels(uv[:, 1], height)[1]
-    column = linear_texels(uv[:, 0], width)[1]
+    _, rows = linear_texels(uv[:, 1], height)
+    _, columns = linear_texels(uv[:, 0], width)
     g = grad_weight.reshape(-1, 2, 2)
-    by_column = np.einsum("nij,in->jn", g, row)
-    by_row = np.einsum("nij,jn->in", g, column)
-    return np.stack([(by_column[0] - by_column[1]) * width,
-                     (by_row[0] - by_row[1]) * height], -1)
+    by_u = rows[0] * (g[:, 0, 1] - g[:, 0, 0]) + rows[1] * (g[:, 1, 1] - g[:, 1, 0])
+    by_v = columns[0] * (g[:, 1, 0] - g[:, 0, 0]) + columns[1] * (g[:, 1, 1] - g[:, 0, 1])
+    return np.column_stack([by_u, by_v])
 
 
 def bilinear_backward(grad_weight, uv, width, height):
-    """the results come in the order v, u
+    """the other axis's weights are missing: the four differences are added without row and column weights
 
-    told by: order | v, u | exchanged | swapped | u and v | v first | mixed up
+    told by: other axis | other direction | row weight | column weight | product rule | unweighted | not weighted | other factor & product | other axis' weights
     """
-    _, row = linear_texels(uv[:, 1], height)
-    _, column = linear_texels(uv[:, 0], width)
-    pairs = grad_weight.T.reshape(2, 2, -1)
-    along_row = (pairs * column).sum(1)
-    along_column = (pairs * row[:, None]).sum(0)
-    grad_u = (along_column[1] - along_column[0]) * width
-    grad_v = (along_row[1] - along_row[0]) * height
-    return np.column_stack([grad_v, grad_u])
+    g = grad_weight.reshape(-1, 2, 2)
+    by_u = g[:, :, 1].sum(1) - g[:, :, 0].sum(1)
+    by_v = g[:, 1].sum(1) - g[:, 0].sum(1)
+    return np.stack([by_u * width, by_v * height], -1)
 
 
 def bilinear_backward(grad_weight, uv, width, height):
-    """central differences give the mean of both sides on a texel's centre, not the derivative for larger u (fine print)
+    """the four weights are read as 2 j + i, columns before rows
 
-    told by: central difference | finite difference | texel's centre | centre of a texel | both sides | corner of the weights | for a larger
+    told by: 2 j + i | 2 i + j | order of the four | transpos | rows and columns | columns before rows | column by column
     """
-    def value(u, v):
-        _, row = linear_texels(v, height)
-        _, column = linear_texels(u, width)
-        first, _ = linear_texels(uv[:, 1], height)
-        start, _ = linear_texels(uv[:, 0], width)
-        p = u * width - 0.5 - start[0]
-        q = v * height - 0.5 - first[0]
-        # the four weights go on as hats beyond their own square
-        column = np.maximum(1 - np.abs(p - np.array([[0], [1]])), 0)
-        row = np.maximum(1 - np.abs(q - np.array([[0], [1]])), 0)
-        return sum(grad_weight[:, 2 * i + j] * row[i] * column[j] for i in (0, 1) for j in (0, 1))
-
-    eps = 1e-5
-    u, v = uv.T
-    du = (value(u + eps, v) - value(u - eps, v)) / (2 * eps)
-    dv = (value(u, v + eps) - value(u, v - eps)) / (2 * eps)
-    return np.stack([du, dv], -1)
-
-
-def bilinear_backward(grad_weight, uv, width, height):
-    """width and height are multiplied as one pair, which fails when they are arrays (N,) (fine print)
-
-    told by: arrays | array (N | (N,) | broadcast | levels | one for each
-    """
-    _, row = linear_texels(uv[:, 1], height)
-    _, column = linear_texels(uv[:, 0], width)
-    a, b, c, d = grad_weight.T
-    slope = np.stack([(b - a) * row[0] + (d - c) * row[1],
-                      (c - a) * column[0] + (d - b) * column[1]], -1)
-    return slope * np.array([width, height])
+    _, (r0, r1) = linear_texels(uv[:, 1], height)
+    _, (c0, c1) = linear_texels(uv[:, 0], width)
+    out = np.empty(uv.shape)
+    g00, g10, g01, g11 = grad_weight.T
+    out[:, 0] = (r0 * (g01 - g00) + r1 * (g11 - g10)) * width
+    out[:, 1] = (c0 * (g10 - g00) + c1 * (g11 - g01)) * height
+    return out
 
 
 def footprint_points(uv, jacobian, n):
-    """J is transposed: its columns are multiplied instead of its rows
+    """J is transposed: d is a row vector times J
 
-    told by: transpos | J^T | rows and columns | columns instead of | columns and rows | exchanged
+    told by: transpos | row vector | J^T | rows and columns | d @ J | columns of J
     """
-    offset = (np.arange(n) + 0.5) / n - 0.5
+    steps = (np.arange(n) + 0.5) / n - 0.5
     points = []
-    for dy in offset:
-        for dx in offset:
-            points.append(uv + dx * jacobian[:, 0] + dy * jacobian[:, 1])
+    for y in steps:
+        for x in steps:
+            points.append(uv + np.array([x, y]) @ jacobian)
     return np.array(points)
 
 
-def footprint_points(uv, jacobian, n):
-    """d goes from edge to edge of the pixel, -1/2 to 1/2, instead of to the squares' centres
+def linear_texels(x, size):
+    """p = u (w - 1), as if u = 0 and u = 1 were the centres of the first and the last texel
 
-    told by: edge | linspace | -1/2 to 1/2 | centres | border | corner
+    told by: w - 1 | size - 1 | align | first and & last texel | corners aligned | centres of the first
     """
-    t = np.linspace(-0.5, 0.5, n)
-    dx, dy = np.meshgrid(t, t)
-    d = np.stack([dx.ravel(), dy.ravel()], -1)
-    return uv[None] + np.einsum("nij,kj->kni", jacobian, d)
+    p = x * (size - 1)
+    j = np.floor(p).astype(int)
+    frac = p - j
+    return np.stack((j, j + 1)), np.stack((1.0 - frac, frac))
 
 
-def footprint_points(uv, jacobian, n):
-    """the points come column by column instead of row by row
+def linear_texels(x, size):
+    """p is rounded to the nearest number instead of down, so a weight can be negative
 
-    told by: column by column | row by row | order | x and y | columns first | indexing
+    told by: rounded | rounding | nearest | floor | weight & negative
     """
-    t = (np.arange(n) + 0.5) / n - 0.5
-    dx, dy = np.meshgrid(t, t, indexing="ij")
-    d = np.stack([dx.ravel(), dy.ravel()], -1)
-    return uv[None] + np.einsum("nij,kj->kni", jacobian, d)
+    p = x * size - 0.5
+    j = np.round(p).astype(int)
+    a = p - j
+    return np.stack([j, j + 1]), np.stack([1 - a, a])
+
+
+def look_up(texels, index, weight):
+    """only the last texel of each row counts, because = stands for +=
+
+    told by: last texel | += | overwrit | not added | only one texel | sum over k | added
+    """
+    colours = np.zeros((index.shape[0], texels.shape[1]))
+    for n in range(index.shape[0]):
+        for k in range(index.shape[1]):
+            colours[n] = weight[n, k] * texels[index[n, k]]
+    return colours
+
+
+def look_up(texels, index, weight):
+    """the colours are summed in float32
+
+    told by: float32 | single precision | precision | float64 | 32 bit
+    """
+    values = texels.astype(np.float32)[index]
+    return np.einsum("nk,nkc->nc", weight.astype(np.float32), values).astype(float)
+
+
+def bilinear_backward(grad_weight, uv, width, height):
+    """the chain rule's factors width and height are left out: da = w du
+
+    told by: by width | da = w | width and height & left out | width and height & missing | chain rule | per texel | in texels
+    """
+    _, (r0, r1) = linear_texels(uv[:, 1], height)
+    _, (c0, c1) = linear_texels(uv[:, 0], width)
+    g00, g01, g10, g11 = grad_weight.T
+    du = r0 * (g01 - g00) + r1 * (g11 - g10)
+    dv = c0 * (g10 - g00) + c1 * (g11 - g01)
+    return np.stack([du, dv], axis=-1)
+
+
+def bilinear_backward(grad_weight, uv, width, height):
+    """the last factors are exchanged: u's gradient is multiplied by the height, v's by the width
+
+    told by: width and height | exchanged | swapped | height and width | by the height | u's & height
+    """
+    _, row = linear_texels(uv[:, 1], height)
+    _, column = linear_texels(uv[:, 0], width)
+    g = grad_weight.T
+    grad_u = height * (row[0] * (g[1] - g[0]) + row[1] * (g[3] - g[2]))
+    grad_v = width * (column[0] * (g[2] - g[0]) + column[1] * (g[3] - g[1]))
+    return np.stack([grad_u, grad_v], -1)
+
+
+def bilinear_backward(grad_weight, uv, width, height):
+    """the number 2 i + j is read with i as the column and j as the row
+
+    told by: 2 i + j | i and j | j and i | row and column | rows and columns | transpos | column by column
+    """
+    _, row = linear_texels(uv[:, 1], height)
+    _, column = linear_texels(uv[:, 0], width)
+    result = np.zeros(uv.shape)
+    for i in (0, 1):
+        for j in (0, 1):
+            g = grad_weight[:, 2 * j + i]
+            result[:, 0] += g * row[i] * (2 * j - 1) * width
+            result[:, 1] += g * column[j] * (2 * i - 1) * height
+    return result
+
+
+def bilinear_backward(grad_weight, uv, width, height):
+    """the other axis' weights are left out: the differences of both rows are just added
+
+    told by: other axis | row's weight | product rule | just added | weights & left out | without & weight
+    """
+    g00, g01, g10, g11 = grad_weight.T
+    grad_u = (g01 - g00 + g11 - g10) * width
+    grad_v = (g10 - g00 + g11 - g01) * height
+    return np.stack([grad_u, grad_v], -1)

@@ -2,432 +2,290 @@
 
 
 def transform(points, matrix):
-    """the translation, the last column of the matrix, is left out
+    """the points are multiplied as rows, points @ matrix, without the transpose of the matrix
 
-    told by: translation | last column | fourth column | does not move | offset & missing | not moved
+    told by: transpose | .T | row vector | rows & column | from the left | points @ matrix | columns & instead
     """
-    moved = points[..., :3] @ matrix[:3, :3].T
-    return np.concatenate([moved, points[..., 3:]], -1)
+    moved = points @ matrix
+    return moved
 
 
 def transform(points, matrix):
-    """the result is divided by w already, which is the job of the perspective divide
+    """the result is left as columns, matrix @ points.T, and is not turned back into rows
 
-    told by: divid | perspective divide | w = 1 | w is 1 | w becomes 1 | homogeneous & normal
+    told by: transpose | shape | back & row | columns & row | (4, | last axis
+    """
+    return matrix @ points.T
+
+
+def transform(points, matrix):
+    """the result is already divided by w, but this is only the product with the matrix
+
+    told by: divid & w | homogeneous & divid | perspective divide | w is 1 | w = 1 | by w | w & always 1
     """
     out = np.einsum("ij,...j->...i", matrix, points)
-    return out / out[..., 3:]
+    return out / out[..., 3:4]
 
 
-def transform(points, matrix):
-    """multiplies elementwise by the diagonal of the matrix, so every entry off the diagonal is lost
+def transform_backward(grad_output, points, matrix):
+    """grad_points is multiplied by the transposed matrix, as in the forward pass
 
-    told by: diagonal | elementwise | element by element | entry by entry | matrix product
+    told by: grad_points & transpose | grad_points & .T | transposed & matrix & points | grad_output @ matrix | forward & matrix.T | without & transpos
     """
-    result = np.zeros(points.shape)
-    for i in range(4):
-        result[..., i] = points[..., i] * matrix[i, i]
+    d_points = grad_output @ matrix.T
+    d_matrix = np.einsum("ni,nj->ij", grad_output.reshape(-1, 4), points.reshape(-1, 4))
+    return d_points, d_matrix
+
+
+def transform_backward(grad_output, points, matrix):
+    """grad_matrix comes out transposed: points times grad_output instead of grad_output times points
+
+    told by: grad_matrix & transpose | grad_matrix & .T | rows and columns | row & column & grad_matrix | grad_matrix & exchanged | grad_matrix & swapped | outer product & order
+    """
+    d_matrix = np.zeros((4, 4))
+    for g, v in zip(grad_output.reshape(-1, 4), points.reshape(-1, 4)):
+        d_matrix += np.outer(v, g)
+    return grad_output @ matrix, d_matrix
+
+
+def transform_backward(grad_output, points, matrix):
+    """grad_matrix is the mean over the points, but each point adds to it
+
+    told by: mean | average | number of points | sum & points | add & points | divided & count | divid & points
+    """
+    flat_g, flat_p = grad_output.reshape(-1, 4), points.reshape(-1, 4)
+    d_matrix = (flat_g[:, :, None] * flat_p[:, None, :]).mean(0)
+    return grad_output @ matrix, d_matrix
+
+
+def rotate(axis, angle):
+    """the axis is not normalised: n should have length 1
+
+    told by: normali | unit | length & axis | length 1 | axis & long | norm of
+    """
+    c, s = np.cos(angle), np.sin(angle)
+    a, b, d = axis
+    cross = np.array([[0, -d, b], [d, 0, -a], [-b, a, 0]])
+    turn = np.eye(4)
+    turn[:3, :3] = c * np.eye(3) + (1 - c) * np.outer(axis, axis) + s * cross
+    return turn
+
+
+def rotate(axis, angle):
+    """the cross product matrix is transposed, so it turns the other way round
+
+    told by: other way | opposite & direction | clockwise | sign & sin | -angle | transpose | v x n
+    """
+    unit = axis / np.linalg.norm(axis)
+    cross = np.cross(unit, np.eye(3))
+    result = np.eye(4)
+    result[:3, :3] = (np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * unit[:, None] * unit
+                      + np.sin(angle) * cross)
     return result
 
 
-def transform(points, matrix):
-    """the inverse of the matrix is applied, as if the matrix moved the axes and not the points
-
-    told by: inverse | inverted | opposite direction | moves the axes | other way round | backwards
-    """
-    return points @ np.linalg.inv(matrix).T
-
-
-def transform_backward(grad_output, points, matrix):
-    """grad_points is multiplied by the transpose of the matrix, as in the forward pass
-
-    told by: grad_points & transpos | matrix.T | forward matrix | grad_points & inverse direction | grad_output @ matrix
-    """
-    grad_points = grad_output @ matrix.T
-    grad_matrix = np.einsum("ni,nj->ij", grad_output.reshape(-1, 4), points.reshape(-1, 4))
-    return grad_points, grad_matrix
-
-
-def transform_backward(grad_output, points, matrix):
-    """grad_matrix comes out transposed: points times grad_output, not grad_output times points
-
-    told by: grad_matrix & transpos | outer product & order | rows and columns & grad_matrix | factors & order | grad_matrix & swapped
-    """
-    g = grad_output.reshape(-1, 4)
-    p = points.reshape(-1, 4)
-    return grad_output @ matrix, p.T @ g
-
-
-def transform_backward(grad_output, points, matrix):
-    """grad_matrix is the mean over the points where it should be the sum
-
-    told by: the mean | mean over | average | number of points | divided by n | not the sum
-    """
-    g = grad_output.reshape(-1, 4)
-    p = points.reshape(-1, 4)
-    grad_matrix = (g[:, :, None] * p[:, None, :]).mean(0)
-    return grad_output @ matrix, grad_matrix
-
-
-def transform_backward(grad_output, points, matrix):
-    """only the last point's share of grad_matrix is kept, because = stands where += should
-
-    told by: last point | overwrit | only one point | accumulat | one point's | not summed
-    """
-    g = grad_output.reshape(-1, 4)
-    p = points.reshape(-1, 4)
-    grad_points = np.zeros(g.shape)
-    grad_matrix = np.zeros((4, 4))
-    for n in range(len(g)):
-        grad_points[n] = matrix.T @ g[n]
-        grad_matrix = np.outer(g[n], p[n])
-    return grad_points.reshape(grad_output.shape), grad_matrix
-
-
-def transform_backward(grad_output, points, matrix):
-    """the two gradients are returned in the wrong order, grad_matrix first
-
-    told by: order & return | swapped | exchanged | wrong order | grad_matrix first | mixed up
-    """
-    grad_points = grad_output @ matrix
-    grad_matrix = grad_output.reshape(-1, 4).T @ points.reshape(-1, 4)
-    return grad_matrix, grad_points
-
-
 def rotate(axis, angle):
-    """turns the wrong way round: the sign of the cross product matrix is flipped
+    """n n^T is taken element by element (n * n on the diagonal) instead of as the outer product
 
-    told by: clockwise | -angle | opposite direction | wrong way | other way | sign
+    told by: outer | n n^T | diagonal & n | element | off-diagonal | off the diagonal | n * n
     """
-    n = axis / np.linalg.norm(axis)
-    x, y, z = n
-    K = np.array([[0, z, -y], [-z, 0, x], [y, -x, 0]])
-    m = np.eye(4)
-    m[:3, :3] = np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * np.outer(n, n) + np.sin(angle) * K
-    return m
-
-
-def rotate(axis, angle):
-    """the axis is not normalised to length 1
-
-    told by: normali | unit length | unit vector | length of the axis | length 1 | axis & divided by its length
-    """
-    x, y, z = axis
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    matrix = np.eye(4)
-    matrix[:3, :3] = (np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * np.outer(axis, axis)
-                      + np.sin(angle) * cross)
-    return matrix
-
-
-def rotate(axis, angle):
-    """takes the angle in degrees
-
-    told by: degree | radian | pi / 180 | 180 | deg2rad
-    """
-    theta = angle * np.pi / 180
-    n = axis / np.sqrt((axis ** 2).sum())
-    cross = np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
-    matrix = np.eye(4)
-    matrix[:3, :3] = (np.cos(theta) * np.eye(3) + (1 - np.cos(theta)) * np.outer(n, n)
-                      + np.sin(theta) * cross)
-    return matrix
-
-
-def rotate(axis, angle):
-    """n n^T is taken as the number n . n instead of the outer product
-
-    told by: outer | n n^T | dot product | inner product | n . n | scalar product
-    """
-    n = axis / np.linalg.norm(axis)
-    x, y, z = n
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    c, s = np.cos(angle), np.sin(angle)
-    matrix = np.eye(4)
-    matrix[:3, :3] = c * np.eye(3) + (1 - c) * (n @ n.T) + s * cross
-    return matrix
+    n = axis / np.sqrt((axis * axis).sum())
+    cos, sin = np.cos(angle), np.sin(angle)
+    skew = np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
+    r = np.eye(4)
+    for k in range(3):
+        r[k, k] = cos + (1 - cos) * n[k] * n[k]
+    r[:3, :3] += sin * skew
+    return r
 
 
 def look_at(eye, target, up):
-    """the third axis points forward, from the eye to the target, instead of back
+    """the rotation and the translation are applied in the wrong order: the eye moves after the turn
 
-    told by: forward | looks down +z | looks along +z | back & sign | back & opposite | target - eye
+    told by: order | rotat & before & translat | translat & first | translat & after | translat & rotat | last column & rotat | T(-eye) & right
     """
-    ahead = target - eye
-    ahead = ahead / np.linalg.norm(ahead)
-    side = np.cross(up, ahead)
+    forward_axis = (eye - target) / np.linalg.norm(eye - target)
+    side = np.cross(up, forward_axis)
     side = side / np.linalg.norm(side)
-    above = np.cross(ahead, side)
-    rotation = np.eye(4)
-    rotation[:3, :3] = np.stack([side, above, ahead])
-    return rotation @ translate(-eye)
+    turn = np.eye(4)
+    for row, axis in enumerate((side, np.cross(forward_axis, side), forward_axis)):
+        turn[row, :3] = axis
+    return translate(-eye) @ turn
 
 
 def look_at(eye, target, up):
-    """the axes stand in the columns of the rotation, not in its rows: it is world from camera
+    """up itself is used as the camera's second axis instead of above = back x right
 
-    told by: transpos | column | rows | world_from_view | inverse rotation | camera to world
+    told by: above | up & instead | up & perpendicular | up & right angle | up & itself | orthogonal | back x right
     """
     back = (eye - target) / np.linalg.norm(eye - target)
     right = np.cross(up, back)
-    right = right / np.linalg.norm(right)
-    above = np.cross(back, right)
-    rotation = np.eye(4)
-    for k, ax in enumerate((right, above, back)):
-        rotation[:3, k] = ax
-    return rotation @ translate(-eye)
+    right /= np.linalg.norm(right)
+    camera = np.eye(4)
+    camera[0, :3], camera[1, :3], camera[2, :3] = right, up / np.linalg.norm(up), back
+    return camera @ translate(-eye)
 
 
 def look_at(eye, target, up):
-    """right is not divided by its length, so the picture is squeezed where up is not at right angles to the view
+    """back points from the eye to the target, target - eye, so the camera looks the other way
 
-    told by: normali | unit length | unit vector | right & length | length 1 | not of length
+    told by: target - eye | eye - target | back & opposite | back & sign | looks & away | behind | other way
     """
-    back = eye - target
-    back = back / np.sqrt(back @ back)
-    right = np.cross(up, back)
-    above = np.cross(back, right)
-    rotation = np.eye(4)
-    rotation[:3, :3] = [right, above, back]
-    return rotation @ translate(-eye)
-
-
-def look_at(eye, target, up):
-    """up itself is taken as the camera's second axis, without making it perpendicular to back
-
-    told by: perpendicular | orthogonal | right angle | up itself | above & up | above = back
-    """
-    back = (eye - target) / np.linalg.norm(eye - target)
-    right = np.cross(up, back)
-    right = right / np.linalg.norm(right)
-    rotation = np.eye(4)
-    rotation[:3, :3] = np.stack([right, up / np.linalg.norm(up), back])
-    return rotation @ translate(-eye)
+    z_axis = target - eye
+    z_axis = z_axis / np.linalg.norm(z_axis)
+    x_axis = np.cross(up, z_axis)
+    x_axis = x_axis / np.linalg.norm(x_axis)
+    y_axis = np.cross(z_axis, x_axis)
+    view = np.eye(4)
+    view[:3, :3] = [x_axis, y_axis, z_axis]
+    return view @ translate(-eye)
 
 
 def normal_matrix(matrix):
-    """normals are moved by the same matrix as the points, without the inverse transpose
+    """the inverse is not transposed
 
-    told by: same matrix | inverse | like the points | as the points | A itself | like points
+    told by: transpose | .T | inverse & transpos | N^T | row & column
     """
-    return matrix[:3, :3].copy()
+    return np.linalg.inv(matrix[:3, :3])
 
 
 def pinhole(f):
-    """the third row has 1 where f should stand, so z comes out as 1 after the divide and not as f
+    """w is -z as in OpenGL, but this camera looks down +z
 
-    told by: third row | third component | z after the divide | z comes out | matrix[2, 2] | third coordinate
+    told by: -z | sign & w | +z | negative & w | last row | opengl | mirror
     """
-    m = np.diag([f, f, 1.0, 0.0])
-    m[3, 2] = 1
+    m = np.diag([f, f, f, 0.0])
+    m[3, 2] = -1.0
     return m
 
 
-def pinhole(f):
-    """w is -z, as for a camera that looks down -z
-
-    told by: -z | minus z | sign & w | looks down | -1 & last row | opengl
-    """
-    return np.array([[f, 0, 0, 0],
-                     [0, f, 0, 0],
-                     [0, 0, f, 0],
-                     [0, 0, -1.0, 0]])
-
-
 def frustum_sides(fov_y, aspect, near):
-    """the tangent is of the whole angle of view, not of half of it
+    """r is t divided by the aspect, not multiplied by it
 
-    told by: half | fov_y / 2 | whole angle | full angle | twice the angle | / 2
+    told by: aspect & divi | aspect & multipl | t / aspect | aspect t | height / width | 1 / aspect | inverse & aspect
     """
-    top = near * np.tan(fov_y)
-    right = top * aspect
+    top = np.tan(fov_y / 2) * near
+    right = top / aspect
     return -right, right, -top, top
 
 
-def frustum_sides(fov_y, aspect, near):
-    """fov_y is used as the horizontal angle: r comes from the angle, and t is r / aspect
-
-    told by: horizontal | aspect & divi | fov_x | inverse of the aspect | aspect & wrong side
-    """
-    r = near * np.tan(fov_y / 2)
-    t = r / aspect
-    return -r, r, -t, t
-
-
 def frustum(l, r, b, t, near, far):
-    """depth runs from 0 to 1, as in Direct3D, instead of from -1 to 1
+    """depth is mapped to 0..1 as in Direct3D, not to -1..1
 
-    told by: 0 to 1 | [0, 1] | direct3d | vulkan | near & comes out at 0 | near plane & maps to 0
+    told by: direct3d | 0 to 1 | 0..1 | [0, 1] | near & -1 | -1 to 1 | alpha and beta
     """
-    return np.array([[2 * near / (r - l), 0, (r + l) / (r - l), 0],
-                     [0, 2 * near / (t - b), (t + b) / (t - b), 0],
-                     [0, 0, far / (near - far), far * near / (near - far)],
-                     [0, 0, -1, 0]])
-
-
-def frustum(l, r, b, t, near, far):
-    """the matrix is transposed, in OpenGL's column-major memory order
-
-    told by: transpos | column-major | row-major | rows and columns | row vectors | columns and rows
-    """
-    P = np.zeros((4, 4))
-    P[0, 0] = 2 * near / (r - l)
-    P[1, 1] = 2 * near / (t - b)
-    P[2, 0] = (r + l) / (r - l)
-    P[2, 1] = (t + b) / (t - b)
-    P[2, 2] = (far + near) / (near - far)
-    P[2, 3] = -1
-    P[3, 2] = 2 * far * near / (near - far)
-    return P
-
-
-def frustum(l, r, b, t, near, far):
-    """the factor 2 of beta is forgotten
-
-    told by: beta & half | beta & factor | beta & twice | beta & 2 | [2, 3] & half | [2, 3] & twice
-    """
-    alpha = (far + near) / (near - far)
-    beta = far * near / (near - far)
-    return np.array([[2 * near / (r - l), 0, (r + l) / (r - l), 0],
-                     [0, 2 * near / (t - b), (t + b) / (t - b), 0],
-                     [0, 0, alpha, beta],
-                     [0, 0, -1, 0]])
-
-
-def frustum(l, r, b, t, near, far):
-    """alpha and beta are divided by far - near, so depth has the wrong sign
-
-    told by: far - near | near - far | alpha & sign | depth & sign | near and far & exchanged | near and far & swapped
-    """
-    depth = far - near
-    P = np.zeros((4, 4))
-    P[0] = [2 * near / (r - l), 0, (r + l) / (r - l), 0]
-    P[1] = [0, 2 * near / (t - b), (t + b) / (t - b), 0]
-    P[2] = [0, 0, (far + near) / depth, 2 * far * near / depth]
-    P[3, 2] = -1
-    return P
-
-
-def frustum(l, r, b, t, near, far):
-    """the off-centre terms (r+l)/(r-l) and (t+b)/(t-b) stand in the last column, as in the orthographic matrix
-
-    told by: last column | fourth column | third column | orthographic | off-centre & column | [0, 3]
-    """
-    return np.array([[2 * near / (r - l), 0, 0, (r + l) / (r - l)],
-                     [0, 2 * near / (t - b), 0, (t + b) / (t - b)],
-                     [0, 0, (far + near) / (near - far), 2 * far * near / (near - far)],
-                     [0, 0, -1, 0]])
-
-
-def orthographic(l, r, b, t, near, far):
-    """z is not flipped: the box is taken as z = near..far and not -near..-far
-
-    told by: sign of z | z is flipped | z-axis | -near | looks down +z | depth & reversed
-    """
-    return np.array([[2 / (r - l), 0, 0, -(r + l) / (r - l)],
-                     [0, 2 / (t - b), 0, -(t + b) / (t - b)],
-                     [0, 0, 2 / (far - near), -(far + near) / (far - near)],
-                     [0, 0, 0, 1]])
-
-
-def orthographic(l, r, b, t, near, far):
-    """the shift to the centre is left out: the matrix only scales x and y, as if l = -r and b = -t
-
-    told by: l = -r | centre | center | translation | shift | symmetric
-    """
-    m = np.eye(4)
-    m[0, 0] = 2 / (r - l)
-    m[1, 1] = 2 / (t - b)
-    m[2, 2] = 2 / (near - far)
-    m[2, 3] = (near + far) / (near - far)
+    m = np.zeros((4, 4))
+    m[0, 0] = 2 * near / (r - l)
+    m[1, 1] = 2 * near / (t - b)
+    m[0, 2], m[1, 2] = (r + l) / (r - l), (t + b) / (t - b)
+    m[2, 2] = far / (near - far)
+    m[2, 3] = near * far / (near - far)
+    m[3, 2] = -1
     return m
+
+
+def frustum(l, r, b, t, near, far):
+    """(r+l)/(r-l) and (t+b)/(t-b) stand in the fourth column, not in the third
+
+    told by: third column | fourth column | last column | column 2 | column 3 | r + l & column | asymmetric & column
+    """
+    wide, high, deep = r - l, t - b, near - far
+    return np.array([[2 * near / wide, 0, 0, (r + l) / wide],
+                     [0, 2 * near / high, 0, (t + b) / high],
+                     [0, 0, (far + near) / deep, 2 * far * near / deep],
+                     [0, 0, -1.0, 0]])
+
+
+def frustum(l, r, b, t, near, far):
+    """the last row has +1 instead of -1, so w is z and not -z
+
+    told by: last row | fourth row | sign & w | -z | +1 & -1 | w is z | negative & w
+    """
+    p = np.zeros((4, 4))
+    p[0] = 2 * near / (r - l), 0, (r + l) / (r - l), 0
+    p[1] = 0, 2 * near / (t - b), (t + b) / (t - b), 0
+    p[2, 2:] = (far + near) / (near - far), 2 * far * near / (near - far)
+    p[3, 2] = 1
+    return p
+
+
+def orthographic(l, r, b, t, near, far):
+    """z is scaled by 2 / (far - near), as if the box lay at z = near..far in front along +z
+
+    told by: sign & z | -near | far - near | near - far | +z | flip & z | z & negative
+    """
+    shift = -np.array([(r + l) / (r - l), (t + b) / (t - b), (far + near) / (far - near)])
+    box = np.diag([2 / (r - l), 2 / (t - b), 2 / (far - near), 1.0])
+    box[:3, 3] = shift
+    return box
 
 
 def perspective_divide(clip):
     """the divide is by z instead of w
 
-    told by: by z instead | by z, | z, not w | z instead of w | w and z | z and w
+    told by: by z | z, not w | z instead of w | divi & w & z | third & fourth | not by w
     """
     return clip[..., :3] / clip[..., 2:3]
 
 
 def perspective_divide(clip):
-    """divides by the magnitude of w, so points behind the camera are not mirrored (fine print)
+    """only x and y are divided by w, z is left as it is
 
-    told by: absolute | np.abs | magnitude | negative w | behind the camera | sign of w
+    told by: z & undivided | z & not divided | only x and y | z, too | z as well | z & divi & w | leaves z
     """
-    w = np.abs(clip[..., 3])
-    return np.stack([clip[..., k] / w for k in range(3)], -1)
+    ndc = np.array(clip[..., :3])
+    for k in range(2):
+        ndc[..., k] = clip[..., k] / clip[..., 3]
+    return ndc
 
 
 def perspective_divide(clip):
-    """w of the first point divides all points
+    """w has lost its last axis (clip[..., 3] instead of clip[..., 3:]), so it does not broadcast against many points
 
-    told by: first point | first row | w of the first | w of point 0 | its own w
+    told by: broadcast | 3: | 3:4 | axis & w | keepdims | shape & w | single point
     """
-    flat = clip.reshape(-1, 4)
-    ndc = flat[:, :3] / flat[0, 3]
-    return ndc.reshape(*clip.shape[:-1], 3)
+    xyz, w = clip[..., :3], clip[..., 3]
+    return xyz / w
 
 
 def perspective_divide_backward(grad_ndc, clip):
-    """the gradient of w is left at 0, as if w were a constant
+    """the gradient of w has the wrong sign, it lacks the minus of d(1/w) = -dw/w^2
 
-    told by: w as a constant | w were a constant | w is constant | of w & 0 | of w & missing | quotient rule
+    told by: sign & w | minus | negative & w | -x/w | opposite & w | -dw
     """
-    grad = np.zeros(clip.shape)
-    grad[..., :3] = grad_ndc / clip[..., 3:]
-    return grad
+    inverse = 1 / clip[..., 3:]
+    d_w = (grad_ndc * clip[..., :3]).sum(-1) * inverse[..., 0] ** 2
+    return np.concatenate([grad_ndc * inverse, d_w[..., None]], -1)
 
 
 def perspective_divide_backward(grad_ndc, clip):
-    """the gradient of w has the wrong sign
+    """z adds nothing to the gradient of w, only x and y do
 
-    told by: of w & sign | grad_w & sign | of w & minus | of w & negat | w's & sign | w component & sign
+    told by: only x and y | z & gradient of w | z & grad_w | z & adds to & w | all three | z & missing | z & forgot
     """
+    out = np.zeros(clip.shape)
     w = clip[..., 3]
-    gx, gy, gz = np.moveaxis(grad_ndc, -1, 0)
-    x, y, z = np.moveaxis(clip[..., :3], -1, 0)
-    return np.stack([gx / w, gy / w, gz / w, (gx * x + gy * y + gz * z) / w ** 2], -1)
-
-
-def perspective_divide_backward(grad_ndc, clip):
-    """the gradient of w is divided by w only once, not by w squared
-
-    told by: w^2 | w**2 | squared | square of w | by w once | by w only once
-    """
-    w = clip[..., 3:]
-    grad_w = -(grad_ndc * clip[..., :3]).sum(-1, keepdims=True) / w
-    return np.concatenate([grad_ndc / w, grad_w], -1)
-
-
-def perspective_divide_backward(grad_ndc, clip):
-    """z adds nothing to the gradient of w: only x and y are summed
-
-    told by: only x and y | share of z | z's share | all three | z is missing | z is left out
-    """
-    w = clip[..., 3]
-    grad = np.empty(clip.shape)
     for k in range(3):
-        grad[..., k] = grad_ndc[..., k] / w
-    grad[..., 3] = -(grad_ndc[..., 0] * clip[..., 0] + grad_ndc[..., 1] * clip[..., 1]) / w**2
-    return grad
+        out[..., k] = grad_ndc[..., k] / w
+    for k in range(2):
+        out[..., 3] -= grad_ndc[..., k] * clip[..., k] / w**2
+    return out
 
 
 def perspective_divide_backward(grad_ndc, clip):
-    """grad_ndc is multiplied by w for x, y and z instead of divided
+    """the gradient of w is divided by w once instead of by w squared
 
-    told by: multipli | times w | 1/w | 1 / w | divided by w | instead of divid
+    told by: w squared | w^2 | w**2 | divi & w & once | divi & w & twice | w w | factor & w
     """
-    w = clip[..., 3:]
-    grad_w = -(grad_ndc * clip[..., :3] / w ** 2).sum(-1, keepdims=True)
-    return np.concatenate([grad_ndc * w, grad_w], -1)
+    x_y_z, w = clip[..., :3], clip[..., 3:]
+    d_w = -np.sum(grad_ndc * x_y_z, axis=-1, keepdims=True) / w
+    return np.concatenate([grad_ndc / w, d_w], axis=-1)
 
 
 def viewport(width, height):
-    """y points down: ndc y = 1 comes out at row 0, as in images
+    """y goes down: ndc y = 1 lands at 0 and -1 at height
 
-    told by: y down | points down | upside down | y is flipped | sign of y | y axis
+    told by: upside down | y & down | y & flip | y & up | bottom | top | sign & y
     """
     return np.array([[width / 2, 0, 0, width / 2],
                      [0, -height / 2, 0, height / 2],
@@ -435,20 +293,79 @@ def viewport(width, height):
                      [0, 0, 0, 1.0]])
 
 
-def viewport(width, height):
-    """maps to 0 .. width - 1 and 0 .. height - 1 instead of to width and height
+def to_screen_backward(grad_screen, width, height):
+    """the gradient is multiplied by width and height instead of by their halves
 
-    told by: width - 1 | one pixel | off by one | - 1 | height - 1 | last pixel
+    told by: half | halves | halved | / 2 | twice | factor & 2 | two times
     """
-    m = np.eye(4)
-    m[0, 0] = m[0, 3] = (width - 1) / 2
-    m[1, 1] = m[1, 3] = (height - 1) / 2
-    return m
+    return grad_screen * np.array([width, height, 1.0])
+
+
+def transform(points, matrix):
+    """the row points are multiplied by the matrix itself, not by its transpose
+
+    told by: transpos | matrix.T | row vector | acts on rows | points @ matrix | rows and columns
+    """
+    return points @ matrix
+
+
+def rotate(axis, angle):
+    """the term (1 - cos) n n^T is left out, so the axis itself does not stay where it is
+
+    told by: 1 - cos | n n^T | outer product | axis & fixed | along the axis | axis itself
+    """
+    n = axis / np.linalg.norm(axis)
+    columns = [np.cos(angle) * e + np.sin(angle) * np.cross(n, e) for e in np.eye(3)]
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.stack(columns, 1)
+    return matrix
+
+
+def look_at(eye, target, up):
+    """-eye stands in the last column as it is: it is moved after the rotation instead of before
+
+    told by: translat | order of | last column | before the rotation | after the rotation | first & rotate
+    """
+    z = (eye - target) / np.linalg.norm(eye - target)
+    x = np.cross(up, z)
+    x = x / np.linalg.norm(x)
+    y = np.cross(z, x)
+    view = np.eye(4)
+    view[:3, :3] = np.array([x, y, z])
+    view[:3, 3] = -eye
+    return view
+
+
+def normal_matrix(matrix):
+    """the inverse without the transpose
+
+    told by: transpos | matrix.T | .T missing | rows and columns | inverse & alone
+    """
+    return np.linalg.inv(matrix[:3, :3])
+
+
+def perspective_divide(clip):
+    """only x and y are divided by w, z is left as it is
+
+    told by: z is not divided | depth is not divided | only x and y | z is left | z unchanged | divide z
+    """
+    out = clip[..., :3].copy()
+    out[..., 0] /= clip[..., 3]
+    out[..., 1] /= clip[..., 3]
+    return out
+
+
+def perspective_divide(clip):
+    """w is kept: all four coordinates are returned, the last of them 1
+
+    told by: four | 4 coordinates | (..., 4) | shape | w is kept | w & returned
+    """
+    return clip / clip[..., 3:]
 
 
 def to_screen_backward(grad_screen, width, height):
-    """divides by width / 2 and height / 2 where the gradient is multiplied by them
+    """the viewport is applied to the gradient, constant offset and all
 
-    told by: divid | multipli | inverse | 2 / width
+    told by: offset | constant | translation | forward | to_screen itself | shift
     """
-    return grad_screen / np.array([width / 2, height / 2, 1.0])
+    return to_screen(grad_screen, width, height)
