@@ -46,11 +46,12 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
     if got.shape != expected.shape or not is_numeric(got, expected):
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
+    speaking = evidence(got, expected, agrees)
     told = [*scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
-              if np.all(agrees(got, mistaken))), *imprecise(got, expected),
+              if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
             *in_a_part(got, expected, wrong, agrees), *by_index(wrong, inputs)]
-    sure = told and not told[0].endswith("?") and evidence(got, expected, agrees) >= ENOUGH
+    sure = told and not told[0].endswith("?") and speaking >= ENOUGH
     return Suspicion(told[0], sure) if told else None
 
 
