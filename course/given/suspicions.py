@@ -239,11 +239,13 @@ def in_a_part(got, expected, wrong, agrees):
 
     if not np.isfinite(part).all() or not np.isfinite(right).all():
         return
-    if holds(-right) and (place or len(set(np.abs(right))) > 1):
-        yield f"the sign is flipped{place or ' in all that is wrong'}"
-    elif place and holds(0 * right):
+    several = place or len(set(np.abs(right))) > 1  # else any number is a multiple
+    place = place or " in all that is wrong"
+    if several and holds(-right):
+        yield f"the sign is flipped{place}"
+    elif several and holds(0 * right):
         yield f"it is zero{place}"
-    elif place and len(right) >= 2 and np.all(right):
+    elif several and len(right) >= 2 and np.all(right):
         factor = part[0] / right[0]
         if holds(factor * right):
             yield f"it is {factor:.6g} times what was expected{place}"

@@ -66,6 +66,8 @@ def told(assertion, got, expected, *inputs):
      "it is zero in [..., 2]"),
     (assert_equal, np.tile(CORNER, (3, 1)) < 3, np.tile(CORNER, (3, 1)) >= 3,
      "true and false are swapped"),
+    (assert_close, CORNER * [[1, 2, 1], [1, 1, 2]], CORNER,
+     "it may be that it is 2 times what was expected in all that is wrong"),
     (assert_equal, CORNER < 3, CORNER >= 3, "it may be that true and false are swapped"),
     (assert_picture, FACE_INDEX[::-1], FACE_INDEX, "it is upside down; row 0 is at the bottom"),
     (assert_picture, FACE_INDEX[:, ::-1], FACE_INDEX, "left and right are swapped"),
