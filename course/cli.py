@@ -297,7 +297,8 @@ def mutants(asked):
 def test(asked):
     """Check the whole project: lint, then every test, on all cores."""
     # labs/ is not for lint: it is made from reference/, or a student's own.
-    lint = run_module("ruff", "check", "--quiet", "--extend-exclude", "labs", str(ROOT))
+    lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"),
+                      str(ROOT))
     left_out = ("-m", "not notebook") if asked.quick else ()
     tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
     if lint:
