@@ -163,8 +163,8 @@ def test_radius_ratio_without_area(impl):
 @exercise("13.3")
 def test_cotangents_on_paper(impl):
     """Of another corner. Divided by the area, not by twice the area, or by both lengths: that is
-    the cosine. Tangents. An obtuse angle has a negative cotangent. Sides that go round have the
-    other sign. Only x and y count.
+    the cosine. Upside down, it is the tangent. An obtuse angle has a negative cotangent. Sides that
+    go round have the other sign. Only x and y count.
     """
     acute = np.array([[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [1.0, 2.0, 2.0]])
     obtuse = np.array([[0.0, 2.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 1.0]])
@@ -315,9 +315,9 @@ def test_its_rows_sum_to_zero(impl, rng):
 
 @exercise("13.7")
 def test_energies_on_paper(impl):
-    """The mass is left out, squared, or multiplied instead of divided. It is x . L x, of
-    differences along the edges, and L x is not squared. A mean, a half or a root is taken, or one
-    channel.
+    """The mass is squared, as where M^-1 L x is. It is left out, or multiplied instead of divided.
+    It is x . L x, of differences along the edges, and L x is not squared. A mean, a half or a root
+    is taken, or one channel.
     """
     edges = np.array([[0, 1], [1, 2]])
     mass = np.array([1.0, 2.0, 4.0])
@@ -353,8 +353,8 @@ def test_what_has_no_mass_adds_no_energy(impl, rng):
 @exercise("13.8")
 def test_gradients_of_the_energy_on_paper(impl):
     """L is applied once and not twice, or grad_x is not divided by the mass. The 2 of the square or
-    grad_energy is missing. grad_weights is that of one end. grad_mass has the wrong sign, or no
-    square.
+    grad_energy is missing. grad_weights is that of one end. grad_mass has the wrong sign, no
+    square, or m in place of m^2.
     """
     x, edges = np.array([[1.0], [2.0], [6.0]]), np.array([[0, 1], [1, 2]])
     weights, mass = np.array([2.0, 3.0]), np.array([1.0, 2.0, 4.0])
@@ -443,9 +443,9 @@ def test_without_mass_a_vertex_stays(impl):
 
 @exercise("13.10")
 def test_implicit_smoothing_on_paper(impl):
-    """The mass is left out on the left, on the right, or on both sides. The sign of L, or the step
-    is left out. No system is solved: it is an explicit step, or a product. `spsolve` gives (V,) for
-    one channel.
+    """The mass is left out on the left, on the right, or on both sides. It multiplies L, or divides
+    its columns, not its rows. The sign of L is wrong, or the step is left out. No system is solved:
+    it is an explicit step, or a product. `spsolve` gives (V,) for one channel.
     """
     x, mass = np.array([[1.0], [7.0], [8.0], [2.0], [9.0]]), np.array([1.0, 2.0, 4.0, 12.0, 5.0])
     # Two pairs: their mass-weighted means stay, 5 and 7/2. Differences fall to a 4th and a 3rd.
@@ -491,7 +491,7 @@ PAIRS = np.array([[1.0], [7.0], [50.0], [-14.0], [9.0]]), np.array([[0, 1], [2, 
 
 @exercise("13.11")
 def test_a_round_on_paper(impl):
-    """Both steps go the same way, or there is one only. Both start from the first x: the second
+    """Both steps go the same way, or a round has only one. Both start from the first x: the second
     must see the result of the first. shrink and grow are swapped. grow is added to shrink. A round
     too many.
     """
@@ -526,8 +526,8 @@ def test_each_wave_has_its_factor(impl):
 @exercise("13.13")
 def test_gradients_of_the_volume_on_paper(impl):
     """The factors of a cross product are exchanged, at all corners or at the middle one: its sign
-    is flipped. It belongs to another corner, or is an area vector. The sixth or grad_volume is
-    missing.
+    is flipped. Only one corner has a gradient, or that of another one, or all have the same, an
+    area vector. The sixth or grad_volume is missing.
     """
     triangle = np.array([[[3.0, 1.0, 0.0], [0.0, 2.0, 1.0], [1.0, 0.0, 4.0]]])
     expected = np.array([[[16.0, 2.0, -4.0], [-8.0, 24.0, 2.0], [2.0, -6.0, 12.0]]])
@@ -550,9 +550,9 @@ def test_gradients_of_the_volume_are_central_differences(impl, rng):
 
 @exercise("13.16")
 def test_a_large_step_on_paper(impl):
-    """x is taken for u, or u is returned. The gradient is not spread: grad_x is taken for grad_u.
-    Or it is spread twice, or multiplied by (I + lambda L) and not by its inverse. lambda is left
-    out.
+    """The step is made in x, not in u. x is taken for u, or u is returned. The gradient is not
+    spread: grad_x is taken for grad_u. Or it is spread twice, or multiplied by (I + lambda L) and
+    not by its inverse. lambda is left out.
     """
     x, grad_x, zero = np.array([[1.0], [4.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     got = impl.large_step(x, grad_x, zero, zero, 1, 2.0,
@@ -565,7 +565,9 @@ def test_a_large_step_on_paper(impl):
 
 @exercise("13.16")
 def test_a_large_step_is_a_step_in_u(impl, rng):
-    """mean and square are those of the gradients by x, or the weights are left out."""
+    """mean and square are those of the gradients by x, or old ones. The number of the step, the
+    rate or the weights are left out.
+    """
     edges, weights = graph(rng)
     x, grad_x, mean = rng.normal(size=(3, 7, 3))
     square = rng.uniform(0.1, 2.0, (7, 3))

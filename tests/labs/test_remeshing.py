@@ -8,8 +8,9 @@ from course.checks import assert_close, assert_equal, exercise
 
 @exercise("13.14")
 def test_gains_on_paper(impl):
-    """pi is not taken away, or the sign is wrong. The angles are those at a and b, the ends of the
-    edge, and not opposite to it. One angle is missing, or halved. Cotangents are taken, or degrees.
+    """pi is not taken away, or the sign is wrong. The angles are at a and b, the ends of the edge,
+    not opposite to it. They are those of the new faces, after the flip, or of a wrong face, as acd.
+    One is missing, or halved. Cotangents are taken, or degrees.
     """
     half = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [3.0, -np.sqrt(3.0), 0.0]]
     wide = [[2.0, 1.0, 0.0], [-1.0, 1.0, 1.0], [0.0, 1.0, 0.0], [2.0, 1.0, 1.0]]
@@ -59,8 +60,9 @@ def test_gains_of_tiny_angles_and_of_none(impl):
 
 @exercise("13.15")
 def test_a_slide_on_paper(impl):
-    """The part along n is not taken away, or alone is kept. It is the sum of the offsets, not the
-    mean: not divided by the valence. The rate, or x, is left out. An edge pulls one end only.
+    """The part along n is not taken away, alone is kept, or is that of the mean, not of the move.
+    It is the sum of the offsets, not the mean: not divided by the valence. The rate, or x, is left
+    out. An edge pulls one end only. Without edges it is 0 / 0.
     """
     vertices = np.array([[1.0, 1.0, 1.0], [5.0, 1.0, 3.0], [1.0, 9.0, 3.0], [9.0, 8.0, 7.0]])
     normals = np.array([[0.6, 0.0, 0.8], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])

@@ -46,7 +46,8 @@ DOWN = np.array([[0.6, 0.0, 0.8], [0.8, 0.0, -0.6], [0.0, 1.0, 0.0]])
 @exercise("14.1")
 def test_a_light_looks_down_on_paper(impl):
     """The position is added, not subtracted, or left out. Points are turned first and moved after
-    that. rotation is not transposed, or multiplies from the left, though the points are rows.
+    that. rotation is not transposed, or multiplies from the left, though the points are rows. The
+    sign of z is flipped: the light looks down -z.
     """
     away = np.array([[5.0, -4.0, 10.0], [-5.0, -3.0, 15.0], [10.0, -7.0, 5.0]])
     position = np.array([2.0, 30.0, -1.0])
@@ -99,9 +100,9 @@ def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
 
 @exercise("14.3")
 def test_places_on_the_map_on_paper(impl):
-    """It is not divided by w. y is counted downwards. The middle is at 0: the + 1 is missing. ndc
-    is 2 wide. Width and height, or C_00 and C_11, are swapped or left out. A half, or one, is taken
-    away.
+    """It is not divided by w, but by nothing or -q_z: w is 1 in parallel light. y is counted
+    downwards. The + 1 is missing. ndc is 2 wide. Width and height, or C_00 and C_11, are swapped,
+    alike or left out. It is width - 1. Half a texel is taken away.
     """
     q = np.array([[1.0, 1.5, -3.0], [-0.5, -0.75, -1.5], [3.0, -1.25, -4.0], [0.0, 0.0, -2.0]])
     assert_close(impl.map_position(q, CONE, 12, 8),
@@ -195,7 +196,7 @@ STORED = np.array([1.0, 3.0, 4.0, 6.0, 7.0, 9.0, 10.0, 12.0])  # of MAP there
 def test_what_lies_behind_is_dark_and_what_lies_before_is_lit(impl):
     """The comparison is turned round, as with a map of the farthest surface. Dark points are True.
     What lies in front of the stored surface, nearer than it, is dark: the absolute difference is
-    taken. x and y are swapped.
+    taken. x and y are swapped. The bias is a factor.
     """
     got = impl.is_lit(MAP, np.concatenate([EIGHT, EIGHT]),
                       np.concatenate([STORED + 0.75, STORED - 0.75]), np.full(16, 0.25))
@@ -240,8 +241,9 @@ def test_outside_the_map_all_is_lit(impl):
 
 @exercise("14.8")
 def test_slopes_on_paper(impl):
-    """The sign. A texel is 2 / width of clip space, not 1 / width, or a unit of the world. x and y
-    are swapped. A cone's rays are not parallel, (0, 0, -1). w is left out.
+    """The sign, n . ray or its sign is lost. A texel is 2 / width of clip space, not 1 / width, or
+    a unit of the world. x and y are swapped. A cone's rays are not parallel, (0, 0, -1), nor q, nor
+    of length 1. w is left out.
     """
     light, normal = np.diag([0.25, 0.5, -1.0, 1.0]), np.array([[2.0, -1.0, 2.0], [1, 2, -2]]) / 3
     q = np.array([[4.0, -2.0, -4.0], [-2.0, 1.0, -2.0]])

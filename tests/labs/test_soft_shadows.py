@@ -10,9 +10,9 @@ CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 
 
 @exercise("14.10")
 def test_the_plane_is_measured_at_the_texels_centre(impl):
-    """At the place itself, or at the texel's corner: the 0.5 is missing. Followed from the new
-    place and not from place, or from the centre of the receiver's own texel. The sign. The distance
-    is not added.
+    """At the place itself, or at the texel's corner: the 0.5 is missing, or it is rounded. Followed
+    from the new place and not from place, or from the centre of the receiver's own texel. The sign.
+    The distance is not added. The place becomes a centre, too.
     """
     place = np.array([[2.75, 1.25], [1.5, 3.75], [0.25, 2.5], [4.5, 0.5]])
     slope = np.array([[2.0, -4.0], [1.0, 3.0], [-2.0, 0.5], [3.0, 5.0]])
@@ -63,22 +63,23 @@ def around(rng, count=40):
             rng.uniform(-1, 1, (11, 2)), rng.uniform(0, 3, count))
 
 
-FLAT = np.zeros((4, 2))
+FLAT = np.zeros((5, 2))
 CROSS = np.array([[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 0.0]])  # left, right, below, there
 WALLS = np.array([[3.0, 3.0, 9.0, 9.0, 2.0], [4.0, 3.0, 9.0, 1.0, 9.0]])
-OVER_WALLS = (np.array([[1.5, 1.5], [2.5, 1.5], [4.5, 0.5], [2.25, 0.5]]),
-              np.array([5.0, 5.0, 5.0, 8.0]))  # place, distance
+OVER_WALLS = (np.array([[1.5, 1.5], [2.5, 1.5], [4.5, 0.5], [2.25, 0.5], [0.5, 1.5]]),
+              np.array([5.0, 5.0, 5.0, 8.0, 5.0]))  # place, distance
 
 
 @exercise("14.11")
 def test_shares_on_paper(impl):
-    """The dark share is returned, or the sum, not divided by the number of places. The distances
-    are averaged and then compared. The radius is not used. Each step starts from the last place.
-    Places do not move. Outside is dark.
+    """The dark share is returned, or the sum, not divided by the number of offsets, or by that of
+    the points. The distances are averaged and then compared. The radius is not used. Only one
+    step counts, or each starts from the last place. Places do not move. Outside is dark.
     """
-    got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS, np.array([1.0, 1, 1, 2]))
-    # The map holds 4, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9.
-    assert_close(got, np.array([0.25, 0.5, 0.75, 0.5]))
+    got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS,
+                                 np.array([1.0, 1, 1, 2, 1]))
+    # The map holds 4, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9; none, 3, 3, 4.
+    assert_close(got, np.array([0.25, 0.5, 0.75, 0.5, 0.25]))
 
 
 @exercise("14.11")
@@ -113,10 +114,10 @@ def test_blockers_on_paper(impl):
     blocker is taken, or the plane's distance, not what is stored. Without a blocker it is 0 or NaN.
     The radius is not used.
     """
-    distance = np.array([5.0, 5.0, 1.5, 8.0])
+    distance = np.array([5.0, 5.0, 1.5, 8.0, 5.0])
     got = impl.blocker_distance(WALLS, OVER_WALLS[0], distance, FLAT, 0.0, CROSS,
-                                np.array([1.0, 1, 1, 2]))
-    assert_close(got, np.array([10 / 3, 2.0, np.inf, 2.5]))
+                                np.array([1.0, 1, 1, 2, 1]))
+    assert_close(got, np.array([10 / 3, 2.0, np.inf, 2.5, 10 / 3]))
 
 
 @exercise("14.12")
@@ -126,7 +127,7 @@ def test_what_is_just_lit_is_no_blocker(impl):
     """
     distance_map = np.array([[3.0, 4.0, 9.0, 9.0], [2.0, 3.0, 9.0, 1.0]])
     got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5]] * 4),
-                                np.array([4.0, 4.5, 9.0, 3.25]), FLAT,
+                                np.array([4.0, 4.5, 9.0, 3.25]), FLAT[:4],
                                 np.array([0.0, 0.5, 0.0, 0.25]), CROSS, 1.0)
     assert_close(got, np.array([2.5, 2.5, 3.0, 2.0]))
 
@@ -144,9 +145,9 @@ def test_blockers_are_the_places_that_are_not_lit(impl, rng):
 
 @exercise("14.13")
 def test_a_border_grows_with_the_distance_behind_the_blocker(impl):
-    """Distances are swapped. The border is measured in the world: not divided by distance. It is
-    not a difference of reciprocals. C_00, light_radius, width or the half is missing: the diameter.
-    It is rounded.
+    """Distances are swapped. The border is measured in the world: not divided by distance, or not
+    by blocker. It is not a difference of reciprocals. C_00, light_radius, width or the half is
+    missing: the diameter. C_00 divides. It is rounded.
     """
     distance, blocker = np.array([4.0, 8.0, 2.0, 6.0, 4.0]), np.array([2.0, 2.0, 1.0, 3.0, 4.0])
     assert_close(impl.penumbra_radius(distance, blocker, 0.2, CONE, 16),

@@ -59,8 +59,9 @@ def test_the_gradients_of_the_blur_are_central_differences(impl, rng):
 
 @exercise("14.17")
 def test_lit_shares_on_paper(impl):
-    """The variance is not E_1 - E_0^2: the squared mean is not subtracted. The near side is dark,
-    too, or instead. distance - E_0 is not squared. It is the dark share. least_variance is added.
+    """The variance is not E_1 - E_0^2: the squared mean is not subtracted, or not squared, or a
+    root is taken, the standard deviation. The near side is dark, too, or instead. distance - E_0 is
+    not squared. It is the dark share. least_variance is added, or the most.
     """
     got = impl.chebyshev(np.array([7.0, 8.0, 5.0, 4.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0, 3.0]),
                          np.array([13.0, 25.0, 5.0, 13.0, 13.0]), 0.125)
@@ -71,7 +72,7 @@ def test_lit_shares_on_paper(impl):
 @exercise("14.17")
 def test_the_variance_has_a_floor(impl):
     """The floor least_variance is left out, or added in place of a maximum. Rounding can make the
-    variance negative.
+    variance negative: its absolute value is not the floor.
     """
     got = impl.chebyshev(np.array([5.0, 4.0, 6.0, 5.0]), np.array([3.0, 3.0, 3.0, 3.0]),
                          np.array([9.0, 8.0, 9.25, 9.5]), 0.5)
@@ -97,8 +98,8 @@ def lit_share(distance, mean, mean_square, least=0.3):
 @exercise("14.18")
 def test_gradients_of_the_share_on_paper(impl):
     """The near side, where the share is 1, has a gradient. Quotient rule: the variance is in
-    numerator and denominator. A 2 or grad_lit is missing. The mean's part by variance or distance
-    is forgotten. A finite difference is inexact.
+    numerator and denominator, which is squared. A sign, a 2 or grad_lit is lost. The mean's part by
+    variance or distance is forgotten. A finite difference is inexact.
     """
     # v = 4, b = 4: by the distance -2 v b / 400, by the variance b^2 / 400 = 1/25. And so on.
     got = impl.chebyshev_backward(np.array([25.0, 62.5, -50.0, 25.0]),
@@ -138,9 +139,9 @@ def test_the_gradients_of_the_share_are_central_differences(impl, rng):
 
 @exercise("14.19")
 def test_the_middle_stays_and_the_border_runs_outwards_on_paper(impl):
-    """The derivative by q_z is missing, as if w were held, or has the wrong sign. w has: q_z is
-    -distance. C_32 or a w is lost. It is measured from the map's corner, or at the texel's. Rows
-    and columns are swapped.
+    """By q_z it is 0, as if w were held, or the sign is wrong, or that of w: q_z is -distance.
+    C_32, a half or a w is lost. It is measured from the map's corner, not its middle, or at the
+    texel's, not its centre. y has x's factors. Rows and columns are swapped.
     """
     # 2 C is the same light as C, with w = 2 distance.
     distance_map = np.array([[3.0, 1.5, 6.0], [2.0, 0.5, 4.5]])
@@ -191,7 +192,8 @@ ACROSS = np.eye(2, 3) * np.array([5.0, 2.0, 2 / 3, 7.0])[:, None, None][None]  #
 @exercise("14.20")
 def test_a_step_moves_with_the_nearer_side(impl):
     """With the farther side, or both. To the left: the sign. Pixels change by the whole jump, not
-    by half of it. Only the texel on one side of a border changes. One axis is left out.
+    by half of it. Only the texel on one side of a border changes, or the other one with the
+    other sign. One axis is left out.
     """
     # By 0.2 texels, the jump is 2.
     got = impl.moved_moments(STEP, ACROSS, np.array([0.1, 0.0, 0.0]))
@@ -222,9 +224,9 @@ def test_every_pair_moves_its_border(impl, rng):
 
 @exercise("14.21")
 def test_the_gradient_of_a_step_on_paper(impl):
-    """By x and y: the sign, the half, or one of a border's two texels, is lost. By z: the gradient
-    through the distances is missing, or that of the square (second moment): 2 (d - move_z), not 2
-    d.
+    """By x and y: the sign, the half, or one of a border's two texels, is lost, or the farther one
+    moves it. By z: the gradient through the distances is missing, or that of the square (second
+    moment): 2 (d - move_z), not 2 d.
     """
     # A step in x between the first two, in y between the last two; the nearer moves 2 texels.
     distance_map = np.array([[1.0, 3.0], [1.0, 1.0]])

@@ -206,10 +206,35 @@ def laplacian_entries(edges, weights, vertex_count):
     return rows, columns, np.concatenate([-weights, -weights, ones, ones])
 
 
+def laplacian_entries(edges, weights, vertex_count):
+    """+= adds only one edge where an index is repeated, as in diagonal[i] += weights; np.add.at
+    adds each time"""
+    i, j = edges.T
+    diagonal, every = np.zeros(vertex_count), np.arange(vertex_count)
+    diagonal[i] += weights
+    diagonal[j] += weights
+    return (np.concatenate([i, j, every]), np.concatenate([j, i, every]),
+            np.concatenate([-weights, -weights, diagonal]))
+
+
+def laplacian_entries(edges, weights, vertex_count):
+    """rows are divided by their diagonal, the sum of the weights: it is M^-1 L, which is not
+    symmetric, and not L"""
+    i, j = edges.T
+    total = np.bincount(edges.ravel(), np.repeat(weights, 2), vertex_count)
+    rows, columns = np.concatenate([i, j, i, j]), np.concatenate([j, i, i, j])
+    return rows, columns, np.concatenate([-weights, -weights, weights, weights]) / total[rows]
+
+
 def laplacian_energy(x, edges, weights, mass):
     """the mass is left out: |L x|^2 is not divided by it"""
     y = laplacian(edges, weights, len(x)) @ x
     return (y * y).sum()
+
+
+def laplacian_energy(x, edges, weights, mass):
+    """the mass is squared: M^-1 L x is squared, and divided by the mass twice"""
+    return (per_mass(laplacian(edges, weights, len(x)) @ x, mass)**2).sum()
 
 
 def laplacian_energy(x, edges, weights, mass):
@@ -264,6 +289,26 @@ def laplacian_energy_backward(grad_energy, x, edges, weights, mass):
     grad_y = 2 * z
     grad_weights = ((grad_y[i] - grad_y[j]) * (x[i] - x[j])).sum(1)
     return L @ grad_y, grad_weights, -(z**2).sum(1)
+
+
+def laplacian_energy_backward(grad_energy, x, edges, weights, mass):
+    """grad_weights has the part of one end of each edge only, z_i: that of the other end, -z_j, is
+    missing"""
+    L, (i, j) = laplacian(edges, weights, len(x)), edges.T
+    z = per_mass(L @ x, mass)
+    grad_y = 2 * grad_energy * z
+    grad_weights = (grad_y[i] * (x[i] - x[j])).sum(1)
+    return L @ grad_y, grad_weights, -grad_energy * (z**2).sum(1)
+
+
+def laplacian_energy_backward(grad_energy, x, edges, weights, mass):
+    """grad_mass is divided by the mass once only; the derivative of 1 / m is -1 / m^2"""
+    L, (i, j) = laplacian(edges, weights, len(x)), edges.T
+    y = L @ x
+    z = per_mass(y, mass)
+    grad_y = 2 * grad_energy * z
+    grad_weights = ((grad_y[i] - grad_y[j]) * (x[i] - x[j])).sum(1)
+    return L @ grad_y, grad_weights, -grad_energy * (y * z).sum(1)
 
 
 def smooth_explicit(x, edges, weights, mass, step):
@@ -412,8 +457,8 @@ def enclosed_volume_backward(grad_volume, triangles):
 
 
 def enclosed_volume_backward(grad_volume, triangles):
-    """each corner has a third of the face's area vector: so it is for whole closed surfaces, and
-    not for the corners of a triangle"""
+    """each corner has a third of the face's area vector, the cross product of sides and not of
+    corners: so it is for whole closed surfaces, and not for the corners of a triangle"""
     return grad_volume * np.repeat(area_vectors(triangles)[:, None], 3, 1) / 6
 
 
@@ -455,5 +500,21 @@ def large_step(x, grad_x, mean, square, step, rate, spread):
     edges, weights, amount = spread
     u = x + amount * laplacian(edges, weights, len(x)) @ x
     grad_u = grad_x + amount * laplacian(edges, weights, len(x)) @ grad_x
+    u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
+    return precondition(u, edges, weights, amount), mean, square
+
+
+def large_step(x, grad_x, mean, square, step, rate, spread):
+    """the step is made in x with the smoothed gradient grad_u, and not in u, and so the smoothing
+    by `precondition` that leads back from u to x is missing"""
+    grad_u = precondition(grad_x, *spread)
+    return uniform_adam_step(x, grad_u, mean, square, step, rate)
+
+
+def large_step(x, grad_x, mean, square, step, rate, spread):
+    """lambda is left out of u: it is (I + L) x"""
+    edges, weights, amount = spread
+    u = x + laplacian(edges, weights, len(x)) @ x
+    grad_u = precondition(grad_x, edges, weights, amount)
     u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
     return precondition(u, edges, weights, amount), mean, square

@@ -83,3 +83,12 @@ def relax_step(vertices, normals, edges, rate):
     valence = np.bincount(edges.ravel(), minlength=len(vertices))
     move = smooth_explicit(vertices, edges, np.ones(len(edges)), valence, rate) - vertices
     return vertices + (move * normals).sum(1, keepdims=True) * normals
+
+
+def relax_step(vertices, normals, edges, rate):
+    """an edge pulls one end only, its first vertex: both ends are neighbours of each other"""
+    i, j = edges.T
+    pull = np.zeros(vertices.shape)
+    np.add.at(pull, i, vertices[j] - vertices[i])
+    move = rate * pull / np.maximum(np.bincount(i, minlength=len(vertices)), 1)[:, None]
+    return vertices + move - (move * normals).sum(1, keepdims=True) * normals

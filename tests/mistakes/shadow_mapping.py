@@ -263,6 +263,17 @@ def distance_slopes(normal, q, clip_from_light, width, height):
     return np.stack([slope_x, slope_y], -1)
 
 
+def distance_slopes(normal, q, clip_from_light, width, height):
+    """the ray has length 1; in eq. (4) its third number is -1, and it is longer"""
+    w = w_of(q, clip_from_light)
+    ray = np.column_stack([-clip_from_light[3, 2] * q[:, :2] / w[:, None], -np.ones(len(q))])
+    along = (normal * ray).sum(1) / np.linalg.norm(ray, axis=1)
+    along = np.where(np.abs(along) < GRAZING, np.where(along < 0, -GRAZING, GRAZING), along)
+    slope_x = -w * normal[:, 0] / along * (2 / (clip_from_light[0, 0] * width))
+    slope_y = -w * normal[:, 1] / along * (2 / (clip_from_light[1, 1] * height))
+    return np.stack([slope_x, slope_y], -1)
+
+
 def slope_scaled_bias(slope, constant, factor, most):
     """slopes of opposite signs cancel: the absolute values are to be added"""
     return np.minimum(constant + factor * slope.sum(1) / 2, most)

@@ -306,7 +306,7 @@ def radius_ratio(triangles):
 def cotangents(triangles):
     """the tangent instead of the cotangent: |p x q| / p . q
 
-    told by: tangent instead | tan instead | reciprocal | upside down | inverted | 1 / cot | numerator | fraction
+    told by: tangent instead | tan instead | reciprocal | upside down | inverted | 1 / cot | numerator | fraction | it is the tangent
     """
     p, q = sides(triangles)
     twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
@@ -369,7 +369,7 @@ def cotangents_backward(grad_cotangents, triangles):
 def laplacian_energy(x, edges, weights, mass):
     """divides by the mass squared: the square of M^-1 L x is summed
 
-    told by: mass squared | m^2 | squared mass | mass & twice | square of the mass | M^-1 L x | m_i^2
+    told by: mass squared | m^2 | squared mass | mass & twice | square of the mass | mass is squared | M^-1 L x | m_i^2
     """
     y = per_mass(laplacian(edges, weights, len(x)) @ x, mass)
     return (y**2).sum()
@@ -477,7 +477,7 @@ def enclosed_volume_backward(grad_volume, triangles):
 def enclosed_volume_backward(grad_volume, triangles):
     """only the first corner has a gradient: x_1 and x_2 in the cross product are taken as constants
 
-    told by: only & first corner | x_1 and x_2 | other corners | two corners | as constant | other two | product rule
+    told by: only & first corner | only one corner | x_1 and x_2 | other corners | two corners | as constant | other two | product rule
     """
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     grad = np.zeros_like(triangles)

@@ -72,7 +72,7 @@ def delaunay_gain(corners):
 def relax_step(vertices, normals, edges, rate):
     """only the normal part of the move is kept, n n^T instead of I - n n^T
 
-    told by: only the normal | only & normal part | only & along n | I - n n^T | instead of the tangent | normal part is kept | along the normal & instead
+    told by: only the normal | only & normal part | only & along n | I - n n^T | instead of the tangent | normal part is kept | part of the move along the normal n is kept | along the normal & instead
     """
     valence = np.bincount(edges.ravel(), minlength=len(vertices))
     move = smooth_explicit(vertices, edges, np.ones(len(edges)), valence, rate) - vertices

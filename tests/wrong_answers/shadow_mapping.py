@@ -156,7 +156,7 @@ def slope_scaled_bias(slope, constant, factor, most):
 def to_light(points, position, rotation):
     """the light looks along +z: the z coordinate is turned round so that it is the distance
 
-    told by: sign & q_z | sign of z | sign of the z | +z | z is flipped | z is positive | -z | third coordinate
+    told by: sign & q_z | sign of z | sign of the z | +z | z is flipped | z is positive | -z | sign & [..., 2] | third coordinate
     """
     local = (points - position) @ rotation.T
     local[:, 2] = -local[:, 2]
@@ -276,7 +276,7 @@ def slope_scaled_bias(slope, constant, factor, most):
 def map_position(q, clip_from_light, width, height):
     """the result has the shape (2, N) and not (N, 2)
 
-    told by: (2, | shape | transpos | (n, 2)
+    told by: (2, | shape | transpos | rows and columns are swapped | (n, 2)
     """
     w = w_of(q, clip_from_light)
     x = (clip_from_light[0, 0] * q[:, 0] / w + 1) * width / 2
