@@ -236,8 +236,8 @@ SUM_GRADS = np.array([[-3.0, -5.0, 15.0, 1.0], [-11.0, 5.0, 5.0, -19.0],
 @exercise("5.6")
 def test_the_gradient_of_a_quotient_on_paper(impl):
     """s is taken for constant: the quotient rule's second term is left out, or added instead of
-    subtracted. In it b is left out or stands outside of the sum, or the axis is wrong. 1/s is
-    left out, or squared.
+    subtracted. In it b is left out or stands outside of the sum, the sum is a mean, or the axis is
+    wrong. 1/s is left out, or squared.
     """
     assert_close(impl.normalize_backward(QUOTIENT_GRADS, QUOTIENTS, SUMS), SUM_GRADS)
 
@@ -290,9 +290,9 @@ GRAD_WEIGHTS = np.array([[[38.0, 4.0, 58.0], [-20.0, 1.0, 5.0], [8.0, 16.0, 36.0
 
 @exercise("5.8")
 def test_a_picture_of_six_pixels(impl):
-    """-1 is used as an index, which draws the last face where no face is seen. A corner overwrites
-    the one before. Attributes are read at the number of the face, not at its vertices in faces. i
-    and j are swapped, or the corners are in another order.
+    """-1 is used as an index, which draws the last face where no face is seen. A corner is left
+    out, or overwrites the one before. Attributes are read at the number of the face, not at its
+    vertices in faces. i and j, or the corners, are in another order.
     """
     got = impl.interpolate_loop(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_picture(got, PICTURE, atol=1e-12)
@@ -497,8 +497,8 @@ def test_derivatives_are_those_of_nvdiffrast(impl, scene):
 @exercise("5.14")
 def test_the_gradients_of_two_footprints(impl):
     """grad_attributes has only the part of x, that of y is left out: it is the sum of both, no
-    mean. x and y are exchanged in one of the gradients, or are not its last axis. -1 is used as an
-    index.
+    mean. x and y are exchanged in one of the gradients, or only x is used, or they are not its last
+    axis. -1 is used as an index.
     """
     grad_output = np.full((2, 2, 3, 2), 9.0)
     grad_output[0, 0] = [[2.0, 4.0], [8.0, -1.0], [3.0, 6.0]]

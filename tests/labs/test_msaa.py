@@ -28,9 +28,9 @@ def random_faces(rng, count, height, width, faces):
 
 @exercise("4.2")
 def test_the_rotated_grid_on_paper(impl):
-    """s for s + 1. No - 1 after the remainder. The remainder is that by S, not by S + 1. x and y
-    are swapped. + 1/2 is left out (corners, not centres), or added after the division by S. Or the
-    division is left out.
+    """k s, or k s + 1, for k (s + 1). No - 1 after the remainder. The remainder is that by S, not
+    by S + 1. x and y are swapped. + 1/2 is left out (corners, not centres), or added after the
+    division by S. Or no division by S.
     """
     assert_close(impl.lattice(4, 2), np.array([[1.0, 3.0], [3.0, 7.0], [5.0, 1.0], [7.0, 5.0]]) / 8)
     assert_close(impl.lattice(4, 3), np.array([[1.0, 5.0], [3.0, 1.0], [5.0, 7.0], [7.0, 3.0]]) / 8)
@@ -58,7 +58,8 @@ def test_the_rotated_grid_is_a_square_turned(impl):
 @exercise("4.3")
 def test_a_sample_moves_to_the_centre_on_paper(impl):
     """Away from the centre: the opposite sign. The half pixel is left out. x and y, or width and
-    height, are swapped. y is moved the other way. Twice or half as far. w is left out, or divides.
+    height, are swapped. y is moved the other way. Twice or half as far, or not divided by the size.
+    w is left out, or divides.
     """
     clip = np.array([[0.0, 0.0, 0.3, 1.0], [0.5, -1.0, 0.7, 2.0], [-3.0, 2.0, 0.1, 4.0],
                      [1.5, 0.25, -0.2, 3.0]])
@@ -94,8 +95,8 @@ def test_the_centre_itself_stays_to_the_bit(impl, rng):
 @exercise("4.4")
 def test_the_share_of_samples_on_paper(impl):
     """Face 0 counts as no face (> 0), or -1 as one (!= 0). Samples are counted, not divided by S,
-    or the mean is over another axis than the samples. Only the most frequent face counts. One
-    sample on a face is enough.
+    or the mean is over another axis than the samples. Only the most frequent face counts, or the
+    background. One sample on a face is enough.
     """
     expected = np.array([[1.0, 1.0, 0.5], [0.0, 1.0, 0.75]])
     assert_picture(impl.coverage(FACE_INDEX), expected, atol=1e-12)
@@ -136,9 +137,9 @@ def test_the_order_is_that_of_the_best_line(impl, rng):
 
 @exercise("4.6")
 def test_blocks_on_paper(impl):
-    """The sum, or the sum over n, not n^2. Every n-th pixel. The last row or column of a block is
-    left out. Pixels far apart instead of n x n neighbours (a wrong reshape). Height and width are
-    exchanged.
+    """The sum, or the sum over n, not n^2. Every n-th pixel, or the largest. The last row or column
+    of a block is left out. Pixels far apart instead of n x n neighbours (a wrong reshape). Height
+    and width are exchanged.
     """
     picture = np.array([[1.0, 2.0, 5.0, 6.0],
                         [3.0, 5.0, 7.0, 9.0],
@@ -277,7 +278,8 @@ def test_the_pairs_on_paper(impl, name):
 @REQUESTS
 def test_every_sample_finds_its_own_pair(impl, name):
     """request is in another order, as (H, W, S) with a reshape that moves no axes. It has the
-    number of another pair. Numbers start anew in each pixel, or among mixed ones. It is not -1.
+    number of another pair, or of the pixel. Numbers start anew in each pixel, or among mixed ones.
+    The background's is not -1.
     """
     assert_requests(getattr(impl, name)(FACE_INDEX), FACE_INDEX)
 
@@ -337,9 +339,9 @@ REQUEST = np.array([[[0, 0, -1], [2, -1, 1]], [[1, 0, -1], [2, 2, 1]], [[1, 0, -
 
 @exercise("4.10")
 def test_the_mean_of_a_pixel_on_paper(impl):
-    """The background is left out of the mean, is black, or gets the last shade (-1 as an index). A
-    face counts once for all its samples. One sample decides. The sum is not divided by S, or goes
-    over another axis.
+    """The background is left out of the mean, is black, or gets the last shade (-1 as an index).
+    Rows are shifted by one. A face counts once for all its samples. One sample decides. The sum is
+    not divided by S, or goes over another axis.
     """
     shade, background = np.array([[1.0, 0.0], [5.0, 8.0], [9.0, 4.0]]), np.array([3.0, 2.0])
     expected = np.array([[[4.0, 6.0], [1.0, 0.0], [3.0, 2.0]],
@@ -390,9 +392,9 @@ def test_a_common_colour_comes_out_to_the_bit(impl, rng, count):
 
 @exercise("4.11")
 def test_the_gradient_of_shades_on_paper(impl):
-    """Each sample brings the whole gradient. Repeated requests add only once, as by += on an index,
-    or become a mean. The background's part is missing, in mixed pixels, or goes to the last shade.
-    Rows are shifted by one, as request + 1 puts the background first.
+    """Each sample, or one alone, brings the whole gradient. Repeated requests add only once, as by
+    += on an index, or become a mean. The background's part is missing, in mixed pixels, or goes to
+    the last shade. Rows are shifted by one, as request + 1 puts the background first.
     """
     red = np.array([[4.0, 8.0, 12.0], [20.0, 28.0, 36.0]])
     blue = np.array([[40.0, 4.0, 24.0], [8.0, 60.0, 16.0]])

@@ -18,7 +18,7 @@ def weights_2d(uv, width, height):
 def test_between_two_centres_both_count(impl):
     """Half a texel off: a centre is taken to lie at j / w, or 1/2 is added, or subtracted before x
     is multiplied. The weights are exchanged. The second texel is j - 1. x is multiplied by size -
-    1, or rounded to the nearest.
+    1, or rounded to the nearest. j is no integer.
     """
     got = impl.linear_texels(np.array([0.4375, 0.55, 0.725, 0.15]), 4)  # at 1.25, 1.7, 2.4, 0.1
     assert_close(got, (np.array([[1, 1, 2, 0], [2, 2, 3, 1]]),
@@ -65,7 +65,7 @@ TEXELS = np.array([[4.0, 1.0], [10.0, 2.0], [30.0, 5.0], [70.0, 9.0], [50.0, 7.0
 @exercise("6.5")
 def test_a_colour_is_the_weighted_sum_of_its_texels(impl):
     """The weights are left out, so it is a plain sum or mean. The sum is divided by K, or by the
-    sum of the weights. A texel is left out, or overwrites the one before.
+    sum of the weights. A texel is left out, or only one counts, as it overwrites the one before.
     """
     index = np.array([[0, 1, 3], [2, 4, 0], [3, 1, 2], [1, 0, 4]])
     weight = np.array([[0.5, 0.2, 0.3], [1.0, 2.0, -0.5], [0.1, 0.7, 0.5], [0.3, 0.25, 0.6]])
@@ -103,9 +103,9 @@ def test_look_ups_are_sums_in_a_loop(impl, rng):
 
 @exercise("6.6")
 def test_what_was_gathered_is_scattered(impl):
-    """+= with an array of indices adds only once, so of several points at one texel the last one
-    wins. The weights are left out of grad_texels, or stand in grad_weight, or grad_colour is left
-    out. The sum over the channels is a mean, or of one channel.
+    """+= with an array of indices adds only once: of several points at one texel the last one wins,
+    or they become a mean. The weights are left out of grad_texels, or stand in grad_weight, or
+    grad_colour is left out. One channel counts, or their mean.
     """
     index = np.array([[0, 1], [1, 3], [4, 1]])
     weight = np.array([[0.75, 0.25], [0.5, 0.4], [0.2, 0.6]])
