@@ -76,10 +76,12 @@ def by_uv(grad_weights):
 
 @exercise("5.2")
 def test_halfway_on_the_screen_is_a_quarter_of_the_way(impl):
-    """t comes back as it is: the perspective is left out. w_0 and w_1 are exchanged. A factor t
-    or 1 - t, or the division, is left out. Or it is measured from the other end.
+    """t comes back as it is: the perspective is left out. w_0 and w_1 are exchanged. A factor w_0,
+    t or 1 - t is left out of the numerator or the denominator, or the division. Or it is measured
+    from the other end.
     """
-    got = impl.fraction_in_space(np.array([0.0, 0.25, 0.5, 0.75, 0.9, 1.0]), 2.0, 6.0)
+    w_0 = np.array([2.0, 1.0, 3.0, 5.0, 2.0, 4.0])
+    got = impl.fraction_in_space(np.array([0.0, 0.25, 0.5, 0.75, 0.9, 1.0]), w_0, 3 * w_0)
     assert_close(got, np.array([0.0, 0.1, 0.25, 0.5, 0.75, 1.0]))
 
 
@@ -111,8 +113,9 @@ def fraction(t, w_0, w_1):
 
 @exercise("5.3")
 def test_gradients_of_the_fraction_on_paper(impl):
-    """The denominator is taken for constant: the quotient rule's second term, -u dv, is missing.
-    Or it is not squared. The gradient of w_1 has the wrong sign, or is exchanged with that of w_0.
+    """The denominator is taken for constant: the quotient rule's second term, -u dv, is missing. Or
+    it is not squared. w_1's gradient has the wrong sign, or is exchanged with w_0's. A factor, as
+    w_1, 1 - t or grad_q, is left out.
     """
     # v = 4, 5, 5, 4, so grad_q / v^2 = 1, 2, 4, -2
     got = impl.fraction_in_space_backward(
@@ -233,8 +236,8 @@ SUM_GRADS = np.array([[-3.0, -5.0, 15.0, 1.0], [-11.0, 5.0, 5.0, -19.0],
 @exercise("5.6")
 def test_the_gradient_of_a_quotient_on_paper(impl):
     """s is taken for constant: the quotient rule's second term is left out, or added instead of
-    subtracted. In it b is left out or stands outside of the sum, or the axis is wrong. 1/s is
-    left out, or squared.
+    subtracted. In it b is left out or stands outside of the sum, the sum is a mean, or the axis is
+    wrong. 1/s is left out, or squared.
     """
     assert_close(impl.normalize_backward(QUOTIENT_GRADS, QUOTIENTS, SUMS), SUM_GRADS)
 
@@ -287,9 +290,9 @@ GRAD_WEIGHTS = np.array([[[38.0, 4.0, 58.0], [-20.0, 1.0, 5.0], [8.0, 16.0, 36.0
 
 @exercise("5.8")
 def test_a_picture_of_six_pixels(impl):
-    """-1 is used as an index, which draws the last face where no face is seen. A corner overwrites
-    the one before instead of being added. i and j are swapped, or the corners are in another
-    order.
+    """-1 is used as an index, which draws the last face where no face is seen. A corner is left
+    out, or overwrites the one before. Attributes are read at the number of the face, not at its
+    vertices in faces. i and j, or the corners, are in another order.
     """
     got = impl.interpolate_loop(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_picture(got, PICTURE, atol=1e-12)
@@ -314,9 +317,9 @@ def test_any_number_of_attributes(impl, rng, channels):
 
 @exercise("5.9")
 def test_the_gradients_of_six_pixels(impl):
-    """A vertex that several pixels see keeps one gradient, or the mean, instead of their sum: +=
-    with an array of indices adds only once. The weights, grad_output or the sum over the channels
-    is left out. -1 is used as an index.
+    """A vertex that several pixels see keeps one gradient, or the mean: += with an array of indices
+    adds only once. The weights, grad_output or the sum over the channels is left out. -1 is used as
+    an index. A mean is subtracted, as if the weights had to sum to 1.
     """
     got = impl.interpolate_backward_loop(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
@@ -376,8 +379,8 @@ def test_the_rows_make_the_matrix(impl, rng):
 
 @exercise("5.11")
 def test_a_whole_picture_of_six_pixels(impl):
-    """The pixels come out in another order, or the weights. -1 is used as an index, which draws
-    the last face where no face is seen.
+    """The pixels come out in another order, or the weights. -1 is used as an index, which draws the
+    last face where no face is seen. Or face 0 is taken for none.
     """
     assert_picture(impl.interpolate(ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS), PICTURE, atol=1e-12)
 
@@ -411,8 +414,9 @@ def test_attributes_are_those_of_nvdiffrast(impl, scene):
 
 @exercise("5.12")
 def test_the_gradients_of_a_whole_picture_of_six_pixels(impl):
-    """grad[vertex] += ... adds only once for a vertex that several pixels see: np.add.at adds
-    all. The weights are left out. The sum over the channels is a mean, or of one channel alone.
+    """grad[vertex] += ... adds only once for a vertex that several pixels see: np.add.at adds all.
+    The weights are left out. The sum over the channels is a mean, or of one channel. -1 is used as
+    an index, of the last face. The corners are in another order.
     """
     got = impl.interpolate_backward(GRAD_OUTPUT, ATTRIBUTES, FACES, FACE_INDEX, WEIGHTS)
     assert_close(got, (GRAD_ATTRIBUTES, GRAD_WEIGHTS))
@@ -461,9 +465,9 @@ DERIVATIVES[1, 1] = [[0.1, -0.4], [-0.6, 0.3], [0.5, 0.1]]
 
 @exercise("5.13")
 def test_the_footprints_of_two_pixels(impl):
-    """dA/dx and dA/dy are exchanged, or one has the wrong sign, as if y pointed down. x and y are
-    not the last axis but stand before the channels (J is transposed), or a reshape mixes them. -1
-    is used as an index.
+    """dA/dx and dA/dy are exchanged, or both are by x, or one has the wrong sign. x and y are not
+    the last axis but stand before the channels (J is transposed), or a reshape mixes them. Corner 2
+    is left out. -1 is used as an index.
     """
     expected = np.zeros((2, 2, 3, 2))
     expected[0, 0] = [[0.6, 6.6], [-2.2, 1.9], [5.4, -1.5]]
@@ -493,7 +497,8 @@ def test_derivatives_are_those_of_nvdiffrast(impl, scene):
 @exercise("5.14")
 def test_the_gradients_of_two_footprints(impl):
     """grad_attributes has only the part of x, that of y is left out: it is the sum of both, no
-    mean. x and y are exchanged in one of the gradients. -1 is used as an index.
+    mean. x and y are exchanged in one of the gradients, or only x is used, or they are not its last
+    axis. -1 is used as an index.
     """
     grad_output = np.full((2, 2, 3, 2), 9.0)
     grad_output[0, 0] = [[2.0, 4.0], [8.0, -1.0], [3.0, 6.0]]

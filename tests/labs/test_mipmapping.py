@@ -42,8 +42,9 @@ def rotation(angle):
 
 @exercise("6.9")
 def test_four_texels_become_their_mean(impl):
-    """The sum instead of the mean, or half of it: it is divided by 4. Every second texel is kept.
-    Or the four are no neighbours: each side is split into (2, h / 2) instead of (h / 2, 2).
+    """The sum, or half of it: it is divided by 4. Every second texel is kept, also along one axis,
+    or the largest. They are no neighbours: a side is split into (2, h / 2), not (h / 2, 2). h and w
+    are exchanged. Gamma (linear light).
     """
     image = grey([[1, 3, 0, 8, 20, 4], [5, 7, 2, 2, 6, 10], [9, 12, 30, 2, 40, 3],
                   [4, 3, 11, 13, 1, 4]])
@@ -71,8 +72,8 @@ def test_halves_are_means_in_a_loop(impl, rng):
 
 @exercise("6.10")
 def test_a_mean_pulls_at_four_texels_alike(impl):
-    """The factor 1/4 is forgotten, or only one texel of four gets it. Or the whole picture is
-    repeated (tile), instead of each texel.
+    """The factor 1/4 is forgotten, or is 1/2, or only one texel of four gets it. Or the whole
+    picture is repeated (tile), instead of each texel.
     """
     got = impl.halve_backward(grey([[4, 8, 20], [12, 28, 16]]), np.full((4, 6, 1), 9.0))
     assert_close(got, grey([[1, 1, 2, 2, 5, 5], [1, 1, 2, 2, 5, 5], [3, 3, 7, 7, 4, 4],
@@ -97,8 +98,8 @@ def test_the_gradients_of_halves_are_central_differences(impl, rng):
 
 @exercise("6.11")
 def test_a_level_comes_down_in_sixteenths(impl):
-    """What comes down is not divided by 4 at each level, or levels above level 1 hand nothing
-    down. A level's own gradient is left out, as that of level 0 itself.
+    """What comes down is not divided by 4 at each level, or twice, or levels above level 1 hand
+    nothing down. A level's own gradient is left out, as that of level 0 itself.
     """
     levels = (np.arange(1.0, 33.0).reshape(4, 8, 1), grey([[4, 16, 28, 12], [12, 28, 24, 40]]),
               grey([[32, 64]]))
@@ -126,7 +127,8 @@ def test_the_gradients_of_pyramids_are_central_differences(impl, rng):
 @exercise("6.12")
 def test_a_pixel_of_two_to_sixteen_texels(impl):
     """J is not in texels. width and height are exchanged, or scale J's columns. 1/2 or R's root is
-    left out, or log is not log2. S - R for S + R, or a norm of J. A level below 0 is cut off.
+    left out, or log is not log2. S - R for S + R, the area, or a norm of J. A level below 0 is cut
+    off.
     """
     jacobian = np.array([[[2 / 32, 0.0], [0.0, 1 / 8]], [[0.0, 8 / 32], [4 / 8, 0.0]],
                          [[1 / 32, 0.0], [0.0, 4 / 8]], [[0.5 / 32, 0.0], [0.0, 0.125 / 8]],
@@ -163,8 +165,9 @@ def test_no_change_at_all_is_level_minus_infinity(impl):
 
 @exercise("6.13")
 def test_the_longer_axis_alone_moves_the_level(impl):
-    """The chain rule's last factor, width and height, is left out. ln 2 (log2 is not ln), 1/2 or
-    grad_level is left out, or C's part. The shorter axis pulls, too, as R's part is missing.
+    """The chain rule's last factor, width and height, is left out or exchanged. ln 2 (log2 is not
+    ln), 1/2, 2, 1 / (S + R) or grad_level is left out, or C's part. The shorter axis pulls, too, as
+    R's part is missing.
     """
     jacobian = np.array([[[0.5, 0.0], [0.0, 0.25]], [[0.125, 0.0], [0.0, 0.5]],
                          [[0.1875, 0.25], [0.0, 0.0]], [[0.0, 0.0], [0.375, -0.5]]])
@@ -202,7 +205,9 @@ def test_no_change_at_all_has_no_gradient(impl):
 
 @exercise("6.13")
 def test_the_gradients_of_levels_are_central_differences(impl, rng):
-    """One of the four derivatives is another's, or C pulls at one of its factors only."""
+    """J is not in texels. One of the four derivatives is another's, or C pulls at one of its
+    factors only.
+    """
     flat = np.array([[[1.0, 0.5], [0.0, 0.0]], [[0.25, 0.0], [0.75, 0.0]]])  # a singular value of 0
     for width, height in (64, 16), (3, 8):
         jacobian = np.concatenate([rng.normal(size=(6, 2, 2)) / width, flat / width])

@@ -28,8 +28,9 @@ def random_faces(rng, count, height, width, faces):
 
 @exercise("4.2")
 def test_the_rotated_grid_on_paper(impl):
-    """s for s + 1. The - 1 after the remainder is left out. The remainder is that by S, not by
-    S + 1. x and y are swapped. Without + 1/2: corners, not centres.
+    """k s, or k s + 1, for k (s + 1). No - 1 after the remainder. The remainder is that by S, not
+    by S + 1. x and y are swapped. + 1/2 is left out (corners, not centres), or added after the
+    division by S. Or no division by S.
     """
     assert_close(impl.lattice(4, 2), np.array([[1.0, 3.0], [3.0, 7.0], [5.0, 1.0], [7.0, 5.0]]) / 8)
     assert_close(impl.lattice(4, 3), np.array([[1.0, 5.0], [3.0, 1.0], [5.0, 7.0], [7.0, 3.0]]) / 8)
@@ -56,8 +57,9 @@ def test_the_rotated_grid_is_a_square_turned(impl):
 
 @exercise("4.3")
 def test_a_sample_moves_to_the_centre_on_paper(impl):
-    """Away from the centre: the opposite sign. The half pixel is left out. Width and height are
-    swapped. y is moved the other way. Twice or half as far. w is left out.
+    """Away from the centre: the opposite sign. The half pixel is left out. x and y, or width and
+    height, are swapped. y is moved the other way. Twice or half as far, or not divided by the size.
+    w is left out, or divides.
     """
     clip = np.array([[0.0, 0.0, 0.3, 1.0], [0.5, -1.0, 0.7, 2.0], [-3.0, 2.0, 0.1, 4.0],
                      [1.5, 0.25, -0.2, 3.0]])
@@ -92,8 +94,9 @@ def test_the_centre_itself_stays_to_the_bit(impl, rng):
 
 @exercise("4.4")
 def test_the_share_of_samples_on_paper(impl):
-    """Face 0 counts as no face (> 0), or -1 as one (!= 0). Samples are counted, not divided by S.
-    Only the most frequent face counts, not all faces. One sample on a face is enough.
+    """Face 0 counts as no face (> 0), or -1 as one (!= 0). Samples are counted, not divided by S,
+    or the mean is over another axis than the samples. Only the most frequent face counts, or the
+    background. One sample on a face is enough.
     """
     expected = np.array([[1.0, 1.0, 0.5], [0.0, 1.0, 0.75]])
     assert_picture(impl.coverage(FACE_INDEX), expected, atol=1e-12)
@@ -112,7 +115,8 @@ def test_shares_of_any_number_of_samples(impl, rng, count):
 @exercise("4.5")
 def test_the_order_of_an_exact_power(impl):
     """The sign of the slope is kept. The reciprocal: the slope of log n over log error. No
-    logarithm of n or of the error. A line through the origin: the means are not taken away.
+    logarithm of n or of the error. A line through the origin: the means are not taken away. Or its
+    intercept, not its slope.
     """
     n = np.array([1.0, 2.0, 5.0, 10.0])
     assert_close(impl.observed_order(n, 7.0 * n ** -2), 2.0)
@@ -133,8 +137,9 @@ def test_the_order_is_that_of_the_best_line(impl, rng):
 
 @exercise("4.6")
 def test_blocks_on_paper(impl):
-    """The sum, or the sum over n, not n^2. Every n-th pixel. Pixels far apart instead of n x n
-    neighbours (a wrong reshape). Height and width are exchanged.
+    """The sum, or the sum over n, not n^2. Every n-th pixel, or the largest. The last row or column
+    of a block is left out. Pixels far apart instead of n x n neighbours (a wrong reshape). Height
+    and width are exchanged.
     """
     picture = np.array([[1.0, 2.0, 5.0, 6.0],
                         [3.0, 5.0, 7.0, 9.0],
@@ -148,7 +153,9 @@ def test_blocks_on_paper(impl):
 
 @exercise("4.6")
 def test_blocks_of_any_size_and_channel(impl, rng):
-    """Rows and columns are mixed up where the picture is not square. Or channels are averaged."""
+    """n is taken for 2, or the mean divided by 4, whatever n is. Rows and columns are mixed up
+    where the picture is not square. Or channels are averaged.
+    """
     for n, height, width in (1, 3, 4), (2, 5, 3), (3, 2, 4):
         picture = rng.random((n * height, n * width, 3))
         expected = np.array([[[picture[n * i:n * i + n, n * j:n * j + n, c].mean()
@@ -221,8 +228,9 @@ def test_pixels_are_numbered_row_by_row(impl, name):
 
 @REQUESTS
 def test_samples_of_a_pixel_that_see_the_same_face_share_a_pair(impl, name):
-    """Every sample makes a request of its own: a pair comes more than once. Or samples share one
-    only if they are neighbours. Only one face of a mixed pixel is asked for.
+    """Every sample makes a request of its own: a pair comes more than once. Or only neighbouring
+    samples share one, so a face that comes back is asked for twice. Only one face of a mixed pixel
+    is asked for.
     """
     face_index = np.array([4, 6, 6, 4, 9, 6]).reshape(6, 1, 1)
     assert_equal(pairs_of(impl, name, face_index), [(0, 4), (0, 6), (0, 9)])
@@ -247,8 +255,18 @@ def test_the_background_is_no_pair(impl, name):
 @REQUESTS
 def test_face_0_is_a_face(impl, name):
     """Face 0 is taken for no face: > 0 for >= 0, or its number is tested as true or false."""
-    face_index = np.array([[[2, 0, 0]], [[0, 5, 0]]])
-    assert_equal(pairs_of(impl, name, face_index), [(0, 0), (0, 2), (1, 0), (1, 5), (2, 0)])
+    face_index = np.array([[[2, 0, 0]], [[0, 0, 5]]])
+    assert_equal(pairs_of(impl, name, face_index), [(0, 0), (0, 2), (1, 0), (2, 0), (2, 5)])
+
+
+@REQUESTS
+def test_the_largest_face_is_not_face_0_of_the_next_pixel(impl, name):
+    """The key of a pair is not unique: in pixel * F + face, with the largest face for F, not one
+    more, the largest face and face 0 of the next pixel collide. Or pixel + face.
+    """
+    face_index = np.array([[[5, 0, 4], [0, 1, 5]], [[0, 5, 1], [5, 1, 5]]])
+    assert_equal(pairs_of(impl, name, face_index), [
+        (0, 0), (0, 5), (1, 0), (1, 5), (2, 1), (2, 4), (3, 0), (3, 5), (4, 1), (5, 5)])
 
 
 @REQUESTS
@@ -260,7 +278,8 @@ def test_the_pairs_on_paper(impl, name):
 @REQUESTS
 def test_every_sample_finds_its_own_pair(impl, name):
     """request is in another order, as (H, W, S) with a reshape that moves no axes. It has the
-    number of another pair. Numbers start anew in each pixel, or among mixed ones. It is not -1.
+    number of another pair, or of the pixel. Numbers start anew in each pixel, or among mixed ones.
+    The background's is not -1.
     """
     assert_requests(getattr(impl, name)(FACE_INDEX), FACE_INDEX)
 
@@ -320,8 +339,9 @@ REQUEST = np.array([[[0, 0, -1], [2, -1, 1]], [[1, 0, -1], [2, 2, 1]], [[1, 0, -
 
 @exercise("4.10")
 def test_the_mean_of_a_pixel_on_paper(impl):
-    """The background is left out of the mean, is black, or gets the last shade (-1 as an index). A
-    face counts once for all its samples. One sample decides. The sum is not divided.
+    """The background is left out of the mean, is black, or gets the last shade (-1 as an index).
+    Rows are shifted by one. A face counts once for all its samples. One sample decides. The sum is
+    not divided by S, or goes over another axis.
     """
     shade, background = np.array([[1.0, 0.0], [5.0, 8.0], [9.0, 4.0]]), np.array([3.0, 2.0])
     expected = np.array([[[4.0, 6.0], [1.0, 0.0], [3.0, 2.0]],
@@ -372,9 +392,9 @@ def test_a_common_colour_comes_out_to_the_bit(impl, rng, count):
 
 @exercise("4.11")
 def test_the_gradient_of_shades_on_paper(impl):
-    """Each sample brings the whole gradient. Repeated requests add only once, as by += on an index,
-    or become a mean. The background's part is missing, or goes to the last shade, or mixed pixels
-    bring none.
+    """Each sample, or one alone, brings the whole gradient. Repeated requests add only once, as by
+    += on an index, or become a mean. The background's part is missing, in mixed pixels, or goes to
+    the last shade. Rows are shifted by one, as request + 1 puts the background first.
     """
     red = np.array([[4.0, 8.0, 12.0], [20.0, 28.0, 36.0]])
     blue = np.array([[40.0, 4.0, 24.0], [8.0, 60.0, 16.0]])

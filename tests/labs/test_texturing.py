@@ -16,8 +16,9 @@ def weights_2d(uv, width, height):
 
 @exercise("6.2")
 def test_between_two_centres_both_count(impl):
-    """Half a texel off: a centre is taken to lie at j / w, or 1/2 is added. The weights are
-    exchanged. The second texel is j - 1. x is multiplied by size - 1, or rounded to the nearest.
+    """Half a texel off: a centre is taken to lie at j / w, or 1/2 is added, or subtracted before x
+    is multiplied. The weights are exchanged. The second texel is j - 1. x is multiplied by size -
+    1, or rounded to the nearest. j is no integer.
     """
     got = impl.linear_texels(np.array([0.4375, 0.55, 0.725, 0.15]), 4)  # at 1.25, 1.7, 2.4, 0.1
     assert_close(got, (np.array([[1, 1, 2, 0], [2, 2, 3, 1]]),
@@ -64,7 +65,7 @@ TEXELS = np.array([[4.0, 1.0], [10.0, 2.0], [30.0, 5.0], [70.0, 9.0], [50.0, 7.0
 @exercise("6.5")
 def test_a_colour_is_the_weighted_sum_of_its_texels(impl):
     """The weights are left out, so it is a plain sum or mean. The sum is divided by K, or by the
-    sum of the weights. A texel is left out, or overwrites the one before.
+    sum of the weights. A texel is left out, or only one counts, as it overwrites the one before.
     """
     index = np.array([[0, 1, 3], [2, 4, 0], [3, 1, 2], [1, 0, 4]])
     weight = np.array([[0.5, 0.2, 0.3], [1.0, 2.0, -0.5], [0.1, 0.7, 0.5], [0.3, 0.25, 0.6]])
@@ -102,9 +103,9 @@ def test_look_ups_are_sums_in_a_loop(impl, rng):
 
 @exercise("6.6")
 def test_what_was_gathered_is_scattered(impl):
-    """+= with an array of indices adds only once, so of several points at one texel the last one
-    wins. The weights are left out of grad_texels, or grad_colour of grad_weight. The sum over the
-    channels is a mean, or of one channel.
+    """+= with an array of indices adds only once: of several points at one texel the last one wins,
+    or they become a mean. The weights are left out of grad_texels, or stand in grad_weight, or
+    grad_colour is left out. One channel counts, or their mean.
     """
     index = np.array([[0, 1], [1, 3], [4, 1]])
     weight = np.array([[0.75, 0.25], [0.5, 0.4], [0.2, 0.6]])
@@ -136,9 +137,9 @@ def test_the_gradients_of_look_ups_are_central_differences(impl, rng):
 
 @exercise("6.7")
 def test_each_texel_pulls_towards_itself(impl):
-    """The factor of the size is left out, or width and height, u and v, or the four texels are
-    exchanged: u goes along the row. The sign is flipped. The other axis' weights are left out, or
-    exchanged.
+    """The factor of the size is left out, or divides. Width and height, u and v, or the four texels
+    are exchanged: u goes along the row. The sign is flipped. The other axis' weights are left out
+    or exchanged, or only one row or column counts.
     """
     grad_weight = np.array([[0.0, 1.0, 0.0, 0.0], [2.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 3.0],
                             [0.0, 0.0, -1.0, 0.0], [1.0, 2.0, 4.0, 8.0]])
@@ -188,7 +189,9 @@ def test_every_pixel_may_look_at_its_own_level(impl, rng):
 
 @exercise("6.8")
 def test_one_point_is_the_pixels_centre(impl):
-    """The points lie on the pixel's edge or corners, or d is measured from a corner."""
+    """The points lie on the pixel's edge or corners, or d is measured from a corner. uv is left
+    out. Or the pixels are the first axis: it is (n^2, N, 2).
+    """
     uv = np.array([[0.25, 0.75], [2.0, -1.0]])
     jacobian = np.array([[[0.1, 0.2], [0.3, 0.4]], [[1.0, 2.0], [3.0, 4.0]]])
     assert_close(impl.footprint_points(uv, jacobian, 1), uv[None])
@@ -196,9 +199,9 @@ def test_one_point_is_the_pixels_centre(impl):
 
 @exercise("6.8")
 def test_a_footprint_on_paper(impl):
-    """The Jacobian is transposed. The points come column by column instead of row by row, or the
-    top row first. d goes from edge to edge of the pixel or beyond, not to the centres of its
-    squares, which are 1/n apart.
+    """The Jacobian is left out or transposed. The points come column by column instead of row by
+    row, or the top row first. d goes from edge to edge of the pixel or beyond, not to the centres
+    of its squares, which are 1/n apart.
     """
     jacobian = np.array([[[4.0, 8.0], [2.0, 12.0]], [[0.0, 0.4], [-0.8, 0.2]]])
     expected = np.array([[[-3.0, -3.5], [9.9, 20.15]], [[-1.0, -2.5], [9.9, 19.75]],

@@ -212,11 +212,11 @@ def interpolate_loop(attributes, faces, face_index, barycentric):
 
 
 def interpolate_loop(attributes, faces, face_index, barycentric):
-    """only the corner with the largest weight is shown, instead of the sum over all three
-    corners"""
+    """the weights, or the corners, are in reverse order: corner 2 has the weight of corner 0"""
     output = np.zeros((*face_index.shape, attributes.shape[1]))
     for i, j in np.argwhere(face_index >= 0):
-        output[i, j] = attributes[faces[face_index[i, j], barycentric[i, j].argmax()]]
+        for vertex, b in zip(faces[face_index[i, j]], barycentric[i, j, ::-1], strict=True):
+            output[i, j] += b * attributes[vertex]
     return output
 
 

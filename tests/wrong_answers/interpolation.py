@@ -306,7 +306,7 @@ def fraction_in_space(t, w_0, w_1):
 def fraction_in_space(t, w_0, w_1):
     """the denominator is w_0 + w_1 without the weights t and 1 - t
 
-    told by: w_0 + w_1 | sum of & w | not weighted | without the weights | without t | denominator
+    told by: w_0 + w_1 | sum of & w | not weighted | without the weights | without t | denominator | factor & 1 - t & left out
     """
     return t * w_0 / (w_0 + w_1)
 
@@ -386,7 +386,7 @@ def interpolate_loop(attributes, faces, face_index, barycentric):
 def interpolate_loop(attributes, faces, face_index, barycentric):
     """the corners' order is reversed: b_0 belongs to corner 2 and b_2 to corner 0
 
-    told by: order | reversed | exchanged & corner | swapped & corner | corner & 0 and 2 | wrong corner | other corner
+    told by: order | reversed | 0 and 2 are exchanged & faces | exchanged & corner | swapped & corner | corner & 0 and 2 | wrong corner | other corner
     """
     out = np.zeros((*face_index.shape, attributes.shape[1]))
     for i, j in zip(*np.nonzero(face_index >= 0)):

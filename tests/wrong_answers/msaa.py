@@ -557,7 +557,7 @@ def resolve_backward(grad_picture, shade, request, background):
 def resolve_backward(grad_picture, shade, request, background):
     """the gradient of a shade is the mean over its samples instead of their sum
 
-    told by: mean instead | sum | averaged | mean over | divided by the number
+    told by: mean instead | sum | averaged | mean over | divided by the number | requests & become a mean
     """
     S = len(request)
     parts = np.broadcast_to(grad_picture / S, (S, *grad_picture.shape))
