@@ -32,9 +32,9 @@ def blended(a, b, k):
 
 @exercise("15.1")
 def test_outside_of_a_box_on_paper(impl):
-    """Outside: half_size is taken for the whole size, negative coordinates get no abs, squares have
-    no root, the largest coordinate alone counts as if no edge or corner were nearest, or axes
-    within the sides count, too.
+    """Outside: half_size is taken for the whole size. Negative coordinates get no abs. Squares have
+    no root, or axes are summed. The largest coordinate alone counts, as if no edge or corner were
+    nearest, or axes within the sides count, too.
     """
     points = np.array([[2.5, 0.3, -0.4], [3.5, -5.0, 0.25], [-1.5, 3.0, -3.5], [0.2, 7.0, -9.5]])
     assert_close(impl.box(points, HALF), np.array([2.0, 5.0, 3.0, 10.0]))
@@ -66,9 +66,9 @@ def test_one_point_has_one_distance(impl):
 
 @exercise("15.2")
 def test_gradients_outside_of_a_box_on_paper(impl):
-    """Outside: it is not divided by its length, which is to be 1, negative coordinates have no
-    sign, grad_distance is left out, the axis of the largest coordinate alone has a gradient, or
-    axes within the sides have one.
+    """Outside: it is not divided by its length, which is to be 1. Negative coordinates have no
+    sign. grad_distance is left out. The axis of the largest coordinate alone has a gradient, or
+    axes within the sides have one. It points away from the middle of the box.
     """
     points = np.array([[3.5, -5.0, 0.25], [-1.5, 0.5, 1.25], [-1.5, 3.0, -3.5], [0.2, 7.0, -9.5]])
     expected = np.array([[1.2, -1.6, 0], [-3.0, 0, 0], [2.0, -4.0, 4.0], [0, 3.0, -4.0]])
@@ -77,8 +77,9 @@ def test_gradients_outside_of_a_box_on_paper(impl):
 
 @exercise("15.2")
 def test_gradients_inside_a_box_on_paper(impl):
-    """Inside: the gradient is 0, it points inward, away from the nearest side, to the farthest
-    side or away from the middle, or more than one axis has a share.
+    """Inside: the side is chosen by the largest coordinate, where that of the largest |x| -
+    half_size is nearest. The gradient is 0, or points inward, to the farthest side or away from
+    the middle, or more than one axis has a share.
     """
     points = np.array([[0.1, -0.9, 1.0], [0.2, 0.5, 1.4], [-0.3, 0.4, -0.6], [0.15, 0.8, -0.7]])
     expected = np.array([[0, -5.0, 0], [0, 0, -7.0], [-4.0, 0, 0], [0, 6.0, 0]])
@@ -139,9 +140,9 @@ def test_all_around_a_ring_it_is_the_distance(impl, rng):
 
 @exercise("15.4")
 def test_gradients_of_a_ring_on_paper(impl):
-    """x and z are not divided by the distance from the axis, nothing is by the distance from the
-    circle, or tube is taken from it first; in the hole the gradient does not point to the axis;
-    grad_distance is left out.
+    """x and z lack a part of (from_axis - radius) / from_axis. It is not divided by the distance
+    from the circle, or tube is taken from that first. The axis is not y. In the hole x and z point
+    away from the axis. grad_distance is left out.
     """
     points = np.array([[3.0, 3.0, 4.0], [8.0, 0.75, -6.0], [-5.0, -3.0, 12.0], [9.0, 8.0, 12.0]])
     expected = np.array([[-4.8, 6.0, -6.4], [3.2, 3.0, -2.4], [-4.0, -7.8, 9.6],
@@ -170,8 +171,9 @@ def test_gradients_of_a_ring_are_central_differences(impl, rng):
 
 @exercise("15.5")
 def test_a_smooth_union_on_paper(impl):
-    """The term is added and not subtracted, taken from the maximum, without its factor k, its 4 or
-    its square, or with h^3 / 6; or h lacks its 1, its abs or its division by k.
+    """The term is added and not subtracted, or taken from the maximum or from a alone, and not from
+    the smaller one. It lacks its factor k, its 4 or its square, or is h^3 / 6. h lacks its 1, its
+    abs or its division by k.
     """
     a = np.array([2.0, 2.0, 5.0, -1.0, 3.0, -6.0])
     b = np.array([2.0, 4.0, 1.0, -3.0, 9.0, -2.0])  # h = 1, 3/4, 1/2, 3/4, 1/4, 1/2
@@ -199,8 +201,9 @@ def test_a_smooth_union_is_a_mix_of_both(impl, rng):
 
 @exercise("15.6")
 def test_shares_of_the_seam_on_paper(impl):
-    """The shares are swapped, the seam is left out as in a plain union, the half of h is missing,
-    h is squared or multiplied by k, b gets the share of a, or grad_distance is left out.
+    """The shares are swapped, or do not add up: the smaller one gets all, or b the share of a. The
+    larger one gets h, h / 4 or h^2 and not h / 2, or nothing as in a plain union. h lacks its abs
+    or its maximum with 0. k is a factor. grad_distance is left out.
     """
     a, b = np.array([2.0, 2.0, 4.0, -1.0, 3.0]), np.array([2.0, 4.0, 1.0, -2.0, 9.0])
     grad = np.array([6.0, 8.0, 32.0, 16.0, -1.0])  # h = 1, 1/2, 1/4, 3/4, 0
@@ -266,8 +269,9 @@ def test_t_and_evaluations_are_two_outputs(impl):
 
 @exercise("15.7")
 def test_places_of_hits_on_paper(impl):
-    """t is one step too far, for it moves before s is compared; a miss is not np.inf; a ray that
-    begins inside is no hit, since |s| is compared; one ray ends them all; or t is no length.
+    """t is one step too far, for it moves before s is compared. A miss is not np.inf. A ray that
+    begins inside is no hit, since |s| is compared. One ray ends them all. t does not begin at 0, or
+    is no length.
     """
     t = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[0]
     assert_close(t, np.array([4.0, np.inf, 0.0, 14.0, 6.0, np.inf]))
@@ -280,22 +284,43 @@ HALF_STEPS = [  # far, epsilon, most, t, evaluations
     (3.7, 0.3, 99, np.inf, 4), (3.7, 0.5, 99, np.inf, 4)]
 
 
-@exercise("15.7")
-def test_half_a_step_comes_nearer_by_half(impl):
-    """The step is not divided by L, is multiplied by it, takes the place of t and is not added, or
-    s / L is compared with epsilon; or epsilon, far and most are compared the other way, or not at
-    all.
-    """
-    for far, epsilon, most, t, _ in HALF_STEPS:
+def check_half_steps(impl, rows):
+    """Compare t, of these rows of HALF_STEPS."""
+    for far, epsilon, most, t, _ in rows:
         ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
         got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
         assert_close(got[0], np.array([t]))
 
 
 @exercise("15.7")
+def test_half_a_step_comes_nearer_by_half(impl):
+    """The step is not divided by L, or is multiplied by it. It takes the place of t and is not
+    added. s / L is compared with epsilon, or the last step, or epsilon is not used. s = epsilon is
+    taken for a hit.
+    """
+    check_half_steps(impl, HALF_STEPS[:3])
+
+
+@exercise("15.7")
+def test_a_ray_misses_after_most_evaluations(impl):
+    """A ray that is used up after `most` evaluations is taken for a hit where it stands. Or one
+    evaluation more, or one fewer, than `most` is made, or `most` is not looked at.
+    """
+    check_half_steps(impl, HALF_STEPS[3:5])
+
+
+@exercise("15.7")
+def test_a_ray_misses_past_far(impl):
+    """t > far is not looked at, or too late: a hit beyond far counts. s or one step is compared
+    with far and not t, the way from the start. Or t = far is taken for a miss.
+    """
+    check_half_steps(impl, HALF_STEPS[5:])
+
+
+@exercise("15.7")
 def test_evaluations_on_paper(impl):
     """The evaluation that finds the hit is not counted. Rays that are done are counted on, as long
-    as any ray is on its way. A miss is evaluated once more beyond far. It begins at 1.
+    as any ray is on its way. A miss goes on, and is evaluated beyond far. It begins at 1.
     """
     evaluations = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[1]
     assert_equal(evaluations, np.array([2, 3, 1, 2, 2, 4]))
@@ -385,8 +410,8 @@ def composited(density, colour, spacing, background):
 @exercise("15.8")
 def test_weights_on_paper(impl):
     """T holds the sample's own density, those behind it, or other rays. The opacity is its first
-    order, sigma delta. T, 1 - exp or spacing is left out. The weights are scaled to sum to 1. T_end
-    lacks the last sample.
+    order, sigma delta. T, 1 - exp, a minus or spacing is left out. The weights are scaled to sum to
+    1. T_end is that before the last sample.
     """
     # T: what is left of the light before the first sample, behind it, the second and the third.
     passed = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2], [1.0, 0.7, 0.3, 0.25],
@@ -448,9 +473,9 @@ def two_rays():
 
 @exercise("15.9")
 def test_gradients_of_densities_on_paper(impl):
-    """grad_density: the background or the samples behind, which become hidden, are left out, or the
-    sample itself, or one in front, is counted with them. T is that before the sample. spacing or
-    grad_output is missing. Colours are averaged.
+    """grad_density: of what becomes hidden the background or the samples behind are left out, are
+    added, or lack their T. Or it holds the sample itself, or those in front. T before the sample,
+    or its weight, stands for T behind it. spacing or grad_output is missing.
     """
     grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
     got = impl.volume_render_backward(grad_output, *two_rays())[0]

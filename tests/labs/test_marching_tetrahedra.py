@@ -48,7 +48,8 @@ def test_no_case_is_left_out(impl):
 @exercise("15.10")
 def test_each_corner_is_an_edge_that_is_crossed(impl):
     """A corner joins two vertices inside, or two outside, or an edge that is crossed has no corner.
-    Which of its two vertices comes first does not matter to this check.
+    To mend an odd order, a vertex inside is exchanged with one outside, and not two of one side.
+    Which comes first in a corner does not matter here.
     """
     for inside in CASES:
         triangles = impl.tetrahedron_triangles(np.array(inside)).reshape(-1, 2)
@@ -172,7 +173,7 @@ GRAD_P = np.array([[5.0, 4.0, 6.0], [8.0, 7.0, -5.0], [6.0, -7.0, -4.0], [10.0, 
 @exercise("15.12")
 def test_gradients_of_both_points_on_paper(impl):
     """grad_p_a and grad_p_b: the weights of both ends are swapped, the nearer end gets the smaller
-    part, t has the wrong sign, or both ends get all, or a half.
+    part, t has the wrong sign, or is divided by s_a + s_b, or an end gets all, or a half.
     """
     got = impl.crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)  # t = 1/4, 3/4, 2/5, 1/5
     assert_close(got[:2], (np.array([0.75, 0.25, 0.6, 0.8])[:, None] * GRAD_P,
@@ -181,9 +182,9 @@ def test_gradients_of_both_points_on_paper(impl):
 
 @exercise("15.12")
 def test_gradients_of_both_distances_on_paper(impl):
-    """grad_s_a and grad_s_b: both are swapped, or 0, the sign is wrong, s_b - s_a is not squared,
-    the denominator's derivative is missing, or grad_p's three numbers are not summed along
-    p_b - p_a.
+    """grad_s_a and grad_s_b: both are swapped, opposite to each other, or 0. A sign is wrong, as
+    where |s_a| stands for s_a. s_b - s_a is not squared. The denominator's derivative is missing.
+    grad_p's three numbers are not summed along p_b - p_a.
     """
     got = impl.crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)
     # grad_p . (p_b - p_a) = 32, 64, -50, 300. By s_a it is that times -s_b / (s_b - s_a)^2, by s_b
@@ -248,8 +249,8 @@ def directed_edges(faces):
 @exercise("15.13")
 def test_one_tetrahedron_on_paper(impl):
     """Another vertex is taken to be inside: the bits of a case are read in reverse, or < is >.
-    Numbers are those within the tetrahedron, and not the grid's. ends are sorted by number.
-    Vertices lie in the middle, or near the wrong end.
+    Numbers are those within the tetrahedron, and not the grid's. A row of ends has the outside or
+    the smaller end first. Rows are not sorted. Vertices lie in the middle, or near the wrong end.
     """
     points = np.array([[1.0, 10.0, 3.0], [9.0, 2.0, 3.0], [7.0, 7.0, 7.0], [1.0, 2.0, 3.0],
                        [1.0, 2.0, 11.0]])
@@ -278,9 +279,21 @@ def test_each_case_of_one_tetrahedron_has_its_faces(impl):
     """
     for inside in CASES:
         distance = np.where(inside, -1.0, 1.0) * [1.0, 2.0, 3.0, 4.0]
-        _, faces, ends = impl.marching_tetrahedra(CORNERS.copy(), distance, np.arange(4)[None])
-        assert_equal((len(faces), len(ends)), (1 + (sum(inside) == 2), 3 + (sum(inside) == 2)),
-                     given=f"one tetrahedron, inside {inside}: how many faces and vertices?")
+        _, faces, _ = impl.marching_tetrahedra(CORNERS.copy(), distance, np.arange(4)[None])
+        assert_equal(len(faces), 1 + (sum(inside) == 2),
+                     given=f"one tetrahedron, inside {inside}: how many faces?")
+
+
+@exercise("15.13")
+def test_two_triangles_of_one_tetrahedron_share_two_vertices(impl):
+    """Vertices of the same edge are not merged: each triangle has its own three, and an edge's
+    vertex comes more than once. Each is to come once, as from np.unique.
+    """
+    for inside in CASES:
+        distance = np.where(inside, -1.0, 1.0) * [1.0, 2.0, 3.0, 4.0]
+        vertices, _, ends = impl.marching_tetrahedra(CORNERS.copy(), distance, np.arange(4)[None])
+        assert_equal((len(vertices), len(ends)), (3 + (sum(inside) == 2),) * 2,
+                     given=f"one tetrahedron, inside {inside}: how many vertices, and ends?")
 
 
 @exercise("15.13")

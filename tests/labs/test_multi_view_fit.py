@@ -69,7 +69,7 @@ def test_the_loss_of_a_full_picture_on_paper(impl):
 def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
     """grad_albedo: grad_colours does not go back through shade_backward, and lacks the light. The
     loss itself is handed to picture_loss_backward as grad_loss, which is 1. Picture and target are
-    swapped there.
+    swapped there. Or their difference alone goes back.
     """
     grad_albedo = impl.there_and_back(*full_picture())[2]
     grad_colours = 2 / 3 * np.array([0.5, 0.25, 0.75])
@@ -78,7 +78,9 @@ def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
 
 @exercise("16.15")
 def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
-    """grad_light: the albedo is missing, or grad_light and grad_albedo are exchanged."""
+    """grad_light: the albedo is missing in shade_backward, or the shaded colours stand for it. Or
+    grad_light and grad_albedo are exchanged.
+    """
     grad_light = impl.there_and_back(*full_picture())[3]
     grad_irradiance = 2 / 3 * np.array([0.5, 0.25, 0.75]) * [0.375, 0.75, 0.5]
     assert_close(np.array(grad_light)[:3], np.array([[Y0], [0], [Y1]]) * grad_irradiance)
@@ -152,8 +154,8 @@ def test_the_gradient_of_the_light_is_central_differences(impl):
 @exercise("16.15")
 def test_the_gradient_of_the_vertices_is_central_differences(impl):
     """grad_vertices: of its two ways, that through the normals or that through the pictures is
-    missing or has a minus. Coverage's weight is not passed to picture_loss_backward. see_backward
-    gets the albedo for the colours.
+    missing, overwrites the other or has a minus: they are to be added. Coverage's weight is not
+    passed to picture_loss_backward. see_backward gets the albedo for the colours.
     """
     check_gradient(impl, [0])
 

@@ -41,7 +41,8 @@ def test_nine_numbers_stand_along_a_new_last_axis(impl):
 @exercise("16.1")
 def test_the_first_four_harmonics_on_paper(impl):
     """Y_0 is not C0. Y_1, Y_2, Y_3 are in the order x, y, z, which is to be y, z, x. They have a
-    minus sign, as with the Condon-Shortley phase. C1 is another constant. Or n is normalised first.
+    minus sign, as with the Condon-Shortley phase. The constants are left out or exchanged. Or n is
+    normalised first.
     """
     got = impl.sh_basis(NORMALS.copy())[..., :4]
     expected = np.array([[1.0, 3, 5, 2], [1, 4, 6, -1], [1, -2, 3, 7], [1, 1, -2, 4]])
@@ -148,8 +149,8 @@ def test_gradients_of_harmonics_are_central_differences(impl, rng):
 
 @exercise("16.3")
 def test_one_lamp_on_paper(impl):
-    """The factors A_k are left out, have no pi, or are of another order: four numbers get 2/3, Y_4
-    among them. The direction is turned round. strength is of one colour.
+    """The factors A_k are left out, applied twice, have no pi, or are of another order: four
+    numbers get 2/3, Y_4 among them. The direction is turned round. strength is of one colour.
     """
     got = impl.distant_light(np.array([[2.0, 3.0, 6.0]]) / 7, np.array([[1.0, 10.0]]))
     basis = np.array([Y0, Y1 * 3 / 7, Y1 * 6 / 7, Y1 * 2 / 7, Y2 * 6 / 49, Y2 * 18 / 49,
@@ -183,8 +184,9 @@ def test_it_comes_near_the_cosine_of_a_true_lamp(impl, rng):
 
 @exercise("16.4")
 def test_shading_on_paper(impl):
-    """The albedo is left out, added to E, divided by pi, or squared. The colours of the light are
-    summed or mixed. The factors A_k of eq. (2) are applied again: the light holds them already.
+    """The albedo is left out, added to E, divided by pi, or squared. The light's colours are summed
+    or mixed. Its first, constant number alone counts, and normals do not. The factors A_k of eq.
+    (2) are applied again: the light holds them already.
     """
     light = np.zeros((9, 2))
     light[:4] = np.array([[5, 2], [1, 0.5], [3, -1], [-2, 0.25]]) / [[Y0], [Y1], [Y1], [Y1]]
@@ -229,8 +231,9 @@ def test_gradients_of_the_albedo_on_paper(impl):
 
 @exercise("16.5")
 def test_gradients_of_the_normals_on_paper(impl):
-    """grad_normals: the albedo is left out. One colour alone reaches the normals, or a mean of the
-    colours; they are to be summed. The part along n is taken away, which is eq. (4)'s.
+    """grad_normals: the albedo is left out, or E is multiplied in. One colour alone reaches the
+    normals, or a mean of the colours and not their sum. sh_basis_backward is left out. The part
+    along n is taken away, which is eq. (4)'s.
     """
     # grad_colour * albedo is (5, 4), (-1, 8), (1, 1.8), (6, -6). E falls by 2 with x, and so on.
     expected = np.array([[5 * -2 + 4 * 0.25, 5 * 1 + 4 * 0.5, 5 * 3 - 4 * 1],
@@ -242,8 +245,8 @@ def test_gradients_of_the_normals_on_paper(impl):
 
 @exercise("16.5")
 def test_gradients_of_the_light_on_paper(impl):
-    """grad_light: the albedo is left out, it is a mean over the vertices and not their sum, one
-    vertex alone counts, or the factors A_k are applied.
+    """grad_light: the albedo or the harmonics Y are left out. It is a mean over the vertices and
+    not their sum, or one vertex alone counts. The colours are summed. The factors A_k are applied.
     """
     # The sums of (5, 4), (-1, 8), (1, 1.8), (6, -6), each times 1, y, z, x: the first colour's
     # are 11, 0.8 + 0.6, 0.8 + 3.6 and 5 - 0.6 - 4.8.
@@ -276,9 +279,9 @@ def normals_of(vertices, faces):
 
 @exercise("16.6")
 def test_gradients_of_one_face_on_paper(impl):
-    """The part along n, which only makes m longer, is not taken away. It is not divided by |m|. A
-    corner gets no gradient, such as a, or the wrong sign. A face uses the gradient of one corner
-    alone and not the sum of all three.
+    """The part along n, which only makes m longer, is not taken away, is added, or has m for n. It
+    is not divided by |m|, or twice. A corner gets no gradient, such as a, another's, or the wrong
+    sign. A face uses one corner's gradient, or a mean, and not the sum of three.
     """
     # b - a = (1, -2, 0), c - a = (1, 0, -1), m = (2, 1, 2), |m| = 3 at all three corners. Their
     # gradients add up to (27, 0, 0), of which (15, -6, -12) is across n: g = (5, -2, -4).
@@ -369,9 +372,9 @@ def test_gradients_of_normals_are_central_differences(impl, rng):
 
 @exercise("16.8")
 def test_the_gradient_of_the_loss_on_paper(impl):
-    """The 2 of the square, grad_loss or the weight is missing, the weight is at the colours, or the
-    sign is that of target - picture. Each mean is over its own numbers: a mean over all four, or a
-    sum, is not.
+    """The 2 of the square, grad_loss or the weight is missing. The weight is at the colours. The
+    sign is that of target - picture. The colours' mean lacks its 1/3, for each pixel has three
+    numbers. It is a mean over all four, or a sum.
     """
     difference = np.array([[[1.0, -2, 3, 4], [5, 6, -7, 8], [9, -1, 2, -3]],
                            [[-4, 5, 6, 7], [8, 9, -2, 1], [3, -5, 4, 6]]])
@@ -409,8 +412,9 @@ def test_the_gradient_of_the_loss_is_central_differences(impl, rng):
 
 @exercise("16.9")
 def test_the_level_on_paper(impl):
-    """The ends' shares are swapped: the nearer end is to get more. t has the wrong sign. An end of
-    several vertices keeps the last one's share. Or t is differentiated, too: it is to be held.
+    """The ends' shares are swapped: the nearer end is to get more. Each end gets a half, or all, or
+    one gets nothing. t has the wrong sign. An end of several vertices keeps the last one's share.
+    Or t is differentiated, too.
     """
     ends = np.array([[1, 0], [1, 3], [4, 3], [2, 5]])
     distance = np.array([3.0, -1.0, -2.0, 4.0, -6.0, 0.5])  # t = 1/4, 1/5, 3/5, 4/5
@@ -460,13 +464,25 @@ def changes(distance, edges):
 @exercise("16.10")
 def test_one_sign_change_on_paper(impl):
     """Each end is compared with its own sign and not with the other's: log(1 + exp(-|s|)), a minus
-    in the exponent. One of the two ends is left out. Or log or 1 + is missing.
+    in the exponent. One of the two ends is left out. log, 1 + or an abs is missing. Or only edges
+    that begin outside count.
     """
+    check_one_edge_at_a_time(impl, np.array([[[0, 1]], [[3, 2]], [[4, 1]], [[0, 2]]]))
+
+
+@exercise("16.10")
+def test_pairs_may_begin_outside(impl):
+    """Only edges whose first end is inside count: those given with the outside end first are left
+    out. Pairs come in any order of their ends. Or their sign is wrong.
+    """
+    check_one_edge_at_a_time(impl, np.array([[[0, 1]], [[2, 3]], [[4, 1]], [[2, 0]]]))
+
+
+def check_one_edge_at_a_time(impl, edges):
+    """edges (K, 1, 2): what each costs alone."""
     distance = np.array([-1.0, 2.0, 5.0, -3.0, -2.5])
-    edges = np.array([[[0, 1]], [[2, 3]], [[4, 1]], [[2, 0]]])  # one at a time
     got = np.array([impl.sign_changes(distance, edge) for edge in edges])
-    ends = np.log(1 + np.exp([[1.0, 2.0], [5.0, 3.0], [2.5, 2.0], [5.0, 1.0]]))
-    assert_close(got, ends.sum(1))
+    assert_close(got, np.log(1 + np.exp(np.abs(distance[edges[:, 0]]))).sum(1))
 
 
 @exercise("16.10")
@@ -516,9 +532,9 @@ def test_large_distances_do_not_overflow(impl):
 
 @exercise("16.11")
 def test_gradients_of_sign_changes_on_paper(impl):
-    """The sign: an inside end is to be pulled out, an outside end in. The slope is that of
-    log(1 + exp(-|s|)), exp(-|s|) in the numerator. A point of several edges counts once. Edges
-    that are not crossed count, or one end of each alone.
+    """The sign is missing or wrong: an inside end is to be pulled out, an outside end in. The slope
+    is that of log(1 + exp(-|s|)), exp(-|s|) in the numerator, or is 1. A point of several edges
+    counts once. Edges that are not crossed count, or one end alone. grad_changes is left out.
     """
     distance = np.log([1 / 4, 3, 1 / 2, 5, 9, 7])
     edges = np.array([[0, 1], [1, 2], [0, 2], [3, 1], [0, 4], [0, 3], [5, 2]])
@@ -562,9 +578,9 @@ def grid_laplacian(m):
 
 @exercise("16.12")
 def test_spreading_on_paper(impl):
-    """It multiplies by I + amount * Laplacian; the inverse is asked for. The cosine has 2 pi k / m,
-    as where the grid wraps around. The axes are solved one after another, a product. Colours are
-    spread, too. norm or a sign is another.
+    """It multiplies by I + amount * Laplacian, or takes one explicit step, x - amount Laplacian(x),
+    and does not solve eq. (8). The cosine has 2 pi k / m, as where the grid wraps around. The axes
+    come one after another, a product. norm, a factor 2 or a sign is another.
     """
     # Undo x = y + 2 Laplacian(y). Point 1 = (0, 0, 1) has four neighbours, so has 21 = (2, 1, 0).
     x, y = np.zeros((27, 2)), np.zeros((27, 2))
@@ -612,8 +628,8 @@ def test_a_large_grid_takes_no_minutes(impl):
 
 @exercise("16.13")
 def test_genus_on_paper(impl):
-    """A ball: V - E + F, which is 2, is taken for the genus, each edge counts twice, once for
-    either face, or the two outputs are in the wrong order.
+    """A ball: V - E + F, which is 2, or its half is taken for the genus and not taken from the
+    pieces. Each edge counts twice, once for either face. The two outputs are in the wrong order.
     """
     tetrahedron = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
     assert_equal(impl.genus(tetrahedron), (1, 0))
@@ -670,8 +686,9 @@ def block(cubes):
 
 @exercise("16.14")
 def test_the_scale_on_paper(impl):
-    """One factor for all colours, sums over the colours and not the vertices, or found and truth
-    are exchanged: the squares are those of the truth. It is a mean of quotients, or of sums.
+    """One factor for all colours, or sums over the colours and not the vertices. found and truth
+    are exchanged: the squares are those of the truth. It is the ratio of the means, sums or
+    lengths, or the mean of the ratios truth / found, and not the least squares.
     """
     found = np.array([[1.0, 2.0, 1.0, 3.0], [2.0, 1.0, 2.0, -1.0], [2.0, -2.0, 4.0, 0.5]])
     truth = np.array([[3.0, 1.0, 4.0, 2.0], [5.0, 7.0, 7.0, 1.0], [7.0, 0.0, 6.0, 0.25]])

@@ -78,6 +78,18 @@ def box_backward(grad_distance, points, half_size):
     return grad_distance[..., None] * outward * (np.arange(3) == beyond.argmax(-1)[..., None])
 
 
+def box_backward(grad_distance, points, half_size):
+    """inside, the side is chosen by the largest coordinate; the nearest side is that of the largest
+    |x| - half_size
+    """
+    beyond = np.abs(points) - half_size
+    outward = np.where(points < 0, -1.0, 1.0)
+    side = np.arange(3) == np.abs(points).argmax(-1)[..., None]
+    is_outside = beyond.max(-1, keepdims=True) > 0
+    slope = np.where(is_outside, unit(np.maximum(beyond, 0)), side)
+    return grad_distance[..., None] * outward * slope
+
+
 def torus(points, radius, tube):
     """the ring is around the z axis; it is around the y axis, in the plane y = 0"""
     from_axis = np.hypot(points[..., 0], points[..., 1])

@@ -2,8 +2,8 @@
 
 
 def there_and_back(vertices, faces, albedo, light, views, targets, weight):
-    """nothing comes back through the normals to the vertices: vertex_normals_backward is missing,
-    and shading says nothing of the shape
+    """nothing comes back through the normals to the vertices, or it is not added:
+    vertex_normals_backward is missing, and shading says nothing of the shape
     """
     normals = mesh.vertex_normals(vertices, faces)
     colours = reconstruction.shade(albedo, normals, light)
@@ -18,8 +18,8 @@ def there_and_back(vertices, faces, albedo, light, views, targets, weight):
 
 
 def there_and_back(vertices, faces, albedo, light, views, targets, weight):
-    """grad_vertices of see_backward is left out: nothing comes back from the pictures to the
-    vertices, and shading alone moves them
+    """grad_vertices of see_backward is left out, or overwritten by what comes through the normals:
+    both ways are to be added
     """
     normals = mesh.vertex_normals(vertices, faces)
     colours = reconstruction.shade(albedo, normals, light)

@@ -128,8 +128,8 @@ def shade(albedo, normals, light):
 
 
 def shade(albedo, normals, light):
-    """the albedo is added to E; eq. (3) multiplies both"""
-    return albedo + sh_basis(normals) @ light
+    """the first, constant number of the light alone counts: normals play no role"""
+    return albedo * (C0 * light[0])
 
 
 def shade_backward(grad_colour, albedo, normals, light):
@@ -266,9 +266,9 @@ def vertex_normals_backward(grad_normals, vertices, faces):
 
 
 def picture_loss_backward(grad_loss, picture, target, weight):
-    """the factor 2 of the square's slope is missing"""
-    shares = np.array([1 / 3, 1 / 3, 1 / 3, weight])
-    return grad_loss * shares * (picture - target) / picture[..., 0].size
+    """the colours lack 1/3: their mean is over three numbers for each pixel, and not over pixels"""
+    shares = np.array([1, 1, 1, weight])
+    return 2 * grad_loss * shares * (picture - target) / picture[..., 0].size
 
 
 def picture_loss_backward(grad_loss, picture, target, weight):
@@ -338,6 +338,12 @@ def level_backward(grad_level, ends, distance):
     return np.zeros(len(distance))
 
 
+def level_backward(grad_level, ends, distance):
+    """each end gets a half, as if t were 1/2: all vertices in the middle of their edges"""
+    shares = np.stack([grad_level / 2, grad_level / 2], -1)
+    return np.bincount(ends.ravel(), shares.ravel(), len(distance))
+
+
 def sign_changes(distance, edges):
     """a distance of 0 has a sign of its own; it counts as +"""
     s_a, s_b = distance[edges.T]
@@ -373,6 +379,15 @@ def sign_changes(distance, edges):
     s_a, s_b = distance[edges.T]
     crossed = (s_a < 0) != (s_b < 0)
     return np.logaddexp(0, np.abs(s_a[crossed])).sum()
+
+
+def sign_changes(distance, edges):
+    """edges whose first end is outside are left out: the pairs come in any order, and not only with
+    the end inside first
+    """
+    s_a, s_b = distance[edges.T]
+    crossed = (s_a < 0) & (s_b >= 0)
+    return np.logaddexp(0, np.abs([s_a[crossed], s_b[crossed]])).sum()
 
 
 def sign_changes_backward(grad_changes, distance, edges):
@@ -464,6 +479,16 @@ def spread(x, amount):
     return scipy.fft.idctn(coefficients, axes=(0, 1, 2), norm="ortho").reshape(x.shape)
 
 
+def spread(x, amount):
+    """it is one explicit step, x - amount * Laplacian(x), and not the solution of eq. (8)"""
+    m = round(len(x)**(1 / 3))
+    k = 2 - 2 * np.cos(np.pi * np.arange(m) / m)
+    factor = 1 - amount * (k[:, None, None] + k[:, None] + k)
+    coefficients = scipy.fft.dctn(x.reshape(m, m, m, -1), axes=(0, 1, 2), norm="ortho")
+    coefficients *= factor[..., None]
+    return scipy.fft.idctn(coefficients, axes=(0, 1, 2), norm="ortho").reshape(x.shape)
+
+
 def genus(faces):
     """numbers that no face names count as vertices: V is taken for the greatest number"""
     named, faces = np.unique(faces, return_inverse=True)
@@ -503,3 +528,13 @@ def best_scale(found, truth):
 def best_scale(found, truth):
     """sums go over the colours instead of the vertices"""
     return (found * truth).sum(1) / (found**2).sum(1)
+
+
+def best_scale(found, truth):
+    """it is the ratio of the means, or of the sums, which is not that of the least squares"""
+    return truth.mean(0) / found.mean(0)
+
+
+def best_scale(found, truth):
+    """it is the mean of the ratios truth / found, which is not that of the least squares"""
+    return (truth / found).mean(0)

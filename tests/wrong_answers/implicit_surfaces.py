@@ -13,7 +13,7 @@ def box(points, half_size):
 def box_backward(grad_distance, points, half_size):
     """inside, the side is chosen by the largest coordinate, not by the one nearest to its half size
 
-    told by: largest coordinate | largest & abs | nearest side | half_size & inside | inside & axis | inside & side
+    told by: largest coordinate | largest & abs | half_size & inside
     """
     extent = np.abs(points)
     q = extent - half_size

@@ -295,7 +295,7 @@ def marching_tetrahedra(points, distance, tetrahedra):
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the absolute values of the distances are used: the gradient of s_a has the wrong sign
 
-    told by: absolute | abs( | sign of grad_s_a | sign of s_a | sign & s_a
+    told by: absolute | abs( | sign of grad_s_a | sign of s_a | sign & s_a | output 3 & sign
     """
     u, v = np.abs(s_a), np.abs(s_b)
     t = u / (u + v)

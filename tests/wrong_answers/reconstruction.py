@@ -306,7 +306,7 @@ def best_scale(found, truth):
 def sh_basis(normals):
     """up is taken to be y: Y_6 has y^2 and Y_8 has x^2 - z^2, as in graphics with y up
 
-    told by: y up | up is y | y^2 & z^2 | y_6 & y_8 | up axis | y and z | for z & y^2
+    told by: y up | up is y | y^2 & z^2 | y_6 & y_8 | up axis | y and z | for z & y^2 | y_6 & another axis, such as y
     """
     x, y, z = np.moveaxis(normals, -1, 0)
     return np.stack([C0 + 0 * x, C1 * y, C1 * z, C1 * x, C2 * x * y, C2 * y * z,
@@ -437,7 +437,7 @@ def sign_changes_backward(grad_changes, distance, edges):
 def spread(x, amount):
     """only one explicit step, x - amount * Laplacian(x), not the solution of the equation
 
-    told by: explicit | one step | solve | solution | x - amount | implicit | inverse
+    told by: explicit | one step | not solve | solution | x - amount | implicit
     """
     m = round(len(x)**(1 / 3))
     g = x.reshape(m, m, m, -1)
