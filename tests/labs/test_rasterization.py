@@ -39,8 +39,9 @@ def clip_triangles(rng, count, behind=True):
 
 @exercise("2.1")
 def test_an_edge_is_positive_on_its_left(impl):
-    """A sign: positive on the right, as with a and b swapped or y down. x and y of the edge are
-    swapped. It is divided by the edge's length (a distance), halved to an area, or made positive.
+    """Positive on the right, as with a and b swapped or y down. n_x and n_y are swapped. n is the
+    edge itself: a dot product, along it, not across. p is not measured from a. Divided by the
+    edge's length (a distance), halved to an area, or made positive.
     """
     points = np.array([[[2.0, 3.0], [1.0, 1.0], [4.0, 2.0]],
                        [[2.0, -1.0], [1.0, 1.0], [4.0, 2.0]],
@@ -113,8 +114,9 @@ def test_the_gradients_of_edges_are_central_differences(impl, rng):
 
 @exercise("2.4")
 def test_inside_border_and_outside(impl):
-    """The border does not count as inside, only two of the three edges are asked, or one of them is
-    enough (an edge's line counts). Or positive e are taken for outside.
+    """The border does not count as inside. Only two of the three edges are asked, one of them is
+    enough (an edge's line counts), or only the sign of their product. Or positive e are taken for
+    outside.
     """
     p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0],
                   [5.0, 11.0], [13.0, 3.0], [11.0, -2.0],  # on the edges' lines
@@ -136,7 +138,8 @@ def test_inside_does_not_depend_on_the_winding(impl):
 @exercise("2.5")
 def test_left_and_lower_edges_own_their_samples(impl):
     """Right for left (n points out), upper for lower (y is up here), n_x and n_y swapped, or n as
-    the edge's direction. Horizontal edges are forgotten, or slanted ones count as horizontal.
+    the edge's direction. Horizontal edges are forgotten, all count (n_x >= 0), or slanted ones too.
+    `and` for `or`, or `if` on an array.
     """
     n_x = np.array([1.0, -1.0, 0.0,  0.0, 1.0,  1.0, -1.0, -1.0, 0.0, -1e-9, 1e-9, 3.0, -2.0,  0.0,
                     -4.0,  2.0])
@@ -158,8 +161,9 @@ def test_of_two_faces_at_an_edge_exactly_one_owns_it(impl, rng):
 
 @exercise("2.6")
 def test_a_square_on_the_sample_points_keeps_its_left_and_lower_side(impl):
-    """Samples on an edge always count (e >= 0), never count (e > 0), or count for right edges: the
-    normal is turned the wrong way, or its x and y are swapped. Or one edge of three is enough.
+    """Samples on an edge always count (e >= 0), never (e > 0), or for right edges: the normal has
+    the wrong sign, or x and y swapped. The last, third edge is not tested, or one is enough.
+    is_top_left counts without e == 0. p is rounded.
     """
     for moved in np.zeros(2), np.array([0.0, 9.0]), np.array([9.0, 0.0]):
         p = centres(5, 4) + moved
@@ -256,8 +260,9 @@ def test_weights_bring_back_the_point_inside_and_outside(impl, rng):
 
 @exercise("2.8")
 def test_the_box_of_a_triangle_on_paper(impl):
-    """x1 and y1 are the last pixel, not one past it (last column and row lost). The centre's half
-    pixel is forgotten. x and y are swapped, or the order is x0, x1, y0, y1.
+    """x1 and y1 are the last pixel, not one past it (last column and row lost), or two past it. The
+    centre's half pixel is forgotten or added. floor and ceil are exchanged. x and y are swapped, or
+    the order is x0, x1, y0, y1.
     """
     triangle = np.array([[1.3, 3.2], [4.2, 2.8], [2.0, 7.2]])
     boxes = [impl.bounding_box(moved, 18, 19)
@@ -351,7 +356,7 @@ def test_faces_without_area_are_culled(impl):
 def test_one_triangle_on_paper(impl):
     """Rows are upside down (row 0 is at the bottom). Rows and columns are swapped. Pixels are
     sampled at their corners, not at their centres. depth is not stored, or does not start as inf,
-    or face_index as -1.
+    or face_index as -1. Counter-clockwise faces are turned.
     """
     clip = np.array([[-1.0, -1.0, 0.25, 1.0], [1.0, -1.0, 0.25, 1.0], [-1.0, 1.0, 0.25, 1.0]])
     face_index, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 7, 2)
@@ -394,7 +399,8 @@ def test_depth_is_linear_on_the_screen(impl):
 @exercise("2.13")
 def test_a_face_is_seen_from_behind_too(impl):
     """Clockwise faces are not turned round, and cover nothing: faces seen from behind (back faces)
-    are missing. Or their corners are turned, but not their z or w.
+    are missing (culled). Or their corners are turned, but not their z or w: the depths keep the old
+    order.
     """
     clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.2, 1.0], [-1.0, 1.0, 0.4, 1.0]])
     found = [impl.rasterize_loop(clip, np.array([face]), 5, 4) for face in ([0, 1, 2], [0, 2, 1])]
@@ -518,8 +524,9 @@ def exact_weights(x, y, w, px, py):
 
 @exercise("2.16")
 def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
-    """Nothing is divided by w: these are the picture's weights, linear on the screen, without
-    perspective. Or it is multiplied by w, or not divided by the sum s, or s is over the samples.
+    """Nothing is divided by w: these are the picture's weights, without perspective. Or it is
+    multiplied by w, or divided by another corner's. It is not divided by the sum s, or by that of e
+    alone, or s is over the samples.
     """
     # The triangle (0, 0), (8, 0), (0, 8), moved, with w = 1, 2, 4: c is 8 - x - y, x / 2, y / 4.
     px, py = np.array([[5.0, 2.0, 2.0, 6.0], [2.0, 4.0, 1.0, 0.0]])
@@ -559,8 +566,8 @@ def test_a_corner_near_infinity_leaves_the_weights_as_they_are(impl):
 
 @exercise("2.17")
 def test_weights_change_by_the_quotient_rule_on_paper(impl):
-    """The second term, - b ds, is missing (s as a constant), added instead of subtracted, or not
-    the sum of dc. Or it is not divided by s, or by s^2.
+    """The second term, - b ds, is missing (s as a constant), added instead of subtracted, without
+    b, or ds is not the sum of dc. It is not divided by s, or by s^2, or multiplied by s.
     """
     b, s = np.array([[0.25, 0.5], [0.25, 0.125], [0.5, 0.375]]), np.array([4.0, 2.0])
     db = impl.normalize_derivative(np.array([[10.0, -3.0], [0.0, 4.0], [6.0, 7.0]]), b, s)

@@ -73,7 +73,8 @@ def wave(n, k):
 @exercise("3.1")
 def test_aliases_on_paper(impl):
     """The remainder from 0 to the rate, which never turns backwards. The sign is lost (absolute
-    value). It folds at the rate instead of at half the rate. The rate is subtracted once only.
+    value). It folds at the rate instead of at half the rate. The rate is subtracted once only. It
+    is not multiplied by the rate again.
     """
     frequency = np.array([0.0, 1.0, 4.0, 6.0, 9.0, 10.0, 11.0, 24.0, 37.0, -3.0, -8.0])
     expected = np.array([0.0, 1.0, 4.0, -4.0, -1.0, 0.0, 1.0, 4.0, -3.0, -3.0, 2.0])
@@ -148,9 +149,9 @@ def test_large_matrices_are_exact_to_a_few_bits(impl):
 
 @exercise("3.6")
 def test_low_high_and_band_pass_of_three_waves(impl):
-    """The kept and the removed part are swapped. Only positive frequencies are kept. Those above
-    1/2 are not taken for negative ones. Frequencies are in periods per picture, not in cycles per
-    pixel.
+    """The kept and the removed part are swapped. Frequency 0, the mean, is lost (< for <=). Only
+    positive frequencies are kept, or those above 1/2 are not taken for negative ones. Frequencies
+    are in periods per picture, not in cycles per pixel.
     """
     low, middle, high = (np.tile(wave(32, k), (8, 1)) for k in (2, 6, 13))
     picture = 5 + low + middle + high
@@ -240,7 +241,8 @@ def test_the_spectrum_of_a_convolution_is_the_product_of_the_spectra(impl, rng):
 @exercise("3.8")
 def test_by_spectrum_a_point_becomes_the_kernel(impl):
     """The kernel's corner, not its middle, is put at [0, 0], or it is moved the wrong way: the
-    picture moves. Its spectrum is conjugated: correlation. The kernel is not padded.
+    picture moves. Its spectrum is conjugated: correlation. The kernel is not padded. Spectra are
+    multiplied as matrices (@), not number by number.
     """
     picture = np.zeros((5, 6))
     picture[0, 3] = 10.0
@@ -265,8 +267,9 @@ def test_both_ways_of_convolving_agree_to_rounding(impl, rng):
 
 @exercise("3.9")
 def test_the_spectrum_of_a_box_on_paper(impl):
-    """Not divided by the width. 0/0 at frequency 0, where 1 is right. The sinc of a continuous
-    box (np.sinc), without the sine in the denominator. The sign is lost. 2 pi for pi.
+    """Not divided by the width, or by n. f is k, not k / n. 0/0 at frequency 0, where 1 is right.
+    The sinc of a continuous box (np.sinc), without the sine in the denominator. The sign is lost. 2
+    pi for pi.
     """
     assert_close(impl.box_spectrum(3, 6), np.array([1.0, 2 / 3, 0.0, -1 / 3, 0.0, 2 / 3]))
     assert_close(impl.box_spectrum(3, 4), np.array([1.0, 1 / 3, -1 / 3, 1 / 3]))
@@ -338,8 +341,9 @@ def test_a_wave_folds_to_its_alias(impl):
 
 @exercise("3.11")
 def test_only_what_is_too_fast_folds(impl):
-    """The sum over the pixels, not the mean. The kept part is measured. The border is 1 / step,
-    not half of it. Negative frequencies are missed. |F| is not squared, or the root is taken.
+    """The sum over the pixels, not the mean over all of them. Both |f_y| and |f_x| must be too fast
+    (and for or). The kept part is measured. The border is 1 / step, not half of it. Negative
+    frequencies are missed. |F| is not squared.
     """
     spectrum = np.fft.fft2(np.tile(3 + wave(32, 3) + 2 * wave(32, 11), (8, 1)))
     assert_close(impl.folded_energy(spectrum, 8), 2.5)       # cos^2 is 1/2 on average: 1/2 + 4/2
@@ -360,8 +364,8 @@ def test_a_wave_at_half_the_rate_folds(impl):
 
 @exercise("3.11")
 def test_folded_energy_is_a_mean_square(impl, rng):
-    """Both |f_y| and |f_x| must be too fast: one of them is enough to fold. The length of the
-    frequency (a ring) in place of a square. Parseval's factor is wrong.
+    """The length of the frequency (a ring) in place of a square: one of |f_y| and |f_x| is enough
+    to fold. Or Parseval's factor is wrong for other sizes.
     """
     for shape, step in ((12, 30), 2), ((30, 24), 3):
         picture = rng.normal(size=shape)
@@ -376,11 +380,14 @@ def test_folded_energy_is_a_mean_square(impl, rng):
 
 @exercise("3.12")
 def test_a_polygon_is_cut_on_paper(impl):
-    """The wrong side is kept. A crossing is missing: where the polygon leaves, where it comes back
-    (enters), or on the last edge. It lies elsewhere. The points are in another order.
+    """The wrong side is kept, or c has the wrong sign. A crossing is missing: where the polygon
+    leaves, where it comes back (enters), or on the last edge. It lies elsewhere: t for 1 - t, a
+    sign, the middle. The points are in another order.
     """
     polygon = np.array([[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [2.0, 4.0]])
     # x + 2 y - 4 is -4, 2, 10, 6: it is crossed at 2/3 of the first edge, 3/5 of the last one.
+    assert_close(impl.clip_polygon(np.roll(polygon, 2, axis=0), 1.0, 2.0, -4.0),
+                 np.array([[6.0, 4.0], [2.0, 4.0], [0.8, 1.6], [4.0, 0.0], [6.0, 0.0]]))
     assert_close(impl.clip_polygon(polygon, 1.0, 2.0, -4.0),
                  np.array([[4.0, 0.0], [6.0, 0.0], [6.0, 4.0], [2.0, 4.0], [0.8, 1.6]]))
     assert_close(impl.clip_polygon(polygon, -1.0, -2.0, 4.0),
@@ -425,8 +432,9 @@ def test_points_on_the_line_are_inside(impl):
 
 @exercise("3.14")
 def test_the_gradient_of_a_pentagon_points_outwards(impl):
-    """Inwards: the opposite sign, or next and previous vertex swapped. x and y are swapped. Without
-    the 1/2. Only one neighbour counts. grad_area is left out.
+    """Inwards: the opposite sign, of all or of y alone, or next and previous vertex swapped. x and
+    y are swapped. Without the 1/2. Only one neighbour counts, or the two are added, not subtracted.
+    grad_area is left out.
     """
     pentagon = np.array([[1.0, 0.0], [6.0, 1.0], [8.0, 4.0], [3.0, 6.0], [0.0, 3.0]])
     expected = np.array([[-1.0, -3.0], [2.0, -3.5], [2.5, 1.5], [-0.5, 4.0], [-3.0, 1.0]])
@@ -449,8 +457,9 @@ def test_the_gradients_of_areas_are_central_differences(impl, rng):
 
 @exercise("3.15")
 def test_half_and_quarter_pixels(impl):
-    """Rows and columns are swapped. Pixels are half a pixel off. Row 0 is at the top. Each side
-    clips the whole triangle anew. A side is left out, or keeps the wrong half.
+    """Only the pixel's centre is tested: 0 or 1, no area. Rows and columns are swapped. Pixels are
+    half a pixel off. Row 0 is at the top. A side clips the whole triangle anew, is left out, or
+    keeps the wrong half. The triangle's area divides.
     """
     triangle = np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]])
     expected = np.array([[0.0, 0.375, 0.5, 0.0],
@@ -479,8 +488,9 @@ def test_coverages_sum_to_the_area(impl, rng):
 
 @exercise("3.16")
 def test_cuts_on_paper(impl):
-    """t is not sorted. The lines of another square. t runs from the edge's end to its start, or
-    the edge leads to the previous vertex. 0 and 1 are missing.
+    """t is not sorted, or not divided by q - p. The lines of another square, or x and y swapped. t
+    runs from the edge's end to its start, or the edge leads to the previous vertex. 0 and 1 are
+    missing.
     """
     polygon = np.array([[-1.0, -3.0], [5.0, 3.0], [-1.0, -1.0], [3.0, 4.0]])
     t = impl.cuts(polygon, np.array([1.0, 0.0]), np.array([0.0, 0.0]))
@@ -575,8 +585,9 @@ def test_areas_are_those_of_supersampling(impl):
 
 @exercise("3.18")
 def test_only_the_edge_inside_the_square_pulls(impl):
-    """The whole edge counts. Its ends get the same share, swapped ones, or another vertex's. The
-    normal has length 1: the factor |q - p|, the edge's length, is missing. grad_area is left out.
+    """The whole edge counts. Its ends get the same share, a whole one, swapped ones (t and 1 - t),
+    or another vertex's. x and y of the normal are swapped, it points inwards, or the edge's length
+    |q - p| is missing. grad_area is left out.
     """
     triangle = np.array([[0.5, -1.0], [0.5, 3.0], [-3.0, 1.0]])  # its right edge: x = 1/2
     got = impl.clamped_area_backward(np.array([2.0]), triangle, np.zeros(1), np.zeros(1))
@@ -596,7 +607,9 @@ def test_a_square_around_everything_sees_the_polygons_area(impl):
 
 @exercise("3.18")
 def test_all_squares_together_pull_like_the_area(impl):
-    """A part of an edge is lost between two squares, or pulls in both."""
+    """A part of an edge is lost between two squares, or pulls in both: an end of a piece decides
+    what is inside, not its middle.
+    """
     got = impl.clamped_area_backward(np.ones(56), TRIANGLE, *corners(8, 7))
     x, y = TRIANGLE.T
     expected = np.stack([np.roll(y, -1) - np.roll(y, 1), np.roll(x, 1) - np.roll(x, -1)], -1) / 2

@@ -115,8 +115,9 @@ def test_which_edges_have_n_0(impl, x, y, w, dead):
 
 @exercise("2.12")
 def test_two_tilted_planes_on_paper(impl):
-    """The slopes by x and y are swapped, one or both have the wrong sign (the normal's), or they
-    are not divided by the determinant, or by A for 2A: twice as large.
+    """The slopes by x and y are swapped, one or both have the wrong sign (the normal's), or are
+    taken along one edge alone. They are not divided by the determinant, or by A for 2A: twice as
+    large.
     """
     x, y, z = np.array([[[1.0, 0.0], [7.0, 8.0], [3.0, 4.0]],
                         [[1.0, 0.0], [2.0, 4.0], [6.0, 8.0]],
@@ -172,9 +173,9 @@ def first_column_loop(a, x0, offset, width):
 
 @exercise("2.14")
 def test_the_first_column_on_paper(impl):
-    """The half pixel of the centre is forgotten: the crossing is rounded (ceil, floor). > for >=: a
-    centre on the edge is left out. offset or from_x has the wrong sign, or the slope does not
-    divide.
+    """The half pixel of the centre is forgotten: the crossing is rounded (ceil, floor), or one
+    column is added. > for >=: a centre on the edge is left out. offset or from_x has the wrong sign
+    or is missing, or the slope does not divide.
     """
     slope  = np.array([ 2.0,  4.0,  0.5,   8.0,  1.0,  2.0])
     from_x = np.array([ 0.0,  1.0, -2.0,   3.5,  5.0,  3.0])
@@ -227,8 +228,8 @@ def covered_loop(planes, y, width):
 @exercise("2.15")
 def test_the_intervals_of_two_triangles_on_paper(impl):
     """start and end are swapped. They make the union: leftmost opening, rightmost closing edge (min
-    for max). The last edge alone decides. A sign is wrong (of y, of closing edges). end is the last
-    column, not one past it.
+    for max). The last edge alone decides. Closing edges need -e: both slope and offset (n_y) change
+    their sign. end is the last column, not one past it.
     """
     # Face 0 is 1 + 0.4 (y - 1) <= x <= 9.25 - y, x <= 6 y - 5. Face 1 is face 0 mirrored at x = 4.
     n_x = np.array([[-4.0, 4.0], [5.0, -5.0], [-1.0, 1.0]])
@@ -252,8 +253,9 @@ def test_a_row_of_pixels_is_half_open(impl):
 
 @exercise("2.15")
 def test_horizontal_edges_take_all_or_nothing(impl):
-    """Horizontal edges (n_x = 0) are skipped, so rows above or below the face are covered. Or a
-    slope of 0 becomes NaN (0 / 0), or e = 0 is decided by TINY times the column.
+    """Horizontal edges (n_x = 0) are skipped, so rows above or below the face are covered. A slope
+    of 0 becomes NaN (0 / 0), TINY gets a sign, or e = 0 is decided by TINY times the column. n_x >
+    0, not is_top_left, tells what opens.
     """
     # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
     n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])

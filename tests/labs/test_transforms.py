@@ -15,8 +15,9 @@ MATRIX = np.array([[1.0, 2.0, 0.0, 3.0],
 
 @exercise("1.2")
 def test_the_matrix_acts_on_columns(impl):
-    """The transposed matrix is applied: points @ matrix, not points @ matrix.T. Or its translation
+    """The transposed matrix is applied: points @ matrix, not points @ matrix.T. Its translation
     (last column) or last row is left out, w is taken for 1, or it is multiplied element by element.
+    Or it suits one point alone (matrix @ points).
     """
     points = np.array([[1.0, 2.0, 3.0, 1.0], [2.0, -1.0, 1.0, 0.0], [3.0, 1.0, -2.0, 2.0]])
     assert_close(impl.transform(points, MATRIX),
@@ -61,8 +62,9 @@ def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape)
 @exercise("1.6")
 @pytest.mark.parametrize("axis, start, end", [("z", "x", "y"), ("x", "y", "z"), ("y", "z", "x")])
 def test_a_quarter_turn_takes_one_axis_to_the_next(impl, axis, start, end):
-    """The turn is clockwise (a sign of the sine or of [n]x, or transposed), by degrees or by half
-    the angle. sin and cos are exchanged. n n^T is no outer product. A term is missing.
+    """The turn is clockwise (a sign of the sine or of [n]x, or transposed), by degrees or half the
+    angle. sin and cos are exchanged. n n^T is no outer product. A term is missing, or I has no cos.
+    [3, 3] is not 1.
     """
     k, i, j = map("xyz".index, (axis, start, end))
     expected = np.diag([float(n in (k, 3)) for n in range(4)])
@@ -105,8 +107,9 @@ def test_rotations_are_those_of_scipy(impl, rng):
 
 @exercise("1.7")
 def test_a_camera_on_the_z_axis_only_moves_the_world_back(impl):
-    """The third axis points forward (the camera looks down +z) or is not of length 1. Left and
-    right or up and down are mirrored. The world is moved by +eye, by the target, or not at all.
+    """The third axis points forward (the camera looks down +z). An axis is not normalised to length
+    1. Left and right or up and down are mirrored: a cross product's order. The world is moved by
+    +eye, by the target, or not at all.
     """
     matrix = impl.look_at(np.array([1.0, 2.0, 5.0]), np.array([1.0, 2.0, 1.0]),
                           np.array([0.0, 3.0, 0.0]))
@@ -179,8 +182,9 @@ def test_normals_stay_perpendicular_to_tangents(impl, rng):
 
 @exercise("1.9")
 def test_a_pinhole_shrinks_with_distance(impl):
-    """Nothing divides by z: the last row is (0, 0, 0, 1). Or it is (0, 0, -1, 0). Or the matrix is
-    transposed. f is missing in the third row, or in x and y.
+    """Nothing divides by z alone: the last row is (0, 0, 0, 1) or (0, 0, 1, 1). Or its sign is
+    wrong, (0, 0, -1, 0), or that of f. The matrix is transposed. f is missing in the third row, or
+    in x and y.
     """
     points = np.array([[1.0, 3.0, 4.0, 1.0], [-2.0, 5.0, 8.0, 1.0]])
     x, y, z, w = impl.pinhole(2.0) @ points.T
@@ -201,7 +205,8 @@ def test_points_of_one_ray_meet_in_one_pixel(impl, rng):
 @exercise("1.10")
 def test_half_of_the_angle_is_the_angle_of_half_the_height(impl):
     """tan(fov_y), the whole angle, for tan(fov_y / 2), or sin, or degrees. fov_y is taken as the
-    horizontal angle, aspect divides, is missing or on t. near is left out, or the order is wrong.
+    horizontal angle, aspect divides, is missing or on t. near is left out. t is the whole height,
+    or the order or a sign is wrong.
     """
     fov_y = 2 * np.arctan(3 / 4)
     assert_close(np.array(impl.frustum_sides(fov_y, 1.5, 4.0)), np.array([-4.5, 4.5, -3.0, 3.0]))
@@ -219,7 +224,8 @@ def test_the_top_is_seen_at_half_the_field_of_view(impl, rng):
 @exercise("1.11")
 def test_w_is_the_distance_in_front_of_the_camera(impl):
     """w is z, as for a camera that looks down +z: the last row is (0, 0, 1, 0). Or w is 1, as in an
-    orthographic matrix. Or the matrix is transposed (column-major), rows and columns swapped.
+    orthographic matrix, or 1 is left in [3, 3]. Or the matrix is transposed (column-major), rows
+    and columns swapped.
     """
     matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
     assert_close(matrix[3], np.array([0.0, 0.0, -1.0, 0.0]))
@@ -227,8 +233,9 @@ def test_w_is_the_distance_in_front_of_the_camera(impl):
 
 @exercise("1.11")
 def test_x_and_y_on_paper(impl):
-    """The 2 or near in 2 near / (r - l) is missing, or l, r, b, t are mixed up. The off-centre
-    terms are missing, have the wrong sign, or stand in the last column, not the third.
+    """The 2 or near in 2 near / (r - l) is missing, or far stands there, or l, r, b, t or sum and
+    difference are mixed up. The off-centre terms are missing, have the wrong sign, or stand in the
+    last column, not the third.
     """
     matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
     assert_close(matrix[:2], np.array([[0.8, 0.0, 0.6, 0.0],
@@ -237,8 +244,9 @@ def test_x_and_y_on_paper(impl):
 
 @exercise("1.11")
 def test_depth_on_paper(impl):
-    """alpha or beta has the wrong sign (far - near for near - far). near and far are swapped. The
-    factor 2 of beta is missing (half of beta). Or depth runs from 0 to 1 as in Direct3D.
+    """alpha or beta has the wrong sign (far - near for near - far), or each stands in the other's
+    place. near and far are swapped. The factor 2 of beta is missing (half of beta). Or depth runs
+    from 0 to 1 as in Direct3D.
     """
     matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
     assert_close(matrix[2], np.array([0.0, 0.0, -1.4, -4.8]))
@@ -281,7 +289,7 @@ def test_the_sides_of_the_box_become_those_of_the_cube(impl):
 @exercise("1.12")
 def test_near_becomes_minus_1_and_far_1(impl):
     """z is not flipped: the camera looks down -z, and the box is z = -near..-far, not near..far. A
-    sign of the third row, near and far swapped, or depth from 0 to 1.
+    sign of the third row, its shift missing, near and far swapped, or depth from 0 to 1.
     """
     matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
     assert_close(matrix[2], np.array([0.0, 0.0, -0.2, -1.4]))
@@ -301,7 +309,8 @@ def test_the_corners_of_the_box_become_those_of_the_cube(impl):
 @exercise("1.13")
 def test_the_divide_is_by_w(impl):
     """The division is by z or -z, not w, or by |w|: the sign of w is lost. z is not divided. w of
-    the first point divides all. Or w is kept as a fourth number.
+    the first point divides all, or w lost its last axis (clip[..., 3], not 3:). w is kept as a
+    fourth number.
     """
     clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
     assert_close(impl.perspective_divide(clip), np.array([[1.0, 2.0, -1.5], [-2.0, -0.5, -0.25],
@@ -322,7 +331,7 @@ def test_every_point_is_divided_by_its_own_w(impl, rng):
 @exercise("1.14")
 def test_the_gradients_by_x_y_and_z_on_paper(impl):
     """The gradients of x, y and z are grad_ndc divided by w: once, not by w^2, by z, or not at all,
-    and not multiplied by w. Or grad_clip has no place for w.
+    and not multiplied by w. Or grad_clip has no place for w, or w stands first.
     """
     grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
                                             np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]]))
@@ -355,7 +364,8 @@ def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape):
 @exercise("1.15")
 def test_the_viewport_on_paper(impl):
     """y is flipped (row 0 is at the bottom). It is half a pixel or one pixel off (width - 1). ndc
-    is taken as from 0 to 1. Width and height are swapped, z is changed, or // rounds.
+    is taken as from 0 to 1. The shift is missing. Width and height are swapped, z is changed, or //
+    rounds.
     """
     assert_close(impl.viewport(641, 479), np.array([[320.5, 0.0, 0.0, 320.5],
                                                     [0.0, 239.5, 0.0, 239.5],
@@ -374,8 +384,9 @@ def test_the_corners_of_ndc_become_those_of_the_picture(impl):
 
 @exercise("1.17")
 def test_a_step_in_ndc_is_half_a_picture(impl):
-    """The gradient is divided by the scale instead of multiplied by width / 2 and height / 2. The
-    scale is the whole width, or that of the other side. y is flipped, or z is not kept.
+    """The gradient is divided by the scale, not multiplied. The constant offset is added, as in
+    to_screen itself. The scale is the whole width and height, not half of it, or they are swapped.
+    y is flipped, or z is not kept.
     """
     grad = impl.to_screen_backward(np.array([[1.0, 2.0, 3.0], [-4.0, 6.0, 5.0]]), 641, 479)
     assert_close(grad, np.array([[320.5, 479.0, 3.0], [-1282.0, 1437.0, 5.0]]))

@@ -21,13 +21,9 @@ def edge_function(p, a, b):
 
 
 def edge_function(p, a, b):
-    """x and y of the edge are swapped, its direction is taken for its normal: it is how far along
-    the edge p lies"""
-    x,  y  = p[..., 0], p[..., 1]
-    x0, y0 = a[..., 0], a[..., 1]
-    x1, y1 = b[..., 0], b[..., 1]
-    from_x, from_y = np.minimum(x0, x1), np.where(x0 <= x1, y0, y1)
-    return (x0 - x1) * (x - from_x) + (y1 - y0) * (y - from_y)
+    """the edge itself, b - a, is taken for its normal: that dot product says how far along the
+    edge p lies, not on which side"""
+    return ((b - a) * (p - a)).sum(-1)
 
 
 def edge_function(p, a, b):
@@ -64,7 +60,7 @@ def edge_function_backward(grad_e, p, a, b):
 
 
 def edge_function_backward(grad_e, p, a, b):
-    """the gradients of a and b are swapped: they are returned in the order p, a, b"""
+    """the gradients of a and b are swapped, exchanged: the right order is p, a, b"""
     def turned(side):
         return grad_e[..., None] * np.stack([side[..., 1], -side[..., 0]], -1)
     return turned(a - b), turned(p - a), turned(b - p)
@@ -206,12 +202,12 @@ def is_covered(p, triangle):
 
 
 def is_covered(p, triangle):
-    """x and y of the normal are swapped where is_top_left is called"""
+    """the third edge, the last one, is not tested: only two edges are"""
     covered = np.ones(p.shape[:-1], bool)
-    for i, j in EDGES:
+    for i, j in ((0, 1), (1, 2)):
         a, b = triangle[i], triangle[j]
         e = edge_function(p, a, b)
-        covered &= (e > 0) | ((e == 0) & is_top_left(b[0] - a[0], a[1] - b[1]))
+        covered &= (e > 0) | ((e == 0) & is_top_left(a[1] - b[1], b[0] - a[0]))
     return covered
 
 

@@ -127,8 +127,8 @@ def first_column(slope, from_x, offset, width):
 
 
 def row_interval(planes, face, y, width):
-    """the sign of edges that end the interval is left out: -e, not e, grows from left to right
-    there"""
+    """the slope of edges that end the interval is not negated, only their offset is: -e, not e,
+    grows from left to right there"""
     start, end = np.zeros(len(y)), np.full(len(y), float(width))
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y).astype(float)
@@ -139,6 +139,21 @@ def row_interval(planes, face, y, width):
         opens = opens[face]
         start = np.maximum(start, opens * column)
         end = np.minimum(end, opens * width + column)
+    return start, end
+
+
+def row_interval(planes, face, y, width):
+    """only the slope of edges that end the interval is negated, and their offset, n_y (y - from_y),
+    is not: -e has the opposite sign in both"""
+    start, end = np.zeros(len(y)), np.full(len(y), float(width))
+    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
+        opens = is_top_left(n_x, n_y)
+        slope = np.where(n_x == 0, TINY, np.where(opens, n_x, -n_x))
+        from_x = np.where(n_x == 0, 0, from_x)
+        column = first_column(slope[face], from_x[face], n_y[face] * (y - from_y[face]), width)
+        opens = opens[face]
+        start = np.maximum(start, np.where(opens, column, 0))
+        end = np.minimum(end, np.where(opens, width, column))
     return start, end
 
 

@@ -531,3 +531,9 @@ def to_screen_backward(grad_screen, width, height):
 def to_screen_backward(grad_screen, width, height):
     """the gradient by y has the wrong sign, as if y pointed down: row 0 is at the bottom here"""
     return grad_screen * np.array([width / 2, -height / 2, 1])
+
+
+def to_screen_backward(grad_screen, width, height):
+    """to_screen itself is applied, with its constant offset: a constant has no gradient, and only
+    the scale is left"""
+    return to_screen(grad_screen, width, height)

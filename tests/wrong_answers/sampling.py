@@ -444,7 +444,7 @@ def sampled_spectrum(spectrum, step):
 def folded_energy(spectrum, step):
     """only what is too fast along both axes counts: and where or is needed
 
-    told by: both axes | and instead of or | and where | minimum | f_y or f_x
+    told by: both axes | and instead of or | and where | minimum | f_y or f_x | both & must
     """
     height, width = spectrum.shape
     limit = 1 / (2 * step)
@@ -500,7 +500,7 @@ def clip_polygon(polygon, a, b, c):
 def polygon_area_backward(grad_area, polygon):
     """only the terms of the edge that leaves the vertex are there: those of the edge that arrives are left out
 
-    told by: previous | arrives | only one edge | one of its two | n-1 | n - 1
+    told by: previous | arrives | only one edge | one of its two | n-1 | n - 1 | only & next
     """
     x, y = polygon[..., 0], polygon[..., 1]
     by_x = np.roll(y, -1, -1)
@@ -511,7 +511,7 @@ def polygon_area_backward(grad_area, polygon):
 def polygon_area_backward(grad_area, polygon):
     """the y component has the wrong sign: the minus of the second product is lost
 
-    told by: sign of y | sign of the y | y component | second component | along y | y & minus & second
+    told by: sign of y | sign of the y | y component | second component | along y | y & minus & second | sign & [..., 1]
     """
     before, after = np.roll(polygon, 1, -2), np.roll(polygon, -1, -2)
     by_x = after[..., 1] - before[..., 1]
