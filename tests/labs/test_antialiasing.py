@@ -768,7 +768,7 @@ def test_the_sign_of_the_smallest_weight_decides_on_the_way_back(impl):
 
 
 @exercise("8.14", fine_print=True)
-def test_at_zero_the_owners_side_counts(impl):
+def test_at_zero_the_owner__s_side_counts(impl):
     """> for >=: at alpha = 0, the kink, the other pixel's side is taken and not the owner's."""
     grad_output = np.zeros((2, 3, 2))
     grad_output[0, 0], grad_output[0, 1] = (1.0, 2.0), (100.0, 200.0)

@@ -255,7 +255,7 @@ def test_no_rotation_is_the_identity(impl, w):
 
 
 @exercise("9.6")
-def test_an_elements_gradient_on_paper(impl):
+def test_an_element__s_gradient_on_paper(impl):
     """|q|^2 is taken for a constant, or the division by the length is left out. grad_matrix is
     transposed. K K is derived like K times a constant. The gradient by w, or by x, y, z, is missing
     or has the wrong sign.

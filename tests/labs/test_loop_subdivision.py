@@ -31,7 +31,7 @@ def loop_of(count, faces, u):
 # --- point by point ------------------------------------------------------------------------------
 
 @exercise("11.4")
-def test_loops_own_weights(impl):
+def test_loop__s_own_weights(impl):
     """The square, the cosine's 1/4, or the division by n is forgotten or in the wrong place. The
     angle is in degrees, or lacks its 2. A sign is wrong, or 3/8 and 5/8 are exchanged. It is
     Warren's formula."""

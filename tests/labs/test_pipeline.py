@@ -227,7 +227,7 @@ def test_moving_a_bar_changes_what_it_covers(impl, end):
 
 @exercise("9.13")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_a_bars_colours_pull_by_how_much_they_cover(impl, end):
+def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, end):
     """grad_picture goes on to surface_backward: it is grad_colour, after the blend."""
     (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), *ALONE,
                                    (np.ones((3, 1)),))
@@ -273,7 +273,7 @@ def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
 
 
 @exercise("9.13")
-def test_the_depths_gradient_reaches_the_vertices(impl, rng):
+def test_the_depth__s_gradient_reaches_the_vertices(impl, rng):
     """grad_depth is left out, or is not passed on to rasterize_backward."""
     grad_depth, buffers = rng.normal(size=(HEIGHT, WIDTH)), by_hand(WALL, COLOURS)[1]
     _, grad_clip = gradients(impl, np.zeros((HEIGHT, WIDTH, 2)), buffers, *ALONE, (COLOURS,),

@@ -596,7 +596,7 @@ def test_only_the_edge_inside_the_square_pulls(impl):
 
 
 @exercise("3.18")
-def test_a_square_around_everything_sees_the_polygons_area(impl):
+def test_a_square_around_everything_sees_the_polygon__s_area(impl):
     """The gradient points inwards (opposite sign). x and y are swapped. Or a vertex gets another
     one's.
     """

@@ -9,7 +9,7 @@ CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 
 
 
 @exercise("14.10")
-def test_the_plane_is_measured_at_the_texels_centre(impl):
+def test_the_plane_is_measured_at_the_texel__s_centre(impl):
     """At the place itself, or at the texel's corner: the 0.5 is missing, or it is rounded. Followed
     from the new place and not from place, or from the centre of the receiver's own texel. The sign.
     The distance is not added. The place becomes a centre, too.

@@ -188,7 +188,7 @@ def test_every_pixel_may_look_at_its_own_level(impl, rng):
 # --- the footprint -------------------------------------------------------------------------
 
 @exercise("6.8")
-def test_one_point_is_the_pixels_centre(impl):
+def test_one_point_is_the_pixel__s_centre(impl):
     """The points lie on the pixel's edge or corners, or d is measured from a corner. uv is left
     out. Or the pixels are the first axis: it is (n^2, N, 2).
     """
