@@ -339,7 +339,7 @@ def satisfies_link_condition(faces, a, b):
 
 
 def satisfies_link_condition(faces, a, b):
-    """every edge is let through, always True, whatever its ends share"""
+    """every edge may be collapsed, always True, whatever its ends share"""
     return True
 
 
