@@ -11,6 +11,7 @@ course/given/contract.py: a check gets arrays and numbers, never lists.
 
     assertions   what a check asserts
     hints        which common mistake explains a wrong answer
+    retries      which inputs a wrong answer mixes up
     pictures     of a mismatch
     showing      how values, calls and errors are shown
     loader       the code under test

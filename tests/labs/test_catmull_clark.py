@@ -47,8 +47,8 @@ HOUSE = (np.array([[0.0, 0.0], [16.0, 0.0], [16.0, 32.0], [0.0, 32.0], [32.0, 56
 
 @exercise("11.10")
 def test_face_points_of_a_triangle_and_a_square_on_paper(impl):
-    """A face point is the sum of the corners over 4, also for a triangle. Face points come before
-    the edge points, or are left out; they must come last."""
+    """A face point is the sum of the corners over 4, also for a triangle, or is made of moved
+    vertices. Face points come before the edge points, or are left out; they must come last."""
     got = impl.catmull_clark_slow(*HOUSE)
     assert_close(got[11:], np.array([[16, 40], [8, 16.0]]))
 
@@ -56,7 +56,8 @@ def test_face_points_of_a_triangle_and_a_square_on_paper(impl):
 @exercise("11.10")
 def test_boundary_vertices_of_a_house_on_paper(impl):
     """A vertex on the boundary stays, or the inside's rule with F and R is used there. Its whole
-    ring pulls, not only the two neighbours along the boundary. v keeps another weight than 3/4."""
+    ring pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8.
+    Vertices already moved pull."""
     got = impl.catmull_clark_slow(*HOUSE)
     assert_close(got[:5], np.array([[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]]))
 
@@ -64,17 +65,17 @@ def test_boundary_vertices_of_a_house_on_paper(impl):
 @exercise("11.10")
 def test_edge_points_of_a_house_on_paper(impl):
     """A boundary edge is drawn to its one face: (A + B + f) / 3, or / 4. An inner edge gets its
-    middle, without the face points, or Loop's weights. Points are made of moved vertices, or come
-    in another order."""
+    middle, lacks its ends or a face point, or has Loop's weights. Points are made of moved
+    vertices, or come in another order."""
     got = impl.catmull_clark_slow(*HOUSE)  # of the edges 0 1, 0 3, 1 2, 2 3, 2 4, 3 4
     assert_close(got[5:11], np.array([[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]]))
 
 
 @exercise("11.10")
 def test_vertices_of_a_pyramid_on_paper(impl):
-    """R counts once, not twice. R is the mean of the ring, or of the new edge points, not of the
-    edges' middles. F is a sum. n is always 4, or 3, not the valence. The division by n is left
-    out."""
+    """R counts once, or is the mean of the ring, or of the new edge points, not of the edges'
+    middles. F is a sum, or of all faces. n is always 4, not the valence. n - 3, the division by n,
+    or its brackets are wrong."""
     faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [4, 3, 2, 1]]
     got = impl.catmull_clark_slow(np.array([[36.0], [72.0], [108.0], [216.0], [180.0]]),
                                   *flat(faces))

@@ -47,7 +47,7 @@ def test_only_faces_inside_are_counted(impl, rng):
 
 @exercise("12.16")
 def test_it_stops_at_the_first_count_that_is_low_enough(impl, rng):
-    """The faces that went are not counted, or are counted as one, or always two. It stops one
+    """The faces that went are not counted, or each collapse counts as one face. It stops one
     collapse too early or too late."""
     vertices, faces = bumpy(80, rng)
     counts = [80, 79, 78, 77, 74]
@@ -171,8 +171,9 @@ def test_a_refused_pair_has_its_turn_when_an_end_has_changed(impl, rng):
 
 @exercise("12.16")
 def test_an_open_surface_keeps_its_boundary(impl, rng):
-    """Too many faces go, as those to `outside` are counted. A flat disc loses a corner. An ear is
-    torn off, a hole is sewn up, or the two sides of a ring touch."""
+    """Each collapse is counted as two faces, but at the boundary only one face goes: `collapse`
+    returns how many. A flat disc loses a corner. An ear is torn off, a hole is sewn up, or the two
+    sides of a ring touch."""
     vertices, faces = mesh.grid(72)
     hole = (np.abs(vertices[faces].mean(1)[:, :2] - 3) < 1).all(1)
     faces = faces[~hole]

@@ -31,10 +31,17 @@ def loop_of(count, faces, u):
 # --- point by point ------------------------------------------------------------------------------
 
 @exercise("11.4")
+<<<<<<< HEAD
 def test_loop__s_own_weights(impl):
     """The square, the cosine's 1/4, or the division by n is forgotten or in the wrong place. The
     angle is in degrees, or lacks its 2. A sign is wrong, or 3/8 and 5/8 are exchanged. It is
     Warren's formula."""
+=======
+def test_loops_own_weights(impl):
+    """The square, the cosine's 1/4, a bracket, or the division by n is forgotten or in the wrong
+    place. The angle is in degrees, or lacks its 2. A sign is wrong, or 3/8 and 5/8 are exchanged.
+    It is Warren's formula."""
+>>>>>>> 4f3e9dbbf2f88397d2d8dff69edb47598aac30c1
     n = np.array([2, 3, 4, 6, 12])
     total = np.array([5 / 8 - 1 / 64, 9 / 16, 5 / 8 - 9 / 64, 3 / 8,
                       5 / 8 - (3 + np.sqrt(3)) ** 2 / 64])
@@ -49,17 +56,17 @@ TWO = (np.array([[0.0, 0.0], [16.0, 8.0], [8.0, 40.0], [0.0, 16.0]]),  # two tri
 @exercise("11.5")
 def test_boundary_vertices_of_two_triangles_on_paper(impl):
     """A vertex on the boundary stays, or the inside's rule with u is used there. Its whole ring
-    pulls, not only the two neighbours along the boundary. v keeps another weight than 3/4. The
-    edges' points come first."""
+    pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8. Vertices
+    already moved pull. The edges' points come first."""
     got = impl.loop_slow(*TWO)
     assert_close(got[:4], np.array([[2, 3], [13, 11], [8, 33], [1, 17.0]]))
 
 
 @exercise("11.5")
 def test_edge_points_of_two_triangles_on_paper(impl):
-    """3/8 and 1/8 are exchanged. An inner edge gets its middle, without the opposite corners. The
+    """3/8 and 1/8 are exchanged. An inner edge gets its middle, or lacks an opposite corner. The
     inside's rule is used on a boundary edge, or the opposite corner pulls there. Points are made of
-    moved vertices, not of the old ones."""
+    moved vertices, not of the old ones. Edges come in another order."""
     got = impl.loop_slow(*TWO)  # of the edges 0 1, 0 3, 1 2, 1 3, 2 3
     assert_close(got[4:], np.array([[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]]))
 
@@ -123,9 +130,9 @@ def edge_rows_of_two_triangles(impl):
 
 @exercise("11.8")
 def test_the_inner_edge_of_two_triangles_on_paper(impl):
-    """3/8 and 1/8, or inside and boundary, are exchanged. An opposite corner is left out, or is an
-    end of the edge (np.roll in the wrong direction). A mask with one entry per edge is used for
-    corners. Rows and columns are exchanged."""
+    """3/8 and 1/8, or inside and boundary, are exchanged. One of the two opposite corners is
+    overwritten or left out, or is an end of the edge (np.roll in the wrong direction). A mask of
+    edges is used for corners. Rows and columns are exchanged."""
     assert_close(edge_rows_of_two_triangles(impl)[3], np.array([1, 3, 1, 3]) / 8)
 
 
@@ -149,9 +156,9 @@ def test_new_points_on_edges_row_by_row(impl, count, faces):
 
 @exercise("11.9")
 def test_two_triangles_become_eight(impl):
-    """New vertices are numbered from 0, or from the largest vertex of the faces, not from
-    vertex_count; or by corner, not by edge. Triangles come kind by kind, or one is left out. A
-    child is wound the other way, begins elsewhere, or has another side's edge."""
+    """New vertices are numbered from 0, or from the largest old vertex, not from vertex_count. A
+    face's edges are not read as AB, BC, CA. Triangles come kind by kind, or the middle one is left
+    out. A child is wound the other way, or begins elsewhere."""
     faces, corner_edge = np.array([[3, 1, 0], [1, 3, 2]]), np.array([3, 0, 1, 3, 4, 2])
     assert_equal(impl.loop_faces(faces, corner_edge, 6), np.array([
         [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]]))
@@ -176,8 +183,9 @@ def test_children_fill_their_parent(impl, count, faces):
 
 @exercise("11.14")
 def test_limit_weights_on_paper(impl):
-    """The reciprocal is forgotten: 1 / m. The fraction is upside down, 8 u / 3 or 8 / (3 u), or
-    multiplied by u. u is not used, or m is u itself. n is left out, or the sign is wrong."""
+    """The reciprocal is forgotten, or is of n alone: brackets are missing. 3 / (8 u) is upside
+    down, multiplied by u, or by n, not added. u is not used, or m is u itself. m is multiplied by
+    n, n is left out, or a sign is wrong."""
     n, u = np.array([6, 3, 4, 7, 2]), np.array([1 / 16, 3 / 16, 3 / 32, 1 / 8, 1 / 24])
     assert_close(impl.limit_weight(n, u), np.array([1 / 12, 1 / 5, 1 / 8, 1 / 10, 1 / 11]))
 

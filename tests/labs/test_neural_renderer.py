@@ -31,7 +31,8 @@ def random_triangles(rng, *shape):
 @exercise("10.2")
 def test_its_rows_are_edge_functions_over_twice_the_area(impl):
     """The division by 2A is missing, or is by A. Row k is of the edge that starts at corner k, not
-    of the one opposite to it. The inverse is transposed: the corners are in rows.
+    of the one opposite to it. The inverse is transposed: the corners are in rows. The sign of x and
+    y, or of the constant, is wrong.
     """
     expected = np.array([[-5, -4, 39], [4, -2, 0], [1, 6, -13]]) / 26
     assert_close(impl.face_inverse(SLANTED), expected)
@@ -55,8 +56,8 @@ RIGHT = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])  # c = (1 - x / 4 - y / 2
 @exercise("10.3")
 def test_weights_and_depths_on_paper(impl):
     """Output 1, weight, is multiplied by depth / z, as in space. Output 2, depth, is the mean of z
-    by the weights, or is 1 / z: the reciprocal is left out. x and y are exchanged, or M^-1 is
-    transposed.
+    by the weights, or is 1 / z: the reciprocal is left out. x and y are exchanged, M^-1 is
+    transposed, or the point lacks its 1.
     """
     x, y, z = np.array([1.0, 2.0, 1.0, 0.5]), np.array([1.0, 0.5, 0.5, 1.5]), [1.0, 2.0, 4.0]
     got = impl.weights_and_depth(np.stack([inverse_of(RIGHT)] * 4), np.array([z] * 4), x, y)
@@ -101,7 +102,7 @@ def test_depth_is_that_of_the_plane_in_space(impl, rng):
 @exercise("10.3")
 def test_outside_weights_are_clamped_then_divided_by_their_sum(impl):
     """Nothing is clamped, or only from below. The clamped weights are not divided by their sum, or
-    are first divided and then clamped.
+    are first divided and then clamped. depth has the weights before the clamp.
     """
     inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))  # c = (1 - x - y, x, y)
     got = impl.weights_and_depth(np.stack([inverse] * 3), np.array([[1.0, 2.0, 4.0]] * 3),
@@ -157,7 +158,7 @@ def test_the_sum_of_the_weights_cannot_change(impl):
 @exercise("10.4")
 def test_what_is_clamped_has_no_gradient(impl):
     """The clamp is forgotten: a c_k below 0 or above 1 gets a gradient, too. Or nothing is divided
-    by the sum of the clamped.
+    by the sum of the clamped. Or grad_weight is not used.
     """
     inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))
     got = impl.weights_and_depth_backward(np.array([1.0, 10.0, 100.0]), np.array(0.0), inverse,
@@ -237,7 +238,8 @@ def maps_by_search(corners, width, height, near, far):
 @exercise("10.5")
 def test_a_square_of_two_faces(impl):
     """Rows are upside down, counted from the top. Pixels are sampled at their corners, not at their
-    centres j + 1/2. Rows and columns are swapped. covers is not asked. depth is not written.
+    centres j + 1/2. Rows and columns are swapped. covers is not asked. depth is not written, or is
+    not infinite where no face is seen.
     """
     square = np.array([[1.0, 1.0], [4.0, 1.0], [4.0, 3.0], [1.0, 3.0]])
     corners = corners_of_screen(square[[[0, 1, 2], [0, 2, 3]]], [[2.0, 2.0, 2.0]], 6, 4)

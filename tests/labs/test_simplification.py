@@ -31,7 +31,7 @@ from course.given.gradcheck import gradcheck
 @exercise("12.2")
 def test_the_quadric_of_a_plane(impl):
     """p is scaled to a unit normal first. d is left out: the last row and column are 0. Only the
-    diagonal is filled. Row times column gives a number, not a matrix."""
+    diagonal is filled. The inner product, row times column, gives a number, not a matrix."""
     expected = np.array([[1.0, 2.0, 3.0, 4.0], [2.0, 4.0, 6.0, 8.0],
                          [3.0, 6.0, 9.0, 12.0], [4.0, 8.0, 12.0, 16.0]])
     assert_close(impl.plane_quadrics(np.array([1.0, 2.0, 3.0, 4.0])), expected)
@@ -40,7 +40,7 @@ def test_the_quadric_of_a_plane(impl):
 @exercise("12.2")
 def test_one_quadric_for_each_plane(impl, rng):
     """The matrices of all planes are summed into one. Leading axes are lost, or only one is
-    understood. Planes are mixed with each other."""
+    understood. All axes are transposed (.T), not the last two. Planes are mixed with each other."""
     p = rng.normal(size=(3, 2, 4))
     expected = np.array([[outer(p[i, j]) for j in range(2)] for i in range(3)])
     assert_close(impl.plane_quadrics(p), expected)
@@ -96,8 +96,8 @@ def test_the_error_is_the_double_sum(impl, rng):
 @exercise("12.5")
 def test_the_gradient_of_an_error_on_paper(impl):
     """grad_x is 2 Q v: Q is not symmetric, so it is (Q + Q^T) v. One of the two is left out. grad_x
-    or grad_q is not multiplied by grad_error. grad_x has the gradient of the 1, too. The outputs
-    are exchanged."""
+    or grad_q is not multiplied by grad_error. grad_q is not v v^T. grad_x has four numbers. The
+    outputs are exchanged."""
     q = np.arange(16.0).reshape(4, 4)
     grad_q, grad_x = impl.quadric_error_backward(np.array(2.0), q, np.array([1.0, 0.0, 2.0]))
     assert_close(grad_x, 2 * np.array([0 + 4 + 3 + 0 + 16 + 12, 4 + 12 + 7 + 1 + 18 + 13,
@@ -120,8 +120,8 @@ def test_the_gradient_of_an_error_is_its_derivative(impl, rng):
 @exercise("12.6")
 def test_boundary_planes_of_a_triangle(impl):
     """n points into the face, not away from it: the edge runs from low to high, not as its face
-    does. n is not of length 1. d has the wrong sign. It is the plane of the face itself, not
-    perpendicular to it."""
+    does. n is not of length 1. d has the wrong sign. It is the plane of the face itself. Edges are
+    not ascending."""
     vertices = np.array([[1.0, 2.0, 5.0], [5.0, 2.0, 5.0], [1.0, 5.0, 5.0]])
     expected = np.array([[0.0, -1.0, 0.0, 2.0], [-1.0, 0.0, 0.0, 1.0], [0.6, 0.8, 0.0, -4.6]])
     for face in [0, 1, 2], [1, 0, 2]:
@@ -261,8 +261,9 @@ def test_at_the_best_place_the_gradient_is_zero(impl, rng):
 
 @exercise("12.17")
 def test_costs_of_four_pairs_on_paper(impl):
-    """Costs and positions are exchanged. Q is one vertex's quadric alone, or the mean of both, not
-    their sum. The cost is that at an end or the middle of the pair, not at the best position."""
+    """Costs and positions are exchanged. Q is one vertex's quadric alone, maybe for the cost only,
+    or the mean of both, not their sum. The position is the middle, or the cost is that at an end or
+    the middle, not at the best position."""
     vertices = np.array([[0.0, 7, 1], [9, 7, -8], [6, 7, -5], [3, 7, -2]])  # on a line
     q = np.concatenate([planes_of([1, 0, 0, 0]), 3 * planes_of([1, 0, 0, -8]),
                         2 * planes_of([1, 0, 0, -6]), 2 * planes_of([1, 0, 0, -4])])
@@ -315,9 +316,9 @@ def given(faces, pairs):
 
 @exercise("12.12")
 def test_the_edges_of_one_triangle_pass_and_a_pinched_ring_does_not(impl):
-    """True and False are exchanged. Always True. Always False: a and b are removed on one side
-    only. No vertex may be shared at all, or always two must be: an edge of one face has one third
-    vertex."""
+    """True and False are exchanged. Always True. Always False: a and b are left among the thirds,
+    or no vertex is allowed to be shared. Only the faces at the edge are counted. Two must be
+    shared, though an edge of one face has one third."""
     faces = np.concatenate([DOUBLE, [[5, 6, 7]]])
     pairs = [(5, 6), (7, 5), (1, 2), (6, 7), (3, 1), (2, 3), (6, 5), (2, 1)]
     expected = np.array([True, True, False, True, False, False, True, False])
@@ -400,8 +401,8 @@ def test_a_face_that_turns_over_flips(impl):
 
 @exercise("12.14")
 def test_more_than_45_degrees_flip_and_a_little_less_does_not(impl):
-    """It is another angle: 90 degrees where only the sign of n . n' is asked, or 60. It is the sine
-    instead of the cosine. n . n' is not divided by both lengths."""
+    """It is another angle: 90 degrees where only the sign of n . n' is asked, or 45 taken as
+    radians. It is the sine instead of the cosine. n . n' is not divided by both lengths."""
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
     heights = [(1.0, 0.95), (0.95, 1.0), (1.0, 0.2), (0.3, 0.31), (0.0, 1.0), (-0.01, 1.0),
                (3.0, 2.9), (2.9, 3.0)]
@@ -528,8 +529,8 @@ def test_the_cheapest_edge_is_collapsed_into_its_lower_vertex(impl, rng):
 
 @exercise("12.15")
 def test_one_collapse(impl, rng):
-    """The vertex that is left does not move to the pair's best position: it stays where it was, or
-    goes to the middle."""
+    """The vertex that is left does not move to the pair's best position: it stays where it was,
+    goes to the middle, or to another pair's position."""
     vertices, faces = bumpy(20, rng, 0.2)
     [(expected, left)] = greedy(vertices, faces, [19])
     got, got_left = loop(impl, vertices, faces, 19)

@@ -17,8 +17,8 @@ from course.checks import assert_close, assert_equal, exercise
 @exercise("11.1")
 def test_edges_of_two_triangles(impl):
     """An edge of two faces comes twice, once in each direction. Edges are not low < high, or not
-    ascending. corner_edge names the edge behind the corner, has one entry per edge (return_index),
-    or another order. A face's last side is missing."""
+    ascending. corner_edge names the edge behind the corner, or has one entry per edge
+    (return_index). A face's last side is missing, or leads to the next face."""
     edges = np.array([[1, 5], [1, 7], [5, 7], [5, 9], [7, 9]])
     assert_equal(impl.edges_of(np.array([7, 5, 1, 5, 7, 9]), np.array([3, 3])),
                  (edges, np.array([2, 0, 1, 2, 4, 3])))

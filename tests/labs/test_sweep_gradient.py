@@ -16,9 +16,9 @@ def two(returned):
 
 @exercise("10.12")
 def test_crossings_on_paper(impl):
-    """a and b are exchanged, or share_a and share_b. a_x is not added. The share is not divided by
-    b_y - a_y. It is a y, where the edge crosses a column: x and y are exchanged. The outputs come
-    in the other order.
+    """a and b are exchanged. a_x is not added. The share is not divided by b_y - a_y. 1/2 is added
+    to y, which is a row's centre already. x and y are exchanged: the edge crosses a column. The
+    outputs come in the other order.
     """
     crossing, _ = two(impl.edge_crossing(*ENDS, ROWS))
     assert_close(crossing, np.array([2.5, 4.5, 8.5, 7.0]))
@@ -60,8 +60,8 @@ def test_a_share_is_how_far_the_crossing_moves_with_its_end(impl, rng):
 @exercise("10.13")
 def test_two_pixels_pull_on_paper(impl):
     """The minus is left out: descent must take the edge to the pixel. The difference of the colours
-    has the wrong sign. way loses its sign, as an absolute value. The share multiplies the way, or
-    is left out. Pixels are summed.
+    has the wrong sign, or grad_colour is left out. way loses its sign, as an absolute value. The
+    share multiplies the way, or is left out.
     """
     colour, beyond = np.array([[1.0], [0.0]]), np.array([[0.0], [1.0]])
     grad_colour, way = np.array([[3.0], [-2.0]]), np.array([0.5, -0.25])  # they pull by 3 and 2

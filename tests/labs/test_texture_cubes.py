@@ -156,9 +156,9 @@ ABOVE = np.array([1.0, 4.0, 0.0])
 
 @exercise("10.10")
 def test_light_on_paper(impl):
-    """The other side of a face is lit. N is not divided by its length, or by that of all faces
-    together, without an axis. max(0, ...) is left out, holds ambient too, or is an absolute value:
-    light from both sides. towards is divided by its length.
+    """The other side of a face is lit. N is of corners, not of sides. N is not divided by its
+    length, or by that of all faces together. max(0, ...) is left out, holds ambient too, or is an
+    absolute value. towards is divided by its length.
     """
     corners = np.concatenate([LYING, TILTED, LYING[:, ::-1], TILTED[:, ::-1]])
     got = impl.face_light(corners, RED, BLUE, ABOVE)

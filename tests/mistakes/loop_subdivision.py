@@ -115,7 +115,7 @@ def loop_slow(vertices, faces, u):
 
 
 def loop_slow(vertices, faces, u):
-    """3/8 and 1/8 are exchanged: the edge's ends have 3/8 each, the opposite corners 1/8"""
+    """3/8 and 1/8 are exchanged; the edge's ends must have 3/8 each, the opposite corners 1/8"""
     at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
     points = []
     for v in range(len(vertices)):
@@ -222,10 +222,10 @@ def loop_faces(faces, corner_edge, vertex_count):
 
 
 def loop_faces(faces, corner_edge, vertex_count):
-    """the new vertices are numbered from the largest vertex of the faces on, not from vertex_count:
-    unused vertices count, too"""
+    """a face's edges are read as BC, CA, AB, each opposite to a corner; corner_edge has the edge
+    that starts at each corner: AB, BC, CA"""
     a, b, c = faces.T
-    ab, bc, ca = (faces.max() + 1 + corner_edge).reshape(-1, 3).T
+    bc, ca, ab = (vertex_count + corner_edge).reshape(-1, 3).T
     return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1).reshape(-1, 3)
 
 
@@ -255,8 +255,9 @@ def limit_weight(n, u):
 
 
 def limit_weight(n, u):
-    """the fraction is 8 / (3 u) instead of 3 / (8 u): 3 and 8 are exchanged"""
-    return 1 / (n + 8 / (3 * u))
+    """the brackets around n + 3 / (8 u) are missing: the reciprocal is of n alone, as
+    1 / n + 3 / (8 u)"""
+    return 1 / n + 3 / (8 * u)
 
 
 def limit_weight(n, u):

@@ -46,6 +46,16 @@ def face_inverse(screen):
     return np.stack(rows, -2) / double_area[..., None, None]
 
 
+def face_inverse(screen):
+    """the normals of the edges have the wrong sign: that of x and y, in the first two columns; the
+    constant is right"""
+    x, y = screen[..., 0], screen[..., 1]
+    rows = [np.stack([y[..., j] - y[..., i], x[..., i] - x[..., j],
+                      x[..., i] * y[..., j] - x[..., j] * y[..., i]], -1) for i, j in EDGES]
+    double_area = rows[0][..., 2] + rows[1][..., 2] + rows[2][..., 2]
+    return np.stack(rows, -2) / double_area[..., None, None]
+
+
 def weights_and_depth(inverse, z, x, y):
     """the weights are not clamped to 0 and 1"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]

@@ -339,12 +339,13 @@ def satisfies_link_condition(faces, a, b):
 
 
 def satisfies_link_condition(faces, a, b):
-    """every edge may be collapsed, whatever its ends share"""
+    """every edge may be collapsed, always True, whatever its ends share"""
     return True
 
 
 def satisfies_link_condition(faces, a, b):
-    """no neighbour may be shared at all; the thirds of the edge's faces must be"""
+    """every edge is refused, always False: a and b are left among the third vertices alone, or no
+    neighbour is allowed to be shared at all"""
     at_a, at_b = (faces == a).any(1), (faces == b).any(1)
     shared = set(faces[at_a].ravel().tolist()) & set(faces[at_b].ravel().tolist())
     return shared - {a, b} == set()

@@ -228,7 +228,7 @@ def loop_weight(n):
 def loop_weight(n):
     """the cosine is not divided by 4
 
-    told by: by 4 | factor 1/4 | factor 4 | quarter | four times
+    told by: by 4 | factor 1/4 | factor 4 | quarter | four times | cosine's 1/4 & missing
     """
     return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n)) ** 2) / n
 

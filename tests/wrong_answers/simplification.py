@@ -465,7 +465,7 @@ def best_anywhere(q):
 def pair_costs(vertices, quadrics, pairs):
     """the cost uses only the quadric of the first vertex instead of Q_i + Q_j
 
-    told by: only & first | Q_i + Q_j | only Q_i | sum of the quadrics | second vertex | other vertex | both quadrics | Q_j
+    told by: quadric alone | only & first | Q_i + Q_j | only Q_i | sum of the quadrics | second vertex | other vertex | both quadrics | Q_j
     """
     i, j = pairs[:, 0], pairs[:, 1]
     positions = best_position(quadrics[i] + quadrics[j], vertices[i], vertices[j])
