@@ -31,17 +31,10 @@ def loop_of(count, faces, u):
 # --- point by point ------------------------------------------------------------------------------
 
 @exercise("11.4")
-<<<<<<< HEAD
 def test_loop__s_own_weights(impl):
-    """The square, the cosine's 1/4, or the division by n is forgotten or in the wrong place. The
-    angle is in degrees, or lacks its 2. A sign is wrong, or 3/8 and 5/8 are exchanged. It is
-    Warren's formula."""
-=======
-def test_loops_own_weights(impl):
     """The square, the cosine's 1/4, a bracket, or the division by n is forgotten or in the wrong
     place. The angle is in degrees, or lacks its 2. A sign is wrong, or 3/8 and 5/8 are exchanged.
     It is Warren's formula."""
->>>>>>> 4f3e9dbbf2f88397d2d8dff69edb47598aac30c1
     n = np.array([2, 3, 4, 6, 12])
     total = np.array([5 / 8 - 1 / 64, 9 / 16, 5 / 8 - 9 / 64, 3 / 8,
                       5 / 8 - (3 + np.sqrt(3)) ** 2 / 64])
