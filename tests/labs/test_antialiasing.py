@@ -306,9 +306,9 @@ FRAME = np.array([27, 27, 27, 27]), np.array([28, 26, 37, 17])  # row 2, column 
 
 @exercise("8.5")
 def test_the_frame_of_four_neighbours(impl):
-    """The other's centre is not at x = 1 where it lies to the left or below. Half a pixel is
-    missing: the centre is not the corner. Rows and columns are swapped. Or x and y do not change
-    places for pixels above each other."""
+    """The other's centre is not at x = 1 where it lies to the left or below, or not the owner's at
+    0. Half a pixel is missing: the centre is not the corner. Rows and columns are swapped. Or x and
+    y do not change places for pixels above each other."""
     screen_x = np.array([[8.5, 6.5, 7.5, 7.5], [7.5, 7.5, 7.5, 7.5]])
     screen_y = np.array([[2.5, 2.5, 3.5, 1.5], [2.5, 2.5, 2.5, 2.5]])
     x, y = impl.pair_frame(screen_x, screen_y, *FRAME, 10)
@@ -381,9 +381,9 @@ def test_in_a_picture_of_one_column_gradients_are_swapped_too(impl):
 
 @exercise("8.7")
 def test_crossings_on_paper(impl):
-    """The sign of the second term: + y0 for - y0. The slope is upside down, dy / dx. x and y are
-    swapped, which is the crossing with x = 0. The crossing is clipped to the edge, or is the share
-    of the way along it."""
+    """The sign of the second term: + y0 for - y0. x0 is left out. The two ends are mixed up: x1
+    goes with y0. The slope is upside down, dy / dx. x and y are swapped: the crossing with x = 0.
+    It is clipped to the edge, or is the share of the way along it."""
     x0, y0 = np.array([1.0, 0.0, 3.0, 2.0, -2.0, 4.0]), np.array([-1.0, -1.0, 1.0, 4.0, -3.0, 2.0])
     x1, y1 = np.array([4.0, 1.0, 7.0, 5.0, 1.0, 6.0]), np.array([2.0, 3.0, -1.0, 1.0, -1.0, -6.0])
     expected = np.array([2.0, 0.25, 5.0, 6.0, 2.5, 4.5])  # two of them beyond the ends
@@ -457,7 +457,8 @@ def test_the_two_ends_are_alike(impl, rng):
 
 @exercise("8.8", fine_print=True)
 def test_epsilon_makes_the_edge_longer(impl):
-    """It is added to a negative length, or left out of c or of one of the four gradients."""
+    """It is added to a negative length, or is ignored, or left out of c or of one of the four
+    gradients."""
     arguments = [np.array([value, value]) for value in (8.0, 1.0, -1.0, 4.0, 3.0)]
     for sign in 1.0, -1.0:  # with y upside down, the same edge: y's gradients change their sign
         arguments[2], arguments[4] = sign * np.full(2, -1.0), sign * np.full(2, 3.0)
@@ -489,8 +490,9 @@ def column(*points):
 
 @exercise("8.9")
 def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
-    """The least c counts, of the edge by which the line enters, or the first edge that crosses. The
-    greatest c does, of whichever edge."""
+    """The least c counts, of the edge by which the line enters, or the first edge that crosses.
+    Edges that do not cross y = 0 count, or only those with 0 <= c <= 1. Edge k is numbered from
+    corner k to k + 1; it lies opposite to corner k."""
     x, y = column((-2.0, -1.0), (4.0, -1.0), (1.0, 2.0))  # edges 0 and 1 cross, at 3 and -1
     x, y = (np.hstack([np.roll(corner, turn, 0) for turn in range(3)]) for corner in (x, y))
     fourth = column((0.0, -2.0), (6.0, 1.0), (-3.0, 1.0))  # edges 1 and 2 cross, at -2 and 4
@@ -635,8 +637,8 @@ def test_an_edge_at_45_degrees_is_steep(impl):
 
 @exercise("8.11")
 def test_weights_on_paper(impl):
-    """The sign is flipped, c - 1/2: with the edge at the owner, half is the other's. Or the
-    constant is not 1/2, or alpha is never negative, as by an absolute value."""
+    """The sign is flipped, c - 1/2: with the edge at the owner, half is the other's. The constant
+    is not 1/2, as in 1 - c. Or alpha is never negative, as by an absolute value or a clip."""
     c = np.array([0.0, 0.125, 0.5, 0.75, 1.0])
     assert_close(impl.blend_weight(c), np.array([0.5, 0.375, 0.0, -0.25, -0.5]))
 
@@ -657,7 +659,8 @@ def colours():
 @exercise("8.13")
 def test_either_pixel_moves_towards_the_other(impl):
     """Only the owner moves, even where alpha < 0 and the other one should. The wrong one of the two
-    moves, or away from the other, or both move."""
+    moves, or away from the other, as by owner - other where alpha < 0. Both move. The change
+    replaces the colour, to which it must be added."""
     expected = colours()
     expected[0, 0] = 0.25, 6.0     # 1/4 of the way from (0, 8) to (1, 0)
     expected[1, 2] = 3.0, 2.0      # half of the way from (0, 0) to (6, 4)

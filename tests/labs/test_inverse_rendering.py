@@ -103,8 +103,9 @@ def three(returned):
 
 @exercise("9.3")
 def test_the_new_mean_keeps_b1_of_the_old_one(impl):
-    """Output 2 is m'. It is m^, already corrected, or the old m. b1 and 1 - b1 are exchanged, or b1
-    and b2 are swapped. The constants that are given are not used. Outputs come in another order.
+    """Output 2 is m'. It is m^, already corrected, or the old m. b1 and 1 - b1 are exchanged, 1 -
+    b1 is left out, or b1 and b2 are swapped. The constants that are given are not used. Outputs
+    come in another order.
     """
     _, mean, _ = three(impl.adam_step(*STEP))
     assert_close(mean, NEW_MEAN)
@@ -112,8 +113,8 @@ def test_the_new_mean_keeps_b1_of_the_old_one(impl):
 
 @exercise("9.3")
 def test_the_new_square_keeps_b2_of_the_old_one(impl):
-    """Output 3 is s'. g is not squared. It is s^, already corrected, or the old s. b2 and 1 - b2
-    are exchanged, or b1 and b2 are swapped.
+    """Output 3 is s'. g is not squared, or m is. It is s^, already corrected, or the old s. b2 and
+    1 - b2 are exchanged, 1 - b2 is left out, or b1 and b2 are swapped.
     """
     _, _, square = three(impl.adam_step(*STEP))
     assert_close(square, NEW_SQUARE)
@@ -122,8 +123,8 @@ def test_the_new_square_keeps_b2_of_the_old_one(impl):
 @exercise("9.3")
 def test_the_first_step_is_by_the_rate(impl):
     """Uphill: the minus is missing. The bias correction of m, of s or of both is missing: steps of
-    0.1, 32 or 3.2 rates. The root of s^, or rate, is missing. The old m or s makes the step. n is
-    one too large or too small.
+    0.1, 32 or 3.2 rates. Or it multiplies, or has b1 and b2 swapped. The root of s^, rate or x is
+    missing. The old m or s makes the step. n is one too large, as n + 1.
     """
     x, zero = np.array([[1.0, 2.0, 3.0, 4.0]]), np.zeros((1, 4))
     x, _, _ = three(impl.adam_step(x, np.array([[1e-3, -7.0, 1e4, -0.3]]), zero, zero, 1, 0.5))
@@ -132,7 +133,8 @@ def test_the_first_step_is_by_the_rate(impl):
 
 @exercise("9.3")
 def test_a_later_step_is_corrected_by_its_number(impl):
-    """The corrections are 1 - b^n: here n is left out, or multiplies b, or is one too small.
+    """The corrections are 1 - b^n: here n is left out, or multiplies b, or is one too small. Or g
+    makes the step, not m^.
     """
     x, _, _ = three(impl.adam_step(*STEP))
     # m^ = m' / (1 - 9/16), s^ = s' / (1 - 0.36).
@@ -169,7 +171,7 @@ def test_many_steps_are_sums_over_all_gradients(impl, rng):
 def test_a_product_on_paper(impl):
     """The order of p and q is swapped, or the cross product has the other sign. The squares of i, j
     and k count as +1 in w. Elements are multiplied one by one. w is taken for the last number. A
-    term is left out.
+    term is left out, or has the wrong sign.
     """
     got = impl.quaternion_product(np.array([1.0, 2.0, 3.0, 4.0]), np.array([5.0, 6.0, 7.0, 8.0]))
     # 5 - 12 - 21 - 32; 6 + 10 + 24 - 28; 7 + 15 + 24 - 16; 8 + 20 + 14 - 18.
@@ -212,8 +214,8 @@ def in_homogeneous(matrix):
 @exercise("9.5")
 def test_a_rotation_on_paper(impl):
     """It rotates the other way: the matrix is transposed. It is q v without q*. w is taken for the
-    last number. The identity, K K or a factor 2 is missing. The last row and column are missing: it
-    has another shape than (4, 4).
+    last number. The identity, K K (K * K is another), w or a factor 2 is missing. The last row and
+    column are missing: it is not (4, 4).
     """
     got = impl.quaternion_matrix(np.array([2.0, 4.0, 5.0, 6.0]) / 9)  # of length 1
     rows = np.array([[-41.0, 16.0, 68.0], [64.0, -23.0, 44.0], [28.0, 76.0, -1.0]]) / 81
@@ -355,9 +357,9 @@ def test_angles_near_pi_keep_their_digits(impl, rng, short):
 
 @exercise("9.8")
 def test_silhouettes_on_paper(impl):
-    """It is the overlap, not 1 minus it. The union is c + t and counts the overlap twice, or has a
-    number added. It is the Dice loss, or a mean of the ratios of pixels or rows, not the ratio of
-    the sums.
+    """It is the overlap, not 1 minus it. The union is c + t and counts the overlap twice, or not at
+    all, or has a number added. It is the Dice loss, or a mean of the ratios of pixels or rows, not
+    the ratio of the sums. c and t are rounded to 0 or 1.
     """
     coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
     target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
@@ -396,9 +398,9 @@ def test_sums_are_over_all_pixels_at_once(impl, rng):
 
 @exercise("9.9")
 def test_silhouette_gradients_on_paper(impl):
-    """grad_loss is missing. The sign is that of the overlap's gradient, or one in the quotient rule
-    is wrong. The union or the overlap is taken for a constant. It is divided by U, not by U^2.
-    coverage and target are exchanged.
+    """grad_loss is missing. The sign is the overlap's, or one in the quotient rule is wrong. U or A
+    is taken for a constant, or is each pixel's. The union's derivative is 1 - t, not 1: c t is in
+    it. It is divided by U, not by U^2. coverage and target are exchanged.
     """
     coverage = np.array([[1.0, 1.0, 0.5], [0.0, 0.5, 0.0]])
     target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
@@ -431,9 +433,9 @@ RHOMBUS = np.array([[6.0, 0.0], [0.0, 12.0], [3.0, 9.0], [12.0, 3.0]])
 
 @exercise("9.10")
 def test_four_vertices_on_paper(impl):
-    """The sign is wrong. The neighbours are summed, not averaged. Edges count for one of their ends
-    alone. += counts a vertex that is named twice only once (see np.add.at). x is left out, or its
-    own neighbour. C is taken for 3.
+    """The sign is wrong. The neighbours are summed, not averaged, or divided by another's valence.
+    Edges count for one of their ends alone, in one direction. += counts a vertex that is named
+    twice only once (see np.add.at). x is left out, or its own neighbour.
     """
     expected = np.array([[4.5, -10.5], [-7.0, 8.0], [-3.0, 4.0], [10.5, -7.5]])
     assert_close(impl.uniform_laplacian(RHOMBUS, PAIRS), expected)

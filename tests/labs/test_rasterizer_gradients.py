@@ -39,7 +39,8 @@ def corners_of(rng, count):
 @exercise("7.10")
 def test_edges_on_paper(impl):
     """The cross products are in the other order, q_j x q_i. Rows and columns are swapped: corners
-    are columns of M, edges are rows. Edge k is not the one across from vertex k."""
+    are columns of M, edges are rows. Edge k is not the one across from vertex k. Edge 1 alone has
+    the other sign: it is q_2 x q_0, not q_0 x q_2."""
     expected = np.array([[-7.0, -8.0, 18.0], [-1.0, 7.0, -11.0], [3.0, -2.0, -5.0]])
     assert_close(impl.edge_functions(PAPER), expected)
     expected = np.array([[-1.0, -2.0, 4.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
@@ -77,8 +78,8 @@ def test_a_face_seen_from_its_side_has_edges(impl):
 @exercise("7.11")
 def test_nine_gradients_on_paper(impl):
     """A corner has the gradient of one of its two edges alone, as by = for +=. p and q are
-    exchanged, or the order in a cross product. Rows are taken for columns. Edge k is not the one
-    across from corner k."""
+    exchanged, or the order in one or both cross products: a sign. Rows are taken for columns. Edge
+    k is not across from corner k, or edge 1 is not q_2 x q_0."""
     grad_edges = np.array([[1.0, 0.0, 2.0], [3.0, -1.0, 1.0], [-2.0, 1.0, 4.0]])
     # q_1 x g_2 = (2, -20, 6) and g_1 x q_2 = (-8, -7, 17) add up to column 0.
     expected = np.array([[-6.0, 3.0, 1.0], [-27.0, 13.0, 6.0], [23.0, -12.0, -8.0]])
@@ -116,8 +117,9 @@ def test_epsilon_makes_the_sum_larger(impl):
 
 @exercise("7.15")
 def test_the_gradient_of_a_derivative_on_paper(impl):
-    """The change of b or the change of s is left out of grad_c, or c is a constant there. In
-    grad_dc the share of the sum is left out. The division by s, or a sign, is missing."""
+    """The change of b or the change of s is left out of grad_c, or c is a constant there, or dc is
+    not summed. In grad_dc the share of the sum is left out. The division by s, or a sign, is
+    missing. One way counts twice."""
     dc = np.array([[1.0, 3.0], [2.0, -1.0], [5.0, 4.0]])
     c, s = np.array([[1.0, 1.0], [2.0, -4.0], [1.0, 1.0]]), np.array([4.0, -2.0])
     grad_db = np.array([[0.0, 2.0], [16.0, 4.0], [32.0, -6.0]])
@@ -148,8 +150,8 @@ def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon
 
 @exercise("7.17")
 def test_two_planes_on_paper(impl):
-    """M is transposed, z is divided by w, the planes are not divided by the determinant, or its
-    sign is lost."""
+    """M is transposed, or not inverted. z is divided by w. The planes are not divided by the
+    determinant, or its sign is lost."""
     assert_close(impl.depth_planes(DEPTHS, TWO), PLANES)
 
 
@@ -164,7 +166,7 @@ def test_a_plane_has_the_depth_of_its_corners(impl, rng):
 @exercise("7.18")
 def test_a_depth_pulls_at_its_corners_on_paper(impl):
     """grad_z: M^-1 is transposed, or not divided by the determinant. grad_corners: the minus sign,
-    rows and columns, or z in place of the planes."""
+    rows and columns, z or grad_planes in place of the planes."""
     grad_planes = np.array([[1.0, 3.0], [0.25, -2.0], [1.0, 2.0]])
     weights = np.array([[0.625, 1.5], [0.5, 4.5], [0.125, -2.0]])  # M weights = grad_planes
     got = impl.depth_planes_backward(grad_planes, DEPTHS, TWO)

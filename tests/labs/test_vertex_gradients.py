@@ -46,8 +46,8 @@ def shares(m, a):
 
 @exercise("7.1")
 def test_vertices_are_columns(impl):
-    """The vertices stand in the rows of M, the row of ones is missing, has zeros or is not the last
-    one, or x and y are swapped."""
+    """The vertices stand in the rows of M. The row of ones is missing, has zeros or is not the last
+    one. x and y are swapped, or mixed: reshape(2, 3) is no transpose. Or the columns are edges."""
     triangle = np.array([[5.0, 6.0], [7.0, 8.0], [9.0, 10.0]])
     expected = np.array([[5.0, 7.0, 9.0], [6.0, 8.0, 10.0], [1.0, 1.0, 1.0]])
     assert_equal(impl.vertex_matrix(triangle), expected)
@@ -63,8 +63,9 @@ def test_the_determinant_is_twice_the_area(impl):
 
 @exercise("7.3")
 def test_nine_changes_on_paper(impl):
-    """One M^-1 is left out, or both stand on one side. A factor is transposed. The products are
-    elementwise (* for @). It is a finite step, inv(m + dm) - inv(m), and no derivative."""
+    """One M^-1 is left out, or both stand on one side, or M stands there. A factor is transposed. A
+    sign is wrong. The products are elementwise (* for @). It is a finite step, inv(m + dm) -
+    inv(m), and no derivative."""
     m = np.array([[1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 4.0]])
     # M^-1 takes twice row 0 from row 1 of dM, twice column 1 from column 0, and divides by 4.
     dm = np.array([[1.0, 2.0, 3.0], [0.0, 5.0, -1.0], [8.0, -4.0, 12.0]])
@@ -107,9 +108,9 @@ def test_slopes_are_central_differences(impl, m, rng):
 
 @exercise("7.5")
 def test_the_gradients_on_paper(impl):
-    """grad_a: M^-1 r for M^-T r. grad_m: transposed, the sign of the picture's slope, a factor
-    M^-T left out, or r or a in place of grad_a or c. grad_target: the sign. Or f itself is a
-    factor."""
+    """grad_values is not c, M^-1 a. grad_a: M^-1 r for M^-T r. grad_m: transposed, the sign of the
+    picture's slope, r or a in place of grad_a or c. Or its last row is 0: the 1s are no constants.
+    grad_target: the sign. Or f is a factor."""
     got = impl.residual_backward(1.0, VALUES, PAPER, A, 1.5)
     expected = np.array([0.375, 0.5, 0.125]), BY_M, np.array([-2.0, -2.5, 8.0]), -1.0
     assert_close(got, expected)
@@ -137,8 +138,8 @@ def test_the_gradients_of_a_residual_are_central_differences(impl, m, rng):
 @exercise("7.6")
 def test_four_points_on_paper(impl):
     """by_triangle: the minus sign of eq. (4), M^-1 r for M^-T r, x and y swapped, or the weights
-    are left out. by_values: M is transposed, the 1 of a = (x, y, 1) left out, or the values are
-    multiplied in."""
+    are left out. by_values: M is transposed, the 1 of a = (x, y, 1) left out or not last, or the
+    values are multiplied in. Or axes are mixed up, as by reshape: [p, k] is of vertex k."""
     triangle = np.array([[1.0, 2.0], [5.0, 2.0], [1.0, 4.0]])
     points = np.array([[2.0, 3.0], [2.0, 2.5], [3.0, 2.25], [1.5, 3.0]])
     # c_1 = (x - 1) / 4, c_2 = (y - 2) / 2, and c_0 is the rest.
@@ -171,7 +172,8 @@ def test_the_jacobian_is_central_differences(impl, rng, winding):
 @exercise("7.7")
 def test_linear_residuals_vanish_in_one_step(impl):
     """A step along the gradient, -J^T r, without the inverse of J^T J. The sign: the step goes
-    uphill. J^T is left out, or stands for J. Something is added to the diagonal of J^T J."""
+    uphill. J^T is left out, or stands for J. Something is added to the diagonal of J^T J: the step
+    is damped. A mean over the residuals stands for the sum, or a factor 2 or 1/2 is in it."""
     jacobian = np.array([[2.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0],
                          [0.0, 3.0, 1.0, 0.0], [0.0, 0.0, 1.0, 4.0]])
     step = np.array([-2.0, -3.0, 1.0, 0.5])  # J step = (-4, -5, -8, 3)
@@ -205,8 +207,8 @@ def test_of_several_steps_it_is_the_shortest(impl):
 @exercise("7.9")
 def test_the_gradients_of_weights_on_paper(impl):
     """grad_c: the share of the sum s, grad_b . b, is left out, has the wrong sign or takes c for b,
-    or the division by s is missing. Or the inverse is not transposed. grad_m: the sign, a
-    transpose, or b in place of c."""
+    or the division by s is missing. The inverse is not transposed. grad_m: the sign, a
+    transpose, a or b in place of c, a last row of 0. grad_a is returned first."""
     grad_b, a = np.array([4.0, 1.0, 2.0]), np.array([-2.0, 0.5, 1.0])
     # c = (1.25, -1, 0.25), s = 1/2, b = (2.5, -2, 0.5), grad_b . b = 9, grad_c = (-10, -16, -14)
     expected = (np.array([[6.875, -5.5, 1.375], [2.5, -2.0, 0.5], [12.5, -10.0, 2.5]]),

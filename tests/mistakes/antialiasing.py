@@ -271,10 +271,8 @@ def crossing(x0, y0, x1, y1):
 
 
 def crossing(x0, y0, x1, y1):
-    """the crossing is clipped to the edge, between its ends; the line through both goes on
-    beyond"""
-    c = x0 - y0 * (x1 - x0) / (y1 - y0)
-    return np.clip(c, np.minimum(x0, x1), np.maximum(x0, x1))
+    """the two ends are mixed up: it starts from x1, but goes by y0, the height of the other end"""
+    return x1 - y0 * (x1 - x0) / (y1 - y0)
 
 
 def crossing(x0, y0, x1, y1):
@@ -374,6 +372,18 @@ def last_crossing(x, y, w):
     return edge, c[edge, np.arange(len(edge))]
 
 
+def last_crossing(x, y, w):
+    """the edges are numbered by their first corner, from k to k + 1; edge k lies opposite to
+    corner k"""
+    c, above = np.full(x.shape, -np.inf), y * w
+    for k, (i, j) in enumerate(EDGES[2:] + EDGES[:2]):
+        crosses = (above[i] < 0) != (above[j] < 0)
+        crosses &= w[i] * np.abs(above[j]) + w[j] * np.abs(above[i]) > 0
+        c[k, crosses] = crossing(*(corner[crosses] for corner in (x[i], y[i], x[j], y[j])))
+    edge = c.argmax(0)
+    return edge, c[edge, np.arange(len(edge))]
+
+
 def is_blended(c, is_silhouette, x0, y0, x1, y1):
     """every edge is taken for a silhouette"""
     is_steep = np.abs(y1 - y0) >= np.abs(x1 - x0)
@@ -396,6 +406,12 @@ def is_blended(c, is_silhouette, x0, y0, x1, y1):
     """the WINDOW is left out: c may be a little outside of 0 to 1, by less than 1/16"""
     is_steep = np.abs(y1 - y0) >= np.abs(x1 - x0)
     return is_silhouette & is_steep & (c >= 0) & (c <= 1)
+
+
+def is_blended(c, is_silhouette, x0, y0, x1, y1):
+    """abs is left out: the lengths in x and y are absolute values, whatever the edge's direction"""
+    is_steep = y1 - y0 >= x1 - x0
+    return is_silhouette & is_steep & (c > -WINDOW) & (c < 1 + WINDOW)
 
 
 def blend_weight(c):

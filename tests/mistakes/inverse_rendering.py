@@ -105,6 +105,17 @@ def quaternion_product(p, q):
 
 
 def quaternion_product(p, q):
+    """w is taken for the last of the four numbers, (x, y, z, w), in the result, too; it is the
+    first"""
+    px, py, pz, pw = np.moveaxis(p, -1, 0)
+    qx, qy, qz, qw = np.moveaxis(q, -1, 0)
+    return np.stack([pw * qx + px * qw + py * qz - pz * qy,
+                     pw * qy + py * qw + pz * qx - px * qz,
+                     pw * qz + pz * qw + px * qy - py * qx,
+                     pw * qw - px * qx - py * qy - pz * qz], -1)
+
+
+def quaternion_product(p, q):
     """the squares of i, j and k count as +1 in w; they are -1"""
     pw, px, py, pz = np.moveaxis(p, -1, 0)
     qw, qx, qy, qz = np.moveaxis(q, -1, 0)
@@ -266,6 +277,13 @@ def silhouette_loss(coverage, target):
     return 1 - np.minimum(coverage, target).sum() / np.maximum(coverage, target).sum()
 
 
+def silhouette_loss(coverage, target):
+    """coverage and target are rounded to 0 or 1, covered or not; the soft loss takes them as they
+    are"""
+    c, t = coverage > 0.5, target > 0.5
+    return 1 - (c & t).sum() / (c | t).sum()
+
+
 def silhouette_loss_backward(grad_loss, coverage, target):
     """the union is taken for a constant"""
     return grad_loss * -target / (coverage + target - coverage * target).sum()
@@ -290,9 +308,10 @@ def silhouette_loss_backward(grad_loss, coverage, target):
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):
-    """grad_loss is left out: the chain rule multiplies by it"""
+    """the union's derivative is taken for 1; it is 1 - t, as the union c + t - c t has the product
+    c t in it"""
     both, either = (coverage * target).sum(), (coverage + target - coverage * target).sum()
-    return (both / either * (1 - target) - target) / either
+    return grad_loss * (both / either - target) / either
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):
@@ -329,6 +348,15 @@ def uniform_laplacian(positions, edges):
     valence = np.bincount(vertex, minlength=len(positions))[:, None]
     total = np.zeros(positions.shape)
     total[vertex] = positions[neighbour]
+    return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
+
+
+def uniform_laplacian(positions, edges):
+    """each edge counts in one direction only, for its first vertex alone: its second one must see
+    the first, too"""
+    vertex, neighbour = edges.T
+    valence = np.bincount(vertex, minlength=len(positions))[:, None]
+    total = scatter(positions[neighbour], vertex, len(positions))
     return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
 
 

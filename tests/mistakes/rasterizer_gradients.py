@@ -22,6 +22,11 @@ def edge_functions(corners):
     return np.linalg.inv(corners)
 
 
+def edge_functions(corners):
+    """edge 1 has the other sign, it is q_0 x q_2; in cyclic order it is q_2 x q_0"""
+    return np.stack([cross(corners[:, i], corners[:, j]) for i, j in [(1, 2), (0, 2), (0, 1)]])
+
+
 def edge_functions_backward(grad_edges, corners):
     """a corner has the gradient of one of its two edges alone: p gets q x g, q gets nothing"""
     grad_corners = np.zeros(np.shape(corners))

@@ -27,8 +27,8 @@ def vertex_matrix(triangle):
 
 
 def vertex_matrix(triangle):
-    """the columns are edges, differences from vertex 0; they are the vertices themselves"""
-    return np.stack([*(triangle - triangle[0]).T, np.ones(3)])
+    """triangle is reshaped to (2, 3), not transposed: x and y of the vertices are mixed up"""
+    return np.vstack([triangle.reshape(2, 3), np.ones(3)])
 
 
 def inverse_differential(m, dm):
@@ -133,11 +133,14 @@ def residual_backward(grad_f, values, m, a, target):
 
 
 def residual_backward(grad_f, values, m, a, target):
-    """grad_f is counted twice in grad_m: it is in grad_a already"""
+    """the last row of grad_m is set to 0, as if the 1s of M were constants; they are variables,
+    too"""
     inverse = np.linalg.inv(m)
     c = inverse @ a
     grad_a = grad_f * (inverse.T @ values)
-    return grad_f * c, -grad_f * np.outer(grad_a, c), grad_a, -grad_f
+    grad_m = -np.outer(grad_a, c)
+    grad_m[2] = 0
+    return grad_f * c, grad_m, grad_a, -grad_f
 
 
 def residual_backward(grad_f, values, m, a, target):
@@ -222,6 +225,11 @@ def gauss_newton_step(residuals, jacobian):
 def gauss_newton_step(residuals, jacobian):
     """only the diagonal of J^T J is used, as if each unknown were alone"""
     return -(jacobian.T @ residuals) / (jacobian**2).sum(0)
+
+
+def gauss_newton_step(residuals, jacobian):
+    """the step is divided by the number of residuals: a mean stands for the sum, J^T r"""
+    return -np.linalg.lstsq(jacobian, residuals)[0] / len(residuals)
 
 
 def weights_backward(grad_b, m, a):

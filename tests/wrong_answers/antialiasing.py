@@ -592,7 +592,7 @@ def last_crossing(x, y, w):
 def is_blended(c, is_silhouette, x0, y0, x1, y1):
     """no absolute values: only edges that run upwards are steep
 
-    told by: absolute | abs( | upward | downward | direction | run up
+    told by: absolute | abs( | upward | downward | direction | run up | without abs
     """
     steep = (y1 - y0) >= (x1 - x0)
     return is_silhouette & steep & (-WINDOW < c) & (c < 1 + WINDOW)
@@ -624,7 +624,7 @@ def blend(colour, owner, other, alpha):
 def blend(colour, owner, other, alpha):
     """the wrong pixel is changed: other where alpha > 0, owner otherwise
 
-    told by: wrong pixel | exchanged | swapped | other way round | which pixel | owner & other & changed
+    told by: wrong pixel | exchanged | swapped | other way round | which pixel | owner & other & changed | wrong one of the two
     """
     pixels = np.asarray(colour, float).reshape(-1, colour.shape[-1])
     out = pixels.copy()
@@ -652,7 +652,7 @@ def blend(colour, owner, other, alpha):
 def blend_backward(grad_output, colour, owner, other, alpha):
     """grad_colour lacks the identity: the picture's own gradient is not passed through
 
-    told by: identity | own gradient | passed through | starts from 0 | starts with | grad_output & missing
+    told by: identity | own gradient | passed through | starts from 0 | starts with | grad_output & missing | own colour & left out
     """
     flat = colour.reshape(-1, colour.shape[-1]).astype(float)
     g = grad_output.reshape(flat.shape)

@@ -263,7 +263,7 @@ def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8))
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
     """the bias correction counts the steps from 0: n + 1 in place of n
 
-    told by: n + 1 | step + 1 | off by one | counts the steps | one step late | next step
+    told by: n + 1 | step + 1 | off by one | counts the steps | one step late | next step | n is one too large
     """
     b1, b2, eps = constants
     mean = b1 * mean + (1 - b1) * grad_x
@@ -303,7 +303,7 @@ def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8))
 def quaternion_product(p, q):
     """w is taken to be the last of the four numbers, (x, y, z, w)
 
-    told by: (x, y, z, w) | w comes last | scalar last | order of the numbers | w is first | w comes first | scalar & last
+    told by: (x, y, z, w) | w comes last | scalar last | order of the numbers | w is first | w comes first | scalar & last | w is taken for the last
     """
     px, py, pz, pw = np.moveaxis(p, -1, 0)
     qx, qy, qz, qw = np.moveaxis(q, -1, 0)
@@ -332,7 +332,7 @@ def rotation_angle(p, q):
 def silhouette_loss(coverage, target):
     """the intersection over union itself, without the 1 -
 
-    told by: 1 - | one minus | IoU itself | similarity | union itself | not a loss
+    told by: 1 - | one minus | IoU itself | similarity | union itself | not a loss | overlap itself & 1 minus
     """
     both = (coverage * target).sum()
     return both / (coverage + target - coverage * target).sum()
@@ -380,7 +380,7 @@ def silhouette_loss_backward(grad_loss, coverage, target):
 def uniform_laplacian(positions, edges):
     """each edge is used in one direction only, so that its second vertex does not see the first
 
-    told by: one direction | both ways | one way | both ends | either order | second vertex
+    told by: one direction | both ways | one way | both ends | either order | second vertex | one of their ends alone
     """
     v, u = edges.T
     valence = np.bincount(v, minlength=len(positions))[:, None]

@@ -107,7 +107,7 @@ def edge_functions_backward(grad_edges, corners):
 def edge_functions_backward(grad_edges, corners):
     """only the first corner of each edge gets a gradient: the second factor of the cross product is left out
 
-    told by: second factor | only the first | second corner | product rule | both corners | both factors
+    told by: second factor | only the first | second corner | product rule | both corners | both factors | q gets nothing
     """
     q0, q1, q2 = corners[:, 0], corners[:, 1], corners[:, 2]
     g0, g1, g2 = grad_edges

@@ -293,7 +293,7 @@ def residuals_jacobian(values, triangle, points):
 def residuals_jacobian(values, triangle, points):
     """the points' third component is 0, not 1
 
-    told by: third & 0 | homogeneous | append & 1 | third column | missing 1 | last column
+    told by: third & 0 | homogeneous | append & 1 | third column | missing 1 | last column | the 1 of a & left out
     """
     inverse = np.linalg.inv(vertex_matrix(triangle))
     c = points @ inverse[:, :2].T
@@ -332,7 +332,7 @@ def gauss_newton_step(residuals, jacobian):
 def gauss_newton_step(residuals, jacobian):
     """the normal equations are damped with a whole identity matrix, Levenberg-Marquardt, so that the step is too short
 
-    told by: damp | too short | levenberg | regulari | identity | ridge
+    told by: damp | too short | levenberg | regulari | identity | ridge | added to the diagonal
     """
     n = jacobian.shape[1]
     damped = jacobian.T @ jacobian + np.eye(n)
@@ -351,7 +351,7 @@ def gauss_newton_step(residuals, jacobian):
 def weights_backward(grad_b, m, a):
     """grad_M uses the normalised b where eq. (6) has c
 
-    told by: b instead of c | b, not c | normalised b | normalized b | b for c | c is divided
+    told by: b instead of c | b, not c | normalised b | normalized b | b for c | c is divided | grad_m & b in place of c
     """
     inverse = np.linalg.inv(m)
     c = inverse @ a
@@ -365,7 +365,7 @@ def weights_backward(grad_b, m, a):
 def weights_backward(grad_b, m, a):
     """the two results are returned in the other order: grad_a before grad_m
 
-    told by: grad_a & first | grad_a before | exchanged | swapped | order of the results | other order
+    told by: grad_a & first | grad_a before | exchanged | swapped | order of the results | other order | outputs & wrong order
     """
     inverse = np.linalg.inv(m)
     c = inverse @ a
