@@ -49,7 +49,7 @@ def suspected(compared, call, returned):
         return again.shape == expected.shape and np.all(agrees(again, expected))
 
     if not got.any():
-        found = NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
+        return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
     if found is None and known and hasattr(function, "is_repeatable"):
         mistake = mixed_up(function, args, kwargs, is_right)
         sure = known >= ENOUGH and expected.dtype.kind == "f"

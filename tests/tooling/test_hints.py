@@ -235,6 +235,13 @@ def test_outputs_in_the_wrong_order_are_seen():
         "the outputs are in the wrong order", True)
 
 
+def test_what_is_zero_everywhere_gives_no_hint():
+    """That nothing came is seen; "in output 2", and then nothing, is no hint either."""
+    returned = np.arange(1.0, 9), np.zeros(8)
+    compared = mismatch(returned[1], returned[0].copy() + 1).compared
+    assert hints.suspected(compared, (edge, (), {}), returned) == hints.NOTHING
+
+
 def mismatch(got, expected):
     with pytest.raises(Mismatch) as error:
         assert_close(got, expected)
