@@ -240,12 +240,13 @@ def in_a_part(got, expected, wrong, agrees):
     if not np.isfinite(part).all() or not np.isfinite(right).all():
         return
     several = place or len(set(np.abs(right))) > 1  # else any number is a multiple
+    if place and holds(0 * right):
+        yield f"it is zero{place}"
+        return
     place = place or " in all that is wrong"
     if several and holds(-right):
         yield f"the sign is flipped{place}"
-    elif several and holds(0 * right):
-        yield f"it is zero{place}"
-    elif several and len(right) >= 2 and np.all(right):
+    elif several and part.any() and len(right) >= 2 and np.all(right):
         factor = part[0] / right[0]
         if holds(factor * right):
             yield f"it is {factor:.6g} times what was expected{place}"

@@ -399,7 +399,7 @@ def vertex_quadrics(face_quadrics, faces, vertex_count):
 def quadric_error(q, x):
     """takes the square root: the distance instead of the squared distance
 
-    told by: square root | sqrt | root | not squared | distance instead of
+    told by: square root | sqrt | root | not squared | distance, not its square | distance instead of
     """
     v = np.concatenate([x, np.ones(x.shape[:-1] + (1,))], -1)
     return np.sqrt(np.abs(np.einsum("...i,...ij,...j->...", v, q, v)))
