@@ -48,7 +48,7 @@ def suspected(compared, call, returned):
         again = result if place is WHOLE else result[place]
         return again.shape == expected.shape and np.all(agrees(again, expected))
 
-    if not got.any():
+    if not got.any() and got.dtype.kind != "i":
         return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
     if found is None and known and hasattr(function, "is_repeatable"):
         mistake = mixed_up(function, args, kwargs, is_right)

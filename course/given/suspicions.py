@@ -47,7 +47,8 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
     speaking = evidence(got, expected, agrees)
-    told = [*scaled(got, expected, agrees, inputs),
+    told = [*whole_numbers(got, expected),
+            *["it is zero everywhere"] * (not got.any()), *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
             *in_a_part(got, expected, wrong, agrees), *by_index(wrong, inputs)]
@@ -83,8 +84,6 @@ def mistakes(got, expected, picture):
     if picture and expected.ndim >= 2:
         yield from misplaced(expected)
     yield from in_another_order(expected, not picture)
-    if is_numeric(got, expected):
-        yield "it is zero everywhere", 0 * expected
     if got.shape != expected.shape:
         yield from in_another_shape(got, expected)
 
@@ -153,6 +152,13 @@ def distorted(got, expected):
                        expected * size(got, axis=-1, keepdims=True))
 
 
+def whole_numbers(got, expected):
+    """Yield that integers came where fractions were expected."""
+    if got.dtype.kind in "iu" and expected.dtype.kind == "f" and np.any(expected % 1):
+        yield ("these are integers, and fractions were expected: they come from //, int, or an "
+               "array of integers")
+
+
 def scaled(got, expected, agrees, inputs):
     """Yield that all is off by one factor, one summand, or a factor that an input holds."""
     counted = np.count_nonzero(np.isfinite(expected) & (expected != 0))
@@ -214,11 +220,12 @@ def broadcasts(shape, other):
 
 def imprecise(got, expected):
     """Yield that all is nearly right."""
-    if not (got.dtype.kind == expected.dtype.kind == "f" and np.isfinite(expected).all()):
+    if not (got.dtype.kind == expected.dtype.kind in "fc" and np.isfinite(expected).all()):
         return
     error = np.abs(got - expected) / np.abs(expected).max(initial=0)
+    single = np.complex64 if got.dtype.kind == "c" else np.float32
     if np.all(error < DIGITS):
-        if np.all(got == np.float32(got)):
+        if np.all(got == single(got)):
             yield "float32 is not precise enough; compute in float64"
         elif np.median(error) > 1e-11:
             yield ("it is right to seven digits or so: something is computed in float32, or as a "

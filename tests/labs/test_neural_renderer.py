@@ -56,8 +56,8 @@ RIGHT = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])  # c = (1 - x / 4 - y / 2
 @exercise("10.3")
 def test_weights_and_depths_on_paper(impl):
     """Output 1, weight, is multiplied by depth / z, as in space. Output 2, depth, is the mean of z
-    by the weights, or is 1 / z: the reciprocal is left out. x and y are exchanged, M^-1 is
-    transposed, or the point lacks its 1.
+    by the weights, or is 1 / z: the reciprocal is left out. x and y are exchanged, half a pixel is
+    added, M^-1 is transposed, or the point lacks its 1.
     """
     x, y, z = np.array([1.0, 2.0, 1.0, 0.5]), np.array([1.0, 0.5, 0.5, 1.5]), [1.0, 2.0, 4.0]
     got = impl.weights_and_depth(np.stack([inverse_of(RIGHT)] * 4), np.array([z] * 4), x, y)

@@ -527,7 +527,7 @@ def test_each_wave_has_its_factor(impl):
 def test_gradients_of_the_volume_on_paper(impl):
     """The factors of a cross product are exchanged, at all corners or at the middle one: its sign
     is flipped. Only one corner has a gradient, or that of another one, or all have the same, an
-    area vector. The sixth or grad_volume is missing.
+    area vector. np.roll goes over x, y, z. The sixth or grad_volume is missing.
     """
     triangle = np.array([[[3.0, 1.0, 0.0], [0.0, 2.0, 1.0], [1.0, 0.0, 4.0]]])
     expected = np.array([[[16.0, 2.0, -4.0], [-8.0, 24.0, 2.0], [2.0, -6.0, 12.0]]])

@@ -38,6 +38,8 @@ def told(assertion, got, expected, *inputs):
     (assert_close, CORNER[::-1], CORNER, "0 and 1 are exchanged along axis 0"),
     (assert_close, np.tile(CORNER, (2, 1))[::-1] * [[1], [2], [1], [1]],
      np.tile(CORNER, (2, 1)) * [[1], [1], [2], [1]], "the order along axis 0 is reversed"),
+    (assert_close, np.int64(CORNER / 4), CORNER / 4, "these are integers, and fractions were"),
+    (assert_close, np.complex64((CORNER + 1j) / 3), (CORNER + 1j) / 3, "float32 is not precise"),
     (assert_close, CORNER + 1j, CORNER - 1j, "the complex conjugate came"),
     (assert_close, CORNER[:, ::-1], CORNER, "the order along axis 1 is reversed"),
     (assert_close, CORNER[:, [1, 0, 2]], CORNER, "0 and 1 are exchanged along axis 1"),

@@ -332,360 +332,221 @@ def blend_backward(grad_output, colour, owner, other, alpha):
     return grad_pixels.reshape(colour.shape), grad_alpha
 
 
-def blend_backward(grad_output, colour, owner, other, alpha):
-    """grad_alpha is the mean over the channels, not the sum
-
-    told by: mean | average | channel | number of colours | divi & C
-    """
-    c = colour.shape[-1]
-    flat = np.array(colour, float).reshape(-1, c)
-    g = np.array(grad_output, float).reshape(-1, c)
-    at_changed = g[np.where(alpha >= 0, owner, other)]
-    moved = alpha[:, None] * at_changed
-    result = g.copy()
-    np.subtract.at(result, owner, moved)
-    np.add.at(result, other, moved)
-    return result.reshape(colour.shape), ((flat[other] - flat[owner]) * at_changed).mean(-1)
-
-
 def opposite_vertices(faces):
-    """the number of the neighbouring face is returned, not that face's third vertex
+    """edges have a direction: the other face is found only if it runs along the edge the same way round, not backwards
 
-    told by: number of the face | face's number | faces, not vertices | face index | neighbouring face | index of the face
+    told by: direction | directed | same way | orient | wound | sorted | winding | backwards | reverse | from b to a
     """
-    lists = {}
-    for f, face in enumerate(faces.tolist()):
-        for k in range(3):
-            lists.setdefault(frozenset(face[:k] + face[k + 1:]), []).append(f)
-    opposite = np.full(faces.shape, -1)
-    for f, face in enumerate(faces.tolist()):
-        for k in range(3):
-            for g in lists[frozenset(face[:k] + face[k + 1:])]:
+    third = {}
+    for f, face in enumerate(faces):
+        for k, (i, j) in enumerate(EDGES):
+            third.setdefault((face[i], face[j]), []).append((f, face[k]))
+    answer = np.full(faces.shape, -1)
+    for f, face in enumerate(faces):
+        for k, (i, j) in enumerate(EDGES):
+            for g, vertex in third[face[i], face[j]]:
                 if g != f:
-                    opposite[f, k] = g
-    return opposite
+                    answer[f, k] = vertex
+                    break
+    return answer
 
 
 def opposite_vertices(faces):
-    """edges without a neighbour get 0 instead of -1, which is a vertex
+    """the number of the neighbouring face is returned, not its third vertex
 
-    told by: 0 instead of -1 | 0, not -1 | 0 & border | border & -1 | -1 & without | boundary & -1
+    told by: number of the & face | face & instead of & vertex | face's number | faces, not | index of the & face | face & not its | neighbouring face
     """
-    third_at = {}
-    for a, b, c in faces:
-        for p, q, t in ((b, c, a), (c, a, b), (a, b, c)):
-            third_at.setdefault((min(p, q), max(p, q)), []).append(t)
-    out = np.zeros_like(faces)
-    for n, (a, b, c) in enumerate(faces):
-        for k, (p, q, t) in enumerate(((b, c, a), (c, a, b), (a, b, c))):
-            others = [v for v in third_at[min(p, q), max(p, q)] if v != t]
+    found = {}
+    for f, face in enumerate(faces.tolist()):
+        for i, j in EDGES:
+            found.setdefault(frozenset((face[i], face[j])), []).append(f)
+    answer = np.full(faces.shape, -1)
+    for f, face in enumerate(faces.tolist()):
+        for k, (i, j) in enumerate(EDGES):
+            others = [g for g in found[frozenset((face[i], face[j]))] if g != f]
             if others:
-                out[n, k] = others[0]
+                answer[f, k] = others[0]
+    return answer
+
+
+def silhouette_edges(x, y, w, faces, opposite):
+    """an edge without a face across is no silhouette: -1 reads the last vertex
+
+    told by: -1 | last vertex | no face across | border | boundary | open edge | surface ends | without a face
+    """
+    p = np.stack([x, y], 1)
+    out = np.zeros(faces.shape, bool)
+    for k, (i, j) in enumerate(EDGES):
+        a, b = p[faces[:, i]], p[faces[:, j]]
+        mine = edge_function(p[faces[:, k]], a, b) * np.prod(np.sign(w[faces]), 1)
+        turned = np.sign(w[faces[:, i]] * w[faces[:, j]] * w[opposite[:, k]])
+        theirs = edge_function(p[opposite[:, k]], a, b) * turned
+        out[:, k] = (mine < 0) == (theirs < 0)
     return out
 
 
-def opposite_vertices(faces):
-    """where three faces meet at an edge the last other one counts, not the first (fine print)
-
-    told by: three faces | more than two | non-manifold | third face | several faces
-    """
-    sound = [len(set(face)) == 3 for face in faces.tolist()]
-    thirds = {}
-    for ok, face in zip(sound, faces.tolist()):
-        if ok:
-            for k in range(3):
-                thirds.setdefault(frozenset(face) - {face[k]}, []).append(face[k])
-    opposite = np.full(faces.shape, -1)
-    for f, face in enumerate(faces.tolist()):
-        for k in range(3):
-            if sound[f]:
-                for v in thirds[frozenset(face) - {face[k]}]:
-                    if v != face[k]:
-                        opposite[f, k] = v
-    return opposite
-
-
 def silhouette_edges(x, y, w, faces, opposite):
-    """edges without a face across are no silhouettes: -1 is used as an index of the last vertex
+    """the comparison is turned round: an edge folds if the vertices lie on different sides
 
-    told by: -1 & index | last vertex | border | boundary | no face across | surface ends
+    told by: turned round | different sides | other side | both sides | opposite sides | inverted | negated | reversed
     """
-    s = np.sign(w)
-
-    def clockwise(a, b, c):
-        e = (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])
-        return e * s[a] * s[b] * s[c] < 0
-
-    own = clockwise(*faces.T)
-    columns = []
+    p = np.stack([x, y], 1)
+    out = opposite < 0
+    mirrored = np.sign(w)
     for k, (i, j) in enumerate(EDGES):
-        columns.append(clockwise(faces[:, i], faces[:, j], opposite[:, k]) == own)
-    return np.stack(columns, 1)
-
-
-def silhouette_edges(x, y, w, faces, opposite):
-    """only edges where the surface ends count, the folds are left out
-
-    told by: fold | only & border | only & boundary | only & surface ends | only & no face
-    """
-    result = np.zeros(faces.shape, bool)
-    for f in range(len(faces)):
-        for k in range(3):
-            result[f, k] = opposite[f, k] == -1
-    return result
-
-
-def silhouette_edges(x, y, w, faces, opposite):
-    """only counter-clockwise faces get silhouettes, the edges of clockwise ones are left out
-
-    told by: counter-clockwise & only | front | back-facing | back face | clockwise faces | facing
-    """
-    s = np.sign(w)
-    p = np.stack([x, y], -1)
-
-    def ccw(a, b, c):
-        return edge_function(p[a], p[b], p[c]) * s[a] * s[b] * s[c] >= 0
-
-    own = ccw(*faces.T)
-    result = np.zeros(faces.shape, bool)
-    for k, (i, j) in enumerate(EDGES):
-        turned = ccw(opposite[:, k], faces[:, i], faces[:, j])
-        result[:, k] = own & (turned | (opposite[:, k] < 0))
-    return result
-
-
-def silhouette_edges(x, y, w, faces, opposite):
-    """edge k is taken to join vertices k and k + 1, so that the answers stand in the wrong column
-
-    told by: wrong column | edge k & k + 1 | starts at | cyclic | opposite to vertex k | which edge
-    """
-    sgn = np.sign(w)
-    points = np.column_stack([x, y])
-
-    def turns_right(a, b, c):
-        return edge_function(points[a], points[b], points[c]) * sgn[a] * sgn[b] * sgn[c] < 0
-
-    result = opposite < 0
-    own = turns_right(faces[:, 0], faces[:, 1], faces[:, 2])
-    for k in range(3):
-        start, end = faces[:, k], faces[:, (k + 1) % 3]
-        result[:, k] |= turns_right(start, end, opposite[:, k]) == own
-    return result
+        a, b = p[faces[:, i]], p[faces[:, j]]
+        pair = mirrored[faces[:, i]] * mirrored[faces[:, j]]
+        mine = edge_function(p[faces[:, k]], a, b) * pair * mirrored[faces[:, k]] < 0
+        theirs = edge_function(p[opposite[:, k]], a, b) * pair * mirrored[opposite[:, k]] < 0
+        out[:, k] |= mine != theirs
+    return out
 
 
 def neighbour_pairs(face_index, outlined):
-    """both pixels of a pair must be outlined, where one is enough
+    """pixels at the end of a row are paired with the first ones of the next row
 
-    told by: both | one is enough | at least one | and & or | either
+    told by: end of a row | next row | row end | ends of rows | last column | last pixel of | across the row | first pixel | right border | wrap | end of the row
     """
-    h, width = face_index.shape
-    number = np.arange(h * width).reshape(h, width)
-    lr = (face_index[:, :-1] != face_index[:, 1:]) & outlined[:, :-1] & outlined[:, 1:]
-    ud = (face_index[:-1] != face_index[1:]) & outlined[:-1] & outlined[1:]
-    first = np.concatenate([number[:, :-1][lr], number[:-1][ud]])
-    second = np.concatenate([number[:, 1:][lr], number[1:][ud]])
-    return first, second
-
-
-def pair_frame(screen_x, screen_y, owner, other, width):
-    """pixel centres are taken at whole numbers: the half pixel is missing
-
-    told by: half | 0.5 | centre | center | 1/2
-    """
-    dx, dy = pair_step(owner, other, width)
-    x = screen_x - owner % width
-    y = screen_y - owner // width
-    return dx * x + dy * y, np.abs(dy) * x + np.abs(dx) * y
-
-
-def pair_frame(screen_x, screen_y, owner, other, width):
-    """x is always along screen x: for pixels above each other x and y do not change places
-
-    told by: above each other | change places | vertical | exchanged | upper | swapped
-    """
-    dx, dy = pair_step(owner, other, width)
-    s = np.where(owner < other, 1, -1)
-    centre_x, centre_y = owner % width + 0.5, owner // width + 0.5
-    return s * (screen_x - centre_x), screen_y - centre_y
+    w = face_index.shape[1]
+    face, line = face_index.ravel(), outlined.ravel()
+    first, second = [], []
+    for step in (1, w):
+        for n in range(face.size - step):
+            if face[n] != face[n + step] and (line[n] or line[n + step]):
+                first.append(n)
+                second.append(n + step)
+    return np.array(first, int), np.array(second, int)
 
 
 def pair_frame_backward(grad_x, grad_y, owner, other, width):
-    """the sign s is left out, so that pairs whose other pixel comes first have the wrong sign
+    """the sign s is left out: grad_x keeps its sign where the other pixel comes before the owner
 
-    told by: sign | sign s | s = -1 | comes before | comes first | negat
+    told by: sign | s = -1 | before the owner | minus | direction | negative | s & left out | s & missing
     """
-    dx, dy = pair_step(owner, other, width)
-    beside = np.abs(dx) > 0
+    dx, _ = pair_step(owner, other, width)
+    beside = dx != 0
     return np.where(beside, grad_x, grad_y), np.where(beside, grad_y, grad_x)
 
 
 def crossing(x0, y0, x1, y1):
-    """the fraction along the edge is returned, not the x where it crosses
+    """x and y are exchanged: where the line meets x = 0
 
-    told by: fraction | along the edge | parameter | not the x | from 0 to 1
+    told by: x = 0 | x and y | exchanged | swapped | meets the y | y axis | mixed up
     """
-    return y0 / (y0 - y1)
+    slope = (y1 - y0) / (x1 - x0)
+    return y0 - x0 * slope
+
+
+def crossing(x0, y0, x1, y1):
+    """the sign of the correction: x0 + y0 (x1 - x0) / (y1 - y0)
+
+    told by: sign | minus | plus | + y0 | - y0 | mirrored | opposite direction
+    """
+    return x0 + y0 * (x1 - x0) / (y1 - y0)
 
 
 def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
-    """the order of the outputs: both x, then both y, instead of x0, y0, x1, y1
+    """the gradients of y0 and y1 are exchanged
 
-    told by: order & output | order & results | grad_x0, grad_x1 | exchanged | swapped | order & gradients
+    told by: y0 and y1 | grad_y0 and grad_y1 | grad_y0 & grad_y1 | ends & exchanged | ends & swapped | other end
     """
     h = y1 - y0
     r = 1 / (h + np.copysign(epsilon, h))
-    c = (x0 * y1 - x1 * y0) * r
-    g = grad_c * r
-    return g * y1, -g * y0, g * (c - x1), g * (x0 - c)
+    c = r * (x0 * y1 - x1 * y0)
+    by_y0 = grad_c * r * (c - x1)
+    by_y1 = grad_c * r * (x0 - c)
+    return grad_c * r * y1, by_y1, -grad_c * r * y0, by_y0
 
 
 def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
-    """epsilon is added without h's sign, so that with h < 0 it makes 1 / h larger (fine print)
+    """the y1 - y0 below counts as constant: grad_y0 and grad_y1 lack the derivative of the denominator
 
-    told by: epsilon & sign | copysign | h < 0 | epsilon & negative | sign of h | h's sign
-    """
-    r = 1 / (y1 - y0 + epsilon)
-    c = (x0 * y1 - x1 * y0) * r
-    return grad_c * r * y1, grad_c * r * (c - x1), -grad_c * r * y0, grad_c * r * (x0 - c)
-
-
-def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
-    """grad_c is forgotten in the gradients of the ys
-
-    told by: grad_c | chain rule | incoming | upstream | times grad | grad_y0 & multiplied
+    told by: denominator | constant | quotient rule | y1 - y0 & depend | h & depend | r & depend | numerator
     """
     h = y1 - y0
-    r = 1 / (h + np.copysign(epsilon, h))
-    c = (x0 * y1 - x1 * y0) * r
-    return grad_c * r * y1, r * (c - x1), -grad_c * r * y0, r * (x0 - c)
-
-
-def last_crossing(x, y, w):
-    """w is ignored: corners behind the camera are not taken as mirrored (fine print)
-
-    told by: behind the camera | w < 0 | mirror | w is ignored | negative w | y w
-    """
-    c = np.full(x.shape, -np.inf)
-    for k, (i, j) in enumerate(EDGES):
-        crosses = (y[i] < 0) != (y[j] < 0)
-        c[k, crosses] = crossing(x[i, crosses], y[i, crosses], x[j, crosses], y[j, crosses])
-    edge = np.argmax(c, axis=0)
-    return edge, c.max(0)
-
-
-def last_crossing(x, y, w):
-    """the edge is numbered by its first corner: edge k joins corners k and k + 1 instead of lying opposite to corner k
-
-    told by: numbered | opposite to corner | first corner | k + 1 | edge number | which edge
-    """
-    above = y * w
-    c = np.full(x.shape, -np.inf)
-    for k in range(3):
-        i, j = k, (k + 1) % 3
-        crosses = (above[i] < 0) != (above[j] < 0)
-        crosses &= w[i] * np.abs(above[j]) + w[j] * np.abs(above[i]) > 0
-        c[k, crosses] = crossing(x[i][crosses], y[i][crosses], x[j][crosses], y[j][crosses])
-    edge = c.argmax(0)
-    return edge, c[edge, np.arange(len(edge))]
+    r = grad_c / (h + np.copysign(epsilon, h))
+    return r * y1, -r * x1, -r * y0, r * x0
 
 
 def is_blended(c, is_silhouette, x0, y0, x1, y1):
-    """no absolute values: only edges that run upwards are steep
+    """steep is turned round: the edge is longer in x than in y
 
-    told by: absolute | abs( | upward | downward | direction | run up | without abs
+    told by: steep & x | steep & turned | longer in x | flat | steep & exchanged | steep & instead | steep & reversed | x and y | shallow
     """
-    steep = (y1 - y0) >= (x1 - x0)
-    return is_silhouette & steep & (-WINDOW < c) & (c < 1 + WINDOW)
+    flat_enough = abs(x1 - x0) >= abs(y1 - y0)
+    near = (-WINDOW < c) & (c < 1 + WINDOW)
+    return flat_enough & near & is_silhouette
 
 
 def blend_weight(c):
-    """alpha instead of c is clipped to [0, 1], so that it never becomes negative
+    """the sign: alpha = c - 1/2
 
-    told by: clip & alpha | becomes negative | never negative | instead of c | clamp & alpha | c > 1/2
+    told by: sign | c - 1/2 | minus | negative | c - 0.5 | turned round | opposite
+    """
+    return np.minimum(np.maximum(c, 0), 1) - 0.5
+
+
+def blend_weight(c):
+    """the alpha is clipped to [0, 1] instead of c: negative alphas are lost
+
+    told by: negative alpha | alpha & clip | alpha & lost | alpha >= 0 | below 0 | c > 1/2 | clipped & instead of c
     """
     return np.clip(0.5 - c, 0, 1)
 
 
 def blend(colour, owner, other, alpha):
-    """the blends are done one after another and read colours that are already blended
+    """+= with repeated pixels: of several pairs of a pixel only the last counts
 
-    told by: already blended | one after another | before any blend | already changed | sequential | from before
+    told by: repeated | += | np.add.at | several pairs | only the last | last pair | more than one pair | add up | many pairs
     """
-    out = np.array(colour, float).reshape(-1, colour.shape[-1])
-    for p, q, a in zip(owner, other, alpha):
-        change = a * (out[q] - out[p])
-        if a > 0:
-            out[p] += change
-        else:
-            out[q] += change
-    return out.reshape(colour.shape)
+    flat = np.array(colour, float).reshape(-1, colour.shape[-1])
+    mixed = flat.copy()
+    goal = np.where(alpha > 0, owner, other)
+    mixed[goal] += alpha[:, None] * (flat[other] - flat[owner])
+    return mixed.reshape(colour.shape)
 
 
 def blend(colour, owner, other, alpha):
-    """the wrong pixel is changed: other where alpha > 0, owner otherwise
+    """in place: the pairs read colours that earlier pairs have already blended
 
-    told by: wrong pixel | exchanged | swapped | other way round | which pixel | owner & other & changed | wrong one of the two
+    told by: in place | already blended | before any blend | original colour | one after the other | earlier pair | previous pair | reads & changed | already changed
     """
-    pixels = np.asarray(colour, float).reshape(-1, colour.shape[-1])
-    out = pixels.copy()
-    changed = np.where(alpha > 0, other, owner)
-    np.add.at(out, changed, alpha[:, None] * (pixels[other] - pixels[owner]))
-    return out.reshape(colour.shape)
-
-
-def blend(colour, owner, other, alpha):
-    """for alpha <= 0 the difference is turned round, owner - other, though the minus is in alpha already
-
-    told by: difference | owner - other | away from | alpha <= 0 & sign | alpha < 0 & sign | negative alpha
-    """
-    pixels = np.asarray(colour, float).reshape(-1, colour.shape[-1])
-    out = pixels.copy()
-    for n in range(len(alpha)):
-        p, q = owner[n], other[n]
-        if alpha[n] > 0:
-            out[p] += alpha[n] * (pixels[q] - pixels[p])
+    pixels = np.array(colour, float).reshape(-1, colour.shape[-1])
+    for a, b, t in zip(owner, other, alpha):
+        if t > 0:
+            pixels[a] += t * (pixels[b] - pixels[a])
         else:
-            out[q] += alpha[n] * (pixels[p] - pixels[q])
-    return out.reshape(colour.shape)
+            pixels[b] += t * (pixels[b] - pixels[a])
+    return pixels.reshape(colour.shape)
 
 
 def blend_backward(grad_output, colour, owner, other, alpha):
-    """grad_colour lacks the identity: the picture's own gradient is not passed through
+    """the identity is missing: grad_colour lacks grad_output itself
 
-    told by: identity | own gradient | passed through | starts from 0 | starts with | grad_output & missing | own colour & left out
+    told by: identity | grad_output itself | unblended | not in any pair | unchanged pixel | start & grad_output | copy of grad_output | without & grad_output | from zero
     """
-    flat = colour.reshape(-1, colour.shape[-1]).astype(float)
-    g = grad_output.reshape(flat.shape)
-    changed = g[np.where(alpha >= 0, owner, other)]
-    grad_colour = np.zeros(flat.shape)
-    np.add.at(grad_colour, owner, -alpha[:, None] * changed)
-    np.add.at(grad_colour, other, alpha[:, None] * changed)
-    return grad_colour.reshape(colour.shape), (changed * (flat[other] - flat[owner])).sum(1)
+    channels = colour.shape[-1]
+    flat = np.asarray(colour, float).reshape(-1, channels)
+    g = np.asarray(grad_output, float).reshape(-1, channels)
+    at = g[np.where(alpha >= 0, owner, other)]
+    by_colour = np.zeros(flat.shape)
+    np.add.at(by_colour, owner, -alpha[:, None] * at)
+    np.add.at(by_colour, other, alpha[:, None] * at)
+    return by_colour.reshape(colour.shape), (at * (flat[other] - flat[owner])).sum(1)
 
 
 def blend_backward(grad_output, colour, owner, other, alpha):
-    """a pixel in several pairs gets the gradient of one only, for += with an index array
+    """the gradient is always read at the owner, also where alpha < 0 changes the other pixel
 
-    told by: several pairs | twice | np.add.at | more than once | repeated | several times
+    told by: alpha < 0 | negative alpha | always & owner | always the owner | at the owner | other pixel changes | changed pixel | sign of alpha
     """
-    flat = colour.reshape(-1, colour.shape[-1]).astype(float)
-    g = grad_output.reshape(flat.shape)
-    changed = g[np.where(alpha >= 0, owner, other)]
-    grad_colour = g.astype(float)
-    grad_colour[owner] -= alpha[:, None] * changed
-    grad_colour[other] += alpha[:, None] * changed
-    return grad_colour.reshape(colour.shape), np.sum(changed * (flat[other] - flat[owner]), axis=1)
-
-
-def blend_backward(grad_output, colour, owner, other, alpha):
-    """grad_alpha is the mean over the channels, not the sum
-
-    told by: mean | channels | averag | not the sum
-    """
-    flat = np.asarray(colour, float).reshape(-1, colour.shape[-1])
-    g = np.asarray(grad_output, float).reshape(flat.shape)
-    changed = g[np.where(alpha >= 0, owner, other)]
-    grad_colour = g.copy()
-    np.add.at(grad_colour, owner, -alpha[:, None] * changed)
-    np.add.at(grad_colour, other, alpha[:, None] * changed)
-    return grad_colour.reshape(colour.shape), (changed * (flat[other] - flat[owner])).mean(-1)
+    channels = colour.shape[-1]
+    flat = np.asarray(colour, float).reshape(-1, channels)
+    g = np.asarray(grad_output, float).reshape(-1, channels)
+    by_colour = g.copy()
+    by_alpha = np.zeros(len(alpha))
+    for n, (a, b) in enumerate(zip(owner, other)):
+        by_alpha[n] = g[a] @ (flat[b] - flat[a])
+        by_colour[a] -= alpha[n] * g[a]
+        by_colour[b] += alpha[n] * g[a]
+    return by_colour.reshape(colour.shape), by_alpha

@@ -140,85 +140,82 @@ def catmull_clark_limit_rows(edges, is_boundary, quads, n):
 
 
 def catmull_clark_slow(vertices, corners, counts):
-    """the points are returned in another order: old vertices, face points, edge points
+    """R is the mean of the neighbours, it should be the mean of the edges' middles
 
-    told by: order & points | edge points & face points & exchang | face points & before | edges & then & faces | face points & last
+    told by: middle | midpoint | mean & neighbour | mean of the ring | edges' | edge & mean & neighbour
     """
     faces = polygons(corners, counts)
     at_edge = faces_at_edges(corners, counts)
-    V, F, E = len(vertices), len(faces), len(at_edge)
-    out = np.zeros((V + F + E, vertices.shape[1]))
-    for f, face in enumerate(faces):
-        out[V + f] = sum(vertices[v] for v in face) / len(face)
-    for v in range(V):
-        ring, along = ring_of(v, at_edge)
+    centre = np.array([vertices[face].mean(0) for face in faces])
+    moved = vertices.astype(float).copy()
+    for v in range(len(vertices)):
+        ring, rim = ring_of(v, at_edge)
         n = len(ring)
-        if along:
-            out[v] = 3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0)
+        if len(rim) == 2:
+            moved[v] = 0.75 * vertices[v] + 0.125 * (vertices[rim[0]] + vertices[rim[1]])
         elif n > 0:
-            around = [V + f for f in range(F) if v in faces[f]]
-            R = (vertices[v] + vertices[ring].mean(0)) / 2
-            out[v] = (out[around].mean(0) + 2 * R + (n - 3) * vertices[v]) / n
+            F = np.mean([centre[f] for f, face in enumerate(faces) if v in face], axis=0)
+            R = np.mean([vertices[other] for other in ring], axis=0)
+            moved[v] = (F + 2 * R + (n - 3) * vertices[v]) / n
+    middle = []
+    for (a, b), owners in at_edge:
+        if len(owners) == 1:
+            middle.append((vertices[a] + vertices[b]) / 2)
         else:
-            out[v] = vertices[v]
-    for e, (edge, its_faces) in enumerate(at_edge):
-        ends = vertices[list(edge)].sum(0)
-        if len(its_faces) == 2:
-            out[V + F + e] = (ends + out[V + its_faces[0]] + out[V + its_faces[1]]) / 4
+            middle.append((vertices[a] + vertices[b] + centre[owners[0]] + centre[owners[1]]) / 4)
+    return np.concatenate([moved, middle, centre])
+
+
+def catmull_clark_slow(vertices, corners, counts):
+    """every inner vertex is treated as if its valence were 4: (F + 2 R + v) / 4
+
+    told by: valence | n - 3 | n = 4 | regular | extraordinary | number of neighbours
+    """
+    faces = polygons(corners, counts)
+    at_edge = faces_at_edges(corners, counts)
+    centre = np.stack([vertices[face].mean(0) for face in faces])
+    moved = []
+    for v, x in enumerate(vertices):
+        ring, rim = ring_of(v, at_edge)
+        if rim:
+            moved.append(x * 6 / 8 + vertices[rim].sum(0) / 8)
+        elif ring:
+            F = centre[[f for f in range(len(faces)) if v in faces[f]]].mean(0)
+            R = (x + vertices[ring].mean(0)) / 2
+            moved.append((F + 2 * R + x) / 4)
         else:
-            out[V + F + e] = ends / 2
-    return out
+            moved.append(x)
+    middle = [vertices[list(e)].mean(0) if len(owners) == 1 else
+              (vertices[list(e)].mean(0) + centre[owners].mean(0)) / 2 for e, owners in at_edge]
+    return np.concatenate([moved, middle, centre])
 
 
-def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
-    """the face points' columns do not begin after the old vertices: vertex_count is not added
+def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
+    """each pull is 1/n, it should be 1/n^2
 
-    told by: vertex_count | column & face point | not added | offset | after the old vertices
+    told by: n^2 | n squared | square of n | 1/n | n**2 | n times too | square of the valence | factor n
     """
-    is_boundary = on_boundary(corner_edge)
-    every = np.arange(len(edges))
-    k = np.where(is_boundary, 1 / 2, 1 / 4)
-    inside = ~is_boundary[corner_edge]
-    face = face_of_corner(counts)[inside]
-    return join((every, edges[:, 0], k), (every, edges[:, 1], k),
-                (corner_edge[inside], face, np.full(len(face), 1 / 4)))
+    u = 1 / np.maximum(n, 1)
+    rim = np.zeros(len(n), bool)
+    rim[edges[is_boundary]] = True
+    free = ~rim[corners]
+    column = len(n) + face_of_corner(counts)
+    return join(vertex_rows(edges, is_boundary, u, 1 / 8),
+                pull_entries(corners[free], column[free], u[corners[free]]))
 
 
-def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
-    """boundary edges have the weights of inner ones: 1/4 for the ends and for the one face point
+def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
+    """the edges ahead and behind are exchanged, so the quads are wound the other way round
 
-    told by: boundary & 1/4 | boundary & 1/2 | boundary & half | boundary & face point | boundary & inner | 3/4
+    told by: ahead & behind | ahead | behind | wound | winding | reverse | clockwise | orientation
     """
-    rows, columns = [], []
-    for e in range(len(edges)):
-        rows += [e, e]
-        columns += [edges[e, 0], edges[e, 1]]
     face = face_of_corner(counts)
-    for c in range(len(corner_edge)):
-        rows.append(corner_edge[c])
-        columns.append(vertex_count + face[c])
-    return np.array(rows), np.array(columns), np.full(len(rows), 1 / 4)
-
-
-def catmull_clark_limit_rows(edges, is_boundary, quads, n):
-    """a quad's neighbouring corner is taken for the diagonal one: rolled by 1 instead of 2
-
-    told by: diagonal & neighbour | roll & 1 | next corner | opposite corner | two corners | diagonal & adjacent
-    """
-    u = 1 / (np.maximum(n, 1) * (n + 5))
-    inside = ~np.isin(quads, edges[is_boundary])
-    across = np.roll(quads, 1, axis=1)
-    return join(vertex_rows(edges, is_boundary, 4 * u, 1 / 6),
-                pull_entries(quads[inside], across[inside], u[quads[inside]]))
-
-
-def catmull_clark_limit_rows(edges, is_boundary, quads, n):
-    """the neighbours' factor 4 is missing
-
-    told by: factor 4 | 4 sum(ring) | 4 times | neighbour & 4 | ring & 4 | four times
-    """
-    safe = np.maximum(n, 1)
-    u = 1 / (safe * (safe + 5))
-    inside = ~np.isin(quads, edges[is_boundary])
-    start, end = quads[inside], quads[:, [2, 3, 0, 1]][inside]
-    return join(vertex_rows(edges, is_boundary, u, 1 / 6), pull_entries(start, end, u[start]))
+    edge_count = corner_edge.max() + 1
+    start = np.cumsum(counts) - counts
+    quads = []
+    for k, corner in enumerate(corners):
+        f = face[k]
+        previous = start[f] + (k - start[f] - 1) % counts[f]
+        quads.append([corner, vertex_count + corner_edge[previous],
+                      vertex_count + edge_count + f, vertex_count + corner_edge[k]])
+    return np.array(quads)

@@ -23,21 +23,19 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 
 
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """pops the heap without has_cheapest, so entries that are out of date are collapsed
+    """refused is indexed by the reason itself: the reasons begin at 1, the places at 0
 
-    told by: has_cheapest | out of date | outdated | stale | up to date | lazy | old entries
+    told by: reason - 1 | refused & place | refused & index | begin at 1 | off by one | refused & shifted | refused & reason | out of bounds | from 1
     """
     state = start(vertices, faces, quadrics, pairs)
     left, refused = len(faces), np.zeros(3, int)
-    while left > face_count and state.heap:
-        entry = heapq.heappop(state.heap)
-        _, a, b, _, place = entry
-        if state.became[a] != a or state.became[b] != b:
-            continue
-        reason = why_refused(state.vertices, rows_around(state, a, b), a, b, np.array(place))
-        if reason:
-            refused[reason - 1] += 1
-            wait(state, entry)
+    while left > face_count and has_cheapest(state):
+        top = heapq.heappop(state.heap)
+        a, b, place = top[1], top[2], np.array(top[4])
+        why = why_refused(state.vertices, rows_around(state, a, b), a, b, place)
+        if why == 0:
+            left -= collapse(state, top)
         else:
-            left -= collapse(state, entry)
+            refused[why] += 1
+            wait(state, top)
     return state.vertices, open_faces(state), refused

@@ -224,213 +224,201 @@ def volume_render_backward(grad_output, density, colour, spacing, background):
     return spacing * (passed * along - front), weights[..., None] * grad_output[:, None]
 
 
-def box(points, half_size):
-    """half_size is taken for the whole side: it is halved once more
+def smooth_union(a, b, k):
+    """the factor k is left out of k h^2 / 4
 
-    told by: whole side | half_size / 2 | half | full size | twice
+    told by: factor & k | k h | times k | without k | k is left out | missing & k | multipl & k
     """
-    d = np.abs(points) - half_size / 2
-    return np.linalg.norm(np.maximum(d, 0), axis=-1) + np.minimum(d.max(-1), 0)
-
-
-def box_backward(grad_distance, points, half_size):
-    """the sign of the points is forgotten: on the negative side the gradient points inwards
-
-    told by: sign | negative side | negative coordinate | absolute | abs( | inwards
-    """
-    beyond = np.abs(points) - half_size
-    side = np.arange(3) == beyond.argmax(-1)[..., None]
-    out = beyond.max(-1, keepdims=True) > 0
-    return grad_distance[..., None] * np.where(out, unit(np.maximum(beyond, 0)), side)
-
-
-def box_backward(grad_distance, points, half_size):
-    """inside there is no gradient: only the outside part was differentiated
-
-    told by: inside | zero within | outside part | interior
-    """
-    beyond = np.maximum(np.abs(points) - half_size, 0)
-    length = np.linalg.norm(beyond, axis=-1, keepdims=True)
-    return grad_distance[..., None] * np.sign(points) * beyond / np.where(length > 0, length, 1)
-
-
-def box_backward(grad_distance, points, half_size):
-    """fine print: np.sign is 0 where a coordinate is 0, so the normal there has length 0 instead of the positive side's
-
-    told by: np.sign | sign of 0 | sign(0) | coordinate is 0 | coordinate 0 | positive & opposite | two opposite | middle plane
-    """
-    beyond = np.abs(points) - half_size
-    nearest = np.eye(3)[beyond.argmax(-1)]
-    outside = beyond.max(-1)[..., None] > 0
-    slope = np.where(outside, unit(np.maximum(beyond, 0)), nearest)
-    return grad_distance[..., None] * np.sign(points) * slope
-
-
-def torus(points, radius, tube):
-    """the ring is around the z axis, in the plane z = 0
-
-    told by: z axis | z = 0 | y axis | y = 0 | wrong axis | around the | y and z
-    """
-    ring = np.hypot(points[..., 0], points[..., 1]) - radius
-    return np.hypot(ring, points[..., 2]) - tube
-
-
-def torus(points, radius, tube):
-    """radius and tube are exchanged
-
-    told by: exchanged | swapped | interchanged | tube & place of & radius | mixed up
-    """
-    ring = np.hypot(points[..., 0], points[..., 2]) - tube
-    return np.hypot(ring, points[..., 1]) - radius
-
-
-def torus_backward(grad_distance, points, radius, tube):
-    """fine print: on the y axis and on the circle in the middle of the tube it divides by 0: nan
-
-    told by: nan | divi & by 0 | divides by zero | y axis | middle of the tube
-    """
-    x, y, z = points[..., 0], points[..., 1], points[..., 2]
-    r = np.sqrt(x**2 + z**2)
-    u = r - radius
-    d = np.sqrt(u**2 + y**2)
-    g = np.stack([u / d * x / r, y / d, u / d * z / r], -1)
-    return grad_distance[..., None] * g
+    h = np.clip(1 - np.abs(a - b) / k, 0, None)
+    return np.minimum(a, b) - h * h / 4
 
 
 def smooth_union(a, b, k):
-    """h is not clipped at 0: far from the seam the distances are changed too
+    """h is not kept at 0 or more: far from the seam its square grows again
 
-    told by: clip | negative | max(0 | maximum | far from the seam | below 0 | outside the seam | a - b & larger than k
+    told by: max( | maximum | clip | negative | below 0 | far from the seam | at least 0
     """
     h = 1 - np.abs(a - b) / k
-    return np.minimum(a, b) - k * h * h / 4
+    return np.where(a < b, a, b) - k * h**2 / 4
 
 
-def smooth_union_backward(grad_distance, a, b, k):
-    """the larger gets h / 2, but the smaller still gets all: the shares sum to more than grad_distance
+def smooth_union(a, b, k):
+    """k h^2 / 4 is added instead of subtracted, so that the seam is cut out, not filled
 
-    told by: their sum | sum to | more than | smaller & 1 - h | add up | h/2 & smaller
+    told by: sign | added | plus | subtract | minus | not filled
     """
     h = np.maximum(1 - np.abs(a - b) / k, 0)
-    return (grad_distance * np.where(a < b, 1.0, h / 2),
-            grad_distance * np.where(a < b, h / 2, 1.0))
+    return np.minimum(a, b) + k * h**2 / 4
 
 
-def sphere_trace(origins, directions, shape, far,
-                 lipschitz=1.0, epsilon=1e-5, most=200):
-    """a ray that is used up after most evaluations counts as a hit where it stands, not as a miss
+def sphere_trace(origins, directions, shape, far, lipschitz=1.0, epsilon=1e-5, most=200):
+    """rays that have hit or missed are counted on: every ray gets the number of rounds
 
-    told by: `most` | most evaluations | used up | ran out | runs out | limit & evaluations | after & evaluations
+    told by: finished | evaluations & same | all rays | rays & done | number of rounds | already | stop & count
     """
-    n = len(origins)
-    t, evaluations = np.zeros(n), np.zeros(n, int)
-    for i in range(n):
-        while evaluations[i] < most:
-            s = signed_distance(origins[i] + t[i] * directions[i], shape)
-            evaluations[i] += 1
+    t = np.zeros(len(origins))
+    hit, missed = np.zeros(len(origins), bool), np.zeros(len(origins), bool)
+    rounds = 0
+    while rounds < most and not (hit | missed).all():
+        s = signed_distance(origins + t[:, None] * directions, shape)
+        rounds += 1
+        going = ~(hit | missed)
+        hit |= going & (s < epsilon)
+        going &= ~hit
+        t[going] += s[going] / lipschitz
+        missed |= going & (t > far)
+    return np.where(hit, t, np.inf), np.full(len(origins), rounds)
+
+
+def sphere_trace(origins, directions, shape, far, lipschitz=1.0, epsilon=1e-5, most=200):
+    """the step is the whole distance, not divided by the Lipschitz number
+
+    told by: lipschitz | s / l | divided by l | step & too long | too far & step | overshoot
+    """
+    t, count = np.full(len(origins), np.inf), np.zeros(len(origins), int)
+    for ray, (o, d) in enumerate(zip(origins, directions)):
+        at = 0.0
+        while count[ray] < most and at <= far:
+            s = signed_distance(o + at * d, shape)
+            count[ray] += 1
             if s < epsilon:
+                t[ray] = at
                 break
-            t[i] += s / lipschitz
-            if t[i] > far:
-                t[i] = np.inf
-                break
-    return t, evaluations
+            at += s
+    return t, count
 
 
-def sphere_trace(origins, directions, shape, far,
-                 lipschitz=1.0, epsilon=1e-5, most=200):
-    """a miss keeps the t where it left, and does not get np.inf
+def sphere_trace(origins, directions, shape, far, lipschitz=1.0, epsilon=1e-5, most=200):
+    """a ray that misses gets the t at which it stopped instead of np.inf
 
-    told by: np.inf | misses & inf | missed & inf | beyond far | a miss
+    told by: np.inf | miss & stopped | misses | no hit | not hit
     """
-    n = len(origins)
-    t = np.zeros(n)
-    evaluations = np.zeros(n, dtype=int)
-    active = np.ones(n, bool)
-    for _ in range(most):
-        k = np.flatnonzero(active)
-        if len(k) == 0:
-            break
-        s = signed_distance(origins[k] + t[k, None] * directions[k], shape)
-        evaluations[k] += 1
-        go_on = s >= epsilon
-        t[k[go_on]] += s[go_on] / lipschitz
-        active[k] = go_on & (t[k] <= far)
-    return t, evaluations
-
-
-def sphere_trace(origins, directions, shape, far,
-                 lipschitz=1.0, epsilon=1e-5, most=200):
-    """a hit is where |s| < epsilon: a ray that begins inside is not stopped and walks backwards
-
-    told by: abs( | absolute | inside | negative | backwards | begins within
-    """
-    n = len(origins)
-    t, evaluations = np.zeros(n), np.zeros(n, int)
-    hit = np.zeros(n, bool)
-    active = np.arange(n)
+    t, evaluations = np.zeros(len(origins)), np.zeros(len(origins), int)
+    active = np.arange(len(origins))
     for _ in range(most):
         s = signed_distance(origins[active] + t[active, None] * directions[active], shape)
         evaluations[active] += 1
-        close = np.abs(s) < epsilon
-        hit[active[close]] = True
-        active, s = active[~close], s[~close]
-        t[active] += s / lipschitz
+        on = s >= epsilon
+        active = active[on]
+        t[active] += s[on] / lipschitz
         active = active[t[active] <= far]
-    return np.where(hit, t, np.inf), evaluations
-
-
-def sphere_trace(origins, directions, shape, far,
-                 lipschitz=1.0, epsilon=1e-5, most=200):
-    """t is replaced by the last step instead of adding it up
-
-    told by: add & step | adding | sum of the steps | replaced | accumulat | t + s | from the origin
-    """
-    n = len(origins)
-    t, evaluations = np.zeros(n), np.zeros(n, int)
-    result = np.full(n, np.inf)
-    for i in range(n):
-        for _ in range(most):
-            s = signed_distance(origins[i] + t[i] * directions[i], shape)
-            evaluations[i] += 1
-            if s < epsilon:
-                result[i] = t[i]
-                break
-            t[i] = s / lipschitz
-            if t[i] > far:
-                break
-    return result, evaluations
+    return t, evaluations
 
 
 def ray_weights(density, spacing):
-    """fine print: the sum before a sample is the whole sum less the last term, which cancels behind a dense wall
+    """T_i includes the sample itself, the sum should end before i
 
-    told by: cancel | less & last | minus & term | wall | subtract | difference of | rounding | precision
+    told by: itself | j < i | own density | one too far | inclusive | shifted by one | up to and
+    """
+    thickness = density * spacing
+    T = np.exp(-np.cumsum(thickness, axis=1))
+    return T * (1 - np.exp(-thickness)), T[:, -1]
+
+
+def ray_weights(density, spacing):
+    """T_end lacks the last sample: it is the light that arrives at the last one, not what passes all
+
+    told by: last sample | t_end | remaining & last | all samples | passes them all | behind the last
+    """
+    rays, n = density.shape
+    weights, T = np.zeros((rays, n)), np.ones(rays)
+    for i in range(n):
+        arrives = T
+        tau = density[:, i] * spacing[:, i]
+        weights[:, i] = arrives * (1 - np.exp(-tau))
+        T = arrives * np.exp(-tau)
+    return weights, arrives
+
+
+def ray_weights(density, spacing):
+    """the sum runs over the rays instead of along each ray
+
+    told by: axis | over the rays | other rays | along & ray | different rays | across
     """
     tau = density * spacing
-    before = np.cumsum(tau, axis=-1) - tau
-    weights = np.exp(-before) * (1 - np.exp(-tau))
-    return weights, np.exp(-tau.sum(-1))
+    through = np.exp(-np.cumsum(tau, 0))
+    front = np.vstack([np.ones((1, tau.shape[1])), through[:-1]])
+    return front * -np.expm1(-tau), np.exp(-tau.sum(1))
 
 
 def volume_render_backward(grad_output, density, colour, spacing, background):
-    """the own share is T before the sample times the colour, not T behind it: exp(-tau) is missing
+    """the background is left out of what lies behind a sample
 
-    told by: before & sample | behind & sample | t_i | t_(i+1) | exp(-tau) | exp(- | in front of | off by one | transmittance
+    told by: background | t_end | passes all samples | passes them all
     """
-    weights, remaining = ray_weights(density, spacing)
+    weights, _ = ray_weights(density, spacing)
+    along = (colour * grad_output[:, None]).sum(-1)
+    seen = weights * along
+    behind = np.cumsum(seen[:, ::-1], 1)[:, ::-1] - seen
+    passed = np.exp(-np.cumsum(density * spacing, 1))
+    return spacing * (passed * along - behind), weights[..., None] * grad_output[:, None]
+
+
+def volume_render_backward(grad_output, density, colour, spacing, background):
+    """grad_density lacks the factor spacing: this is the gradient of tau
+
+    told by: spacing | tau | delta | chain rule | length of
+    """
+    weights, rest = ray_weights(density, spacing)
+    rays, n = density.shape
+    grad = np.zeros((rays, n))
+    for r in range(rays):
+        behind = rest[r] * (grad_output[r] @ background)
+        for i in range(n - 1, -1, -1):
+            value = colour[r, i] @ grad_output[r]
+            passed = np.exp(-(density[r, :i + 1] * spacing[r, :i + 1]).sum())
+            grad[r, i] = passed * value - behind
+            behind += weights[r, i] * value
+    return grad, weights[..., None] * grad_output[:, None]
+
+
+def volume_render_backward(grad_output, density, colour, spacing, background):
+    """a sample's own weight changes by T_i, the light before it, instead of by T_(i+1) behind it
+
+    told by: t_(i+1) | own weight | before & sample | behind the sample | arrives | passed
+    """
+    weights, rest = ray_weights(density, spacing)
+    thickness = density * spacing
+    before = np.exp(thickness - np.cumsum(thickness, 1))
     along = np.einsum("rnc,rc->rn", colour, grad_output)
-    seen = np.concatenate([weights * along, (remaining * (grad_output @ background))[:, None]], -1)
-    behind = np.cumsum(seen[:, :0:-1], -1)[:, ::-1]
-    T = np.exp(-np.cumsum(density * spacing, -1))
-    before = np.concatenate([np.ones((len(T), 1)), T[:, :-1]], 1)
+    everything = np.column_stack([weights * along, rest * (grad_output @ background)])
+    behind = np.cumsum(everything[:, ::-1], 1)[:, ::-1][:, 1:]
     return spacing * (before * along - behind), weights[..., None] * grad_output[:, None]
 
 
-def smooth_union(a, b, k):
-    """a is taken for the smaller distance: a - k h^2 / 4 and not min(a, b) - k h^2 / 4
+def box(points, half_size):
+    """inside the distance is 0: the negative part is left out
 
-    told by: min(a, b) | smaller | minimum | nearer | always a | only a
+    told by: inside & 0 | inside & negative | inside the box | below 0 | nearest side
+    """
+    return np.sqrt((np.maximum(np.abs(points) - half_size, 0)**2).sum(-1))
+
+
+def torus(points, radius, tube):
+    """the ring lies around the z axis, in the plane z = 0, instead of around the y axis
+
+    told by: z axis | y axis | plane z | plane y | y and z | exchanged | swapped
+    """
+    ring = np.sqrt(points[..., 0]**2 + points[..., 1]**2) - radius
+    return np.sqrt(ring**2 + points[..., 2]**2) - tube
+
+
+def smooth_union_backward(grad_distance, a, b, k):
+    """the shares of a and b are exchanged: the larger distance gets the larger share
+
+    told by: exchang | swap | mixed up | larger distance | smaller & gets | nearer
     """
     h = np.maximum(1 - np.abs(a - b) / k, 0)
-    return a - k * h**2 / 4
+    to_a = np.where(a > b, 1 - h / 2, h / 2)
+    return to_a * grad_distance, (1 - to_a) * grad_distance
+
+
+def box_backward(grad_distance, points, half_size):
+    """the side of the box is not looked at: on the negative side the gradient points inward
+
+    told by: sign & coordinate | negative side | sign of the point | negative coordinate | points & negative | inward | absolute
+    """
+    beyond = np.abs(points) - half_size
+    side = np.eye(3)[beyond.argmax(-1)]
+    out = beyond.max(-1)[..., None] > 0
+    return grad_distance[..., None] * np.where(out, unit(np.maximum(beyond, 0)), side)

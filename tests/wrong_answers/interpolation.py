@@ -276,257 +276,174 @@ def interpolate_derivatives_backward(grad_output, attributes, faces, face_index,
 
 
 def fraction_in_space(t, w_0, w_1):
-    """w_0 and w_1 are exchanged, which is the way from space to the screen
+    """the answer is 1 - q: the fraction is counted from the other end, with w_1 over the sum at t
 
-    told by: exchanged | swapped | w_1 instead of w_0 | space to & screen | inverse | mixed up | wrong way
+    told by: 1 - q | other end | from corner 1 | ends & exchanged | ends & swapped | reversed | complement
     """
-    near = t * w_1
-    far = (1 - t) * w_0
+    near = (1 - t) * w_1
+    far = t * w_0
     return near / (near + far)
 
 
 def fraction_in_space(t, w_0, w_1):
-    """the fraction is counted from corner 1: 1 - q is returned
+    """multiplied by w where one must divide: t w_1 / (t w_1 + (1 - t) w_0), w_0 and w_1 exchanged
 
-    told by: 1 - q | from corner 1 | other end | reversed | 0 at corner 1 | 1 at corner 0 | wrong end
+    told by: w_0 and w_1 & exchanged | w_0 and w_1 & swapped | w_1 & instead of w_0 | w_0 & instead of w_1 | mixed up & w | w_0 & w_1 & interchanged
     """
-    a = (1 - t) * w_1
-    b = t * w_0
-    return a / (a + b)
-
-
-def fraction_in_space(t, w_0, w_1):
-    """w_0 and w_1 are exchanged in the denominator only
-
-    told by: denominator | divisor | divided by lerp | lerp & exchanged | lerp & swapped
-    """
-    return t * w_0 / lerp(w_0, w_1, t)
-
-
-def fraction_in_space(t, w_0, w_1):
-    """the denominator is w_0 + w_1 without the weights t and 1 - t
-
-    told by: w_0 + w_1 | sum of & w | not weighted | without the weights | without t | denominator | factor & 1 - t & left out
-    """
-    return t * w_0 / (w_0 + w_1)
+    top = t * w_1
+    bottom = top + (1 - t) * w_0
+    return top / bottom
 
 
 def fraction_in_space_backward(grad_q, t, w_0, w_1):
-    """the gradient of w_1 has the wrong sign
+    """the v in grad_w_0 and grad_w_1 is taken as constant: only the numerator t w_0 is differentiated for w_0
 
-    told by: w_1 & sign | w_1 & negative | w_1 & minus | w_1 & opposite
+    told by: denominator & constant | numerator only | only the numerator | quotient rule & w_0 | denominator & also | denominator & depends
     """
-    v = lerp(w_1, w_0, t)
-    g = grad_q / (v * v)
-    both = t * (1 - t) * g
-    return g * w_0 * w_1, both * w_1, both * w_0
+    below = t * w_0 + (1 - t) * w_1
+    by_t = grad_q * w_0 * w_1 / below**2
+    by_w_0 = grad_q * t / below
+    by_w_1 = -grad_q * t * (1 - t) * w_0 / below**2
+    return by_t, by_w_0, by_w_1
 
 
 def corrected_barycentrics(e, w):
-    """e is multiplied by w instead of divided by it
+    """the sum goes over all pixels, not only over the three weights of one pixel
 
-    told by: multipl | times w | e w | not divided by w | e_k w_k
+    told by: all pixels | whole array | sum & axis | last axis | each pixel & own sum | over everything | without an axis
     """
-    n = e * w
-    return n / n.sum(axis=-1, keepdims=True)
+    over_w = e / w
+    return over_w / np.sum(over_w)
 
 
 def corrected_barycentrics(e, w):
-    """the sum is along the first axis, over the pixels, instead of along the last
+    """the weights are multiplied by w instead of divided
 
-    told by: first axis | axis 0 | last axis | wrong axis | over the pixels | axis
+    told by: multipl & w | times w | e w & instead | divide & w & instead | e * w | multipl & instead
     """
-    n = e / w
-    total = n.sum(0)
-    return n / total
-
-
-def corrected_barycentrics(e, w):
-    """negative weights are set to 0, although a point beside the face has them
-
-    told by: negative | clip | below 0 | beside the face | outside the face
-    """
-    n = np.maximum(e / w, 0)
-    return n / n.sum(-1, keepdims=True)
+    product = e * w
+    return product / np.sum(product, axis=-1, keepdims=True)
 
 
 def normalize_backward(grad_b, b, s, axis=0):
-    """the axis is ignored, the sum is always along the first one
+    """the term for the sum s is left out: grad_b / s alone
 
-    told by: axis | along the first | always 0
+    told by: s & constant | through the sum | through s | sum & left out | sum & missing | sum & forgot | grad_b / s | second term
     """
-    mixed = sum(g * weight for g, weight in zip(grad_b, b))
-    return (grad_b - mixed) / s
+    return grad_b / s
 
 
 def normalize_backward(grad_b, b, s, axis=0):
-    """b is taken to sum to 1, which is not so in lab 7, where s is more than the sum of n (fine print)
+    """transposed: grad_b_k times the sum of b is subtracted, where b_k belongs to the sum with grad_b: b (sum grad_b) for sum (grad_b b)
 
-    told by: sum to 1 | sums to 1 | lab 7 | small constant | sum to less | sum of b | add up to 1
+    told by: sum of grad_b | sum grad_b | transpos | forward & instead | derivative & forward | grad_b . b | grad_b * b | b times the sum
     """
-    total = b.sum(axis, keepdims=True)
-    return (grad_b * total - (grad_b * b).sum(axis, keepdims=True)) / s
+    everything = np.sum(grad_b, axis=axis, keepdims=True)
+    return (grad_b - b * everything) / s
 
 
 def interpolate_loop(attributes, faces, face_index, barycentric):
-    """face 0 is left out, because > 0 stands for >= 0
+    """pixels without a face are not left out: -1 reads the last face
 
-    told by: face 0 | > 0 | >= 0 | first face | number 0
+    told by: -1 | last face | no face & seen | background | empty pixel | without a face | not 0 where
     """
-    height, width = face_index.shape
-    out = np.zeros((height, width, attributes.shape[1]))
-    for i in range(height):
-        for j in range(width):
-            if face_index[i, j] > 0:
-                corners = faces[face_index[i, j]]
-                out[i, j] = barycentric[i, j] @ attributes[corners]
-    return out
+    rows, columns = face_index.shape
+    picture = np.zeros((rows, columns, attributes.shape[1]))
+    for r in range(rows):
+        for c in range(columns):
+            abc = faces[face_index[r, c]]
+            picture[r, c] = barycentric[r, c] @ attributes[abc]
+    return picture
 
 
 def interpolate_loop(attributes, faces, face_index, barycentric):
-    """the corners' order is reversed: b_0 belongs to corner 2 and b_2 to corner 0
+    """face 0 is taken for no face: face_index > 0 instead of >= 0
 
-    told by: order | reversed | 0 and 2 are exchanged & faces | exchanged & corner | swapped & corner | corner & 0 and 2 | wrong corner | other corner
+    told by: face 0 | first face | > 0 | index 0 | face number 0
     """
-    out = np.zeros((*face_index.shape, attributes.shape[1]))
-    for i, j in zip(*np.nonzero(face_index >= 0)):
-        v0, v1, v2 = faces[face_index[i, j]]
-        b2, b1, b0 = barycentric[i, j]
-        out[i, j] = b0 * attributes[v0] + b1 * attributes[v1] + b2 * attributes[v2]
-    return out
-
-
-def interpolate_loop(attributes, faces, face_index, barycentric):
-    """the attributes are read at the number of the face and the next two, not at the face's vertices
-
-    told by: number of the face | faces & not used | faces & ignored | face's number | face number | faces[ | face index
-    """
-    V, C = attributes.shape
-    out = np.zeros((*face_index.shape, C))
-    for i, j in np.ndindex(*face_index.shape):
-        f = face_index[i, j]
-        if f >= 0:
-            for k in range(3):
-                out[i, j] += barycentric[i, j, k] * attributes[(f + k) % V]
-    return out
-
-
-def interpolate_loop(attributes, faces, face_index, barycentric):
-    """the mean of the corners' attributes, without the weights b
-
-    told by: mean of | without & weights | weights & ignored | equal weights | barycentric & not used | weights b
-    """
-    out = np.zeros((*face_index.shape, attributes.shape[1]))
-    for i, j in np.argwhere(face_index >= 0):
-        out[i, j] = attributes[faces[face_index[i, j]]].mean(axis=0)
-    return out
+    picture = np.zeros((*face_index.shape, attributes.shape[-1]))
+    for i, j in np.argwhere(face_index > 0):
+        triangle = attributes[faces[face_index[i, j]]]
+        picture[i, j] = (barycentric[i, j][:, None] * triangle).sum(0)
+    return picture
 
 
 def interpolate_backward_loop(grad_output, attributes, faces, face_index, barycentric):
-    """a vertex keeps the gradient of the last pixel that sees it: = stands for +=
+    """grad_attributes is overwritten at each pixel, not summed: = for +=
 
-    told by: last pixel | += | overwrit | summed over the pixels | not added | only one pixel | sum over
+    told by: overwrit | += | last pixel | not summed | not added | add up | sum over the pixels | sum & pixels
     """
-    grad_attributes = np.zeros(attributes.shape)
-    grad_barycentric = np.zeros(barycentric.shape)
-    H, W = face_index.shape
-    for i in range(H):
-        for j in range(W):
+    to_vertices = np.zeros(attributes.shape)
+    to_weights = np.zeros(barycentric.shape)
+    for i, j in np.argwhere(face_index >= 0):
+        corners = faces[face_index[i, j]]
+        to_vertices[corners] = np.outer(barycentric[i, j], grad_output[i, j])
+        to_weights[i, j] = attributes[corners] @ grad_output[i, j]
+    return to_vertices, to_weights
+
+
+def interpolate_backward_loop(grad_output, attributes, faces, face_index, barycentric):
+    """grad_barycentric multiplies the mean over the channels: mean for sum over C
+
+    told by: mean | averag | / C | number of channels | 1/C | divided by the channels | factor & channels
+    """
+    to_vertices = np.zeros(attributes.shape)
+    to_weights = np.zeros(barycentric.shape)
+    height, width = face_index.shape
+    for i in range(height):
+        for j in range(width):
             if face_index[i, j] < 0:
                 continue
             for k in range(3):
                 v = faces[face_index[i, j], k]
-                grad_attributes[v] = barycentric[i, j, k] * grad_output[i, j]
-                grad_barycentric[i, j, k] = np.dot(grad_output[i, j], attributes[v])
-    return grad_attributes, grad_barycentric
+                to_vertices[v] += barycentric[i, j, k] * grad_output[i, j]
+                to_weights[i, j, k] = np.mean(grad_output[i, j] * attributes[v])
+    return to_vertices, to_weights
 
 
-def interpolate_backward_loop(grad_output, attributes, faces, face_index, barycentric):
-    """each corner gets the whole gradient of the pixel, without the factor b_k
+def weight_rows(faces, face_index, barycentric):
+    """start has no leading 0: it begins with the entries up to pixel 0, and row p is slipped by one
 
-    told by: b_k | whole gradient | full gradient | not weighted | without & weight | without & barycentric | barycentric & missing
+    told by: leading 0 | begin & 0 | first & start & 0 | start[0] | one too short | h w + 1 | slipped | one row | one pixel
     """
-    grad_a = np.zeros(attributes.shape)
-    grad_b = np.zeros(barycentric.shape)
-    for i, j in np.argwhere(face_index != -1):
-        corners = faces[face_index[i, j]]
-        for v in corners:
-            grad_a[v] += grad_output[i, j]
-        grad_b[i, j] = attributes[corners] @ grad_output[i, j]
-    return grad_a, grad_b
-
-
-def interpolate_backward_loop(grad_output, attributes, faces, face_index, barycentric):
-    """the mean of grad_barycentric's three numbers is subtracted, as if the weights had to sum to 1
-
-    told by: mean & subtract | sum to 1 | sums to 1 | projected | two of the three | add up to 1 | independent
-    """
-    grad_attributes = np.zeros(attributes.shape)
-    grad_barycentric = np.zeros(barycentric.shape)
-    for i, j in np.argwhere(face_index >= 0):
-        v = faces[face_index[i, j]]
-        np.add.at(grad_attributes, v, np.outer(barycentric[i, j], grad_output[i, j]))
-        g = attributes[v] @ grad_output[i, j]
-        grad_barycentric[i, j] = g - g.mean()
-    return grad_attributes, grad_barycentric
-
-
-def interpolate(attributes, faces, face_index, barycentric):
-    """the rows of the product are laid out column by column, as if the pixels were counted that way
-
-    told by: column by column | row by row | transpos | rows and columns | columns and rows | reshape | order
-    """
-    B = interpolation_matrix(len(attributes), faces, face_index, barycentric)
-    H, W = face_index.shape
-    return (B @ attributes).reshape(W, H, -1).transpose(1, 0, 2)
+    flat = face_index.ravel()
+    visible = flat >= 0
+    counts = np.cumsum(3 * visible)
+    begin = np.append(counts, counts[-1])
+    return begin, faces[flat[visible]].ravel(), barycentric.reshape(-1, 3)[visible].ravel()
 
 
 def interpolate_backward(grad_output, attributes, faces, face_index, barycentric):
-    """the two gradients are returned in the wrong order
+    """+= with an array of repeated vertices: each vertex gets the last of its pixels only
 
-    told by: order | exchanged | swapped | first & second | other way round
+    told by: repeated | += | np.add.at | last pixel | only one pixel | several pixels | not summed | add up | overwrit
     """
-    B = interpolation_matrix(len(attributes), faces, face_index, barycentric)
-    flat = grad_output.reshape(face_index.size, -1)
-    grad_b = np.zeros((face_index.size, 3))
+    flat = grad_output.reshape(-1, attributes.shape[1])
+    b = barycentric.reshape(-1, 3)
+    by_vertex = np.zeros(attributes.shape)
+    by_weight = np.zeros(b.shape)
     for pixel, corners in seen_corners(face_index, faces):
-        grad_b[pixel] = np.einsum("nc,knc->nk", flat[pixel], attributes[corners])
-    return grad_b.reshape(barycentric.shape), B.T @ flat
+        for k in range(3):
+            by_vertex[corners[k]] += b[pixel, k][:, None] * flat[pixel]
+            by_weight[pixel, k] = (flat[pixel] * attributes[corners[k]]).sum(1)
+    return by_vertex, by_weight.reshape(barycentric.shape)
 
 
 def interpolate_derivatives(attributes, faces, face_index, derivatives):
-    """the term of corner 2 is left out, only differences to two corners are added
+    """x and y are exchanged: the last axis has dA/dy first
 
-    told by: corner 2 | third corner | last corner | two corners | db_2 | only two
+    told by: x and y | dA/dy & first | exchanged | swapped | mixed up | order of the last axis
     """
-    H, W = face_index.shape
-    out = np.zeros((H, W, attributes.shape[1], 2))
-    for i in range(H):
-        for j in range(W):
-            if face_index[i, j] < 0:
-                continue
-            for k in range(2):
-                v = faces[face_index[i, j], k]
-                out[i, j] += np.outer(attributes[v], derivatives[i, j, k])
-    return out
+    slopes = [interpolate(attributes, faces, face_index, derivatives[:, :, :, d]) for d in (1, 0)]
+    return np.stack(slopes, axis=-1)
 
 
 def interpolate_derivatives(attributes, faces, face_index, derivatives):
-    """where no face is seen the result is not 0 but that of the last face, as -1 is used as an index
+    """x and y are stacked before the channels and reshaped, not put last: the channels and the directions are mixed up
 
-    told by: -1 & index | no face | last face | background | sees nothing
+    told by: reshape | channel & mixed | channel & axis | channels and & x | channel & direction | last axis | interleav | stack
     """
-    at_corners = attributes[faces[face_index]]
-    return np.einsum("hwkc,hwkd->hwcd", at_corners, derivatives)
-
-
-def interpolate_derivatives_backward(grad_output, attributes, faces, face_index, derivatives):
-    """the mean of x's and y's gradients instead of their sum goes to the attributes
-
-    told by: mean | half | sum of both | averag | twice | factor 2
-    """
-    ax, bx = interpolate_backward(grad_output[..., 0], attributes, faces, face_index,
-                                  derivatives[..., 0])
-    ay, by = interpolate_backward(grad_output[..., 1], attributes, faces, face_index,
-                                  derivatives[..., 1])
-    return (ax + ay) / 2, np.stack([bx, by], axis=3)
+    along_x = interpolate(attributes, faces, face_index, derivatives[..., 0])
+    along_y = interpolate(attributes, faces, face_index, derivatives[..., 1])
+    both = np.concatenate([along_x, along_y], axis=-1)
+    return both.reshape(*along_x.shape, 2)

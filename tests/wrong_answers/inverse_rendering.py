@@ -221,179 +221,153 @@ def uniform_laplacian_backward(grad_laplacian, positions, edges):
 
 
 def squared_error_backward(grad_loss, picture, target):
-    """the sign: target - picture
+    """the mean is taken over the pixels only: the channels are missing in the divisor
 
-    told by: sign | target - picture | negat | minus | other way round | uphill
+    told by: channel | number of pixels | height * width | h w c | pixels & values | size & pixels | factor 3
     """
-    diff = target - picture
-    return 2.0 / diff.size * grad_loss * diff
+    rows, columns = picture.shape[:2]
+    pixels = rows * columns
+    return 2 * grad_loss / pixels * (picture - target)
 
 
 def squared_error_backward(grad_loss, picture, target):
-    """grad_loss is forgotten
+    """the sign is turned round: target - picture in place of picture - target
 
-    told by: grad_loss | chain rule | upstream | incoming
+    told by: sign | minus | target - picture | negative | -1 | opposite direction
     """
-    return 2 * (picture - target) / picture.size
+    residual = target - picture
+    return grad_loss * 2 * residual / residual.size
 
 
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """without the bias correction: m and s are used as they are
+    """the corrected m^ and s^ are returned to be kept, in place of m' and s'
 
-    told by: bias | correct | began at 0 | too small | 1 - b1^n
+    told by: corrected & return | m^ & return | uncorrected | m' & m^ | correct & twice | before the correction | bias & return | correct & kept
     """
-    b1, b2, eps = constants
-    mean = b1 * mean + (1 - b1) * grad_x
-    square = b2 * square + (1 - b2) * grad_x**2
-    return x - rate * mean / (np.sqrt(square) + eps), mean, square
+    b1, b2, tiny = constants
+    m = b1 * mean + (1 - b1) * grad_x
+    s = b2 * square + (1 - b2) * grad_x * grad_x
+    m = m / (1 - b1**step)
+    s = s / (1 - b2**step)
+    return x - rate * m / (np.sqrt(s) + tiny), m, s
 
 
 def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """the step goes uphill: it is added to x
+    """mean and square are changed in place, so the caller's arrays are overwritten
 
-    told by: uphill | downhill | sign | added to x | ascent | opposite direction
+    told by: in place | overwr | modif & input | changes & argument | caller | input & changed | *= | copy
     """
-    b1, b2, eps = constants
-    mean = b1 * mean + (1 - b1) * grad_x
-    square = b2 * square + (1 - b2) * grad_x**2
-    m_hat, s_hat = mean / (1 - b1**step), square / (1 - b2**step)
-    return x + rate * m_hat / (np.sqrt(s_hat) + eps), mean, square
-
-
-def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """the bias correction counts the steps from 0: n + 1 in place of n
-
-    told by: n + 1 | step + 1 | off by one | counts the steps | one step late | next step | n is one too large
-    """
-    b1, b2, eps = constants
-    mean = b1 * mean + (1 - b1) * grad_x
-    square = b2 * square + (1 - b2) * grad_x**2
-    t = step + 1
-    return (x - rate * (mean / (1 - b1**t)) / (np.sqrt(square / (1 - b2**t)) + eps),
-            mean, square)
-
-
-def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """mean and square are changed in place: the caller's arrays are overwritten
-
-    told by: in place | in-place | overwr | input | caller | copy
-    """
-    b1, b2, eps = constants
+    b1, b2, tiny = constants
     mean *= b1
     mean += (1 - b1) * grad_x
     square *= b2
     square += (1 - b2) * grad_x**2
-    m_hat, s_hat = mean / (1 - b1**step), square / (1 - b2**step)
-    return x - rate * m_hat / (np.sqrt(s_hat) + eps), mean, square
+    m_hat = mean / (1 - b1**step)
+    s_hat = square / (1 - b2**step)
+    return x - rate * m_hat / (np.sqrt(s_hat) + tiny), mean, square
 
 
-def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8)):
-    """the square root of s^ is missing
+def quaternion_matrix(q):
+    """the matrix is transposed: the rotated axes are its rows, not its columns, so it turns backwards
 
-    told by: root | sqrt | s^ itself
+    told by: transpos | inverse rotation | rows & columns | backward & rot | other way & rot | opposite & rot | row vector | conjugate
     """
-    b1, b2, eps = constants
-    m = b1 * mean + (1 - b1) * grad_x
-    s = b2 * square + (1 - b2) * grad_x**2
-    m_hat = m / (1 - b1**step)
-    s_hat = s / (1 - b2**step)
-    return x - rate * m_hat / (s_hat + eps), m, s
+    matrix = np.eye(4)
+    conj = q * np.array([1, -1, -1, -1])
+    for axis in range(3):
+        unit = np.zeros(4)
+        unit[axis + 1] = 1
+        turned = quaternion_product(quaternion_product(q, unit), conj) / (q * q).sum()
+        matrix[axis, :3] = turned[1:]
+    return matrix
+
+
+def quaternion_matrix(q):
+    """the division is by the length |q|, where it must be by its square |q|^2
+
+    told by: q^2 | q.q | square & length | squared | its square | length of q | unit quaternion | not of length 1 | scale & length | |q|, not by |q|^2
+    """
+    w, x, y, z = q
+    k = 2 / np.sqrt(w * w + x * x + y * y + z * z)
+    matrix = np.eye(4)
+    matrix[0, :3] = 1 - k * (y * y + z * z), k * (x * y - w * z), k * (x * z + w * y)
+    matrix[1, :3] = k * (x * y + w * z), 1 - k * (x * x + z * z), k * (y * z - w * x)
+    matrix[2, :3] = k * (x * z - w * y), k * (y * z + w * x), 1 - k * (x * x + y * y)
+    return matrix
+
+
+def silhouette_loss(coverage, target):
+    """the union is c + t: the overlap c t is not subtracted, so it is counted twice
+
+    told by: overlap | counted twice | c + t - c t | - c t | union & twice | subtract & intersection | union & c + t | dice
+    """
+    inter = np.sum(coverage * target)
+    return 1 - inter / (np.sum(coverage) + np.sum(target))
+
+
+def silhouette_loss(coverage, target):
+    """the union is the maximum of c and t, in place of c + t - c t
+
+    told by: maximum | max( | c + t - c t | max & union | hard union | larger of
+    """
+    inter = (coverage * target).sum()
+    outer = np.maximum(coverage, target).sum()
+    return 1.0 - inter / outer
+
+
+def silhouette_loss_backward(grad_loss, coverage, target):
+    """the union's derivative is taken to be 1, but it is 1 - t
+
+    told by: 1 - t | (1 - t) | derivative & union | union & factor | - c t & deriv | overlap & union | gradient & union
+    """
+    A = (coverage * target).sum()
+    U = (coverage + target - coverage * target).sum()
+    dA, dU = target, np.ones_like(coverage)
+    return -grad_loss * (dA * U - A * dU) / U**2
+
+
+def silhouette_loss_backward(grad_loss, coverage, target):
+    """the union is treated as a constant: the denominator's gradient is left out
+
+    told by: denominator | union & constant | union & changes | union & depends | through the union | quotient rule | second term | union & left out | union & missing
+    """
+    union = (coverage + target - coverage * target).sum()
+    result = np.zeros_like(coverage)
+    for at in np.ndindex(coverage.shape):
+        result[at] = -grad_loss * target[at] / union
+    return result
 
 
 def quaternion_product(p, q):
-    """w is taken to be the last of the four numbers, (x, y, z, w)
+    """the order is exchanged: this is q p, not p q
 
-    told by: (x, y, z, w) | w comes last | scalar last | order of the numbers | w is first | w comes first | scalar & last | w is taken for the last
+    told by: q p | order | exchanged | swapped | reversed | commut | first by p | cross product & sign
     """
-    px, py, pz, pw = np.moveaxis(p, -1, 0)
-    qx, qy, qz, qw = np.moveaxis(q, -1, 0)
-    return np.stack([pw * qx + px * qw + py * qz - pz * qy,
-                     pw * qy + py * qw + pz * qx - px * qz,
-                     pw * qz + pz * qw + px * qy - py * qx,
-                     pw * qw - px * qx - py * qy - pz * qz], -1)
+    first, second = np.broadcast_arrays(q, p)
+    w, u = first[..., :1], first[..., 1:]
+    s, v = second[..., :1], second[..., 1:]
+    scalar = w * s - (u * v).sum(-1, keepdims=True)
+    return np.concatenate([scalar, w * v + s * u + np.cross(u, v)], -1)
 
 
 def rotation_angle(p, q):
-    """the angle between p and q as vectors of four numbers, half of the rotation's
+    """it is forgotten that q and -q are the same rotation: angles beyond pi come out
 
-    told by: half | twice | factor 2 | double | factor of 2 | times 2
+    told by: -q | above pi | greater than pi | more than pi | beyond pi | same rotation | 2 pi | shorter | sign of q | exceed
     """
-    return np.arccos(np.clip(np.abs((p * q).sum(-1)), 0, 1))
-
-
-def rotation_angle(p, q):
-    """by arccos of the dot product, which loses the digits of small angles (fine print)
-
-    told by: arccos | digits | small angle | precision | rounding | tiny angle
-    """
-    return 2 * np.arccos(np.minimum(np.abs((p * q).sum(-1)), 1))
-
-
-def silhouette_loss(coverage, target):
-    """the intersection over union itself, without the 1 -
-
-    told by: 1 - | one minus | IoU itself | similarity | union itself | not a loss | overlap itself & 1 minus
-    """
-    both = (coverage * target).sum()
-    return both / (coverage + target - coverage * target).sum()
-
-
-def silhouette_loss(coverage, target):
-    """Dice's coefficient: 2 sum(c t) / (sum c + sum t)
-
-    told by: dice | twice the intersection | 2 sum | union | F1 score | denominator
-    """
-    return 1 - 2 * (coverage * target).sum() / (coverage.sum() + target.sum())
-
-
-def silhouette_loss(coverage, target):
-    """coverage and target are rounded to inside and outside first, so that the loss is not soft
-
-    told by: round | threshold | soft | binary | 0 or 1 | bool
-    """
-    c, t = coverage > 0.5, target > 0.5
-    return 1 - (c & t).sum() / (c | t).sum()
-
-
-def silhouette_loss_backward(grad_loss, coverage, target):
-    """the union is treated as a constant: the quotient rule's second term is left out
-
-    told by: union | quotient | denominator | second term | constant | outside the target
-    """
-    union = (coverage + target - coverage * target).sum()
-    return -grad_loss * target / union
-
-
-def silhouette_loss_backward(grad_loss, coverage, target):
-    """dU/dc is 1, not 1 - t: the product c t is forgotten in the union
-
-    told by: 1 - t | union & derivative | product c t | dU/dc | inside the target | counted twice
-    """
-    both = (coverage * target).sum()
-    either = (coverage + target - coverage * target).sum()
-    grad = np.zeros(coverage.shape)
-    for i in np.ndindex(*coverage.shape):
-        grad[i] = -grad_loss * (target[i] * either - both) / either**2
-    return grad
-
-
-def uniform_laplacian(positions, edges):
-    """each edge is used in one direction only, so that its second vertex does not see the first
-
-    told by: one direction | both ways | one way | both ends | either order | second vertex | one of their ends alone
-    """
-    v, u = edges.T
-    valence = np.bincount(v, minlength=len(positions))[:, None]
-    total = scatter(positions[u], v, len(positions))
-    return np.where(valence > 0, positions - total / np.maximum(valence, 1), 0)
+    apart = np.sqrt(((p - q)**2).sum(-1))
+    together = np.sqrt(((p + q)**2).sum(-1))
+    return 4 * np.arctan2(apart, together)
 
 
 def uniform_laplacian_backward(grad_laplacian, positions, edges):
-    """the neighbours' share is left out: only a vertex' own gradient is returned
+    """the forward rule is applied to the gradient: the matrix is not transposed, each vertex divides by its own valence and not by its neighbour's
 
-    told by: neighbour | own gradient | identity | share | W^T
+    told by: transpos | neighbour & valence | forward | own valence | gather | scatter & neighbour | valence of the
     """
-    valence = np.bincount(edges.ravel(), minlength=len(positions))
-    grad = grad_laplacian.copy()
-    grad[valence == 0] = 0
-    return grad
+    back = np.zeros_like(grad_laplacian)
+    for v in range(len(positions)):
+        near = [b if a == v else a for a, b in edges if v in (a, b)]
+        if near:
+            back[v] = grad_laplacian[v] - grad_laplacian[near].mean(0)
+    return back

@@ -171,18 +171,6 @@ def loop_faces(faces, corner_edge, vertex_count):
                            np.stack([ca, bc, c], 1), np.stack([ab, bc, ca], 1)])
 
 
-def loop_faces(faces, corner_edge, vertex_count):
-    """the middle triangle is wound the other way round
-
-    told by: middle | wound | winding | clockwise | orient | fourth | other way round
-    """
-    out = []
-    for f, (a, b, c) in enumerate(faces):
-        ab, bc, ca = vertex_count + corner_edge[3 * f:3 * f + 3]
-        out += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, ca, bc)]
-    return np.array(out)
-
-
 def limit_weight(n, u):
     """3 / (8 u) is computed as 3 / 8 * u
 
@@ -209,156 +197,135 @@ def limit_weight(n, u):
 
 
 def loop_weight(n):
-    """the division by n at the end is forgotten
+    """the brackets are missing: only the square is divided by n, not 5/8 as well
 
-    told by: divided by n | division by n | divide by n | n times | factor n | factor 1/n
+    told by: 5/8 | bracket | parenthes | division by n | all & divided by n | only the square | 0.625
     """
-    return 5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2
+    centre = 3 / 8 + np.cos(2 * np.pi / n) / 4
+    return 5 / 8 - centre**2 / n
 
 
 def loop_weight(n):
-    """the cosine is taken of pi / n instead of 2 pi / n
+    """the angle is pi/n, it should be 2 pi/n
 
-    told by: half & angle | angle & twice | full turn | 2 pi & instead | pi/n & instead | pi / n & instead
+    told by: the angle | 2 pi | pi / n | pi/n | full turn | 2pi | cosine | half a turn
     """
-    bracket = 3 / 8 + 1 / 4 * np.cos(np.pi / n)
-    return 1 / n * (5 / 8 - bracket * bracket)
-
-
-def loop_weight(n):
-    """the cosine is not divided by 4
-
-    told by: by 4 | factor 1/4 | factor 4 | quarter | four times | cosine's 1/4 & missing
-    """
-    return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n)) ** 2) / n
+    return (5 / 8 - (3 / 8 + np.cos(np.pi / n) / 4)**2) / n
 
 
 def loop_slow(vertices, faces, u):
-    """vertices on the boundary are moved by the rule for vertices inside
+    """vertices on the boundary move like those inside, by u and their whole ring
 
-    told by: boundary & vert & inside | boundary vert | w = 1/8 | old vert & boundary | vert & on the boundary | boundary & inner rule
+    told by: boundary & vert | boundary & u | boundary & ring | boundary & 1/8 | boundary & inside | w = 1/8 | boundary & old
     """
     at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
-    points = []
+    moved = np.zeros(vertices.shape)
     for v in range(len(vertices)):
         ring, _ = ring_of(v, at_edge)
-        points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
-    for edge, its_faces in at_edge:
-        ends = vertices[list(edge)].sum(0)
-        opposite = [v for f in its_faces for v in faces[f] if v not in edge]
-        if len(its_faces) == 1:
-            points.append(ends / 2)
-        else:
-            points.append(3 / 8 * ends + 1 / 8 * vertices[opposite].sum(0))
-    return np.stack(points)
-
-
-def loop_slow(vertices, faces, u):
-    """an old vertex takes the mean of its ring instead of the sum, so its weights do not add up to 1
-
-    told by: mean & ring | sum & ring | add up & 1 | average & ring | mean instead of sum
-    """
-    at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
-    points = []
-    for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
-        else:
-            n = len(ring)
-            points.append((1 - n * u[v]) * vertices[v] + u[v] * vertices[ring].mean(0))
-    for edge, its_faces in at_edge:
-        A, B = vertices[edge[0]], vertices[edge[1]]
-        if len(its_faces) == 1:
-            points.append((A + B) / 2)
+        n = len(ring)
+        moved[v] = (1 - n * u[v]) * vertices[v]
+        for other in ring:
+            moved[v] += u[v] * vertices[other]
+    middles = []
+    for (a, b), owners in at_edge:
+        if len(owners) < 2:
+            middles.append((vertices[a] + vertices[b]) / 2)
             continue
-        C, D = (vertices[[v for v in faces[f] if v not in edge][0]] for f in its_faces)
-        points.append(3 / 8 * (A + B) + 1 / 8 * (C + D))
-    return np.array(points)
+        c, d = (faces[f].sum() - a - b for f in owners)
+        middles.append((3 * vertices[a] + 3 * vertices[b] + vertices[c] + vertices[d]) / 8)
+    return np.concatenate([moved, middles])
 
 
 def loop_slow(vertices, faces, u):
-    """the edge's weights are exchanged: 1/8 for its ends and 3/8 for the opposite corners
+    """the weights of an inner edge are exchanged: its ends have 1/8 and the opposite corners 3/8
 
-    told by: 3/8 & 1/8 | weights & exchang | weights & swap | opposite & 3/8 | ends & 1/8
+    told by: 3/8 & 1/8 | exchanged & edge | swapped & edge | 3/8 & ends | 1/8 & ends | 3/8 & opposite | 1/8 & opposite | weights & swapped | weights & exchanged
     """
     at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
-    points = []
-    for v in range(len(vertices)):
-        ring, along = ring_of(v, at_edge)
-        if along:
-            points.append(3 / 4 * vertices[v] + 1 / 8 * vertices[along].sum(0))
+    out = []
+    for v, x in enumerate(vertices):
+        ring, rim = ring_of(v, at_edge)
+        if len(rim):
+            out.append(0.75 * x + 0.125 * (vertices[rim[0]] + vertices[rim[1]]))
         else:
-            points.append((1 - len(ring) * u[v]) * vertices[v] + u[v] * vertices[ring].sum(0))
-    for edge, its_faces in at_edge:
-        ends = vertices[list(edge)].sum(0)
-        opposite = [v for f in its_faces for v in faces[f] if v not in edge]
-        if len(its_faces) == 2:
-            points.append(1 / 8 * ends + 3 / 8 * vertices[opposite].sum(0))
+            out.append(x + u[v] * (vertices[ring] - x).sum(0))
+    for (a, b), owners in at_edge:
+        if len(owners) == 1:
+            out.append(0.5 * (vertices[a] + vertices[b]))
         else:
-            points.append(0.5 * ends)
-    return np.stack(points)
+            c, d = (faces[f].sum() - a - b for f in owners)
+            out.append(0.125 * (vertices[a] + vertices[b]) + 0.375 * (vertices[c] + vertices[d]))
+    return np.array(out)
 
 
 def loop_edge_rows(faces, edges, corner_edge):
-    """an inner edge's opposite corner is written only once: the second face's overwrites the first's
+    """the corner rolled to is the edge's own end, not the corner opposite to the edge
 
-    told by: only one & face | second face | one opposite | overwrit | other face | both faces
+    told by: opposite | roll | own end | ends of the edge | third corner | across
     """
-    is_boundary = on_boundary(corner_edge)
-    every = np.arange(len(edges))
-    end_weight = np.where(is_boundary, 1 / 2, 3 / 8)
-    across = np.zeros(len(edges), int)
-    across[corner_edge] = np.roll(faces, 1, axis=1).ravel()
-    inner = every[~is_boundary]
-    return join((every, edges[:, 0], end_weight), (every, edges[:, 1], end_weight),
-                (inner, across[inner], np.full(len(inner), 1 / 8)))
+    rim = on_boundary(corner_edge)
+    number = np.arange(len(edges))
+    heavy = np.where(rim, 0.5, 0.375)
+    third = np.roll(faces, -1, axis=1).ravel()
+    inner = np.flatnonzero(~rim[corner_edge])
+    return join((number, edges[:, 0], heavy), (number, edges[:, 1], heavy),
+                (corner_edge[inner], third[inner], np.full(len(inner), 0.125)))
+
+
+def loop_edge_rows(faces, edges, corner_edge):
+    """an edge on the boundary gets 1/8 of its opposite corner as well, so its row adds up to 9/8
+
+    told by: 9/8 | boundary & opposite | boundary & 1/8 | boundary & corner | 1.125 | boundary & only | boundary & add up | boundary & row
+    """
+    rim = on_boundary(corner_edge)
+    r, c, w = [], [], []
+    for e, (a, b) in enumerate(edges):
+        share = 0.5 if rim[e] else 0.375
+        r += [e, e]
+        c += [a, b]
+        w += [share, share]
+    for k, e in enumerate(corner_edge):
+        face = faces[k // 3]
+        r.append(e)
+        c.append(face[(k + 2) % 3])
+        w.append(0.125)
+    return np.array(r), np.array(c), np.array(w)
 
 
 def loop_faces(faces, corner_edge, vertex_count):
-    """the three edges of a face are taken to be opposite to its corners: BC, CA, AB instead of AB, BC, CA
+    """the triangles are ordered by kind, all the first ones first, not face by face
 
-    told by: opposite | BC, CA | BC & first | edges & order | cyclic | shifted & edge
-    """
-    new = []
-    for f in range(len(faces)):
-        A, B, C = faces[f]
-        BC, CA, AB = vertex_count + corner_edge[3 * f:3 * f + 3]
-        new += [(A, AB, CA), (AB, B, BC), (CA, BC, C), (AB, BC, CA)]
-    return np.array(new)
-
-
-def loop_faces(faces, corner_edge, vertex_count):
-    """the middle triangle is wound the other way round
-
-    told by: wound | winding | orientation | clockwise | turned round | middle & order
+    told by: face by face | order of the | order & faces | by kind | all first | grouped | concatenat | interleav | kind
     """
     a, b, c = faces.T
-    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
-    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, ca, bc], axis=1).reshape(-1, 3)
+    ab, bc, ca = (corner_edge + vertex_count).reshape(-1, 3).T
+    kinds = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+    return np.concatenate([np.stack(kind, axis=1) for kind in kinds])
 
 
 def loop_faces(faces, corner_edge, vertex_count):
-    """the middle triangle is left out: three new triangles a face
+    """corner_edge is read as the edge opposite to each corner, it is the edge to the next corner
 
-    told by: no middle | middle & missing | middle & left out | three & triangle | fourth | 3 F
+    told by: opposite | next corner | ab & bc | to the next | shifted | edges & cyclic | edges & order | edges & exchanged | edges & mixed
     """
-    a, b, c = faces.T
-    ab, bc, ca = (vertex_count + corner_edge).reshape(-1, 3).T
-    return np.stack([a, ab, ca, ab, b, bc, ca, bc, c], axis=1).reshape(-1, 3)
+    out = []
+    for (a, b, c), own in zip(faces, corner_edge.reshape(-1, 3)):
+        bc, ca, ab = own + vertex_count
+        out += [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+    return np.array(out)
 
 
 def limit_weight(n, u):
-    """the fraction is 3 u / 8 instead of 3 / (8 u)
+    """3/8 is multiplied by u, but u stands in the denominator: 3/(8 u)
 
-    told by: 3 u / 8 | 3/8 u | 3u/8 | divided by u | multiplied by u | times u
+    told by: 8 u | 8u | denominator | bracket | parenthes | multipl & u | times u | divid & u | 3/8 u
     """
     return 1 / (n + 3 / 8 * u)
 
 
 def limit_weight(n, u):
-    """the plus is read as a product: 1 / (n 3 / (8 u))
+    """the brackets are missing: 1/n + 3/(8 u) is not 1/(n + 3/(8 u))
 
-    told by: product & sum | times & plus | multipl & add | product & plus | times instead of
+    told by: bracket | parenthes | 1/n | 1 / n | whole sum | reciprocal | denominator
     """
-    return 1 / (n * 3 / (8 * u))
+    return 1 / n + 3 / (8 * u)

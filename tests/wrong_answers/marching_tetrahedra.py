@@ -132,183 +132,111 @@ def marching_tetrahedra(points, distance, tetrahedra):
 
 
 def tetrahedron_triangles(inside):
-    """an order of the four that is odd mirrors the tetrahedron, and two are not exchanged for it: some triangles are clockwise
+    """the winding is not looked after: an odd order of the vertices gives clockwise triangles
 
-    told by: is_odd | odd order | some & clockwise | mirror | orient & some | winding & some | parity | swap
+    told by: wind | clockwise | orient | odd | mirror | turned over | inside out
     """
-    order = np.argsort(~inside, kind="stable")
-    a, b, c, d = order
-    n = inside.sum()
-    if n == 1:
-        tri = [[(a, b), (a, c), (a, d)]]
-    elif n == 2:
-        tri = [[(a, c), (a, d), (b, d)], [(a, c), (b, d), (b, c)]]
-    elif n == 3:
-        tri = [[(a, d), (b, d), (c, d)]]
+    a = [v for v in range(4) if inside[v]]
+    b = [v for v in range(4) if not inside[v]]
+    if len(a) == 1:
+        faces = [[(a[0], v) for v in b]]
+    elif len(a) == 3:
+        faces = [[(v, b[0]) for v in a]]
+    elif len(a) == 2:
+        ring = [(a[0], b[0]), (a[0], b[1]), (a[1], b[1]), (a[1], b[0])]
+        faces = [[ring[0], ring[1], ring[2]], [ring[0], ring[2], ring[3]]]
     else:
-        tri = []
-    return np.array(tri, dtype=int).reshape(-1, 3, 2)
+        faces = []
+    return np.array(faces, int).reshape(-1, 3, 2)
 
 
 def tetrahedron_triangles(inside):
-    """with two inside there is one triangle only: half of the quadrangle is missing
+    """with two vertices inside, the four corners do not go round the quadrilateral: the two triangles overlap
 
-    told by: one triangle | quad | two inside | second triangle | two triangles | half of
+    told by: quad | two & inside | overlap | diagonal | four corners | go round | two triangles
     """
     count = inside.sum()
     order = np.argsort(~inside, kind="stable")
     if is_odd(order):
-        swapped = [0, 1] if count > 1 else [2, 3]
-        order[swapped] = order[swapped[::-1]]
+        pair = [0, 1] if count > 1 else [2, 3]
+        order[pair] = order[pair[::-1]]
     a, b, c, d = order
-    if count == 1:
-        return np.array([[(a, b), (a, c), (a, d)]], int)
-    if count == 2:
-        return np.array([[(a, c), (a, d), (b, d)]], int)
-    if count == 3:
-        return np.array([[(a, d), (b, d), (c, d)]], int)
-    return np.zeros((0, 3, 2), int)
+    corners = {1: [(a, b), (a, c), (a, d)],
+               2: [(a, c), (a, d), (b, c), (b, d)],
+               3: [(a, d), (b, d), (c, d)]}.get(count, [])
+    fan = [(corners[0], corners[k], corners[k + 1]) for k in range(1, len(corners) - 1)]
+    return np.array(fan, int).reshape(-1, 3, 2)
 
 
 def tetrahedron_triangles(inside):
-    """fine print: without a surface the array is (0,) and not (0, 3, 2)
+    """with three vertices inside, each corner names the outside vertex first
 
-    told by: (0, 3, 2) | shape | without a surface | no surface | empty
+    told by: outside & first | inside & first | order of the two | three & inside | ends & exchanged | ends & swapped
     """
     count = inside.sum()
     order = np.argsort(~inside, kind="stable")
     if is_odd(order):
-        swapped = [0, 1] if count > 1 else [2, 3]
-        order[swapped] = order[swapped[::-1]]
+        pair = [0, 1] if count > 1 else [2, 3]
+        order[pair] = order[pair[::-1]]
     a, b, c, d = order
-    triangles = []
     if count == 1:
-        triangles.append([[a, b], [a, c], [a, d]])
+        found = [[(a, b), (a, c), (a, d)]]
     elif count == 2:
-        triangles.append([[a, c], [a, d], [b, d]])
-        triangles.append([[a, c], [b, d], [b, c]])
+        found = [[(a, c), (a, d), (b, d)], [(a, c), (b, d), (b, c)]]
     elif count == 3:
-        triangles.append([[a, d], [b, d], [c, d]])
-    return np.array(triangles)
+        found = [[(d, a), (d, b), (d, c)]]
+    else:
+        found = []
+    return np.array(found, int).reshape(-1, 3, 2)
 
 
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the shares of the two ends are exchanged: t belongs to b, 1 - t to a
+    """the shares of p_a and p_b are exchanged
 
-    told by: shares | exchanged | swapped | 1 - t | mixed up
+    told by: exchang | swap | mixed up | 1 - t | other end | shares
     """
     t = s_a / (s_a - s_b)
-    g = (grad_p * (p_b - p_a)).sum(1)
-    span2 = (s_b - s_a)**2
-    return t[:, None] * grad_p, (1 - t)[:, None] * grad_p, -g * s_b / span2, g * s_a / span2
+    slope = ((p_b - p_a) * grad_p).sum(1) / (s_b - s_a)**2
+    return t[:, None] * grad_p, (1 - t)[:, None] * grad_p, -slope * s_b, slope * s_a
 
 
 def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the quotient rule is cut short: the denominator s_b - s_a is held
+    """the gradients of the distances are divided by s_b - s_a once instead of by its square
 
-    told by: denominator | quotient | s_b - s_a & held | s_b - s_a & constant | numerator
+    told by: squar | ^2 | **2 | denominator | twice & divid | s_b - s_a once
     """
-    span = s_b - s_a
-    grad_p_a = grad_p * (s_b / span)[:, None]
-    grad_p_b = -grad_p * (s_a / span)[:, None]
-    grad_s_a = -(grad_p * p_b).sum(1) / span
-    grad_s_b = (grad_p * p_a).sum(1) / span
-    return grad_p_a, grad_p_b, grad_s_a, grad_s_b
-
-
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the gradients of s_a and s_b are exchanged: the slope by s_a has s_b in it, and the other way round
-
-    told by: exchanged | swapped | mixed up | other way round | interchanged | s_a's and s_b's
-    """
-    t = (s_a / (s_a - s_b))[:, None]
-    span = s_b - s_a
-    along = ((p_b - p_a) * grad_p).sum(-1)
-    return (1 - t) * grad_p, t * grad_p, along * s_a / span**2, -along * s_b / span**2
-
-
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the two distances get opposite gradients, as if t depended on their difference only
-
-    told by: opposite | difference | same size | equal and | t itself & missing
-    """
-    span = s_b - s_a
-    t = -s_a / span
-    along = (grad_p * (p_b - p_a)).sum(-1)
-    g = along / span
-    return (1 - t)[:, None] * grad_p, t[:, None] * grad_p, -g, g
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    """fine print: a distance of 0 counts as inside
-
-    told by: distance of 0 | <= | zero | is 0 | exactly 0 | 0 is inside
-    """
-    inside = distance <= 0
-    case = inside[tetrahedra] @ np.array([1, 2, 4, 8])
-    corners = [np.empty((0, 3, 2), int)]
-    for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
-        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1])
-    edge, faces = np.unique(edge, return_inverse=True)
-    a, b = np.divmod(edge, len(points))
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
-    return vertices, faces.reshape(-1, 3), np.stack([a, b], -1)
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    """the vertices are the middles of the edges, not the places where the distance is 0
-
-    told by: middle | midpoint | half way | halfway | eq. (8) | interpolat
-    """
-    inside = distance < 0
-    case = inside[tetrahedra] @ np.array([1, 2, 4, 8])
-    corners = [np.empty((0, 3, 2), int)]
-    for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
-        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1])
-    edge, faces = np.unique(edge, return_inverse=True)
-    a, b = np.divmod(edge, len(points))
-    return (points[a] + points[b]) / 2, faces.reshape(-1, 3), np.stack([a, b], -1)
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    """the bits of the case are numbered from the other end: vertex 0 is taken for the highest bit
-
-    told by: bits | bit of | case & vertex | reversed | other end | 8, 4, 2, 1 | order of the vertices
-    """
-    inside = distance < 0
-    case = inside[tetrahedra] @ np.array([8, 4, 2, 1])
-    corners = [np.empty((0, 3, 2), int)]
-    for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
-        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1])
-    edge, faces = np.unique(edge, return_inverse=True)
-    a, b = np.divmod(edge, len(points))
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
-    return vertices, faces.reshape(-1, 3), np.stack([a, b], -1)
-
-
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the absolute values of the distances are used: the gradient of s_a has the wrong sign
-
-    told by: absolute | abs( | sign of grad_s_a | sign of s_a | sign & s_a | output 3 & sign
-    """
-    u, v = np.abs(s_a), np.abs(s_b)
-    t = u / (u + v)
-    along = (grad_p * (p_b - p_a)).sum(-1)
-    return (1 - t)[:, None] * grad_p, t[:, None] * grad_p, along * v / (u + v)**2, -along * u / (u + v)**2
-
-
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the gradients of the distances are left as vectors (E, 3): the sum over x, y and z is missing
-
-    told by: (e, 3) | shape | sum over x | summed | dot product | sum over the
-    """
-    t = (s_a / (s_a - s_b))[:, None]
     span = (s_b - s_a)[:, None]
-    g = grad_p * (p_b - p_a)
-    return (1 - t) * grad_p, t * grad_p, -g * s_b[:, None] / span**2, g * s_a[:, None] / span**2
+    along = np.einsum("ec,ec->e", grad_p, p_b - p_a)
+    return (grad_p * s_b[:, None] / span, -grad_p * s_a[:, None] / span,
+            -along * s_b / span[:, 0], along * s_a / span[:, 0])
+
+
+def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+    """grad_s_b has the opposite sign: s_b moves the point towards p_a as well
+
+    told by: sign | minus | opposite | negative | plus
+    """
+    grads = [np.zeros_like(grad_p), np.zeros_like(grad_p), np.zeros(len(s_a)), np.zeros(len(s_a))]
+    for e in range(len(s_a)):
+        d = s_b[e] - s_a[e]
+        grads[0][e] = s_b[e] / d * grad_p[e]
+        grads[1][e] = -s_a[e] / d * grad_p[e]
+        turn = grad_p[e] @ (p_b[e] - p_a[e]) / d**2
+        grads[2][e] = -turn * s_b[e]
+        grads[3][e] = -turn * s_a[e]
+    return tuple(grads)
+
+
+def marching_tetrahedra(points, distance, tetrahedra):
+    """every vertex is in the middle of its edge instead of at eq. (8)'s point
+
+    told by: middle | midpoint | half | eq. (8) | interpolat | where the distance is 0
+    """
+    inside = distance < 0
+    case = (inside[tetrahedra] * [1, 2, 4, 8]).sum(1)
+    found = [np.empty((0, 3, 2), int)]
+    for number in range(1, 15):
+        local = tetrahedron_triangles(np.array([number >> v & 1 for v in range(4)], bool))
+        found.append(tetrahedra[case == number][:, local].reshape(-1, 3, 2))
+    ends, faces = np.unique(np.concatenate(found).reshape(-1, 2), axis=0, return_inverse=True)
+    return points[ends].mean(1), faces.reshape(-1, 3), ends

@@ -148,144 +148,100 @@ def blend_levels(level, top):
 
 
 def halve(image):
-    """a side of 1 is halved to 0, so nothing is left of it (fine print)
+    """sums the 2 x 2 texels instead of their mean: four times too large
 
-    told by: side of 1 | one row | side 1 | single row | height of 1 | not square
+    told by: sum & mean | four times | factor 4 | factor of 4 | / 4 | 1/4 | divide & 4 | not a mean | quarter | instead of averaged
     """
-    h, w, c = image.shape
-    return image[:h // 2 * 2, :w // 2 * 2].reshape(h // 2, 2, w // 2, 2, c).mean((1, 3))
-
-
-def halve(image):
-    """the greatest of the 2 x 2 texels is taken instead of their mean
-
-    told by: max | greatest | largest | brightest
-    """
-    h, w, c = image.shape
+    h, w, channels = image.shape
     rows, columns = min(h, 2), min(w, 2)
-    out = np.empty((h // rows, w // columns, c))
-    for i in range(h // rows):
-        for j in range(w // columns):
-            out[i, j] = image[rows * i:rows * i + rows, columns * j:columns * j + columns].max((0, 1))
-    return out
+    blocks = image.reshape(h // rows, rows, w // columns, columns, channels)
+    return blocks.sum(axis=(1, 3))
 
 
 def halve(image):
-    """the texels are averaged in linear light, with a gamma of 2.2, instead of as they are
+    """every second texel is taken, the first one of each 2 x 2, instead of the mean
 
-    told by: gamma | linear light | sRGB | 2.2 | power
+    told by: every second | every other | upper left | top left | first of | one of the four | one texel & 2 x 2 | subsampl | decimat | one & four & texel
     """
-    h, w, c = image.shape
-    rows, columns = np.minimum((h, w), 2)
-    light = image ** 2.2
-    return light.reshape(h // rows, rows, w // columns, columns, c).mean((1, 3)) ** (1 / 2.2)
+    down = 1 if image.shape[0] == 1 else 2
+    right = 1 if image.shape[1] == 1 else 2
+    return image[::down, ::right].copy()
+
+
+def halve_backward(grad_half, image):
+    """the quarter is missing: each texel gets the whole gradient of the mean
+
+    told by: quarter | four times | factor 4 | factor of 4 | / 4 | 1/4 | divide & 4 | whole gradient | sum & mean
+    """
+    rows, columns = (1 if side == 1 else 2 for side in image.shape[:2])
+    return np.kron(grad_half, np.ones((rows, columns, 1)))
 
 
 def mip_level(jacobian, width, height):
-    """J is not brought into texels: width and height are not used
+    """the 1/2 before log2 is missing: log2 of the squared length, twice the level
 
-    told by: in texels | into texels | width and height & not used | width and height & ignored | not multiplied | to texels
+    told by: twice | 1/2 | half | factor 2 | factor of 2 | squared | square root | sqrt & log2 | doubled | 0.5
     """
-    with np.errstate(divide="ignore"):
-        return np.log2(np.linalg.norm(jacobian, 2, axis=(1, 2)))
-
-
-def mip_level(jacobian, width, height):
-    """the longer of the two columns is taken, as OpenGL does it, instead of the greatest singular value
-
-    told by: OpenGL | longer & column | singular value | longer of | length of & column | max(A, B) | C is left out
-    """
-    J = jacobian * np.array([width, height])[:, None]
-    A = J[:, 0, 0] ** 2 + J[:, 1, 0] ** 2
-    B = J[:, 0, 1] ** 2 + J[:, 1, 1] ** 2
-    with np.errstate(divide="ignore"):
-        return 0.5 * np.log2(np.maximum(A, B))
-
-
-def mip_level(jacobian, width, height):
-    """width and height multiply the columns of J instead of its rows: x by width and y by height
-
-    told by: columns | x by width | rows of J | instead of its rows | rows instead | transpos | x and y
-    """
-    s_x, s_y, t_x, t_y = (jacobian * [width, height]).reshape(-1, 4).T
-    A = s_x ** 2 + t_x ** 2
-    B = s_y ** 2 + t_y ** 2
-    C = s_x * s_y + t_x * t_y
-    with np.errstate(divide="ignore"):
-        return np.log2((A + B) / 2 + np.sqrt((A - B) ** 2 / 4 + C ** 2)) / 2
-
-
-def mip_level(jacobian, width, height):
-    """a negative level is already raised to 0 here, also -inf of J = 0 (fine print)
-
-    told by: clamp | -inf | negative level | raised to 0 | below 0 | clip
-    """
-    s = jacobian[:, 0] * width
-    t = jacobian[:, 1] * height
-    A, B = (s ** 2 + t ** 2).T
+    s = width * jacobian[:, 0]
+    t = height * jacobian[:, 1]
+    A = s[:, 0]**2 + t[:, 0]**2
+    B = s[:, 1]**2 + t[:, 1]**2
     C = s[:, 0] * s[:, 1] + t[:, 0] * t[:, 1]
-    rho2 = (A + B) / 2 + np.sqrt((A - B) ** 2 / 4 + C ** 2)
-    return 0.5 * np.log2(np.maximum(rho2, 1.0))
+    with np.errstate(divide="ignore"):
+        return np.log2((A + B) / 2 + np.sqrt(((A - B) / 2)**2 + C**2))
+
+
+def mip_level(jacobian, width, height):
+    """OpenGL's level: the longer one of the columns (max of A and B), not the greatest singular value
+
+    told by: singular value | longer column | max(A, B) | opengl | longer of | greater of A and B | C & left out | C & missing | C & ignored | longest column | without C
+    """
+    levels = []
+    for J in jacobian:
+        A = (width * J[0, 0])**2 + (height * J[1, 0])**2
+        B = (width * J[0, 1])**2 + (height * J[1, 1])**2
+        with np.errstate(divide="ignore"):
+            levels.append(np.log2(max(A, B)) / 2)
+    return np.array(levels)
 
 
 def mip_level_backward(grad_level, jacobian, width, height):
-    """nothing guards the division by R: where R = 0 or J = 0 the gradient is not a number (fine print)
+    """the last factor is missing: the gradient is for J in texels, without width and height
 
-    told by: R = 0 | J = 0 | nan | divi & by 0 | divi & by zero | not a number
+    told by: in texels | width & height & missing | width & height & left out | factor & width | times width | multipl & width | w and h | rows & scaled
     """
-    scale = np.array([[width], [height]])
-    (s_x, s_y), (t_x, t_y) = np.moveaxis(jacobian * scale, 0, -1)
-    A, B, C = s_x**2 + t_x**2, s_y**2 + t_y**2, s_x * s_y + t_x * t_y
+    s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
+    A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
+    C = s_x * s_y + t_x * t_y
     R = np.sqrt((A - B)**2 / 4 + C**2)
-    g = grad_level / (2 * np.log(2) * ((A + B) / 2 + R))
-    gA, gB, gC = g * (0.5 + (A - B) / (4 * R)), g * (0.5 - (A - B) / (4 * R)), g * C / R
-    out = np.array([[2 * gA * s_x + gC * s_y, 2 * gB * s_y + gC * s_x],
-                    [2 * gA * t_x + gC * t_y, 2 * gB * t_y + gC * t_x]])
-    return np.moveaxis(out, -1, 0) * scale
+    R_safe = np.where(R > 0, R, np.inf)
+    S = (A + B) / 2
+    g = grad_level / (2 * np.log(2) * np.where(S > 0, S + R, np.inf))
+    by_A = g * (0.5 + (A - B) / (4 * R_safe))
+    by_B = g * (0.5 - (A - B) / (4 * R_safe))
+    by_C = g * C / R_safe
+    first = np.stack([2 * by_A * s_x + by_C * s_y, 2 * by_B * s_y + by_C * s_x], -1)
+    second = np.stack([2 * by_A * t_x + by_C * t_y, 2 * by_B * t_y + by_C * t_x], -1)
+    return np.stack([first, second], 1)
 
 
 def blend_levels(level, top):
-    """the fraction is computed from the level before it is clamped
+    """the fraction is computed before the clamp: level below 0 or above top have a fraction outside
 
-    told by: fraction & clamp | before & clamp | unclamped | not clamped | fraction & outside | more than 1
+    told by: before & clamp | clamp & fraction | not clamped | unclamped | clamped too late | clip & fraction | fraction & outside
+    """
+    lower = np.floor(np.clip(level, 0, top)).astype(int)
+    upper = np.minimum(lower + 1, top)
+    raw = np.maximum(level, -1e3)
+    return lower, upper, raw - np.floor(raw)
+
+
+def blend_levels(level, top):
+    """the level is rounded to the nearest integer, not floored: f can be negative
+
+    told by: floor | nearest | np.round | rounded | rint | f & negative | fraction & negative
     """
     inside = np.clip(level, 0, top)
-    lower = np.floor(inside).astype(int)
-    upper = np.minimum(lower + 1, top)
-    return lower, upper, level - np.floor(np.where(np.isfinite(level), level, 0))
-
-
-def blend_levels(level, top):
-    """the fraction is 1 - f: it is the share of the lower level
-
-    told by: 1 - f | share of & lower | reversed | upper - level | exchanged | swapped | other way round
-    """
-    n = len(level)
-    lower, upper, fraction = np.zeros(n, int), np.zeros(n, int), np.zeros(n)
-    for k in range(n):
-        l = min(max(level[k], 0), top)
-        lower[k] = int(l)
-        upper[k] = min(lower[k] + 1, top)
-        fraction[k] = lower[k] + 1 - l
-    return lower, upper, fraction
-
-
-def blend_levels(level, top):
-    """upper is the level rounded up, so on a whole level it is lower itself and not the next (fine print)
-
-    told by: rounded up | ceil | whole level | whole number | lower itself | next level | upper & lower
-    """
-    level = np.clip(level, 0, top)
-    lower = np.floor(level).astype(int)
-    upper = np.ceil(level).astype(int)
-    return lower, upper, level - lower
-
-
-def blend_levels(level, top):
-    """the given levels themselves are clamped: the input is changed in place
-
-    told by: in place | input & chang | copy | itself is changed | argument & chang | modif
-    """
-    np.clip(level, 0, top, out=level)
-    lower = np.floor(level).astype(int)
-    return lower, np.minimum(lower + 1, top), level - lower
+    low = np.rint(inside).astype(int)
+    high = np.minimum(low + 1, top)
+    return low, high, inside - low

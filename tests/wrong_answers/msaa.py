@@ -309,272 +309,198 @@ def cost(face_index, sample_bytes):
 
 
 def lattice(count, step):
-    """the permutation starts from s instead of s + 1
+    """x and y are exchanged: the row comes first
 
-    told by: starts from s | k s mod | from 0 | s instead of s | row -1 | below the pixel | multiplied by s
+    told by: x and y | exchanged | swapped | transposed | row & first | column & row | mixed up
     """
-    s = np.arange(count)
-    r = (step * s) % (count + 1) - 1
-    return np.stack([(s + 0.5) / count, (r + 0.5) / count], axis=1)
+    pattern = np.empty((count, 2))
+    for s in range(count):
+        pattern[s] = (step * (s + 1)) % (count + 1) - 0.5, s + 0.5
+    return pattern / count
 
 
 def lattice(count, step):
-    """the samples lie on the corners of their squares, as + 1/2 is left out
+    """the half is forgotten: samples at s / S instead of (s + 1/2) / S
 
-    told by: 1/2 | + 0.5 | half | corner & square | centre of & square | lower left
+    told by: half | 0.5 | 1/2 | centre of & square | corner of & square | lower left
     """
-    samples = []
-    for s in range(count):
-        r = (step * (s + 1)) % (count + 1) - 1
-        samples.append([s / count, r / count])
-    return np.array(samples)
+    s = np.arange(count)
+    r = step * (s + 1) % (count + 1) - 1
+    return np.stack([s, r], -1) / count
 
 
 def centre_sample(clip, offset, width, height):
-    """the vertices move in the direction of the sample instead of against it: the sign is flipped
+    """one pixel is taken as 1 / width of ndc instead of 2 / width: half the move
 
-    told by: sign | direction | opposite | o - 1/2 | wrong way | towards
+    told by: half | 2 / width | 1 / width | factor & 2 | twice | too small
     """
-    result = np.array(clip, dtype=float)
-    w = clip[:, 3]
-    result[:, 0] += w * 2 * (offset[0] - 0.5) / width
-    result[:, 1] += w * 2 * (offset[1] - 0.5) / height
-    return result
+    x, y, z, w = clip.T
+    return np.stack([x + w * (0.5 - offset[0]) / width, y + w * (0.5 - offset[1]) / height, z, w], -1)
 
 
 def centre_sample(clip, offset, width, height):
-    """the shift in ndc is added to clip coordinates without multiplying it by w
+    """clip is moved in place: every further sample starts from the moved vertices
 
-    told by: by w | times w | w is forgotten | w is left out | factor w | w other than 1 | w = 1
+    told by: in place | in-place | changes & input | changes & clip | its input | overwr | copy | modif
     """
-    shift = (1 - 2 * offset) / np.array([width, height])
-    out = clip.copy()
-    out[:, :2] = out[:, :2] + shift
-    return out
-
-
-def centre_sample(clip, offset, width, height):
-    """the shift is half as long as it should be: ndc goes from -1 to 1, so a pixel is 2 / width
-
-    told by: 2 / width | half | factor 2 | twice | width / 2 | factor of 2
-    """
-    moved = clip.copy()
-    for v in range(len(clip)):
-        w = clip[v, 3]
-        moved[v, 0] += (0.5 - offset[0]) / width * w
-        moved[v, 1] += (0.5 - offset[1]) / height * w
-    return moved
-
-
-def centre_sample(clip, offset, width, height):
-    """clip itself is changed, so the vertices move on with every sample: a copy is needed
-
-    told by: in place | input & chang | copy | itself is changed | argument & chang | modif
-    """
-    for axis, size in enumerate((width, height)):
-        clip[:, axis] += clip[:, 3] * (1 - 2 * offset[axis]) / size
+    for vertex in clip:
+        vertex[0] += vertex[3] * (1 - 2 * offset[0]) / width
+        vertex[1] += vertex[3] * (1 - 2 * offset[1]) / height
     return clip
 
 
 def coverage(face_index):
-    """a pixel is covered fully as soon as one of its samples sees a face: 0 or 1, no fraction
+    """face 0 is taken for no face: > 0 instead of >= 0
 
-    told by: as soon as | one sample | 0 or 1 | at least one | fully & covered | no fraction
+    told by: face 0 | > 0 | >= 0 | number 0 | first face | face & zero
     """
-    return (face_index >= 0).any(axis=0).astype(float)
+    return np.mean(face_index > 0, axis=0)
 
 
 def coverage(face_index):
-    """the mean is over the columns of the picture instead of over the samples
+    """the samples that see a face are counted, but their number is not divided by S
 
-    told by: axis | over the columns | last axis | over the samples | over x | instead of the samples
+    told by: divided by s | number of samples | counted | count & instead of | the mean | not a mean | fraction
     """
-    return (face_index >= 0).mean(-1)
+    seen = np.zeros(face_index.shape[1:])
+    for layer in face_index:
+        seen += layer != -1
+    return seen
 
 
 def observed_order(n, error):
-    """the slope itself is returned, with its sign, instead of -slope
+    """the slope through the first and last measurement only, not the line of least squares
 
-    told by: sign | negative | minus | -p | slope itself
+    told by: first and last | first and the last | least squares | endpoints | end points | all points | all measurements | in between | least sum | only two
     """
-    slope, _ = np.polyfit(np.log(n), np.log(error), 1)
-    return slope
-
-
-def observed_order(n, error):
-    """the line is forced through the origin, as the means are not subtracted: C is taken for 1
-
-    told by: origin | mean & subtract | intercept | C = 1 | constant C | C & taken for 1
-    """
-    a = np.log(n)
-    b = np.log(error)
-    return -(a * b).sum() / (a * a).sum()
+    return -np.log(error[-1] / error[0]) / np.log(n[-1] / n[0])
 
 
 def box_resolve(picture, n):
-    """one of the n x n samples is taken for all of them, no mean
+    """reshaped as (n, H, n, W): the samples of a pixel are taken H and W apart instead of side by side
 
-    told by: one sample | only one | every n-th | no mean | first sample | one of the | not averaged
+    told by: reshape | apart | side by side | neighbour | order of the axes | axes & order | wrong axes | interleav
     """
-    return picture[::n, ::n].copy()
+    H, W, C = picture.shape
+    return picture.reshape(n, H // n, n, W // n, C).mean(axis=(0, 2))
 
 
 def box_resolve(picture, n):
-    """the last row and the last column of each block are left out
+    """the sum of n x n samples is divided by n instead of n^2
 
-    told by: last row | last column | last sample | n - 1 | off by one
+    told by: n^2 | n**2 | n * n | n x n & divided | divided by n | n times | factor & n | squared
     """
-    height, width, channels = picture.shape
-    out = np.zeros((height // n, width // n, channels))
-    for y in range(height // n):
-        for x in range(width // n):
-            block = picture[y * n:(y + 1) * n - 1, x * n:(x + 1) * n - 1]
-            out[y, x] = block.mean((0, 1))
-    return out
+    H, W, C = picture.shape
+    out = np.zeros((H // n, W // n, C))
+    for i in range(n):
+        for j in range(n):
+            out += picture[i::n, j::n]
+    return out / n
 
 
 def shading_requests_loop(face_index):
-    """pixels are numbered with the height instead of the width: row * H + column
+    """pixel is row * H + column instead of row * W + column
 
-    told by: height & instead of the width | row * H | by the height | column * | column by column | with the height
+    told by: row * h | row * w | height & width | times the height | row & height | number of rows | pixel & number & height
     """
     S, H, W = face_index.shape
-    known = {}
-    request = np.full(face_index.shape, -1)
+    pixel, face = [], []
+    request = -np.ones((S, H, W), int)
     for i in range(H):
         for j in range(W):
+            known = {}
             for s in range(S):
-                f = int(face_index[s, i, j])
-                if f >= 0:
-                    request[s, i, j] = known.setdefault((i, j, f), len(known))
-    pixel = np.array([i * H + j for i, j, _ in known], int)
-    face = np.array([f for _, _, f in known], int)
-    return pixel, face, request
+                f = face_index[s, i, j]
+                if f < 0:
+                    continue
+                if f not in known:
+                    known[f] = len(pixel)
+                    pixel.append(i * H + j)
+                    face.append(f)
+                request[s, i, j] = known[f]
+    return np.array(pixel, int), np.array(face, int), request
 
 
 def shading_requests_loop(face_index):
-    """a sample is compared with the one before it only, so a face that comes back is shaded twice
+    """a face is only compared with the sample before, so a face that comes back in a pixel is requested twice
 
-    told by: before it | previous | comes back | neighbouring sample | consecutive | adjacent sample | just before
+    told by: sample before | previous sample | comes back | seen again | twice | only once | more than once | consecutive | several times | duplicate
     """
-    count, height, width = face_index.shape
-    request = np.full(face_index.shape, -1)
-    pairs = []
-    for i in range(height):
-        for j in range(width):
-            last = -1
-            for s in range(count):
-                f = face_index[s, i, j]
-                if f >= 0:
-                    if f != last:
-                        pairs.append((i * width + j, f))
-                    request[s, i, j] = len(pairs) - 1
-                last = f
-    pairs = np.array(pairs, int).reshape(-1, 2)
-    return pairs[:, 0], pairs[:, 1], request
-
-
-def shading_requests(face_index):
-    """the key pixel * max + face is not unique: the largest face collides with face 0 of the next pixel
-
-    told by: unique | collide | max + 1 | next pixel | key | neighbouring pixel | different pixels
-    """
-    flat = face_index.reshape(len(face_index), -1)
-    most = max(flat.max(initial=0), 1)
-    keys = np.arange(flat.shape[1]) * most + flat
-    seen = flat >= 0
-    _, first, inverse = np.unique(keys[seen], return_index=True, return_inverse=True)
-    sample, where = np.nonzero(seen)
-    request = np.full(flat.shape, -1)
-    request[seen] = inverse
-    return where[first], flat[sample[first], where[first]], request.reshape(face_index.shape)
+    S, H, W = face_index.shape
+    pixel, face = [], []
+    request = np.full((S, H, W), -1)
+    for i, j in np.ndindex(H, W):
+        before = -1
+        for s in range(S):
+            f = face_index[s, i, j]
+            if f >= 0:
+                if f != before:
+                    pixel.append(i * W + j)
+                    face.append(f)
+                request[s, i, j] = len(pixel) - 1
+            before = f
+    return np.array(pixel, int), np.array(face, int), request
 
 
 def resolve(shade, request, background):
-    """samples that see nothing are black instead of having the background's colour
+    """request -1 is used as an index into shade, so the background becomes the last shade
 
-    told by: black | background & as 0 | background & ignored | background & left out | background & missing | no background
+    told by: last row | last shade | last colour | -1 & index | background & never | background & ignored | index -1 | background & not used
     """
-    colours = np.concatenate([shade, np.zeros((1, shade.shape[1]))])[request]
-    first = colours[0]
-    return first + (colours - first).sum(0) / len(request)
+    first = shade[request[0]]
+    rest = np.zeros_like(first)
+    for layer in request[1:]:
+        rest = rest + (shade[layer] - first)
+    return first + rest / len(request)
 
 
 def resolve(shade, request, background):
-    """nearly equal colours are taken for equal, as they are compared with a tolerance (fine print)
+    """samples without a face are left out of the mean where others see one, instead of counting as background
 
-    told by: nearly | tolerance | isclose | almost | allclose
-    """
-    colour = np.vstack([shade, background])[request]
-    same = np.isclose(colour, colour[0]).all((0, -1))
-    return np.where(same[..., None], colour[0], colour[0] + (colour - colour[0]).mean(0))
-
-
-def resolve(shade, request, background):
-    """each request of a pixel counts once, however many samples have it
-
-    told by: once | how many samples | unique | equal weight | not weighted | number of samples | samples have it
-    """
-    all_colours = np.concatenate([shade, background[None, :]])
-    out = np.empty((*request.shape[1:], len(background)))
-    for i, j in np.ndindex(*request.shape[1:]):
-        kinds = np.unique(request[:, i, j])
-        first = all_colours[kinds[0]]
-        out[i, j] = first + (all_colours[kinds] - first).mean(0)
-    return out
-
-
-def resolve_backward(grad_picture, shade, request, background):
-    """each sample gets the pixel's whole gradient, not its S-th part
-
-    told by: divided by S | S-th | 1/S | / S | whole gradient | full gradient | number of samples
-    """
-    grad_shade = np.zeros(shade.shape)
-    grad_background = np.zeros(background.shape)
-    for s, i, j in np.ndindex(*request.shape):
-        r = request[s, i, j]
-        if r < 0:
-            grad_background += grad_picture[i, j]
-        else:
-            grad_shade[r] += grad_picture[i, j]
-    return grad_shade, grad_background
-
-
-def resolve_backward(grad_picture, shade, request, background):
-    """each request gets the S-th part once, even if it has several samples in the pixel
-
-    told by: once | several samples | number of samples | how many samples | samples of & pixel | each sample
+    told by: left out & mean | left out & background | background & mixed | background & not counted | background & count | only the samples that see | number of & see a face | silhouette | divided by & see | partly covered | background & share
     """
     S, H, W = request.shape
-    grad = np.zeros((len(shade) + 1, len(background)))
+    picture = np.empty((H, W, len(background)))
     for i in range(H):
         for j in range(W):
-            for r in set(request[:, i, j].tolist()):
-                grad[r] += grad_picture[i, j] / S
+            rows = request[:, i, j]
+            rows = rows[rows >= 0]
+            if len(rows) == 0:
+                picture[i, j] = background
+            else:
+                base = shade[rows[0]]
+                picture[i, j] = base + (shade[rows] - base).mean(0)
+    return picture
+
+
+def resolve_backward(grad_picture, shade, request, background):
+    """+= with repeated indices: a shade that several pixels or samples use keeps only one part of a layer
+
+    told by: repeated | += | np.add.at | several samples & only | several pixels & only | more than once | overwr | accumul | last one
+    """
+    part = grad_picture / len(request)
+    grad = np.zeros((len(shade) + 1, grad_picture.shape[-1]))
+    for layer in request:
+        grad[layer] += part
     return grad[:-1], grad[-1]
 
 
 def resolve_backward(grad_picture, shade, request, background):
-    """the gradient of a shade is the mean over its samples instead of their sum
+    """the background gets only the pixels that see no face at all, not its part of mixed pixels
 
-    told by: mean instead | sum | averaged | mean over | divided by the number | requests & become a mean
+    told by: mixed pixel | no face at all | partly covered | background & part | background & mixed | background & share | background & only | silhouette | all samples
     """
     S = len(request)
     parts = np.broadcast_to(grad_picture / S, (S, *grad_picture.shape))
-    total = rasterization.scatter(parts, request + 1, len(shade) + 1)
-    times = np.maximum(np.bincount((request + 1).ravel(), minlength=len(shade) + 1), 1)
-    total = total / times[:, None]
-    return total[1:], total[0]
+    grad_shade = rasterization.scatter(parts, request + 1, len(shade) + 1)[1:]
+    empty = (request < 0).all(0)
+    return grad_shade, grad_picture[empty].sum(0)
 
 
 def cost(face_index, sample_bytes):
-    """no face, -1, is counted as one of the different faces
+    """shades counts the different faces of the whole picture instead of adding them up over the pixels
 
-    told by: -1 & counted | no face | background | -1 & different | sees nothing
+    told by: whole picture | each pixel | per pixel | over the pixels | every pixel | in all pixels
     """
-    shades = 0
-    S, H, W = face_index.shape
-    for i in range(H):
-        for j in range(W):
-            shades += len(set(face_index[:, i, j].tolist()))
-    return S * H * W, shades, S * H * W * sample_bytes
+    faces = set(face_index[face_index >= 0].tolist())
+    return face_index.size, len(faces), face_index.size * sample_bytes

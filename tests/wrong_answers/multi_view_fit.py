@@ -55,73 +55,52 @@ def there_and_back(vertices, faces, albedo, light, views, targets, weight):
 
 
 def there_and_back(vertices, faces, albedo, light, views, targets, weight):
-    """the way by the normals overwrites the gradient of the positions in the pictures: the two must be added
+    """the way back through the normals is left out: grad_vertices comes from the pictures alone
 
-    told by: added | sum & two | both ways | overwrit | silhouette | only & normals | positions & missing
+    told by: through the normals | normals & vertices | by_normals | vertex_normals_backward | grad_n & vertices | shading & vertices
     """
     normals = mesh.vertex_normals(vertices, faces)
     colours = reconstruction.shade(albedo, normals, light)
     shape = pipeline.make_mesh(vertices, faces)
     pictures, buffers = see(shape, colours, views)
     loss = reconstruction.picture_loss(pictures, targets, weight)
-    grad_pictures = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
-    grad_vertices, grad_colours, grad_level = see_backward(grad_pictures, buffers, shape, colours, views)
-    grad_albedo, grad_normals, grad_light = reconstruction.shade_backward(grad_colours, albedo, normals, light)
-    grad_vertices = reconstruction.vertex_normals_backward(grad_normals, vertices, faces)
+    grad = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
+    grad_vertices, grad_colours, grad_level = see_backward(grad, buffers, shape, colours, views)
+    grad_albedo, _, grad_light = reconstruction.shade_backward(grad_colours, albedo, normals, light)
     return loss, grad_vertices, grad_albedo, grad_light, grad_level
 
 
 def there_and_back(vertices, faces, albedo, light, views, targets, weight):
-    """the losses of the views are summed and not averaged: everything but the level is K times too large
+    """albedo is drawn instead of the shaded colours: see gets the albedo
 
-    told by: sum & views | k times | mean & views | number of views | averag | divided & views
+    told by: shade | unlit | without light | albedo & drawn | albedo & rendered | albedo & see | light & left out
     """
     normals = mesh.vertex_normals(vertices, faces)
-    colours = reconstruction.shade(albedo, normals, light)
     shape = pipeline.make_mesh(vertices, faces)
-    pictures, buffers = see(shape, colours, views)
-    loss = 0.0
-    grad_pictures = np.zeros(pictures.shape)
-    for k in range(len(views)):
-        loss += reconstruction.picture_loss(pictures[k], targets[k], weight)
-        grad_pictures[k] = reconstruction.picture_loss_backward(1.0, pictures[k], targets[k], weight)
-    grad_vertices, grad_colours, grad_level = see_backward(grad_pictures, buffers, shape, colours, views)
-    grad_albedo, grad_normals, grad_light = reconstruction.shade_backward(grad_colours, albedo, normals, light)
-    by_normals = reconstruction.vertex_normals_backward(grad_normals, vertices, faces)
-    return loss, grad_vertices + by_normals, grad_albedo, grad_light, grad_level
-
-
-def there_and_back(vertices, faces, albedo, light, views, targets, weight):
-    """only the first view counts: the others are not rendered
-
-    told by: first view | one view | other views | all views | every view | single view
-    """
-    normals = mesh.vertex_normals(vertices, faces)
-    colours = reconstruction.shade(albedo, normals, light)
-    shape = pipeline.make_mesh(vertices, faces)
-    views, targets = views[:1], targets[:1]
-    pictures, buffers = see(shape, colours, views)
+    pictures, seen = see(shape, albedo, views)
     loss = reconstruction.picture_loss(pictures, targets, weight)
-    grad_pictures = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
-    grad_vertices, grad_colours, grad_level = see_backward(grad_pictures, buffers, shape, colours, views)
-    grad_albedo, grad_normals, grad_light = reconstruction.shade_backward(grad_colours, albedo, normals, light)
-    by_normals = reconstruction.vertex_normals_backward(grad_normals, vertices, faces)
-    return loss, grad_vertices + by_normals, grad_albedo, grad_light, grad_level
-
-
-def there_and_back(vertices, faces, albedo, light, views, targets, weight):
-    """carving's gradient is added to the gradient of the vertices, though grad_level is only handed on
-
-    told by: carving | level & vertices | grad_level & added | grad_level
-    """
-    n = mesh.vertex_normals(vertices, faces)
-    colours = reconstruction.shade(albedo, n, light)
-    shape = pipeline.make_mesh(vertices, faces)
-    pictures, buffers = see(shape, colours, views)
-    loss = reconstruction.picture_loss(pictures, targets, weight)
-    g = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
-    grad_vertices, grad_colours, grad_level = see_backward(g, buffers, shape, colours, views)
-    grad_albedo, grad_n, grad_light = reconstruction.shade_backward(grad_colours, albedo, n, light)
+    grad = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
+    grad_vertices, grad_colours, grad_level = see_backward(grad, seen, shape, albedo, views)
+    grad_albedo, grad_n, grad_light = reconstruction.shade_backward(grad_colours, albedo, normals,
+                                                                    light)
     grad_vertices = grad_vertices + reconstruction.vertex_normals_backward(grad_n, vertices, faces)
-    grad_vertices = grad_vertices + grad_level[:, None] * n
+    return loss, grad_vertices, grad_albedo, grad_light, grad_level
+
+
+def there_and_back(vertices, faces, albedo, light, views, targets, weight):
+    """each view's gradient comes from a loss of its own, the sum of K means instead of one mean over all views
+
+    told by: number of views | k times | mean & views | sum & views | all views | each view | per view | len(views)
+    """
+    normals = mesh.vertex_normals(vertices, faces)
+    colours = reconstruction.shade(albedo, normals, light)
+    shape = pipeline.make_mesh(vertices, faces)
+    pictures, buffers = see(shape, colours, views)
+    loss = reconstruction.picture_loss(pictures, targets, weight)
+    grads = np.array([reconstruction.picture_loss_backward(1.0, p, t, weight)
+                      for p, t in zip(pictures, targets)])
+    grad_vertices, grad_colours, grad_level = see_backward(grads, buffers, shape, colours, views)
+    grad_albedo, grad_n, grad_light = reconstruction.shade_backward(grad_colours, albedo, normals,
+                                                                    light)
+    grad_vertices = grad_vertices + reconstruction.vertex_normals_backward(grad_n, vertices, faces)
     return loss, grad_vertices, grad_albedo, grad_light, grad_level

@@ -166,109 +166,112 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
 
 
 def face_inverse(screen):
-    """the normals of the edges have the wrong sign in the x and y columns, the constant has the right one
+    """M is built with a corner in each row, not in each column, so its inverse is transposed
 
-    told by: sign & normal | sign & first two columns | sign & x and y | negative & column | sign & constant
+    told by: transpos | row & column | corner in each row | columns of m | swapaxes | rows & columns
     """
-    x, y = screen[..., 0], screen[..., 1]
-    rows = [np.stack([y[..., j] - y[..., i], x[..., i] - x[..., j],
-                      x[..., i] * y[..., j] - x[..., j] * y[..., i]], -1) for i, j in EDGES]
-    rows = np.stack(rows, -2)
-    return rows / rows[..., 2].sum(-1)[..., None, None]
+    M = np.ones(screen.shape[:-1] + (3,))
+    M[..., :2] = screen
+    return np.linalg.inv(M)
+
+
+def face_inverse(screen):
+    """the edge functions are divided by the area, not by twice the area, so all is twice too large
+
+    told by: area | 2a | twice | factor 2 | factor of 2 | doubled | half
+    """
+    out = np.zeros(screen.shape[:-1] + (3,))
+    area = 0.5 * ((screen[..., 1, 0] - screen[..., 0, 0]) * (screen[..., 2, 1] - screen[..., 0, 1])
+                  - (screen[..., 2, 0] - screen[..., 0, 0]) * (screen[..., 1, 1] - screen[..., 0, 1]))
+    for k in range(3):
+        s, e = screen[..., (k + 1) % 3, :], screen[..., (k + 2) % 3, :]
+        out[..., k, 0] = (s[..., 1] - e[..., 1]) / area
+        out[..., k, 1] = (e[..., 0] - s[..., 0]) / area
+        out[..., k, 2] = (s[..., 0] * e[..., 1] - e[..., 0] * s[..., 1]) / area
+    return out
 
 
 def weights_and_depth(inverse, z, x, y):
-    """the depth is the weighted mean of the z_k, not of their reciprocals
+    """the depth is interpolated linearly, sum w z: it is not right in perspective
 
-    told by: reciprocal | perspective | 1 / z | 1/z | linear & depth | harmonic
-    """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    clamped = np.clip(c, 0, 1)
-    weight = clamped / clamped.sum(-1, keepdims=True)
-    return weight, (weight * z).sum(-1)
-
-
-def weights_and_depth(inverse, z, x, y):
-    """the returned weights are the perspective-correct ones w_k z / z_k, not the weights on screen
-
-    told by: perspective | on screen | screen & weight | z / z_k | in space
-    """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    c = np.clip(c, 0, 1)
-    on_face = c / c.sum(-1, keepdims=True)
-    q = on_face / z
-    depth = 1 / q.sum(-1)
-    return q * depth[..., None], depth
-
-
-def weights_and_depth(inverse, z, x, y):
-    """the point is multiplied from the left, as if the inverse were transposed
-
-    told by: transpos | columns & rows | rows & columns | from the left | row vector
+    told by: perspective | 1 / z | linear | reciprocal | harmonic | w z | 1/z | w_k z_k
     """
     p = np.stack([x, y, np.ones_like(x)], -1)
-    c = np.einsum("...i,...ik->...k", p, inverse)
-    clamped = np.clip(c, 0, 1)
-    weight = clamped / clamped.sum(-1, keepdims=True)
-    return weight, 1 / (weight / z).sum(-1)
+    c = np.clip((inverse @ p[..., None])[..., 0], 0, 1)
+    w = c / c.sum(-1, keepdims=True)
+    return w, (w * z).sum(-1)
+
+
+def weights_and_depth(inverse, z, x, y):
+    """half a pixel is added to x and y, but they are points of the screen already
+
+    told by: half a pixel | 1/2 | 0.5 | pixel centre | half & pixel | shift | already & centre
+    """
+    p = np.stack([x + 0.5, y + 0.5, np.ones_like(x)], -1)
+    c = np.clip((inverse @ p[..., None])[..., 0], 0, 1)
+    w = c / c.sum(-1, keepdims=True)
+    return w, 1 / (w / z).sum(-1)
 
 
 def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
-    """fine print: a c_k of exactly 0 or 1 counts as clamped and gets no gradient
+    """the depth's gradient goes to z only: its path through the weights is left out
 
-    told by: exactly 0 | exactly 1 | c_k = 0 | <= | exactly & clamp | border & clamp
+    told by: through the weight | through weight | depth & weight | grad_depth & inverse | depth & inverse | second path | both paths | depth & indirect
     """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
-    grad_q = (-grad_depth * depth**2)[..., None]
-    grad_z = -grad_q * weight / z**2
-    s = np.clip(c, 0, 1).sum(-1, keepdims=True)
-    g = grad_weight + grad_q / z
-    g = (g - (g * weight).sum(-1, keepdims=True)) / s
-    g = np.where((c > 0) & (c < 1), g, 0)
     p = np.stack([x, y, np.ones_like(x)], -1)
-    return g[..., None] * p[..., None, :], grad_z
+    c = (inverse @ p[..., None])[..., 0]
+    u = np.clip(c, 0, 1)
+    total = u.sum(-1, keepdims=True)
+    w = u / total
+    depth = 1 / (w / z).sum(-1)
+    grad_z = grad_depth[..., None] * depth[..., None]**2 * w / z**2
+    grad_u = (grad_weight - (grad_weight * w).sum(-1, keepdims=True)) / total
+    grad_c = grad_u * ((c >= 0) & (c <= 1))
+    return grad_c[..., :, None] * p[..., None, :], grad_z
 
 
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """near and far are never compared with the depth of a pixel
+    """pixels are asked at their corner (j, i), not at their centre: half a pixel is missing
 
-    told by: near & far | near < depth | near plane | far plane | depth range
+    told by: half a pixel | centre | 1/2 | 0.5 | half & pixel | shift
     """
-    face_index = np.full((height, width), -1)
-    weight = np.zeros((height, width, 3))
-    depth = np.full((height, width), np.inf)
+    index = np.full((height, width), -1)
+    weights = np.zeros((height, width, 3))
+    zbuffer = np.full((height, width), np.inf)
+    screen, z = on_screen(corners, width, height), corners[..., 2]
+    front = front_faces(screen, z)
+    for f in range(len(corners)):
+        if not front[f]:
+            continue
+        inv = face_inverse(screen[f])
+        for i in range(height):
+            for j in range(width):
+                x, y = np.array(float(j)), np.array(float(i))
+                if covers(screen[f], x, y):
+                    w, d = weights_and_depth(inv, z[f], x, y)
+                    if near < d < far and d < zbuffer[i, j]:
+                        index[i, j], weights[i, j], zbuffer[i, j] = f, w, d
+    return index, weights, zbuffer
+
+
+def rasterize_loop(corners, width, height, near=0.1, far=100.0):
+    """the depth is not compared with what the pixel has: the last face drawn is seen, not the nearest
+
+    told by: nearest | last face | z-buffer | depth test | compar & depth | nearer | hidden | overwrit | farther | order of the faces
+    """
+    index = np.full((height, width), -1)
+    weights = np.zeros((height, width, 3))
+    zbuffer = np.full((height, width), np.inf)
     screen, z = on_screen(corners, width, height), corners[..., 2]
     for f in np.flatnonzero(front_faces(screen, z)):
-        inverse = face_inverse(screen[f])
-        x0, y0, x1, y1 = pixel_box(screen[f], width, height)
-        for i, j in itertools.product(range(y0, y1), range(x0, x1)):
-            x, y = np.array(j + 0.5), np.array(i + 0.5)
-            if covers(screen[f], x, y):
-                w, d = weights_and_depth(inverse, z[f], x, y)
-                if d < depth[i, j]:
-                    face_index[i, j], weight[i, j], depth[i, j] = f, w, d
-    return face_index, weight, depth
-
-
-def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """background pixels have depth far instead of infinity
-
-    told by: infin | np.inf | background & depth | no face & depth | empty & depth
-    """
-    face_index = -np.ones((height, width), dtype=int)
-    weight = np.zeros((height, width, 3))
-    depth = np.full((height, width), far)
-    screen = on_screen(corners, width, height)
-    z = corners[..., 2]
-    for f in np.flatnonzero(front_faces(screen, z)):
-        inverse = face_inverse(screen[f])
-        x0, y0, x1, y1 = pixel_box(screen[f], width, height)
-        for i in range(y0, y1):
-            for j in range(x0, x1):
+        inv = face_inverse(screen[f])
+        left, low, right, high = pixel_box(screen[f], width, height)
+        for i in range(low, high):
+            for j in range(left, right):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
-                if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
-                    if d > near and d < depth[i, j]:
-                        face_index[i, j], weight[i, j], depth[i, j] = f, w, d
-    return face_index, weight, depth
+                if not covers(screen[f], x, y):
+                    continue
+                w, d = weights_and_depth(inv, z[f], x, y)
+                if d > near and d < far:
+                    index[i, j], weights[i, j], zbuffer[i, j] = f, w, d
+    return index, weights, zbuffer

@@ -78,87 +78,48 @@ def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=No
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
-    """the picture is not antialiased: the shaded colour is returned
+    """the buffers keep the antialiased picture as their colour, not the colour before antialiasing
 
-    told by: antialias | edges & blend | not smoothed | blend
+    told by: before antialias | buffers & antialias | buffers.colour | colour & buffers | not yet antialias | without antialias | unblended
     """
-    seen = visible(clip, faces, width, height)
-    buffers = shade(seen, faces, surface, background)
-    return buffers.colour, buffers
+    full = shade(visible(clip, faces, width, height), faces, surface, background)
+    smooth = outlines.antialias(full.colour, full.face_index, full.depth, clip, faces, opposite)
+    return smooth, full._replace(colour=smooth)
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
-    """the buffers hold the antialiased picture as their colour, where the colour before antialiasing belongs
+    """width and height are exchanged in the call that finds what is visible
 
-    told by: colour before antialias | before antialias | buffers & colour | buffers.colour | antialiased & colour & buffers
+    told by: width & height | exchanged | swapped | shape & (h, w | transposed | rows & columns | height, width
     """
-    buffers = shade(visible(clip, faces, width, height), faces, surface, background)
-    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
-                                 opposite)
-    return picture, buffers._replace(colour=picture)
-
-
-def draw(clip, faces, opposite, surface, width, height, background):
-    """the background is black: the argument is not passed on to shade
-
-    told by: background & black | background & ignored | background & not used | background & passed | background & zero
-    """
-    seen = visible(clip, faces, width, height)
-    buffers = shade(seen, faces, surface, np.zeros_like(background))
-    picture = outlines.antialias(buffers.colour, *buffers[1:3], clip, faces, opposite)
-    return picture, buffers
+    buf = shade(visible(clip, faces, height, width), faces, surface, background)
+    image = outlines.antialias(buf.colour, buf.face_index, buf.depth, clip, faces, opposite)
+    return image, buf
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """the path through the edges is left out: antialiasing's grad_clip is not added
+    """the surface gets grad_picture, not the grad_colour that comes back through antialiasing
 
-    told by: through the edges | antialiasing's grad_clip | edges & missing | edges & left out | path & edges | only & colours
+    told by: grad_picture & surface | grad_colour | through antialias | back through & antialias | antialias & surface | antialias & colours | antialias & skip | blend & colour
     """
-    clip, face_index, depth, *_, colour = buffers
-    grad_colour, _ = outlines.antialias_backward(grad_picture, colour, face_index, depth, clip,
-                                                 faces, opposite)
-    grad_surface, grad_b, grad_db = surface_backward(grad_colour, buffers, faces, surface)
-    grad_clip = rasterizer_gradients.rasterize_backward(grad_b, grad_db, grad_depth, face_index,
-                                                        clip, faces)
-    return grad_surface, grad_clip
+    b = Buffers(*buffers)
+    _, outline_clip = outlines.antialias_backward(grad_picture, b.colour, b.face_index, b.depth,
+                                                  b.clip, faces, opposite)
+    grad_surface, grad_bary, grad_deriv = surface_backward(grad_picture, b, faces, surface)
+    inner_clip = rasterizer_gradients.rasterize_backward(grad_bary, grad_deriv, grad_depth,
+                                                         b.face_index, b.clip, faces)
+    return grad_surface, outline_clip + inner_clip
 
 
 def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """the surface gets grad_picture, not the grad_colour that comes back from antialiasing
+    """grad_depth is not handed on: the depth has no gradient
 
-    told by: not the grad_colour | gets grad_picture | instead of grad_colour | before antialias | skips & antialias | grad_picture & surface
+    told by: grad_depth | depth & ignored | depth & left out | depth & lost | depth & no gradient | depth & passed | loss & depth
     """
-    clip, face_index, depth, *_, colour = buffers
-    _, through_edges = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
-    grad_surface, *grads = surface_backward(grad_picture, buffers, faces, surface)
-    through_colours = rasterizer_gradients.rasterize_backward(*grads, grad_depth, face_index, clip,
-                                                              faces)
-    return grad_surface, through_edges + through_colours
-
-
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """the two grad_clips are averaged, not added
-
-    told by: averag | mean | half | 0.5 | added | 1/2
-    """
-    clip, face_index, depth, *_, colour = buffers
-    grad_colour, g1 = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
-    grad_surface, *grads = surface_backward(grad_colour, buffers, faces, surface)
-    g2 = rasterizer_gradients.rasterize_backward(*grads, grad_depth, face_index, clip, faces)
-    return grad_surface, (g1 + g2) / 2
-
-
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """buffers is used like the named tuple, though it is a plain one: buffers.clip does not exist
-
-    told by: plain tuple | named | NamedTuple | attribute | buffers.clip | no attribute
-    """
-    grad_colour, through_edges = outlines.antialias_backward(
-        grad_picture, buffers.colour, buffers.face_index, buffers.depth, buffers.clip, faces,
-        opposite)
-    grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)
-    through_colours = rasterizer_gradients.rasterize_backward(
-        *grad_weights, grad_depth, buffers.face_index, buffers.clip, faces)
-    return grad_surface, through_edges + through_colours
+    b = Buffers(*buffers)
+    grad_colour, outline_clip = outlines.antialias_backward(grad_picture, b.colour, b.face_index,
+                                                            b.depth, b.clip, faces, opposite)
+    grad_surface, grad_bary, grad_deriv = surface_backward(grad_colour, b, faces, surface)
+    inner_clip = rasterizer_gradients.rasterize_backward(grad_bary, grad_deriv, None,
+                                                         b.face_index, b.clip, faces)
+    return grad_surface, outline_clip + inner_clip

@@ -291,107 +291,96 @@ def normalize_derivative(dc, b, s, axis=0):
 
 
 def edge_function(p, a, b):
-    """half the determinant: the area of the triangle instead of twice the area
+    """e is divided by the length of the edge: a distance in pixels instead of twice the area
 
-    told by: half | / 2 | 1/2 | 0.5 | area of the triangle | factor 2
+    told by: length of the edge | edge's length | distance | |b - a| | divided by & length | normali
     """
-    ax, ay = a[..., 0], a[..., 1]
-    bx, by = b[..., 0], b[..., 1]
-    return 0.5 * ((ay - by) * (p[..., 0] - ax) + (bx - ax) * (p[..., 1] - ay))
+    side = b - a
+    rel = p - a
+    return (side[..., 0] * rel[..., 1] - side[..., 1] * rel[..., 0]) / np.hypot(side[..., 0], side[..., 1])
 
 
 def edge_function(p, a, b):
-    """the dot product with b - a instead of with the normal: it measures along the edge, not across it
+    """n_x has the wrong sign: b_y - a_y instead of a_y - b_y
 
-    told by: dot product | along the edge | along the line | cross product | the normal | its normal
+    told by: n_x | a_y - b_y | b_y - a_y | sign & x & term | sign & x part | y0 - y1 | y1 - y0 | sum & difference | plus & minus
     """
-    return ((p - a) * (b - a)).sum(-1)
+    n_x = b[..., 1] - a[..., 1]
+    n_y = b[..., 0] - a[..., 0]
+    return n_x * (p[..., 0] - a[..., 0]) + n_y * (p[..., 1] - a[..., 1])
 
 
 def edge_function_backward(grad_e, p, a, b):
-    """the gradients of a and b are exchanged
+    """p gets no gradient, as if it were a constant pixel centre
 
-    told by: grad_a and grad_b & exchanged | grad_a and grad_b & swapped | a and b & exchanged | a and b & swapped | a and b & mixed up | wrong order
+    told by: grad_p & 0 | grad_p & zero | grad_p & no gradient | grad_p & missing | p gets no | p & constant
     """
-    px, py, ax, ay, bx, by = *np.moveaxis(p, -1, 0), *np.moveaxis(a, -1, 0), *np.moveaxis(b, -1, 0)
-    dp = np.stack([ay - by, bx - ax], -1)
-    da = np.stack([by - py, px - bx], -1)
-    db = np.stack([py - ay, ax - px], -1)
-    g = grad_e[..., None]
-    return g * dp, g * db, g * da
+    def quarter(v):
+        return grad_e[..., None] * np.stack([v[..., 1], -v[..., 0]], -1)
+
+    return np.zeros_like(p), quarter(b - p), quarter(p - a)
 
 
 def edge_function_backward(grad_e, p, a, b):
-    """grad_e is not multiplied in: the bare derivative is returned
+    """grad_a and grad_b are exchanged
 
-    told by: grad_e | upstream | incoming gradient | chain rule | bare derivative | multiplied by the gradient
+    told by: grad_a and grad_b | grad_a & grad_b & exchanged | grad_a & grad_b & swapped | a and b & exchanged | a and b & swapped | a and b & mixed up | order & outputs
     """
-    def turned(side):
-        return np.stack([side[..., 1], -side[..., 0]], -1)
+    def quarter(v):
+        return grad_e[..., None] * np.stack([v[..., 1], -v[..., 0]], -1)
 
-    return turned(a - b), turned(b - p), turned(p - a)
-
-
-def is_inside(p, triangle):
-    """points on the border are left out: > where >= is asked
-
-    told by: border | on an edge | on the edge | strict | >= | boundary
-    """
-    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES])
-    return (e > 0).all(0) | (e < 0).all(0)
+    return quarter(a - b), quarter(p - a), quarter(b - p)
 
 
 def is_top_left(n_x, n_y):
-    """the horizontal edge is the wrong one: n pointing down counts, the upper edge on a screen with y up
+    """horizontal edges are owned where the normal points down: the top of the memory taken as the upper edge on screen (y down)
 
-    told by: horizontal | points down | upper edge | n_y < 0 | y up | y down
+    told by: y down | upper horizontal | points down | n_y < 0 | n_y & sign | lower horizontal | horizontal & instead of the lower | bottom
     """
-    return (n_x > 0) | ((n_x == 0) & (n_y < 0))
+    left = n_x > 0
+    horizontal = n_x == 0
+    return left | (horizontal & (n_y < 0))
+
+
+def is_top_left(n_x, n_y):
+    """x and y are exchanged: edges whose normal points up are owned, and of the vertical ones the left
+
+    told by: x and y | n_x and n_y | exchanged | swapped | n_y > 0 | mixed up | vertical & horizontal
+    """
+    owned = np.zeros(np.shape(n_x), bool)
+    for at in np.ndindex(owned.shape):
+        owned[at] = n_y[at] > 0 or (n_y[at] == 0 and n_x[at] > 0)
+    return owned
 
 
 def is_covered(p, triangle):
-    """the third edge is not tested
+    """all samples on an edge count as covered (e >= 0), without the top-left rule
 
-    told by: third edge | only two | last edge | all edges
+    told by: top-left | e >= 0 | >= 0 | both neighbours | twice & edge | on an edge & all | border
     """
-    ok = np.ones(p.shape[:-1], bool)
-    for k in range(2):
-        a, b = triangle[k], triangle[k + 1]
-        e = edge_function(p, a, b)
-        ok &= (e > 0) | ((e == 0) & is_top_left(a[1] - b[1], b[0] - a[0]))
-    return ok
-
-
-def is_covered(p, triangle):
-    """one positive edge function is enough: or where and is needed
-
-    told by: any edge | every edge | all edges | one edge is enough | or instead of and | or where and
-    """
-    covered = np.zeros(p.shape[:-1], bool)
+    inside = True
     for i, j in EDGES:
-        a, b = triangle[i], triangle[j]
-        e = edge_function(p, a, b)
-        covered |= (e > 0) | ((e == 0) & is_top_left(a[1] - b[1], b[0] - a[0]))
-    return covered
+        inside = inside & (edge_function(p, triangle[i], triangle[j]) >= 0)
+    return inside
 
 
 def is_covered(p, triangle):
-    """the top-left rule gets the edge's normal with the wrong sign, so it owns the right and upper edges
+    """is_top_left gets the edge's direction b - a instead of its normal
 
-    told by: normal & sign | normal & outward | normal & opposite | right edges | bottom-right | wrong edges own
+    told by: direction & normal | edge's direction | direction of the edge | instead of & normal | b - a | is_top_left & gets | along the edge | turned by 90
     """
-    covered = np.ones(p.shape[:-1], bool)
-    for i, j in EDGES:
-        a, b = triangle[i], triangle[j]
-        e = edge_function(p, a, b)
-        covered = covered & ((e > 0) | ((e == 0) & is_top_left(b[1] - a[1], a[0] - b[0])))
-    return covered
+    result = np.ones(p.shape[:-1], bool)
+    for first, second in EDGES:
+        along = triangle[second] - triangle[first]
+        e = edge_function(p, triangle[first], triangle[second])
+        result &= (e > 0) | ((e == 0) & is_top_left(along[0], along[1]))
+    return result
 
 
 def barycentric_coordinates(p, triangle):
-    """the weights are in the wrong order: e of edge (k, k + 1) is given to vertex k, not to the vertex opposite
+    """the weights are one place on: e of edge (0, 1) is given to vertex 0, though it belongs to the opposite vertex 2
 
-    told by: order of | wrong order | opposite | cyclic | shifted | permut
+    told by: opposite | cyclic | one place | order of the & vert | order of the & weight | vertex & exchanged | vertices & exchanged | vertex & swapped | rotated | permut | shifted | next vertex
     """
     e = []
     for k in range(3):
@@ -401,60 +390,101 @@ def barycentric_coordinates(p, triangle):
 
 
 def barycentric_coordinates(p, triangle):
-    """the edge functions are not divided by anything
+    """e is divided by the positive area, so a clockwise triangle gets negative weights
 
-    told by: normali | divide | sum to 1 | add up to 1 | sum 1 | sum is not 1
+    told by: clockwise | winding | absolute | abs | negative & weight | positive area | sign of the area
     """
-    return np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    total = 2 * abs(signed_area(triangle))
+    e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
+    return e / total
+
+
+def bounding_box(triangle, width, height):
+    """floor and ceil of the corners: all pixels that the box touches instead of those whose centres lie in it
+
+    told by: centre | touch | half a pixel | 0.5 | 1/2 | floor & ceil | squares
+    """
+    x0 = int(np.clip(np.floor(triangle[:, 0].min() - MARGIN), 0, width))
+    y0 = int(np.clip(np.floor(triangle[:, 1].min() - MARGIN), 0, height))
+    x1 = int(np.clip(np.ceil(triangle[:, 0].max() + MARGIN), 0, width))
+    y1 = int(np.clip(np.ceil(triangle[:, 1].max() + MARGIN), 0, height))
+    return x0, y0, x1, y1
 
 
 def cull_back_faces(x, y, w, faces):
-    """the sign of w is ignored: a vertex behind the camera does not turn the face over
+    """one sign of w turns the face over if any vertex is behind the camera, instead of once for each such vertex
 
-    told by: behind | w < 0 | sign of w | w is ignored | negative w | signs of w
+    told by: each vertex | for each & vert | any vertex | two vertices | all three & behind | even number | odd | product | several vertices | how many | not for three
     """
-    keep = [f for f in faces if signed_area(np.stack([x[f], y[f]], -1)) > 0]
-    return np.array(keep, dtype=faces.dtype).reshape(-1, 3)
+    keep = []
+    for n, face in enumerate(faces):
+        area = signed_area(np.stack([x[face], y[face]], -1))
+        if (w[face] < 0).any():
+            area = -area
+        if area > 0:
+            keep.append(n)
+    return faces[keep]
 
 
 def rasterize_loop(clip, faces, width, height):
-    """the last of two equally deep faces is seen: <= in the depth test (fine print)
+    """a clockwise face is turned round for coverage and weights, but the depths are read from the unturned corners
 
-    told by: equally deep | equal depth | same depth | <= instead of < | the last of | first of two
+    told by: unturned | turned & depth | clockwise & depth | clockwise & z | weights & other order | corners & order | reversed & z | exchanged & corner | swapped & corner
     """
-    face_index = np.full((height, width), -1)
+    index = np.full((height, width), -1)
     depth = np.full((height, width), np.inf)
     x, y, w = screen_points(clip, width, height)
-    points = np.stack([x, y], -1)
-    for f, corners in enumerate(faces):
-        if signed_area(points[corners]) < 0:
-            corners = corners[::-1]
-        triangle = points[corners]
-        z0, z1, z2 = clip[corners, 2] / w[corners]
-        x0, y0, x1, y1 = bounding_box(triangle, width, height)
+    z = clip[:, 2] / w
+    for f, face in enumerate(faces):
+        tri = np.stack([x[face], y[face]], -1)
+        if signed_area(tri) < 0:
+            tri = tri[::-1]
+        x0, y0, x1, y1 = bounding_box(tri, width, height)
+        for i in range(y0, y1):
+            for j in range(x0, x1):
+                p = np.array([j + 0.5, i + 0.5])
+                if not is_covered(p, tri):
+                    continue
+                l = barycentric_coordinates(p, tri)
+                d = z[face[0]] + l[1] * (z[face[1]] - z[face[0]]) + l[2] * (z[face[2]] - z[face[0]])
+                if abs(d) <= 1 and d < depth[i, j]:
+                    index[i, j] = f
+                    depth[i, j] = d
+    return index, depth
+
+
+def rasterize_loop(clip, faces, width, height):
+    """depths beyond -1 ... 1 are clipped to the range and drawn, instead of not being drawn
+
+    told by: -1 to 1 | from -1 | near & far | beyond & drawn | beyond 1 | range & depth | clamp | clipped to | outside & drawn
+    """
+    index = np.full((height, width), -1)
+    depth = np.full((height, width), np.inf)
+    x, y, w = screen_points(clip, width, height)
+    z = clip[:, 2] / w
+    for f, face in enumerate(faces):
+        tri = np.stack([x[face], y[face]], -1)
+        zs = z[face]
+        if signed_area(tri) < 0:
+            tri, zs = tri[::-1], zs[::-1]
+        x0, y0, x1, y1 = bounding_box(tri, width, height)
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             p = np.array([j + 0.5, i + 0.5])
-            if is_covered(p, triangle):
-                _, l1, l2 = barycentric_coordinates(p, triangle)
-                z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
-                if -1 <= z <= 1 and z <= depth[i, j]:
-                    face_index[i, j], depth[i, j] = f, z
-    return face_index, depth
+            if is_covered(p, tri):
+                l = barycentric_coordinates(p, tri)
+                d = np.clip(zs[0] + l[1] * (zs[1] - zs[0]) + l[2] * (zs[2] - zs[0]), -1, 1)
+                if d < depth[i, j]:
+                    index[i, j], depth[i, j] = f, d
+    return index, depth
 
 
 def barycentric_on_face(px, py, x, y, w):
-    """multiplied by w instead of divided by it
+    """w of the next corner: e_k is divided by w_(k+1) instead of the w_k of its own corner
 
-    told by: multipli | times w | instead of divid | * w | inverse of w | 1/w
+    told by: next corner | w_(k+1) | another corner | other corner | own corner | cyclic | w & shifted | w & order | w & corners & exchanged | w of the next | w of another | w of vertex
     """
-    c = edge_functions_at(px, py, x, y) * w
-    total = c[0] + c[1] + c[2]
-    return c / total
-
-
-def normalize_derivative(dc, b, s, axis=0):
-    """the derivative of s is left out: s is taken as a constant
-
-    told by: b ds | s as a constant | s is constant | s were constant | derivative of s | quotient rule
-    """
-    return dc / s
+    e = edge_functions_at(px, py, x, y)
+    c = np.empty_like(e)
+    for k in range(3):
+        c[k] = e[k] / w[(k + 1) % 3]
+    return c / c.sum(0)

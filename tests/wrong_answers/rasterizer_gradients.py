@@ -84,73 +84,44 @@ def depth_planes_backward(grad_planes, z, corners):
 
 
 def edge_functions(corners):
-    """edge 1 is q_0 x q_2 instead of q_2 x q_0, so that only its sign is flipped
+    """the edges are slipped by one: edges[0] is q_0 x q_1, that of vertices k and k + 1
 
-    told by: edge 1 | edges[1] | q_0 x q_2 | (0, 2) | cyclic | sign of one
+    told by: slipped | q_0 x q_1 | cyclic | k and k + 1 | opposite | shifted | next vertex | rotated | edge & order
     """
-    q = np.moveaxis(corners, 1, 0)
-    return np.stack([cross(q[1], q[2]), cross(q[0], q[2]), cross(q[0], q[1])])
-
-
-def edge_functions_backward(grad_edges, corners):
-    """= instead of +=: each corner keeps only the last of its two edges
-
-    told by: two edges | += | overwr | both edges | last & edge | only one & edge
-    """
-    grad = np.zeros(np.shape(corners))
-    for g, (i, j) in zip(grad_edges, EDGES):
-        grad[:, i] = cross(corners[:, j], g)
-        grad[:, j] = cross(g, corners[:, i])
-    return grad
-
-
-def edge_functions_backward(grad_edges, corners):
-    """only the first corner of each edge gets a gradient: the second factor of the cross product is left out
-
-    told by: second factor | only the first | second corner | product rule | both corners | both factors | q gets nothing
-    """
-    q0, q1, q2 = corners[:, 0], corners[:, 1], corners[:, 2]
-    g0, g1, g2 = grad_edges
-    return np.stack([cross(q1, g2), cross(q2, g0), cross(q0, g1)], 1)
-
-
-def normalize_derivative_backward(grad_db, dc, b, s):
-    """grad_dc is grad_db / s, without the share that goes through sum dc
-
-    told by: sum dc | grad_dc & share | grad_dc & second term | grad_dc & quotient | grad_db / s
-    """
-    grad_dc = grad_db / s
-    full = normalize_backward(grad_db, b, s)
-    through_s = (grad_db * normalize_derivative(dc, b, s)).sum(0)
-    return grad_dc, -(dc.sum(0) * full + through_s) / s
-
-
-def depth_planes(z, corners):
-    """z is multiplied with the columns of M^-1, M^-1 z instead of M^-T z
-
-    told by: transpos | M^-T | column | M^-1 z | wrong axis
-    """
-    inv = inverses(corners)
-    return (inv * z[None]).sum(1)
-
-
-def depth_planes(z, corners):
-    """the edge functions are not divided by the determinant
-
-    told by: determinant | det( | inverse & edge | area of | not divided | adjugate
-    """
-    e = edge_functions(corners)
-    planes = np.zeros(z.shape)
+    rows = []
     for k in range(3):
-        planes += z[k] * e[k]
-    return planes
+        rows.append(cross(corners[:, k], corners[:, (k + 1) % 3]))
+    return np.stack(rows)
 
 
-def depth_planes_backward(grad_planes, z, corners):
-    """grad_corners is the transpose of what it should be: the outer product's factors are exchanged
+def edge_functions_backward(grad_edges, corners):
+    """the cross products are turned round: g x q for p and p x g for q, so the sign is wrong
 
-    told by: transpos | outer & exchanged | outer & order | rows & columns | row & column | swapped
+    told by: sign | order of the cross | turned round | minus | g x q | p x g | cross & exchanged | cross & swapped | negative | factors & order
     """
-    grad_z = (inverses(corners) * grad_planes).sum(1)
-    planes = depth_planes(z, corners)
-    return grad_z, -grad_z[:, None] * planes
+    out = np.zeros(corners.shape)
+    for k, (i, j) in enumerate(EDGES):
+        out[:, i] += cross(grad_edges[k], corners[:, j])
+        out[:, j] += cross(corners[:, i], grad_edges[k])
+    return out
+
+
+def edge_functions_backward(grad_edges, corners):
+    """assigned instead of added: each corner keeps only the last of its two edges
+
+    told by: two edges & sum | both edges | overwrit | += | added up | only one & edge | only the last | add up
+    """
+    out = np.zeros(corners.shape)
+    for g, (i, j) in zip(grad_edges, EDGES):
+        out[:, i] = cross(corners[:, j], g)
+        out[:, j] = cross(g, corners[:, i])
+    return out
+
+
+def depth_planes(z, corners):
+    """z is divided by w first: depth in ndc at the corners, where eq. (4) has z in clip space
+
+    told by: divided by w | z / w | divid & w | ndc | clip space | z & w
+    """
+    at_corners = z / corners[2]
+    return np.einsum("kf,kif->if", at_corners, inverses(corners))

@@ -304,200 +304,294 @@ def best_scale(found, truth):
 
 
 def sh_basis(normals):
-    """up is taken to be y: Y_6 has y^2 and Y_8 has x^2 - z^2, as in graphics with y up
+    """Y_1, Y_2, Y_3 are in the order x, y, z instead of y, z, x
 
-    told by: y up | up is y | y^2 & z^2 | y_6 & y_8 | up axis | y and z | for z & y^2 | y_6 & another axis, such as y
+    told by: order | x, y, z | y, z, x | exchanged | swapped | permut | y_1
     """
-    x, y, z = np.moveaxis(normals, -1, 0)
-    return np.stack([C0 + 0 * x, C1 * y, C1 * z, C1 * x, C2 * x * y, C2 * y * z,
-                     C3 * (3 * y**2 - 1), C2 * x * z, C4 * (x**2 - z**2)], -1)
-
-
-def sh_basis_backward(grad_basis, normals):
-    """the part along the normal is projected away: but n may move along itself
-
-    told by: along itself | along the normal | along n | project | tangent | unit length
-    """
-    x, y, z = np.moveaxis(normals, -1, 0)
-    g = np.moveaxis(grad_basis, -1, 0)
-    grad = np.stack([C1 * g[3] + C2 * (y * g[4] + z * g[7]) + 2 * C4 * x * g[8],
-                     C1 * g[1] + C2 * (x * g[4] + z * g[5]) - 2 * C4 * y * g[8],
-                     C1 * g[2] + C2 * (y * g[5] + x * g[7]) + 6 * C3 * z * g[6]], -1)
-    return grad - (grad * normals).sum(-1, keepdims=True) * normals
-
-
-def sh_basis_backward(grad_basis, normals):
-    """the product x y hands a gradient to x only; y, of each product the second, gets none
-
-    told by: both factors | second factor | product & only | each factor | two factors | product rule
-    """
-    x, y, z = np.moveaxis(normals, -1, 0)
-    g = np.moveaxis(grad_basis, -1, 0)
-    gx = C1 * g[3] + C2 * y * g[4] + C2 * z * g[7] + 2 * C4 * x * g[8]
-    gy = C1 * g[1] + C2 * z * g[5] - 2 * C4 * y * g[8]
-    gz = C1 * g[2] + 6 * C3 * z * g[6]
-    return np.stack([gx, gy, gz], -1)
-
-
-def sh_basis_backward(grad_basis, normals):
-    """the derivative of 3 z^2 is taken for 3 z, without the factor 2
-
-    told by: 6 z | 3 z | factor 2 | 3 z^2 | y_6 | factor of 2 | half | twice
-    """
-    x, y, z = np.moveaxis(normals, -1, 0)
-    g = np.moveaxis(grad_basis, -1, 0)
-    return np.stack([C1 * g[3] + C2 * (y * g[4] + z * g[7]) + 2 * C4 * x * g[8],
-                     C1 * g[1] + C2 * (x * g[4] + z * g[5]) - 2 * C4 * y * g[8],
-                     C1 * g[2] + C2 * (y * g[5] + x * g[7]) + 3 * C3 * z * g[6]], -1)
-
-
-def shade(albedo, normals, light):
-    """only the first four numbers of the light are used: the quadratic ones are missing
-
-    told by: first four | quadratic | second order | last five | only four | nine
-    """
-    return albedo * (sh_basis(normals)[:, :4] @ light[:4])
-
-
-def shade_backward(grad_colour, albedo, normals, light):
-    """grad_normals and grad_albedo are returned in each other's place
-
-    told by: order | exchanged | swapped | in each other's place | mixed up | grad_normals & grad_albedo
-    """
-    basis = sh_basis(normals)
-    g = grad_colour * albedo
-    return sh_basis_backward(g @ light.T, normals), grad_colour * (basis @ light), basis.T @ g
-
-
-def picture_loss_backward(grad_loss, picture, target, weight):
-    """the mean of the colours counts pixels and not numbers: the 1/3 is missing
-
-    told by: 1/3 | 1 / 3 | three | third | 3 times | number of colours
-    """
-    pixels = picture[..., 0].size
-    return 2 * grad_loss * np.array([1, 1, 1, weight]) * (picture - target) / pixels
-
-
-def level_backward(grad_level, ends, distance):
-    """the shares of the two ends are exchanged: a gets t and b gets 1 - t
-
-    told by: shares | exchanged | swapped | 1 - t | mixed up
-    """
-    s_a, s_b = distance[ends[:, 0]], distance[ends[:, 1]]
-    t = s_a / (s_a - s_b)
-    grad = np.zeros(len(distance))
-    for v, (a, b) in enumerate(ends):
-        grad[a] += t[v] * grad_level[v]
-        grad[b] += (1 - t[v]) * grad_level[v]
-    return grad
-
-
-def level_backward(grad_level, ends, distance):
-    """each end gets one half, as if t were 1/2
-
-    told by: half | 1/2 | 0.5 | midpoint | equal shares | alike
-    """
-    grad = np.zeros(len(distance))
-    np.add.at(grad, ends[:, 0], grad_level / 2)
-    np.add.at(grad, ends[:, 1], grad_level / 2)
-    return grad
-
-
-def sign_changes(distance, edges):
-    """fine print: a distance of 0 belongs to no side: an edge is crossed only where the product is negative
-
-    told by: distance of 0 | distance is 0 | exactly 0 | zero | sign of 0 | s = 0
-    """
-    a, b = distance[edges[:, 0]], distance[edges[:, 1]]
-    crossed = a * b < 0
-    return np.logaddexp(0, np.abs([a[crossed], b[crossed]])).sum()
-
-
-def sign_changes(distance, edges):
-    """the mean over the crossed edges and not the sum
-
-    told by: mean | average | sum | divided & number | number of edges
-    """
-    a, b = distance[edges.T]
-    crossed = (a < 0) != (b < 0)
-    h = np.logaddexp(0, np.abs(a[crossed])) + np.logaddexp(0, np.abs(b[crossed]))
-    return h.mean() if len(h) else 0.0
-
-
-def sign_changes_backward(grad_changes, distance, edges):
-    """the slope lacks the sign of the distance: all gradients are positive
-
-    told by: sign | all positive | negative distance | minus | always positive
-    """
-    a, b = edges[(distance[edges] < 0).sum(1) == 1].T
-    slope = 1 / (1 + np.exp(-np.abs(distance)))
-    return grad_changes * slope * np.bincount(np.concatenate([a, b]), minlength=len(distance))
-
-
-def spread(x, amount):
-    """only one explicit step, x - amount * Laplacian(x), not the solution of the equation
-
-    told by: explicit | one step | not solve | solution | x - amount | implicit
-    """
-    m = round(len(x)**(1 / 3))
-    g = x.reshape(m, m, m, -1)
-    p = np.pad(g, [(1, 1), (1, 1), (1, 1), (0, 0)], mode="edge")
-    around = (p[2:, 1:-1, 1:-1] + p[:-2, 1:-1, 1:-1] + p[1:-1, 2:, 1:-1] + p[1:-1, :-2, 1:-1]
-              + p[1:-1, 1:-1, 2:] + p[1:-1, 1:-1, :-2])
-    return (g - amount * (6 * g - around)).reshape(x.shape)
-
-
-def genus(faces):
-    """it is assumed that there is one piece: genus = 1 - (V - E + F) / 2
-
-    told by: one piece | several pieces | pieces & counted | connected | number of pieces | more than one piece
-    """
-    v = len(np.unique(faces))
-    edges = set()
-    for a, b, c in faces:
-        for i, j in ((a, b), (b, c), (c, a)):
-            edges.add((min(i, j), max(i, j)))
-    return 1, int(1 - (v - len(edges) + len(faces)) / 2)
-
-
-def best_scale(found, truth):
-    """the ratio of the means, which is not the least squares
-
-    told by: ratio of & mean | ratio of & sum | least squares | mean & ratio | sums & divided
-    """
-    return truth.mean(0) / found.mean(0)
-
-
-def best_scale(found, truth):
-    """one factor for all colours together, not one for each
-
-    told by: each colour | one factor | all colours | channel | one number | same factor
-    """
-    s = np.sum(found * truth) / np.sum(found**2)
-    return np.full(found.shape[1], s)
-
-
-def best_scale(found, truth):
-    """the mean of the ratios truth / found of all vertices, which is not the least squares
-
-    told by: mean of & ratio | ratios | least squares | truth / found | averag
-    """
-    return np.array([np.mean(truth[:, c] / found[:, c]) for c in range(found.shape[1])])
+    x, y, z = normals[..., 0], normals[..., 1], normals[..., 2]
+    one = np.full(x.shape, C0)
+    return np.stack([one, C1 * x, C1 * y, C1 * z, C2 * x * y, C2 * y * z,
+                     C3 * (3 * z**2 - 1), C2 * x * z, C4 * (x**2 - y**2)], axis=-1)
 
 
 def sh_basis(normals):
-    """the constants are left out: these are the bare polynomials
+    """the nine numbers are on the first axis of the result, which is transposed
 
-    told by: constant | c0 | c1 | bare | normalis | normaliz | factor
+    told by: transpos | axis | shape | first axis | last axis
     """
     x, y, z = np.moveaxis(normals, -1, 0)
-    return np.stack([np.ones_like(x), y, z, x, x * y, y * z, 3 * z**2 - 1, x * z, x**2 - y**2], -1)
+    return np.array([C0 * np.ones_like(x), C1 * y, C1 * z, C1 * x, C2 * x * y, C2 * y * z,
+                     C3 * (3 * z * z - 1), C2 * x * z, C4 * (x * x - y * y)])
+
+
+def sh_basis(normals):
+    """the - 1 of Y_6 = C3 (3 z^2 - 1) is left out
+
+    told by: - 1 of | minus 1 | y_6 | 3 z^2 | the - 1 | seventh
+    """
+    out = np.empty((*normals.shape[:-1], 9))
+    for k in np.ndindex(*normals.shape[:-1]):
+        x, y, z = normals[k]
+        out[k] = (C0, C1 * y, C1 * z, C1 * x, C2 * x * y, C2 * y * z,
+                  C3 * 3 * z**2, C2 * x * z, C4 * (x**2 - y**2))
+    return out
 
 
 def shade(albedo, normals, light):
-    """only the first, constant number of the light counts: the normal plays no role
+    """the colour is divided by pi, which eq. (3) does not do
 
-    told by: constant | ambient | normal & no | first number | light[0] | flat
+    told by: by pi | / pi | np.pi | factor pi | 3.14 | 1/pi
     """
-    ambient = C0 * light[0]
-    return albedo * ambient
+    irradiance = sh_basis(normals) @ light
+    return albedo / np.pi * irradiance
+
+
+def shade(albedo, normals, light):
+    """negative light is cut off at 0, eq. (3) has no maximum
+
+    told by: negative | cut off | clip | maximum | max( | below 0 | clamp
+    """
+    colours = np.zeros(albedo.shape)
+    for v, n in enumerate(normals):
+        colours[v] = albedo[v] * np.maximum(sh_basis(n) @ light, 0)
+    return colours
+
+
+def shade_backward(grad_colour, albedo, normals, light):
+    """the albedo is left out of the normals' gradient
+
+    told by: albedo & normal | without & albedo | albedo & missing | albedo & left out | factor & albedo | multipl & albedo | times & albedo
+    """
+    Y = sh_basis(normals)
+    grad_n = sh_basis_backward(grad_colour @ light.T, normals)
+    return grad_colour * (Y @ light), grad_n, Y.T @ (grad_colour * albedo)
+
+
+def shade_backward(grad_colour, albedo, normals, light):
+    """grad_light is the mean over the vertices instead of the sum
+
+    told by: mean | average | divided & vertices | number of vertices | sum over & vertices
+    """
+    Y = sh_basis(normals)
+    g = albedo * grad_colour
+    return ((Y @ light) * grad_colour, sh_basis_backward(g @ light.T, normals),
+            (Y[:, :, None] * g[:, None]).mean(0))
+
+
+def vertex_normals_backward(grad_normals, vertices, faces):
+    """the normalisation is held as a factor: the part of the gradient along the normal is not taken away
+
+    told by: along n | along the normal | project | normalis | normaliz | only makes m longer | length & held
+    """
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    m = scatter(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
+    length = np.linalg.norm(m, axis=1, keepdims=True)
+    grad_m = grad_normals / np.where(length > 0, length, np.inf)
+    g = grad_m[faces].sum(1)
+    return scatter(np.stack([np.cross(b - c, g), np.cross(c - a, g), np.cross(a - b, g)], 1),
+                   faces, len(vertices))
+
+
+def vertex_normals_backward(grad_normals, vertices, faces):
+    """+= with repeated indices: a vertex of several faces keeps the gradient of the last one only
+
+    told by: repeat | += | add.at | several faces | last face | overwrit | more than one face
+    """
+    a, b, c = vertices[faces.T]
+    m = np.zeros(vertices.shape)
+    for k in range(3):
+        np.add.at(m, faces[:, k], np.cross(b - a, c - a))
+    length = np.linalg.norm(m, axis=1, keepdims=True)
+    length[length == 0] = np.inf
+    n = m / length
+    g = ((grad_normals - n * (n * grad_normals).sum(1, keepdims=True)) / length)[faces].sum(1)
+    out = np.zeros(vertices.shape)
+    out[faces[:, 0]] += np.cross(b - c, g)
+    out[faces[:, 1]] += np.cross(c - a, g)
+    out[faces[:, 2]] += np.cross(a - b, g)
+    return out
+
+
+def vertex_normals_backward(grad_normals, vertices, faces):
+    """the gradient is not divided by the length of m
+
+    told by: length of m | divid & length | by the length | by its length | length & left out
+    """
+    m = np.zeros(vertices.shape)
+    for f in faces:
+        a, b, c = vertices[f]
+        m[f] += np.cross(b - a, c - a)
+    size = np.linalg.norm(m, axis=1)
+    result = np.zeros(vertices.shape)
+    grad_m = np.zeros(vertices.shape)
+    for v in np.flatnonzero(size):
+        n = m[v] / size[v]
+        grad_m[v] = grad_normals[v] - (grad_normals[v] @ n) * n
+    for f in faces:
+        a, b, c = vertices[f]
+        g = grad_m[f].sum(0)
+        result[f] += [np.cross(b - c, g), np.cross(c - a, g), np.cross(a - b, g)]
+    return result
+
+
+def picture_loss_backward(grad_loss, picture, target, weight):
+    """all gradients are divided by the number of all four channels' numbers, instead of each mean by its own
+
+    told by: four channels | all numbers | own numbers | picture.size | number of numbers | each mean | both means
+    """
+    weights = np.array([1.0, 1.0, 1.0, weight])
+    return grad_loss * 2 * weights * (picture - target) / picture.size
+
+
+def picture_loss_backward(grad_loss, picture, target, weight):
+    """the weight is left out of the coverage's gradient
+
+    told by: weight | coverage & factor | fourth & factor | coverage & times | fourth number
+    """
+    grad = 2 * (picture - target)
+    grad[..., :3] /= grad[..., :3].size
+    grad[..., 3] /= grad[..., 3].size
+    return grad_loss * grad
+
+
+def picture_loss_backward(grad_loss, picture, target, weight):
+    """the colours' mean is over the pixels: the division by 3 colours is left out
+
+    told by: by 3 | three times | factor & 3 | three colours | 1 / 3 | factor of three | 3 times | lack 1/3
+    """
+    pixels = picture[..., 0].size
+    scale = np.array([1, 1, 1, weight]) / pixels
+    return 2 * grad_loss * (picture - target) * scale
+
+
+def sign_changes(distance, edges):
+    """the sign is that of the end itself, not of the other one: each end costs log(1 + e^-|s|)
+
+    told by: sign & other | other end | e^- | own sign | opposite | minus | sign & exponent
+    """
+    total = 0.0
+    for a, b in edges:
+        s, r = distance[a], distance[b]
+        if (s < 0) != (r < 0):
+            total += np.logaddexp(0, -abs(s)) + np.logaddexp(0, -abs(r))
+    return total
+
+
+def sign_changes(distance, edges):
+    """all edges are summed, also those that are not crossed
+
+    told by: not crossed | all edges | crossed edges | every edge | uncrossed | same sign | no sign change
+    """
+    s_a, s_b = distance[edges[:, 0]], distance[edges[:, 1]]
+    sign = np.where(distance < 0, -1, 1)[edges]
+    return (np.logaddexp(0, -s_a * sign[:, 1]) + np.logaddexp(0, -s_b * sign[:, 0])).sum()
+
+
+def sign_changes(distance, edges):
+    """the mean over the crossed edges is returned instead of their sum
+
+    told by: mean | average | divided & edges | number of & edges | not the sum | per edge
+    """
+    s = distance[edges]
+    s = s[(s < 0).sum(1) == 1]
+    cost = np.logaddexp(0, np.abs(s)).sum(1)
+    return cost.mean() if len(cost) else 0.0
+
+
+def sh_basis_backward(grad_basis, normals):
+    """Y_7 = C2 x z gives its gradient to x only, and z gets none
+
+    told by: y_7 | x z | eighth | product rule | both factors | z gets
+    """
+    x, y, z = np.moveaxis(normals, -1, 0)
+    g = np.moveaxis(grad_basis, -1, 0)
+    out = np.zeros(normals.shape)
+    out[..., 0] = C1 * g[3] + C2 * y * g[4] + C2 * z * g[7] + 2 * C4 * x * g[8]
+    out[..., 1] = C1 * g[1] + C2 * x * g[4] + C2 * z * g[5] - 2 * C4 * y * g[8]
+    out[..., 2] = C1 * g[2] + C2 * y * g[5] + 6 * C3 * z * g[6]
+    return out
+
+
+def distant_light(towards, strength):
+    """the factors A_k are left out
+
+    told by: a_k | factor a | factors a | without a_ | multipl & a_ | times a
+    """
+    light = np.zeros((9, strength.shape[1]))
+    for d, s in zip(towards, strength):
+        light += np.outer(sh_basis(d), s)
+    return light
+
+
+def level_backward(grad_level, ends, distance):
+    """the shares t and 1 - t of the two ends are exchanged
+
+    told by: exchang | swap | mixed up | 1 - t | shares | other end
+    """
+    inner, outer = distance[ends[:, 0]], distance[ends[:, 1]]
+    t = inner / (inner - outer)
+    grad = np.zeros(len(distance))
+    np.add.at(grad, ends[:, 0], t * grad_level)
+    np.add.at(grad, ends[:, 1], (1 - t) * grad_level)
+    return grad
+
+
+def sign_changes_backward(grad_changes, distance, edges):
+    """the slope's sign is left out: a negative distance gets a positive gradient, too
+
+    told by: sign | negative distance | inside & positive | always positive | absolute
+    """
+    grad = np.zeros(len(distance))
+    for a, b in edges:
+        if (distance[a] < 0) != (distance[b] < 0):
+            for end in (a, b):
+                grad[end] += grad_changes / (1 + np.exp(-abs(distance[end])))
+    return grad
+
+
+def spread(x, amount):
+    """the coefficients have 2 - 2 cos(2 pi k / m), as of a periodic grid, instead of cos(pi k / m)
+
+    told by: 2 pi | pi k | periodic | wrap | frequenc | cos(
+    """
+    m = int(round(len(x)**(1 / 3)))
+    k = 2 - 2 * np.cos(2 * np.pi * np.arange(m) / m)
+    below = 1 + amount * (k[:, None, None] + k[:, None] + k)
+    c = scipy.fft.dctn(x.reshape(m, m, m, -1), axes=(0, 1, 2), norm="ortho")
+    return scipy.fft.idctn(c / below[..., None], axes=(0, 1, 2), norm="ortho").reshape(x.shape)
+
+
+def genus(faces):
+    """(V - E + F) is not halved in eq. (9)
+
+    told by: half | halv | / 2 | by 2 | twice
+    """
+    names, numbered = np.unique(faces, return_inverse=True)
+    numbered = numbered.reshape(-1, 3)
+    pieces, _ = scipy.sparse.csgraph.connected_components(mesh.adjacency(numbered, len(names)))
+    edges, _ = mesh.edges(numbered)
+    return int(pieces), int(pieces - (len(names) - len(edges) + len(faces)))
+
+
+def best_scale(found, truth):
+    """found and truth are exchanged: this is the factor from truth to found, over truth^2
+
+    told by: exchang | swap | mixed up | truth^2 | truth to found | squares of truth | reverse
+    """
+    return (found * truth).sum(0) / (truth * truth).sum(0)
+
+
+def vertex_normals_backward(grad_normals, vertices, faces):
+    """the corners' gradients are cyclically exchanged: each goes to the next corner
+
+    told by: cyclic | next corner | exchanged | wrong corner | swapped | mixed up | shifted | moved on by one
+    """
+    a, b, c = vertices[faces.T]
+    m = scatter(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
+    size = np.linalg.norm(m, axis=1, keepdims=True)
+    size = np.where(size > 0, size, np.inf)
+    unit_m = m / size
+    g = (grad_normals - (grad_normals * unit_m).sum(1, keepdims=True) * unit_m) / size
+    g = g[faces].sum(1)
+    parts = [np.cross(a - b, g), np.cross(b - c, g), np.cross(c - a, g)]
+    return scatter(np.stack(parts, 1), faces, len(vertices))

@@ -290,218 +290,218 @@ def large_step(x, grad_x, mean, square, step, rate, spread):
     return precondition(moved, edges, weights, amount), mean, square
 
 
-def radius_ratio(triangles):
-    """the 2 is left out: r / R, which is 1/2 for an equilateral triangle
+def cotangents(triangles):
+    """the dot product is divided by the lengths of the two sides: this is the cosine, not the cotangent
 
-    told by: r / R | half | factor 2 | 1/2 | twice | 2 is left out | 2 is missing | 0.5
+    told by: cosine | length & of the & sides | product of the lengths | lengths of p and q | unit & sides | twice the area & length
     """
-    length = np.linalg.norm(sides(triangles)[0], axis=-1)
-    a, b, c = length[..., 0], length[..., 1], length[..., 2]
-    area = np.linalg.norm(area_vectors(triangles), axis=-1) / 2
-    r = 2 * area / np.where(a + b + c > 0, a + b + c, 1)
-    product = a * b * c
-    return r * 4 * area / np.where(product > 0, product, 1)
+    p, q = sides(triangles)
+    lengths = np.linalg.norm(p, axis=-1) * np.linalg.norm(q, axis=-1)
+    return (p * q).sum(-1) / np.where(lengths > 0, lengths, 1)
 
 
 def cotangents(triangles):
-    """the tangent instead of the cotangent: |p x q| / p . q
+    """the dot product is divided by the triangle's area instead of twice the area
 
-    told by: tangent instead | tan instead | reciprocal | upside down | inverted | 1 / cot | numerator | fraction | it is the tangent
+    told by: twice the area | twice as large | factor & 2 | factor of two | double | half & area
     """
-    p, q = sides(triangles)
-    twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
-    flat = twice_area <= NO_AREA * (p**2).sum(-1).max(-1, keepdims=True)
-    dot = (p * q).sum(-1)
-    return np.where(flat, 0, twice_area / np.where(dot == 0, 1, dot))
-
-
-def cotangents(triangles):
-    """the cosine: divided by the lengths |p| |q| instead of |p x q|
-
-    told by: cosine | lengths of the sides | product of the lengths | cos instead | divided by the lengths
-    """
-    p, q = sides(triangles)
-    twice_area = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
-    flat = twice_area <= NO_AREA * (p**2).sum(-1).max(-1, keepdims=True)
-    product = np.linalg.norm(p, axis=-1) * np.linalg.norm(q, axis=-1)
-    return np.where(flat, 0, (p * q).sum(-1) / np.where(product > 0, product, 1))
-
-
-def cotangents(triangles):
-    """divides by the area instead of twice the area: all cotangents are doubled
-
-    told by: area instead of twice | doubled | twice as | twice too | factor 2 | factor of 2 | area is halved | times 2 | half the denominator
-    """
-    p, q = sides(triangles)
-    area = np.linalg.norm(area_vectors(triangles), axis=-1) / 2
-    flat = 2 * area <= NO_AREA * (p**2).sum(-1).max(-1)
-    result = np.zeros(p.shape[:-1])
-    for k in range(3):
-        dot = (p[..., k, :] * q[..., k, :]).sum(-1)
-        result[..., k] = np.where(flat, 0, dot / np.where(flat, 1, area))
+    result = np.zeros(triangles.shape[:-1])
+    for where in np.ndindex(*triangles.shape[:-2]):
+        corner = triangles[where]
+        area = np.linalg.norm(np.cross(corner[1] - corner[0], corner[2] - corner[0])) / 2
+        longest = max(((corner[k] - corner[k - 1])**2).sum() for k in range(3))
+        if 2 * area <= NO_AREA * longest:
+            continue
+        for k in range(3):
+            u, v = corner[(k + 1) % 3] - corner[k], corner[(k + 2) % 3] - corner[k]
+            result[where + (k,)] = u @ v / area
     return result
 
 
 def cotangents(triangles):
-    """flat triangles are not caught: division by a zero area gives inf or nan (fine print)
+    """the second side points the wrong way round the triangle, from corner k + 1 to k + 2 instead of from k to k + 2
 
-    told by: is inf | inf or nan | nan | divi & zero | divi & by 0 | NO_AREA | without area | degenerate
+    told by: from corner k + 1 | next corner | obtuse | around the triangle | exterior | start & same corner | both sides & start
     """
-    p, q = sides(triangles)
-    cross = np.linalg.norm(np.cross(p, q), axis=-1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return (p * q).sum(-1) / cross
+    after = np.roll(triangles, -1, -2)
+    u, v = after - triangles, np.roll(triangles, -2, -2) - after
+    twice = np.linalg.norm(area_vectors(triangles), axis=-1, keepdims=True)
+    none = twice <= NO_AREA * (u**2).sum(-1).max(-1, keepdims=True)
+    return np.where(none, 0, (u * v).sum(-1) / np.where(none, 1, twice))
 
 
-def cotangents_backward(grad_cotangents, triangles):
-    """the area is held constant: the derivative of |p x q| is left out
+def laplacian_entries(edges, weights, vertex_count):
+    """the diagonal is summed up by += with repeated indices, so a vertex of many edges keeps only the last one
 
-    told by: area is & constant | area & held | area & fixed | denominator | quotient rule | change of the area | derivative of the area | by_s
+    told by: repeat | += | add.at | only the last | several edges | more than one edge | overwrit
     """
-    p, q = sides(triangles)
-    s = np.linalg.norm(area_vectors(triangles), axis=-1)[..., None, None]
-    flat = s <= NO_AREA * (p**2).sum(-1).max(-1)[..., None, None]
-    g = np.where(flat, 0, grad_cotangents[..., None] / np.where(flat, 1, s))
-    grad_p, grad_q = g * q, g * p
-    return np.roll(grad_p, 1, -2) + np.roll(grad_q, 2, -2) - grad_p - grad_q
-
-
-def laplacian_energy(x, edges, weights, mass):
-    """divides by the mass squared: the square of M^-1 L x is summed
-
-    told by: mass squared | m^2 | squared mass | mass & twice | square of the mass | mass is squared | M^-1 L x | m_i^2
-    """
-    y = per_mass(laplacian(edges, weights, len(x)) @ x, mass)
-    return (y**2).sum()
-
-
-def laplacian_energy_backward(grad_energy, x, edges, weights, mass):
-    """grad_mass has no minus sign
-
-    told by: grad_mass & sign | grad_mass & minus | mass & sign | mass & minus | mass & negative | -1 / m
-    """
-    L = laplacian(edges, weights, len(x))
-    y = L @ x
-    z = per_mass(y, mass)
     i, j = edges[:, 0], edges[:, 1]
-    grad_y = 2 * grad_energy * z
-    grad_weights = ((grad_y[i] - grad_y[j]) * (x[i] - x[j])).sum(1)
-    return L @ grad_y, grad_weights, grad_energy * (z**2).sum(1)
+    diagonal = np.zeros(vertex_count)
+    diagonal[i] += weights
+    diagonal[j] += weights
+    every = np.arange(vertex_count)
+    return (np.concatenate([i, j, every]), np.concatenate([j, i, every]),
+            np.concatenate([-weights, -weights, diagonal]))
 
 
-def laplacian_energy_backward(grad_energy, x, edges, weights, mass):
-    """grad_weights has only row i of each edge: row j is left out
+def laplacian_entries(edges, weights, vertex_count):
+    """only the row of an edge's first vertex gets entries, the second vertex's row is left out
 
-    told by: row j | row i | both ends | one end | other end | symmetric | z_j | grad_y[j] | second vertex | w_ij & both
+    told by: symmetric | second vertex | other vertex | other end | both ends | both directions | first vertex
     """
-    L = laplacian(edges, weights, len(x))
-    z = per_mass(L @ x, mass)
-    grad_y = 2 * grad_energy * z
-    grad_weights = np.zeros(len(edges))
-    for e, (i, j) in enumerate(edges):
-        grad_weights[e] = grad_y[i] @ (x[i] - x[j])
-    return L @ grad_y, grad_weights, -grad_energy * (z**2).sum(1)
-
-
-def laplacian_energy_backward(grad_energy, x, edges, weights, mass):
-    """the factor 2 of the square is left out in grad_x and grad_weights
-
-    told by: factor 2 | half | twice | 1/2 | 2 is missing | 2 is left out | derivative of a square | derivative of the square
-    """
-    L = laplacian(edges, weights, len(x))
-    i, j = edges.T
-    z = per_mass(L @ x, mass)
-    grad_y = grad_energy * z
-    grad_weights = ((grad_y[i] - grad_y[j]) * (x[i] - x[j])).sum(1)
-    return L @ grad_y, grad_weights, -grad_energy * (z * z).sum(1)
+    rows, columns, values = [], [], []
+    for (start, end), w in zip(edges, weights):
+        rows += [start, start]
+        columns += [start, end]
+        values += [w, -w]
+    return np.array(rows, int), np.array(columns, int), np.array(values, float)
 
 
 def smooth_explicit(x, edges, weights, mass, step):
-    """multiplies by the mass instead of dividing by it
+    """L x is multiplied by the mass instead of divided by it
 
-    told by: multipl & mass | M L x | times the mass | instead of dividing | M instead of M^-1 | divi & instead
+    told by: multipl & mass | divid & mass | times & mass | m^-1 | inverse & mass
     """
-    y = laplacian(edges, weights, len(x)) @ x
-    return x - step * mass[:, None] * y
+    return x - step * mass[:, None] * (laplacian(edges, weights, len(x)) @ x)
+
+
+def smooth_explicit(x, edges, weights, mass, step):
+    """the step is added: vertices go away from their neighbours, L x already is x minus the neighbours
+
+    told by: sign | added | plus | away from | minus | opposite direction | subtract
+    """
+    change = np.zeros(x.shape)
+    for (i, j), w in zip(edges, weights):
+        change[i] += w * (x[i] - x[j])
+        change[j] += w * (x[j] - x[i])
+    return x + step * per_mass(change, mass)
 
 
 def smooth_implicit(x, edges, weights, mass, step):
-    """the right-hand side is x instead of M x
+    """the right side is x, and M x is meant: the mass is on one side only
 
-    told by: right-hand side | right side | M times x | x instead of M x | mass & right
+    told by: right side | right-hand | m x | multipl & mass | mass & both sides | one side
     """
-    mass = np.where(mass > 0, mass, 1)
-    matrix = scipy.sparse.diags_array(mass) + step * laplacian(edges, weights, len(x))
+    heavy = np.where(mass > 0, mass, 1)
+    matrix = scipy.sparse.diags_array(heavy) + step * laplacian(edges, weights, len(x))
     return spsolve(matrix.tocsc(), x).reshape(x.shape)
 
 
 def smooth_implicit(x, edges, weights, mass, step):
-    """the step is left out of the matrix: M + L
+    """the masses are left out on both sides, I stands where M should be
 
-    told by: step & left out | M + L | step & ignored | step & missing | s = 1 | step & not used | whatever the step
+    told by: without & mass | mass & left out | mass & missing | mass & ignored | masses & as 1 | mass & not used | i + s l
     """
-    mass = np.where(mass > 0, mass, 1)
-    matrix = scipy.sparse.diags_array(mass) + laplacian(edges, weights, len(x))
-    return spsolve(matrix.tocsc(), mass[:, None] * x).reshape(x.shape)
+    L = laplacian(edges, weights, len(x))
+    system = (scipy.sparse.eye_array(len(x)) + step * L).tocsc()
+    return np.column_stack([spsolve(system, x[:, c]) for c in range(x.shape[1])])
 
 
 def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
-    """shrink and grow are exchanged
+    """the second step has s = grow without the minus, so that it shrinks once more
 
-    told by: exchang | swap | mixed up | grow & shrink & other
+    told by: -grow | sign & grow | minus & grow | second step & sign | shrinks & twice | both & shrink | sign of the second
     """
-    for k in range(2 * rounds):
-        step = -shrink if k % 2 else grow
-        x = smooth_explicit(x, edges, weights, mass, step)
+    for _ in range(rounds):
+        for s in (shrink, grow):
+            x = smooth_explicit(x, edges, weights, mass, s)
+    return x
+
+
+def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
+    """x is changed in place: the caller's array is overwritten
+
+    told by: in place | overwrit | caller | input & chang | argument & chang | modif
+    """
+    for _ in range(rounds):
+        for s in (shrink, -grow):
+            x -= s * per_mass(laplacian(edges, weights, len(x)) @ x, mass)
     return x
 
 
 def enclosed_volume_backward(grad_volume, triangles):
-    """the 1/6 is left out
+    """np.roll goes over the coordinates x, y, z instead of the three corners
 
-    told by: 1/6 | sixth | / 6 | six times | 6 times | factor 6 | divided by 6 | divided by six | 6 too
+    told by: coordinates | axis | x, y, z & corner | roll & x, y, z | roll & corner | not the corners
     """
-    a, b, c = triangles.swapaxes(0, 1)
-    return grad_volume * np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], 1)
+    following = np.roll(triangles, -1, -1)
+    last = np.roll(triangles, -2, -1)
+    return grad_volume / 6 * np.cross(following, last)
 
 
 def enclosed_volume_backward(grad_volume, triangles):
-    """all three corners get a third of the normal, as if every triangle moved as a whole
+    """the two other corners are exchanged in the cross product, so every gradient has the opposite sign
 
-    told by: face normal | triangle's normal | third of the normal | all three corners | same gradient | area vector | same for all | moved as a whole
+    told by: sign | exchanged | swapped | order & cross | opposite | mixed up | inward
     """
-    normal = area_vectors(triangles)
-    return np.repeat(grad_volume * normal[:, None] / 18, 3, axis=1)
+    result = np.empty(triangles.shape)
+    for f, (a, b, c) in enumerate(triangles):
+        result[f] = np.cross(c, b), np.cross(a, c), np.cross(b, a)
+    return grad_volume * result / 6
 
 
-def enclosed_volume_backward(grad_volume, triangles):
-    """only the first corner has a gradient: x_1 and x_2 in the cross product are taken as constants
+def corner_angles(triangles):
+    """arcsin of the area over the sides gives an acute angle also at an obtuse corner
 
-    told by: only & first corner | only one corner | x_1 and x_2 | other corners | two corners | as constant | other two | product rule
+    told by: obtuse | arcsin | acute | above pi / 2 | more than pi / 2 | over 90 | larger than pi / 2
     """
-    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
-    grad = np.zeros_like(triangles)
-    grad[:, 0] = grad_volume * np.cross(b, c) / 6
-    return grad
+    p, q = sides(triangles)
+    length = np.linalg.norm(p, axis=-1) * np.linalg.norm(q, axis=-1)
+    sine = twice_areas(triangles)[..., None] / np.where(length > 0, length, 1)
+    return np.arcsin(np.clip(sine, 0, 1))
+
+
+def radius_ratio(triangles):
+    """the factor 2 of q = 2 r / R is left out: an equilateral triangle has 1/2
+
+    told by: factor & 2 | half | twice | 1/2 | 2 r | factor of two
+    """
+    a, b, c = np.moveaxis(np.linalg.norm(sides(triangles)[0], axis=-1), -1, 0)
+    area = np.linalg.norm(area_vectors(triangles), axis=-1) / 2
+    r = 2 * area / (a + b + c)
+    R = a * b * c / (4 * area)
+    return r / R
+
+
+def cotangents_backward(grad_cotangents, triangles):
+    """only the dot product p . q is differentiated, the area under it is held
+
+    told by: area & held | area & constant | denominator | quotient | only & p . q | area & chang | through the area
+    """
+    p, q = sides(triangles)
+    s = np.linalg.norm(area_vectors(triangles), axis=-1)[..., None, None]
+    none = s <= NO_AREA * (p**2).sum(-1).max(-1)[..., None, None]
+    g = np.where(none, 0, grad_cotangents[..., None] / np.where(none, 1, s))
+    return np.roll(g * q, 1, -2) + np.roll(g * p, 2, -2) - g * (p + q)
+
+
+def laplacian_energy_backward(grad_energy, x, edges, weights, mass):
+    """grad_weights has z_i (x_i - x_j) only: the row of the edge's second vertex is left out
+
+    told by: z_j | second vertex | other end | both ends | other vertex | z_i - z_j | both vertices
+    """
+    L = laplacian(edges, weights, len(x))
+    z = per_mass(L @ x, mass)
+    by_weight = np.array([2 * grad_energy * z[i] @ (x[i] - x[j]) for i, j in edges])
+    return 2 * grad_energy * (L @ z), by_weight, -grad_energy * (z * z).sum(1)
 
 
 def large_step(x, grad_x, mean, square, step, rate, spread):
-    """the step is made in x with the smoothed gradient, not in u, so the second smoothing is missing
+    """Adam gets grad_x instead of grad_u: the gradient is not spread by (I + lambda L)^-1
 
-    told by: made in x | step in x | instead of u | not in u | u is never | second precondition | second smoothing | preconditioned once | only once | back from u | back to x
-    """
-    smooth_grad = precondition(grad_x, *spread)
-    x, mean, square = uniform_adam_step(x, smooth_grad, mean, square, step, rate)
-    return x, mean, square
-
-
-def large_step(x, grad_x, mean, square, step, rate, spread):
-    """lambda is left out of u: (I + L) x
-
-    told by: lambda | amount | I + L
+    told by: grad_u | grad_x instead | gradient & not spread | gradient & precondition | (i + lambda l)^-1 | spread & gradient | inverse & gradient
     """
     edges, weights, amount = spread
-    u = x + laplacian(edges, weights, len(x)) @ x
-    grad_u = precondition(grad_x, edges, weights, amount)
-    u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
-    return precondition(u, edges, weights, amount), mean, square
+    u = x + amount * (laplacian(edges, weights, len(x)) @ x)
+    u, mean, square = uniform_adam_step(u, grad_x, mean, square, step, rate)
+    return precondition(u, *spread), mean, square
+
+
+def smooth_explicit(x, edges, weights, mass, step):
+    """all is computed in float32, which has seven digits only
+
+    told by: float32 | single precision | seven digits | 32 bit | precision | float64
+    """
+    y = np.float32(x)
+    L = laplacian(edges, weights, len(x)).astype(np.float32)
+    return y - np.float32(step) * per_mass(L @ y, mass.astype(np.float32))

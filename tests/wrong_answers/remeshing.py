@@ -50,30 +50,48 @@ def relax_step(vertices, normals, edges, rate):
 
 
 def delaunay_gain(corners):
-    """pi - gamma - delta: the sign is the other way round, positive where the edge is Delaunay already
+    """delta is measured in the triangle b, c, d instead of b, a, d
 
-    told by: sign | other way | pi - gamma | negative | reversed | minus
+    told by: b, c, d | bcd | triangle & delta | b, a, d & delta | triangle & at d | face & d | angle at d
     """
-    c_first = corners[:, [2, 0, 1]]
-    d_first = corners[:, [3, 1, 0]]
-    return np.pi - corner_angles(c_first)[:, 0] - corner_angles(d_first)[:, 0]
-
-
-def delaunay_gain(corners):
-    """the face of d is taken as a, c, d: its angle is between the wrong sides
-
-    told by: a, c, d | acd | wrong face | wrong triangle | a, b, d | b, a, d | between c | other triangle
-    """
-    gamma = corner_angles(corners[:, [2, 0, 1]])[:, 0]
-    delta = corner_angles(corners[:, [3, 0, 2]])[:, 0]
+    gamma = corner_angles(corners[:, :3])[:, 2]
+    delta = corner_angles(corners[:, 1:])[:, 2]
     return gamma + delta - np.pi
 
 
-def relax_step(vertices, normals, edges, rate):
-    """only the normal part of the move is kept, n n^T instead of I - n n^T
+def delaunay_gain(corners):
+    """the angles are taken at a and b, the ends of the edge, instead of at c and d opposite to it
 
-    told by: only the normal | only & normal part | only & along n | I - n n^T | instead of the tangent | normal part is kept | part of the move along the normal n is kept | along the normal & instead
+    told by: opposite | ends of the edge | at a and b | at a & not at c | at c and d | at c & at d
     """
-    valence = np.bincount(edges.ravel(), minlength=len(vertices))
-    move = smooth_explicit(vertices, edges, np.ones(len(edges)), valence, rate) - vertices
+    gain = np.zeros(len(corners))
+    for n, (a, b, c, d) in enumerate(corners):
+        at_a = corner_angles(np.array([a, b, c]))[0]
+        at_b = corner_angles(np.array([b, a, d]))[0]
+        gain[n] = at_a + at_b - np.pi
+    return gain
+
+
+def delaunay_gain(corners):
+    """the sign is turned round: pi - gamma - delta is positive where the edge should stay
+
+    told by: sign | pi - | should stay | opposite & flip | negative where | turned round
+    """
+    one = corner_angles(corners[:, [2, 0, 1]])[..., 0]
+    two = corner_angles(corners[:, [3, 0, 1]])[..., 0]
+    return np.pi - (one + two)
+
+
+def relax_step(vertices, normals, edges, rate):
+    """the part of the move along the normal is kept, and the tangential part is taken away
+
+    told by: along the normal | tangential | n n^t | normal part | i - n | off the surface
+    """
+    total, count = np.zeros(vertices.shape), np.zeros(len(vertices))
+    for i, j in edges:
+        total[i] += vertices[j]
+        total[j] += vertices[i]
+        count[[i, j]] += 1
+    move = rate * (total / np.maximum(count, 1)[:, None] - vertices)
+    move[count == 0] = 0
     return vertices + (move * normals).sum(1, keepdims=True) * normals

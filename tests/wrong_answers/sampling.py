@@ -350,259 +350,237 @@ def clamped_area_backward(grad_area, polygon, x, y):
 
 
 def alias_frequency(frequency, rate):
-    """rate / 2 itself is not turned into -rate / 2: the interval is open at the wrong end (fine print)
+    """the alias lies in 0 ... r instead of -r/2 ... r/2: only frequency modulo rate
 
-    told by: -rate/2 | -rate / 2 | half the rate | r/2 | upper end | ceil
+    told by: modulo | 0 to r | from 0 | never negative | not negative | % rate | -r/2 | can be negative | is negative | should be negative
     """
-    return frequency - rate * np.ceil(frequency / rate - 0.5)
+    return np.mod(frequency, rate)
 
 
 def alias_frequency(frequency, rate):
-    """the rate is subtracted only once, which is too few times for a frequency above 3/2 of the rate
+    """folded at the rate instead of at half the rate: m is f / r rounded towards 0
 
-    told by: only once | several times | more than one | whole number of | many times | one time
+    told by: towards 0 | toward zero | truncat | int( | half the rate | nearest & multiple | rounded down | whole part
     """
-    return np.where(frequency >= rate / 2, frequency - rate, frequency)
+    m = (frequency / rate).astype(int)
+    return frequency - rate * m
 
 
 def dft_matrix(n):
-    """the 2 of 2 pi is forgotten: the frequencies are half as high
+    """the matrix is complex64, single precision
 
-    told by: 2 pi | 2pi | factor 2 | factor of 2
+    told by: complex64 | single precision | float32 | 7 digits | precision | complex128
     """
-    index = np.arange(n)
-    angle = np.pi * index[:, None] * index / n
-    return np.cos(angle) - 1j * np.sin(angle)
+    d = np.empty((n, n), np.complex64)
+    for k in range(n):
+        for m in range(n):
+            d[k, m] = np.exp(-2j * np.pi * k * m / n)
+    return d
+
+
+def dft_matrix(n):
+    """divided by n: the 1/N of the inverse transform
+
+    told by: divided by n | 1/n | 1 / n | factor & n | n times | inverse & n | normali
+    """
+    k = np.arange(n)
+    return np.exp(-2j * np.pi * k[:, None] * k / n) / n
+
+
+def band_pass(picture, low, high):
+    """max(|f_y|, |f_x|) is compared instead of the length of (f_y, f_x): a square band, not a ring
+
+    told by: square | ring | circle | maximum | max( | hypot | length of | euclid | pythag | diagonal
+    """
+    h, w = picture.shape
+    f_y, f_x = abs(frequencies(h)), abs(frequencies(w))
+    spectrum = spectrum_of(picture)
+    for i in range(h):
+        for j in range(w):
+            if not low <= max(f_y[i], f_x[j]) < high:
+                spectrum[i, j] = 0
+    return picture_of(spectrum)
 
 
 def convolve(picture, kernel):
-    """correlation: the kernel is not flipped, f_(n + m) is taken instead of f_(n - m)
+    """a correlation: the kernel is not mirrored, f at n + m instead of n - m
 
-    told by: correlation | flip | n + m | mirrored | turned round | reversed
+    told by: correlation | mirror | n + m | flipped | n - m | reversed | backwards | turned by 180
     """
     H, W = picture.shape
     h, w = kernel.shape
-    out = np.zeros((H, W))
+    result = np.zeros((H, W))
     for y in range(H):
         for x in range(W):
             for i in range(h):
                 for j in range(w):
-                    out[y, x] += kernel[i, j] * picture[(y + i - h // 2) % H, (x + j - w // 2) % W]
-    return out
+                    result[y, x] += kernel[i, j] * picture[(y + i - h // 2) % H, (x + j - w // 2) % W]
+    return result
 
 
 def convolve(picture, kernel):
-    """the kernel's first entry [0, 0] is taken as g_0, not its middle, so the result is shifted
+    """beyond the border the picture is taken as 0 instead of going round
 
-    told by: shift | middle | centre of the kernel | center | h // 2 | w // 2
-    """
-    total = np.zeros(picture.shape)
-    for i, row in enumerate(kernel):
-        for j, weight in enumerate(row):
-            total += weight * np.roll(picture, (i, j), axis=(0, 1))
-    return total
-
-
-def convolve(picture, kernel):
-    """the border pixels are repeated outwards (clamped), they should go round
-
-    told by: clamp | border & repeat | replicate | circular | wrap | go round
+    told by: beyond & border | goes round | go round | going round | wrap | circular | periodic | zero & border | padd
     """
     H, W = picture.shape
     h, w = kernel.shape
-    padded = np.pad(picture, ((h // 2,), (w // 2,)), mode="edge")
-    total = np.zeros((H, W))
-    for i in range(h):
-        for j in range(w):
-            top, left = h - 1 - i, w - 1 - j
-            total += kernel[i, j] * padded[top:top + H, left:left + W]
-    return total
+    padded = np.pad(picture, ((h // 2, h // 2), (w // 2, w // 2)))
+    result = np.zeros((H, W))
+    for (i, j), weight in np.ndenumerate(kernel[::-1, ::-1]):
+        result += weight * padded[i:i + H, j:j + W]
+    return result
 
 
-def convolve_by_spectrum(picture, kernel):
-    """the kernel stays in the corner: it is padded, but its middle is not moved to [0, 0]
+def box_spectrum(width, n):
+    """the continuous sinc, sin(x) / x, instead of the sine of pi k/N in the denominator
 
-    told by: middle | shift | roll | [0, 0] | corner | centre
+    told by: continuous | sin(x) / x | sin(x)/x | np.sinc | denominator | sin(pi k | dirichlet | not periodic | aliases of the sinc
     """
-    height, width = picture.shape
-    h, w = kernel.shape
-    padded = np.zeros((height, width))
-    padded[:h, :w] = kernel
-    return picture_of(spectrum_of(picture) * spectrum_of(padded))
+    return np.sinc(width * np.arange(n) / n)
 
 
 def sampled_spectrum(spectrum, step):
-    """divided by the step only once, though there are two axes
+    """neighbouring frequencies are summed instead of those N / s apart
 
-    told by: step**2 | s^2 | squared | two axes | both axes | only once
+    told by: neighbour | apart | adjacent | block | n/s | n / s | consecutive
     """
     H, W = spectrum.shape
-    blocks = spectrum.reshape(step, H // step, step, W // step)
-    return blocks.sum(axis=(0, 2)) / step
+    return spectrum.reshape(H // step, step, W // step, step).sum((1, 3)) / step**2
 
 
-def folded_energy(spectrum, step):
-    """only what is too fast along both axes counts: and where or is needed
+def sampled_spectrum(spectrum, step):
+    """divided by s once instead of once for y and once for x: 1/s^2 is needed
 
-    told by: both axes | and instead of or | and where | minimum | f_y or f_x | both & must
+    told by: s^2 | s**2 | step**2 | step^2 | twice & divided | factor & step | step times | s times | once & both | 1/s & both | each axis | both axes
     """
-    height, width = spectrum.shape
-    limit = 1 / (2 * step)
-    total = 0.0
-    for i, f_y in enumerate(frequencies(height)):
-        for j, f_x in enumerate(frequencies(width)):
-            if abs(f_y) >= limit and abs(f_x) >= limit:
-                total += abs(spectrum[i, j]) ** 2
-    return total / spectrum.size ** 2
+    H, W = spectrum.shape
+    h, w = H // step, W // step
+    total = np.zeros((h, w), complex)
+    for m in range(step):
+        for n in range(step):
+            total += spectrum[m * h:(m + 1) * h, n * w:(n + 1) * w]
+    return total / step
 
 
 def clip_polygon(polygon, a, b, c):
-    """the last edge, from the last vertex back to the first, is forgotten
+    """the last edge, from the last vertex back to the first, is left out
 
-    told by: last edge | closing edge | back to the first | last vertex | last to the first | wrap
+    told by: last edge | closing | back to the first | last vertex | closes | wrap | last to the first
     """
-    kept = []
-    value = polygon @ np.array([a, b]) + c
+    out = []
+    n = len(polygon)
+    for k in range(n):
+        p = polygon[k]
+        d = a * p[0] + b * p[1] + c
+        if d >= 0:
+            out.append(p)
+        if k + 1 < n:
+            q = polygon[k + 1]
+            d_next = a * q[0] + b * q[1] + c
+            if (d >= 0) != (d_next >= 0):
+                out.append(p + d / (d - d_next) * (q - p))
+    return np.array(out).reshape(-1, 2)
+
+
+def clip_polygon(polygon, a, b, c):
+    """the crossing is measured from the wrong end: p and q are exchanged in its interpolation
+
+    told by: wrong end | other end | p and q | 1 - t | crossing & exchanged | crossing & swapped | crossing & end | from q | weights & exchanged | mirrored
+    """
+    out = []
+    side = polygon @ np.array([a, b]) + c
     for k in range(len(polygon)):
-        if value[k] >= 0:
-            kept.append(polygon[k])
-        if k + 1 < len(polygon) and (value[k] >= 0) != (value[k + 1] >= 0):
-            t = value[k] / (value[k] - value[k + 1])
-            kept.append(polygon[k] + t * (polygon[k + 1] - polygon[k]))
-    return np.array(kept).reshape(-1, 2)
-
-
-def clip_polygon(polygon, a, b, c):
-    """the crossing is measured from the wrong end of the edge: t and 1 - t are exchanged
-
-    told by: wrong end | 1 - t | other end | exchanged | swapped | mirrored
-    """
-    kept = []
-    for p, q in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
-        at_p, at_q = a * p[0] + b * p[1] + c, a * q[0] + b * q[1] + c
-        if at_p >= 0:
-            kept.append(p)
-        if (at_p >= 0) != (at_q >= 0):
-            t = abs(at_p) / (abs(at_p) + abs(at_q))
-            kept.append(t * p + (1 - t) * q)
-    return np.array(kept).reshape(-1, 2)
-
-
-def clip_polygon(polygon, a, b, c):
-    """the crossings are not added: only the vertices inside are kept
-
-    told by: crossing & missing | crossing & not added | only the vertices | only vertices | no crossing | crossings are
-    """
-    inside = a * polygon[:, 0] + b * polygon[:, 1] + c >= 0
-    return polygon[inside]
+        n = (k + 1) % len(polygon)
+        if side[k] >= 0:
+            out.append(polygon[k])
+        if (side[k] >= 0) != (side[n] >= 0):
+            t = side[k] / (side[k] - side[n])
+            out.append(t * polygon[k] + (1 - t) * polygon[n])
+    return np.reshape(out, (-1, 2))
 
 
 def polygon_area_backward(grad_area, polygon):
-    """only the terms of the edge that leaves the vertex are there: those of the edge that arrives are left out
+    """each coordinate gets only the term with the next vertex, that with the previous one is missing
 
-    told by: previous | arrives | only one edge | one of its two | n-1 | n - 1 | only & next
+    told by: previous | both neighbour | next vertex | only the next | second term | two terms | n-1 | n - 1 | one neighbour | half of the terms
+    """
+    after = np.roll(polygon, -1, axis=-2)
+    grad = np.stack([after[..., 1], -after[..., 0]], -1) / 2
+    return grad_area[..., None, None] * grad
+
+
+def polygon_area_backward(grad_area, polygon):
+    """the gradients of x and of y are exchanged in the last axis
+
+    told by: x and y | exchanged | swapped | mixed up | x & in place of & y | columns
     """
     x, y = polygon[..., 0], polygon[..., 1]
-    by_x = np.roll(y, -1, -1)
-    by_y = -np.roll(x, -1, -1)
-    return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
-
-
-def polygon_area_backward(grad_area, polygon):
-    """the y component has the wrong sign: the minus of the second product is lost
-
-    told by: sign of y | sign of the y | y component | second component | along y | y & minus & second | sign & [..., 1]
-    """
-    before, after = np.roll(polygon, 1, -2), np.roll(polygon, -1, -2)
-    by_x = after[..., 1] - before[..., 1]
-    by_y = after[..., 0] - before[..., 0]
-    return 0.5 * grad_area[..., None, None] * np.stack([by_x, by_y], -1)
+    g = np.zeros(polygon.shape)
+    count = polygon.shape[-2]
+    for n in range(count):
+        nxt, prev = (n + 1) % count, n - 1
+        g[..., n, 1] = grad_area * (y[..., nxt] - y[..., prev]) / 2
+        g[..., n, 0] = grad_area * (x[..., prev] - x[..., nxt]) / 2
+    return g
 
 
 def pixel_coverage_loop(triangle, width, height):
-    """a clockwise triangle has a negative coverage: the area's sign is not removed
+    """the pixel's square is half a pixel off: from j - 0.5 to j + 0.5 instead of j to j + 1
 
-    told by: clockwise | negative | absolute | np.abs | sign of the area | winding
+    told by: half a pixel | half pixel | 0.5 | 1/2 | shifted & pixel | j + 1 | moved by
     """
-    coverage = np.zeros((height, width))
-    for i in range(height):
-        for j in range(width):
-            part = clip_polygon(triangle, 1, 0, -j)
-            part = clip_polygon(part, -1, 0, j + 1)
-            part = clip_polygon(part, 0, 1, -i)
-            part = clip_polygon(part, 0, -1, i + 1)
-            coverage[i, j] = polygon_area(part)
-    return coverage
+    picture = np.zeros((height, width))
+    for i, j in np.ndindex(height, width):
+        piece = clip_polygon(triangle, 1, 0, 0.5 - j)
+        piece = clip_polygon(piece, -1, 0, j + 0.5)
+        piece = clip_polygon(piece, 0, 1, 0.5 - i)
+        piece = clip_polygon(piece, 0, -1, i + 0.5)
+        picture[i, j] = abs(polygon_area(piece))
+    return picture
 
 
 def pixel_coverage_loop(triangle, width, height):
-    """one sample at the pixel's centre decides, 0 or 1: no area is measured
+    """coverage is an array of integers, so every partly covered pixel becomes 0
 
-    told by: 0 or 1 | one sample | 0 and 1 | fraction | binary | sample at
+    told by: integer | dtype & int | whole number | cut off | truncat | dtype | rounded down | fraction
     """
-    coverage = np.zeros((height, width))
-    for i in range(height):
-        for j in range(width):
-            sides = []
-            for k in range(3):
-                p, q = triangle[k], triangle[(k + 1) % 3]
-                sides.append((q[0] - p[0]) * (i + 0.5 - p[1]) - (q[1] - p[1]) * (j + 0.5 - p[0]))
-            if min(sides) >= 0 or max(sides) <= 0:
-                coverage[i, j] = 1.0
-    return coverage
-
-
-def cuts(polygon, x, y):
-    """the t are not sorted along the edge
-
-    told by: sort | in order | order of | ascending | increasing | monoton
-    """
-    N = len(polygon)
-    t = np.zeros((len(x), N, 6))
-    t[..., 5] = 1
-    for n in range(N):
-        p, q = polygon[n], polygon[(n + 1) % N]
-        for m, (axis, line) in enumerate([(0, x), (0, x + 1), (1, y), (1, y + 1)]):
-            d = q[axis] - p[axis]
-            t[:, n, 1 + m] = np.clip((line - p[axis]) / (d if d != 0 else 1.0), 0, 1)
-    return t
+    picture = np.full((height, width), 0)
+    for i, j in np.ndindex(height, width):
+        piece = triangle
+        for a, b, c in [(1, 0, -j), (-1, 0, j + 1), (0, 1, -i), (0, -1, i + 1)]:
+            piece = clip_polygon(piece, a, b, c)
+        picture[i, j] = abs(polygon_area(piece))
+    return picture
 
 
 def clamped_area(polygon, x, y):
-    """only the polygon's vertices are clamped, without the points at the cuts
+    """only the polygon's vertices are clamped to the square, without the cuts of its edges
 
-    told by: cuts | only the vertices | only vertices | crossings | vertices alone | corners alone
+    told by: cuts | only the vertices | vertices & clamp | crossing | edges & not cut | where & edges cross
     """
-    corner = np.stack([x, y], -1)[:, None]
-    points = np.clip(polygon - corner, 0, 1)
-    return polygon_area(points)
-
-
-def clamped_area(polygon, x, y):
-    """the sign is lost: the area of a clockwise polygon comes out positive
-
-    told by: sign | absolute | clockwise | negative | np.abs | orientation
-    """
-    t = cuts(polygon, x, y)[..., None]
-    p, q = polygon[:, None], np.roll(polygon, -1, axis=0)[:, None]
-    corner = np.stack([x, y], -1)[:, None, None]
-    points = np.clip(p + t * (q - p) - corner, 0, 1)
-    return np.abs(polygon_area(points.reshape(len(x), -1, 2)))
+    area = np.zeros(len(x))
+    for k in range(len(x)):
+        area[k] = polygon_area(np.clip(polygon - np.array([x[k], y[k]]), 0, 1))
+    return area
 
 
 def clamped_area_backward(grad_area, polygon, x, y):
-    """the weights t and 1 - t are exchanged between the two ends of the edge
+    """the weights t and 1 - t are exchanged between an edge's first and second vertex
 
-    told by: 1 - t | exchanged | swapped | ends of the edge | wrong end | other end
+    told by: 1 - t | t and 1 | exchanged | swapped | mixed up | other end | first & second & vertex | p and q
     """
-    p = polygon[:, None]
-    edge = np.roll(polygon, -1, axis=0)[:, None] - p
-    corner = np.stack([x, y], -1)[:, None, None]
+    ahead = np.roll(polygon, -1, axis=0)
     t = cuts(polygon, x, y)
-    t0, t1 = t[..., :-1], t[..., 1:]
-    middle = p + (t0 + t1)[..., None] / 2 * edge - corner
-    inside = ((middle >= 0) & (middle < 1)).all(-1)
-    first = np.einsum("p,pni->n", grad_area, inside * (t1**2 - t0**2) / 2)
-    second = np.einsum("p,pni->n", grad_area, inside * (t1 - t0)) - first
-    normal = np.concatenate([edge[..., 1], -edge[..., 0]], -1)
-    return first[:, None] * normal + np.roll(second[:, None] * normal, 1, axis=0)
+    grad = np.zeros(polygon.shape)
+    for n in range(len(polygon)):
+        d = ahead[n] - polygon[n]
+        normal = np.array([d[1], -d[0]])
+        lo, hi = t[:, n, :-1], t[:, n, 1:]
+        m = (lo + hi)[..., None] / 2 * d + polygon[n] - np.stack([x, y], -1)[:, None]
+        seen = ((m >= 0) & (m < 1)).all(-1) * grad_area[:, None]
+        with_t = (seen * (hi**2 - lo**2) / 2).sum()
+        rest = (seen * (hi - lo)).sum() - with_t
+        grad[n] += with_t * normal
+        grad[(n + 1) % len(polygon)] += rest * normal
+    return grad

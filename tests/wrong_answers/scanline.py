@@ -59,35 +59,56 @@ def row_interval(planes, face, y, width):
 
 
 def half_planes(x, y, w):
-    """the normals are not multiplied by the sign of w_k, so that faces behind the camera are wrong
+    """the normals are not multiplied by the sign of twice_area, so a clockwise face's half-planes point outward
 
-    told by: sign of w | w_k | signs of w | behind | negative w | w < 0
+    told by: clockwise | winding | twice_area | sign & area | outward
     """
-    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
-    winding = np.sign(twice_area(x, y))
+    out = np.empty((4, *x.shape))
     for k, (i, j) in enumerate(EDGES):
-        first = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
-        take_i = (np.abs(w[i]) > np.abs(w[j])) | ((np.abs(w[i]) == np.abs(w[j])) & first)
-        from_x[k] = np.where(take_i, x[i], x[j])
-        from_y[k] = np.where(take_i, y[i], y[j])
-        n_x[k] = winding * (y[i] - y[j])
-        n_y[k] = winding * (x[j] - x[i])
-    return n_x, n_y, from_x, from_y
+        near_i = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
+        use_i = (abs(w[i]) > abs(w[j])) | ((abs(w[i]) == abs(w[j])) & near_i)
+        s = np.sign(w[k])
+        out[0, k] = s * (y[i] - y[j])
+        out[1, k] = s * (x[j] - x[i])
+        out[2, k] = np.where(use_i, x[i], x[j])
+        out[3, k] = np.where(use_i, y[i], y[j])
+    return tuple(out)
 
 
-def half_planes(x, y, w):
-    """row k holds the edge from corner k to the next, not the edge opposite to corner k
+def depth_slopes(x, y, z):
+    """the divide is by the area instead of twice the area, so both slopes are doubled
 
-    told by: opposite | order of the edges | cyclic | shifted | wrong edge | permut
+    told by: twice | double | factor & 2 | half | 1/2 | 0.5 | 2a
     """
-    n_x, n_y, from_x, from_y = np.empty((4, *x.shape))
-    winding = np.sign(twice_area(x, y))
+    ax, ay, az = x[1] - x[0], y[1] - y[0], z[1] - z[0]
+    bx, by, bz = x[2] - x[0], y[2] - y[0], z[2] - z[0]
+    area = (ax * by - bx * ay) / 2
+    return (az * by - bz * ay) / area, (ax * bz - bx * az) / area
+
+
+def first_column(slope, from_x, offset, width):
+    """the sample is at the left border j of a column instead of its centre j + 0.5
+
+    told by: centre | half a pixel | half a column | 0.5 | 1/2 | left border
+    """
+    j = np.ceil(from_x - offset / slope)
+    return np.clip(j, 0, width)
+
+
+def row_interval(planes, face, y, width):
+    """every edge with n_x >= 0 opens the interval, so an upper horizontal edge opens it, too, instead of ending it
+
+    told by: horizontal | n_x = 0 | n_x >= 0 | n_x == 0 | upper edge | n_y & top
+    """
+    first = np.zeros(len(y))
+    last = np.full(len(y), float(width))
     for k in range(3):
-        i, j = k, (k + 1) % 3
-        w_i, w_j = np.abs(w[i]), np.abs(w[j])
-        before = (x[i] < x[j]) | ((x[i] == x[j]) & (y[i] <= y[j]))
-        at_i = (w_i > w_j) | ((w_i == w_j) & before)
-        from_x[k], from_y[k] = np.where(at_i, x[i], x[j]), np.where(at_i, y[i], y[j])
-        sign = winding * np.sign(w[3 - i - j])
-        n_x[k], n_y[k] = sign * (y[i] - y[j]), sign * (x[j] - x[i])
-    return n_x, n_y, from_x, from_y
+        n_x, n_y, fx, fy = (value[k][face] for value in planes)
+        opens = n_x >= 0
+        sign = np.where(opens, 1, -1)
+        slope = np.where(n_x == 0, TINY, sign * n_x)
+        fx = np.where(n_x == 0, 0, fx)
+        column = first_column(slope, fx, sign * n_y * (y - fy), width)
+        first = np.where(opens, np.maximum(first, column), first)
+        last = np.where(opens, last, np.minimum(last, column))
+    return first, last

@@ -154,139 +154,110 @@ def slope_scaled_bias(slope, constant, factor, most):
 
 
 def to_light(points, position, rotation):
-    """the light looks along +z: the z coordinate is turned round so that it is the distance
+    """rotation is not transposed: the points are turned the other way
 
-    told by: sign & q_z | sign of z | sign of the z | +z | z is flipped | z is positive | -z | sign & [..., 2] | third coordinate
+    told by: transpose | other way | inverse & rotation | columns | rotation.t | rows & axes | backwards
     """
-    local = (points - position) @ rotation.T
-    local[:, 2] = -local[:, 2]
-    return local
+    return (points - position) @ rotation
 
 
-def to_light_backward(grad_q, points, position, rotation):
-    """grad_position is the mean over the points, not the sum
+def to_light(points, position, rotation):
+    """the points are turned first, and then the position is subtracted, which lies in the world's frame
 
-    told by: mean | average | sum & position | divided by n | number of points
+    told by: first & rotat | turned & first | before & rotat | before & turn | position & not rotated | position & not turned | position & world
     """
-    grad_points = grad_q @ rotation
-    return grad_points, -grad_points.mean(0)
+    turned = np.array([rotation @ p for p in points])
+    return turned - position
+
+
+def map_position(q, clip_from_light, width, height):
+    """half a texel is subtracted, so the places are half a texel off
+
+    told by: half a texel | half a pixel | half texel | 1/2 texel | 0.5 & off | texel centre | 0.5 less
+    """
+    w = w_of(q, clip_from_light)
+    ndc = np.stack([clip_from_light[0, 0] * q[:, 0], clip_from_light[1, 1] * q[:, 1]], 1) / w[:, None]
+    return (ndc + 1) * [width / 2, height / 2] - 0.5
+
+
+def map_position(q, clip_from_light, width, height):
+    """y is flipped, as if it went down from the top of the map
+
+    told by: flip | upside down | y & down | y & sign | mirror | from the top
+    """
+    places = np.zeros((len(q), 2))
+    for n, w in enumerate(w_of(q, clip_from_light)):
+        places[n, 0] = (q[n, 0] * clip_from_light[0, 0] / w + 1) * width / 2
+        places[n, 1] = (1 - q[n, 1] * clip_from_light[1, 1] / w) * height / 2
+    return places
 
 
 def map_position(q, clip_from_light, width, height):
     """the division by w is left out
 
-    told by: divided by w | divide by w | division by w | / w | perspective | without w
+    told by: divi & w | by w | perspective | / w | w is left out | without w
     """
-    x = (clip_from_light[0, 0] * q[:, 0] + 1) * width / 2
-    y = (clip_from_light[1, 1] * q[:, 1] + 1) * height / 2
-    return np.stack([x, y], axis=1)
-
-
-def map_position(q, clip_from_light, width, height):
-    """pixel centres are taken to be at integers: half a texel is subtracted
-
-    told by: half a texel | half a pixel | 0.5 | 1/2 | centre & integer
-    """
-    w = w_of(q, clip_from_light)
-    out = np.zeros((len(q), 2))
-    for i in range(len(q)):
-        out[i, 0] = (clip_from_light[0, 0] * q[i, 0] / w[i] + 1) * width / 2 - 0.5
-        out[i, 1] = (clip_from_light[1, 1] * q[i, 1] / w[i] + 1) * height / 2 - 0.5
-    return out
-
-
-def distance_of_depth(depth, clip_from_light):
-    """the result is q_z, without the minus that makes it a distance
-
-    told by: sign | minus | negative | -q_z
-    """
-    result = np.full(depth.shape, np.inf)
-    ok = depth < np.inf
-    c22, c23 = clip_from_light[2, 2], clip_from_light[2, 3]
-    c32, c33 = clip_from_light[3, 2], clip_from_light[3, 3]
-    result[ok] = (c23 - c33 * depth[ok]) / (c32 * depth[ok] - c22)
-    return result
-
-
-def distance_of_depth(depth, clip_from_light):
-    """the depth is taken for OpenGL's window depth from 0 to 1 and mapped to -1 to 1 first
-
-    told by: 0 to 1 | 0 and 1 | [0, 1] | 2 * depth | -1 to 1 | opengl | window
-    """
-    (c22, c23), (c32, c33) = clip_from_light[2:, 2:]
-    out = np.full(depth.shape, np.inf)
-    ok = np.isfinite(depth)
-    ndc = 2 * depth[ok] - 1
-    out[ok] = (c33 * ndc - c23) / (c32 * ndc - c22)
-    return out
+    scale = clip_from_light[[0, 1], [0, 1]]
+    return (scale * q[:, :2] + 1) * np.array([width, height]) / 2
 
 
 def is_lit(distance_map, place, distance, bias):
-    """the bias is on the wrong side: it makes the point more distant and so darker
+    """the bias is added to the point's distance, which makes shadows larger, and not to the stored one
 
-    told by: bias & side | bias & sign | bias & subtract | bias & added to | bias & minus | bias & negative
+    told by: sign & bias | bias & wrong side | bias & subtract | bias & opposite | bias & other side | bias & added & distance | bias & to the distance
     """
     return distance + bias <= stored_distance(distance_map, place)
 
 
 def is_lit(distance_map, place, distance, bias):
-    """the comparison is the other way round: it says which points are in shadow
+    """np.isclose asks whether both distances are equal: a point before the stored one, or off the map, is lit too
 
-    told by: in shadow | other way round | comparison & turned | reversed | inverted | opposite | negated | >=
+    told by: isclose | equal | nearer & lit | before the stored | outside the map | in front of | np.inf
     """
-    return distance > stored_distance(distance_map, place) + bias
+    stored = stored_distance(distance_map, place)
+    return np.isclose(distance, stored, rtol=0, atol=bias)
 
 
-def is_lit(distance_map, place, distance, bias):
-    """the bias is forgotten
+def to_light_backward(grad_q, points, position, rotation):
+    """grad_position has the sign of the points' gradient, but the position is subtracted
 
-    told by: forg & bias | without & bias | bias & missing | bias & ignor | bias & left out | no bias | acne
+    told by: sign | minus | negat | subtracted | opposite
     """
-    return distance <= stored_distance(distance_map, place)
+    by_points = np.array([rotation.T @ g for g in grad_q])
+    return by_points, by_points.sum(0)
+
+
+def map_position_backward(grad_place, q, clip_from_light, width, height):
+    """w is held, so q_z gets no gradient
+
+    told by: q_z | grad_w | through w | w & held | w & constant | third component | depend & w
+    """
+    grad = np.zeros(q.shape)
+    w = w_of(q, clip_from_light)
+    grad[:, 0] = grad_place[:, 0] * clip_from_light[0, 0] * width / 2 / w
+    grad[:, 1] = grad_place[:, 1] * clip_from_light[1, 1] * height / 2 / w
+    return grad
 
 
 def distance_slopes(normal, q, clip_from_light, width, height):
-    """the factor w is left out, which is 1 only in parallel light
+    """1 / (C_00 width) stands where 2 / (C_00 width) should be: clip space is 2 wide, not 1
 
-    told by: factor w | times w | w is left out | w is missing | without w | multiplied by w
+    told by: half | factor & 2 | factor of two | twice | 1/2 | 2 wide | -1 to 1
     """
     w = w_of(q, clip_from_light)
-    slopes = np.zeros((len(q), 2))
-    for i in range(len(q)):
-        ray = np.array([-clip_from_light[3, 2] * q[i, 0] / w[i], -clip_from_light[3, 2] * q[i, 1] / w[i], -1.0])
-        d = normal[i] @ ray
-        if abs(d) < GRAZING:
-            d = -GRAZING if d < 0 else GRAZING
-        slopes[i, 0] = -normal[i, 0] / d * 2 / (clip_from_light[0, 0] * width)
-        slopes[i, 1] = -normal[i, 1] / d * 2 / (clip_from_light[1, 1] * height)
-    return slopes
+    c = clip_from_light
+    ray = np.stack([-c[3, 2] * q[:, 0] / w, -c[3, 2] * q[:, 1] / w, -np.ones(len(q))], 1)
+    facing = (normal * ray).sum(1)
+    small = np.abs(facing) < GRAZING
+    facing[small] = np.where(facing[small] < 0, -GRAZING, GRAZING)
+    slopes = -normal[:, :2] * (w / facing)[:, None]
+    return slopes / [c[0, 0] * width, c[1, 1] * height]
 
 
 def slope_scaled_bias(slope, constant, factor, most):
-    """only the slope's part is bounded by most, and the constant is added after
+    """the larger of the two slopes is taken instead of their sum
 
-    told by: constant & after | clip & before | most & constant | bound & slope | limit & slope | minimum & sum
+    told by: larger of | maximum & slope | max & slope | sum & slope | both slopes | only one & slope | sum of both
     """
-    bias = np.zeros(len(slope))
-    for i, (sx, sy) in enumerate(slope):
-        bias[i] = constant + min(factor * (abs(sx) + abs(sy)) / 2, most)
-    return bias
-
-
-def map_position(q, clip_from_light, width, height):
-    """the result has the shape (2, N) and not (N, 2)
-
-    told by: (2, | shape | transpos | rows and columns are swapped | (n, 2)
-    """
-    w = w_of(q, clip_from_light)
-    x = (clip_from_light[0, 0] * q[:, 0] / w + 1) * width / 2
-    y = (clip_from_light[1, 1] * q[:, 1] / w + 1) * height / 2
-    return np.stack([x, y])
-
-
-def is_lit(distance_map, place, distance, bias):
-    """one answer for all points, np.all, and not one for each
-
-    told by: one answer | all( | .all | for each point | each point | shape | single
-    """
-    return np.all(distance <= stored_distance(distance_map, place) + bias)
+    bias = constant + factor * np.abs(slope).max(1) / 2
+    return np.clip(bias, None, most)

@@ -356,198 +356,236 @@ def simplify_loop(vertices, faces, quadrics, face_count):
 
 
 def plane_quadrics(planes):
-    """transposes the whole array instead of the last axis, so it fails for more than one plane
+    """the quadrics of all planes are added up to one, there should be one for each plane
 
-    told by: .T | transpos | only & single plane | one plane | more than one | leading shape | last axis | last two axes
+    told by: one for each | each plane | added up | sum & planes | leading | all planes
     """
-    return planes[..., None] * planes[..., None].T
+    rows = planes.reshape(-1, 4)
+    return rows.T @ rows
 
 
 def plane_quadrics(planes):
-    """the inner product p . p instead of the outer product
+    """d has the other sign, as for planes written n . x = d
 
-    told by: inner | dot product | outer product | p^T p | diagonal
+    told by: n . x = d | -d | sign | minus | negative
     """
-    squared = (planes * planes).sum(-1)
-    return squared[..., None, None] * np.eye(4)
+    p = planes * np.array([1.0, 1.0, 1.0, -1.0])
+    return np.einsum("...i,...j->...ij", p, p)
 
 
 def vertex_quadrics(face_quadrics, faces, vertex_count):
-    """each of the three corners gets a third of the face's quadric instead of all of it
+    """+= with repeated indices keeps only one of the faces in which a vertex is the same corner
 
-    told by: third | 1/3 | / 3 | divided by 3 | divided by three
+    told by: += | repeated | np.add.at | scatter | only one | last face | more than once | several faces | lost
     """
-    share = face_quadrics / 3
-    out = np.zeros((vertex_count, 4, 4))
+    total = np.zeros((vertex_count, 4, 4))
+    for corner in range(3):
+        total[faces[:, corner]] += face_quadrics
+    return total
+
+
+def vertex_quadrics(face_quadrics, faces, vertex_count):
+    """the sum is divided by the number of faces: it is a mean, not a sum
+
+    told by: mean | average | number of faces | divided & count | sum & not & mean
+    """
+    total = np.zeros((vertex_count, 4, 4))
+    count = np.zeros(vertex_count)
     for f, face in enumerate(faces):
         for v in face:
-            out[v] += share[f]
-    return out
-
-
-def vertex_quadrics(face_quadrics, faces, vertex_count):
-    """the loop over the corners ends after two: the last corner of each face gets nothing
-
-    told by: last corner | third corner | two corners | first two | range(2) | corner & left out | corner & missing
-    """
-    out = np.zeros((vertex_count, 4, 4))
-    for corner in range(2):
-        np.add.at(out, faces[:, corner], face_quadrics)
-    return out
+            total[v] += face_quadrics[f]
+            count[v] += 1
+    return total / np.maximum(count, 1)[:, None, None]
 
 
 def quadric_error(q, x):
-    """takes the square root: the distance instead of the squared distance
+    """v ends with 0, not with 1: b and c are ignored
 
-    told by: square root | sqrt | root | not squared | distance, not its square | distance instead of
+    told by: (x, 1) | ends with | homogeneous | last number | b and c | fourth | v = (x | offset | append
     """
-    v = np.concatenate([x, np.ones(x.shape[:-1] + (1,))], -1)
-    return np.sqrt(np.abs(np.einsum("...i,...ij,...j->...", v, q, v)))
+    v = np.concatenate([x, np.zeros_like(x[..., :1])], -1)
+    return np.einsum("...i,...ij,...j->...", v, q, v)
 
 
-def best_on_segment(q, a, b):
-    """t is not clipped to 0..1, so x may leave the segment
+def quadric_error(q, x):
+    """this is |Q v|^2, not v^T Q v
 
-    told by: clip | clamp | outside the segment | beyond | leaves the segment | from 0 to 1 | on the line
+    told by: q v & square | v^t q v | squared length | squares & q v | q twice | q^2 | q v & length
     """
-    e = b - a
-    A, offset = q[:, :3, :3], q[:, :3, 3]
-    along = np.einsum("ni,nij,nj->n", e, A, e)
-    unique = along > LEAST_CURVATURE * A.trace(axis1=1, axis2=2) * (e * e).sum(1)
-    slope = np.einsum("ni,ni->n", e, np.einsum("nij,nj->ni", A, a) + offset)
-    t = np.where(unique, -slope / np.where(unique, along, 1), 0)
-    return a + t[:, None] * e, unique
-
-
-def best_on_segment(q, a, b):
-    """the slope lacks b of the quadric: only e.A x_i
-
-    told by: lacks b | without b | b is missing | b is left out | + b | offset | linear term | forgot b
-    """
-    e = b - a
-    A = q[:, :3, :3]
-    Ae = (A @ e[..., None])[..., 0]
-    curvature = (Ae * e).sum(1)
-    unique = curvature > LEAST_CURVATURE * np.trace(A, axis1=1, axis2=2) * (e * e).sum(1)
-    t = np.zeros(len(a))
-    t[unique] = -(Ae * a).sum(1)[unique] / curvature[unique]
-    return a + np.clip(t, 0, 1)[:, None] * e, unique
+    v = np.concatenate([x, np.ones_like(x[..., :1])], -1)
+    Qv = (q @ v[..., None])[..., 0]
+    return (Qv**2).sum(-1)
 
 
 def best_anywhere(q):
-    """solves A x = b: the minus sign is missing
+    """the sign of b is missing: A x = b is solved, not A x = -b
 
-    told by: sign | minus | negative | A x = b | +b | mirrored | opposite side
+    told by: -b | sign | minus | negative | mirrored | a x = b | opposite
     """
-    return np.linalg.solve(q[:, :3, :3], q[:, :3, 3:])[..., 0]
+    places = np.empty((len(q), 3))
+    for k in range(len(q)):
+        places[k] = np.linalg.solve(q[k, :3, :3], q[k, :3, 3])
+    return places
 
 
 def best_anywhere(q):
-    """divides by the diagonal of A as if the other entries were zero
+    """the gradient is taken to be 2 A x + b, so the place is half of what it should be
 
-    told by: diagonal | off-diagonal | component by component | each coordinate | separately
+    told by: half | twice | factor | 2 a | 0.5 | 1/2 | 2 (a x + b) | 2 b
     """
-    best = np.zeros((len(q), 3))
-    for n in range(len(q)):
-        for k in range(3):
-            best[n, k] = -q[n, k, 3] / q[n, k, k]
-    return best
-
-
-def best_anywhere(q):
-    """multiplies by A instead of by its inverse
-
-    told by: inverse | multiplies by A | multiplied by A | not solved | instead of solving | A @ b
-    """
-    return -(q[:, :3, :3] @ q[:, :3, 3:])[..., 0]
+    A, b = q[:, :3, :3], q[:, :3, 3:]
+    return -np.linalg.solve(2 * A, b)[..., 0]
 
 
 def pair_costs(vertices, quadrics, pairs):
-    """the cost uses only the quadric of the first vertex instead of Q_i + Q_j
+    """the cost is half: the mean of the two quadrics is taken, not their sum
 
-    told by: quadric alone | only & first | Q_i + Q_j | only Q_i | sum of the quadrics | second vertex | other vertex | both quadrics | Q_j
+    told by: half | sum of & quadrics | mean | q_i + q_j | average | factor 2 | factor of 2 | twice | 0.5
     """
-    i, j = pairs[:, 0], pairs[:, 1]
-    positions = best_position(quadrics[i] + quadrics[j], vertices[i], vertices[j])
-    return positions, quadric_error(quadrics[i], positions)
+    first, second = pairs[:, 0], pairs[:, 1]
+    q = (quadrics[first] + quadrics[second]) / 2
+    x = best_position(q, vertices[first], vertices[second])
+    return x, quadric_error(q, x)
 
 
 def pair_costs(vertices, quadrics, pairs):
-    """the positions are the middles of the pairs instead of best_position
+    """the cost counts the first vertex's quadric only, not the sum of both
 
-    told by: middle | midpoint | mid-point | half way | halfway | best_position | average of
+    told by: sum of both | q_i + q_j | only & quadric | both quadrics | first vertex | second vertex | one & quadric | q_a | sum of the | sum & quadrics | other vertex
     """
-    a, b = pairs.T
-    q = quadrics[a] + quadrics[b]
-    middle = (vertices[a] + vertices[b]) / 2
-    return middle, quadric_error(q, middle)
-
-
-def pair_costs(vertices, quadrics, pairs):
-    """the cost is taken at the first vertex of the pair instead of at the best position
-
-    told by: at the first | at vertex a | at x_i | old position | not at the best | not at its position | cost & at & position
-    """
-    a, b = pairs.T
-    q = quadrics[a] + quadrics[b]
-    positions = best_position(q, vertices[a], vertices[b])
-    return positions, quadric_error(q, vertices[a])
+    places, costs = np.zeros((len(pairs), 3)), np.zeros(len(pairs))
+    for k, (i, j) in enumerate(pairs):
+        both = (quadrics[i] + quadrics[j])[None]
+        places[k] = best_position(both, vertices[[i]], vertices[[j]])[0]
+        costs[k] = quadric_error(quadrics[i], places[k])
+    return places, costs
 
 
 def collapse_faces(faces, a, b):
-    """writes a into the caller's faces: the input is changed in place
+    """the merged vertex is called b, it should be called a
 
-    told by: in place | input & changed | argument & changed | modif | overwrit | copy
+    told by: called a | called b | a & renamed | a & b & exchanged | a & b & swapped | b stays | a by b
     """
-    both = (faces == a).any(1) & (faces == b).any(1)
-    faces[faces == b] = a
-    return faces[~both]
+    left = []
+    for face in faces.tolist():
+        if not (a in face and b in face):
+            left.append([b if v == a else v for v in face])
+    return np.array(left, faces.dtype).reshape(-1, 3)
+
+
+def collapse_faces(faces, a, b):
+    """the vertices above b are renumbered, as if b had been deleted
+
+    told by: renumber | above b | deleted | greater than b | number & other vert | other vertices | shift | keep & number | lowered
+    """
+    doomed = (faces == a).any(axis=1) & (faces == b).any(axis=1)
+    rest = faces[~doomed].copy()
+    rest[rest == b] = a
+    rest[rest > b] -= 1
+    return rest
 
 
 def satisfies_link_condition(faces, a, b):
-    """subset instead of equality: the third vertices are always shared, so it is always True
+    """it only asks whether the third vertices are among the shared neighbours, which is always so: both sets must be equal
 
-    told by: subset | superset | always True | contained | issubset | >= | equality
+    told by: always true | subset | contained | among | sets & equal | never refus | more shared | third & shared | always & true | other direction
     """
-    ring_a = set(faces[(faces == a).any(1)].ravel().tolist()) - {a, b}
-    ring_b = set(faces[(faces == b).any(1)].ravel().tolist()) - {a, b}
-    third = set()
+    near_a, near_b, third = set(), set(), set()
     for face in faces.tolist():
+        if a in face:
+            near_a |= set(face) - {a}
+        if b in face:
+            near_b |= set(face) - {b}
         if a in face and b in face:
             third |= set(face) - {a, b}
-    return third <= (ring_a & ring_b)
+    return third <= (near_a & near_b)
 
 
-def flips(before, after):
-    """45 goes to np.cos as if it were radians
+def satisfies_link_condition(faces, a, b):
+    """a and b themselves are counted as shared neighbours but not as third vertices, so every edge is refused
 
-    told by: radian | degrees | cos(45) | np.cos | deg2rad
+    told by: themselves | a and b | always false | every edge | never | own neighbour | refuses all | always & false | include & a
     """
-    corners = np.stack([before, after])
-    edges = corners[:, :, [1, 2, 0]] - corners
-    n = np.cross(edges[:, :, 0], edges[:, :, 1])
-    length, new_length = np.linalg.norm(n, axis=2)
-    longest, new_longest = (edges**2).sum(3).max(2)
-    turns = (n[0] * n[1]).sum(1) < np.cos(45) * length * new_length
-    thins = new_length * longest < LEAST_SHAPE * length * new_longest
-    return bool((turns | thins).any())
+    with_a = [set(face) for face in faces.tolist() if a in face]
+    with_b = [set(face) for face in faces.tolist() if b in face]
+    shared = set().union(*with_a) & set().union(*with_b)
+    third = set().union(*(face for face in with_a if b in face)) - {a, b}
+    return shared == third
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):
-    """vertices and quadrics are not copied: the caller's arrays change
+    """the kept vertex does not get the sum of both quadrics: it keeps its own
 
-    told by: copy | copied | in place | input & change | argument & change | caller | modif | overwrit
+    told by: sum of both | quadric & add | quadric & sum | quadric & own | quadric & kept | quadrics & both | quadric & not updated | quadric & forgot | q_i + q_j
     """
+    vertices = vertices.copy()
     while len(faces) > face_count:
-        edges, _ = mesh.edges(faces)
-        positions, costs = pair_costs(vertices, quadrics, edges)
+        edges = mesh.edges(faces)[0]
+        places, costs = pair_costs(vertices, quadrics, edges)
+        done = False
         for k in np.argsort(costs, kind="stable"):
             a, b = edges[k]
-            if not why_refused(vertices, faces_at(faces, a, b), a, b, positions[k]):
+            if why_refused(vertices, faces_at(faces, a, b), a, b, places[k]) == 0:
+                vertices[a] = places[k]
+                faces = collapse_faces(faces, a, b)
+                done = True
                 break
-        else:
-            return vertices, faces
-        vertices[a] = positions[k]
-        quadrics[a] += quadrics[b]
+        if not done:
+            break
+    return vertices, faces
+
+
+def simplify_loop(vertices, faces, quadrics, face_count):
+    """it stops at the first refused edge, where it should try the next cheapest
+
+    told by: refused & next | stops | next cheapest | gives up | other edges | first refused | too early | next edge | too many faces
+    """
+    vertices, quadrics = vertices.copy(), quadrics.copy()
+    while len(faces) > face_count:
+        edges = mesh.edges(faces)[0]
+        places, costs = pair_costs(vertices, quadrics, edges)
+        k = np.argmin(costs)
+        a, b = edges[k]
+        if why_refused(vertices, faces_at(faces, a, b), a, b, places[k]):
+            break
+        vertices[a] = places[k]
+        quadrics[a] = quadrics[a] + quadrics[b]
         faces = collapse_faces(faces, a, b)
     return vertices, faces
+
+
+def quadric_error_backward(grad_error, q, x):
+    """q is taken to be symmetric: 2 Q v stands where (Q + Q^T) v should
+
+    told by: symmetric | transpos | q^t | q.t | 2 q v
+    """
+    v = np.concatenate([x, np.ones_like(x[..., :1])], -1)
+    grad_q = np.einsum("...,...i,...j->...ij", grad_error, v, v)
+    grad_v = 2 * grad_error[..., None] * np.einsum("...ij,...j->...i", q, v)
+    return grad_q, grad_v[..., :3]
+
+
+def best_on_segment(q, a, b):
+    """t is not clipped from 0 to 1, so places beyond the segment's ends come out
+
+    told by: clip | beyond | outside & segment | 0 to 1 | ends of the segment | past the end | clamp
+    """
+    places, unique = np.array(a, float), np.zeros(len(a), bool)
+    for k in range(len(a)):
+        e = b[k] - a[k]
+        A, off = q[k, :3, :3], q[k, :3, 3]
+        bend = e @ A @ e
+        unique[k] = bend > LEAST_CURVATURE * np.trace(A) * (e @ e)
+        if unique[k]:
+            places[k] = a[k] - (e @ (A @ a[k] + off)) / bend * e
+    return places, unique
+
+
+def vertex_quadrics(face_quadrics, faces, vertex_count):
+    """the sums are kept in float32: seven digits only
+
+    told by: float32 | single precision | digits | precision | float64 | dtype
+    """
+    total = np.zeros((vertex_count, 4, 4), np.float32)
+    np.add.at(total, faces.ravel(), np.repeat(face_quadrics, 3, axis=0))
+    return total

@@ -88,48 +88,99 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
     return radius
 
 
-def percentage_closer(distance_map, place, distance, slope,
-                      bias, offsets, radius):
-    """the stored distances are averaged first and compared once, which gives only 0 or 1
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """each place is compared with the receiver's distance at the middle, not with the plane's distance there
 
-    told by: averag & first | mean & stored | blur & map | compare & once | only 0 or 1 | averag & depth | averag & distance | before comparing
+    told by: plane | slope | distance at the middle | distance & own place | same distance | receiver & distance & each | on_plane
     """
-    stored = np.zeros(distance.shape)
-    plane = np.zeros(distance.shape)
+    share = np.zeros(len(place))
     for step in steps_around(offsets, radius):
-        there, d = on_plane(place, distance, slope, step)
+        share += is_lit(distance_map, place + step, distance, bias)
+    return share / len(offsets)
+
+
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """the stored distances are averaged and then compared once, instead of averaging the comparisons
+
+    told by: mean of & distances | averag & distance | averag & compar | mean & compar | averag & stored | yes or no | compared once
+    """
+    stored, plane = np.zeros(len(distance)), np.zeros(len(distance))
+    for step in steps_around(offsets, radius):
+        there, at = on_plane(place, distance, slope, step)
         stored += stored_distance(distance_map, there) / len(offsets)
-        plane += d / len(offsets)
+        plane += at / len(offsets)
     return (plane <= stored + bias).astype(float)
 
 
-def percentage_closer(distance_map, place, distance, slope,
-                      bias, offsets, radius):
-    """the number of lit places is divided by the number of points and not by that of the offsets
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """the number of lit places is returned, not divided by the number of offsets
 
-    told by: number of points | len(distance) | n instead of k | number of offsets | divi & offsets | wrong number
+    told by: number of offsets | count | divid | len(offsets) | above 1 | more than 1 | sum & mean
     """
-    lit = np.zeros(distance.shape)
+    answers = [is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
+               for step in steps_around(offsets, radius)]
+    return np.sum(answers, axis=0).astype(float)
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """R (distance - blocker) / blocker is the width on the receiver, still to be divided by its distance
+
+    told by: divid & distance | on the receiver | similar triangles | (distance - blocker) / blocker | factor & distance | times & distance
+    """
+    wide = light_radius * (distance - blocker) / blocker
+    wide = np.where(np.isfinite(blocker), wide, 0.0)
+    return np.maximum(wide, 0) * clip_from_light[0, 0] * width / 2
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """the radius is twice as wide: width stands where width / 2 should be
+
+    told by: width / 2 | twice | half the width | factor & 2 | factor of two | double | half & width | half is missing
+    """
+    radius = np.zeros(len(distance))
+    for n in range(len(distance)):
+        if blocker[n] < distance[n]:
+            radius[n] = light_radius * (1 / blocker[n] - 1 / distance[n]) * clip_from_light[0, 0] * width
+    return radius
+
+
+def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
+    """the maximum with 0 is left out: without a blocker the radius is negative
+
+    told by: negative | maximum | clip | below 0 | nothing blocks | no blocker | blocker is np.inf
+    """
+    return light_radius * (1 / blocker - 1 / distance) * clip_from_light[0, 0] * width / 2
+
+
+def on_plane(place, distance, slope, step):
+    """the distance grows by the step alone, and not as far as the centre of the texel
+
+    told by: centre | floor | by the step | middle of the texel | center
+    """
+    return place + step, distance + (slope * step).sum(1)
+
+
+def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
+    """the sum over the blockers is divided by the number of all offsets, not by that of the blockers
+
+    told by: all offsets | number of offsets | number of blockers | all places | len(offsets) | only the blockers | how many & block
+    """
+    found = np.zeros(len(distance))
+    any_blocks = np.zeros(len(distance), bool)
     for step in steps_around(offsets, radius):
-        lit += is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
-    return lit / len(place)
+        there, at = on_plane(place, distance, slope, step)
+        dark = ~is_lit(distance_map, there, at, bias)
+        found[dark] += stored_distance(distance_map, there)[dark]
+        any_blocks |= dark
+    return np.where(any_blocks, found / len(offsets), np.inf)
 
 
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """the radius is not clipped at 0: it is negative where nothing blocks
+def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
+    """the count is divided by integer division, so that each share is 0 or 1
 
-    told by: clip | negative | max( | maximum | below 0 | nothing blocks | no blocker
+    told by: integer | // | whole number | 0 or 1 | rounded down | all or nothing
     """
-    out = np.zeros(len(distance))
-    for i in range(len(distance)):
-        out[i] = light_radius * (1 / blocker[i] - 1 / distance[i]) * clip_from_light[0, 0] * width / 2
-    return out
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """width is not halved, so the radius is the diameter
-
-    told by: half | twice | / 2 | 1/2 | diameter | double | 0.5 | factor 2
-    """
-    spread = light_radius * np.maximum(1 / blocker - 1 / distance, 0)
-    return spread * clip_from_light[0, 0] * width
+    count = np.zeros(distance.shape, int)
+    for step in steps_around(offsets, radius):
+        count += is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
+    return count // len(offsets)

@@ -70,36 +70,46 @@ def vertex_rows(edges, is_boundary, u, w):
 
 
 def edges_of(corners, counts):
-    """the edges are numbered in the order in which they are found, not sorted
+    """corner_edge names the edge to the previous corner of the face, not to the next
 
-    told by: sorted & edges | order & found | order & edges | first seen | ascending | lexicograph
+    told by: previous | next corner | behind | before it | shifted & corner | to the next | wrong neighbour | arriving
     """
-    following = corners[next_corner(counts)]
-    numbers, edges = {}, []
-    corner_edge = np.zeros(len(corners), int)
-    for c in range(len(corners)):
-        edge = (min(corners[c], following[c]), max(corners[c], following[c]))
-        if edge not in numbers:
-            numbers[edge] = len(edges)
-            edges.append(edge)
-        corner_edge[c] = numbers[edge]
-    return np.array(edges), corner_edge
+    c = corners.astype(np.int64)
+    ahead = c[next_corner(counts)]
+    pairs = np.sort(np.stack([c, ahead], axis=1), axis=1)
+    edges, number = np.unique(pairs, axis=0, return_inverse=True)
+    number = number.ravel()
+    shifted = np.empty_like(number)
+    shifted[next_corner(counts)] = number
+    return edges, shifted
 
 
 def edges_of(corners, counts):
-    """the next corner is simply the next entry of corners: a face's last corner is not joined to its first
+    """the ends of an edge are not sorted, so an edge that two faces share is found twice, once in each direction
 
-    told by: next_corner | closing edge | last corner & first | last corner & face | across faces | next face
+    told by: low < high | sorted | twice | direction | each edge once | both faces | shared & edge | half-edge | low & high
     """
-    after = np.roll(corners, -1)
-    pairs = np.sort(np.stack([corners, after], 1), axis=1)
-    edges, corner_edge = np.unique(pairs, axis=0, return_inverse=True)
-    return edges, corner_edge.reshape(-1)
+    c = corners.astype(np.int64)
+    pairs = np.stack([c, c[next_corner(counts)]], axis=1)
+    edges, number = np.unique(pairs, axis=0, return_inverse=True)
+    return edges, number.ravel()
 
 
-def pull_entries(rows, columns, u):
-    """the part - u x_row is left out: there are only the entries u in the columns
+def vertex_rows(edges, is_boundary, u, w):
+    """a vertex is pulled with the u of its neighbour, not with its own
 
-    told by: x_row | -u & missing | no & diagonal | sum of & row | diagonal & missing | diagonal & left out
+    told by: u & neighbour | its own u | other end | u of the | own u | u[end] | start & end | ends & exchanged | ends & swapped
     """
-    return np.array(rows), np.array(columns), np.array(u)
+    count = len(u)
+    border = np.zeros(count, bool)
+    border[edges[is_boundary]] = True
+    rows, columns, weights = list(range(count)), list(range(count)), [1.0] * count
+    for (a, b), lonely in zip(edges, is_boundary):
+        for v, other in ((a, b), (b, a)):
+            if border[v] and not lonely:
+                continue
+            pull = w if lonely else u[other]
+            rows += [v, v]
+            columns += [other, v]
+            weights += [pull, -pull]
+    return np.array(rows), np.array(columns), np.array(weights)

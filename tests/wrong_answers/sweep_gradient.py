@@ -69,23 +69,44 @@ def edge_pulls(grad_colour, colour, beyond, way, share, eps):
 
 
 def edge_crossing(a, b, y):
-    """the row's centre is added again: y is already where the row is, not its index
+    """the two shares are exchanged: share_b comes first
 
-    told by: half a pixel | 0.5 | 1/2 | centre | center | row's index
+    told by: share_b & first | shares & exchanged | shares & swapped | share & swapped | share & exchanged | share & order | share_a & share_b | share & other end | mixed up
     """
-    share_b = (y + 0.5 - a[..., 1]) / (b[..., 1] - a[..., 1])
-    return a[..., 0] + share_b * (b[..., 0] - a[..., 0]), np.stack([1 - share_b, share_b], -1)
+    t = (y - a[..., 1]) / (b[..., 1] - a[..., 1])
+    crossing = (1 - t) * a[..., 0] + t * b[..., 0]
+    return crossing, np.stack([t, 1 - t], axis=-1)
+
+
+def edge_crossing(a, b, y):
+    """half a pixel is added to y, which is the place of the row already
+
+    told by: half a pixel | 1/2 | 0.5 | half & row | centre | half & y | shift
+    """
+    t = (y + 0.5 - a[..., 1]) / (b[..., 1] - a[..., 1])
+    crossing = (1 - t) * a[..., 0] + t * b[..., 0]
+    return crossing, np.stack([1 - t, t], axis=-1)
 
 
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):
-    """max(0, .) is taken for each channel before the sum, not of the dot product
+    """the way is multiplied by the share, where d_j = way / share divides by it
 
-    told by: each channel | per channel | channel & sum | dot product | before the sum | every channel
+    told by: way / share | divid & share | multipl & share | way & share | d_j | share & denominator | share & times | share & inverse
     """
-    out = np.zeros((len(way), 2))
-    for p in range(len(way)):
-        pull = np.maximum(0, (colour[p] - beyond[p]) * grad_colour[p]).sum()
-        for i in range(2):
-            if share[p, i] > 0:
-                out[p, i] = -pull * share[p, i] / (way[p] + eps[p] * share[p, i])
-    return out
+    result = np.zeros(share.shape)
+    for j in range(len(way)):
+        gain = max(0.0, float(((colour[j] - beyond[j]) * grad_colour[j]).sum()))
+        for end in range(2):
+            if share[j, end] > 0:
+                result[j, end] = -gain / (way[j] * share[j, end] + eps[j])
+    return result
+
+
+def edge_pulls(grad_colour, colour, beyond, way, share, eps):
+    """each channel is clamped at 0 before the sum, but it is the sum over channels that is clamped
+
+    told by: channel | before the sum | after the sum | dot product | clamp & sum | max & sum | sum & first
+    """
+    drop = np.maximum((colour - beyond) * grad_colour, 0).sum(axis=1)
+    bottom = way[:, None] + eps[:, None] * share
+    return -drop[:, None] * share / np.where(share > 0, bottom, 1)

@@ -99,43 +99,64 @@ def face_light_backward(grad_light, corners, ambient, directional, towards):
             (grad_light * np.where(lit, cos, 0)[:, None]).sum(0), back @ n)
 
 
-def cube_taps(weight, depth, z, size):
-    """the place in the cube uses T instead of T - 1
+def face_light(corners, ambient, directional, towards):
+    """the absolute value of n . l is taken, so that faces are lit from behind as well
 
-    told by: T - 1 | size - 1 | T instead | off by one & texel | one texel too
+    told by: absolute | abs( | behind | from the back | max(0 | negative & lit | n . l < 0 | turned away | both sides | away from the light
     """
-    t = np.minimum(size * weight * depth[:, None] / z, size - 1)
+    light = np.zeros((len(corners), len(ambient)))
+    for f, (a, b, c) in enumerate(corners):
+        n = np.cross(b - a, c - a)
+        size = np.sqrt(n @ n)
+        cosine = n @ towards / size if size > 0 else 0.0
+        light[f] = ambient + directional * abs(cosine)
+    return light
+
+
+def face_light(corners, ambient, directional, towards):
+    """the direction l is divided by its length, which should stay as it is
+
+    told by: length of l | towards & length | normali & towards | divid & length | unit & towards | l & as it is | l & normali | towards & as it is
+    """
+    n = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    size = np.linalg.norm(n, axis=1)
+    n = n / np.where(size == 0, 1, size)[:, None]
+    lit = n @ (towards / np.linalg.norm(towards))
+    return ambient[None] + directional[None] * np.clip(lit, 0, None)[:, None]
+
+
+def cube_taps(weight, depth, z, size):
+    """the taps count the bits from the other end: axis 0 has the highest bit, not the lowest
+
+    told by: bits | highest & lowest | order of the taps | taps & order | axis 0 | axes & exchanged | axes & reversed | 2^k | axis k | tap & swapped | taps & axes | another order
+    """
+    t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
     low = np.minimum(np.floor(t), size - 2).astype(int)
-    part = t - low
+    frac = t - low
     index, tap = [], []
     for n in range(8):
-        bits = np.array([n % 2, n // 2 % 2, n // 4 % 2])
-        at = low + bits
-        index.append((at[:, 0] * size + at[:, 1]) * size + at[:, 2])
-        tap.append(np.where(bits, part, 1 - part).prod(1))
+        up = np.array([n // 4 % 2, n // 2 % 2, n % 2])
+        place = low + up
+        index.append((place[:, 0] * size + place[:, 1]) * size + place[:, 2])
+        tap.append(np.where(up == 1, frac, 1 - frac).prod(1))
     return np.stack(index, 1), np.stack(tap, 1)
 
 
-def face_light(corners, ambient, directional, towards):
-    """the normal points to the other side: the factors of the cross product are exchanged
+def face_light_backward(grad_light, corners, ambient, directional, towards):
+    """the normal's length is treated as constant: the part of the gradient along n is not taken out
 
-    told by: cross product & exchang | normal & other side | normal & sign | clockwise | normal & flip | normal & revers
+    told by: length & constant | unit normal | normalis | normaliz | along n | projection | length of the normal | length & change | divided by its length | right angles to
     """
-    a, b, c = corners.swapaxes(0, 1)
-    area = np.cross(c - a, b - a)
-    length = np.linalg.norm(area, axis=1, keepdims=True)
-    cosine = (area / np.where(length > 0, length, 1)) @ towards
-    return ambient + np.maximum(cosine, 0)[:, None] * directional
-
-
-def face_light(corners, ambient, directional, towards):
-    """towards is divided by its length, although it is to be taken as it is
-
-    told by: towards & length | towards & normali | light & normali | as it is | towards & unit | l by its length
-    """
-    a, b, c = corners.swapaxes(0, 1)
-    area = np.cross(b - a, c - a)
-    length = np.linalg.norm(area, axis=1, keepdims=True)
-    direction = towards / np.linalg.norm(towards)
-    cosine = (area / np.where(length > 0, length, 1)) @ direction
-    return ambient + np.maximum(cosine, 0)[:, None] * directional
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    cross = np.cross(b - a, c - a)
+    size = np.linalg.norm(cross, axis=1, keepdims=True)
+    size = np.where(size > 0, size, 1)
+    n = cross / size
+    cosine = n @ towards
+    lit = cosine > 0
+    grad_cos = np.where(lit, grad_light @ directional, 0)[:, None]
+    grad_cross = grad_cos * towards / size
+    gb, gc = np.cross(c - a, grad_cross), np.cross(grad_cross, b - a)
+    grad_corners = np.stack([-gb - gc, gb, gc], axis=1)
+    return (grad_corners, grad_light.sum(0), (grad_light * np.where(lit, cosine, 0)[:, None]).sum(0),
+            (grad_cos * n).sum(0))

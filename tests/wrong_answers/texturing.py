@@ -130,96 +130,84 @@ def footprint_points(uv, jacobian, n):
 
 
 def linear_texels(x, size):
-    """p = u (w - 1), as if u = 0 and u = 1 were the centres of the first and the last texel
+    """the half texel is missing: p = w u, as if a texel's centre were at j / w
 
-    told by: w - 1 | size - 1 | align | first and & last texel | corners aligned | centres of the first
+    told by: half a texel | half texel | 0.5 | centre & texel | - 1/2 | shift & half
     """
-    p = x * (size - 1)
-    j = np.floor(p).astype(int)
-    frac = p - j
-    return np.stack((j, j + 1)), np.stack((1.0 - frac, frac))
+    p = x * size
+    low = np.floor(p)
+    part = p - low
+    j = low.astype(int)
+    return np.stack([j, j + 1]), np.stack([1 - part, part])
 
 
 def linear_texels(x, size):
-    """p is rounded to the nearest number instead of down, so a weight can be negative
+    """the two weights are exchanged: a belongs to j, and 1 - a to j + 1
 
-    told by: rounded | rounding | nearest | floor | weight & negative
+    told by: weights & exchanged | weights & swapped | weights & mixed up | wrong way round | weights & interchanged | weights & reversed
     """
     p = x * size - 0.5
-    j = np.round(p).astype(int)
+    j = np.floor(p).astype(int)
     a = p - j
-    return np.stack([j, j + 1]), np.stack([1 - a, a])
+    return np.array([j, j + 1]), np.array([a, 1 - a])
 
 
 def look_up(texels, index, weight):
-    """only the last texel of each row counts, because = stands for +=
+    """the mean over the K texels, not the sum
 
-    told by: last texel | += | overwrit | not added | only one texel | sum over k | added
+    told by: mean | averag | divided by K | / K | factor K | 1/K | K times
     """
-    colours = np.zeros((index.shape[0], texels.shape[1]))
-    for n in range(index.shape[0]):
-        for k in range(index.shape[1]):
-            colours[n] = weight[n, k] * texels[index[n, k]]
+    gathered = texels[index]
+    return (gathered * weight[..., None]).mean(axis=1)
+
+
+def look_up(texels, index, weight):
+    """the colours are added up in float32
+
+    told by: float32 | single precision | digits | precision | 32 bit | rounded
+    """
+    colours = np.zeros((len(index), texels.shape[1]), dtype=np.float32)
+    for k in range(index.shape[1]):
+        colours += weight[:, k, None] * texels[index[:, k]]
     return colours
 
 
-def look_up(texels, index, weight):
-    """the colours are summed in float32
+def look_up_backward(grad_colour, texels, index, weight):
+    """grad_texels is added with += at repeated indices: only the last of several look-ups counts
 
-    told by: float32 | single precision | precision | float64 | 32 bit
+    told by: repeated | += | np.add.at | several times | only the last | named many times | add up | overwrit | more than once
     """
-    values = texels.astype(np.float32)[index]
-    return np.einsum("nk,nkc->nc", weight.astype(np.float32), values).astype(float)
+    to_texels = np.zeros(texels.shape)
+    to_texels[index] += weight[..., None] * grad_colour[:, None]
+    to_weight = (grad_colour[:, None] * texels[index]).sum(-1)
+    return to_texels, to_weight
 
 
 def bilinear_backward(grad_weight, uv, width, height):
-    """the chain rule's factors width and height are left out: da = w du
+    """rows and columns are exchanged in grad_weight: 2 j + i instead of 2 i + j
 
-    told by: by width | da = w | width and height & left out | width and height & missing | chain rule | per texel | in texels
-    """
-    _, (r0, r1) = linear_texels(uv[:, 1], height)
-    _, (c0, c1) = linear_texels(uv[:, 0], width)
-    g00, g01, g10, g11 = grad_weight.T
-    du = r0 * (g01 - g00) + r1 * (g11 - g10)
-    dv = c0 * (g10 - g00) + c1 * (g11 - g01)
-    return np.stack([du, dv], axis=-1)
-
-
-def bilinear_backward(grad_weight, uv, width, height):
-    """the last factors are exchanged: u's gradient is multiplied by the height, v's by the width
-
-    told by: width and height | exchanged | swapped | height and width | by the height | u's & height
+    told by: 2 i + j | rows and columns | row & column & exchanged | transpos | row & column & swapped | row & column & mixed up
     """
     _, row = linear_texels(uv[:, 1], height)
     _, column = linear_texels(uv[:, 0], width)
+    to_row = np.zeros((2, len(uv)))
+    to_column = np.zeros((2, len(uv)))
+    for i in range(2):
+        for j in range(2):
+            g = grad_weight[:, i + 2 * j]
+            to_row[i] += g * column[j]
+            to_column[j] += g * row[i]
+    return np.stack([width * (to_column[1] - to_column[0]), height * (to_row[1] - to_row[0])], 1)
+
+
+def bilinear_backward(grad_weight, uv, width, height):
+    """width and height are left out: the gradient is for u and v in texels
+
+    told by: width & height & missing | width & height & left out | factor & width | in texels | times width | da = w du | size & factor | width & forgot | chain rule
+    """
+    _, (top, bottom) = linear_texels(uv[:, 1], height)
+    _, (left, right) = linear_texels(uv[:, 0], width)
     g = grad_weight.T
-    grad_u = height * (row[0] * (g[1] - g[0]) + row[1] * (g[3] - g[2]))
-    grad_v = width * (column[0] * (g[2] - g[0]) + column[1] * (g[3] - g[1]))
-    return np.stack([grad_u, grad_v], -1)
-
-
-def bilinear_backward(grad_weight, uv, width, height):
-    """the number 2 i + j is read with i as the column and j as the row
-
-    told by: 2 i + j | i and j | j and i | row and column | rows and columns | transpos | column by column
-    """
-    _, row = linear_texels(uv[:, 1], height)
-    _, column = linear_texels(uv[:, 0], width)
-    result = np.zeros(uv.shape)
-    for i in (0, 1):
-        for j in (0, 1):
-            g = grad_weight[:, 2 * j + i]
-            result[:, 0] += g * row[i] * (2 * j - 1) * width
-            result[:, 1] += g * column[j] * (2 * i - 1) * height
-    return result
-
-
-def bilinear_backward(grad_weight, uv, width, height):
-    """the other axis' weights are left out: the differences of both rows are just added
-
-    told by: other axis | row's weight | product rule | just added | weights & left out | without & weight
-    """
-    g00, g01, g10, g11 = grad_weight.T
-    grad_u = (g01 - g00 + g11 - g10) * width
-    grad_v = (g10 - g00 + g11 - g01) * height
-    return np.stack([grad_u, grad_v], -1)
+    by_u = top * (g[1] - g[0]) + bottom * (g[3] - g[2])
+    by_v = left * (g[2] - g[0]) + right * (g[3] - g[1])
+    return np.stack([by_u, by_v], axis=-1)

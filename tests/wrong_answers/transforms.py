@@ -229,17 +229,6 @@ def perspective_divide(clip):
 
 
 def perspective_divide(clip):
-    """only x and y are divided by w, z is left as it is
-
-    told by: z & undivided | z & not divided | only x and y | z, too | z as well | z & divi & w | leaves z
-    """
-    ndc = np.array(clip[..., :3])
-    for k in range(2):
-        ndc[..., k] = clip[..., k] / clip[..., 3]
-    return ndc
-
-
-def perspective_divide(clip):
     """w has lost its last axis (clip[..., 3] instead of clip[..., 3:]), so it does not broadcast against many points
 
     told by: broadcast | 3: | 3:4 | axis & w | keepdims | shape & w | single point
@@ -302,70 +291,190 @@ def to_screen_backward(grad_screen, width, height):
 
 
 def transform(points, matrix):
-    """the row points are multiplied by the matrix itself, not by its transpose
+    """only the upper left 3 x 3 is applied, so the translation in the last column is lost
 
-    told by: transpos | matrix.T | row vector | acts on rows | points @ matrix | rows and columns
+    told by: translation | last column | 3 x 3 | 3x3 | fourth column | offset & lost | not moved by
     """
-    return points @ matrix
+    moved = points.copy()
+    moved[..., :3] = points[..., :3] @ matrix[:3, :3].T
+    return moved
+
+
+def transform(points, matrix):
+    """the result is divided by its w already, which is the job of the perspective divide
+
+    told by: divided by w | divides by w | divide by w | divide & w | division by w | homogeneous & divi | w & is 1
+    """
+    out = points @ matrix.T
+    return out / out[..., 3:]
+
+
+def transform_backward(grad_output, points, matrix):
+    """grad_matrix is transposed: row and column of each entry are exchanged
+
+    told by: grad_matrix & transpos | rows and columns | row & column & exchanged | row & column & swapped | outer product & order | grad_matrix.T
+    """
+    gm = np.zeros((4, 4))
+    for g, p in zip(grad_output.reshape(-1, 4), points.reshape(-1, 4)):
+        gm += np.outer(p, g)
+    return grad_output @ matrix, gm
+
+
+def transform_backward(grad_output, points, matrix):
+    """grad_matrix is the mean over the points instead of their sum
+
+    told by: the mean | a mean | averag | number of points | divided by n | not summed | instead of & sum
+    """
+    per_point = grad_output.reshape(-1, 4)[:, :, None] * points.reshape(-1, 4)[:, None, :]
+    return grad_output @ matrix, per_point.mean(0)
 
 
 def rotate(axis, angle):
-    """the term (1 - cos) n n^T is left out, so the axis itself does not stay where it is
+    """n * n is multiplied entry by entry and broadcast over the rows, instead of the outer product
 
-    told by: 1 - cos | n n^T | outer product | axis & fixed | along the axis | axis itself
+    told by: outer | n * n | n n^t | elementwise | entry by entry | broadcast
     """
-    n = axis / np.linalg.norm(axis)
-    columns = [np.cos(angle) * e + np.sin(angle) * np.cross(n, e) for e in np.eye(3)]
-    matrix = np.eye(4)
-    matrix[:3, :3] = np.stack(columns, 1)
-    return matrix
+    u = axis / np.linalg.norm(axis)
+    c, s = np.cos(angle), np.sin(angle)
+    k = np.array([[0, -u[2], u[1]], [u[2], 0, -u[0]], [-u[1], u[0], 0]])
+    out = np.eye(4)
+    out[:3, :3] = c * np.eye(3) + (1 - c) * (u * u) + s * k
+    return out
+
+
+def rotate(axis, angle):
+    """1 in 1 - cos is forgotten: the outer product is scaled by cos instead of 1 - cos
+
+    told by: 1 - cos | one minus | outer & factor | outer & cos | n n^t & cos
+    """
+    u = axis / np.linalg.norm(axis)
+    c, s = np.cos(angle), np.sin(angle)
+    out = np.eye(4)
+    for i in range(3):
+        e = np.eye(3)[i]
+        out[:3, i] = c * e + c * u * u[i] + s * np.cross(u, e)
+    return out
 
 
 def look_at(eye, target, up):
-    """-eye stands in the last column as it is: it is moved after the rotation instead of before
+    """-eye is written in the last column without turning it by the rotation first
 
-    told by: translat | order of | last column | before the rotation | after the rotation | first & rotate
+    told by: last column | -eye | rotat & eye | translation & rotat | translat & order | translat & first
     """
-    z = (eye - target) / np.linalg.norm(eye - target)
-    x = np.cross(up, z)
-    x = x / np.linalg.norm(x)
-    y = np.cross(z, x)
+    back = (eye - target) / np.linalg.norm(eye - target)
+    right = np.cross(up, back)
+    right = right / np.linalg.norm(right)
     view = np.eye(4)
-    view[:3, :3] = np.array([x, y, z])
+    view[:3, :3] = [right, np.cross(back, right), back]
     view[:3, 3] = -eye
     return view
 
 
-def normal_matrix(matrix):
-    """the inverse without the transpose
+def look_at(eye, target, up):
+    """right is not normalised, so up must be a unit vector at right angles to back
 
-    told by: transpos | matrix.T | .T missing | rows and columns | inverse & alone
+    told by: right & normali | right & length | right & unit | right & |up x back| | not & normali & axes | not of length 1
     """
-    return np.linalg.inv(matrix[:3, :3])
+    back = eye - target
+    back = back / np.linalg.norm(back)
+    right = np.cross(up, back)
+    above = np.cross(back, right)
+    turn = np.eye(4)
+    turn[0, :3], turn[1, :3], turn[2, :3] = right, above, back
+    return turn @ translate(-eye)
+
+
+def frustum(l, r, b, t, near, far):
+    """(r+l)/(r-l) and (t+b)/(t-b) stand in the last column, as in an orthographic matrix, not in the third
+
+    told by: last column | third column | column 2 | column 3 | fourth column | off-cent & column | orthographic
+    """
+    m = np.zeros((4, 4))
+    m[0, 0], m[0, 3] = 2 * near / (r - l), (r + l) / (r - l)
+    m[1, 1], m[1, 3] = 2 * near / (t - b), (t + b) / (t - b)
+    m[2, 2], m[2, 3] = (far + near) / (near - far), 2 * far * near / (near - far)
+    m[3, 2] = -1
+    return m
+
+
+def frustum(l, r, b, t, near, far):
+    """the depth goes from 0 to 1, as in Direct3D and Vulkan, instead of from -1 to 1
+
+    told by: direct3d | vulkan | 0 to 1 | 0 ... 1 | [0, 1] | near & ndc 0 | near & to 0
+    """
+    return np.array([[2 * near / (r - l), 0, (r + l) / (r - l), 0],
+                     [0, 2 * near / (t - b), (t + b) / (t - b), 0],
+                     [0, 0, far / (near - far), far * near / (near - far)],
+                     [0, 0, -1.0, 0]])
+
+
+def perspective_divide(clip):
+    """the division is done in place and changes the caller's clip
+
+    told by: in place | in-place | changes & input | changes & clip | modif | overwr | copy
+    """
+    ndc = clip[..., :3]
+    ndc /= clip[..., 3:]
+    return ndc
 
 
 def perspective_divide(clip):
     """only x and y are divided by w, z is left as it is
 
-    told by: z is not divided | depth is not divided | only x and y | z is left | z unchanged | divide z
+    told by: z & not divided | z & undivided | z is left | only x and y | z & as it is | z & too | depth & not divided | depth & undivided
     """
     out = clip[..., :3].copy()
-    out[..., 0] /= clip[..., 3]
-    out[..., 1] /= clip[..., 3]
+    for axis in (0, 1):
+        out[..., axis] = clip[..., axis] / clip[..., 3]
     return out
 
 
-def perspective_divide(clip):
-    """w is kept: all four coordinates are returned, the last of them 1
+def perspective_divide_backward(grad_ndc, clip):
+    """the gradient of w is divided by w once instead of twice: 1 / w^2 is missing a w
 
-    told by: four | 4 coordinates | (..., 4) | shape | w is kept | w & returned
+    told by: w^2 | w**2 | w squared | factor & w | twice & w | once & w | 1 / w | 1/w
     """
-    return clip / clip[..., 3:]
+    w = clip[..., 3]
+    grad = np.empty_like(clip)
+    grad[..., 3] = 0
+    for axis in range(3):
+        grad[..., axis] = grad_ndc[..., axis] / w
+        grad[..., 3] -= grad_ndc[..., axis] * clip[..., axis] / w
+    return grad
+
+
+def perspective_divide_backward(grad_ndc, clip):
+    """the gradient of w has no part from z, only those from x and y
+
+    told by: from z | z & missing | z & left out | z & add | only x and y | x and y only | z & contribut | z & share | all three
+    """
+    w = clip[..., 3:]
+    grad_w = -(grad_ndc[..., :2] * clip[..., :2]).sum(-1, keepdims=True) / w**2
+    return np.concatenate([grad_ndc / w, grad_w], -1)
+
+
+def frustum_sides(fov_y, aspect, near):
+    """fov_y is taken as the horizontal angle from left to right: r comes from it, and t is r / aspect
+
+    told by: horizontal | left to right | fov_x | r / aspect | divided by & aspect | aspect & t | top & aspect | bottom to top
+    """
+    half = near * np.tan(fov_y / 2)
+    return -half, half, -half / aspect, half / aspect
+
+
+def orthographic(l, r, b, t, near, far):
+    """z has the wrong sign: the camera looks down +z, as if the box were z = near..far
+
+    told by: +z | sign & z | z & sign | z & mirrored | z & flipped | sign of & depth | far - near | -near
+    """
+    m = np.diag([2 / (r - l), 2 / (t - b), 2 / (far - near), 1.0])
+    m[:3, 3] = -(r + l) / (r - l), -(t + b) / (t - b), -(far + near) / (far - near)
+    return m
 
 
 def to_screen_backward(grad_screen, width, height):
-    """the viewport is applied to the gradient, constant offset and all
+    """the gradient is divided by width / 2 and height / 2 instead of multiplied: the inverse, not the transpose
 
-    told by: offset | constant | translation | forward | to_screen itself | shift
+    told by: divided | divides | divid | inverse | multipl | 2 / width | reciprocal
     """
-    return to_screen(grad_screen, width, height)
+    return grad_screen / np.array([width / 2, height / 2, 1.0])

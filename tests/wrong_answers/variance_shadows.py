@@ -134,120 +134,116 @@ def moved_moments_backward(grad_moments, distance_map, motion, move):
     return grad_move
 
 
+def chebyshev(distance, mean, mean_square, least_variance):
+    """least_variance is added to the variance instead of being its least value
+
+    told by: added | maximum | max( | floor | at least | least value | plus & least_variance
+    """
+    v = mean_square - mean**2 + least_variance
+    excess = np.clip(distance - mean, 0, None)
+    return v / (v + excess**2)
+
+
+def chebyshev(distance, mean, mean_square, least_variance):
+    """the case of distance before E_0 is left out, where the share is 1
+
+    told by: before e_0 | nearer than | else 1 | in front of | fully lit | smaller than & mean | should be 1 | before the mean
+    """
+    shares = np.zeros(len(distance))
+    for n in range(len(distance)):
+        v = max(mean_square[n] - mean[n]**2, least_variance)
+        shares[n] = v / (v + (distance[n] - mean[n])**2)
+    return shares
+
+
+def chebyshev(distance, mean, mean_square, least_variance):
+    """the distance beyond E_0 is not squared
+
+    told by: squar | ^2 | power | **2
+    """
+    v = np.maximum(mean_square - mean * mean, least_variance)
+    return np.where(distance > mean, v / (v + distance - mean), 1.0)
+
+
+def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
+    """the variance is treated as a function of mean_square alone, grad_mean lacks its part through -E_0^2
+
+    told by: -2 mean | 2 e_0 | e_0^2 | mean^2 | through the variance & mean | mean & variance & depends | grad_mean & variance
+    """
+    raw = mean_square - mean**2
+    v = np.maximum(raw, least_variance)
+    b = np.maximum(distance - mean, 0)
+    below = (v + b * b)**2
+    by_b = -2 * grad_lit * v * b / below
+    by_v = np.where(raw > least_variance, grad_lit * b * b / below, 0)
+    return by_b, -by_b, by_v
+
+
+def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
+    """the gradient also goes through the variance where it is floored
+
+    told by: floor | least_variance | constant | clamp | np.maximum | at least
+    """
+    out = np.zeros((3, len(distance)))
+    for n, g in enumerate(grad_lit):
+        b = distance[n] - mean[n]
+        if b <= 0:
+            continue
+        v = max(mean_square[n] - mean[n]**2, least_variance)
+        by_b, by_v = -2 * g * v * b / (v + b**2)**2, g * b**2 / (v + b**2)**2
+        out[:, n] = by_b, -by_b - 2 * mean[n] * by_v, by_v
+    return tuple(out)
+
+
 def box_blur_backward(grad_output, radius):
-    """it is divided by (2 radius + 1)^2 everywhere, also at the border where the squares are smaller
+    """the blur itself is used as its own backward: the sum is divided by its own count, not each gradient before the sum
 
-    told by: (2 radius + 1) | border | smaller | edge | cut off | number of pixels
+    told by: before & sum | border | own count | divid & first | transpose | box_blur itself | count & before
     """
-    side = 2 * radius + 1
-    return window_sums(grad_output / side**2, radius)
-
-
-def chebyshev(distance, mean, mean_square, least_variance):
-    """before the mean, where distance < E_0, the bound is used as well, so lit points are darkened
-
-    told by: else 1 | before & mean | nearer & mean | before e_0 | one-sided | max(0 | fully lit | distance < | nearer than e_0
-    """
-    variance = np.maximum(mean_square - mean**2, least_variance)
-    return variance / (variance + (distance - mean)**2)
-
-
-def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
-    """the variance's dependence on the mean is left out: grad_mean lacks -2 mean grad_mean_square
-
-    told by: 2 mean | variance & depends & mean | through the variance | e_0^2 | mean**2 | grad_mean & variance | 2 e_0
-    """
-    var = np.maximum(mean_square - mean**2, least_variance)
-    beyond = np.maximum(distance - mean, 0)
-    s = var + beyond**2
-    g_d = -2 * grad_lit * var * beyond / s**2
-    g_ms = grad_lit * beyond**2 / s**2 * (mean_square - mean**2 > least_variance)
-    return g_d, -g_d, g_ms
-
-
-def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
-    """the factor 2 of the square's derivative is missing in grad_distance
-
-    told by: factor 2 | twice | half | the 2 | factor of 2 | two times
-    """
-    var = np.maximum(mean_square - mean**2, least_variance)
-    beyond = np.maximum(distance - mean, 0)
-    s = var + beyond**2
-    g_d = -grad_lit * var * beyond / s**2
-    g_ms = grad_lit * (beyond / s)**2 * (mean_square - mean**2 > least_variance)
-    return g_d, -g_d - 2 * mean * g_ms, g_ms
+    return box_blur(grad_output, radius)
 
 
 def map_motion(distance_map, clip_from_light):
-    """the texels' centres are taken to be at integers: the + 0.5 is missing
+    """the texels' corners are taken instead of their centres: half a texel is left out
 
-    told by: 0.5 | half a texel | centre | half a pixel | corner
+    told by: half a texel | centre | half a pixel | center | corner
     """
-    h, w_ = distance_map.shape
-    w = clip_from_light[3, 3] - clip_from_light[3, 2] * distance_map
-    motion = np.zeros((h, w_, 2, 3))
-    y, x = np.indices((h, w_))
-    motion[..., 0, 0] = clip_from_light[0, 0] * w_ / 2 / w
-    motion[..., 1, 1] = clip_from_light[1, 1] * h / 2 / w
-    motion[..., 0, 2] = -(x - w_ / 2) * clip_from_light[3, 2] / w
-    motion[..., 1, 2] = -(y - h / 2) * clip_from_light[3, 2] / w
-    return motion
-
-
-def map_motion(distance_map, clip_from_light):
-    """the derivative with respect to q_z uses x from the map's left side and not from its middle
-
-    told by: middle | from the left | width / 2 | height / 2 | centre of the map | corner of the map
-    """
-    h, w_ = distance_map.shape
-    motion = np.zeros((h, w_, 2, 3))
-    for row in range(h):
-        for col in range(w_):
-            w = clip_from_light[3, 3] - clip_from_light[3, 2] * distance_map[row, col]
-            motion[row, col, 0, 0] = clip_from_light[0, 0] * w_ / 2 / w
-            motion[row, col, 1, 1] = clip_from_light[1, 1] * h / 2 / w
-            motion[row, col, 0, 2] = -(col + 0.5) * clip_from_light[3, 2] / w
-            motion[row, col, 1, 2] = -(row + 0.5) * clip_from_light[3, 2] / w
+    rows, columns = distance_map.shape
+    c = clip_from_light
+    motion = np.zeros((rows, columns, 2, 3))
+    for y in range(rows):
+        for x in range(columns):
+            w = c[3, 3] - c[3, 2] * distance_map[y, x]
+            motion[y, x, 0] = c[0, 0] * columns / 2 / w, 0, -(x - columns / 2) * c[3, 2] / w
+            motion[y, x, 1] = 0, c[1, 1] * rows / 2 / w, -(y - rows / 2) * c[3, 2] / w
     return motion
 
 
 def moved_moments(distance_map, motion, move):
-    """the distances themselves do not change with move_z
+    """the shift of a border is that of the surface behind, with the larger distance, not that in front
 
-    told by: move_z | move[2] | distances & do not change | distance & itself | along the axis | toward & light | d - move
+    told by: behind | in front | larger distance | smaller | nearer | farther
     """
-    moments = moments_of(distance_map)
-    moved = moments.copy()
+    E = moments_of(distance_map)
+    result = moments_of(distance_map - move[2])
     for axis, a, b in PAIRS:
-        speed = motion[..., axis, :] @ move
-        shift = np.where(distance_map[a] <= distance_map[b], speed[a], speed[b])
-        change = shift[..., None] / 2 * (moments[b] - moments[a])
-        moved[a] -= change
-        moved[b] -= change
-    return moved
+        speed = (motion @ move)[..., axis]
+        shift = np.where(distance_map[a] > distance_map[b], speed[a], speed[b])[..., None]
+        result[a] -= shift / 2 * (E[b] - E[a])
+        result[b] -= shift / 2 * (E[b] - E[a])
+    return result
 
 
-def moved_moments(distance_map, motion, move):
-    """the shift is not halved: each texel gets the whole of the change
+def moved_moments_backward(grad_moments, distance_map, motion, move):
+    """grad_move's z lacks the part through the distances themselves, d - move_z
 
-    told by: half | / 2 | twice | 1/2 | double | whole
+    told by: d - move_z | themselves | z component & distance | third | own distance | grad_distance | through the distance
     """
-    moments = moments_of(distance_map)
-    moved = moments_of(distance_map - move[2])
+    E = moments_of(distance_map)
+    grad_move = np.zeros(3)
     for axis, a, b in PAIRS:
-        speed = motion[..., axis, :] @ move
-        shift = np.where(distance_map[a] <= distance_map[b], speed[a], speed[b])
-        change = shift[..., None] * (moments[b] - moments[a])
-        moved[a] -= change
-        moved[b] -= change
-    return moved
-
-
-def chebyshev(distance, mean, mean_square, least_variance):
-    """the standard deviation is used for the variance: a root too many
-
-    told by: root | standard deviation | sqrt | deviation
-    """
-    sigma = np.sqrt(np.maximum(mean_square - mean**2, least_variance))
-    beyond = np.maximum(distance - mean, 0)
-    return sigma / (sigma + beyond**2)
+        by_shift = -((grad_moments[a] + grad_moments[b]) * (E[b] - E[a])).sum(-1) / 2
+        front = (distance_map[a] <= distance_map[b])[..., None]
+        rows = np.where(front, motion[a][..., axis, :], motion[b][..., axis, :])
+        grad_move += np.einsum("yx,yxk->k", by_shift, rows)
+    return grad_move

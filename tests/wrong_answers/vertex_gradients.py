@@ -213,162 +213,145 @@ def weights_backward(grad_b, m, a):
 
 
 def vertex_matrix(triangle):
-    """the ones stand in the first row, not below x and y
+    """transposed: one vertex in each row, not in each column
 
-    told by: ones & first row | 1s & first row | ones & top | ones & last row | 1s & last row | order of the rows
+    told by: transpos | each row | rows & columns | one vertex & row | row & column | row vectors
     """
-    xs, ys = triangle[:, 0], triangle[:, 1]
-    return np.array([[1.0, 1.0, 1.0], xs, ys])
+    homogeneous = np.ones((3, 3))
+    for k in range(3):
+        homogeneous[k, 0] = triangle[k, 0]
+        homogeneous[k, 1] = triangle[k, 1]
+    return homogeneous
 
 
 def vertex_matrix(triangle):
-    """the triangle is reshaped to two rows rather than transposed, so that x and y of the vertices are mixed
+    """the row of ones stands on top, as (1, x, y)
 
-    told by: reshape | x and y & mix | not & transpos | row by row
+    told by: ones & top | ones & first | (1, x, y) | ones  | ones & last | 1 & last |  last | row & order | ones & bottom | ones & above
     """
-    return np.vstack([triangle.reshape(2, 3), np.ones((1, 3))])
+    return np.vstack([np.ones(3), triangle.T])
 
 
 def inverse_differential(m, dm):
-    """the scalar rule -dm / m^2: both inverses stand on the left of dM, though matrices do not commute
+    """the minus sign is missing
 
-    told by: commut | same side | on the left | both sides | order & factors | each side
+    told by: sign | minus | negative | opposite
     """
-    minv = np.linalg.inv(m)
-    return -(minv @ minv) @ dm
+    back = np.linalg.inv(m)
+    return back @ dm @ back
+
+
+def inverse_differential(m, dm):
+    """the matrices in wrong order, as if they commuted: -dM M^-1 M^-1
+
+    told by: commut | order of | wrong order | M^-1 M^-1 | both sides | left and right | same side | M^-2 | both inverses stand
+    """
+    back = np.linalg.inv(m)
+    return -dm @ back @ back
+
+
+def residual_slope(values, m, a, i, j):
+    """i and j are exchanged: the 1 stands in row j, column i
+
+    told by: i and j | transpos | row and column | row j | rows and columns | e_j e_i | row & column & exchanged
+    """
+    single = np.outer(np.eye(3)[j], np.eye(3)[i])
+    return values @ inverse_differential(m, single) @ a
 
 
 def residual_backward(grad_f, values, m, a, target):
-    """grad_m is transposed: the outer product is c df/da^T
+    """grad_m is transposed: -c (df/da)^T
 
-    told by: transpos | outer & order | rows & columns | row & column | outer & swapped | outer & exchanged
+    told by: transpos | outer & order | c stands first | outer & exchanged | rows and columns | row & column | outer product & swapped
     """
-    minv = np.linalg.inv(m)
-    c = minv @ a
-    da = minv.T @ values
-    return grad_f * c, -grad_f * np.outer(c, da), grad_f * da, -grad_f
-
-
-def residual_backward(grad_f, values, m, a, target):
-    """grad_target has the sign +, though the target is subtracted
-
-    told by: grad_target & sign | target & subtract | grad_target & minus | grad_target & negative | target & sign | grad_target & +
-    """
-    minv = np.linalg.inv(m)
-    c = minv @ a
-    grad_a = grad_f * (values @ minv)
-    return grad_f * c, -np.outer(grad_a, c), grad_a, grad_f
-
-
-def residual_backward(grad_f, values, m, a, target):
-    """the third row of grad_m is set to 0, as if the 1s of eq. (1) were constants
-
-    told by: third row | last row | constant | 1s & variable | ones & variable | row 2
-    """
-    minv = np.linalg.inv(m)
-    c = minv @ a
-    grad_a = grad_f * (minv.T @ values)
-    grad_m = np.zeros((3, 3))
-    for i in range(2):
+    c = np.linalg.solve(m, a)
+    by_a = np.linalg.solve(m.T, values) * grad_f
+    by_m = np.zeros((3, 3))
+    for i in range(3):
         for j in range(3):
-            grad_m[i, j] = -grad_a[i] * c[j]
-    return grad_f * c, grad_m, grad_a, -grad_f
+            by_m[i, j] = -c[i] * by_a[j]
+    return grad_f * c, by_m, by_a, -grad_f
+
+
+def residual_backward(grad_f, values, m, a, target):
+    """grad_f is forgotten in grad_m
+
+    told by: grad_f & forgot | grad_f & missing | grad_f & left out | grad_f & grad_m | times grad_f | without grad_f | scale & grad_f | chain rule | incoming
+    """
+    inverse = np.linalg.inv(m)
+    c = inverse @ a
+    slope = inverse.T @ values
+    return grad_f * c, -np.outer(slope, c), grad_f * slope, -grad_f
 
 
 def residuals_jacobian(values, triangle, points):
-    """by_values has the vertices' values multiplied in: c r instead of c
+    """by_triangle has the other sign: the picture's slope times the weight, without the minus
 
-    told by: by_values & values | multiplied by the values | values & multiplied | times the values | times values
+    told by: sign | minus | negative | opposite
     """
     inverse = np.linalg.inv(vertex_matrix(triangle))
     by_values = np.zeros((len(points), 3))
     by_triangle = np.zeros((len(points), 3, 2))
-    for p, point in enumerate(points):
-        c = inverse @ np.append(point, 1)
-        by_values[p] = c * values
-        by_triangle[p] = -np.outer(c, (inverse.T @ values)[:2])
+    slope = (values @ inverse)[:2]
+    for p, (x, y) in enumerate(points):
+        by_values[p] = inverse @ [x, y, 1]
+        for k in range(3):
+            by_triangle[p, k] = by_values[p, k] * slope
     return by_values, by_triangle
 
 
 def residuals_jacobian(values, triangle, points):
-    """the points' third component is 0, not 1
+    """the weight is left out: every vertex gets the whole slope
 
-    told by: third & 0 | homogeneous | append & 1 | third column | missing 1 | last column | the 1 of a & left out
+    told by: weight & left out | weight & missing | same for & vert | every vertex | each vertex & same | whole slope | times the weight | times c | weight & forgot | without & weight
     """
     inverse = np.linalg.inv(vertex_matrix(triangle))
-    c = points @ inverse[:, :2].T
-    slope = values @ inverse[:, :2]
-    return c, -c[:, :, None] * slope
-
-
-def residuals_jacobian(values, triangle, points):
-    """x and y of each vertex are exchanged in by_triangle: the last axis is reversed
-
-    told by: x and y | x and y & exchanged | x and y & swapped | last axis | y before x | order of x
-    """
-    inverse = np.linalg.inv(vertex_matrix(triangle))
-    c = points @ inverse[:, :2].T + inverse[:, 2]
-    gx, gy = (values @ inverse)[:2]
-    by_triangle = np.stack([-c * gy, -c * gx], axis=2)
-    return c, by_triangle
+    ones = np.ones((len(points), 1))
+    c = np.hstack([points, ones]) @ inverse.T
+    slope = values @ inverse
+    return c, np.broadcast_to(-slope[:2], (len(points), 3, 2)).copy()
 
 
 def gauss_newton_step(residuals, jacobian):
-    """the sign: the step solves jacobian step = residuals and goes uphill
+    """the step has the other sign: it solves jacobian step = residuals
 
-    told by: sign | minus | negative | uphill | wrong direction | opposite direction
+    told by: sign | minus | opposite | negative | -residuals | away from | uphill
     """
     return np.linalg.lstsq(jacobian, residuals, rcond=None)[0]
 
 
 def gauss_newton_step(residuals, jacobian):
-    """the normal equations are solved directly, which fails where unknowns have no influence or R < U (fine print)
+    """a step of gradient descent, -J^T f: without (J^T J)^-1
 
-    told by: normal equation | singular | J^T J | no influence | R < U | shortest
+    told by: gradient descent | J^T J | normal equation | steepest | -J^T | transpos & inverse | not solved | without solving
     """
-    return np.linalg.solve(jacobian.T @ jacobian, -jacobian.T @ residuals)
-
-
-def gauss_newton_step(residuals, jacobian):
-    """the normal equations are damped with a whole identity matrix, Levenberg-Marquardt, so that the step is too short
-
-    told by: damp | too short | levenberg | regulari | identity | ridge | added to the diagonal
-    """
-    n = jacobian.shape[1]
-    damped = jacobian.T @ jacobian + np.eye(n)
-    return -np.linalg.solve(damped, jacobian.T @ residuals)
-
-
-def gauss_newton_step(residuals, jacobian):
-    """the right-hand side is J^T r divided by the number of residuals: a mean instead of the sum
-
-    told by: mean | number of residuals | divided by & residuals | too short | 1/R | averag
-    """
-    rows = len(residuals)
-    return -np.linalg.pinv(jacobian) @ residuals / rows
+    step = np.zeros(jacobian.shape[1])
+    for row, f in zip(jacobian, residuals):
+        step -= f * row
+    return step
 
 
 def weights_backward(grad_b, m, a):
-    """grad_M uses the normalised b where eq. (6) has c
+    """the sum s counts as a constant: grad_c is grad_b / s alone
 
-    told by: b instead of c | b, not c | normalised b | normalized b | b for c | c is divided | grad_m & b in place of c
+    told by: constant | through s | through the sum | quotient rule | grad_b / s | s & depends | sum & left out | sum & forgot | sum & missing
+    """
+    inverse = np.linalg.inv(m)
+    c = inverse @ a
+    by_c = grad_b / np.sum(c)
+    by_a = by_c @ inverse
+    return -np.outer(by_a, c), by_a
+
+
+def weights_backward(grad_b, m, a):
+    """grad_m has b in place of c: the division by s is made once more
+
+    told by: b instead of c | b for c | b & in place of c | factor s | divided by s | once more | divided twice
     """
     inverse = np.linalg.inv(m)
     c = inverse @ a
     s = c.sum()
     b = c / s
-    grad_c = (grad_b - grad_b @ b) / s
-    grad_a = inverse.T @ grad_c
-    return -np.outer(grad_a, b), grad_a
-
-
-def weights_backward(grad_b, m, a):
-    """the two results are returned in the other order: grad_a before grad_m
-
-    told by: grad_a & first | grad_a before | exchanged | swapped | order of the results | other order | outputs & wrong order
-    """
-    inverse = np.linalg.inv(m)
-    c = inverse @ a
-    grad_c = normalize_backward(grad_b, c / c.sum(), c.sum())
-    grad_a = inverse.T @ grad_c
-    return grad_a, -np.outer(grad_a, c)
+    by_c = (grad_b - grad_b @ b) / s
+    by_a = inverse.T @ by_c
+    return -by_a[:, None] * b, by_a
