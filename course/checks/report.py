@@ -98,8 +98,10 @@ def explained(error, item):
     returned = item.stash.get(LAST_RETURN, None)
     if returned is not None and "got" not in dict(rows) and not other_kind:
         rows.append(("got", shown(returned)))
-    if "output" not in dict(rows):
-        rows += output_row(getattr(error, "compared", None), returned)
+    labels = [label for label, _ in rows]
+    if "output" not in labels and "expected" in labels:
+        place = labels.index("expected")
+        rows[place:place] = output_row(error.compared, returned)
     ran = not isinstance(error, Mismatch) or "expected" in dict(rows)
     if item.function.__doc__ and ran:
         paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
