@@ -79,9 +79,11 @@ def test_harmonics_of_the_difference_of_squares_on_paper(impl):
 
 @exercise("16.1")
 def test_each_direction_of_any_array(impl, rng):
-    """Right for a list of directions alone, and not for one or a grid; or a length is divided out.
+    """Right for a list of directions alone, and not for one or a grid. A length is divided out. Or
+    x = 0 gives NaN.
     """
     normals = rng.normal(size=(2, 4, 3))
+    normals[0, 1] = 0.0, 0.0, 1.0
     expected = np.array([[harmonics(n) for n in row] for row in normals])
     assert_close(impl.sh_basis(normals), expected)
     assert_close(impl.sh_basis(normals[1, 2]), expected[1, 2])
@@ -534,12 +536,13 @@ def test_large_distances_do_not_overflow(impl):
 def test_gradients_of_sign_changes_on_paper(impl):
     """The sign is missing or wrong: an inside end is to be pulled out, an outside end in. The slope
     is that of log(1 + exp(-|s|)), exp(-|s|) in the numerator, or is 1. A point of several edges
-    counts once. Edges that are not crossed count, or one end alone. grad_changes is left out.
+    counts once. Edges that are not crossed count, or one end alone. grad_changes is left out. The
+    last point, which is in no edge, is missing.
     """
-    distance = np.log([1 / 4, 3, 1 / 2, 5, 9, 7])
+    distance = np.log([1 / 4, 3, 1 / 2, 5, 9, 7, 11])
     edges = np.array([[0, 1], [1, 2], [0, 2], [3, 1], [0, 4], [0, 3], [5, 2]])
     got = impl.sign_changes_backward(60.0, distance, edges)
-    assert_close(got, np.array([-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5]))
+    assert_close(got, np.array([-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5, 0.0]))
 
 
 @exercise("16.11", fine_print=True)
