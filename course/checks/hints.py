@@ -20,8 +20,6 @@ from .showing import arguments, shape_name
 
 HINTS = Path(__file__).with_name("hints.json")
 WHOLE = "whole"
-
-
 NOTHING = Suspicion("", False)  # explains it: no suspicion
 
 
@@ -34,29 +32,37 @@ def suspected(compared, call, returned):
     if not (compared and call):
         return None
     got, expected, agrees, picture = compared
-    function, args, kwargs = call
     found, place = suspicion(*compared[:3], arguments(*call), picture), place_in(returned, got)
     if place is None:
         return found._replace(certain=False) if found and found.certain else None
-    known = evidence(got, expected, agrees)
-    if place is not WHOLE and any(as_array(output).shape == expected.shape
-                                  and np.all(agrees(as_array(output), expected))
-                                  for output in returned):
-        return Suspicion("the outputs are in the wrong order", known >= ENOUGH)
-
-    def is_right(result):
-        again = result if place is WHOLE else result[place]
-        return again.shape == expected.shape and np.all(agrees(again, expected))
-
+    if place is not WHOLE and any(is_right(output, compared) for output in returned):
+        return Suspicion("the outputs are in the wrong order",
+                         evidence(got, expected, agrees) >= ENOUGH)
     if not got.any() and got.dtype.kind != "i":
         return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
-    if found is None and known and hasattr(function, "is_repeatable"):
-        mistake = mixed_up(function, args, kwargs, is_right)
-        sure = known >= ENOUGH and expected.dtype.kind == "f"
-        found = mistake and Suspicion(mistake, sure and "exchanged" in mistake)
+    found = found or of_inputs(compared, call, place)
     if found and place is not WHOLE:
         found = found._replace(sentence=f"in output {place + 1} {found.sentence}")
     return found or NOTHING
+
+
+def is_right(output, compared):
+    """Is an output what was expected?"""
+    output = as_array(output)
+    return output.shape == compared.expected.shape and np.all(
+        compared.agrees(output, compared.expected))
+
+
+def of_inputs(compared, call, place):
+    """The Suspicion that inputs are mixed up, or None. place: of the output that was compared."""
+    function, args, kwargs = call
+    known = evidence(*compared[:3])
+    if not known or not hasattr(function, "is_repeatable"):
+        return None
+    mistake = mixed_up(function, args, kwargs, lambda result: is_right(
+        result if place is WHOLE else result[place], compared))
+    sure = known >= ENOUGH and compared.expected.dtype.kind == "f" and "exchanged" in str(mistake)
+    return mistake and Suspicion(mistake, sure)
 
 
 def place_in(returned, got):

@@ -16,11 +16,9 @@ from .contract import as_array
 TRUTHS = 4  # truth values say as much as one number
 ENOUGH = 4  # so many wrong numbers that a mistake explains are no chance
 DIGITS = 3e-7  # about the relative error of float32, and of a finite difference
-
-
-COMMON_FACTORS = (2, ", twice as much: a factor of 2 too many"), (
-    0.5, ", half of it: a factor of 2 is missing"), (
-    180 / np.pi, ": degrees for radians"), (np.pi / 180, ": radians for degrees")
+COMMON_FACTORS = ((2, ", twice as much: a factor of 2 too many"),
+                  (0.5, ", half of it: a factor of 2 is missing"),
+                  (180 / np.pi, ": degrees for radians"), (np.pi / 180, ": radians for degrees"))
 
 
 class Suspicion(NamedTuple):
