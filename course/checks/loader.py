@@ -157,5 +157,5 @@ def limited(function):
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
 
-    call.is_repeatable = True  # it costs nothing to try it with other inputs, for a hint
+    call.is_repeatable = True  # here, in this process: a hint may try other inputs
     return call

@@ -54,7 +54,7 @@ def typed(value, before=""):
         return shown_array(value, before)
     if not value.size:
         return f"{before}np.zeros({shape_name(value)}, '{value.dtype}')"
-    return f"{shown_array(value, f'{before}np.array(')})"
+    return shown_array(value, f"{before}np.array(") + ")"
 
 
 def shown_call(function, args, kwargs):

@@ -10,15 +10,14 @@ after "told by:", how one recognises a sentence that says so: words joined by & 
     wrong    a hint that is certain tells something else
     passes   all checks pass
 """
-import ast
 import re
 from collections import Counter
 from typing import NamedTuple
 
 from .. import exercises
 from ..checks.runner import explained
-from ..given import places
 from . import mutants
+from .mistakes import wrong_functions
 
 LABELS = "claim", "catches", "hint", "wrong", "differs"  # of the rows that are read
 
@@ -34,21 +33,13 @@ class WrongAnswer(NamedTuple):
 
 def corpus(topic):
     """The WrongAnswers of a topic. ValueError: one is no exercise, or does not say its words."""
-    path = places.ROOT / "tests" / "wrong_answers" / f"{topic}.py"
-    text = exercises.read(path) if path.exists() else ""
-    lines = exercises.text_lines(text)
-    known = {exercise.name: exercise for exercise in exercises.topic_exercises(topic)}
     found = []
-    for function in exercises.top_level_functions(text):
-        said = " ".join((ast.get_docstring(function) or "").split())
+    for place, exercise, text, said in wrong_functions("wrong_answers", topic):
         cause, _, told_by = said.partition(" told by: ")
-        if function.name not in known or not told_by:
-            raise ValueError(f"tests/wrong_answers/{topic}.py, line {function.lineno}: "
-                             f"{function.name} must be an exercise of {topic}, and its docstring "
-                             'must say what is wrong and, after "told by:", the words')
-        found.append(WrongAnswer(known[function.name],
-                                 "".join(lines[function.lineno - 1:function.end_lineno]),
-                                 cause, told_by))
+        if not told_by:
+            raise ValueError(f"{place}: {exercise.name} must say in its docstring what is wrong "
+                             'and, after "told by:", the words that tell it')
+        found.append(WrongAnswer(exercise, text, cause, told_by))
     return found
 
 
@@ -73,11 +64,13 @@ def verdict(answer, checks):
 
 
 def rows_of(check):
-    """{label: text} of the sentences in a check's report."""
+    """{label: text} of the sentences in a check's report. What differs in numbers is none."""
     rows, label = {"claim": check.claim}, ""
     for line in check.message.splitlines():
         label = line[:10].strip() or label
         rows[label] = f"{rows.get(label, '')} {line[10:].strip()}"
+    if not rows.get("differs", "").startswith((" in shape", " in kind")):
+        rows.pop("differs", None)
     return {label: re.sub(r"\s+", " ", text) for label, text in rows.items() if label in LABELS}
 
 

@@ -29,24 +29,33 @@ class Mistake(NamedTuple):
     sentence: str
 
 
-def library(topic):
-    """The Mistakes of a topic. ValueError: a function is no exercise, or has no sentence."""
-    path = places.ROOT / "tests" / "mistakes" / f"{topic}.py"
+def wrong_functions(folder, topic):
+    """Yield (place, exercise, text, docstring in one line) of tests/FOLDER/<topic>.py.
+
+    ValueError: a function is no exercise of the topic.
+    """
+    path = places.ROOT / "tests" / folder / f"{topic}.py"
     text = exercises.read(path) if path.exists() else ""
     lines = exercises.text_lines(text)
     known = {exercise.name: exercise for exercise in exercises.topic_exercises(topic)}
-    found = []
     for function in exercises.top_level_functions(text):
-        place = f"tests/mistakes/{topic}.py, line {function.lineno}"
-        sentence = " ".join((ast.get_docstring(function) or "").split())
+        place = f"tests/{folder}/{topic}.py, line {function.lineno}"
         if function.name not in known:
             raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
                              "give it the name of one")
+        yield (place, known[function.name],
+               "".join(lines[function.lineno - 1:function.end_lineno]),
+               " ".join((ast.get_docstring(function) or "").split()))
+
+
+def library(topic):
+    """The Mistakes of a topic. ValueError: a function is no exercise, or has no sentence."""
+    found = []
+    for place, exercise, text, sentence in wrong_functions("mistakes", topic):
         if not sentence:
-            raise ValueError(f"{place}: {function.name} has no docstring; write there what goes on "
+            raise ValueError(f"{place}: {exercise.name} has no docstring; write there what goes on "
                              'after "this is what comes out when"')
-        found.append(Mistake(topic, known[function.name],
-                             "".join(lines[function.lineno - 1:function.end_lineno]), sentence))
+        found.append(Mistake(topic, exercise, text, sentence))
     return found
 
 

@@ -13,7 +13,7 @@ from course.checks.runner import explained
 from course.upkeep import feedback, mutants
 
 TOPICS = [topic for topic in exercises.topics() if feedback.corpus(topic)]
-LEAST = 0.92  # of a lab's wrong answers whose cause is named
+LEAST = 0.92  # of a file's wrong answers whose cause is named; in small files one may be missing
 RIGHT_BEFORE = "def {name}(*inputs, right={name}):\n    "
 
 # Wrong answers that were once told to be something else: topic, exercise, answer, what was told.
@@ -96,5 +96,5 @@ def test_a_wrong_answer_without_its_words_is_told(house, monkeypatch):
                   "tests/wrong_answers/transforms.py": 'def double(x):\n    """it is tripled"""\n'
                                                        "    return 3 * x\n"})
     monkeypatch.setattr("course.given.places.ROOT", root)
-    with pytest.raises(ValueError, match="line 1: double must be an exercise of transforms"):
+    with pytest.raises(ValueError, match="line 1: double must say in its docstring"):
         feedback.corpus("transforms")
