@@ -21,13 +21,18 @@ from ..checks.report import UNFINISHED
 from ..checks.showing import cut, shown_frames
 from ..given import places
 from ..upkeep.skeleton import skeleton
-from . import sandbox, wire
+from . import processes, sandbox, wire
 
 MESSAGES = {  # what a worker may say, and the types of what follows
     "opened": (str,), "missing": (str,), "returned": (object, tuple, str),
     "raised": (str, str, tuple, str)}
 QUESTION = re.compile(rb'.{4}\{"tuple": \["ask", "(\w{1,60})", "(\w{1,60})", ', re.DOTALL)
-PARENT_MEMORY = 1 << 33
+PARENT_MEMORY = 1 << 32
+MOST_FRAMES = 40
+MOST_TEXT = 4000      # characters of an error, or of what a check prints
+MOST_RECEIVED = 1 << 30  # bytes of all answers to a submission's examination
+LOOPS = 10            # loops ask in small pieces, so a submission may ask for so many times as much
+FEW = 10_000          # bytes that each exercise may ask for what another one of its lab asks for
 
 
 class Job(NamedTuple):
@@ -39,6 +44,7 @@ class Job(NamedTuple):
     seed: int = 0
     limits: tuple = sandbox.Limits()
     extra: bool = False  # whether extras are examined, too
+    asks: dict | None = None  # {exercise: {"topic.name": bytes that the reference asks it for}}
 
 
 class Examination:
@@ -51,12 +57,17 @@ class Examination:
         self.job = job
         self.limits = sandbox.Limits(*job.limits)
         self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
-        self.earlier = {exercise.number: tuple(before.name for before in found[:k])
+        self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
                         for found in labs.values() for k, exercise in enumerate(found)}
+        self.checked = {}       # {exercise: whether all of its checks have passed}
+        self.asked = {}         # {exercise: {"topic.name": bytes}}: the reference was asked for
+        self.received = 0       # bytes
+        self.printed = 0        # characters, by the check that runs now
         self.worker = self.reference = None
         self.opened = None      # the exercise that the worker serves now
         self.running = None     # the exercise whose check runs now
         self.missing = dict(job.missing)
+        self.loaded = set()     # labs that were seen to load
         self.lost = {}
         self.spent = dict.fromkeys((None, *self.topic), 0.0)  # seconds; None: of all exercises
         self.pictures = 0       # so many were drawn
@@ -74,11 +85,16 @@ class Examination:
 
     def pytest_runtest_setup(self, item):
         self.running = number_of(item)
+        self.printed = 0
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtest_logreport(self, report):
         """Give each picture a name of its own, before the next check draws another one."""
-        if picture := getattr(report, "check", {}).get("picture"):
+        check = getattr(report, "check", {})
+        if check:
+            passed = check["verdict"] == "passed"
+            self.checked[self.running] = passed and self.checked.get(self.running, True)
+        if picture := check.get("picture"):
             self.pictures += 1
             kept = Path(picture).with_name(f"{self.pictures}.png")
             report.check["picture"] = str(Path(picture).rename(kept))
@@ -98,10 +114,7 @@ class Examination:
         return call
 
     def call(self, topic, name, args, kwargs):
-        """Call a function of the lab, or the reference for an exercise before the one checked.
-
-        So nothing but this exercise's own code decides its points.
-        """
+        """Call a function of the lab, or the reference for an exercise before the one checked."""
         number = self.running
         if topic in self.missing:
             raise Mismatch(("wrong", self.missing[topic]))
@@ -110,7 +123,7 @@ class Examination:
         try:
             if name in self.earlier[number]:
                 question = wire.encode(("ask", topic, name, args, kwargs))
-                return wire.decode(self.answer(topic, name, question))[1]
+                return wire.decode(self.referred(topic, name, question))[1]
             self.open(topic)
             message = self.exchange(("call", topic, name, args, kwargs))
             inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
@@ -125,18 +138,37 @@ class Examination:
             return
         self.finish()
         self.worker = self.worker or self.start()
-        modules = (*map(given_code, before_it(topic)),
-                   (topic, self.job.texts[topic], self.earlier[self.running]))
+        modules = (*map(self.earlier_lab, before_it(topic)),
+                   (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
         self.opened = self.running
         try:
             message = self.exchange(("open", modules, preloaded(topic)))
             self.outcome(topic, None, message, [])
+            self.loaded.add(topic)
         except (sandbox.Lost, Mismatch, NotImplementedError) as error:
             why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
             self.missing[topic] = f"labs/{topic}.py cannot be imported: {why}"
             if isinstance(error, sandbox.Lost):
                 self.forget()
             raise Mismatch(("wrong", self.missing[topic])) from None
+
+    def earlier_lab(self, topic):
+        """(topic, text, exercises for which the reference answers) of a lab before this one.
+
+        Their own, if it has been seen to load. Else ours without answers: what is given runs in
+        the worker, for constants, classes and generators cannot be sent.
+        """
+        if topic in self.loaded:
+            return topic, self.job.texts[topic], self.stand_ins(exercise_numbers(topic))
+        return topic, given_text(topic), tuple(exercise_numbers(topic))
+
+    def stand_ins(self, numbers):
+        """Those exercises, of {name: number}, for which the reference answers: not all is right.
+
+        So a mistake costs its own points alone, and right work runs as it does at home.
+        """
+        return tuple(name for name, number in numbers.items()
+                     if not self.checked.get(number) or number in self.lost)
 
     def exchange(self, message):
         """A message to the worker, and the one back. What it asks in between is answered."""
@@ -156,17 +188,18 @@ class Examination:
             if self.spent[what] >= most:
                 each = "all exercises" if what is None else "this exercise"
                 raise sandbox.Lost(f"the {most:g} s for {each} are used up")
-        started = time.monotonic()
-        try:
-            return worker.relay(min(self.limits.call, self.limits.exercise), *payloads)
-        finally:
-            for what in (self.running, None):
-                self.spent[what] += time.monotonic() - started
+        payload = worker.relay(min(self.limits.call, self.limits.exercise), *payloads)
+        self.received += len(payload)
+        if self.received > MOST_RECEIVED:
+            raise sandbox.Lost(f"all answers together have more than {MOST_RECEIVED >> 20} MB")
+        for what in (self.running, None):
+            self.spent[what] += worker.spent
+        return payload
 
     def outcome(self, topic, name, message, inputs):
         """What a call returned, its inputs changed where it changed them. Or raise what it did."""
         kind, *answer = message
-        print(printable(answer[-1]), end="")
+        self.show(answer[-1])
         if kind == "missing":
             raise Mismatch(("wrong", f"labs/{topic}.py has no function {name}; "
                                             "keep the names that the skeleton gives"))
@@ -177,28 +210,55 @@ class Examination:
                 change(inputs, position, array)
         return answer[0]
 
+    def show(self, printed):
+        printed = printable(printed[:MOST_TEXT - self.printed])
+        self.printed += len(printed)
+        print(printed, end="")
+
     def raise_here(self, topic, error, text, frames):
-        text, lines = printable(text), self.job.texts[topic].splitlines()
+        text, lines = printable(text[:MOST_TEXT]), self.job.texts[topic].splitlines()
         if error == "NotImplementedError" and UNFINISHED.fullmatch(text):
             raise NotImplementedError(text)
         shown = [(file, line, function, lines[line - 1].strip())
-                 for file, line, function in map(frame, frames)
+                 for file, line, function in map(frame, frames[:MOST_FRAMES])
                  if file == f"labs/{topic}.py" and 0 < line <= len(lines)]
         raise Mismatch(("wrong", "\n".join([
-            cut(f"{printable(error)}: {text}".removesuffix(": ")),
+            cut(f"{printable(error[:60])}: {text}".removesuffix(": ")),
             *shown_frames(shown)])))
 
     # --- the reference's answers
 
     def answer(self, topic, name, question):
-        """What the reference returns to a worker's question, found out in a worker of its own.
+        """What a worker is told that asks for a function of the reference: as much as is needed."""
+        own = self.topic[self.running]
+        earlier = (self.earlier[self.running] if topic == own else
+                   exercise_numbers(topic) if topic in before_it(own) else {})
+        if name not in earlier:
+            raise sandbox.Lost(f"it asked for {topic}.{name}, which is not an earlier exercise")
+        asked = self.asked.setdefault(self.running, {})
+        asked[f"{topic}.{name}"] = asked.get(f"{topic}.{name}", 0) + len(question)
+        if asked[f"{topic}.{name}"] <= self.allowed(f"{topic}.{name}"):
+            return self.referred(topic, name, question)
+        if topic == own or topic in self.loaded:
+            return wire.encode(("own",))
+        return wire.encode(("raised", "RuntimeError", f"{topic}.{name} is not needed here, or not "
+                            "so often, so the grader does not answer any more", (), ""))
+
+    def allowed(self, name):
+        """How many bytes the exercise that runs may ask "topic.name" for, from what all others do."""
+        if self.job.asks is None:
+            return MOST_RECEIVED
+        own = self.topic[self.running]
+        of_lab = any(name in asks for number, asks in self.job.asks.items()
+                     if self.topic.get(number) == own)
+        return LOOPS * self.job.asks.get(self.running, {}).get(name, 0) + FEW * (
+            of_lab and not name.startswith(f"{own}."))
+
+    def referred(self, topic, name, question):
+        """What the reference returns, found out in a worker of its own.
 
         Question and answer are passed on as they came: only the two workers look inside.
         """
-        own = self.topic[self.running]
-        allowed = name in self.earlier[self.running] if topic == own else topic in before_it(own)
-        if not allowed:
-            raise sandbox.Lost(f"it asked for {topic}.{name}, which is not of an earlier exercise")
         if self.reference is None:
             self.reference = self.start()
             modules = tuple((each, exercises.read(exercises.reference(each)), ())
@@ -251,15 +311,15 @@ def before_it(topic):
 
 
 @functools.cache
-def given_code(topic):
-    """(topic, its text without answers, exercises): what a worker has of an earlier topic.
+def given_text(topic):
+    """A lab's text without answers."""
+    return skeleton(exercises.read(exercises.reference(topic)), extra=True)
 
-    An exercise is answered by the reference. What is given runs in the worker: constants, classes
-    and generators cannot be sent.
-    """
-    text = exercises.read(exercises.reference(topic))
-    names = tuple(exercise.name for exercise in exercises.text_exercises(text))
-    return topic, skeleton(text, extra=True), names
+
+@functools.cache
+def exercise_numbers(topic):
+    """{name: number} of a topic's exercises."""
+    return {exercise.name: exercise.number for exercise in exercises.topic_exercises(topic)}
 
 
 @functools.cache
@@ -275,7 +335,7 @@ def preloaded(topic):
 def frame(told):
     """What a worker tells of a frame -> (file, line, function), always of these types."""
     file, line, function = told if isinstance(told, tuple) and len(told) == 3 else ("", 0, "")
-    return str(file), line if isinstance(line, int) else 0, printable(str(function))
+    return str(file)[:60], line if isinstance(line, int) else 0, printable(str(function)[:60])
 
 
 def change(inputs, position, array):
@@ -290,7 +350,7 @@ def printable(text):
 
 
 def examine(job):
-    """-> {"board", "lost", "problem", "seconds"}."""
+    """-> {"board", "lost", "missing", "asked", "problem", "seconds"}."""
     started = time.monotonic()
     labs = {topic: exercises.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
     labs = {topic: labs[topic] for topic in exercises.topics() if topic in labs}
@@ -301,6 +361,7 @@ def examine(job):
     entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.lost
                else entry for entry in board.entries(labs, numbers, {}, found)]
     return {"board": json.loads(board.as_json(entries)), "lost": examination.lost,
+            "missing": examination.missing, "asked": examination.asked,
             "problem": examination.problem or "\n".join(problems) or None,
             "seconds": time.monotonic() - started}
 
@@ -308,7 +369,8 @@ def examine(job):
 def main(folder):
     folder = Path(folder)
     places.OUT = folder
-    sandbox.adopt_orphans()
+    processes.adopt_orphans()
+    processes.offer_to_the_kernel(500)
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (PARENT_MEMORY, PARENT_MEMORY))

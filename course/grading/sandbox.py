@@ -1,40 +1,32 @@
-"""Workers from outside: what shuts them in, how long they may take, how they end.
+"""Workers from outside: how long they may take, what they may use, how they end.
 
-    strict    Linux with bubblewrap: no network, no files but the interpreter's, NumPy's and an
-              empty folder, no other process in sight, another user, Landlock where there is one
-    process   anywhere: a process of its own with a clean environment and the limits that the system
-              has. No protection against malice
+What shuts them in is in levels.py. Here it is also tried, before the level `strict` is claimed.
 """
 import contextlib
-import ctypes
-import functools
 import os
-import secrets
 import select
 import shutil
 import signal
 import socket
 import subprocess
 import sys
-import sysconfig
 import tempfile
 import time
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
-import scipy
-
-from ..exercises import GIVEN
 from ..given import places
-from . import wire
+from . import seccomp, wire
+from .cgroups import Share, ground
+from .levels import environment, given, plain, strict
+from .processes import WORKERS, end_orphans, family, use_of
 
-LEVELS = ("strict", "process")
-WORKER = Path(__file__).with_name("worker.py")
-PACKAGES = Path(np.__file__).parent.parent
-PATIENCE = 0.2         # seconds between two looks at a worker's memory
-SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache")
-OTHER_USERS = 2_000_000_000  # from here on, numbers that belong to nobody
+PROBE = Path(__file__).with_name("probe.py")
+PATIENCE = 0.2         # seconds between two looks at a worker
+CLOCK = 5              # so many times its limit may a worker take on the clock, on a busy machine
+OUR_OWN = 4            # processes of a worker that are not the submission's
+FILES_LEFT = "files"
+MOST_FILES = 1000      # of a worker's folder: the system counts their bytes, and not their number
 
 
 class Limits(NamedTuple):
@@ -55,7 +47,9 @@ class Worker:
     """A worker process. send a message, receive one. Lost where that fails or takes too long."""
 
     def __init__(self, level, limits=Limits()):  # noqa: B008, a NamedTuple does not change
+        self.level = level
         self.limits = limits
+        self.spent = 0.0  # seconds that the last answer took: see Meter
         self.folder = tempfile.mkdtemp(prefix="worker-")
         os.chmod(self.folder, 0o1777)
         command, settings = (strict if level == "strict" else plain)(self.folder, limits)
@@ -71,11 +65,13 @@ class Worker:
             if os.name == "nt":
                 self.process.stdin.write(theirs.share(self.process.pid))
                 self.process.stdin.close()
+        self.share = None
         try:
-            _, self.landlock, self.user = self.exchange(("start", settings, given()), 30)
+            _, self.has = self.exchange(("start", settings, given()), 30)
         except Lost as lost:
             said = self.process.stderr.read1(2000).decode("utf-8", "replace").strip()
             raise Lost(said.splitlines()[-1] if said else str(lost)) from None
+        self.share = Share(family(self.process.pid), limits.memory, limits.processes + OUR_OWN)
 
     def exchange(self, message, seconds):
         """Send a message -> the one that comes back, in at most these seconds."""
@@ -92,65 +88,86 @@ class Worker:
 
     def relay(self, seconds, *payloads):
         """Send payloads -> the one that comes back, as it came."""
-        end = time.monotonic() + seconds
+        meter = Meter()
         if self.buffer:
             self.lose("it sent more than it was asked for")
         try:
-            self.socket.settimeout(seconds)
+            self.socket.settimeout(CLOCK * seconds)
             self.socket.sendall(b"".join(map(wire.framed, payloads)))
             while not (length := wire.complete(self.buffer)):
-                self.buffer += self.received(end, seconds)
+                self.watch(meter, seconds)
+                self.buffer += self.received()
         except TimeoutError:
             self.lose(f"no answer within {seconds:.3g} s; it was stopped")
         except OSError:
             self.lose(f"the process ended{self.cause()}")
         except wire.Garbled as error:
             self.lose(f"what it sent cannot be read: {error}")
+        self.spent = meter.spent + meter.unseen()
         answer = bytes(self.buffer[8:length])
         del self.buffer[:length]
         return answer
 
-    def received(self, end, seconds):
-        """Some bytes. The memory is watched every PATIENCE seconds. OSError: no more will come."""
-        while (left := end - time.monotonic()) > 0:
-            ready, _, _ = select.select([self.socket, self.control], [], [], min(PATIENCE, left))
-            if self.socket in ready:
-                if part := self.socket.recv(1 << 18):
-                    return part
-                raise ConnectionError
-            if ready:
-                self.lose(f"the process ended{ended_by(self.status())}")
-            if memory_of(family(self.process.pid)) > self.limits.memory:
-                self.lose(f"it took more than {self.limits.memory >> 20} MB of memory")
-        raise TimeoutError
+    def received(self):
+        """Some bytes, b"" if none come for now. OSError: no more will come."""
+        ready, _, _ = select.select([self.socket, self.control], [], [], PATIENCE)
+        if self.socket in ready:
+            if part := self.socket.recv(1 << 18):
+                return part
+            raise ConnectionError
+        if ready:
+            self.lose(f"the process ended{self.cause(self.status())}")
+        return b""
 
-    def finish(self, seconds=3):
+    def watch(self, meter, seconds):
+        """Every PATIENCE seconds, see what the worker uses. TimeoutError: it took too long."""
+        if meter.unseen() < PATIENCE:
+            return
+        pids = family(self.process.pid)
+        use = use_of(pids)
+        meter.add(use)
+        if use.memory > self.limits.memory:
+            self.lose(f"it took more than {self.limits.memory >> 20} MB of memory")
+        if self.level == "strict" and files_of(pids) > MOST_FILES:
+            self.lose(f"it made more than {MOST_FILES} files")
+        if meter.spent > seconds or meter.clock() > CLOCK * seconds:
+            raise TimeoutError
+
+    def finish(self, seconds=10):
         """End the exercise: its process must go, and must have said no more than it was asked."""
         try:
             self.socket.sendall(wire.framed(wire.encode(("close",))))
             self.control.settimeout(seconds)
-            if (status := self.status()) != 0:
-                self.lose(f"the process ended{ended_by(status)}")
+            status = self.status()
         except OSError:
             self.lose("the process did not end when it should")
+        if status == FILES_LEFT:
+            self.lose("it left files that cannot be removed")
+        if status != 0:
+            self.lose(f"the process ended{self.cause(status)}")
         if self.buffer or select.select([self.socket], [], [], 0)[0]:
             self.lose("it sent more than it was asked for")
 
     def status(self):
         """How the exercise's process has ended, as the worker's first process tells."""
+        said = self.control.recv(64)
         with contextlib.suppress(ValueError):
-            return int(self.control.recv(64))
+            return FILES_LEFT if said == b"files" else int(said)
         return -signal.SIGKILL
 
     def lose(self, why):
         self.close()
         raise Lost(why)
 
-    def cause(self):
+    def cause(self, status=None):
         """' by signal 11', or the like."""
         with contextlib.suppress(subprocess.TimeoutExpired):
-            return ended_by(self.process.wait(1))
-        return ""
+            status = self.process.wait(1) if status is None else status
+        if self.share and self.share.is_exceeded():
+            return f": it took more than {self.limits.memory >> 20} MB of memory"
+        if status is None:
+            return ""
+        return f" by signal {-status}" if status < 0 else f" with exit status {status}"
 
     def close(self):
         """End all of its processes, and remove its folder. A second call does nothing."""
@@ -165,190 +182,47 @@ class Worker:
                 os.killpg(self.process.pid, signal.SIGKILL)
         self.process.kill()
         self.process.wait()
+        if self.share:
+            self.share.close()
         WORKERS.discard(self.process.pid)
         end_orphans()
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-def ended_by(status):
-    return f" by signal {-status}" if status < 0 else f" with exit status {status}"
+class Meter:
+    """The time that a worker takes: its processors' seconds, and those for which it sleeps.
 
-
-def environment():
-    """A worker gets none of our variables. Windows starts no Python without its own folder."""
-    kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
-    return {**kept, "LANG": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
-            "MKL_NUM_THREADS": "1"}
-
-
-# --- levels -----------------------------------------------------------------------------------
-
-
-def interpreter():
-    """The Python that a virtual environment was made from."""
-    return os.path.realpath(sys.executable) if os.name != "nt" else sys.executable
-
-
-@functools.cache
-def given():
-    """{module of the course that labs may import: its text}."""
-    folder = places.ROOT / "course" / "given"
-    return {"course": "", "course.given": ""} | {
-        f"course.given.{name}": (folder / f"{name}.py").read_text("utf-8") for name in GIVEN}
-
-
-def python(worker, packages):
-    return [interpreter(), "-I", "-S", "-B", str(worker), str(packages)]
-
-
-def plain(folder, limits):
-    """The command and the settings of a worker at the level `process`."""
-    code = [interpreter(), *library(), *packages().values(), WORKER.parent]
-    uid = other_user() if all(map(open_to_all, map(Path, code))) else None
-    return python(WORKER, PACKAGES), {
-        "memory": limits.memory, "processes": limits.processes if uid else None, "uid": uid,
-        "readable": [*map(str, code), *SYSTEM, "/dev/urandom"], "writable": [folder, os.devnull]}
-
-
-def strict(folder, limits):
-    """The command and the settings of a worker at the level `strict`."""
-    user = other_user()
-    shut_in = (["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts",
-                "--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
-               if user else
-               ["--unshare-all", "--disable-userns", "--uid", "65534", "--gid", "65534"])
-    there = {path: path for path in (*SYSTEM, interpreter(), *map(str, library()))
-             if os.path.exists(path)}
-    there |= {f"/packages/{name}": path for name, path in packages().items()}
-    there |= {f"/worker/{name}": WORKER.with_name(name) for name in ("worker.py", "wire.py")}
-    seen = [option for place, path in there.items() for option in shown(place, str(path))]
-    hidden = ["--tmpfs", str(places.ROOT)] * any(places.ROOT.is_relative_to(path)
-                                                 for path in there.values())
-    empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev",
-             "--size", str(1 << 24), "--perms", "1777", "--tmpfs", "/tmp", "--chdir", "/tmp"]
-    return ["bwrap", *shut_in, "--die-with-parent", "--as-pid-1", *seen, *hidden, *empty,
-            *python("/worker/worker.py", "/packages")], {
-        "memory": limits.memory, "processes": limits.processes, "uid": user,
-        "readable": ["/"], "writable": ["/tmp", "/dev/null"]}
-
-
-def shown(place, path):
-    """The options that show a path, read-only, at a place. All may enter the folders above it."""
-    for folder in reversed(Path(place).parents[:-1]):
-        yield from ("--perms", "0755", "--dir", str(folder))
-    link = os.path.islink(path) and place == path
-    yield from ("--symlink", os.readlink(path), place) if link else ("--ro-bind", path, place)
-
-
-def other_user():
-    """A number that no user has, if this is root. Each worker has another one.
-
-    The system counts processes by user. With a common number, workers would share one count.
+    So a machine that is busy with other things costs no student a point.
     """
-    if getattr(os, "getuid", lambda: None)() != 0:
-        return None
-    return OTHER_USERS + secrets.randbelow(100_000_000)
+
+    def __init__(self):
+        self.began = self.seen = time.monotonic()
+        self.spent = 0.0
+        self.use = None
+
+    def clock(self):
+        return time.monotonic() - self.began
+
+    def unseen(self):
+        return time.monotonic() - self.seen
+
+    def add(self, use):
+        """use: what the worker uses now."""
+        worked = use.seconds - self.use.seconds if self.use else 0.0
+        self.spent += max(worked, self.unseen() if use.asleep or self.use is None else 0.0)
+        self.seen, self.use = time.monotonic(), use
 
 
-def library():
-    """The folders with Python's own modules: the whole installation, unless that is the system."""
-    own = {Path(sys.base_prefix), Path(sys.base_exec_prefix)}
-    if own & {Path("/usr"), Path("/usr/local"), Path("/")}:
-        own = {Path(sysconfig.get_path(name)) for name in ("stdlib", "platstdlib")}
-    return sorted(own)
-
-
-def packages():
-    """{name: folder} of NumPy, SciPy and the libraries that their wheels bring."""
-    folders = [Path(np.__file__).parent, Path(scipy.__file__).parent]
-    folders += [folder.with_name(f"{folder.name}.libs") for folder in folders]
-    return {folder.name: folder for folder in folders if folder.exists()}
-
-
-def open_to_all(path):
-    """Whether any user may read it."""
-    return path.stat().st_mode & 0o5 and all(parent.stat().st_mode & 0o1
-                                             for parent in path.parents)
-
-
-# --- all processes of a worker ------------------------------------------------------------------
-
-WORKERS = set()   # their process numbers
-ADOPTING = []     # not empty where orphans come to this process
-
-
-def adopt_orphans():
-    """From now on, a process that has lost its parent becomes a child of this one (Linux)."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
-        ADOPTING.append(True)
-
-
-def end_orphans():
-    """End the children that are no workers. Each may leave others behind. See adopt_orphans."""
-    while ADOPTING and (orphans := set(children().get(os.getpid(), ())) - WORKERS):
-        for pid in orphans:
-            with contextlib.suppress(ProcessLookupError, ChildProcessError):
-                os.kill(pid, signal.SIGKILL)
-                os.waitpid(pid, 0)
-
-
-def children():
-    """{process: its children}. Empty where there is no /proc."""
-    found = {}
-    for path in Path("/proc").glob("[0-9]*/stat"):
-        with contextlib.suppress(OSError):
-            parent = int(path.read_text(errors="replace").rpartition(")")[2].split()[1])
-            found.setdefault(parent, []).append(int(path.parent.name))
-    return found
-
-
-def family(pid):
-    """A process and all that descend from it."""
-    below, members = children(), [pid]
-    for member in members:
-        members += below.get(member, ())
-    return members
-
-
-def memory_of(pids):
-    """Bytes in use by these processes, as far as this can be seen."""
-    total = 0
-    for pid in pids:
-        with contextlib.suppress(OSError):
-            pages = int(Path(f"/proc/{pid}/statm").read_text().split()[1])
-            total += pages * os.sysconf("SC_PAGESIZE")
-    return total
+def files_of(pids):
+    """How many files are in the folder of a sandbox. 0 where that cannot be seen."""
+    try:
+        there = os.statvfs(f"/proc/{pids[-1]}/root/tmp")
+    except (OSError, AttributeError):
+        return 0
+    return (there.f_files - there.f_ffree) * (len(pids) > 1)
 
 
 # --- what this machine can do -------------------------------------------------------------------
-
-PROBE = """
-import os
-import socket
-
-
-def open_ways(port, course, file):
-    ways = []
-    try:
-        socket.create_connection(("127.0.0.1", port), 1).close()
-        ways.append("the network")
-    except OSError:
-        pass
-    if os.path.exists(course) or os.path.exists(file):
-        ways.append("the course's files")
-    for folder in ("/", "/packages/numpy", os.path.dirname(os.__file__)):
-        try:
-            open(os.path.join(folder, "written"), "w").close()
-            ways.append(f"writing to {folder}")
-        except OSError:
-            pass
-    if sum(name.isdigit() for name in os.listdir("/proc")) > 2:
-        ways.append("other processes")
-    if os.getuid() == 0:
-        ways.append("the superuser")
-    return tuple(ways)
-"""
 
 
 def available():
@@ -357,20 +231,22 @@ def available():
         return "process", "strict needs Linux"
     if not shutil.which("bwrap"):
         return "process", "strict needs bubblewrap: install it (sudo apt install bubblewrap)"
+    if not seccomp.is_there():
+        return "process", "strict needs libseccomp: install it (sudo apt install libseccomp2)"
     try:
-        ways, landlock = open_ways("strict")
+        ways, has = open_ways("strict")
     except Lost as lost:
         return "process", f"bubblewrap does not work here: {lost}"
     if ways:
         return "process", f"bubblewrap leaves open: {', '.join(ways)}"
-    return "strict", f"bubblewrap, {f'Landlock {landlock}' if landlock else 'no Landlock'}"
+    return "strict", ", ".join(["bubblewrap", *has, *["cgroup"] * bool(ground())])
 
 
 def open_ways(level):
     """Try from inside what a worker at this level must not be able to do -> what it could."""
     with socket.create_server(("127.0.0.1", 0)) as server, tempfile.NamedTemporaryFile() as file, \
             contextlib.closing(Worker(level)) as worker:
-        worker.exchange(("open", (("probe", PROBE, ()),), ()), 10)
-        given = server.getsockname()[1], str(places.ROOT), file.name
+        worker.exchange(("open", (("probe", PROBE.read_text("utf-8"), ()),), ()), 10)
+        given = (server.getsockname()[1], str(places.ROOT), file.name, seccomp.number("keyctl"))
         _, ways, *_ = worker.exchange(("call", "probe", "open_ways", given, {}), 10)
-        return ways, worker.landlock
+        return ways, worker.has

@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 from small_course import CHECKS, LAB
 
-from course.grading import sandbox
+from course.grading import levels, sandbox
 
 HOSTILE = Path(__file__).parent / "hostile"
 # Of 7 points, 1 for double, 2 for quadruple, 4 for split. Most attack double, so 6 are deserved.
@@ -124,7 +124,7 @@ def sleeping(seconds):
             if seconds.encode() in path.read_bytes()]
 
 
-@pytest.mark.parametrize("isolation", sandbox.LEVELS)
+@pytest.mark.parametrize("isolation", levels.LEVELS)
 def test_every_submission_gets_what_its_honest_part_deserves(isolation, house, run_module,
                                                              tmp_path, monkeypatch):
     """A mark that was stolen, a mark that was lost, a grader that hangs or dies."""

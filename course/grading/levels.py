@@ -1,0 +1,123 @@
+"""How a worker is started at each level: the command, and the settings that it gets.
+
+    strict    Linux with bubblewrap: no network, no files but the interpreter's, NumPy's and an
+              empty folder, no other process in sight, another user
+    process   anywhere: a process of its own with a clean environment
+
+Both are limited by what the system has besides: seccomp and Landlock on Linux, and its limits.
+"""
+import functools
+import os
+import secrets
+import sys
+from pathlib import Path
+
+import numpy as np
+import scipy
+
+from ..exercises import GIVEN
+from ..given import places
+from . import seccomp
+
+LEVELS = ("strict", "process")
+WORKER = Path(__file__).with_name("worker.py")
+PACKAGES = Path(np.__file__).parent.parent
+SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache")
+OTHER_USERS = 2_000_000_000  # from here on, numbers that belong to nobody
+
+
+def environment():
+    """A worker gets none of our variables. Windows starts no Python without its own folder."""
+    kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
+    return {**kept, "LANG": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
+            "MKL_NUM_THREADS": "1"}
+
+
+def interpreter():
+    """The Python that a virtual environment was made from."""
+    return os.path.realpath(sys.executable) if os.name != "nt" else sys.executable
+
+
+@functools.cache
+def given():
+    """{module of the course that labs may import: its text}, and the contract, for the worker."""
+    folder = places.ROOT / "course" / "given"
+    return {"course": "", "course.given": ""} | {
+        f"course.given.{name}": (folder / f"{name}.py").read_text("utf-8")
+        for name in (*GIVEN, "contract")}
+
+
+def python(worker, packages):
+    return [interpreter(), "-I", "-S", "-B", str(worker), str(packages)]
+
+
+def settings(limits, **more):
+    """What a worker does to itself before it loads what was handed in: see worker.restrict."""
+    program, keyctl = "", None
+    if sys.platform == "linux" and seccomp.is_there():
+        program, keyctl = seccomp.program().hex(), seccomp.number("keyctl")
+    return {"memory": limits.memory, "program": program, "keyctl": keyctl, **more}
+
+
+def plain(folder, limits):
+    """The command and the settings of a worker at the level `process`."""
+    code = [interpreter(), *library(), *packages().values(), WORKER.parent]
+    uid = other_user()
+    return python(WORKER, PACKAGES), settings(
+        limits, processes=limits.processes if uid else None, uid=uid,
+        doors=[str(path) for path in (*library(), PACKAGES)] if uid else [],
+        readable=[*map(str, code), *SYSTEM, "/dev/urandom"], writable=[folder, os.devnull])
+
+
+def strict(folder, limits):
+    """The command and the settings of a worker at the level `strict`."""
+    user = other_user()
+    shut_in = (["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts",
+                "--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
+               if user else ["--unshare-user", "--unshare-all", "--disable-userns",
+                             "--uid", "65534", "--gid", "65534"])
+    there = {path: path for path in (*SYSTEM, interpreter(), *map(str, library()))
+             if os.path.exists(path)}
+    there |= {f"/packages/{name}": path for name, path in packages().items()}
+    there |= {f"/worker/{name}": WORKER.with_name(name) for name in ("worker.py", "wire.py")}
+    seen = [option for place, path in there.items() for option in shown(place, str(path))]
+    hidden = ["--tmpfs", str(places.ROOT)] * any(places.ROOT.is_relative_to(path)
+                                                 for path in there.values())
+    empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev",
+             "--size", str(1 << 24), "--perms", "1777", "--tmpfs", "/tmp", "--chdir", "/tmp"]
+    return ["bwrap", *shut_in, "--die-with-parent", "--as-pid-1", *seen, *hidden, *empty,
+            *python("/worker/worker.py", "/packages")], settings(
+        limits, processes=limits.processes, uid=user, doors=[], readable=["/"],
+        writable=["/tmp", "/dev/null"])
+
+
+def shown(place, path):
+    """The options that show a path, read-only, at a place. All may enter the folders above it."""
+    for folder in reversed(Path(place).parents[:-1]):
+        yield from ("--perms", "0755", "--dir", str(folder))
+    link = os.path.islink(path) and place == path
+    yield from ("--symlink", os.readlink(path), place) if link else ("--ro-bind", path, place)
+
+
+def other_user():
+    """A number that no user has, if this is root on Linux. Each worker has another one.
+
+    The system counts processes by user. With a common number, workers would share one count.
+    """
+    if sys.platform != "linux" or os.getuid() != 0:
+        return None
+    return OTHER_USERS + secrets.randbelow(100_000_000)
+
+
+def library():
+    """The folders with Python's own modules: the whole installation, unless that is the system."""
+    own = {Path(sys.base_prefix), Path(sys.base_exec_prefix)}
+    return [Path(os.__file__).parent] if own & {*map(Path, ("/", "/usr", "/usr/local"))} else \
+        sorted(own)
+
+
+def packages():
+    """{name: folder} of NumPy, SciPy and the libraries that their wheels bring."""
+    folders = [Path(np.__file__).parent, Path(scipy.__file__).parent]
+    folders += [folder.with_name(f"{folder.name}.libs") for folder in folders]
+    return {folder.name: folder for folder in folders if folder.exists()}

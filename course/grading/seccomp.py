@@ -1,0 +1,82 @@
+"""The system calls that a worker may make. The kernel refuses all others (Linux).
+
+libseccomp makes the filter here. A worker puts it in force before it loads what was handed in.
+"""
+import ctypes
+import functools
+import tempfile
+
+LIBRARY = "libseccomp.so.2"
+# What Python, NumPy and SciPy need with their files, threads and children. Not here: sockets, keys,
+# shared memory, message queues, memory files, namespaces, other programs, tracing, locks on files
+# (two workers would see each other's), and whatever is newer than this list.
+ALLOWED = """
+    access brk chdir chmod clock_getres clock_gettime clock_nanosleep close close_range creat dup
+    dup2 dup3 exit exit_group faccessat faccessat2 fallocate fchdir fchmod fchmodat fdatasync fork
+    fstat fstatfs fsync ftruncate futex getcpu getcwd getdents getdents64 getegid geteuid getgid
+    getgroups getitimer getpgid getpgrp getpid getppid getpriority getrandom getresgid getresuid
+    getrlimit getrusage getsid gettid gettimeofday getuid kill link linkat lseek lstat madvise mkdir
+    mkdirat mprotect mremap munmap nanosleep newfstatat open openat pause pipe pipe2 poll ppoll
+    pread64 preadv pselect6 pwrite64 pwritev read readlink readlinkat readv rename
+    renameat renameat2 restart_syscall rmdir rseq rt_sigaction rt_sigpending rt_sigprocmask
+    rt_sigreturn rt_sigsuspend rt_sigtimedwait sched_getaffinity sched_yield select set_robust_list
+    set_tid_address setitimer setpgid setrlimit setsid sigaltstack stat statfs statx symlink
+    symlinkat sysinfo tgkill time times truncate umask uname unlink unlinkat utimensat vfork wait4
+    waitid write writev""".split()
+NEW_NAMESPACES = 0x7E020080       # clone's flags for them
+SHARED = 0x01                     # mmap's flag for memory that stays when no process maps it
+DESCRIPTORS = 0, 1, 2, 3, 4, 1030  # fcntl's commands for copies and flags. Not for locks, pipes' size
+TERMINALS = 0x5401, 0x5421, 0x5450, 0x5451  # ioctl's: is it one; wait or not; close at exec or not
+NAME = 15                         # prctl's, for a thread
+ALLOW, REFUSE = 0x7FFF0000, 0x00050000 + 38  # with ENOSYS, as an older kernel would
+EQUAL, MASKED = 4, 7
+
+
+class Comparison(ctypes.Structure):
+    """libseccomp's struct scmp_arg_cmp. EQUAL: argument == first. MASKED: argument & first == second."""
+
+    _fields_ = [("argument", ctypes.c_uint), ("operator", ctypes.c_int),
+                ("first", ctypes.c_uint64), ("second", ctypes.c_uint64)]
+
+
+def rules():
+    """Yield (system call, what its arguments must be). Several rules of one call add up."""
+    for name in ALLOWED:
+        yield name, ()
+    yield "clone", (Comparison(0, MASKED, NEW_NAMESPACES, 0),)
+    yield "mmap", (Comparison(3, MASKED, SHARED, 0),)
+    yield "prctl", (Comparison(0, EQUAL, NAME, 0),)
+    yield "prlimit64", (Comparison(0, EQUAL, 0, 0),)  # its own
+    for name, commands in (("fcntl", DESCRIPTORS), ("ioctl", TERMINALS)):
+        for command in commands:
+            yield name, (Comparison(1, EQUAL, command, 0),)
+
+
+@functools.cache
+def is_there():
+    try:
+        return bool(program())
+    except OSError:
+        return False
+
+
+@functools.cache
+def program():
+    """The filter as the kernel takes it, 8 bytes an instruction. OSError: there is no libseccomp."""
+    library = ctypes.CDLL(LIBRARY)
+    library.seccomp_init.restype = ctypes.c_void_p
+    context = ctypes.c_void_p(library.seccomp_init(REFUSE))
+    for name, arguments in rules():
+        if (number := library.seccomp_syscall_resolve_name(name.encode())) >= 0:
+            library.seccomp_rule_add_array(context, ALLOW, number, len(arguments),
+                                           (Comparison * len(arguments))(*arguments))
+    with tempfile.TemporaryFile() as file:
+        library.seccomp_export_bpf(context, file.fileno())
+        library.seccomp_release(context)
+        file.seek(0)
+        return file.read()
+
+
+def number(name):
+    """A system call's number on this machine. OSError: there is no libseccomp."""
+    return ctypes.CDLL(LIBRARY).seccomp_syscall_resolve_name(name.encode())
