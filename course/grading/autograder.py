@@ -24,7 +24,9 @@ def gradescope(path, labs=None):
             add(archive, file.relative_to(places.ROOT).as_posix(), file.read_bytes())
         for name in ("setup.sh", "run_autograder"):
             add(archive, name, (FILES / name).read_bytes(), executable=True)
-        add(archive, "topics.json", json.dumps(topics).encode())
+        level, _ = sandbox.available()
+        asks = grade.rehearsed(topics, level, sandbox.Limits(), False, None)
+        add(archive, "settings.json", json.dumps({"topics": topics, "asks": asks}).encode())
     places.write_whole(path, content.getvalue())
     print(f"{path}: upload it in Gradescope as the assignment's autograder ({', '.join(topics)})")
     return 0
@@ -52,15 +54,17 @@ def main(folder, path):
     """Inside Gradescope: grade the one submission in a folder, write results.json."""
     from . import report
 
-    topics = json.loads((places.ROOT / "topics.json").read_bytes())
+    settings = json.loads((places.ROOT / "settings.json").read_bytes())
     level, about = sandbox.available()
     found = submissions.Found("submission", (), Path(folder), None)
-    one = submissions.submission("submission", [found], topics)
-    job = grade.Job(one.texts, one.missing, level)
+    one = submissions.submission("submission", [found], settings["topics"])
+    job = grade.Job(one.texts, one.missing, level, grade.own_seed(0, one.texts),
+                    asks=settings["asks"])
     result, _ = grade.examine(job._asdict())
     if result["problem"]:
         raise SystemExit(f"could not be graded: {result['problem']}")
-    record = {"level": level, "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+    record = {"level": level, "digest": submissions.digest(one.texts), "notes": one.notes,
+              "seed": job.seed, **result}
     places.write_whole(path, json.dumps(report.gradescope(record, about)).encode())
 
 

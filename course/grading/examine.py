@@ -44,7 +44,8 @@ class Job(NamedTuple):
     seed: int = 0
     limits: tuple = sandbox.Limits()
     extra: bool = False  # whether extras are examined, too
-    asks: dict | None = None  # {exercise: {"topic.name": bytes that the reference asks it for}}
+    asks: dict | None = None  # {exercise: {"topic.name": bytes that the reference asks it for}}.
+    #                           None: find that out
 
 
 class Examination:
@@ -163,12 +164,16 @@ class Examination:
         return topic, given_text(topic), tuple(exercise_numbers(topic))
 
     def stand_ins(self, numbers):
-        """Those exercises, of {name: number}, for which the reference answers: not all is right.
+        """Those exercises, of {name: number}, for which the reference answers.
 
-        So a mistake costs its own points alone, and right work runs as it does at home.
+        So a mistake costs its own points alone, and work that is all right runs as it does at home.
         """
         return tuple(name for name, number in numbers.items()
-                     if not self.checked.get(number) or number in self.lost)
+                     if self.job.asks is None or not self.is_sound(number))
+
+    def is_sound(self, number):
+        """Has an exercise passed all of its checks, without an answer of the reference?"""
+        return self.checked.get(number) and number not in (*self.asked, *self.lost)
 
     def exchange(self, message):
         """A message to the worker, and the one back. What it asks in between is answered."""

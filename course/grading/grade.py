@@ -43,19 +43,22 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
 
     records, todo = {}, []
     for one in handed_in:
-        job = Job(one.texts, one.missing, level, seed, limits, extra)
+        job = Job(one.texts, one.missing, level, own_seed(seed, one.texts), limits, extra)
         folder_of_one = out / "students" / one.student
         if resume and (done := done_before(folder_of_one, fingerprint(job))):
             records[one.student] = done
         else:
             todo.append((one, job))
     started = time.monotonic()
-    finish = finisher(out, topics, level, about, seed)
+    if todo:
+        asks = rehearsed(topics, level, limits, extra, jobs, scheduler)
+        todo = [(one, job._replace(asks=asks)) for one, job in todo]
+    finish = finisher(out, about)
     with Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
                   disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("submissions", total=len(todo))
         for one, job, (result, pictures) in examined(todo, jobs or os.cpu_count(), scheduler):
-            records[one.student] = finish(one, fingerprint(job), result, pictures)
+            records[one.student] = finish(one, job, result, pictures)
             write_tables(out, records, columns, level, about)
             progress.advance(task)
             progress.refresh()
@@ -102,9 +105,34 @@ def warnings(level):
             "and use the network."] * (level == "process")
 
 
+def own_seed(seed, texts):
+    """The seed of a submission, from the run's seed and its hash: nobody can know it before.
+
+    A table of right answers is part of the submission, so it changes the seed that it is for.
+    """
+    told = f"{seed} {submissions.digest(texts)}"
+    return int.from_bytes(hashlib.sha256(told.encode()).digest()[:4], "big") >> 1
+
+
+def rehearsed(topics, level, limits, extra, jobs, scheduler=None):
+    """What each exercise of the reference asks of others: Job.asks, found by grading it.
+
+    ValueError: the reference itself does not earn all points here, so nothing else is graded.
+    """
+    todo = [(topic, Job({topic: exercises.read(exercises.reference(topic))}, {}, level,
+                        limits=limits, extra=extra)) for topic in topics]
+    asks = {}
+    for topic, _, (result, _) in examined(todo, jobs or os.cpu_count(), scheduler):
+        if wrong := result["problem"] or report.first_wrong(result["board"]):
+            raise ValueError(f"nothing was graded, for the reference itself does not pass here: "
+                             f"{topic}: {wrong}")
+        asks |= result["asked"]
+    return asks
+
+
 def fingerprint(job):
     """A hash of all that decides a result: what was handed in, the options, the course."""
-    options = json.dumps([job._asdict(), course_digest()], sort_keys=True)
+    options = json.dumps([job._replace(asks=None)._asdict(), course_digest()], sort_keys=True)
     return hashlib.sha256(options.encode()).hexdigest()
 
 
@@ -197,21 +225,23 @@ def examine(job):
 
 
 def failure(problem):
-    return {"board": None, "lost": {}, "problem": problem, "seconds": 0.0}
+    return {"board": None, "lost": {}, "missing": {}, "asked": {}, "problem": problem,
+            "seconds": 0.0}
 
 
 # --- what is written --------------------------------------------------------------------------
 
 
-def finisher(out, topics, level, about, seed):
+def finisher(out, about):
     """-> the function that writes what belongs to one student, and returns the record of it."""
-    def finish(one, mark, result, pictures):
+    def finish(one, job, result, pictures):
         folder = out / "students" / one.student
         folder.mkdir(parents=True, exist_ok=True)
-        record = {"student": one.student, "fingerprint": mark, "level": level,
-                  "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+        record = {"student": one.student, "fingerprint": fingerprint(job), "level": job.level,
+                  "digest": submissions.digest(one.texts), "notes": one.notes, "seed": job.seed,
+                  **result}
         if not result["problem"]:
-            page = report.page(record, pictures, about, seed)
+            page = report.page(record, pictures, about)
             places.write_whole(folder / "report.html", page.encode("utf-8"))
             gradescope = json.dumps(report.gradescope(record, about), indent=2)
             places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
@@ -227,7 +257,7 @@ def write_tables(out, records, columns, level, about):
     table = csv.writer(text, lineterminator="\n")
     names = (f"{exercise.number} {exercise.name}" for exercise in columns)
     table.writerow(["student", *names, "total", "of", "fine print open",
-                    "isolation", "seconds", "hash", "problem"])
+                    "isolation", "seconds", "hash", "seed", "problem"])
     for name in sorted(records):
         record = records[name]
         got = report.points(record)
@@ -235,7 +265,7 @@ def write_tables(out, records, columns, level, about):
                         sum(got.values()) if got else "", sum(e.points for e in columns),
                         " ".join(report.open_fine_print(record)),
                         record["level"], f"{record['seconds']:.1f}", record["digest"],
-                        record["problem"] or ""])
+                        record["seed"], record["problem"] or ""])
     out.mkdir(parents=True, exist_ok=True)
     places.write_whole(out / "grades.csv", text.getvalue().encode("utf-8"))
     page = report.overview([records[name] for name in sorted(records)], columns, level, about)

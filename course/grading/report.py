@@ -18,6 +18,14 @@ def open_fine_print(record):
             if entry["told"] != entry["verdict"]] if points(record) else []
 
 
+def first_wrong(board):
+    """A sentence on the first exercise that is not wholly right, or None."""
+    for entry in board["exercises"]:
+        for check in entry["checks"]:
+            if check["verdict"] != "passed":
+                return f"{entry['number']}: {check['claim']}: {check['message']}"
+
+
 def rows(lines, head=None):
     """lines: rows of cells. A number is set to the right, what begins with < is HTML."""
     def cell(content, tag):
@@ -38,7 +46,7 @@ def bar(part, whole):
 # --- one student ------------------------------------------------------------------------------
 
 
-def page(record, pictures, about, seed):
+def page(record, pictures, about):
     """record: of grade.run. pictures {file name: PNG}."""
     board, got = record["board"], points(record)
     of = sum(entry["points"] for entry in board["exercises"])
@@ -46,9 +54,9 @@ def page(record, pictures, about, seed):
              *map(paragraph, record["notes"]), board_table(board)]
     for entry in board["exercises"]:
         if entry["verdict"] == "failing" or entry["told"] != entry["verdict"]:
-            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, seed)
+            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, record["seed"])
     parts += ["<h2>How this was found</h2>", paragraph(
-        f"Isolation {record['level']} ({about}); seed {seed}; {record['seconds']:.1f} s; "
+        f"Isolation {record['level']} ({about}); seed {record['seed']}; {record['seconds']:.1f} s; "
         f"hash of what was handed in {record['digest']}.")]
     return document(record["student"], *parts)
 
@@ -79,7 +87,8 @@ def gradescope(record, about):
                       "score": entry["points"] * done, "max_score": entry["points"],
                       "status": "passed" if done else "failed", "output_format": "text",
                       "output": "\n\n".join([entry["told"], *wrong]) if wrong else ""})
-    about = f"isolation {record['level']} ({about}), hash {record['digest']}"
+    about = (f"isolation {record['level']} ({about}), hash {record['digest']}, "
+             f"seed {record['seed']}")
     return {"score": sum(points(record).values()), "output": "\n".join([*record["notes"], about]),
             "output_format": "text", "execution_time": round(record["seconds"]),
             "stdout_visibility": "hidden", "tests": tests}

@@ -153,9 +153,9 @@ def test_pages_escape_what_students_write():
     entry = {"number": "1.1", "name": "f", "topic": "t", "points": 1, "verdict": "failing",
              "told": "failing", "extra": False, "checks": [check]}
     record = {"student": "ada", "level": "strict", "digest": "0", "notes": ["<b>"], "seconds": 1.0,
-              "lost": {"1.1": "in f: <i>"}, "problem": None,
+              "lost": {"1.1": "in f: <i>"}, "problem": None, "seed": 7,
               "board": {"points": 0, "of": 1, "exercises": [entry]}}
-    page = report.page(record, {"pic.png": b"png"}, "<u>", 0)
+    page = report.page(record, {"pic.png": b"png"}, "<u>")
     assert not any(tag in page for tag in ("<script>", "<b>", "<i>&", "<u>"))
     assert 'src="data:image/png;base64,cG5n"' in page and "default-src 'none'" in page
 
