@@ -175,6 +175,10 @@ class Examination:
         """Has an exercise passed all of its checks, without an answer of the reference?"""
         return self.checked.get(number) and number not in (*self.asked, *self.lost)
 
+    def ran(self, check):
+        """Did what was handed in answer this check?"""
+        return check.exercise not in self.lost and self.topic[check.exercise] not in self.missing
+
     def exchange(self, message):
         """A message to the worker, and the one back. What it asks in between is answered."""
         payload = self.timed(self.worker, wire.encode(message))
@@ -365,10 +369,21 @@ def examine(job):
     found, problems = runner.run_checks(labs, numbers, "labs", job.seed, [examination])
     entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.lost
                else entry for entry in board.entries(labs, numbers, {}, found)]
+    problems += defects(labs, [check for check in found if examination.ran(check)], job.seed)
     return {"board": json.loads(board.as_json(entries)), "lost": examination.lost,
             "missing": examination.missing, "asked": examination.asked,
             "problem": examination.problem or "\n".join(problems) or None,
             "seconds": time.monotonic() - started}
+
+
+def defects(labs, found, seed):
+    """Sentences on those checks that failed, and that the reference fails at this seed, too."""
+    failed = {check.nodeid: check for check in found if check.verdict == "failed"}
+    again, _ = runner.run_checks(labs, {check.exercise for check in failed.values()}, "reference",
+                                 seed) if failed else ([], [])
+    return [f"the check is wrong, and not what was handed in: the reference fails it, too, at seed "
+            f"{seed}: {check.exercise}: {check.claim}: {check.message}"
+            for check in again if check.verdict != "passed" and check.nodeid in failed]
 
 
 def main(folder):

@@ -79,7 +79,7 @@ class Worker:
 
     def decoded(self, payload):
         try:
-            message = wire.decode(payload)
+            message = wire.decode(payload, wire.MOST_ANSWER)
         except wire.Garbled as error:
             self.lose(f"what it sent cannot be read: {error}")
         if not (isinstance(message, tuple) and message and isinstance(message[0], str)):

@@ -17,8 +17,9 @@ import math
 
 import numpy as np
 
-MOST_BYTES = 1 << 26   # of a payload
-MOST_HEADER = 1 << 22
+MOST_BYTES = 1 << 24   # of a payload: twice what any exercise returns
+MOST_HEADER = 1 << 22  # of it
+MOST_ANSWER = 1 << 17  # of the header of a worker's answer, where numbers are in arrays
 DTYPES = {name: np.dtype(name) for name in (
     "|b1", "|i1", "|u1", "<i2", "<u2", "<f2", "<i4", "<u4", "<f4", "<i8", "<u8", "<f8", "<c8",
     "<c16")}
@@ -90,11 +91,11 @@ def described_array(value, arrays):
     return {"array" if isinstance(value, np.ndarray) else "number": [name, array.shape]}
 
 
-def decode(payload):
+def decode(payload, most_header=MOST_HEADER):
     """A payload -> the value, its arrays' numbers copied. Garbled: it is not one."""
     try:
         start = 4 + int.from_bytes(payload[:4], "big")
-        if start > 4 + MOST_HEADER:
+        if start > 4 + most_header:
             raise Garbled(f"a header of {start} bytes")
         header, rest = json.loads(payload[4:start]), [memoryview(payload)[start:]]
         value = built(header, rest)

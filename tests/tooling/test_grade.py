@@ -98,6 +98,31 @@ def test_the_overview_shows_crashes_and_the_hardest(graded):
     assert hardest.index("2.1") < hardest.index("1.2")
 
 
+def test_a_check_that_the_reference_fails_is_nobodys_mistake(house, run_module, tmp_path):
+    """A check that breaks at some seeds takes the points of those who happen to get them."""
+    course = house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
+                    "tests/labs/test_transforms.py": CHECKS.replace(
+        "    assert_close(impl.quad", "    assert rng.bit_generator.seed_seq.entropy[0] == 0\n"
+                                      "    assert_close(impl.quad")})
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "ada_transforms.py").write_text(LAB, encoding="utf-8")
+    done = run_module(course, "course", "grade", tmp_path / "in", "--out", tmp_path / "out",
+                      "--isolation", "process")
+    assert done.returncode == 1 and "the reference fails it, too, at seed" in done.stdout
+
+
+def test_nothing_is_graded_where_the_reference_fails(house, run_module, tmp_path):
+    """Half a copy of the course gives everybody 0 points."""
+    course = house({"reference/transforms.py": LAB.replace("2 * x", "3 * x"),
+                    "labs/transforms.py": LAB, "tests/labs/test_transforms.py": CHECKS})
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "ada_transforms.py").write_text(LAB, encoding="utf-8")
+    done = run_module(course, "course", "grade", tmp_path / "in", "--out", tmp_path / "out",
+                      "--isolation", "process")
+    assert done.returncode == 2 and "nothing was graded" in done.stderr, done.stderr
+    assert not (tmp_path / "out").exists()
+
+
 def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, run_module, tmp_path):
     """Everything again, or an old mark for new work."""
     out, handed_in = (shutil.copytree(folder, tmp_path / folder.name) for folder in graded[:2])

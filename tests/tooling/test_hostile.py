@@ -11,6 +11,7 @@ import os
 import re
 import socket
 import stat
+import sys
 import time
 import zipfile
 from pathlib import Path
@@ -34,14 +35,20 @@ POINTS = dict.fromkeys((path.stem for path in HOSTILE.glob("*.py")), 6) | {
     "thread": 7,
     "daemon": 7,
     "kills_its_parent": 7,       # the first process of a sandbox can't be killed from inside
-    "asks_for_its_own_answer": 5,
+    "asks_for_its_own_answer": 4,
+    "sets_attributes": 4,
+    "asks_much": 4,
+    "asks_beside_the_point": 2,
+    "left_files": 5,
+    "kills_by_number": 7,
     "syntax_error": 0,
     "deep_source": 0,
     "missing_package": 0,
     "matplotlib": 0,
 }
 # What no `process` is protected from, and what needs fork.
-STRICT_ONLY = {"fork_bomb", "writes_results", "reads_the_reference", "network", "kills_its_parent",
+STRICT_ONLY = {"keyring", "shared_memory", "sockets", "file_locks", "many_files", "drips",
+               "kills_by_number", "fork_bomb", "writes_results", "reads_the_reference", "network", "kills_its_parent",
                "memory_of_many", "daemon"}
 # At the level `process`, where `strict` is graded, too: enough to see that the levels agree.
 BOTH = {"honest", "one_mistake", "exits_hard", "endless_loop_in_c", "closes_descriptors",
@@ -130,6 +137,7 @@ def test_every_submission_gets_what_its_honest_part_deserves(isolation, house, r
     """A mark that was stolen, a mark that was lost, a grader that hangs or dies."""
     strict, about = sandbox.available()
     if isolation == "strict" != strict:
+        assert not (os.environ.get("CI") and sys.platform == "linux"), about
         pytest.skip(about)
     names = set(POINTS) if isolation == "strict" else \
         BOTH if strict == "strict" else set(POINTS) - STRICT_ONLY
@@ -170,4 +178,5 @@ def test_every_submission_gets_what_its_honest_part_deserves(isolation, house, r
                for path in graded.glob("students/*/report.html")}
     assert set(reports) == set(expected)
     assert [name for name, text in reports.items() if "hush" in text] == []
+    assert [name for name, text in reports.items() if len(text) > 1 << 18] == []
     assert [name for name, text in reports.items() if "<script>" in text or "\x1b" in text] == []
