@@ -88,8 +88,11 @@ def gradescope(record, about):
 # --- the class --------------------------------------------------------------------------------
 
 
-def overview(records, exercises, level, about):
-    """Distribution, exercises by how many solved them, what was lost, everybody."""
+def overview(records, exercises, level, about, not_understood):
+    """Distribution, exercises by how many solved them, what was lost, everybody.
+
+    not_understood: of submissions.read.
+    """
     graded = [record for record in records if points(record)]
     of = sum(exercise.points for exercise in exercises)
     totals = [sum(points(record).values()) for record in graded]
@@ -100,6 +103,9 @@ def overview(records, exercises, level, about):
         parts += ["<h2>Distribution</h2>", paragraph(f"median {middle} of {of} points"),
                   distribution(totals, of), "<h2>Exercises, the hardest first</h2>",
                   hardest(graded, exercises)]
+    if not_understood:
+        lines = [[f"<span>{html.escape(name)}</span>", why] for name, why in not_understood]
+        parts += ["<h2>Handed in, and not understood</h2>", rows(lines)]
     lost = [[student_link(record["student"]), number, sentence] for record in records
             for number, sentence in record["lost"].items()]
     if lost:
