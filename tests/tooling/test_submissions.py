@@ -188,8 +188,8 @@ def test_names_are_safe_wherever_they_are_written(read, tmp_path):
     long = "\N{LINEAR B SYLLABLE B008 A}" * 60  # 240 bytes
     names = [f"{long}/transforms.py", f"{long}B/transforms.py"]
     if sys.platform == "linux":
-        names += ["a\x1b[2J\nb/transforms.py", b"ad\xe9/transforms.py", b"ad\xe8/transforms.py", b"eve/ad\xe9.rar",
-                  b"eve/ad\xe9/transforms.py", b"fay\xe9_12_34_my\xe9.rar"]
+        names += ["a\x1b[2J\nb/transforms.py", b"ad\xe9/transforms.py", b"ad\xe8/transforms.py",
+                  b"eve/ad\xe9.rar", b"eve/ad\xe9/transforms.py", b"fay\xe9_12_34_my\xe9.rar"]
     found, not_understood = read(dict.fromkeys(names, "x"))
     assert len(found) == (7 if sys.platform == "linux" else 2) and not_understood == []
     for one in found:
