@@ -159,7 +159,7 @@ def read_record(path):
 
 def fits(record, columns):
     """Whether a record has what the tables show."""
-    if not record.keys() >= {"student", "identity", "level", "digest", "problem", "board"}:
+    if not record.keys() >= {"student", "identity", "level", "digest", "problem", "board", "notes"}:
         return False
     numbers = {exercise.number for exercise in columns}
     return not record["board"] or numbers == {entry["number"]
@@ -285,13 +285,18 @@ def told(one):
                                                   "notes")}
 
 
+def no_formula(text):
+    """A cell that begins with a student's file name, as a spreadsheet shows it."""
+    return f"'{text}" if text.startswith(("=", "+", "-", "@")) else text
+
+
 def write_tables(out, records, columns, level, about, not_understood):
     """grades.csv and index.html. columns: the exercises that count."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     names = (f"{exercise.number} {exercise.name}" for exercise in columns)
     table.writerow(["student", *names, "total", "of", "fine print open",
-                    "isolation", "seconds", "hash", "problem"])
+                    "isolation", "seconds", "hash", "problem", "notes"])
     for name in sorted(records):
         record = records[name]
         got = report.points(record)
@@ -299,7 +304,7 @@ def write_tables(out, records, columns, level, about, not_understood):
                         sum(got.values()) if got else "", sum(e.points for e in columns),
                         " ".join(report.open_fine_print(record)),
                         record["level"], f"{record['seconds']:.1f}", record["digest"],
-                        record["problem"] or ""])
+                        record["problem"] or "", no_formula("; ".join(record["notes"]))])
     out.mkdir(parents=True, exist_ok=True)
     places.write_whole(out / "grades.csv", text.getvalue().encode("utf-8"))
     page = report.overview([records[name] for name in sorted(records)], columns, level, about,

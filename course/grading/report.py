@@ -112,7 +112,8 @@ def overview(records, exercises, level, about, not_understood):
         parts += ["<h2>Crashes, time-outs, and worse</h2>", rows(lost)]
     parts += ["<h2>Everybody</h2>", rows(
         [[student_link(record["student"]), sum(points(record).values()),
-          bar(sum(points(record).values()), of), record["problem"] or ""] for record in records])]
+          bar(sum(points(record).values()), of), record["problem"] or "; ".join(record["notes"])]
+         for record in records])]
     return document("Grades", *parts)
 
 

@@ -33,7 +33,8 @@ def graded(course, run_module, tmp_path_factory):
                        "bob/rasterization.py": SECOND,
                        "eve/rasterization.py": SECOND.replace("2 * x", "x"),
                        "eve/transforms.py": LAB.replace("return x / 2, x > 0", "while True: x"),
-                       "ann/transforms.py": skeleton(LAB), "A&B.txt": "?"}.items():
+                       "ann/transforms.py": skeleton(LAB), "A&B.txt": "?",
+                       "zed/-1.rar": "?"}.items():
         path = folder / "in" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
@@ -54,14 +55,15 @@ def rows(out):
 
 
 def test_the_table_has_points_of_each_exercise(graded):
-    """A mistake costs the points of exercises that build on it."""
+    """A mistake costs the points of exercises that build on it, or a note is a formula."""
     table = rows(graded[0])
     names = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "total", "of"]
     assert {name: [int(row[column]) for column in names] for name, row in table.items()} == {
         "ada": [1, 2, 4, 3, 10, 10], "bob": [0, 2, 4, 3, 9, 10], "eve": [1, 2, 0, 0, 3, 10],
-        "ann": [0, 0, 0, 0, 0, 10]}
+        "ann": [0, 0, 0, 0, 0, 10], "zed": [0, 0, 0, 0, 0, 10]}
     assert {row["isolation"] for row in table.values()} == {"process"}
-    assert len({row["hash"] for row in table.values()}) == 4
+    assert len({row["hash"] for row in table.values()}) == 5
+    assert table["zed"]["notes"] == "'-1.rar is no archive that can be read here: hand in a zip"
 
 
 def test_the_level_is_stated_wherever_marks_are(graded):
@@ -122,7 +124,7 @@ def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, 
     (tmp_path / "in").mkdir()
     (tmp_path / "in" / "zoe_transforms.py").write_text(LAB, encoding="utf-8")
     printed = run_grade(run_module, course, tmp_path)
-    assert "1 submissions graded" in printed and "4 more of earlier runs stay" in printed
+    assert "1 submissions graded" in printed and "5 more of earlier runs stay" in printed
     before, after = rows(graded[0]), rows(tmp_path / "out")
     assert after.pop("zoe")["total"] == "7" and after == before
     assert "students/bob/report.html" in (tmp_path / "out" / "index.html").read_text("utf-8")
