@@ -353,6 +353,12 @@ def test_an_archive_that_never_ends_is_refused(handed_in, monkeypatch, make):
     assert "holds too much: hand in a zip of labs/ alone" in one.missing["transforms"]
 
 
+def test_many_archives_are_refused(handed_in):
+    """Minutes for each student who hands in a hundred of them."""
+    files = {f"ada/{number}.zip": LAB for number in range(21)}
+    assert "more than 20 archives" in handed_in(files)["ada"].missing["transforms"]
+
+
 @pytest.mark.parametrize("name", ["nothing", "empty"])
 def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
     """A table without rows."""
