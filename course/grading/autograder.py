@@ -6,7 +6,7 @@ import zipfile
 from pathlib import Path
 
 from ..given import places
-from . import grade, sandbox, submissions
+from . import archives, grade, sandbox
 
 FILES = Path(__file__).with_name("files")
 NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
@@ -56,15 +56,13 @@ def main(folder, path):
 
     settings = json.loads((places.ROOT / "settings.json").read_bytes())
     level, about = sandbox.available()
-    found = submissions.Found("submission", (), Path(folder), None)
-    one = submissions.submission("submission", [found], settings["topics"])
-    job = grade.Job(one.texts, one.missing, level, grade.own_seed(0, one.texts),
-                    asks=settings["asks"])
+    texts, missing, notes = archives.read(folder, settings["topics"])
+    job = grade.Job(texts, missing, level, grade.own_seed(0, texts), asks=settings["asks"])
     result, _ = grade.examine(job._asdict())
     if result["problem"]:
         raise SystemExit(f"could not be graded: {result['problem']}")
-    record = {"level": level, "digest": submissions.digest(one.texts), "notes": one.notes,
-              "seed": job.seed, **result}
+    record = {"level": level, "digest": archives.digest(texts), "notes": notes, "seed": job.seed,
+              **result}
     places.write_whole(path, json.dumps(report.gradescope(record, about)).encode())
 
 

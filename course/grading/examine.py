@@ -254,7 +254,7 @@ class Examination:
                             "so often, so the grader does not answer any more", (), ""))
 
     def allowed(self, name):
-        """How many bytes the exercise that runs may ask "topic.name" for, from what all others do."""
+        """How many bytes of questions to "topic.name" the exercise that runs may ask."""
         if self.job.asks is None:
             return MOST_RECEIVED
         own = self.topic[self.running]

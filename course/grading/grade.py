@@ -22,7 +22,7 @@ from rich.progress import Progress
 
 from .. import exercises
 from ..given import places
-from . import report, sandbox, submissions
+from . import archives, report, sandbox, submissions
 from .examine import Job
 
 
@@ -37,16 +37,19 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     limits = sandbox.Limits(call=seconds, exercise=12 * seconds)
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if extra or not exercise.is_extra]
-    handed_in = submissions.read(folder, topics)
+    handed_in, not_understood = submissions.read(folder, topics)
     out = Path(out)
+    records = earlier(out, handed_in, columns)
     print(f"isolation: {level} ({about})", *warnings(level), sep="\n")
+    for name, sentence in not_understood:
+        print(f"not understood: {name}: {sentence}")
 
-    records, todo = {}, []
+    stay, todo = len(records), []
     for one in handed_in:
         job = Job(one.texts, one.missing, level, own_seed(seed, one.texts), limits, extra)
         folder_of_one = out / "students" / one.student
         if resume and (done := done_before(folder_of_one, fingerprint(job))):
-            records[one.student] = done
+            records[one.student] = done | told(one)
         else:
             todo.append((one, job))
     started = time.monotonic()
@@ -59,13 +62,14 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
         task = progress.add_task("submissions", total=len(todo))
         for one, job, (result, pictures) in examined(todo, jobs or os.cpu_count(), scheduler):
             records[one.student] = finish(one, job, result, pictures)
-            write_tables(out, records, columns, level, about)
+            write_tables(out, records, columns, level, about, not_understood)
             progress.advance(task)
             progress.refresh()
-    write_tables(out, records, columns, level, about)
-    failed = [name for name, record in records.items() if record["problem"]]
+    write_tables(out, records, columns, level, about, not_understood)
+    failed = [one.student for one in handed_in if records[one.student]["problem"]]
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
-          f"{len(records) - len(todo)} were done before, {len(failed)} could not be graded")
+          f"{len(handed_in) - len(todo)} were done before, {len(failed)} could not be graded"
+          + f"; {stay} more of earlier runs stay in the tables" * bool(stay))
     for name in failed:
         print(f"{name}: {records[name]['problem']}")
     print(f"{out / 'grades.csv'}\n{out / 'index.html'}")
@@ -110,7 +114,7 @@ def own_seed(seed, texts):
 
     A table of right answers is part of the submission, so it changes the seed that it is for.
     """
-    told = f"{seed} {submissions.digest(texts)}"
+    told = f"{seed} {archives.digest(texts)}"
     return int.from_bytes(hashlib.sha256(told.encode()).digest()[:4], "big") >> 1
 
 
@@ -149,11 +153,50 @@ def course_digest():
 
 def done_before(folder, wanted):
     """The record of an earlier run, if it is of the same submission, checks and options."""
+    record = read_record(folder / "record.json")
+    return record if record.get("fingerprint") == wanted and not record["problem"] else None
+
+
+def earlier(out, handed_in, columns):
+    """{student: record} of earlier runs into the same folder: those who are not graded now.
+
+    ValueError: they would not fit into the same table, or a folder is another student's.
+    """
+    now = {one.student.casefold(): one for one in handed_in}
+    records = {}
+    for path in sorted(out.glob("students/*/record.json")):
+        record, one = read_record(path), now.get(path.parent.name.casefold())
+        if one is None and not fits(record, columns):
+            raise ValueError(f"{out} holds grades of {path.parent.name} for other labs, or of "
+                             "another version of the course: name another folder with --out")
+        if one is None:
+            records[record["student"]] = record
+        elif are_two(record.get("identity", one.identity), one.identity):
+            raise ValueError(f"{path.parent} holds grades of another student, whose name is almost "
+                             "the same: name another folder with --out")
+    return records
+
+
+def read_record(path):
+    """What an earlier run wrote, {} where it cannot be read."""
     try:
-        record = json.loads((folder / "record.json").read_bytes())
-    except (OSError, ValueError):
-        return None
-    return record if record["fingerprint"] == wanted and not record["problem"] else None
+        return dict(json.loads(path.read_bytes()))
+    except (OSError, TypeError, ValueError):
+        return {}
+
+
+def fits(record, columns):
+    """Whether a record has what the tables show."""
+    if not record.keys() >= {"student", "identity", "level", "digest", "problem", "board", "notes"}:
+        return False
+    numbers = {exercise.number for exercise in columns}
+    return not record["board"] or numbers == {entry["number"]
+                                              for entry in record["board"]["exercises"]}
+
+
+def are_two(before, now):
+    """Whether names that were handed in by hand are of two people."""
+    return before["platform"] == now["platform"] == "" and before["name"] != now["name"]
 
 
 # --- examinations -----------------------------------------------------------------------------
@@ -168,7 +211,7 @@ def examined(todo, jobs, scheduler):
         running = {pool.submit(examine, job._asdict()): (one, job) for one, job in todo}
         try:
             for future in concurrent.futures.as_completed(running):
-                yield *running[future], future.result()
+                yield *running[future], outcome(future)
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
@@ -184,8 +227,16 @@ def on_cluster(todo, scheduler):
         require_alike(client.run(there), todo[0][1].level if todo else None)
         futures = {client.submit(examine, job._asdict(), pure=False): (one, job)
                    for one, job in todo}
-        for future, result in distributed.as_completed(futures, with_results=True):
-            yield *futures[future], result
+        for future in distributed.as_completed(futures):
+            yield *futures[future], outcome(future)
+
+
+def outcome(future):
+    """What `examine` returned. Whatever went wrong is this submission's alone."""
+    try:
+        return future.result()
+    except Exception as error:
+        return failure(f"the examination broke off: {type(error).__name__}: {error}"), {}
 
 
 def there():
@@ -215,9 +266,10 @@ def examine(job):
         try:
             done = subprocess.run(command, cwd=places.ROOT, env=settings, capture_output=True,
                                   timeout=limits.submission + 300)
-            result = json.loads((folder / "result.json").read_bytes())
         except subprocess.TimeoutExpired:
             return failure("the checks themselves took too long"), {}
+        try:
+            result = json.loads((folder / "result.json").read_bytes())
         except (OSError, ValueError):
             said = done.stderr.decode("utf-8", "replace").strip().splitlines()
             return failure(f"the checks broke off: {said[-1] if said else done.returncode}"), {}
@@ -235,29 +287,45 @@ def failure(problem):
 def finisher(out, about):
     """-> the function that writes what belongs to one student, and returns the record of it."""
     def finish(one, job, result, pictures):
-        folder = out / "students" / one.student
+        record = {**told(one), "fingerprint": fingerprint(job), "level": job.level,
+                  "digest": archives.digest(one.texts), "seed": job.seed, **result}
+        try:
+            write(record, pictures)
+        except Exception as error:  # one student's trouble is no other's
+            record["problem"] = f"its results cannot be written: {error}"
+        return record
+
+    def write(record, pictures):
+        folder = out / "students" / record["student"]
         folder.mkdir(parents=True, exist_ok=True)
-        record = {"student": one.student, "fingerprint": fingerprint(job), "level": job.level,
-                  "digest": submissions.digest(one.texts), "notes": one.notes, "seed": job.seed,
-                  **result}
-        if not result["problem"]:
+        if not record["problem"]:
             page = report.page(record, pictures, about)
             places.write_whole(folder / "report.html", page.encode("utf-8"))
             gradescope = json.dumps(report.gradescope(record, about), indent=2)
             places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
         places.write_whole(folder / "record.json", json.dumps(record).encode("utf-8"))
-        return record
 
     return finish
 
 
-def write_tables(out, records, columns, level, about):
+def told(one):
+    """What a record has of a submission: all but the labs."""
+    return {name: getattr(one, name) for name in ("student", "identity", "handed_in", "late",
+                                                  "notes")}
+
+
+def no_formula(text):
+    """A cell that begins with a student's file name, as a spreadsheet shows it."""
+    return f"'{text}" if text.startswith(("=", "+", "-", "@")) else text
+
+
+def write_tables(out, records, columns, level, about, not_understood):
     """grades.csv and index.html. columns: the exercises that count."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     names = (f"{exercise.number} {exercise.name}" for exercise in columns)
     table.writerow(["student", *names, "total", "of", "fine print open",
-                    "isolation", "seconds", "hash", "seed", "problem"])
+                    "isolation", "seconds", "hash", "seed", "problem", "notes"])
     for name in sorted(records):
         record = records[name]
         got = report.points(record)
@@ -265,8 +333,10 @@ def write_tables(out, records, columns, level, about):
                         sum(got.values()) if got else "", sum(e.points for e in columns),
                         " ".join(report.open_fine_print(record)),
                         record["level"], f"{record['seconds']:.1f}", record["digest"],
-                        record["seed"], record["problem"] or ""])
+                        record["seed"], record["problem"] or "",
+                        no_formula("; ".join(record["notes"]))])
     out.mkdir(parents=True, exist_ok=True)
     places.write_whole(out / "grades.csv", text.getvalue().encode("utf-8"))
-    page = report.overview([records[name] for name in sorted(records)], columns, level, about)
+    page = report.overview([records[name] for name in sorted(records)], columns, level, about,
+                           not_understood)
     places.write_whole(out / "index.html", page.encode("utf-8"))

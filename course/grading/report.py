@@ -54,7 +54,8 @@ def page(record, pictures, about):
              *map(paragraph, record["notes"]), board_table(board)]
     for entry in board["exercises"]:
         if entry["verdict"] == "failing" or entry["told"] != entry["verdict"]:
-            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, record["seed"])
+            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures,
+                                   record["seed"])
     parts += ["<h2>How this was found</h2>", paragraph(
         f"Isolation {record['level']} ({about}); seed {record['seed']}; {record['seconds']:.1f} s; "
         f"hash of what was handed in {record['digest']}.")]
@@ -97,8 +98,11 @@ def gradescope(record, about):
 # --- the class --------------------------------------------------------------------------------
 
 
-def overview(records, exercises, level, about):
-    """Distribution, exercises by how many solved them, what was lost, everybody."""
+def overview(records, exercises, level, about, not_understood):
+    """Distribution, exercises by how many solved them, what was lost, everybody.
+
+    not_understood: of submissions.read.
+    """
     graded = [record for record in records if points(record)]
     of = sum(exercise.points for exercise in exercises)
     totals = [sum(points(record).values()) for record in graded]
@@ -109,13 +113,17 @@ def overview(records, exercises, level, about):
         parts += ["<h2>Distribution</h2>", paragraph(f"median {middle} of {of} points"),
                   distribution(totals, of), "<h2>Exercises, the hardest first</h2>",
                   hardest(graded, exercises)]
+    if not_understood:
+        lines = [[f"<span>{html.escape(name)}</span>", why] for name, why in not_understood]
+        parts += ["<h2>Handed in, and not understood</h2>", rows(lines)]
     lost = [[student_link(record["student"]), number, sentence] for record in records
             for number, sentence in record["lost"].items()]
     if lost:
         parts += ["<h2>Crashes, time-outs, and worse</h2>", rows(lost)]
     parts += ["<h2>Everybody</h2>", rows(
         [[student_link(record["student"]), sum(points(record).values()),
-          bar(sum(points(record).values()), of), record["problem"] or ""] for record in records])]
+          bar(sum(points(record).values()), of), record["problem"] or "; ".join(record["notes"])]
+         for record in records])]
     return document("Grades", *parts)
 
 

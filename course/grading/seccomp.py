@@ -25,7 +25,7 @@ ALLOWED = """
     waitid write writev""".split()
 NEW_NAMESPACES = 0x7E020080       # clone's flags for them
 SHARED = 0x01                     # mmap's flag for memory that stays when no process maps it
-DESCRIPTORS = 0, 1, 2, 3, 4, 1030  # fcntl's commands for copies and flags. Not for locks, pipes' size
+DESCRIPTORS = 0, 1, 2, 3, 4, 1030  # fcntl's commands for copies and flags, and not for locks
 TERMINALS = 0x5401, 0x5421, 0x5450, 0x5451  # ioctl's: is it one; wait or not; close at exec or not
 NAME = 15                         # prctl's, for a thread
 ALLOW, REFUSE = 0x7FFF0000, 0x00050000 + 38  # with ENOSYS, as an older kernel would
@@ -33,7 +33,7 @@ EQUAL, MASKED = 4, 7
 
 
 class Comparison(ctypes.Structure):
-    """libseccomp's struct scmp_arg_cmp. EQUAL: argument == first. MASKED: argument & first == second."""
+    """libseccomp's scmp_arg_cmp. EQUAL: argument == first. MASKED: argument & first == second."""
 
     _fields_ = [("argument", ctypes.c_uint), ("operator", ctypes.c_int),
                 ("first", ctypes.c_uint64), ("second", ctypes.c_uint64)]
@@ -62,7 +62,7 @@ def is_there():
 
 @functools.cache
 def program():
-    """The filter as the kernel takes it, 8 bytes an instruction. OSError: there is no libseccomp."""
+    """The filter as the kernel takes it, 8 bytes an instruction. OSError: no libseccomp."""
     library = ctypes.CDLL(LIBRARY)
     library.seccomp_init.restype = ctypes.c_void_p
     context = ctypes.c_void_p(library.seccomp_init(REFUSE))

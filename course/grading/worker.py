@@ -372,7 +372,7 @@ def hold_open(folders):
 
 
 def filter_calls(libc, program):
-    """Have the kernel refuse all system calls that the program does not allow -> whether it does."""
+    """Have the kernel refuse the system calls that a program does not allow -> does it?"""
     class Program(ctypes.Structure):  # the kernel's struct sock_fprog
         _fields_ = [("length", ctypes.c_ushort), ("code", ctypes.c_char_p)]
 

@@ -48,8 +48,8 @@ POINTS = dict.fromkeys((path.stem for path in HOSTILE.glob("*.py")), 6) | {
 }
 # What no `process` is protected from, and what needs fork.
 STRICT_ONLY = {"keyring", "shared_memory", "sockets", "file_locks", "many_files", "drips",
-               "kills_by_number", "fork_bomb", "writes_results", "reads_the_reference", "network", "kills_its_parent",
-               "memory_of_many", "daemon"}
+               "kills_by_number", "fork_bomb", "writes_results", "reads_the_reference", "network",
+               "kills_its_parent", "memory_of_many", "daemon"}
 # At the level `process`, where `strict` is graded, too: enough to see that the levels agree.
 BOTH = {"honest", "one_mistake", "exits_hard", "endless_loop_in_c", "closes_descriptors",
         "forged_frames", "changes_its_input", "breaks_numpy"}
@@ -104,8 +104,8 @@ def make_archives(folder, honest, outside):
             path = folder / name / file
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    points = {"zip_plain": 7, "zip_slip": 7, "other_files": 7} | dict.fromkeys(
-        ("zip_of_a_link", "zip_bomb", "zip_of_many", "zip_that_is_none", "zip_cut_short",
+    points = {"zip_plain": 7, "zip_slip": 7, "zip_of_many": 7, "other_files": 7} | dict.fromkeys(
+        ("zip_of_a_link", "zip_bomb", "zip_that_is_none", "zip_cut_short",
          "not_utf8", "null_bytes", "too_long", "missing_file"), 0)
     if os.name != "nt":
         for name, link, target in (("link_to_a_file", "labs/transforms.py", "secret.py"),
