@@ -176,6 +176,16 @@ def arguments():
     option("--scheduler", metavar="tcp://...", help="run on this Dask cluster")
     option("--seconds", type=float, default=10.0, metavar="S", help="the most that a call may take")
     option("--extra", action="store_true", help="extras count, too: they were handed out open")
+    option("--csv", choices=("canvas", "moodle", "gradescope", "brightspace"),
+           help="write this platform's import file, from its own export")
+    option("--roster", metavar="FILE", help="that export, as CSV")
+    option("--assignment", metavar="NAME", help="which of its columns takes the points")
+    option("--due", metavar="TIME", help="as in 2026-11-22T23:59, in this machine's time zone, or "
+                                         "2026-11-22T23:59+01:00")
+    option("--late", metavar="10%/day", help="what lateness takes off, for each day or hour begun")
+    option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d")
+    option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason")
+    option("--previous", metavar="FILE", help="an earlier grades.csv: tell what changed, and why")
 
     option = add(skeleton)
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
@@ -264,10 +274,12 @@ def autograder(asked):
 def grade(asked):
     """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
     import course.grading.grade
+    from course.grading.gradebook import Asked
     return course.grading.grade.run(
         asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
         seed=asked.seed, isolation=asked.isolation, scheduler=asked.scheduler,
-        seconds=asked.seconds, extra=asked.extra)
+        seconds=asked.seconds, extra=asked.extra,
+        book=Asked(*(getattr(asked, name) for name in Asked._fields)))
 
 
 def skeleton(asked):

@@ -1,14 +1,7 @@
-"""Many submissions: each is examined in a process of its own, here or on a cluster.
-
-    DIR/students/ada/   report.html, results.json (Gradescope's format), record.json (for --resume)
-    DIR/grades.csv      points for each exercise
-    DIR/index.html      the overview
-"""
+"""Many submissions: each is examined in a process of its own, here or on a cluster."""
 import concurrent.futures
-import csv
 import functools
 import hashlib
-import io
 import json
 import os
 import subprocess
@@ -22,15 +15,17 @@ from rich.progress import Progress
 
 from .. import exercises
 from ..given import places
-from . import report, sandbox, submissions
+from . import gradebook, sandbox, submissions
 from .examine import Job
+from .results import Results, Run
 
 
 def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None, scheduler=None,
-        seconds=10.0, extra=False):
+        seconds=10.0, extra=False, book=None):
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1.
 
     extra: extras count as well. That is fair where they were handed out open.
+    book: what is asked for besides points, a gradebook.Asked.
     """
     topics = topics_of(labs)
     level, about = level_to_use(isolation)
@@ -38,35 +33,34 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if extra or not exercise.is_extra]
     handed_in = submissions.read(folder, topics)
-    out = Path(out)
-    print(f"isolation: {level} ({about})", *warnings(level), sep="\n")
+    book = gradebook.Gradebook(book or gradebook.Asked(), handed_in, columns)
+    print(f"isolation: {level} ({about})", *warnings(level), *book.said(), sep="\n")
 
-    records, todo = {}, []
-    for one in handed_in:
-        job = Job(one.texts, one.missing, level, seed, limits, extra)
-        folder_of_one = out / "students" / one.student
-        if resume and (done := done_before(folder_of_one, fingerprint(job))):
-            records[one.student] = done
-        else:
-            todo.append((one, job))
+    results = Results(Path(out), Run(columns, level, about, seed, course_digest()[:12]), book)
+    todo = [(one, Job(one.texts, one.missing, level, seed, limits, extra)) for one in handed_in]
+    if resume:
+        todo = [(one, job) for one, job in todo if not results.keep(one, fingerprint(job))]
     started = time.monotonic()
-    finish = finisher(out, topics, level, about, seed)
-    with Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
-                  disable=not sys.stderr.isatty()) as progress:
-        task = progress.add_task("submissions", total=len(todo))
-        for one, job, (result, pictures) in examined(todo, jobs or os.cpu_count(), scheduler):
-            records[one.student] = finish(one, fingerprint(job), result, pictures)
-            write_tables(out, records, columns, level, about)
-            progress.advance(task)
-            progress.refresh()
-    write_tables(out, records, columns, level, about)
-    failed = [name for name, record in records.items() if record["problem"]]
+    for one, job, (result, pictures) in progress(
+            examined(todo, jobs or os.cpu_count(), scheduler), len(todo)):
+        results.add(one, fingerprint(job), result, pictures)
+    files = results.close()
+    failed = [name for name, record in results.records.items() if record["problem"]]
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
-          f"{len(records) - len(todo)} were done before, {len(failed)} could not be graded")
-    for name in failed:
-        print(f"{name}: {records[name]['problem']}")
-    print(f"{out / 'grades.csv'}\n{out / 'index.html'}")
+          f"{len(handed_in) - len(todo)} were done before, {len(failed)} could not be graded")
+    print(*(f"{name}: {results.records[name]['problem']}" for name in failed), *files, sep="\n")
     return int(bool(failed))
+
+
+def progress(steps, count):
+    """Yield the steps, with a bar in the terminal."""
+    with Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
+                  disable=not sys.stderr.isatty()) as bar:
+        task = bar.add_task("submissions", total=count)
+        for step in steps:
+            yield step
+            bar.advance(task)
+            bar.refresh()
 
 
 def topics_of(labs):
@@ -117,15 +111,6 @@ def course_digest():
         for path in sorted(places.ROOT.glob(pattern)):
             whole.update(path.read_bytes())
     return whole.hexdigest()
-
-
-def done_before(folder, wanted):
-    """The record of an earlier run, if it is of the same submission, checks and options."""
-    try:
-        record = json.loads((folder / "record.json").read_bytes())
-    except (OSError, ValueError):
-        return None
-    return record if record["fingerprint"] == wanted and not record["problem"] else None
 
 
 # --- examinations -----------------------------------------------------------------------------
@@ -198,45 +183,3 @@ def examine(job):
 
 def failure(problem):
     return {"board": None, "lost": {}, "problem": problem, "seconds": 0.0}
-
-
-# --- what is written --------------------------------------------------------------------------
-
-
-def finisher(out, topics, level, about, seed):
-    """-> the function that writes what belongs to one student, and returns the record of it."""
-    def finish(one, mark, result, pictures):
-        folder = out / "students" / one.student
-        folder.mkdir(parents=True, exist_ok=True)
-        record = {"student": one.student, "fingerprint": mark, "level": level,
-                  "digest": submissions.digest(one.texts), "notes": one.notes, **result}
-        if not result["problem"]:
-            page = report.page(record, pictures, about, seed)
-            places.write_whole(folder / "report.html", page.encode("utf-8"))
-            gradescope = json.dumps(report.gradescope(record, about), indent=2)
-            places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
-        places.write_whole(folder / "record.json", json.dumps(record).encode("utf-8"))
-        return record
-
-    return finish
-
-
-def write_tables(out, records, columns, level, about):
-    """grades.csv and index.html. columns: the exercises that count."""
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    names = (f"{exercise.number} {exercise.name}" for exercise in columns)
-    table.writerow(["student", *names, "total", "of", "fine print open",
-                    "isolation", "seconds", "hash", "problem"])
-    for name in sorted(records):
-        record = records[name]
-        got = report.points(record)
-        table.writerow([name, *(got.get(exercise.number, "") for exercise in columns),
-                        sum(got.values()) if got else "", sum(e.points for e in columns),
-                        " ".join(report.open_fine_print(record)),
-                        record["level"], f"{record['seconds']:.1f}", record["digest"],
-                        record["problem"] or ""])
-    out.mkdir(parents=True, exist_ok=True)
-    places.write_whole(out / "grades.csv", text.getvalue().encode("utf-8"))
-    page = report.overview([records[name] for name in sorted(records)], columns, level, about)
-    places.write_whole(out / "index.html", page.encode("utf-8"))

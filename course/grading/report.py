@@ -2,20 +2,8 @@
 import html
 
 from ..checks.page import coloured, document, exercise_part, paragraph
-
-
-def points(record):
-    """{exercise: points reached}. Empty where nothing could be graded."""
-    board = record["board"]
-    return {entry["number"]: entry["points"] * (entry["verdict"] == "done")
-            for entry in board["exercises"]} if board and not record["problem"] else {}
-
-
-def open_fine_print(record):
-    """The exercises that are done, but for their fine print."""
-    board = record["board"]
-    return [entry["number"] for entry in board["exercises"]
-            if entry["told"] != entry["verdict"]] if points(record) else []
+from .marks import after_lateness, is_graded, points, told, total
+from .sheets import shown
 
 
 def rows(lines, head=None):
@@ -40,10 +28,10 @@ def bar(part, whole):
 
 def page(record, pictures, about, seed):
     """record: of grade.run. pictures {file name: PNG}."""
-    board, got = record["board"], points(record)
+    board = record["board"]
     of = sum(entry["points"] for entry in board["exercises"])
-    parts = [paragraph(f"{sum(got.values())} of {of} points", "claim"),
-             *map(paragraph, record["notes"]), board_table(board)]
+    parts = [paragraph(f"{shown(after_lateness(record))} of {of} points", "claim"),
+             *map(paragraph, (*told(record), *record["notes"])), board_table(board, points(record))]
     for entry in board["exercises"]:
         if entry["verdict"] == "failing" or entry["told"] != entry["verdict"]:
             parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, seed)
@@ -53,34 +41,35 @@ def page(record, pictures, about, seed):
     return document(record["student"], *parts)
 
 
-def board_table(board):
+def board_table(board, reached):
+    """reached {exercise: points}."""
     lines, topic = [], None
     for entry in board["exercises"]:
         if entry["topic"] != topic:
             topic = entry["topic"]
             lab = [other for other in board["exercises"] if other["topic"] == topic]
-            got = sum(other["points"] for other in lab if other["verdict"] == "done")
+            got = sum(reached[other["number"]] for other in lab)
             of = sum(other["points"] for other in lab)
             lines.append([f"<strong>{html.escape(topic)}</strong>", "", got, of, bar(got, of)])
-        lines.append([entry["number"], entry["name"],
-                      entry["points"] * (entry["verdict"] == "done"), entry["points"],
+        lines.append([entry["number"], entry["name"], reached[entry["number"]], entry["points"],
                       coloured(entry["told"])])
     return rows(lines, ["", "", "points", "of", ""])
 
 
 def gradescope(record, about):
     """Gradescope's results.json."""
-    tests = []
+    tests, reached = [], points(record)
     for entry in record["board"]["exercises"]:
         done = entry["verdict"] == "done"
         wrong = [f"{check['claim']}\n{check['message']}" for check in entry["checks"]
                  if check["verdict"] != "passed"]
         tests.append({"number": entry["number"], "name": entry["name"],
-                      "score": entry["points"] * done, "max_score": entry["points"],
+                      "score": reached[entry["number"]], "max_score": entry["points"],
                       "status": "passed" if done else "failed", "output_format": "text",
                       "output": "\n\n".join([entry["told"], *wrong]) if wrong else ""})
     about = f"isolation {record['level']} ({about}), hash {record['digest']}"
-    return {"score": sum(points(record).values()), "output": "\n".join([*record["notes"], about]),
+    return {"score": after_lateness(record),
+            "output": "\n".join([*told(record), *record["notes"], about]),
             "output_format": "text", "execution_time": round(record["seconds"]),
             "stdout_visibility": "hidden", "tests": tests}
 
@@ -90,14 +79,14 @@ def gradescope(record, about):
 
 def overview(records, exercises, level, about):
     """Distribution, exercises by how many solved them, what was lost, everybody."""
-    graded = [record for record in records if points(record)]
+    graded = [record for record in records if is_graded(record)]
     of = sum(exercise.points for exercise in exercises)
-    totals = [sum(points(record).values()) for record in graded]
+    totals = [total(record) for record in graded]
     parts = [paragraph(f"{len(graded)} of {len(records)} submissions graded; isolation {level} "
                        f"({about})")]
     if graded:
         middle = sorted(totals)[len(totals) // 2]
-        parts += ["<h2>Distribution</h2>", paragraph(f"median {middle} of {of} points"),
+        parts += ["<h2>Distribution</h2>", paragraph(f"median {shown(middle)} of {of} points"),
                   distribution(totals, of), "<h2>Exercises, the hardest first</h2>",
                   hardest(graded, exercises)]
     lost = [[student_link(record["student"]), number, sentence] for record in records
@@ -105,8 +94,8 @@ def overview(records, exercises, level, about):
     if lost:
         parts += ["<h2>Crashes, time-outs, and worse</h2>", rows(lost)]
     parts += ["<h2>Everybody</h2>", rows(
-        [[student_link(record["student"]), sum(points(record).values()),
-          bar(sum(points(record).values()), of), record["problem"] or ""] for record in records])]
+        [[student_link(record["student"]), total(record), bar(total(record), of),
+          record["problem"] or ""] for record in records])]
     return document("Grades", *parts)
 
 
@@ -118,8 +107,8 @@ def student_link(name):
 def distribution(totals, of):
     """Ten bars: how many reached each tenth of the points."""
     counts = [0] * 10
-    for total in totals:
-        counts[min(9, 10 * total // max(of, 1))] += 1
+    for reached in totals:
+        counts[min(9, int(10 * reached // max(of, 1)))] += 1
     return rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
                  for tenth, count in enumerate(counts)])
 

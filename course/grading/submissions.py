@@ -35,6 +35,9 @@ class Submission(NamedTuple):
     texts: dict     # {topic: text}
     missing: dict   # {topic: sentence}, of those that were expected and cannot be taken
     notes: tuple    # sentences for the report
+    identity: dict = {}  # noqa: RUF012, by the platform: platform, id, name, email
+    handed_in: float | None = None  # seconds since 1970, by the platform's time stamp
+    late: bool = False  # whether the platform itself marked it late
 
 
 class Found(NamedTuple):

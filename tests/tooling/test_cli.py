@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from course import cli
+from course.grading.gradebook import Asked
 
 
 @pytest.fixture
@@ -51,7 +52,12 @@ def stand_in(monkeypatch):
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
      "--scheduler tcp://a --seconds 3 --extra", "grading.grade.run", ("in", "out"),
      {"labs": "1", "jobs": 2, "resume": True, "seed": 7, "isolation": "process",
-      "scheduler": "tcp://a", "seconds": 3.0, "extra": True}),
+      "scheduler": "tcp://a", "seconds": 3.0, "extra": True, "book": Asked()}),
+    ("grade in --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
+     "--overrides o.csv --previous p.csv", "grading.grade.run", ("in", "out"),
+     {"labs": None, "jobs": None, "resume": False, "seed": 0, "isolation": None,
+      "scheduler": None, "seconds": 10.0, "extra": False,
+      "book": Asked("moodle", "a.csv", "A", "D", "L", "G", "o.csv", "p.csv")}),
 ])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):

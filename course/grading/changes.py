@@ -1,0 +1,64 @@
+"""What is different from an earlier grades.csv, and why."""
+import re
+
+from . import sheets
+
+CAUSES = {"hash": "handed in again", "checks": "other checks", "seed": "other random inputs",
+          "isolation": "other isolation", "problem": "one of the two could not be graded"}
+UNTOLD = {"total": "what its exercises give", "after lateness": "the total"}
+HEADER = ("student", "exercise", "before", "after", "why")
+
+
+def read(path):
+    """{student: {column: cell}} of an earlier grades.csv. ValueError: it is another file."""
+    sheet = sheets.read(path)
+    if not {"student", "total"} <= set(sheet.header):
+        raise ValueError(f"{path} is no grades.csv: it has no columns student and total")
+    return by_student(sheet.header, sheet.rows)
+
+
+def by_student(header, rows):
+    """{student: {column: cell}} of grades.csv. All cells are texts, as in a file."""
+    lines = (dict(zip(header, map(str, row), strict=False)) for row in rows)
+    return {line["student"]: line for line in lines}
+
+
+def changes(before, after):
+    """Yield rows of HEADER: first the exercises of a student that changed, then the sums."""
+    for student in sorted(before.keys() | after.keys()):
+        old, new = before.get(student), after.get(student)
+        if old is None or new is None:
+            row = old or new
+            yield (student, "total", old and row["total"], new and row["total"],
+                   "new" if new else "handed in nothing this time")
+            continue
+        for column in new:
+            what = subject(column)
+            if what and column in old and old[column] != new[column]:
+                yield student, what, old[column], new[column], why(what, old, new)
+
+
+def subject(column):
+    """'2.3 cover' -> '2.3'; a sum's column is itself; no other column holds points."""
+    number = re.match(r"\d+\.\d+(?= )", column)
+    return number[0] if number else column if column in ("total", "after lateness") else None
+
+
+def why(what, old, new):
+    """All that can have changed these points."""
+    said = [by_hand(row, "late" if what == "after lateness" else what) for row in (old, new)]
+    if said[0] != said[1]:
+        return f"by hand: {said[1]}" if said[1] else "no longer by hand"
+    causes = [told for column, told in CAUSES.items()
+              if column in old and old[column] != new[column]]
+    if what == "after lateness" and old.get("late by") != new["late by"]:
+        causes.append(f"lateness: {new['late by'] or 'not late'}, "
+                      f"before: {old.get('late by') or 'not late'}")
+    return ", ".join(causes) or UNTOLD.get(what, "the same work and checks: was it a time-out?")
+
+
+def by_hand(row, what):
+    """What the column "by hand" says of an exercise, or None."""
+    found = re.search(rf"(?:^|; ){re.escape(what)}: (.*?)(?=; (?:\d+\.\d+|total|late): |$)",
+                      row.get("by hand", ""), re.DOTALL)
+    return found and found[1]

@@ -1,0 +1,89 @@
+"""What is written while a class is graded, as it comes.
+
+    DIR/students/ada/   report.html, results.json (Gradescope's format), record.json (for --resume),
+                        pictures/ of the report
+    DIR/grades.csv      points for each exercise
+    DIR/index.html      the overview
+"""
+import json
+import shutil
+from typing import NamedTuple
+
+from ..given import places
+from . import report, sheets, submissions, tables
+
+
+class Run(NamedTuple):
+    """What all results of a run have in common."""
+
+    columns: list   # the exercises that count
+    level: str
+    about: str      # a sentence on the level
+    seed: int
+    checks: str     # a hash of the course's own part
+
+
+class Results:
+    """The results of a run. records {student: record}."""
+
+    def __init__(self, out, run, book):
+        self.out, self.run, self.book = out, run, book
+        self.records = {}
+
+    def keep(self, one, mark):
+        """Take over the result of an earlier run, if it is of the same work -> whether it was."""
+        folder = self.out / "students" / one.student
+        if not (record := done_before(folder, mark)):
+            return False
+        entered = self.records[one.student] = self.book.entered(record)
+        if entered != record:
+            self.write_student(folder, entered, {
+                path.name: path.read_bytes() for path in folder.glob("pictures/*.png")})
+        return True
+
+    def add(self, one, mark, result, pictures):
+        """Write what belongs to one student, and the tables."""
+        folder = self.out / "students" / one.student
+        record = {"student": one.student, "fingerprint": mark, "level": self.run.level,
+                  "seed": self.run.seed, "checks": self.run.checks,
+                  "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+        record = self.records[one.student] = self.book.entered(record)
+        shutil.rmtree(folder / "pictures", ignore_errors=True)
+        (folder / "pictures").mkdir(parents=True)
+        for name, content in pictures.items():
+            places.write_whole(folder / "pictures" / name, content)
+        self.write_student(folder, record, pictures)
+        self.write_tables()
+
+    def write_student(self, folder, record, pictures):
+        if not record["problem"]:
+            page = report.page(record, pictures, self.run.about, self.run.seed)
+            places.write_whole(folder / "report.html", page.encode("utf-8"))
+            gradescope = json.dumps(report.gradescope(record, self.run.about), indent=2)
+            places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
+        places.write_whole(folder / "record.json", json.dumps(record).encode("utf-8"))
+
+    def write_tables(self):
+        """grades.csv and index.html -> the rows of grades.csv."""
+        records = [self.records[name] for name in sorted(self.records)]
+        table = tables.grades(records, self.run.columns)
+        self.out.mkdir(parents=True, exist_ok=True)
+        places.write_whole(self.out / "grades.csv", sheets.written(table))
+        page = report.overview(records, self.run.columns, self.run.level, self.run.about)
+        places.write_whole(self.out / "index.html", page.encode("utf-8"))
+        return table
+
+    def close(self):
+        """Write what needs all results -> the paths of all tables."""
+        table = self.write_tables()
+        return [self.out / "grades.csv", self.out / "index.html",
+                *self.book.write(self.out, self.records, table)]
+
+
+def done_before(folder, wanted):
+    """The record of an earlier run, if it is of the same submission, checks and options."""
+    try:
+        record = json.loads((folder / "record.json").read_bytes())
+    except (OSError, ValueError):
+        return None
+    return record if record["fingerprint"] == wanted and not record["problem"] else None
