@@ -48,7 +48,7 @@ def why(what, old, new):
     """All that can have changed these points."""
     said = [by_hand(row, "late" if what == "after lateness" else what) for row in (old, new)]
     if said[0] != said[1]:
-        return f"by hand: {said[1]}" if said[1] else "no longer by hand"
+        return said[1] or "no longer by hand"
     causes = [told for column, told in CAUSES.items()
               if column in old and old[column] != new[column]]
     if what == "after lateness" and old.get("late by") != new["late by"]:
@@ -58,7 +58,7 @@ def why(what, old, new):
 
 
 def by_hand(row, what):
-    """What the column "by hand" says of an exercise, or None."""
-    found = re.search(rf"(?:^|; ){re.escape(what)}: (.*?)(?=; (?:\d+\.\d+|total|late): |$)",
+    """What the column "by hand" says of an exercise, or None: 2.3: 2 by hand (why); 2.4: ..."""
+    found = re.search(rf"(?:^|\); ){re.escape(what)}: (.*?\))(?=; (?:\d+\.\d+|total|late): |$)",
                       row.get("by hand", ""), re.DOTALL)
     return found and found[1]
