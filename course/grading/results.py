@@ -49,7 +49,7 @@ class Results:
                   "digest": submissions.digest(one.texts), "notes": one.notes, **result}
         record = self.records[one.student] = self.book.entered(record)
         shutil.rmtree(folder / "pictures", ignore_errors=True)
-        (folder / "pictures").mkdir(parents=True)
+        (folder / "pictures" if pictures else folder).mkdir(parents=True, exist_ok=True)
         for name, content in pictures.items():
             places.write_whole(folder / "pictures" / name, content)
         self.write_student(folder, record, pictures)
