@@ -10,7 +10,7 @@ import shutil
 from typing import NamedTuple
 
 from ..given import places
-from . import report, sheets, submissions, tables
+from . import archives, report, sheets, tables
 
 
 class Run(NamedTuple):
@@ -46,7 +46,7 @@ class Results:
         folder = self.out / "students" / one.student
         record = {"student": one.student, "fingerprint": mark, "level": self.run.level,
                   "seed": self.run.seed, "checks": self.run.checks,
-                  "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+                  "digest": archives.digest(one.texts), "notes": one.notes, **result}
         record = self.records[one.student] = self.book.entered(record)
         shutil.rmtree(folder / "pictures", ignore_errors=True)
         (folder / "pictures" if pictures else folder).mkdir(parents=True, exist_ok=True)
