@@ -22,8 +22,8 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          ".gitignore")
 TEACHERS = {f"course/{name}.py" for name in (  # a copy without these is one for students: cli.py
     "grading/handout", "grading/autograder", "grading/grade", "grading/examine", "grading/report",
-    "grading/worker", "grading/files/autograder", "upkeep/feedback", "upkeep/mistakes",
-    "upkeep/mutants")}
+    "grading/running", "grading/worker", "grading/files/autograder", "upkeep/feedback",
+    "upkeep/mistakes", "upkeep/mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 

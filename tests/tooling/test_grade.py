@@ -12,7 +12,7 @@ from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
 
 from course import exercises
 from course.checks.report import Check
-from course.grading import grade, report, sandbox
+from course.grading import grade, report, running, sandbox
 from course.upkeep.skeleton import skeleton
 
 
@@ -221,9 +221,9 @@ def test_a_cluster_gives_the_same_marks(graded, course, run_module):
 
 def test_a_cluster_with_another_course_is_refused():
     """Half of a class is graded by last year's checks."""
-    ours = grade.course_digest()
-    grade.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
+    ours = running.course_digest()
+    running.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
     with pytest.raises(ValueError, match="tcp://b has another course"):
-        grade.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
+        running.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
     with pytest.raises(ValueError, match="tcp://b has no sandbox: install"):
-        grade.require_alike({"tcp://b": (ours, "process", "install")}, "strict")
+        running.require_alike({"tcp://b": (ours, "process", "install")}, "strict")
