@@ -37,7 +37,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if extra or not exercise.is_extra]
     handed_in = submissions.read(folder, topics)
-    out = Path(out)
+    out = made(out)
     print(f"isolation: {level} ({about})", *warnings(level), sep="\n")
 
     records, todo = {}, []
@@ -111,6 +111,17 @@ def limits_of(seconds):
         raise ValueError(f"--seconds is the most that a call may take: give 1 to {most:g}, "
                          f"not {seconds:g}")
     return sandbox.Limits(call=seconds, exercise=12 * seconds)
+
+
+def made(out):
+    """The folder for results, made where it is not there. OSError, in one sentence."""
+    students = Path(out) / "students"
+    try:
+        students.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OSError(f"cannot write to {out} ({error.strerror}): name in --out a folder that you "
+                      "may write to") from None
+    return students.parent
 
 
 def level_to_use(isolation):

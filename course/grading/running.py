@@ -98,8 +98,9 @@ def on_cluster(todo, scheduler):
     with connected(distributed, scheduler) as client:
         there = at_the_worker()
         require_alike(client.run(there, "what_is_here"), todo[0][1].level if todo else None)
-        futures = {client.submit(there, "examine_alike", course_digest(), job._asdict(),
-                                 pure=False): (one, job) for one, job in todo}
+        futures = {client.submit(there, "examine_alike", course_digest(),
+                                 json.dumps(job._asdict()), pure=False): (one, job)
+                   for one, job in todo}
         for future, result in distributed.as_completed(futures, with_results=True):
             yield *futures[future], result
 
@@ -156,7 +157,7 @@ def require_alike(machines, level):
 
 
 def examine_alike(digest, job):
-    """`examine`, on a machine that may have come when the others were at work already."""
+    """`examine` a job, as JSON, on a machine that may have come when others were at work."""
     if course_digest() != digest:
         return failure("a machine of the cluster has another course"), {}
-    return examine(job)
+    return examine(json.loads(job))
