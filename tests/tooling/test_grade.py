@@ -1,6 +1,5 @@
 """Grading a class: tables and reports, what is kept, what a student is told, other runners."""
 import csv
-import importlib.util
 import json
 import shutil
 import subprocess
@@ -117,6 +116,41 @@ def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):
     assert grade.level_to_use("process")[0] == "process"
 
 
+@pytest.mark.parametrize("seconds", [0, -1, 0.5, 151, float("nan"), float("inf")])
+def test_a_time_in_which_no_mark_is_right_is_refused(seconds, tmp_path):
+    """Every call takes too long, and a whole class gets no points."""
+    with pytest.raises(ValueError, match="give 1 to 150, not"):
+        grade.run(tmp_path, tmp_path / "out", seconds=seconds)
+    assert not (tmp_path / "out").exists()
+    assert grade.limits_of(150) == sandbox.Limits(call=150, exercise=1800)
+
+
+@pytest.mark.parametrize("missing", ["reference/transforms.py", "tests/labs/test_transforms.py"])
+def test_a_copy_without_what_decides_marks_grades_nobody(missing, house, run_module, tmp_path):
+    """Every answer is compared with nothing, and a whole class gets no points."""
+    files = {"reference/transforms.py": LAB, "tests/labs/test_transforms.py": CHECKS}
+    files[missing] = ""
+    course = house({"labs/transforms.py": LAB, **files})
+    (course / missing).unlink()
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "ada_transforms.py").write_text(LAB)
+    for command in (("grade", tmp_path / "in", "--out", tmp_path / "out"),
+                    ("autograder", "gradescope", tmp_path / "out")):
+        done = run_module(course, "course", *command)
+        assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+        assert f"{missing} is not in this copy of the course" in done.stderr
+        assert not (tmp_path / "out").exists()
+
+
+def test_results_that_cannot_be_written_are_not_worked_for(tmp_path):
+    """The first examination is over when the sentence comes."""
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "ada_transforms.py").write_text(LAB)
+    (tmp_path / "out").write_text("mine")
+    with pytest.raises(OSError, match=r"cannot write to .*out \(.*\): name in --out a folder"):
+        grade.run(tmp_path / "in", tmp_path / "out", labs="1", isolation="process")
+
+
 def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
     """A bwrap that leaves the network open counts as strict."""
     if sys.platform != "linux":
@@ -130,10 +164,10 @@ def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
     (None, ["transforms", "rasterization", "scanline", "sampling"]), ("1", ["transforms"]),
     ("2-3", ["rasterization", "scanline", "sampling"]), ("3,1", ["transforms", "sampling"])])
 def test_labs_are_chosen_by_number(labs, topics, monkeypatch):
-    """A lab's deeper modules are left out, or an order of one's own."""
+    """A lab's deeper modules are left out, or an order of one's own; or no lab is graded."""
     monkeypatch.setattr(exercises, "topics", lambda: exercises.TOPICS[:4])
     assert grade.topics_of(labs) == topics
-    for wrong in ("4", "0-1", "x"):
+    for wrong in ("4", "0-1", "x", "3-1", "", "1,", "1-", "-1", "1-999999999999", "1--2"):
         with pytest.raises(ValueError, match="there is no lab"):
             grade.topics_of(wrong)
 
@@ -190,40 +224,3 @@ def test_the_workflow_s_script_writes_classroom_50_s_result(course, run_module):
         "classroom50/result/v1", 10, 10), done.stderr
     assert result["tests"][1] == {"test-name": "1.2 quadruple", "passed": True, "score": 2,
                                   "max-score": 2}
-
-
-CLUSTER = """\
-import sys
-from distributed import LocalCluster
-
-if __name__ == "__main__":
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
-        print(cluster.scheduler_address, flush=True)
-        sys.stdin.read()
-"""
-
-
-@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
-def test_a_cluster_gives_the_same_marks(graded, course, run_module):
-    """Only the machine that starts the grading can grade, or the cluster's has another course."""
-    out, _, _ = graded
-    before = rows(out)
-    (course / "cluster.py").write_text(CLUSTER, encoding="utf-8")
-    with subprocess.Popen([sys.executable, "-m", "cluster"], cwd=course, stdin=subprocess.PIPE,
-                          stdout=subprocess.PIPE, encoding="utf-8") as cluster:
-        address = cluster.stdout.readline().strip()
-        run_grade(run_module, course, out.parent, "--scheduler", address)
-        cluster.stdin.close()
-    same = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "total", "hash"]
-    assert {name: [row[column] for column in same] for name, row in rows(out).items()} == {
-        name: [row[column] for column in same] for name, row in before.items()}
-
-
-def test_a_cluster_with_another_course_is_refused():
-    """Half of a class is graded by last year's checks."""
-    ours = grade.course_digest()
-    grade.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has another course"):
-        grade.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has no sandbox: install"):
-        grade.require_alike({"tcp://b": (ours, "process", "install")}, "strict")

@@ -358,12 +358,12 @@ def test_a_page_follows_its_override_without_grading_again(tmp_path):
     result = {"board": {"exercises": [entry(CORE[0], True), failed]}, "lost": {}, "problem": None,
               "seconds": 1.0}
     run = Run(CORE, "process", "", 0, "c")
-    first = Results(tmp_path, run, book([one]))
+    first = Results(tmp_path, book([one]), run)
     first.add(one, "mark", result, {"1.png": b"png"})
     page = tmp_path / "students" / "ada" / "report.html"
     assert "4 of 10 points" in page.read_text("utf-8")
     path = file(tmp_path, "o.csv", "student,exercise,points,reason", "ada,2.2,6,right after all")
-    again = Results(tmp_path, run, book([one], overrides=path))
+    again = Results(tmp_path, book([one], overrides=path), run)
     assert not again.keep(one, "another mark") and again.keep(one, "mark")
     text = page.read_text("utf-8")
     assert "10 of 10 points" in text and "right after all" in text and "base64,cG5n" in text
@@ -452,9 +452,9 @@ def test_what_changed_is_written_and_another_table_is_refused(tmp_path):
     run = Run(CORE, "process", "", 0, "c")
     result = {"board": {"exercises": [entry(CORE[0], True), entry(CORE[1], False)]}, "lost": {},
               "problem": None, "seconds": 1.0}
-    first = Results(tmp_path, run, book([one]))
+    first = Results(tmp_path, book([one]), run)
     first.add(one, "mark", result, {})
-    later = Results(tmp_path, run, book([one], previous=tmp_path / "grades.csv"))
+    later = Results(tmp_path, book([one], previous=tmp_path / "grades.csv"), run)
     later.add(one, "mark", {**result, "board": record("ada")["board"]}, {})
     assert tmp_path / "changes.csv" in later.close()
     assert read_back((tmp_path / "changes.csv").read_bytes())[1][:4] == ["ada", "2.2", "0", "6"]
