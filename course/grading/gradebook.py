@@ -74,7 +74,8 @@ class Gradebook:
             lines += [f"{name} keeps the {word!r} that the roster has" for name, row in
                       self.rows.items() if (word := rosters.verdict(self.roster, row))]
             if absent := self.absent():
-                lines.append(f"handed in nothing ({len(absent)}): {'; '.join(absent.values())}")
+                lines.append(f"in the roster without a submission ({len(absent)}): "
+                             f"{'; '.join(absent.values())}")
             most = rosters.most(self.roster)
             if most not in (None, self.of):
                 lines.append(f"{title!r} is out of {sheets.shown(most)} points there, and out of "
@@ -128,5 +129,5 @@ class Gradebook:
         for number, name in self.absent().items():
             row = self.roster.sheet.rows[number]
             who = " ".join(filter(None, (rosters.cell(self.roster, row, title) for title in ids)))
-            yield map(sheets.plain, ("", who, name, "", "in the roster, handed in nothing"))
+            yield map(sheets.plain, ("", who, name, "", "in the roster without a submission"))
 

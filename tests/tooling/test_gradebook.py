@@ -274,7 +274,7 @@ def test_all_without_a_partner_are_listed(tmp_path):
     said = "\n".join(graded.said())
     assert "1 of 2 submissions are matched" in said
     assert "not matched: x: nobody in the roster with the id 9" in said
-    assert "handed in nothing (5): Kraus, Jürgen; Li, Wei; Li, Wei" in said
+    assert "in the roster without a submission (5): Kraus, Jürgen; Li, Wei; Li, Wei" in said
     graded.write(tmp_path, {"a": record("a"), "x": record("x")}, [])
     table = read_back((tmp_path / "unmatched.csv").read_bytes())
     assert table[1] == ["x", "9", "'=1+1", "", "nobody in the roster with the id 9"]
