@@ -6,7 +6,7 @@ import zipfile
 from pathlib import Path
 
 from ..given import places
-from . import grade, sandbox, submissions
+from . import archives, grade, sandbox
 
 FILES = Path(__file__).with_name("files")
 NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
@@ -54,13 +54,12 @@ def main(folder, path):
 
     topics = json.loads((places.ROOT / "topics.json").read_bytes())
     level, about = sandbox.available()
-    found = submissions.Found("submission", (), Path(folder), None)
-    one = submissions.submission("submission", [found], topics)
-    job = grade.Job(one.texts, one.missing, level)
+    texts, missing, notes = archives.read(folder, topics)
+    job = grade.Job(texts, missing, level)
     result, _ = grade.examine(job._asdict())
     if result["problem"]:
         raise SystemExit(f"could not be graded: {result['problem']}")
-    record = {"level": level, "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+    record = {"level": level, "digest": archives.digest(texts), "notes": notes, **result}
     places.write_whole(path, json.dumps(report.gradescope(record, about)).encode())
 
 

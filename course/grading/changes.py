@@ -5,7 +5,7 @@ from . import sheets
 
 CAUSES = {"hash": "handed in again", "checks": "other checks", "seed": "other random inputs",
           "isolation": "other isolation", "problem": "one of the two could not be graded"}
-UNTOLD = {"total": "what its exercises give", "after lateness": "the total"}
+SAME = "the same work and checks: was it a time-out?"
 HEADER = ("student", "exercise", "before", "after", "why")
 
 
@@ -46,15 +46,24 @@ def subject(column):
 
 def why(what, old, new):
     """All that can have changed these points."""
-    said = [by_hand(row, "late" if what == "after lateness" else what) for row in (old, new)]
-    if said[0] != said[1]:
-        return said[1] or "no longer by hand"
+    if what == "after lateness":
+        return why_after_lateness(old, new)
+    before, now = by_hand(old, what), by_hand(new, what)
+    if before != now:
+        return now or "no longer by hand"
     causes = [told for column, told in CAUSES.items()
               if column in old and old[column] != new[column]]
-    if what == "after lateness" and old.get("late by") != new["late by"]:
-        causes.append(f"lateness: {new['late by'] or 'not late'}, "
-                      f"before: {old.get('late by') or 'not late'}")
-    return ", ".join(causes) or UNTOLD.get(what, "the same work and checks: was it a time-out?")
+    alone = "what its exercises give" if what == "total" else SAME
+    return ", ".join(causes) or alone
+
+
+def why_after_lateness(old, new):
+    before, now = by_hand(old, "late"), by_hand(new, "late")
+    late = [row.get("late by") or "not late" for row in (old, new)]
+    causes = [now or "no longer by hand"] if before != now else []
+    causes += [f"lateness: {late[1]}, before: {late[0]}"] if late[0] != late[1] else []
+    causes += ["the total"] if old["total"] != new["total"] else []
+    return ", ".join(causes) or "what lateness costs"
 
 
 def by_hand(row, what):

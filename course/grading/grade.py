@@ -32,11 +32,13 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     limits = sandbox.Limits(call=seconds, exercise=12 * seconds)
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if extra or not exercise.is_extra]
-    handed_in = submissions.read(folder, topics)
+    handed_in, not_understood = submissions.read(folder, topics)
     book = gradebook.Gradebook(book or gradebook.Asked(), handed_in, columns)
-    print(f"isolation: {level} ({about})", *warnings(level), *book.said(), sep="\n")
+    print(f"isolation: {level} ({about})", *warnings(level), *book.said(),
+          *(f"not understood: {name}: {sentence}" for name, sentence in not_understood), sep="\n")
 
-    results = Results(Path(out), Run(columns, level, about, seed, course_digest()[:12]), book)
+    results = Results(Path(out), Run(
+        columns, level, about, seed, course_digest()[:12], tuple(not_understood)), book)
     todo = [(one, Job(one.texts, one.missing, level, seed, limits, extra)) for one in handed_in]
     if resume:
         todo = [(one, job) for one, job in todo if not results.keep(one, fingerprint(job))]

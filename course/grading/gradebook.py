@@ -71,6 +71,8 @@ class Gradebook:
             lines.append(f"{len(self.rows)} of {len(self.handed_in)} submissions are matched with "
                          f"{self.roster.path}; their points go to the column {title!r}")
             lines += [f"not matched: {name}: {why}" for name, why in self.unmatched.items()]
+            lines += [f"{name} keeps the {word!r} that the roster has" for name, row in
+                      self.rows.items() if (word := rosters.verdict(self.roster, row))]
             if absent := self.absent():
                 lines.append(f"handed in nothing ({len(absent)}): {'; '.join(absent.values())}")
             most = rosters.most(self.roster)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from .. import board, exercises
 from ..given import places
-from . import submissions
+from . import archives
 
 
 def run(name="labs.zip"):
@@ -24,17 +24,16 @@ def run(name="labs.zip"):
                                  path.read_bytes())
     places.write_whole(name, content.getvalue())
 
-    found = submissions.Found("you", (), Path(name), None)
-    packed = submissions.submission("you", [found], exercises.topics())
+    texts, missing, notes = archives.read(name, exercises.topics())
     with tempfile.TemporaryDirectory() as made:
         folder = str(Path(made).resolve())
-        for topic, text in packed.texts.items():
+        for topic, text in texts.items():
             Path(folder, f"{topic}.py").write_text(text, "utf-8", newline="")
         with contextlib.redirect_stdout(io.StringIO()) as said:
             board.check(implementation=folder)
         # That folder is gone when the student reads this.
         print(said.getvalue().replace(f" --impl {folder}", "").replace(folder, "labs"), end="")
-    for sentence in (*packed.missing.values(), *packed.notes):
+    for sentence in (*missing.values(), *notes):
         print(sentence)
-    print(f"{name} is what to hand in; hash {submissions.digest(packed.texts)}")
+    print(f"{name} is what to hand in; hash {archives.digest(texts)}")
     return 0

@@ -12,7 +12,7 @@ import shutil
 from typing import NamedTuple
 
 from ..given import places
-from . import handback, overview, report, sheets, side_by_side, submissions, tables
+from . import archives, handback, overview, report, sheets, side_by_side, tables
 
 
 class Run(NamedTuple):
@@ -50,10 +50,10 @@ class Results:
         folder = self.out / "students" / one.student
         record = {"student": one.student, "fingerprint": mark, "level": self.run.level,
                   "seed": self.run.seed, "checks": self.run.checks,
-                  "digest": submissions.digest(one.texts), "notes": one.notes, **result}
+                  "digest": archives.digest(one.texts), "notes": one.notes, **result}
         record = self.records[one.student] = self.book.entered(record)
         shutil.rmtree(folder / "pictures", ignore_errors=True)
-        (folder / "pictures").mkdir(parents=True)
+        (folder / "pictures" if pictures else folder).mkdir(parents=True, exist_ok=True)
         for name, content in pictures.items():
             places.write_whole(folder / "pictures" / name, content)
         self.write_student(folder, record, pictures)

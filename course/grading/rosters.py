@@ -15,6 +15,8 @@ from typing import NamedTuple
 
 from . import sheets
 
+NUMBER = re.compile(r"\d+([.,]\d+)?")
+
 
 class Platform(NamedTuple):
     """What an export looks like."""
@@ -169,8 +171,13 @@ def most(roster):
     told += [cell(roster, row, title) for row in rows if row[0].strip() == "Points Possible"]
     told += [cell(roster, row, name) for row in rows
              for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
-    numbers = (re.fullmatch(r"\d+([.,]\d+)?", text) for text in told)
-    return next((float(number[0].replace(",", ".")) for number in numbers if number), None)
+    return next((float(text.replace(",", ".")) for text in told if NUMBER.fullmatch(text)), None)
+
+
+def verdict(roster, row):
+    """A word in the place of points, such as Canvas's EX for excused. It is not written over."""
+    text = cell(roster, roster.sheet.rows[row], roster.sheet.header[roster.column])
+    return "" if text == "-" or NUMBER.fullmatch(text) else text
 
 
 def filled(roster, points):
@@ -180,6 +187,8 @@ def filled(roster, points):
                if not kept or column == roster.column or re.fullmatch(kept, title)]
     table = [sheet.header, *(list(row) for row in sheet.rows)]
     for row, text in points.items():
+        if verdict(roster, row):
+            continue
         line = table[row + 1]
         line += [""] * (len(sheet.header) - len(line))
         line[roster.column] = text

@@ -22,10 +22,9 @@ EXERCISES = [SimpleNamespace(number=number, name=name, points=points, is_extra=e
 CORE = EXERCISES[:2]
 
 
-def handed_in(student, platform="", **told):
-    more = {name: told.pop(name) for name in ("handed_in", "late") if name in told}
-    return Submission(student, {}, {}, (), identity={"platform": platform, "id": "", "name": "",
-                                                     "email": "", **told}, **more)
+def handed_in(student, platform="", late=False, **told):
+    identity = {"platform": platform, "id": "", "name": "", "email": "", **told}
+    return Submission(student, {}, {}, (), identity, None, late)
 
 
 def entry(exercise, done, fine_print=None):
@@ -146,6 +145,15 @@ def test_a_column_is_named_with_or_without_what_the_platform_adds():
     """Only the whole title with its number is understood."""
     for name in ("Lab 2", "Lab 2 (880012)"):
         assert rosters.read(ROSTERS / "canvas.csv", "canvas", name).column == 7
+
+
+def test_who_is_excused_stays_excused():
+    """Canvas's EX becomes points."""
+    class_ = [handed_in("l", "canvas", id="50104")]
+    graded = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 1")
+    assert "l keeps the 'EX' that the roster has" in graded.said()
+    table = read_back(rosters.filled(graded.roster, {graded.rows["l"]: "7", 3: "7"}))
+    assert [row[6] for row in table[5:8]] == ["7.50", "EX", "N/A"] and table[4][6] == "7"
 
 
 def test_two_submissions_of_one_person_are_both_listed():
@@ -404,7 +412,7 @@ def test_a_change_is_told_with_its_cause():
     bad = (entry(CORE[0], True), entry(CORE[1], False))
     assert changed(record("ada", *bad), record("ada", digest="e")) == [
         ("2.2", "0", "6", "handed in again"), ("total", "4", "10", "handed in again"),
-        ("after lateness", "4", "10", "handed in again")]
+        ("after lateness", "4", "10", "the total")]
     assert changed(record("ada", *bad), record("ada", seed=7, checks="b"))[0][-1] == (
         "other checks, other random inputs")
     given = {"2.2": {"points": 5, "reason": "look; 2.1: fine"}}
@@ -421,6 +429,13 @@ def test_lateness_that_changed_is_told():
     late = {"handed in": "t", "late by": "2:00:00", "percent": 10}
     assert changed(record("ada"), record("ada", lateness=late)) == [
         ("after lateness", "10", "9", "lateness: 2:00:00, before: not late")]
+    dearer = {**late, "percent": 20}
+    excused = {"late": {"points": 0, "reason": "ill"}}
+    assert changed(record("ada", lateness=late), record("ada", lateness=dearer))[0][-1] == (
+        "what lateness costs")
+    assert changed(record("ada", entry(CORE[0], True), lateness=late),
+                   record("ada", lateness=late, overrides=excused))[-1][-1] == (
+        "0 taken off by hand (ill), the total")
 
 
 def test_who_is_new_and_who_is_gone_is_told():

@@ -8,7 +8,7 @@ import pytest
 from course.checks import page
 from course.checks.report import Check
 from course.exercises import Exercise
-from course.grading import handback, overview, report
+from course.grading import handback, overview, platforms, report
 
 COLUMNS = [Exercise("1.1", "double", 1, 5, ()), Exercise("1.2", "halve", 2, 9, ())]
 ABOUT = "as told"
@@ -177,6 +177,13 @@ def test_reports_have_the_names_that_platforms_read(tmp_path):
     assert there == {"Participant_1200_assignsubmission_file_/report.html": b"of Ada_1200",
                      "bob/report.html": b"of bob", "cyd/report.html": b"of cyd"}
     assert [path.name for path in tmp_path.iterdir() if path.is_file()] == ["feedback.zip"]
+
+
+def test_canvas_s_file_names_come_back_as_they_were(tmp_path):
+    """The zip has reports for Canvas under names of our own."""
+    for name in ("lovelaceada_LATE_12_34_labs-1.zip", "anon_x7Yz_35_labs.zip"):
+        sender, = platforms.senders(tmp_path / name, {})
+        assert handback.entry(record(identity=sender.identity), b"")[0] == name
 
 
 def test_an_old_report_of_work_that_could_not_be_graded_is_not_given_back(tmp_path):

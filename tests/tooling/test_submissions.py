@@ -1,31 +1,92 @@
-"""What was handed in: platforms' names, the latest of several, the files that are taken."""
+"""What was handed in: platforms' names, the newest of several, the files that are taken."""
+import datetime
+import io
 import os
+import sys
+import tarfile
 import zipfile
 
 import pytest
 
 from course import exercises
-from course.grading import submissions
+from course.grading import archives, submissions
 
 TOPICS = ("transforms", "rasterization")
+MOODLE = "Ada Lovelace_1234_assignsubmission_file"
+BRIGHTSPACE = "1234-567 - Ada Lovelace - "
+METADATA = """\
+submission_11:
+  :submitters:
+  - :name: Ada L
+    :sid: '0077'
+    :email: ada@x.edu
+  - :name: "Grace: H"
+    :sid: '78'
+  :created_at: 2026-01-02 10:00:00.418372000 Z
+submission_12:
+  :submitters:
+  - :name: Bob
+    :email: bob@x.edu
+  :results: !ruby/object:Some::Thing
+    :output: |
+      :sid: 79
+submission_13:
+  :submitters:
+  - :name: Ada L
+    :sid: '0077'
+  :created_at: 2026-01-02 10:30:00 +0100
+submission_14:
+  :submitters:
+  - :sid: '80'
+"""
+
+
+def zipped(files):
+    """{name: text or bytes} -> the bytes of a zip archive."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)
+    return content.getvalue()
+
+
+def tarred(files, mode="w:gz"):
+    """{name: text, or None for a link} -> the bytes of a tar archive."""
+    content = io.BytesIO()
+    with tarfile.open(fileobj=content, mode=mode) as archive:
+        for name, text in files.items():
+            entry = tarfile.TarInfo(name)
+            entry.type = tarfile.SYMTYPE if text is None else tarfile.REGTYPE
+            entry.linkname, entry.size = "/etc/passwd", len(text or "")
+            archive.addfile(entry, io.BytesIO((text or "").encode()))
+    return content.getvalue()
 
 
 @pytest.fixture
-def handed_in(tmp_path):
-    """handed_in({path: text, or {path in the zip: text}}) -> {student: Submission}."""
+def read(tmp_path):
+    """read({path: text, bytes, or {path in the zip: text}}) -> what submissions.read returns."""
     def put(files):
         for time, (name, content) in enumerate(files.items()):
-            path = tmp_path / name
+            path = tmp_path / os.fsdecode(name)
             path.parent.mkdir(parents=True, exist_ok=True)
-            if isinstance(content, dict):
-                with zipfile.ZipFile(path, "w") as archive:
-                    for entry, text in content.items():
-                        archive.writestr(entry, text)
-            else:
-                path.write_text(content, encoding="utf-8", newline="")
+            content = zipped(content) if isinstance(content, dict) else content
+            path.write_bytes(content if isinstance(content, bytes) else content.encode())
             os.utime(path, (1e9 + time, 1e9 + time))
-        return {one.student: one for one in submissions.read(tmp_path, TOPICS)}
+        return submissions.read(tmp_path, TOPICS)
     return put
+
+
+@pytest.fixture
+def handed_in(read):
+    """handed_in(files) -> {student: Submission}, where everything is understood."""
+    def put(files):
+        found, not_understood = read(files)
+        assert not_understood == []
+        return {one.student: one for one in found}
+    return put
+
+
+# --- whose it is ------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("name", "student"), [
@@ -33,15 +94,28 @@ def handed_in(tmp_path):
     ("ada/transforms.py", "ada"),
     ("ada/homework/ada s work/labs/transforms.py", "ada"),
     ("ada_transforms.py", "ada"),
-    ("lovelaceada_1234_56789_transforms.py", "lovelaceada"),
-    ("lovelaceada_LATE_1234_56789_transforms-1.py", "lovelaceada"),
-    ("Ada Lovelace_1234_assignsubmission_file_/transforms.py", "Ada_Lovelace_1234"),
-    ("Ada Lovelace_1234_assignsubmission_file/labs/transforms.py", "Ada_Lovelace_1234"),
+    ("ada - Transforms (1).py", "ada"),
+    ("lovelaceada_1234_56789_transforms.py", "lovelaceada_1234"),
+    ("lovelaceada_LATE_1234_56789_transforms-1.py", "lovelaceada_1234"),
+    ("lovelaceada_1234_56789_transforms (1).py", "lovelaceada_1234"),
+    ("lovelaceada_1234_56789_Transforms.py", "lovelaceada_1234"),
+    ("de_la_cruz_1234_56789_12_34_transforms.py", "de_la_cruz_1234"),
+    ("anon_Ab3dE_56789_transforms.py", "anon_Ab3dE"),
+    ("LATE_anon_Ab3dE_56789_transforms.py", "anon_Ab3dE"),
+    (f"{MOODLE}_/transforms.py", "Ada_Lovelace_1234"),
+    (f"{MOODLE}/labs/transforms.py", "Ada_Lovelace_1234"),
+    (f"{MOODLE}_transforms.py", "Ada_Lovelace_1234"),
+    ("Group 7_assignsubmission_file/ada_transforms.py", "Group_7"),
+    (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - my - transforms.py", "Ada_Lovelace_1234"),
+    (f"{BRIGHTSPACE}Nov 22, 2026 905 AM/transforms.py", "Ada_Lovelace_1234"),
+    (f"{BRIGHTSPACE}22 nov. 2026 2359 - transforms.py", "Ada_Lovelace_1234"),
     ("=cmd()/transforms.py", "cmd"),
     ("Zoë/transforms.py", "Zoë"),
+    ("Zoe\u0308/transforms.py", "Zoë"),
+    ("हिन्दी/transforms.py", "हिन्दी"),
 ])
 def test_the_student_is_found_in_the_name(handed_in, name, student):
-    """A platform's numbers become part of the student, or a name is a formula in a table."""
+    """Half of a platform's name becomes the student, or a name is a formula in a table."""
     found = handed_in({name: "x = 1\n"})
     assert list(found) == [student]
     assert found[student].texts == {"transforms": "x = 1\n"}
@@ -49,73 +123,242 @@ def test_the_student_is_found_in_the_name(handed_in, name, student):
         "rasterization": "there is no labs/rasterization.py in what was handed in"}
 
 
-@pytest.mark.parametrize("name", ["ada.zip", "lovelaceada_1234_56789_labs.zip",
-                                  "Ada Lovelace_1234_assignsubmission_file_/labs.zip"])
-def test_archives_are_read(handed_in, name):
-    """A zip in Moodle's folder is overlooked."""
-    one, = handed_in({name: {"labs/transforms.py": "x = 1\n", "labs/notes.txt": ""}}).values()
+@pytest.mark.parametrize(("name", "told"), [
+    ("lovelaceada_LATE_1234_5_transforms.py", ("canvas", "1234", "lovelaceada", True)),
+    ("anon_Ab3dE_5_transforms.py", ("canvas", "", "anon_Ab3dE", False)),
+    (f"{MOODLE}/transforms.py", ("moodle", "1234", "Ada Lovelace", False)),
+    (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - transforms.py",
+     ("brightspace", "", "Ada Lovelace", False)),
+    ("Ada L/transforms.py", ("", "", "Ada L", False)),
+])
+def test_what_the_platform_tells_of_a_student_is_kept(handed_in, name, told):
+    """Points that cannot be brought back to the platform, late work that counts as in time."""
+    one, = handed_in({name: "x"}).values()
+    who = one.identity
+    assert (who["platform"], who["id"], who["name"], one.late) == told
+    assert (one.handed_in is None) == (who["platform"] != "brightspace")
+
+
+@pytest.mark.parametrize(("written", "time"), [
+    ("Nov 22, 2026 1159 PM", (2026, 11, 22, 23, 59)), ("Feb 1, 2026 1205 AM", (2026, 2, 1, 0, 5)),
+    ("Feb 1, 2026 115 AM", (2026, 2, 1, 1, 15)),
+    ("Feb 1, 2026 0741\u202fPM", (2026, 2, 1, 19, 41)), ("Okt 3, 2026 1159 PM", None)])
+def test_brightspace_tells_the_time_here(handed_in, written, time):
+    """1:15 is read as 11:05, or as a time in Greenwich."""
+    one, = handed_in({f"{BRIGHTSPACE}{written} - transforms.py": "x"}).values()
+    assert one.handed_in == (time and datetime.datetime(*time).timestamp())
+
+
+def test_gradescope_s_export_names_all_submitters(read):
+    """Everybody is called submission_11; of a group, one member gets points; 10:30 is later than
+    10:00 in another zone; numbers lose their zeros; what a program printed is taken as a name."""
+    found, not_understood = read({
+        "submission_metadata.yml": METADATA, "submission_11/transforms.py": "later",
+        "submission_12/transforms.py": "b", "submission_13/transforms.py": "earlier"})
+    assert {one.student: one.texts["transforms"] for one in found} == {
+        "0077": "later", "78": "later", "bob_x.edu": "b"}
+    assert found[0].handed_in == datetime.datetime(
+        2026, 1, 2, 10, 0, 0, 418372, datetime.UTC).timestamp()
+    assert found[0].identity == {"platform": "gradescope", "id": "0077", "name": "Ada L",
+                                 "email": "ada@x.edu"}
+    assert found[2].handed_in is None
+    (name, sentence), = not_understood
+    assert name == "submission_14" and "80's, and it is not there" in sentence
+
+
+def test_metadata_that_cannot_be_read_is_a_sentence(read):
+    """Everybody is called submission_11, and nobody says why."""
+    with pytest.raises(ValueError, match=r"is not as Gradescope exports it \(.*download it again"):
+        read({"submission_metadata.yml": "a: [", "submission_11/transforms.py": "x"})
+
+
+def test_namesakes_are_two_people(handed_in):
+    """One of two students gets the other's marks."""
+    found = handed_in({"lovelaceada_1234_5_transforms.py": "1",
+                       "lovelaceada_99_6_transforms.py": "2",
+                       f"{MOODLE}/transforms.py": "3", f"{MOODLE.replace('1', '9')}/transforms.py":
+                       "4", "ada x/transforms.py": "5", "ada_x/transforms.py": "6",
+                       "ADA_X/transforms.py": "7"})
+    assert sorted(one.texts["transforms"] for one in found.values()) == list("1234567")
+    assert len({name.casefold() for name in found}) == 7
+
+
+def test_names_are_safe_wherever_they_are_written(read, tmp_path):
+    """A folder that cannot be made, a table that cannot be encoded, a cursor that moves."""
+    long = "\N{LINEAR B SYLLABLE B008 A}" * 60  # 240 bytes
+    names = [f"{long}/transforms.py", f"{long}B/transforms.py", "a\x1b[2J\nb/transforms.py"]
+    if sys.platform == "linux":
+        names += [b"ad\xe9/transforms.py", b"ad\xe8/transforms.py", b"eve/ad\xe9.rar",
+                  b"eve/ad\xe9/transforms.py", b"fay\xe9_12_34_my\xe9.rar"]
+    found, not_understood = read(dict.fromkeys(names, "x"))
+    assert len(found) == (7 if sys.platform == "linux" else 3) and not_understood == []
+    for one in found:
+        (tmp_path / "out" / one.student).mkdir(parents=True)
+        assert len(one.student.encode()) <= 100
+        for text in (one.student, *one.notes, *one.missing.values(), *one.identity.values()):
+            assert text.isprintable(), text
+
+
+# --- which files are taken --------------------------------------------------------------------
+
+
+LAB = {"labs/transforms.py": "x = 1\n"}
+BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
+
+
+@pytest.mark.parametrize(("name", "content"), [
+    ("ada.zip", {**LAB, "labs/notes.txt": ""}),
+    ("lovelaceada_1234_56789_labs.zip", LAB),
+    (f"{MOODLE}_/labs.zip", LAB),
+    (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - labs.zip", LAB),
+    ("ada.zip", {"course/labs/transforms.py": "x = 1\n", "course/reference/transforms.py": "no",
+                 "course/tests/mistakes/transforms.py": "no", "course/course/cli.py": "no",
+                 "course/course/handed_out/transforms.py": "no"}),
+    ("ada.zip", {**BIG, **LAB}),
+    ("ada.zip", {"labs\\transforms.py": "x = 1\n"}),
+    ("ada.zip", {"labs/transforms (1).py": "x = 1\n"}),
+    ("ada.zip", {"labs/Transforms.py": "x = 1\n"}),
+    ("ada.tar.gz", tarred(LAB)), ("ada.tgz", tarred(LAB)), ("ada.tar", tarred(LAB, "w")),
+    ("lovelaceada_1234_56789_labs.tar.gz", tarred(LAB)),
+    ("ada.rar", zipped(LAB)),
+    ("ada/work/labs.tar.gz", tarred(LAB)),
+])
+def test_archives_are_read(handed_in, name, content):
+    """A zip in Moodle's folder is overlooked, a whole course is refused, a tar is nobody's."""
+    one, = handed_in({name: content}).values()
     assert one.texts == {"transforms": "x = 1\n"}
-
-
-def test_gradescope_s_export_names_its_submitters(handed_in):
-    """Everybody is called submission_1234."""
-    found = handed_in({
-        "submission_metadata.yml": "---\nsubmission_11:\n  :submitters:\n  - :name: Ada L\n"
-        "    :sid: 's77'\n    :email: ada@x.edu\n  :created_at: 2026-01-02 10:00:00 Z\n"
-        "submission_12:\n  :submitters:\n  - :name: Bob\n    :email: bob@x.edu\n"
-        "submission_13:\n  :submitters:\n  - :name: Ada L\n    :sid: 's77'\n"
-        "  :created_at: 2026-01-01 10:00:00 Z\n",
-        "submission_11/transforms.py": "later", "submission_12/transforms.py": "b",
-        "submission_13/transforms.py": "earlier"})
-    assert {name: one.texts["transforms"] for name, one in found.items()} == {
-        "s77": "later", "bob_x.edu": "b"}
 
 
 @pytest.mark.parametrize("files", [
     {"ada_12_500_labs.zip": {"transforms.py": "old"},
      "ada_12_700_labs.zip": {"transforms.py": "new"}},
-    {"ada_12_700_labs-1.zip": {"transforms.py": "old"},
-     "ada_12_600_labs-2.zip": {"transforms.py": "new"}},
-    {"ada_12_700_transforms-2.py": "new", "ada_12_701_transforms-1.py": "old"},
-    {"ada_12_5_transforms.py": "old", "ada_12_6_labs.zip": {"transforms.py": "older"},
+    {"ada_12_700_labs.zip": {"transforms.py": "new"},
+     "ada_12_600_labs-2.zip": {"transforms.py": "old"}},
+    {"ada_12_700_transforms-2.py": "old", "ada_12_701_transforms-1.py": "new"},
+    {"ada_12_5_transforms.py": "older", "ada_12_6_labs.zip": {"transforms.py": "old"},
      "ada_12_7_transforms.py": "new"},
+    {"ada_12_5_transforms.py": "old", "ada_12_6_labs.zip": {"transforms.py": "new"}},
+    {"ada_transforms.py": "old", "ada.zip": {"transforms.py": "new"}},
+    {"ada/transforms.py": "old", "ada/transforms (1).py": "new"},
+    {"ada/transforms.py": "old", "ada/labs.zip": {"transforms.py": "new"}},
+    {"ada/labs (1).zip": {"transforms.py": "old"}, "ada/labs.zip": {"transforms.py": "new"}},
+    {f"{MOODLE}/2.zip": {"transforms.py": "old"}, f"{MOODLE}/1.zip": {"transforms.py": "new"}},
+    {"1-2 - A B - Nov 22, 2026 1159 PM - x.py/transforms.py": "new",
+     "1-2 - A B - Nov 3, 2026 1159 PM - labs.zip": {"transforms.py": "old"}},
+    {"ada_12_6_labs.zip": b"PK broken", "ada_12_5_labs.zip": {"transforms.py": "new"}},
 ])
-def test_a_student_s_latest_wins(handed_in, files):
-    """The first one is graded, or the one whose name sorts last."""
-    assert handed_in(files)["ada"].texts == {"transforms": "new"}
+def test_a_student_s_newest_wins(handed_in, files):
+    """The first one is graded, or the one whose name sorts last, or a file before any zip."""
+    one, = handed_in(files).values()
+    assert one.texts == {"transforms": "new"} and one.notes
 
 
-def test_single_files_of_a_student_come_together(handed_in):
-    """Of two labs handed in as two files, one is lost."""
-    one = handed_in({"ada_12_5_transforms.py": "t", "ada_12_6_rasterization.py": "r"})["ada"]
-    assert one.texts == {"transforms": "t", "rasterization": "r"}
+def test_the_newest_counts_for_each_lab(handed_in):
+    """Of two labs handed in one after the other, one is lost."""
+    for files in ({"ada_12_5_transforms.py": "t", "ada_12_6_rasterization.py": "r"},
+                  {"bob_12_5_a.zip": {"labs/transforms.py": "t", "labs/rasterization.py": "old"},
+                   "bob_12_6_b.zip": {"rasterization.py": "r"}},
+                  {f"{MOODLE}/a.zip": {"transforms.py": "t"},
+                   f"{MOODLE}/b.zip": {"rasterization.py": "r"}}):
+        one = list(handed_in(files).values())[-1]
+        assert one.texts == {"transforms": "t", "rasterization": "r"}
+
+
+def test_the_time_is_that_of_what_is_graded(handed_in):
+    """A report that is handed in after the end makes the labs late."""
+    one, = handed_in({f"{BRIGHTSPACE}Nov 3, 2026 1100 AM - transforms.py": "x",
+                      f"{BRIGHTSPACE}Nov 5, 2026 1100 AM - report.pdf": "y"}).values()
+    assert one.handed_in == datetime.datetime(2026, 11, 3, 11).timestamp()
 
 
 def test_the_labs_folder_is_taken_and_nothing_of_ours(handed_in):
     """The reference that was released is graded, or a copy in a folder with old work."""
-    one = handed_in({"ada/reference/transforms.py": "ours", "ada/old/transforms.py": "old",
-                     "ada/course/labs/transforms.py": "no", "ada/my/labs/transforms.py": "mine",
+    one = handed_in({"ada/my/labs/transforms.py": "mine", "ada/my/labs/transforms (1).py": "copy",
+                     "ada/reference/transforms.py": "ours", "ada/old/transforms.py": "old",
+                     "ada/course/handed_out/transforms.py": "no", "ada/.git/transforms.py": "no",
+                     "ada/tests/labs/test_transforms.py": "no",
                      "ada/__MACOSX/labs/transforms.py": "no"})["ada"]
     assert one.texts == {"transforms": "mine"}
-
-
-def test_names_that_become_the_same_stay_two_students(handed_in):
-    """One of two students gets the other's marks."""
-    found = handed_in({"ada x/transforms.py": "1", "ada_x/transforms.py": "2"})
-    assert sorted(one.texts["transforms"] for one in found.values()) == ["1", "2"]
+    assert one.notes == ("my/labs/transforms.py was taken, not my/labs/transforms (1).py, "
+                         "old/transforms.py",)
 
 
 def test_line_ends_and_a_mark_for_utf_8_do_not_matter(handed_in):
     """A file from Windows cannot be read, or has another hash."""
     found = handed_in({"ada/transforms.py": "\ufeffx = 1\r\n", "bob/transforms.py": "x = 1\n"})
-    assert submissions.digest(found["ada"].texts) == submissions.digest(found["bob"].texts)
+    assert archives.digest(found["ada"].texts) == archives.digest(found["bob"].texts)
+
+
+# --- what cannot be taken ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("name", "content", "sentence"), [
+    ("ada.rar", b"Rar!\x1a\x07", "ada.rar is no archive that can be read here: hand in a zip"),
+    ("ada_12_34_my.7z", b"7z\xbc\xaf", "is no archive that can be read here: hand in a zip"),
+    ("ada.zip", b"PK broken", "cannot be read (File is not a zip file): pack it again as a zip"),
+    ("ada.tgz", b"\x1f\x8b broken", "cannot be read"),
+    ("ada.tar.gz", tarred(LAB)[:60], "cannot be read"),
+    ("ada.zip", {"all.zip": "", "report.pdf": ""}, "holds no lab, only all.zip, report.pdf"),
+    ("ada_12_34_work.ipynb", "{}", "is neither a lab nor an archive"),
+    ("ada_12_text.html", "I did it", "is neither a lab nor an archive"),
+    (f"{MOODLE.replace('file', 'onlinetext')}/onlinetext.html", "x", "only onlinetext.html"),
+    (f"{MOODLE.replace('submission_', 'feedback_')}/report.html", "x", "only report.html"),
+    ("ada/readme.txt", "x", "ada holds no lab, only readme.txt"),
+    ("ada.tar", tarred({"labs/transforms.py": None}, "w"), "put the file there"),
+    ("ada.zip", {"labs/transforms.py": b"\xe9"}, "is not UTF-8 text (byte 0)"),
+    ("ada.zip", {"labs/transforms.py": "#" * (1 << 19)}, "has more than 256 kB"),
+])
+def test_who_handed_in_what_cannot_be_read_has_a_row(handed_in, name, content, sentence):
+    """A student without a row, and without a word on what to do."""
+    one, = handed_in({name: content}).values()
+    assert one.texts == {} and sentence in one.missing["transforms"]
+
+
+def test_an_empty_folder_and_a_link_have_a_row(tmp_path):
+    """A student without a row; a link that leads to other work."""
+    (tmp_path / "in" / "ada").mkdir(parents=True)
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "transforms.py").write_text("x")
+    if os.name != "nt":
+        (tmp_path / "in" / "bob").symlink_to(tmp_path / "other")
+        (tmp_path / "in" / "eve.zip").symlink_to(tmp_path / "other" / "transforms.py")
+        (tmp_path / "in" / "ada" / "labs").symlink_to(tmp_path / "other")
+        (tmp_path / "in" / "ada" / "transforms.py").symlink_to(tmp_path / "other/transforms.py")
+    found, _ = submissions.read(tmp_path / "in", TOPICS)
+    assert len(found) == (1 if os.name == "nt" else 3)
+    assert not any(one.texts for one in found) and all(one.missing for one in found)
+
+
+@pytest.mark.parametrize("name", ["transforms.py", "transforms (1).py", "labs.zip", "labs (1).zip",
+                                  "notes.txt", "ada_homework.py", ".hidden", "report.pdf"])
+def test_what_is_nobody_s_is_told(read, name):
+    """A file without a word, or a student called transforms."""
+    found, not_understood = read({name: "x", "ada/transforms.py": "x", "index.html": "Brightspace",
+                                  ".DS_Store": "", "__MACOSX/._ada": "", "._ada.zip": ""})
+    assert [one.student for one in found] == ["ada"]
+    (told, sentence), = not_understood
+    assert told == name and "call it ada.zip or ada_transforms.py, and grade again" in sentence
+
+
+@pytest.mark.parametrize("make", [
+    lambda: tarred({f"{number}/{number}.py": "" for number in range(archives.MOST_READS // 2)}),
+    lambda: tarred({"a.txt": "\0" * 5000}), lambda: zipped({"a" * 5000: ""})],
+    ids=["many", "much", "long"])
+def test_an_archive_that_never_ends_is_refused(handed_in, monkeypatch, make):
+    """Days, or all of the memory, for a few bytes that one student has sent."""
+    monkeypatch.setattr(archives, "MOST_READS", 2000)
+    monkeypatch.setattr(archives, "MOST_BYTES", 4000)
+    monkeypatch.setattr(archives, "MOST_AT_ONCE", 4000)
+    one, = handed_in({"ada.zip": make()}).values()
+    assert "holds too much: hand in a zip of labs/ alone" in one.missing["transforms"]
 
 
 @pytest.mark.parametrize("name", ["nothing", "empty"])
 def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
     """A table without rows."""
     (tmp_path / "empty").mkdir()
-    with pytest.raises(ValueError, match=r"nothing was handed in|there is no folder"):
+    (tmp_path / "empty" / "labs.zip").write_bytes(b"")
+    with pytest.raises(ValueError, match=r"nothing was handed in.*\nlabs.zip: no|there is no fold"):
         submissions.read(tmp_path / name, TOPICS)
 
 

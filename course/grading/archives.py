@@ -1,0 +1,340 @@
+"""What is in folders and archives: the file of each lab. Nothing is unpacked, no link is followed.
+
+In a folder or an archive, labs/transforms.py comes before transforms.py, then the least deep. Of
+things that were handed in apart, the newest counts, for each lab.
+"""
+import functools
+import gzip
+import hashlib
+import io
+import itertools
+import os
+import re
+import stat
+import tarfile
+import zipfile
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from .. import exercises
+from ..upkeep import skeleton
+
+MOST_TEXT = 1 << 18      # bytes of one lab
+MOST_BYTES = 1 << 30     # of an archive; of a tar archive, when it is unzipped
+MOST_AT_ONCE = 1 << 23   # bytes that are read at once, such as an archive's list of files
+MOST_FILES = 100_000     # of a folder
+MOST_READS = 200_000     # of an archive, a few for each file
+DEEPEST = 40             # folders in folders
+PACKED = re.compile(r"(.+?)(\.tar)?\.(zip|tar|tgz|gz|rar|7z|bz2|xz|zst|tbz2?|txz)", re.I | re.S)
+ATTRIBUTES = (tarfile.XHDTYPE, tarfile.XGLTYPE, tarfile.SOLARIS_XHDTYPE, tarfile.GNUTYPE_LONGNAME,
+              tarfile.GNUTYPE_LONGLINK)  # entries of a tar archive that are no files
+OURS = {"reference", "tests", "notebooks", "experiments", "handed_out"}
+NOT_WRITTEN = {"__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}
+COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*"  # transforms (1), transforms-2
+LAB = re.compile(r"(?:(.*?)[\W_]+)??(" + "|".join(sorted(exercises.TOPICS, key=len, reverse=True))
+                 + rf"){COPY}\.py", re.I | re.S)
+
+
+class Lab(NamedTuple):
+    """The file of one lab."""
+
+    when: float | tuple         # the later, the greater
+    source: str                 # the file's name, or the archive's
+    content: bytes | ValueError  # or why there is none
+
+
+def read(path, topics):
+    """What one student has handed in -> (texts, missing, notes), all that is told of it.
+
+    texts {topic: text}, missing {topic: sentence}, notes: sentences.
+    """
+    notes = []
+    labs = labs_in(Path(path), Path(path).name, notes)
+    return *texts_of(labs, topics, notes), notes
+
+
+def texts_of(labs, topics, notes):
+    """{topic: Lab} -> ({topic: text}, {topic: sentence} of those that are not there)."""
+    texts, missing = {}, {}
+    for topic in topics:
+        try:
+            texts[topic] = text_of(labs[topic].content)
+        except KeyError:
+            missing[topic] = f"there is no labs/{topic}.py in what was handed in"
+        except ValueError as error:
+            missing[topic] = f"labs/{topic}.py {error}"
+    if not texts and notes:
+        missing = {topic: f"{sentence} ({'; '.join(notes)})" for topic, sentence in missing.items()}
+    return texts, missing
+
+
+def text_of(content):
+    """A lab's bytes, or the error that they gave -> its text."""
+    if isinstance(content, ValueError):
+        raise content
+    if len(content) > MOST_TEXT:
+        raise ValueError(f"has more than {MOST_TEXT >> 10} kB; a lab has a tenth of that")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8") from None
+
+
+def digest(texts):
+    """The hash of the labs, however they were packed: 64 hexadecimal digits."""
+    whole = hashlib.sha256()
+    for topic in sorted(texts):
+        whole.update(f"{topic}\0{skeleton.digest(texts[topic])}\n".encode())
+    return whole.hexdigest()
+
+
+def printable(name):
+    """A name. What moves a cursor or cannot be encoded is written out, as in \\udce9."""
+    return "".join(c if c.isprintable() else " " if c.isspace() else
+                   c.encode("unicode_escape").decode() for c in name)
+
+
+def shown(name):
+    """A name, or what went wrong, as it may stand in a sentence."""
+    return printable(str(name))[:120]
+
+
+def told(error):
+    """What went wrong, without the paths of this machine."""
+    return shown(getattr(error, "strerror", None) or error or type(error).__name__)
+
+
+# --- which file is a lab ----------------------------------------------------------------------
+
+
+def named_lab(name):
+    """(what stands before the lab's name, topic) of a file's name. ("", None): it is no lab.
+
+    "ada_Transforms (1).py" -> ("ada", "transforms")
+    """
+    match = LAB.fullmatch(name) if len(name) < 256 else None
+    before = (match[1] or "").strip(" ._-") if match else ""
+    if not match or before.lower() == "test":  # test_transforms.py is ours
+        return "", None
+    return before, match[2].lower()
+
+
+def topic_at(place):
+    """The topic of the lab at a place in a folder or archive. None: it is not a student's lab."""
+    folders = place.parts[:-1]
+    if place.is_absolute() or len(folders) > DEEPEST or any(map(is_not_theirs, folders)):
+        return None
+    return named_lab(place.name)[1]
+
+
+def is_not_theirs(folder):
+    return folder in OURS or is_not_written(folder)
+
+
+def is_not_written(folder):
+    """Whether a folder holds what programs put there. "..": not even in the archive."""
+    return folder in NOT_WRITTEN or folder.startswith(".")
+
+
+def rank(place, topic, when):
+    """The least is taken. Files that were handed in one by one lie in no folder: the newest."""
+    parts = place.parts
+    alone = len(parts) == 1
+    return (parts[-2:-1] != ("labs",), len(parts), -when if alone else 0,
+            place.name != f"{topic}.py", len(place.name))
+
+
+def chosen(entries, name, notes):
+    """{topic: Lab} of entries (name, when, function that reads it), one file for each topic.
+
+    name: of the folder or archive that they are in.
+    """
+    best, there, others = {}, {}, []
+    for entry, when, content in entries:
+        place, entry = PurePosixPath(entry.replace("\\", "/")), shown(entry)
+        if topic := topic_at(place):
+            there.setdefault(topic, []).append(entry)
+            order = rank(place, topic, when)
+            if topic not in best or order < best[topic][0]:
+                best[topic] = order, Lab(when, entry, careful(content))
+        elif len(others) < 3:
+            others.append(entry)
+    labs = {topic: lab for topic, (_, lab) in best.items()}
+    for topic, lab in labs.items():
+        if left := [entry for entry in there[topic] if entry != lab.source]:
+            notes.append(f"{lab.source} was taken, not {few(left)}")
+    if not labs:
+        what = f"holds no lab, only {few(others)}" if others else "is empty"
+        notes.append(f"{shown(name)} {what}")
+    return labs
+
+
+def newest(found, notes):
+    """A list of {topic: Lab} -> {topic: the newest Lab}."""
+    labs = {}
+    for topic in dict.fromkeys(itertools.chain(*found)):
+        there = [one[topic] for one in found if topic in one]
+        labs[topic] = max(there, key=lambda lab: lab.when)
+        if older := [lab.source for lab in there if lab is not labs[topic]]:
+            notes.append(f"{topic}: {labs[topic].source} is the newest; not looked at: "
+                         f"{few(older)}")
+    return labs
+
+
+def few(names):
+    return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+
+
+def careful(function):
+    """What the function returns, or the ValueError that says why there is nothing."""
+    try:
+        return function()
+    except ValueError as error:
+        return error
+    except Exception as error:  # whatever a broken archive makes the parser stumble over
+        return ValueError(f"cannot be read ({told(error)})")
+
+
+# --- folders, archives, files -----------------------------------------------------------------
+
+
+def labs_in(path, name, notes):
+    """{topic: Lab} of a folder, an archive or a file. notes: grows by what cannot be read."""
+    try:
+        return found_in(path, name, notes)
+    except ValueError as error:
+        notes.append(f"{shown(name)} {shown(error)}")
+    except Exception as error:  # one student's trouble is no other's
+        notes.append(f"{shown(name)} cannot be read ({told(error)}): pack it again as a zip")
+    return {}
+
+
+def found_in(path, name, notes):
+    if path.is_dir() and not path.is_symlink():
+        return labs_in_folder(path, name, notes)
+    when = os.lstat(path).st_mtime
+    if topic := named_lab(path.name)[1]:
+        return {topic: Lab(when, shown(name), careful(functools.partial(content_of, path)))}
+    with opened(path) as file:
+        if not PACKED.fullmatch(path.name):
+            raise ValueError("is neither a lab nor an archive: hand in the zip that "
+                             "python3 -m course pack makes")
+        labs = chosen(entries_of(file, when), name, notes)
+    return {topic: lab._replace(source=shown(name)) for topic, lab in labs.items()}
+
+
+def labs_in_folder(folder, folder_name, notes):
+    """The labs of its files, and those of each archive in it."""
+    entries, archives = [], []
+    for name, path in files_in(folder):
+        if PACKED.fullmatch(path.name):
+            archives.append((name, path))
+        else:
+            entries.append((name, os.lstat(path).st_mtime, functools.partial(content_of, path)))
+    found = [chosen(entries, folder_name, notes)] if entries or not archives else []
+    found += [labs_in(path, name, notes) for name, path in archives]
+    return newest(found, notes)
+
+
+def files_in(folder):
+    """Yield (name, path) of a folder's files. Links are not followed."""
+    count = 0
+    for parent, folders, files in os.walk(folder, onerror=fail):
+        folders[:] = sorted(name for name in folders if not is_not_theirs(name))
+        count += len(files)
+        if count > MOST_FILES:
+            raise ValueError(f"holds more than {MOST_FILES} files: hand in labs/ alone")
+        for file in sorted(files):
+            yield Path(parent, file).relative_to(folder).as_posix(), Path(parent, file)
+
+
+def fail(error):
+    raise error
+
+
+class Guarded:
+    """A file that no archive can make us read for hours, or into all of the memory."""
+
+    reads = 0
+
+    def read(self, size=-1):
+        self.reads += 1
+        size = MOST_AT_ONCE >> 6 if size is None or size < 0 else size  # zip: the end of the file
+        if size > MOST_AT_ONCE or self.reads > MOST_READS or self.tell() > MOST_BYTES:
+            raise ValueError("holds too much: hand in a zip of labs/ alone")
+        return super().read(size)
+
+
+class Plain(Guarded, io.BufferedReader):
+    pass
+
+
+class Unzipped(Guarded, gzip.GzipFile):
+    pass
+
+
+def opened(path):
+    """A regular file, opened. A link is not followed."""
+    if not stat.S_ISREG(os.lstat(path).st_mode):
+        raise ValueError("is not a file but a link or the like: put the file there")
+    return Plain(io.FileIO(path))
+
+
+def content_of(path):
+    with opened(path) as file:
+        return file.read(MOST_TEXT + 1)
+
+
+def entries_of(file, when):
+    """Yield what `chosen` takes, of a zip or tar archive. The content tells which one it is."""
+    start = file.read(4)
+    file.seek(0)
+    if start[:2] == b"PK":
+        with zipfile.ZipFile(file) as archive:
+            yield from zip_entries(archive, when)
+    else:
+        yield from tar_entries(Unzipped(fileobj=file) if start[:2] == b"\x1f\x8b" else file, when)
+
+
+def zip_entries(archive, when):
+    for entry in archive.infolist():
+        if not entry.is_dir():
+            yield entry.filename, when, functools.partial(zip_entry, archive, entry)
+
+
+def zip_entry(archive, entry):
+    """A file of an archive, and never more than MOST_TEXT + 1 bytes of it."""
+    kind = stat.S_IFMT(entry.external_attr >> 16)
+    if kind not in (0, stat.S_IFREG):
+        raise ValueError("is not a file in the archive but a link or the like: put the file there")
+    if entry.flag_bits & 1 or entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise ValueError("is encrypted or packed in an unusual way: make a plain zip")
+    with archive.open(entry) as file:
+        return file.read(MOST_TEXT + 1)
+
+
+def tar_entries(file, when):
+    """The files of a tar archive. TarFile would follow what headers say, for hours where they lie.
+
+    Long names and other attributes stand in entries of their own, which are passed over.
+    """
+    while any(header := file.read(tarfile.BLOCKSIZE)):
+        try:
+            entry = tarfile.TarInfo.frombuf(header, "utf-8", "surrogateescape")
+        except tarfile.HeaderError:
+            raise ValueError("is no archive that can be read here: hand in a zip") from None
+        start = file.tell()
+        if not 0 <= entry.size <= MOST_BYTES - start:
+            raise ValueError("holds too much: hand in a zip of labs/ alone")
+        if entry.type not in (tarfile.DIRTYPE, *ATTRIBUTES):
+            yield entry.name, when, functools.partial(tar_entry, file, entry)
+        file.seek(start - -entry.size // tarfile.BLOCKSIZE * tarfile.BLOCKSIZE)
+
+
+def tar_entry(file, entry):
+    if entry.type not in (tarfile.REGTYPE, tarfile.AREGTYPE):
+        raise ValueError("is not a file in the archive but a link or the like: put the file there")
+    content = file.read(min(entry.size, MOST_TEXT + 1))
+    if len(content) < min(entry.size, MOST_TEXT + 1):
+        raise ValueError("ends too early in the archive: make a new zip")
+    return content

@@ -1,0 +1,125 @@
+"""The names that platforms give to what was handed in: who sent it, and when.
+
+    lovelaceada_LATE_1234_56789_labs-1.zip      Canvas: name, user, file; a group's name as well
+    anon_Ab3dE_56789_labs.zip                   Canvas, when names are hidden
+    lovelaceada_1234_text.html, _link.html      Canvas: text or an address in the place of a file
+    Ada Lovelace_1234_assignsubmission_file/    Moodle: name, participant; a file's name may follow
+    submission_1234/                            Gradescope, beside submission_metadata.yml
+    1234-567 - Ada Lovelace - Nov 22, 2026 1159 PM - labs.zip     Brightspace: user, folder, time
+    ada/, ada.zip, ada_transforms.py            by hand
+
+Canvas's names are made in its lib/content_zipper.rb, Moodle's in mod/assign/classes/downloader.php.
+"""
+import contextlib
+import datetime
+import re
+import unicodedata
+from typing import NamedTuple
+
+from .. import exercises
+from . import archives
+
+METADATA = "submission_metadata.yml"
+NOT_HANDED_IN = {METADATA, "index.html", "__MACOSX", ".DS_Store", ".git", "Thumbs.db",
+                 "desktop.ini"}
+CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_LATE)?_(?P<id>\d+)"
+                    r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
+ANONYMOUS = re.compile(r"(?P<late>LATE_)?(?P<name>anon_[0-9A-Za-z]+)"
+                       r"_(?:(?P<order>\d+)_.+|(?:text|link)\.html)", re.S)
+MOODLE = re.compile(r"(?P<name>.+?)(?:_(?P<id>\d+))?_assign(?:submission|feedback)_[a-z]+.*", re.S)
+BRIGHTSPACE = re.compile(r"(?P<user>\d+)-\d+ - (?P<name>.+?) - (?P<day>[^-]*?\d{4}) "
+                         r"(?P<hour>\d{1,2}):?(?P<minute>\d\d)(?P<half> [AP]M)?(?: - .+)?", re.S)
+
+
+class Sender(NamedTuple):
+    """Who handed something in."""
+
+    student: str     # the same for all that this person hands in, and nobody else's
+    identity: dict   # what the platform tells of the person
+    order: float = 0               # the later it was handed in, the greater
+    handed_in: float | None = None  # seconds since 1970 UTC
+    late: bool = False
+
+
+def identity(platform="", id="", name="", email=""):
+    return {"platform": platform, "id": id, "name": name, "email": email}
+
+
+def senders(path, submitters):
+    """Those who handed in what lies at a path. Several: a group. None: the name tells nobody.
+
+    submitters: of `gradescope`.
+    """
+    whole = archives.printable(unicodedata.normalize("NFC", path.name))
+    name = " ".join(whole.split())  # a space before PM may be a narrow one
+    if found := submitters.get(name.partition(".")[0]):
+        return found
+    for form, sender in ((BRIGHTSPACE, brightspace), (MOODLE, moodle), (ANONYMOUS, canvas),
+                         (CANVAS, canvas)):
+        if match := form.fullmatch(name):
+            found = sender(**match.groupdict())
+            return [found._replace(identity={**found.identity, "file": name})]
+    person = by_hand(path, whole)
+    return [Sender(person, identity(name=person))] if person else []
+
+
+def canvas(name, late, order, id=""):
+    return Sender(f"{name}_{id}" if id else name, identity("canvas", id, name),
+                  order=int(order or 0), late=bool(late))
+
+
+def moodle(name, id):
+    return Sender(f"{name}_{id}" if id else name, identity("moodle", id or "", name))
+
+
+def brightspace(user, name, day, hour, minute, half):
+    """The time is taken as that of this machine's zone. None: in another language."""
+    when = None
+    with contextlib.suppress(ValueError):
+        form = "%b %d, %Y %I%M %p" if half else "%b %d, %Y %H%M"
+        when = datetime.datetime.strptime(f"{day} {hour:0>2}{minute}{half or ''}", form).timestamp()
+    return Sender(f"{name}_{user}", identity("brightspace", name=name), when or 0, when)
+
+
+def by_hand(path, name):
+    """ada/, ada.tar.gz, ada_transforms.py -> "ada". "": nobody."""
+    person, topic = archives.named_lab(name)
+    packed = archives.PACKED.fullmatch(name)
+    if not topic and (path.is_dir() or path.is_symlink() or packed):
+        person = packed[1] if packed and not path.is_dir() else name
+    words = re.sub(archives.COPY + "$", "", person).casefold()
+    return "" if words in {"labs", *exercises.topics()} or name.startswith(".") else person
+
+
+# --- Gradescope -------------------------------------------------------------------------------
+
+
+def gradescope(folder):
+    """{"submission_1234": [a Sender for each of its submitters]} of an export."""
+    path = folder / METADATA
+    if not path.is_file():
+        return {}
+    try:
+        import yaml
+        whole = yaml.load(path.read_bytes(), getattr(yaml, "CBaseLoader", yaml.BaseLoader))
+        return {name: [submitter(one, about.get(":created_at")) for one in about[":submitters"]]
+                for name, about in whole.items() if about.get(":submitters")}
+    except ImportError:
+        raise ValueError(f"{METADATA} cannot be read without PyYAML: pip install pyyaml") from None
+    except (yaml.YAMLError, AttributeError, KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{path} is not as Gradescope exports it "
+                         f"({archives.told(error)}): download it again") from None
+
+
+def submitter(about, created):
+    id, name, email = (archives.printable(about.get(field) or "")
+                       for field in (":sid", ":name", ":email"))
+    when = gradescope_time(created)
+    return Sender(id or email or name, identity("gradescope", id, name, email), when or 0, when)
+
+
+def gradescope_time(text):
+    """"2026-01-02 10:00:00.418372000 Z" -> seconds since 1970. None: it is no time."""
+    with contextlib.suppress(TypeError, ValueError):
+        when = datetime.datetime.fromisoformat(re.sub(r"\s+(?=Z|[+-]\d)", "", text))
+        return (when if when.tzinfo else when.replace(tzinfo=datetime.UTC)).timestamp()
