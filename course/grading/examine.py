@@ -293,7 +293,7 @@ def printable(text):
 
 
 def examine(job):
-    """-> {"board", "lost", "problem", "seconds"}."""
+    """-> {"board", "lost", "missing", "problem", "seconds"}."""
     started = time.monotonic()
     labs = {topic: exercises.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
     labs = {topic: labs[topic] for topic in exercises.topics() if topic in labs}
@@ -304,6 +304,7 @@ def examine(job):
     entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.lost
                else entry for entry in board.entries(labs, numbers, {}, found)]
     return {"board": json.loads(board.as_json(entries)), "lost": examination.lost,
+            "missing": examination.missing,
             "problem": examination.problem or "\n".join(problems) or None,
             "seconds": time.monotonic() - started}
 

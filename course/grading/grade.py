@@ -33,7 +33,8 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
                if extra or not exercise.is_extra]
     handed_in, not_understood = submissions.read(folder, topics)
     book = gradebook.Gradebook(book or gradebook.Asked(), handed_in, columns)
-    results = Results(made(out), book, Run(columns, level, about, seed, running.course_digest()))
+    results = Results(made(out), book, Run(columns, level, about, seed, running.course_digest(),
+                                           tuple(not_understood)))
     print(f"isolation: {level} ({about})", *warnings(level), *book.said(),
           *(f"not understood: {name}: {sentence}" for name, sentence in not_understood), sep="\n")
 

@@ -25,7 +25,8 @@ TEACHERS = {f"course/{name}.py" for name in (  # a copy without these is one for
     "grading/submissions", "grading/platforms", "grading/running", "grading/worker",
     "grading/files/autograder", "grading/results", "grading/gradebook", "grading/rosters",
     "grading/lateness", "grading/overrides", "grading/marks", "grading/tables", "grading/changes",
-    "grading/sheets", "upkeep/feedback", "upkeep/mistakes", "upkeep/mutants")}
+    "grading/sheets", "grading/overview", "grading/similarity", "grading/side_by_side",
+    "grading/handback", "upkeep/feedback", "upkeep/mistakes", "upkeep/mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 

@@ -4,13 +4,15 @@
                         pictures/ of the report
     DIR/grades.csv      points for each exercise
     DIR/index.html      the overview
+    DIR/similar.html    answers that are alike, for a person to judge; similar.csv has them as well
+    DIR/feedback.zip    the reports, to give back
 """
 import json
 import shutil
 from typing import NamedTuple
 
 from ..given import places
-from . import archives, report, sheets, tables
+from . import archives, handback, overview, report, sheets, side_by_side, tables
 
 
 class Run(NamedTuple):
@@ -21,6 +23,7 @@ class Run(NamedTuple):
     about: str      # a sentence on the level
     seed: int
     checks: str     # a hash of the course's own part
+    not_understood: tuple = ()  # (name, sentence) of what is nobody's
 
 
 class Results:
@@ -29,6 +32,7 @@ class Results:
     def __init__(self, out, book, run):
         self.out, self.book, self.run = out, book, run
         self.records = {}
+        self.alike = None  # pairs of students, once all are there
 
     def keep(self, one, mark):
         """Take over the result of an earlier run, if it is of the same work -> whether it was."""
@@ -69,15 +73,20 @@ class Results:
         table = tables.grades(records, self.run.columns)
         self.out.mkdir(parents=True, exist_ok=True)
         places.write_whole(self.out / "grades.csv", sheets.written(table))
-        page = report.overview(records, self.run.columns, self.run.level, self.run.about)
+        page = overview.overview(records, self.run.columns, self.run.level, self.run.about,
+                                 self.run.not_understood, self.alike)
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
         return table
 
     def close(self):
         """Write what needs all results -> the paths of all tables."""
-        table = self.write_tables()
-        return [self.out / "grades.csv", self.out / "index.html",
-                *self.book.write(self.out, self.records, table)]
+        files = self.book.write(self.out, self.records, self.write_tables())
+        texts = {name: one.texts for name, one in self.book.handed_in.items()}
+        self.alike = side_by_side.write(self.out, texts, self.run.columns)
+        self.write_tables()
+        handback.write(self.out, [self.records[name] for name in sorted(self.records)])
+        names = "grades.csv", "index.html", "similar.html", "feedback.zip"
+        return [*(self.out / name for name in names), *files]
 
 
 def done_before(folder, wanted):
