@@ -24,6 +24,7 @@ MOST_BYTES = 1 << 30     # of an archive; of a tar archive, when it is unzipped
 MOST_AT_ONCE = 1 << 23   # bytes that are read at once, such as an archive's list of files
 MOST_FILES = 100_000     # of a folder
 MOST_READS = 200_000     # of an archive, a few for each file
+MOST_ARCHIVES = 20       # of a folder: each may take seconds
 DEEPEST = 40             # folders in folders
 PACKED = re.compile(r"(.+?)(\.tar)?\.(zip|tar|tgz|gz|rar|7z|bz2|xz|zst|tbz2?|txz)", re.I | re.S)
 ATTRIBUTES = (tarfile.XHDTYPE, tarfile.XGLTYPE, tarfile.SOLARIS_XHDTYPE, tarfile.GNUTYPE_LONGNAME,
@@ -231,6 +232,8 @@ def labs_in_folder(folder, folder_name, notes):
             archives.append((name, path))
         else:
             entries.append((name, os.lstat(path).st_mtime, functools.partial(content_of, path)))
+    if len(archives) > MOST_ARCHIVES:
+        raise ValueError(f"holds more than {MOST_ARCHIVES} archives: hand in one zip")
     found = [chosen(entries, folder_name, notes)] if entries or not archives else []
     found += [labs_in(path, name, notes) for name, path in archives]
     return newest(found, notes)

@@ -13,7 +13,7 @@ from rich.progress import Progress
 
 from .. import exercises
 from ..given import places
-from . import gradebook, running, sandbox, submissions
+from . import earlier, gradebook, running, sandbox, submissions
 from .examine import Job
 from .results import Results, Run
 
@@ -32,7 +32,9 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if extra or not exercise.is_extra]
     handed_in, not_understood = submissions.read(folder, topics)
-    book = gradebook.Gradebook(book or gradebook.Asked(), handed_in, columns)
+    before = earlier.records(Path(out), handed_in, columns)
+    everybody = [*handed_in, *map(earlier.submission, before)]
+    book = gradebook.Gradebook(book or gradebook.Asked(), everybody, columns)
     results = Results(made(out), book, Run(columns, level, about, seed, running.course_digest(),
                                            tuple(not_understood)))
     print(f"isolation: {level} ({about})", *warnings(level), *book.said(),
@@ -40,15 +42,18 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
 
     todo = [(one, Job(one.texts, one.missing, level, seed, limits, extra)) for one in handed_in]
     if resume:
-        todo = [(one, job) for one, job in todo if not results.keep(one, fingerprint(job))]
+        todo = [(one, job) for one, job in todo if not results.keep(one.student, fingerprint(job))]
+    for record in before:
+        results.take(record)
     started = time.monotonic()
     with contextlib.closing(running.examined(todo, jobs or os.cpu_count(), scheduler)) as steps:
         for one, job, (result, pictures) in progress(steps, len(todo)):
             results.add(one, fingerprint(job), result, pictures)
     files = results.close()
-    failed = [name for name, record in results.records.items() if record["problem"]]
+    failed = [one.student for one in handed_in if results.records[one.student]["problem"]]
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
-          f"{len(handed_in) - len(todo)} were done before, {len(failed)} could not be graded")
+          f"{len(handed_in) - len(todo)} were done before, {len(failed)} could not be graded"
+          + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
     print(*(f"{name}: {results.records[name]['problem']}" for name in failed), *files, sep="\n")
     return int(bool(failed))
 

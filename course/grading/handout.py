@@ -26,7 +26,7 @@ TEACHERS = {f"course/{name}.py" for name in (  # a copy without these is one for
     "grading/files/autograder", "grading/results", "grading/gradebook", "grading/rosters",
     "grading/lateness", "grading/overrides", "grading/marks", "grading/tables", "grading/changes",
     "grading/sheets", "grading/overview", "grading/similarity", "grading/side_by_side",
-    "grading/handback", "upkeep/feedback", "upkeep/mistakes", "upkeep/mutants")}
+    "grading/handback", "grading/earlier", "upkeep/feedback", "upkeep/mistakes", "upkeep/mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 

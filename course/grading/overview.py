@@ -110,7 +110,8 @@ def everybody(records, exercises):
         "points left": lambda record: number(after_lateness(record)) if lateness(record) else "",
         "by hand": lambda record: "; ".join(told_by_hand(record)),
         "seed": lambda record: str(record.get("seed", "")),
-        "problem": lambda record: first_line(record["problem"] or "")}
+        "problem": lambda record: first_line(record["problem"] or ""),
+        "notes": lambda record: "; ".join(record["notes"])}
     table = {head: [cell(record) for record in records] for head, cell in columns.items()}
     table = {head: cells for head, cells in table.items() if any(cell != "" for cell in cells)}
     return list(zip(*table.values(), strict=True)), list(table)

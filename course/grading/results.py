@@ -12,7 +12,7 @@ import shutil
 from typing import NamedTuple
 
 from ..given import places
-from . import archives, handback, overview, report, sheets, side_by_side, tables
+from . import archives, earlier, handback, overview, report, sheets, side_by_side, tables
 
 
 class Run(NamedTuple):
@@ -34,32 +34,46 @@ class Results:
         self.records = {}
         self.alike = None  # pairs of students, once all are there
 
-    def keep(self, one, mark):
+    def keep(self, student, mark):
         """Take over the result of an earlier run, if it is of the same work -> whether it was."""
-        folder = self.out / "students" / one.student
-        if not (record := done_before(folder, mark)):
+        record = earlier.read(self.folder(student) / "record.json")
+        if record.get("fingerprint") != mark or record["problem"]:
             return False
-        entered = self.records[one.student] = self.book.entered(record)
-        if entered != record:
-            self.write_student(folder, entered, {
-                path.name: path.read_bytes() for path in folder.glob("pictures/*.png")})
+        self.take(record)
         return True
+
+    def take(self, record):
+        """Take over a result. Its pages are written again if its grade is another one."""
+        entered = self.records[record["student"]] = self.book.entered(record)
+        if entered != record:
+            pictures = self.folder(record["student"]).glob("pictures/*.png")
+            self.write_student(entered, {path.name: path.read_bytes() for path in pictures})
 
     def add(self, one, mark, result, pictures):
         """Write what belongs to one student, and the tables."""
-        folder = self.out / "students" / one.student
         record = {"student": one.student, "fingerprint": mark, "level": self.run.level,
                   "seed": self.run.seed, "checks": self.run.checks[:12],
                   "digest": archives.digest(one.texts), "notes": one.notes, **result}
         record = self.records[one.student] = self.book.entered(record)
-        shutil.rmtree(folder / "pictures", ignore_errors=True)
-        (folder / "pictures" if pictures else folder).mkdir(parents=True, exist_ok=True)
-        for name, content in pictures.items():
-            places.write_whole(folder / "pictures" / name, content)
-        self.write_student(folder, record, pictures)
+        try:
+            self.write_pictures(one.student, pictures)
+            self.write_student(record, pictures)
+        except Exception as error:  # one student's trouble is no other's
+            record["problem"] = f"its results cannot be written: {error}"
         self.write_tables()
 
-    def write_student(self, folder, record, pictures):
+    def folder(self, student):
+        return self.out / "students" / student
+
+    def write_pictures(self, student, pictures):
+        folder = self.folder(student) / "pictures"
+        shutil.rmtree(folder, ignore_errors=True)
+        (folder if pictures else folder.parent).mkdir(parents=True, exist_ok=True)
+        for name, content in pictures.items():
+            places.write_whole(folder / name, content)
+
+    def write_student(self, record, pictures):
+        folder = self.folder(record["student"])
         if not record["problem"]:
             page = report.page(record, pictures, self.run.about, self.run.seed)
             places.write_whole(folder / "report.html", page.encode("utf-8"))
@@ -87,12 +101,3 @@ class Results:
         handback.write(self.out, [self.records[name] for name in sorted(self.records)])
         names = "grades.csv", "index.html", "similar.html", "feedback.zip"
         return [*(self.out / name for name in names), *files]
-
-
-def done_before(folder, wanted):
-    """The record of an earlier run, if it is of the same submission, checks and options."""
-    try:
-        record = json.loads((folder / "record.json").read_bytes())
-    except (OSError, ValueError):
-        return None
-    return record if record["fingerprint"] == wanted and not record["problem"] else None

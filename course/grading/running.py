@@ -41,7 +41,7 @@ def examined(todo, jobs, scheduler):
         running = {pool.submit(examine, job._asdict(), line): (one, job) for one, job in todo}
         try:
             for future in concurrent.futures.as_completed(running):
-                yield *running[future], future.result()
+                yield *running[future], outcome(future)
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
 
@@ -72,13 +72,22 @@ def examine(job, line=None):
             done = subprocess.run(command, cwd=places.ROOT, env=settings, capture_output=True,
                                   stdin=line, start_new_session=True,
                                   timeout=limits.submission + 300)
-            result = json.loads((folder / "result.json").read_bytes())
         except subprocess.TimeoutExpired:
             return failure("the checks themselves took too long"), {}
+        try:
+            result = json.loads((folder / "result.json").read_bytes())
         except (OSError, ValueError):
             said = done.stderr.decode("utf-8", "replace").strip().splitlines()
             return failure(f"the checks broke off: {said[-1] if said else done.returncode}"), {}
         return result, {path.name: path.read_bytes() for path in folder.glob("checks/*.png")}
+
+
+def outcome(future):
+    """What `examine` returned. Whatever went wrong is this submission's alone."""
+    try:
+        return future.result()
+    except Exception as error:
+        return failure(f"the examination broke off: {type(error).__name__}: {error}"), {}
 
 
 def failure(problem):
@@ -101,8 +110,8 @@ def on_cluster(todo, scheduler):
         futures = {client.submit(there, "examine_alike", course_digest(),
                                  json.dumps(job._asdict()), pure=False): (one, job)
                    for one, job in todo}
-        for future, result in distributed.as_completed(futures, with_results=True):
-            yield *futures[future], result
+        for future in distributed.as_completed(futures):
+            yield *futures[future], outcome(future)
 
 
 def connected(distributed, scheduler):

@@ -6,7 +6,7 @@ from .sheets import shown
 def grades(records, exercises):
     """The rows of grades.csv, its titles first."""
     titles = list(line({"student": "", "board": None, "problem": "", "level": "", "seconds": 0,
-                        "digest": "", "seed": "", "checks": ""}, exercises))
+                        "digest": "", "seed": "", "checks": "", "notes": ()}, exercises))
     return [titles, *([sheets.plain(cell) for cell in line(record, exercises).values()]
                       for record in records)]
 
@@ -31,7 +31,7 @@ def line(record, exercises):
         "fine print open": " ".join(marks.open_fine_print(record)),
         "isolation": record["level"], "seconds": f"{record['seconds']:.1f}",
         "seed": record["seed"], "checks": record["checks"], "hash": record["digest"],
-        "problem": record["problem"] or ""}
+        "problem": record["problem"] or "", "notes": "; ".join(record["notes"])}
 
 
 def sums(title, exercises, got):

@@ -11,7 +11,7 @@ from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
 
 from course import exercises
 from course.checks.report import Check
-from course.grading import grade, report, sandbox
+from course.grading import grade, overview, report, running, sandbox
 from course.upkeep.skeleton import skeleton
 
 
@@ -32,7 +32,8 @@ def graded(course, run_module, tmp_path_factory):
                        "bob/rasterization.py": SECOND,
                        "eve/rasterization.py": SECOND.replace("2 * x", "x"),
                        "eve/transforms.py": LAB.replace("return x / 2, x > 0", "while True: x"),
-                       "ann/transforms.py": skeleton(LAB)}.items():
+                       "ann/transforms.py": skeleton(LAB), "A&B.txt": "?",
+                       "zed/-1.rar": "?"}.items():
         path = folder / "in" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
@@ -40,11 +41,11 @@ def graded(course, run_module, tmp_path_factory):
     return folder / "out", folder / "in", done
 
 
-def run_grade(run_module, course, folder, *options):
+def run_grade(run_module, course, folder, *options, status=0):
     done = run_module(course, "course", "grade", folder / "in", "--out", folder / "out",
                       "--isolation", "process", "--seconds", 4, *options)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+    assert done.returncode == status, done.stdout + done.stderr
+    return done.stdout + done.stderr
 
 
 def rows(out):
@@ -53,14 +54,15 @@ def rows(out):
 
 
 def test_the_table_has_points_of_each_exercise(graded):
-    """A mistake costs the points of exercises that build on it."""
+    """A mistake costs the points of exercises that build on it, or a note is a formula."""
     table = rows(graded[0])
     names = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "total", "of"]
     assert {name: [int(row[column]) for column in names] for name, row in table.items()} == {
         "ada": [1, 2, 4, 3, 10, 10], "bob": [0, 2, 4, 3, 9, 10], "eve": [1, 2, 0, 0, 3, 10],
-        "ann": [0, 0, 0, 0, 0, 10]}
+        "ann": [0, 0, 0, 0, 0, 10], "zed": [0, 0, 0, 0, 0, 10]}
     assert {row["isolation"] for row in table.values()} == {"process"}
-    assert len({row["hash"] for row in table.values()}) == 4
+    assert len({row["hash"] for row in table.values()}) == 5
+    assert table["zed"]["notes"] == "'-1.rar is no archive that can be read here: hand in a zip"
 
 
 def test_the_level_is_stated_wherever_marks_are(graded):
@@ -106,6 +108,55 @@ def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, ru
     assert "1 submissions graded" in run_grade(run_module, course, out.parent, "--resume")
     changed = {path.parent.name for path, old in before.items() if path.stat().st_mtime_ns != old}
     assert changed == {"bob"} and rows(out)["bob"]["total"] == "10"
+
+
+def test_what_was_not_understood_is_told(graded):
+    """A file without a row and without a word; a name that is read as HTML."""
+    assert "not understood: A&B.txt: no student can be told from this name" in graded[2]
+    assert "A&amp;B.txt" in (graded[0] / "index.html").read_text("utf-8")
+    assert "&lt;i&gt;.txt" in overview.overview([], [], "strict", "", [("<i>.txt", "why")])
+
+
+def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, tmp_path):
+    """Grading those who came late takes all others out of the table."""
+    shutil.copytree(graded[0], tmp_path / "out")
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "zoe_transforms.py").write_text(LAB, encoding="utf-8")
+    printed = run_grade(run_module, course, tmp_path)
+    assert "1 submissions graded" in printed and "5 more of earlier runs stay" in printed
+    before, after = rows(graded[0]), rows(tmp_path / "out")
+    assert after.pop("zoe")["total"] == "7" and after == before
+    assert "students/bob/report.html" in (tmp_path / "out" / "index.html").read_text("utf-8")
+
+    told = run_grade(run_module, course, tmp_path, "--labs", "1", status=2)
+    assert "holds grades of ada for other labs, or of another version of the course" in told
+    (tmp_path / "in" / "Bob").mkdir()
+    told = run_grade(run_module, course, tmp_path, status=2)
+    assert "bob holds grades of another student, whose name is almost the same" in told
+    assert set(rows(tmp_path / "out")) == {*before, "zoe"}
+
+
+def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
+    """An error in one submission, or a folder that cannot be written, leaves others ungraded."""
+    def examine(job, line):
+        if "boom" in job["texts"].values():
+            raise RuntimeError("boom")
+        entry = {"number": "1.1", "points": 2, "verdict": "done", "told": "done", "name": "f",
+                 "topic": "transforms", "checks": []}
+        return {"board": {"exercises": [entry]}, "lost": {}, "problem": None, "seconds": 0.0}, {}
+
+    monkeypatch.setattr(running, "examine", examine)
+    for name, text in {"ada": "x", "bob": "boom", "eve": "x", "zoe": "x"}.items():
+        (tmp_path / "in" / name).mkdir(parents=True)
+        (tmp_path / "in" / name / "transforms.py").write_text(text)
+    (tmp_path / "out" / "students").mkdir(parents=True)
+    (tmp_path / "out" / "students" / "eve").write_text("a file where a folder should be")
+    assert grade.run(tmp_path / "in", tmp_path / "out", "1", isolation="process") == 1
+    table = rows(tmp_path / "out")
+    assert [row["total"] for row in table.values()] == ["2", "", "", "2"]
+    assert table["bob"]["problem"] == "the examination broke off: RuntimeError: boom"
+    assert "its results cannot be written" in table["eve"]["problem"]
+    assert "2 could not be graded" in capsys.readouterr().out
 
 
 def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):

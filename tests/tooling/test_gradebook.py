@@ -8,7 +8,17 @@ from types import SimpleNamespace
 import pytest
 
 from course.checks.report import Check
-from course.grading import changes, lateness, marks, overrides, report, rosters, sheets, tables
+from course.grading import (
+    changes,
+    earlier,
+    lateness,
+    marks,
+    overrides,
+    report,
+    rosters,
+    sheets,
+    tables,
+)
 from course.grading.gradebook import Asked, Gradebook
 from course.grading.results import Results, Run
 from course.grading.submissions import Submission
@@ -364,9 +374,25 @@ def test_a_page_follows_its_override_without_grading_again(tmp_path):
     assert "4 of 10 points" in page.read_text("utf-8")
     path = file(tmp_path, "o.csv", "student,exercise,points,reason", "ada,2.2,6,right after all")
     again = Results(tmp_path, book([one], overrides=path), run)
-    assert not again.keep(one, "another mark") and again.keep(one, "mark")
+    assert not again.keep("ada", "another mark") and again.keep("ada", "mark")
     text = page.read_text("utf-8")
     assert "10 of 10 points" in text and "right after all" in text and "base64,cG5n" in text
+
+
+def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
+    """The points of all who were in time are missing beside those who came late."""
+    first, second = (handed_in("a", "canvas", id="50101"), handed_in("k", "canvas", id="50102"))
+    asked = {"csv": "canvas", "roster": ROSTERS / "canvas.csv", "assignment": "Lab 2"}
+    run = Run(CORE, "process", "", 0, "c")
+    result = {name: record("")[name] for name in ("board", "lost", "problem", "seconds")}
+    Results(tmp_path, book([first], **asked), run).add(first, "mark", result, {})
+    before = earlier.records(tmp_path, [second], CORE)
+    later = Results(tmp_path, book([second, *map(earlier.submission, before)], **asked), run)
+    later.take(*before)
+    later.add(second, "mark", result, {})
+    assert tmp_path / "for-canvas.csv" in later.close()
+    table = read_back((tmp_path / "for-canvas.csv").read_bytes())
+    assert [row[7] for row in table[3:6]] == ["10", "10", ""]
 
 
 # --- tables -----------------------------------------------------------------------------------

@@ -97,8 +97,8 @@ def make_archives(folder, honest, outside):
             path = folder / name / file
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    points = {"zip_plain": 7, "zip_slip": 7, "other_files": 7} | dict.fromkeys(
-        ("zip_of_a_link", "zip_bomb", "zip_of_many", "zip_that_is_none", "zip_cut_short",
+    points = {"zip_plain": 7, "zip_slip": 7, "zip_of_many": 7, "other_files": 7} | dict.fromkeys(
+        ("zip_of_a_link", "zip_bomb", "zip_that_is_none", "zip_cut_short",
          "not_utf8", "null_bytes", "too_long", "missing_file"), 0)
     if os.name != "nt":
         for name, link, target in (("link_to_a_file", "labs/transforms.py", "secret.py"),
