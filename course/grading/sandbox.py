@@ -216,7 +216,8 @@ def strict(folder, limits):
     shut_in = (["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts",
                 "--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
                if user else
-               ["--unshare-all", "--disable-userns", "--uid", "65534", "--gid", "65534"])
+               ["--unshare-all", "--unshare-user", "--disable-userns", "--uid", "65534",
+                "--gid", "65534"])
     there = {path: path for path in (*SYSTEM, interpreter(), *map(str, library()))
              if os.path.exists(path)}
     there |= {f"/packages/{name}": path for name, path in packages().items()}
