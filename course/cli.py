@@ -64,7 +64,9 @@ def main(argv=None):
         return 0
     try:
         return asked.command(asked)
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as stopped:
+        if str(stopped):
+            print(f"course: {stopped}", file=sys.stderr)
         return 130
     except BrokenPipeError:  # whoever reads along has seen enough, as in: check | head
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -107,6 +109,16 @@ class Parser(argparse.ArgumentParser):
         self.exit(2, f"course: {message}; {self.prog} --help says more\n")
 
 
+def whole_number(least):
+    """-> the function that reads an option's whole number, from the least one on."""
+    def read(text):
+        if not text.isdecimal() or int(text) < least:
+            raise argparse.ArgumentTypeError(f"give a whole number from {least} on, not {text}")
+        return int(text)
+
+    return read
+
+
 def arguments():
     parser = Parser(prog="python3 -m course", usage="%(prog)s COMMAND ...", description=page(),
                     formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -137,7 +149,8 @@ def arguments():
     option("--watch", action="store_true", help="check again whenever a file is saved")
     option("--pictures", action="store_true", help="open a page with all that failed, and pictures")
     option("--json", metavar="FILE", help="write the board to this file as well")
-    option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+    option("--seed", type=whole_number(0), default=0, metavar="N",
+           help="other random numbers in the checks")
     option("--extra", action="store_true", help="check extras that are not open as well")
 
     for command in open_extras, close:
@@ -168,14 +181,26 @@ def arguments():
     option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files")
     option("--out", required=True, metavar="DIR", help="where reports and tables are written")
     option("--labs", metavar="1-4", help="grade these labs; without, all of them")
-    option("--jobs", type=int, metavar="N", help="how many at a time; without, one for each core")
+    option("--jobs", type=whole_number(1), metavar="N",
+           help="how many at a time; without, one for each core")
     option("--resume", action="store_true", help="keep results of the same work and checks")
-    option("--seed", type=int, default=0, metavar="N", help="other random numbers in the checks")
+    option("--seed", type=whole_number(0), default=0, metavar="N",
+           help="other random numbers in the checks")
     option("--isolation", choices=("strict", "process"),
            help="strict needs Linux with bubblewrap; process is for work that you trust")
     option("--scheduler", metavar="tcp://...", help="run on this Dask cluster")
     option("--seconds", type=float, default=10.0, metavar="S", help="the most that a call may take")
     option("--extra", action="store_true", help="extras count, too: they were handed out open")
+    option("--csv", choices=("canvas", "moodle", "gradescope", "brightspace"),
+           help="write this platform's import file, from its own export")
+    option("--roster", metavar="FILE", help="that export, as CSV")
+    option("--assignment", metavar="NAME", help="which of its columns takes the points")
+    option("--due", metavar="TIME", help="as in 2026-11-22T23:59, in this machine's time zone, or "
+                                         "2026-11-22T23:59+01:00")
+    option("--late", metavar="10%/day", help="what lateness takes off, for each day or hour begun")
+    option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d")
+    option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason")
+    option("--previous", metavar="FILE", help="an earlier grades.csv: tell what changed, and why")
 
     option = add(skeleton)
     option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
@@ -263,11 +288,17 @@ def autograder(asked):
 
 def grade(asked):
     """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
-    import course.grading.grade
-    return course.grading.grade.run(
-        asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
-        seed=asked.seed, isolation=asked.isolation, scheduler=asked.scheduler,
-        seconds=asked.seconds, extra=asked.extra)
+    try:
+        import course.grading.grade
+        from course.grading.gradebook import Asked
+        return course.grading.grade.run(
+            asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
+            seed=asked.seed, isolation=asked.isolation, scheduler=asked.scheduler,
+            seconds=asked.seconds, extra=asked.extra,
+            book=Asked(*(getattr(asked, name) for name in Asked._fields)))
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt("stopped; what is graded is kept: the same command with --resume "
+                                "goes on") from None
 
 
 def skeleton(asked):

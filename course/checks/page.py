@@ -1,44 +1,88 @@
-"""What failed, as HTML. Whatever comes from students is escaped."""
+"""What failed, as HTML. Whatever comes from students is escaped, and cut where it is long."""
 import base64
 import html
 from pathlib import Path
 
 from .report import rerun
 
+MOST_TEXT = 4000  # characters of one message on a page
+MOST_CELL = 300   # characters of a table's cell
+SHORT = 12        # characters of a table's cell that is kept on one line
 COLOURS = {"done": "#1a7f37", "failing": "#cf222e"}
 STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem;
-       color: #1f2328; background: #fff; }
+       color: #1f2328; background: #fff; overflow-wrap: anywhere; }
 h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
-table { border-collapse: collapse; } td, th { padding: .15rem .8rem .15rem 0; text-align: left; }
-td.number, th.number { text-align: right; }
-pre { background: #f6f8fa; padding: .8rem; white-space: pre-wrap; font-size: 13px;
-      line-height: 1.4; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; } table { border-collapse: collapse; }
+td, th { padding: .15rem .8rem .15rem 0; text-align: left; vertical-align: top;
+         overflow-wrap: break-word; }
+.number { text-align: right; } .number, .short { white-space: nowrap; }
+pre { background: #f6f8fa; padding: .8rem; overflow-x: auto; font-size: 13px; line-height: 1.4; }
 img { max-width: 100%; border: 1px solid #d0d7de; }
-.bar { background: #d8dee4; width: 12rem; height: .7rem; } .bar i { display: block; height: 100%;
-       background: #1a7f37; }
+.bar { background: #d8dee4; width: clamp(4rem, 20vw, 12rem); height: .7rem; margin-top: .4rem; }
+.bar i { display: block; height: 100%; background: #1a7f37; }
 .note { color: #59636e; } .claim { margin: 1.2rem 0 .3rem; font-weight: 600; }
+@media (max-width: 45rem) { body { margin-top: 1rem; } pre { font-size: 11px; padding: .5rem; } }
 """
 
 
-def document(title, *parts):
+class Markup(str):
+    """HTML that is ours: nothing in it is left to escape."""
+
+
+def document(title, *parts, style=""):
     """No script and nothing from elsewhere can be loaded, whatever a student has smuggled in."""
     policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
     return "\n".join([
         "<!doctype html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
-        '<meta name="viewport" content="width=device-width">',
-        f"<title>{html.escape(title)}</title>", f"<style>{STYLE}</style>", "</head>", "<body>",
-        f"<h1>{html.escape(title)}</h1>", *parts, "</body>", "</html>", ""])
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>{escaped(title)}</title>", f"<style>{STYLE}{style}</style>", "</head>", "<body>",
+        f"<h1>{escaped(title)}</h1>", *parts, "</body>", "</html>", ""])
+
+
+def escaped(text, most=MOST_TEXT):
+    """A text of a student's as HTML, and no more of it than a page can bear."""
+    more = len(text) - most
+    return html.escape(text if more <= 0 else
+                       f"{text[:most]}\n(cut here; there are {more:,} characters more)")
 
 
 def paragraph(text, kind="note"):
-    return f'<p class="{kind}">{html.escape(text)}</p>'
+    return f'<p class="{kind}">{escaped(text)}</p>'
+
+
+def preformatted(text):
+    return f"<pre>{escaped(text)}</pre>"
 
 
 def coloured(verdict):
     colour = COLOURS.get(verdict.partition(",")[0], "#59636e")
-    return f'<span style="color:{colour}">{html.escape(verdict)}</span>'
+    return Markup(f'<span style="color:{colour}">{escaped(verdict)}</span>')
+
+
+def rows(lines, head=None):
+    """A table of these rows of cells: numbers, texts and Markup. A number is set to the right."""
+    def cell(content, tag):
+        text = str(content)
+        kind = "number" if isinstance(content, int | float) else "short" * (len(text) <= SHORT)
+        shown = content if isinstance(content, Markup) else breakable(text)
+        return f'<{tag} class="{kind}">{shown}</{tag}>'
+
+    table = [[*(cell(content, "td") for content in line)] for line in lines]
+    if head:
+        table.insert(0, [cell(content, "th") for content in head])
+    return "\n".join(['<div class="wide"><table>',
+                      *(f"<tr>{''.join(line)}</tr>" for line in table), "</table></div>"])
+
+
+def breakable(text):
+    """A cell's text as HTML. A long name may go on below after each underscore."""
+    return Markup(escaped(text, MOST_CELL).replace("_", "_<wbr>"))
+
+
+def bar(part, whole):
+    return Markup(f'<div class="bar"><i style="width:{100 * part / max(whole, 1):.0f}%"></i></div>')
 
 
 def exercise_part(entry, lost, pictures, seed):
@@ -51,8 +95,7 @@ def exercise_part(entry, lost, pictures, seed):
     if lost:
         parts.append(paragraph(f"The process that ran this exercise was lost {lost}", ""))
     for check in failed:
-        parts += [paragraph(check["claim"], "claim"),
-                  f"<pre>{html.escape(check['message'])}</pre>"]
+        parts += [paragraph(check["claim"], "claim"), preformatted(check["message"])]
         name = check["picture"] and Path(check["picture"]).name
         if name in pictures:
             data = base64.b64encode(pictures[name]).decode("ascii")

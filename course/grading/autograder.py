@@ -6,7 +6,7 @@ import zipfile
 from pathlib import Path
 
 from ..given import places
-from . import archives, grade, sandbox
+from . import archives, grade, running, sandbox
 
 FILES = Path(__file__).with_name("files")
 NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
@@ -18,6 +18,7 @@ NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
 def gradescope(path, labs=None):
     """Write the zip that Gradescope's "configure autograder" takes -> 0."""
     topics = grade.topics_of(labs)
+    grade.require_whole(topics)
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in sorted({file for pattern in NEEDED for file in places.ROOT.glob(pattern)}):
@@ -58,7 +59,7 @@ def main(folder, path):
     level, about = sandbox.available()
     texts, missing, notes = archives.read(folder, settings["topics"])
     job = grade.Job(texts, missing, level, grade.own_seed(0, texts), asks=settings["asks"])
-    result, _ = grade.examine(job._asdict())
+    result, _ = running.examine(job._asdict())
     if result["problem"]:
         raise SystemExit(f"could not be graded: {result['problem']}")
     record = {"level": level, "digest": archives.digest(texts), "notes": notes, "seed": job.seed,

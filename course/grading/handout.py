@@ -22,8 +22,11 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          ".gitignore")
 TEACHERS = {f"course/{name}.py" for name in (  # a copy without these is one for students: cli.py
     "grading/handout", "grading/autograder", "grading/grade", "grading/examine", "grading/report",
-    "grading/submissions", "grading/platforms", "grading/worker", "grading/files/autograder",
-    "upkeep/feedback", "upkeep/mistakes", "upkeep/mutants")}
+    "grading/submissions", "grading/platforms", "grading/running", "grading/worker",
+    "grading/files/autograder", "grading/results", "grading/gradebook", "grading/rosters",
+    "grading/lateness", "grading/overrides", "grading/marks", "grading/tables", "grading/changes",
+    "grading/sheets", "grading/overview", "grading/similarity", "grading/side_by_side",
+    "grading/handback", "grading/earlier", "upkeep/feedback", "upkeep/mistakes", "upkeep/mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 

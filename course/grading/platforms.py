@@ -57,7 +57,8 @@ def senders(path, submitters):
     for form, sender in ((BRIGHTSPACE, brightspace), (MOODLE, moodle), (ANONYMOUS, canvas),
                          (CANVAS, canvas)):
         if match := form.fullmatch(name):
-            return [sender(**match.groupdict())]
+            found = sender(**match.groupdict())
+            return [found._replace(identity={**found.identity, "file": name})]
     person = by_hand(path, whole)
     return [Sender(person, identity(name=person))] if person else []
 

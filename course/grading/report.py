@@ -1,150 +1,110 @@
-"""The pages: one for each student, one for the class. Whatever comes from students is escaped."""
-import html
+"""A student's page, and Gradescope's results. Whatever comes from students is escaped.
 
-from ..checks.page import coloured, document, exercise_part, paragraph
+The page names nobody, so that it can be given back, and shown, in any way: see `handback`.
+"""
+import re
+
+from ..checks.page import (
+    Markup,
+    bar,
+    coloured,
+    document,
+    escaped,
+    exercise_part,
+    paragraph,
+    preformatted,
+    rows,
+)
+from .marks import after_lateness, points, told
+from .sheets import shown
+
+IMPORT = "cannot be imported"  # so `examine` says of a lab
 
 
-def points(record):
-    """{exercise: points reached}. Empty where nothing could be graded."""
-    board = record["board"]
-    return {entry["number"]: entry["points"] * (entry["verdict"] == "done")
-            for entry in board["exercises"]} if board and not record["problem"] else {}
+def page(record, pictures, about):
+    """record: of grade.run. pictures {file name: PNG}."""
+    board, seed = record["board"], record["seed"]
+    of = sum(entry["points"] for entry in board["exercises"])
+    notes = (unnamed(note, record) for note in record["notes"])
+    parts = [paragraph(f"{shown(after_lateness(record))} of {of} points", "claim"),
+             *map(paragraph, (*told(record), *notes)), board_table(board, points(record))]
+    for topic, why in missing(record).items():
+        parts += [f"<h2>{topic}: nothing could be checked</h2>",
+                  preformatted(why if IMPORT in why else unnamed(why, record))]
+    for entry in board["exercises"]:
+        if needs_a_part(entry, record):
+            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, seed)
+    parts += ["<h2>How this was found</h2>", paragraph(
+        f"Isolation {record['level']} ({about}); seed {seed}; {record['seconds']:.1f} s; "
+        f"hash of what was handed in {record['digest']}.")]
+    return document("Report", *parts)
 
 
-def open_fine_print(record):
-    """The exercises that are done, but for their fine print."""
-    board = record["board"]
-    return [entry["number"] for entry in board["exercises"]
-            if entry["told"] != entry["verdict"]] if points(record) else []
+def unnamed(sentence, record):
+    """The sentence without the student's name, which stands in the names of files."""
+    identity = record.get("identity") or {}
+    names = record["student"], identity.get("name"), identity.get("email")
+    for name in sorted(filter(None, names), key=len, reverse=True):
+        sentence = re.sub(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])", "...", sentence)
+    return sentence
 
 
 def first_wrong(board):
-    """A sentence on the first exercise that is not wholly right, or None."""
+    """A sentence on the first check that does not pass, or None."""
     for entry in board["exercises"]:
         for check in entry["checks"]:
             if check["verdict"] != "passed":
                 return f"{entry['number']}: {check['claim']}: {check['message']}"
 
 
-def rows(lines, head=None):
-    """lines: rows of cells. A number is set to the right, what begins with < is HTML."""
-    def cell(content, tag):
-        kind = ' class="number"' if isinstance(content, int | float) else ""
-        text = str(content)
-        return f"<{tag}{kind}>{text if text.startswith('<') else html.escape(text)}</{tag}>"
-
-    table = [[*(cell(content, "td") for content in line)] for line in lines]
-    if head:
-        table.insert(0, [cell(content, "th") for content in head])
-    return "\n".join(["<table>", *(f"<tr>{''.join(line)}</tr>" for line in table), "</table>"])
+def missing(record):
+    """{topic: why}: labs that were not handed in, or cannot be imported."""
+    return record.get("missing", {})
 
 
-def bar(part, whole):
-    return f'<div class="bar"><i style="width:{100 * part / max(whole, 1):.0f}%"></i></div>'
+def is_of_the_lab(check, topic, record):
+    """Whether a check failed only because its whole lab is missing: that is said once."""
+    why = missing(record).get(topic, "").partition("\n")[0].split()
+    return bool(why) and " ".join(why) in " ".join(check["message"].split())
 
 
-# --- one student ------------------------------------------------------------------------------
+def needs_a_part(entry, record):
+    """Whether something is wrong in an exercise that is not said of its lab already."""
+    wrong = [check for check in entry["checks"] if check["verdict"] != "passed"
+             and not is_of_the_lab(check, entry["topic"], record)]
+    is_wrong = entry["verdict"] == "failing" or entry["told"] != entry["verdict"]
+    return is_wrong and (bool(wrong) or entry["number"] in record["lost"])
 
 
-def page(record, pictures, about):
-    """record: of grade.run. pictures {file name: PNG}."""
-    board, got = record["board"], points(record)
-    of = sum(entry["points"] for entry in board["exercises"])
-    parts = [paragraph(f"{sum(got.values())} of {of} points", "claim"),
-             *map(paragraph, record["notes"]), board_table(board)]
-    for entry in board["exercises"]:
-        if entry["verdict"] == "failing" or entry["told"] != entry["verdict"]:
-            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures,
-                                   record["seed"])
-    parts += ["<h2>How this was found</h2>", paragraph(
-        f"Isolation {record['level']} ({about}); seed {record['seed']}; {record['seconds']:.1f} s; "
-        f"hash of what was handed in {record['digest']}.")]
-    return document(record["student"], *parts)
-
-
-def board_table(board):
+def board_table(board, reached):
+    """reached {exercise: points}."""
     lines, topic = [], None
     for entry in board["exercises"]:
         if entry["topic"] != topic:
             topic = entry["topic"]
             lab = [other for other in board["exercises"] if other["topic"] == topic]
-            got = sum(other["points"] for other in lab if other["verdict"] == "done")
+            got = sum(reached[other["number"]] for other in lab)
             of = sum(other["points"] for other in lab)
-            lines.append([f"<strong>{html.escape(topic)}</strong>", "", got, of, bar(got, of)])
-        lines.append([entry["number"], entry["name"],
-                      entry["points"] * (entry["verdict"] == "done"), entry["points"],
+            lines.append(["", Markup(f"<strong>{escaped(topic)}</strong>"), got, of, bar(got, of)])
+        lines.append([entry["number"], entry["name"], reached[entry["number"]], entry["points"],
                       coloured(entry["told"])])
     return rows(lines, ["", "", "points", "of", ""])
 
 
 def gradescope(record, about):
     """Gradescope's results.json."""
-    tests = []
+    tests, reached = [], points(record)
     for entry in record["board"]["exercises"]:
         done = entry["verdict"] == "done"
         wrong = [f"{check['claim']}\n{check['message']}" for check in entry["checks"]
                  if check["verdict"] != "passed"]
         tests.append({"number": entry["number"], "name": entry["name"],
-                      "score": entry["points"] * done, "max_score": entry["points"],
+                      "score": reached[entry["number"]], "max_score": entry["points"],
                       "status": "passed" if done else "failed", "output_format": "text",
                       "output": "\n\n".join([entry["told"], *wrong]) if wrong else ""})
     about = (f"isolation {record['level']} ({about}), hash {record['digest']}, "
              f"seed {record['seed']}")
-    return {"score": sum(points(record).values()), "output": "\n".join([*record["notes"], about]),
+    return {"score": after_lateness(record),
+            "output": "\n".join([*told(record), *record["notes"], about]),
             "output_format": "text", "execution_time": round(record["seconds"]),
             "stdout_visibility": "hidden", "tests": tests}
-
-
-# --- the class --------------------------------------------------------------------------------
-
-
-def overview(records, exercises, level, about, not_understood):
-    """Distribution, exercises by how many solved them, what was lost, everybody.
-
-    not_understood: of submissions.read.
-    """
-    graded = [record for record in records if points(record)]
-    of = sum(exercise.points for exercise in exercises)
-    totals = [sum(points(record).values()) for record in graded]
-    parts = [paragraph(f"{len(graded)} of {len(records)} submissions graded; isolation {level} "
-                       f"({about})")]
-    if graded:
-        middle = sorted(totals)[len(totals) // 2]
-        parts += ["<h2>Distribution</h2>", paragraph(f"median {middle} of {of} points"),
-                  distribution(totals, of), "<h2>Exercises, the hardest first</h2>",
-                  hardest(graded, exercises)]
-    if not_understood:
-        lines = [[f"<span>{html.escape(name)}</span>", why] for name, why in not_understood]
-        parts += ["<h2>Handed in, and not understood</h2>", rows(lines)]
-    lost = [[student_link(record["student"]), number, sentence] for record in records
-            for number, sentence in record["lost"].items()]
-    if lost:
-        parts += ["<h2>Crashes, time-outs, and worse</h2>", rows(lost)]
-    parts += ["<h2>Everybody</h2>", rows(
-        [[student_link(record["student"]), sum(points(record).values()),
-          bar(sum(points(record).values()), of), record["problem"] or "; ".join(record["notes"])]
-         for record in records])]
-    return document("Grades", *parts)
-
-
-def student_link(name):
-    name = html.escape(name)
-    return f'<a href="students/{name}/report.html">{name}</a>'
-
-
-def distribution(totals, of):
-    """Ten bars: how many reached each tenth of the points."""
-    counts = [0] * 10
-    for total in totals:
-        counts[min(9, 10 * total // max(of, 1))] += 1
-    return rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
-                 for tenth, count in enumerate(counts)])
-
-
-def hardest(graded, exercises):
-    solved = {exercise.number: sum(points(record).get(exercise.number, 0) > 0 for record in graded)
-              for exercise in exercises}
-    order = sorted(exercises, key=lambda exercise: solved[exercise.number])
-    return rows([[exercise.number, exercise.name, solved[exercise.number],
-                  bar(solved[exercise.number], len(graded))] for exercise in order],
-                ["", "", "solved by", f"of {len(graded)}"])

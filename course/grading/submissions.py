@@ -24,7 +24,7 @@ class Submission(NamedTuple):
     texts: dict               # {topic: text}
     missing: dict             # {topic: sentence}, of those that were expected and cannot be taken
     notes: tuple              # sentences for the report
-    identity: dict            # of the platform: platform, id, name, email; "" where it tells none
+    identity: dict            # of the platform: platform, id, name, email ("": untold), file
     handed_in: float | None   # seconds since 1970 UTC, as the platform tells it
     late: bool                # the platform marked it as late
 

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from course import cli
+from course.grading.gradebook import Asked
 
 
 @pytest.fixture
@@ -51,7 +52,12 @@ def stand_in(monkeypatch):
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
      "--scheduler tcp://a --seconds 3 --extra", "grading.grade.run", ("in", "out"),
      {"labs": "1", "jobs": 2, "resume": True, "seed": 7, "isolation": "process",
-      "scheduler": "tcp://a", "seconds": 3.0, "extra": True}),
+      "scheduler": "tcp://a", "seconds": 3.0, "extra": True, "book": Asked()}),
+    ("grade in --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
+     "--overrides o.csv --previous p.csv", "grading.grade.run", ("in", "out"),
+     {"labs": None, "jobs": None, "resume": False, "seed": 0, "isolation": None,
+      "scheduler": None, "seconds": 10.0, "extra": False,
+      "book": Asked("moodle", "a.csv", "A", "D", "L", "G", "o.csv", "p.csv")}),
 ])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):
@@ -85,7 +91,11 @@ def test_without_a_command_the_page_is_shown_with_all_commands_and_no_others(cap
     assert told.startswith("course: ") and told.count("\n") == 1
 
 
-@pytest.mark.parametrize("line", ["check --sed 1 2 3", "demo --impl mine", "skeleton --chek"])
+@pytest.mark.parametrize("line", [
+    "check --sed 1 2 3", "demo --impl mine", "skeleton --chek", "check --seed -1", "check --seed x",
+    "grade in --out out --seed -1", "grade in --out out --seed 1.5", "grade in --out out --jobs -1",
+    "grade in --out out --jobs 0", "grade in --out out --seconds soon",
+    f"grade in --out out --seed {5000 * '9'}"])
 def test_a_mistake_in_the_options_is_one_line(line, capsys):
     """argparse prints its usage, and the sentence is lost below it."""
     with pytest.raises(SystemExit) as ended:
@@ -140,6 +150,18 @@ def test_ctrl_c_is_quiet_and_exits_with_130(demo_runs, capsys):
     demo_runs("course", "raise KeyboardInterrupt")
     assert cli.main(["demo"]) == 130
     assert capsys.readouterr() == ("", "")
+
+
+def test_ctrl_c_while_grading_says_how_to_go_on(stand_in, capsys):
+    """It is as quiet as the others, and the whole class is graded again."""
+    def stop(*_, **__):
+        raise KeyboardInterrupt
+
+    stand_in("grading.grade", run=stop)
+    assert cli.main(["grade", "in", "--out", "out"]) == 130
+    told = capsys.readouterr().err
+    assert told == ("course: stopped; what is graded is kept: the same command with --resume goes "
+                    "on\n")
 
 
 def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):

@@ -6,7 +6,7 @@ from other_forms import in_other_forms
 from submitted import other_solution
 
 from course import exercises
-from course.grading import grade, sandbox
+from course.grading import grade, running, sandbox
 from course.grading.examine import Job
 from course.grading.levels import LEVELS
 
@@ -22,7 +22,7 @@ def asks(lab):
 
 def wrong_in(texts, level, asks, seed=0):
     """What takes points from these labs: {exercise: its checks}, and worse."""
-    result, _ = grade.examine(Job(texts, {}, level, seed, extra=True, asks=asks)._asdict())
+    result, _ = running.examine(Job(texts, {}, level, seed, extra=True, asks=asks)._asdict())
     assert (result["problem"], result["lost"], result["missing"]) == (None, {}, {})
     return {entry["number"]: entry["checks"] for entry in result["board"]["exercises"]
             if entry["told"] != "done"}

@@ -1,6 +1,5 @@
 """Grading a class: tables and reports, what is kept, what a student is told, other runners."""
 import csv
-import importlib.util
 import json
 import shutil
 import subprocess
@@ -12,7 +11,7 @@ from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
 
 from course import exercises
 from course.checks.report import Check
-from course.grading import grade, report, sandbox
+from course.grading import grade, overview, report, running, sandbox
 from course.upkeep.skeleton import skeleton
 
 
@@ -140,7 +139,7 @@ def test_what_was_not_understood_is_told(graded):
     """A file without a row and without a word; a name that is read as HTML."""
     assert "not understood: A&B.txt: no student can be told from this name" in graded[2]
     assert "A&amp;B.txt" in (graded[0] / "index.html").read_text("utf-8")
-    assert "&lt;i&gt;.txt" in report.overview([], [], "strict", "", [("<i>.txt", "why")])
+    assert "&lt;i&gt;.txt" in overview.overview([], [], "strict", "", [("<i>.txt", "why")])
 
 
 def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, tmp_path):
@@ -164,7 +163,7 @@ def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, 
 
 def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
     """An error in one submission, or a folder that cannot be written, leaves others ungraded."""
-    def examine(job):
+    def examine(job, line):
         if "boom" in job["texts"].values():
             raise RuntimeError("boom")
         entry = {"number": "1.1", "points": 2, "verdict": "done", "told": "done", "name": "f",
@@ -172,7 +171,7 @@ def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
         return {"board": {"exercises": [entry]}, "lost": {}, "missing": {}, "asked": {},
                 "problem": None, "seconds": 0.0}, {}
 
-    monkeypatch.setattr(grade, "examine", examine)
+    monkeypatch.setattr(running, "examine", examine)
     for name, text in {"ada": "x", "bob": "boom", "eve": "x", "zoe": "x"}.items():
         (tmp_path / "in" / name).mkdir(parents=True)
         (tmp_path / "in" / name / "transforms.py").write_text(text)
@@ -194,6 +193,41 @@ def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):
     assert grade.level_to_use("process")[0] == "process"
 
 
+@pytest.mark.parametrize("seconds", [0, -1, 0.5, 151, float("nan"), float("inf")])
+def test_a_time_in_which_no_mark_is_right_is_refused(seconds, tmp_path):
+    """Every call takes too long, and a whole class gets no points."""
+    with pytest.raises(ValueError, match="give 1 to 150, not"):
+        grade.run(tmp_path, tmp_path / "out", seconds=seconds)
+    assert not (tmp_path / "out").exists()
+    assert grade.limits_of(150) == sandbox.Limits(call=150, exercise=1800)
+
+
+@pytest.mark.parametrize("missing", ["reference/transforms.py", "tests/labs/test_transforms.py"])
+def test_a_copy_without_what_decides_marks_grades_nobody(missing, house, run_module, tmp_path):
+    """Every answer is compared with nothing, and a whole class gets no points."""
+    files = {"reference/transforms.py": LAB, "tests/labs/test_transforms.py": CHECKS}
+    files[missing] = ""
+    course = house({"labs/transforms.py": LAB, **files})
+    (course / missing).unlink()
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "ada_transforms.py").write_text(LAB)
+    for command in (("grade", tmp_path / "in", "--out", tmp_path / "out"),
+                    ("autograder", "gradescope", tmp_path / "out")):
+        done = run_module(course, "course", *command)
+        assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+        assert f"{missing} is not in this copy of the course" in done.stderr
+        assert not (tmp_path / "out").exists()
+
+
+def test_results_that_cannot_be_written_are_not_worked_for(tmp_path):
+    """The first examination is over when the sentence comes."""
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "ada_transforms.py").write_text(LAB)
+    (tmp_path / "out").write_text("mine")
+    with pytest.raises(OSError, match=r"cannot write to .*out \(.*\): name in --out a folder"):
+        grade.run(tmp_path / "in", tmp_path / "out", labs="1", isolation="process")
+
+
 def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
     """A bwrap that leaves the network open counts as strict."""
     if sys.platform != "linux":
@@ -207,10 +241,10 @@ def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
     (None, ["transforms", "rasterization", "scanline", "sampling"]), ("1", ["transforms"]),
     ("2-3", ["rasterization", "scanline", "sampling"]), ("3,1", ["transforms", "sampling"])])
 def test_labs_are_chosen_by_number(labs, topics, monkeypatch):
-    """A lab's deeper modules are left out, or an order of one's own."""
+    """A lab's deeper modules are left out, or an order of one's own; or no lab is graded."""
     monkeypatch.setattr(exercises, "topics", lambda: exercises.TOPICS[:4])
     assert grade.topics_of(labs) == topics
-    for wrong in ("4", "0-1", "x"):
+    for wrong in ("4", "0-1", "x", "3-1", "", "1,", "1-", "-1", "1-999999999999", "1--2"):
         with pytest.raises(ValueError, match="there is no lab"):
             grade.topics_of(wrong)
 
@@ -267,40 +301,3 @@ def test_the_workflow_s_script_writes_classroom_50_s_result(course, run_module):
         "classroom50/result/v1", 10, 10), done.stderr
     assert result["tests"][1] == {"test-name": "1.2 quadruple", "passed": True, "score": 2,
                                   "max-score": 2}
-
-
-CLUSTER = """\
-import sys
-from distributed import LocalCluster
-
-if __name__ == "__main__":
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
-        print(cluster.scheduler_address, flush=True)
-        sys.stdin.read()
-"""
-
-
-@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
-def test_a_cluster_gives_the_same_marks(graded, course, run_module):
-    """Only the machine that starts the grading can grade, or the cluster's has another course."""
-    out, _, _ = graded
-    before = rows(out)
-    (course / "cluster.py").write_text(CLUSTER, encoding="utf-8")
-    with subprocess.Popen([sys.executable, "-m", "cluster"], cwd=course, stdin=subprocess.PIPE,
-                          stdout=subprocess.PIPE, encoding="utf-8") as cluster:
-        address = cluster.stdout.readline().strip()
-        run_grade(run_module, course, out.parent, "--scheduler", address)
-        cluster.stdin.close()
-    same = ["1.1 double", "1.2 quadruple", "1.3 split", "2.1 eight", "total", "hash"]
-    assert {name: [row[column] for column in same] for name, row in rows(out).items()} == {
-        name: [row[column] for column in same] for name, row in before.items()}
-
-
-def test_a_cluster_with_another_course_is_refused():
-    """Half of a class is graded by last year's checks."""
-    ours = grade.course_digest()
-    grade.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has another course"):
-        grade.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has no sandbox: install"):
-        grade.require_alike({"tcp://b": (ours, "process", "install")}, "strict")

@@ -1,7 +1,13 @@
 #!/usr/bin/env bash
-# Gradescope runs this once, when it builds the image.
+# Puts bubblewrap on the machine, and a Python that has requirements.txt into /opt/grader.
+# Gradescope runs this once, when it builds the image; the Dockerfiles here run it as well.
 set -euo pipefail
+cd "$(dirname "$0")"  # requirements.txt lies beside this file
+export DEBIAN_FRONTEND=noninteractive
 apt-get update
-apt-get install -y python3 python3-venv bubblewrap
-python3 -m venv /opt/grader
-/opt/grader/bin/pip install --no-cache-dir numpy scipy pytest rich pillow matplotlib
+apt-get install -y --no-install-recommends bubblewrap ca-certificates
+for python in python3.14 python3.13 python3.12 python3.11; do  # Ubuntu 22.04's python3 is too old
+    apt-get install -y --no-install-recommends "$python-venv" && break
+done
+"$python" -m venv /opt/grader
+/opt/grader/bin/pip install --no-cache-dir -r requirements.txt

@@ -1,0 +1,133 @@
+"""From points to grades: who is who on the platform, lateness, points by hand, what has changed.
+
+All files that an instructor gives are read before anything is graded, so a mistake costs no time.
+"""
+from typing import NamedTuple
+
+from ..given import places
+from . import changes, lateness, marks, overrides, rosters, sheets
+
+
+class Asked(NamedTuple):
+    """The options of `grade` for this, as they were given."""
+
+    csv: str | None = None
+    roster: str | None = None
+    assignment: str | None = None
+    due: str | None = None
+    late: str | None = None
+    grace: str | None = None
+    overrides: str | None = None
+    previous: str | None = None
+
+
+class Gradebook:
+    """What is known of a class besides its work."""
+
+    def __init__(self, asked, handed_in, columns):
+        """columns: the exercises that count. ValueError: something that was given is wrong."""
+        if (asked.csv is None) != (asked.roster is None) or (asked.assignment and not asked.csv):
+            raise ValueError("--csv PLATFORM and --roster FILE belong together, and --assignment "
+                             "to both: the import file is made from the platform's own export")
+        self.of = sum(exercise.points for exercise in columns)
+        self.policy = lateness.policy(asked.due, asked.late, asked.grace)
+        self.by_hand = {} if asked.overrides is None else overrides.read(
+            asked.overrides, {one.student for one in handed_in}, columns)
+        self.before = None if asked.previous is None else changes.read(asked.previous)
+        self.roster, self.rows, self.unmatched = None, {}, {}
+        if asked.csv:
+            self.roster = rosters.read(asked.roster, asked.csv, asked.assignment)
+            self.rows, self.unmatched = rosters.match(self.roster, handed_in)
+        self.handed_in = {one.student: one for one in handed_in}
+
+    def entered(self, record):
+        """The record, with what is known of its student besides the work."""
+        one = self.handed_in[record["student"]]
+        when = self.when(one)
+        marked = one.late if one.identity.get("platform") == "canvas" else None
+        return {**record, "identity": one.identity, "handed_in": when, "late": one.late,
+                "lateness": lateness.judged(self.policy, when, marked),
+                "overrides": self.by_hand.get(one.student, {})}
+
+    def when(self, one):
+        """Seconds since 1970. Moodle tells them in its worksheet only."""
+        text = self.moodle_says(one)
+        return lateness.moodle_time(text, self.policy.zone) if text else one.handed_in
+
+    def moodle_says(self, one):
+        """When it was handed in, as Moodle's worksheet has it, or an empty text."""
+        if one.identity.get("platform") != "moodle" or one.student not in self.rows:
+            return ""
+        row = self.roster.sheet.rows[self.rows[one.student]]
+        return rosters.cell(self.roster, row, "Last modified (submission)").strip("-")
+
+    # --- what an instructor is told, before and after
+
+    def said(self):
+        """Sentences on what does not fit together."""
+        lines = []
+        if self.roster:
+            title = self.roster.sheet.header[self.roster.column]
+            lines.append(f"{len(self.rows)} of {len(self.handed_in)} submissions are matched with "
+                         f"{self.roster.path}; their points go to the column {title!r}")
+            lines += [f"not matched: {name}: {why}" for name, why in self.unmatched.items()]
+            lines += [f"{name} keeps the {word!r} that the roster has" for name, row in
+                      self.rows.items() if (word := rosters.verdict(self.roster, row))]
+            if absent := self.absent():
+                lines.append(f"in the roster without a submission ({len(absent)}): "
+                             f"{'; '.join(absent.values())}")
+            most = rosters.most(self.roster)
+            if most not in (None, self.of):
+                lines.append(f"{title!r} is out of {sheets.shown(most)} points there, and out of "
+                             f"{self.of} here: make it {self.of} there before you import")
+        return lines + self.said_of_times()
+
+    def said_of_times(self):
+        unread = {one.student: text for one in self.handed_in.values()
+                  if (text := self.moodle_says(one)) and self.when(one) is None}
+        late = [one.student for one in self.handed_in.values()
+                if one.late and self.when(one) is None
+                and "late" not in self.by_hand.get(one.student, {})]
+        lines = [f"{name}: Moodle's time {text!r} cannot be read: download the worksheet with "
+                 "Moodle's language set to English" for name, text in unread.items()]
+        return lines + [f"{name} is {lateness.NOT_TOLD}. Nothing is taken off, but by a line of "
+                        f"--overrides: {name},late,POINTS,REASON" for name in late]
+
+    def absent(self):
+        """{row: name} of the people in the roster without a submission that is theirs."""
+        there = set(self.rows.values())
+        return {row: name for row, name in rosters.people(self.roster).items() if row not in there}
+
+    def write(self, out, records, table):
+        """Write the platform's file, those without a partner, and what changed -> the paths.
+
+        records {student: record}. table: the rows of grades.csv.
+        """
+        files = {}
+        if self.roster:
+            points = {row: sheets.shown(marks.after_lateness(records[student]))
+                      for student, row in self.rows.items() if marks.is_graded(records[student])}
+            files[f"for-{self.roster.platform}.csv"] = rosters.filled(self.roster, points)
+            files["unmatched.csv"] = sheets.written(self.without_partner())
+        if self.before is not None:
+            now = changes.by_student(table[0], table[1:])
+            files["changes.csv"] = sheets.written(
+                [changes.HEADER, *(map(sheets.plain, row)
+                                   for row in changes.changes(self.before, now))])
+        for name, content in files.items():
+            places.write_whole(out / name, content)
+        return [out / name for name in files]
+
+    def without_partner(self):
+        """The rows of unmatched.csv."""
+        yield "handed in as", "id", "name", "email", "why"
+        for student, why in self.unmatched.items():
+            told = self.handed_in[student].identity
+            yield map(sheets.plain, (student, *(told.get(part, "") for part in
+                                                ("id", "name", "email")), why))
+        ids = rosters.PLATFORMS[self.roster.platform].ids
+        for number, name in self.absent().items():
+            row = self.roster.sheet.rows[number]
+            who = " ".join(filter(None, (rosters.cell(self.roster, row, title) for title in ids)))
+            yield map(sheets.plain, ("", who, name, "", "in the roster without a submission"))
+

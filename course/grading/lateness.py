@@ -1,0 +1,93 @@
+"""When something was handed in, how late that was, and how much of the points it costs."""
+import math
+import re
+from datetime import UTC, datetime, timedelta, tzinfo
+from typing import NamedTuple
+
+SECONDS = {"min": 60, "h": 3600, "hour": 3600, "d": 86400, "day": 86400}
+MOODLE = ("%d %B %Y, %I:%M %p", "%B %d, %Y, %I:%M %p", "%d %B %Y, %H:%M", "%B %d, %Y, %H:%M")
+NOT_TOLD = "late, by how much is not told"
+NO_TIME = "when it was handed in is not told"
+
+
+class Policy(NamedTuple):
+    """When it is due, and what a late submission costs."""
+
+    due: float | None = None    # seconds since 1970
+    zone: tzinfo | None = None  # of times that name none, and of those shown; None: the machine's
+    grace: int = 0              # so many seconds late cost nothing
+    percent: float = 0.0        # of the points reached, for each step that has begun
+    step: int = SECONDS["day"]
+
+
+def policy(due=None, late=None, grace=None):
+    """('2026-11-22T23:59', '10%/day', '1h') -> Policy. ValueError: one of them cannot be read."""
+    if due is None and (late or grace):
+        raise ValueError("--late and --grace need --due, as in --due 2026-11-22T23:59")
+    percent, step = share(late) if late else (0.0, SECONDS["day"])
+    moment = deadline(due) if due else None
+    return Policy(moment and moment.timestamp(), moment and moment.tzinfo,
+                  duration(grace) if grace else 0, percent, step)
+
+
+def deadline(text):
+    """ISO -> the moment. Without a zone it is this machine's."""
+    try:
+        moment = datetime.fromisoformat(text)
+    except ValueError:
+        moment = None
+    if moment is None or not re.search(r"\d[T ]\d", text):
+        raise ValueError(f"--due {text} is no date with a time: write it as in 2026-11-22T23:59, "
+                         "or 2026-11-22T23:59+01:00")
+    return moment
+
+
+def share(text):
+    """'10%/day' -> (10.0, 86400)."""
+    found = re.fullmatch(r"(\d+(?:\.\d+)?)%/(day|hour)", text)
+    if not found or not 0 < float(found[1]) <= 100:
+        raise ValueError(f"--late {text} is no share of the points: write it as in 10%/day or "
+                         "1%/hour, at most 100%")
+    return float(found[1]), SECONDS[found[2]]
+
+
+def duration(text):
+    """'1h' -> 3600."""
+    found = re.fullmatch(r"(\d+)(min|h|d)", text)
+    if not found:
+        raise ValueError(f"--grace {text} is no duration: write it as in 15min, 1h or 1d")
+    return int(found[1]) * SECONDS[found[2]]
+
+
+def judged(policy, handed_in, marked):
+    """What is told of a submission, and the percentage that lateness takes off its points.
+
+    handed_in: seconds since 1970, None where that is not told. marked: whether the platform says
+    that it is late, None where it says nothing.
+    """
+    if handed_in is None:
+        unknown = NO_TIME if policy.due is not None and marked is None else ""
+        return {"handed in": "", "late by": NOT_TOLD if marked else unknown, "percent": 0}
+    late = math.floor(handed_in - policy.due) if policy.due is not None else 0
+    steps = math.ceil(late / policy.step) if late > policy.grace else 0
+    return {"handed in": iso(handed_in, policy.zone),
+            "late by": str(timedelta(seconds=late)) if late > 0 else "",
+            "percent": min(100, steps * policy.percent)}
+
+
+def iso(seconds, zone):
+    return datetime.fromtimestamp(seconds, UTC).astimezone(zone).isoformat(timespec="seconds")
+
+
+def moodle_time(text, zone):
+    """'Sunday, 22 November 2026, 11:59 PM', as Moodle's worksheet has it -> seconds since 1970.
+
+    None where it cannot be read. Moodle names no zone: it is the one given.
+    """
+    text = re.sub(r"^[^\W\d]+day, ", "", " ".join(text.split()))
+    for form in MOODLE:
+        try:
+            return datetime.strptime(text, form).replace(tzinfo=zone).timestamp()
+        except ValueError:
+            continue
+    return None

@@ -1,0 +1,59 @@
+"""Points that an instructor gives by hand, each with a reason: overrides.csv.
+
+    student,exercise,points,reason
+    ada,2.3,2,the figure was right
+    ada,late,0,was ill           what lateness takes off
+    bob,total,15,oral examination
+"""
+import math
+
+from . import sheets
+
+COLUMNS = ("student", "exercise", "points", "reason")
+
+
+def read(path, students, exercises):
+    """{student: {exercise: {"points", "reason"}}}. ValueError names the first line that is wrong.
+
+    students: those who handed in something. exercises: those that are graded.
+    """
+    sheet = sheets.read(path)
+    if missing := [name for name in COLUMNS if name not in sheet.header]:
+        raise ValueError(f"{path} has no column {missing[0]}: its first line should be "
+                         f"{','.join(COLUMNS)}")
+    most = {exercise.number: exercise.points for exercise in exercises}
+    most["total"] = most["late"] = sum(most.values())
+    found = {}
+    for row, line in zip(sheet.rows, sheet.lines, strict=True):
+        cells = dict(zip(sheet.header, map(str.strip, row), strict=False))
+        student, exercise, points, reason = (cells.get(name, "") for name in COLUMNS)
+        given = found.setdefault(student, {})
+        if wrong := problem(student, exercise, reason, students, most, given):
+            raise ValueError(f"{path}, line {line}: {wrong}")
+        given[exercise] = {"points": number(points, most[exercise], f"{path}, line {line}"),
+                           "reason": reason}
+    return found
+
+
+def problem(student, exercise, reason, students, most, given):
+    """A sentence on what is wrong with a row, or None."""
+    if student not in students:
+        return (f"nobody called {student!r} handed in anything: write the name as in the column "
+                "student of grades.csv")
+    if exercise not in most:
+        return (f"{exercise!r} is not graded: give an exercise such as {next(iter(most))}, "
+                "or total, or late")
+    if not reason:
+        return f"there is no reason for {student}'s {exercise}: write one, the student reads it"
+    return f"{student}'s {exercise} was given in a line above, too" if exercise in given else None
+
+
+def number(text, most, where):
+    """Points from 0 to the most that there are."""
+    try:
+        points = float(text.replace(",", "."))
+    except ValueError:
+        points = math.nan
+    if not 0 <= points <= most:
+        raise ValueError(f"{where}: {text!r} is no number of points from 0 to {most}")
+    return int(points) if points == int(points) else points

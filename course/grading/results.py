@@ -1,0 +1,103 @@
+"""What is written while a class is graded, as it comes.
+
+    DIR/students/ada/   report.html, results.json (Gradescope's format), record.json (for --resume),
+                        pictures/ of the report
+    DIR/grades.csv      points for each exercise
+    DIR/index.html      the overview
+    DIR/similar.html    answers that are alike, for a person to judge; similar.csv has them as well
+    DIR/feedback.zip    the reports, to give back
+"""
+import json
+import shutil
+from typing import NamedTuple
+
+from ..given import places
+from . import archives, earlier, handback, overview, report, sheets, side_by_side, tables
+
+
+class Run(NamedTuple):
+    """What all results of a run have in common."""
+
+    columns: list   # the exercises that count
+    level: str
+    about: str      # a sentence on the level
+    seed: int
+    checks: str     # a hash of the course's own part
+    not_understood: tuple = ()  # (name, sentence) of what is nobody's
+
+
+class Results:
+    """The results of a run. records {student: record}."""
+
+    def __init__(self, out, book, run):
+        self.out, self.book, self.run = out, book, run
+        self.records = {}
+        self.alike = None  # pairs of students, once all are there
+
+    def keep(self, student, mark):
+        """Take over the result of an earlier run, if it is of the same work -> whether it was."""
+        record = earlier.read(self.folder(student) / "record.json")
+        if record.get("fingerprint") != mark or record["problem"]:
+            return False
+        self.take(record)
+        return True
+
+    def take(self, record):
+        """Take over a result. Its pages are written again if its grade is another one."""
+        entered = self.records[record["student"]] = self.book.entered(record)
+        if entered != record:
+            pictures = self.folder(record["student"]).glob("pictures/*.png")
+            self.write_student(entered, {path.name: path.read_bytes() for path in pictures})
+
+    def add(self, one, seed, mark, result, pictures):
+        """Write what belongs to one student, and the tables."""
+        record = {"student": one.student, "fingerprint": mark, "level": self.run.level,
+                  "seed": seed, "checks": self.run.checks[:12],
+                  "digest": archives.digest(one.texts), "notes": one.notes, **result}
+        record = self.records[one.student] = self.book.entered(record)
+        try:
+            self.write_pictures(one.student, pictures)
+            self.write_student(record, pictures)
+        except Exception as error:  # one student's trouble is no other's
+            record["problem"] = f"its results cannot be written: {error}"
+        self.write_tables()
+
+    def folder(self, student):
+        return self.out / "students" / student
+
+    def write_pictures(self, student, pictures):
+        folder = self.folder(student) / "pictures"
+        shutil.rmtree(folder, ignore_errors=True)
+        (folder if pictures else folder.parent).mkdir(parents=True, exist_ok=True)
+        for name, content in pictures.items():
+            places.write_whole(folder / name, content)
+
+    def write_student(self, record, pictures):
+        folder = self.folder(record["student"])
+        if not record["problem"]:
+            page = report.page(record, pictures, self.run.about)
+            places.write_whole(folder / "report.html", page.encode("utf-8"))
+            gradescope = json.dumps(report.gradescope(record, self.run.about), indent=2)
+            places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
+        places.write_whole(folder / "record.json", json.dumps(record).encode("utf-8"))
+
+    def write_tables(self):
+        """grades.csv and index.html -> the rows of grades.csv."""
+        records = [self.records[name] for name in sorted(self.records)]
+        table = tables.grades(records, self.run.columns)
+        self.out.mkdir(parents=True, exist_ok=True)
+        places.write_whole(self.out / "grades.csv", sheets.written(table))
+        page = overview.overview(records, self.run.columns, self.run.level, self.run.about,
+                                 self.run.not_understood, self.alike)
+        places.write_whole(self.out / "index.html", page.encode("utf-8"))
+        return table
+
+    def close(self):
+        """Write what needs all results -> the paths of all tables."""
+        files = self.book.write(self.out, self.records, self.write_tables())
+        texts = {name: one.texts for name, one in self.book.handed_in.items()}
+        self.alike = side_by_side.write(self.out, texts, self.run.columns)
+        self.write_tables()
+        handback.write(self.out, [self.records[name] for name in sorted(self.records)])
+        names = "grades.csv", "index.html", "similar.html", "feedback.zip"
+        return [*(self.out / name for name in names), *files]

@@ -1,0 +1,196 @@
+"""Rosters: what an instructor exports from a platform, and the file that its import takes.
+
+    canvas       the gradebook's export, which its import reads
+    moodle       an assignment's offline grading worksheet, to be uploaded there
+    gradescope   the course's roster, or scores of an assignment; Gradescope imports no points
+    brightspace  the export of grades, with names; its import reads ids, points and the last column
+
+The names of columns are those of the platforms' own code and help pages (Canvas: gradebook_exporter
+and gradebook_importer; Moodle: mod/assign/feedback/offline; D2L: "Importing grades").
+"""
+import re
+import unicodedata
+from collections import Counter
+from typing import NamedTuple
+
+from . import sheets
+
+NUMBER = re.compile(r"\d+([.,]\d+)?")
+
+
+class Platform(NamedTuple):
+    """What an export looks like."""
+
+    export: str     # what it is called there
+    needs: tuple    # columns that it always has
+    ids: tuple      # columns that name a person to the platform
+    name: tuple     # columns that name a person to people
+    keys: dict      # {platform of a submission: ((what it tells, columns with the same), ...)}
+    graded: str     # a pattern of columns that take points; its group is the assignment's name
+    kept: str = ""  # a pattern of the other columns that the import reads, if it does not read all
+
+
+PLATFORMS = {
+    "canvas": Platform(
+        "gradebook's export", ("ID", "Section"), ("ID",), ("Student", "FirstName", "LastName"),
+        {"canvas": (("id", ("ID",)),),
+         "gradescope": (("id", ("SIS User ID",)), ("email", ("SIS Login ID",)))},
+        r"(?!.*(?:Current|Final|Override) (?:Score|Points|Grade))(.+) \(\d+\)"),
+    "moodle": Platform(
+        "offline grading worksheet", ("Identifier", "Grade", "Last modified (grade)"),
+        ("Identifier",), ("Full name",),
+        {"moodle": (("id", ("Identifier",)),),
+         "gradescope": (("id", ("ID number",)), ("email", ("Email address",)))},
+        r"(Grade)"),
+    "gradescope": Platform(
+        "roster", ("Email",), ("SID", "Email"), ("Name", "First Name", "Last Name"),
+        {"gradescope": (("id", ("SID",)), ("email", ("Email",)))},
+        r"(Total Score)"),
+    "brightspace": Platform(
+        "export of grades with names", ("First Name", "Last Name", "End-of-Line Indicator"),
+        ("OrgDefinedId", "Username"), ("First Name", "Last Name"),
+        {"brightspace": (("name", ("First Name", "Last Name")),),
+         "gradescope": (("id", ("OrgDefinedId",)), ("email", ("Email",)))},
+        r"(.+) Points Grade(?: <.*>)?", r"OrgDefinedId|Username|End-of-Line Indicator"),
+}
+
+
+class Roster(NamedTuple):
+    """An export, and the column that takes the points."""
+
+    path: str
+    platform: str
+    sheet: sheets.Sheet
+    column: int
+
+
+def read(path, platform, assignment=None):
+    """A Roster from a platform's export. ValueError: it is none, or the column is unclear."""
+    sheet = sheets.read(path)
+    kind = PLATFORMS[platform]
+    if missing := [name for name in kind.needs if name not in sheet.header]:
+        raise ValueError(f"{path} is not {platform.title()}'s {kind.export}: it has no column "
+                         f"{missing[0]!r}, but {', '.join(sheet.header[:6])}")
+    columns = gradable(sheet.header, kind.graded)
+    if platform == "gradescope" and not columns:
+        sheet = sheet._replace(header=[*sheet.header, assignment or "Total Score"])
+        return Roster(path, platform, sheet, len(sheet.header) - 1)
+    return Roster(path, platform, sheet, chosen(columns, sheet.header, assignment, path))
+
+
+def gradable(header, pattern):
+    """{column: the assignment's name} of the columns that take points."""
+    found = {column: re.fullmatch(pattern, title) for column, title in enumerate(header)}
+    scores = {column: title for column, title in enumerate(header)
+              if f"{title} - Max Points" in header}  # Gradescope's course grades
+    return {column: match[1] for column, match in found.items() if match} | scores
+
+
+def chosen(columns, header, assignment, path):
+    """The only column, or the one that --assignment names."""
+    fit = [column for column, name in columns.items()
+           if assignment in (None, name, header[column])]
+    if len(fit) == 1:
+        return fit[0]
+    there = "; ".join(header[column] for column in columns) or "no such column"
+    which = f"called {assignment!r}" if assignment else "that take points"
+    raise ValueError(f"{path} has {len(fit)} columns {which}: give one with --assignment "
+                     f"({there})")
+
+
+# --- people -----------------------------------------------------------------------------------
+
+
+def cell(roster, row, title):
+    """What is in a column of a row. Empty where there is none."""
+    header = roster.sheet.header
+    column = header.index(title) if title in header else len(row)
+    return row[column].strip() if column < len(row) else ""
+
+
+def people(roster):
+    """{row: name} of those that are people, not a line such as Points Possible."""
+    kind = PLATFORMS[roster.platform]
+    return {number: " ".join(filter(None, (cell(roster, row, title) for title in kind.name)))
+            for number, row in enumerate(roster.sheet.rows)
+            if any(cell(roster, row, title) for title in kind.ids)}
+
+
+def key(text):
+    """Participant 1234, #1234 and 1234 are one; so are Ada  Lovelace and ada lovelace."""
+    text = unicodedata.normalize("NFC", " ".join(text.split())).casefold()
+    return re.sub(r"^(participant |#)(?=\w)", "", text)
+
+
+def match(roster, handed_in):
+    """-> ({student: row}, {student: why there is none}), by what the platform tells of each."""
+    keys = PLATFORMS[roster.platform].keys
+    index = {titles: indexed(roster, titles) for each in keys.values() for _, titles in each}
+    rows, unmatched = {}, {}
+    for one in handed_in:
+        row, why = row_of(one.identity, keys.get(one.identity.get("platform"), ()), index)
+        if why:
+            unmatched[one.student] = why
+        else:
+            rows[one.student] = row
+    counts = Counter(rows.values())
+    twice = {student: "another submission is of the same person"
+             for student, row in rows.items() if counts[row] > 1}
+    return {student: rows[student] for student in rows if student not in twice}, unmatched | twice
+
+
+def indexed(roster, titles):
+    """{what people have in these columns, as a key: their rows}."""
+    found = {}
+    for number in people(roster):
+        row = roster.sheet.rows[number]
+        found.setdefault(key(" ".join(cell(roster, row, title) for title in titles)),
+                         []).append(number)
+    return found
+
+
+def row_of(identity, keys, index):
+    """-> (row, None), or (None, why there is none)."""
+    told = []
+    for what, titles in keys:
+        if wanted := key(identity.get(what, "")):
+            found = index[titles].get(wanted, ())
+            if len(found) == 1:
+                return found[0], None
+            told.append(f"{len(found) or 'nobody'} in the roster with the {what} {identity[what]}")
+    return None, ", ".join(told) or "what was handed in tells nothing that the roster has, too"
+
+
+# --- points -----------------------------------------------------------------------------------
+
+
+def most(roster):
+    """The most points that the platform has for the assignment. None if its export tells none."""
+    title, rows = roster.sheet.header[roster.column], roster.sheet.rows
+    told = re.findall(r"MaxPoints:([\d.]+)", title)
+    told += [cell(roster, row, title) for row in rows if row[0].strip() == "Points Possible"]
+    told += [cell(roster, row, name) for row in rows
+             for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
+    return next((float(text.replace(",", ".")) for text in told if NUMBER.fullmatch(text)), None)
+
+
+def verdict(roster, row):
+    """A word in the place of points, such as Canvas's EX for excused. It is not written over."""
+    text = cell(roster, roster.sheet.rows[row], roster.sheet.header[roster.column])
+    return "" if text == "-" or NUMBER.fullmatch(text) else text
+
+
+def filled(roster, points):
+    """The file to import, as bytes. points {row: text}. All other cells are as they came."""
+    kept, sheet = PLATFORMS[roster.platform].kept, roster.sheet
+    columns = [column for column, title in enumerate(sheet.header)
+               if not kept or column == roster.column or re.fullmatch(kept, title)]
+    table = [sheet.header, *(list(row) for row in sheet.rows)]
+    for row, text in points.items():
+        if verdict(roster, row):
+            continue
+        line = table[row + 1]
+        line += [""] * (len(sheet.header) - len(line))
+        line[roster.column] = text
+    return sheets.written([[line[column] for column in columns if column < len(line)]
+                           for line in table], sheet.delimiter, sheet.newline, sheet.marked)

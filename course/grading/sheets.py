@@ -1,0 +1,72 @@
+"""Tables as CSV: read as any spreadsheet or platform saves them, written so that all can read them.
+
+UTF-8 and UTF-16 are read, with commas, semicolons or tabs. UTF-8 is written.
+"""
+import codecs
+import csv
+import io
+from typing import NamedTuple
+
+from ..given import places
+
+MARKS = {codecs.BOM_UTF8: "utf-8-sig", codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
+
+
+class Sheet(NamedTuple):
+    """A table, and how its file was written."""
+
+    header: list
+    rows: list
+    lines: list             # of each row, its last line in the file
+    delimiter: str = ","
+    newline: str = "\n"
+    marked: bool = False    # whether the file begins with a byte order mark
+
+
+def read(path):
+    """A table from a file, without its empty rows. ValueError: it is no text, or no table."""
+    text, marked = decoded(path)
+    try:
+        delimiter = max(",;\t", key=lambda each: len(next(parsed(text, each), ())))
+        table = parsed(text, delimiter)
+        rows = [(row, table.line_num) for row in table if any(map(str.strip, row))]
+    except csv.Error as error:
+        raise ValueError(f"{path} is no CSV file ({error}): export it again as CSV") from None
+    if not rows:
+        raise ValueError(f"{path} is empty: it should have a row of titles, and rows below it")
+    (header, _), *below = rows
+    return Sheet([title.strip() for title in header], [row for row, _ in below],
+                 [line for _, line in below], delimiter, "\r\n" if "\r\n" in text else "\n", marked)
+
+
+def decoded(path):
+    """-> (text, whether it began with a byte order mark)."""
+    content = places.read_whole(path)
+    mark = next((mark for mark in MARKS if content.startswith(mark)), None)
+    try:
+        return content.decode(MARKS.get(mark, "utf-8")), mark is not None
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path} is not UTF-8 text (byte {error.start}): export it again, or save "
+                         "it as \"CSV UTF-8\"") from None
+
+
+def parsed(text, delimiter):
+    return csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
+
+
+def written(rows, delimiter=",", newline="\n", marked=False):
+    """Rows of cells -> the bytes of a file."""
+    text = io.StringIO(newline="")
+    csv.writer(text, delimiter=delimiter, lineterminator=newline).writerows(rows)
+    return text.getvalue().encode("utf-8-sig" if marked else "utf-8")
+
+
+def plain(cell):
+    """A cell that no spreadsheet takes for a formula, whoever wrote it."""
+    begins = isinstance(cell, str) and cell.startswith(("=", "+", "-", "@", "\t", "\r"))
+    return f"'{cell}" if begins else cell
+
+
+def shown(points):
+    """15.0 -> '15', 15.25 -> '15.25', None -> '': points as they are written."""
+    return "" if points is None else f"{points:.2f}".rstrip("0").rstrip(".")

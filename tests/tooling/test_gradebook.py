@@ -1,0 +1,488 @@
+"""From points to grades: import files, lateness, points by hand, and what changed since."""
+import csv
+import io
+from datetime import UTC, datetime, timedelta, timezone
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from course.checks.report import Check
+from course.grading import (
+    changes,
+    earlier,
+    lateness,
+    marks,
+    overrides,
+    report,
+    rosters,
+    sheets,
+    tables,
+)
+from course.grading.gradebook import Asked, Gradebook
+from course.grading.results import Results, Run
+from course.grading.submissions import Submission
+
+ROSTERS = Path(__file__).with_name("rosters")
+DUE = "2026-11-22T23:59+01:00"
+EXERCISES = [SimpleNamespace(number=number, name=name, points=points, is_extra=extra)
+             for number, name, points, extra in (("2.1", "edge", 4, False),
+                                                 ("2.2", "cover", 6, False),
+                                                 ("2.9", "fast", 3, True))]
+CORE = EXERCISES[:2]
+
+
+def handed_in(student, platform="", late=False, **told):
+    identity = {"platform": platform, "id": "", "name": "", "email": "", **told}
+    return Submission(student, {}, {}, (), identity, None, late)
+
+
+def entry(exercise, done, fine_print=None):
+    """An exercise on the board. fine_print: whether it is right, None where there is none."""
+    checks = [Check(exercise.number, "", "Claim", "passed" if right else "failed", "", None, 0.0,
+                    is_fine) for is_fine, right in ((False, done), (True, fine_print))
+              if right is not None]
+    verdict = "done" if done else "failing"
+    told = f"{verdict}, fine print open" if done and fine_print is False else verdict
+    return {"number": exercise.number, "name": exercise.name, "topic": "rasterization",
+            "points": exercise.points, "verdict": verdict, "told": told,
+            "extra": exercise.is_extra, "checks": [check._asdict() for check in checks]}
+
+
+def record(student, *entries, **more):
+    entries = entries or (entry(EXERCISES[0], True), entry(EXERCISES[1], True))
+    return {"student": student, "level": "strict", "seconds": 1.0, "seed": 0, "checks": "c",
+            "digest": "d", "notes": [], "lost": {}, "problem": None,
+            "board": {"exercises": list(entries)}, **more}
+
+
+def read_back(content):
+    return list(csv.reader(io.StringIO(content.decode("utf-8-sig"), newline="")))
+
+
+def file(folder, name, *lines):
+    (folder / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return folder / name
+
+
+# --- rosters ----------------------------------------------------------------------------------
+
+CLASSES = {
+    "canvas": ("Lab 2", [handed_in("a", "canvas", id="50101"), handed_in("l", "canvas", id="50104"),
+                         handed_in("x", "canvas", id="999")], {"a": 2, "l": 5}),
+    "moodle": (None, [handed_in("a", "moodle", id="7001"), handed_in("l", "moodle", id="7004"),
+                      handed_in("x", "moodle", id="1")], {"a": 0, "l": 3}),
+    "gradescope": (None, [handed_in("a", "gradescope", id="s1001", email="other@uni.example"),
+                          handed_in("k", "gradescope", email="JUERGEN@uni.example"),
+                          handed_in("x", "gradescope", id="s9", email="x@uni.example")],
+                   {"a": 0, "k": 1}),
+    "brightspace": ("Lab 2", [handed_in("a", "brightspace", name="Nu\u0301ria  Álvarez"),
+                              handed_in("l", "brightspace", name="Wei Li"),
+                              handed_in("x", "brightspace", name="Ada Byron")], {"a": 0}),
+}
+
+
+@pytest.mark.parametrize("platform", CLASSES)
+def test_points_go_to_the_people_whose_id_was_handed_in(platform):
+    """A namesake gets them, or somebody whose name is alike."""
+    assignment, class_, expected = CLASSES[platform]
+    roster = rosters.read(ROSTERS / f"{platform}.csv", platform, assignment)
+    rows, unmatched = rosters.match(roster, class_)
+    assert rows == expected
+    assert set(unmatched) == {one.student for one in class_} - set(expected)
+
+
+@pytest.mark.parametrize("platform", CLASSES)
+def test_an_import_file_is_the_export_with_one_column_filled(platform):
+    """An umlaut, a comma, a line break or somebody's old points are lost."""
+    path = ROSTERS / f"{platform}.csv"
+    assignment, class_, _ = CLASSES[platform]
+    roster = rosters.read(path, platform, assignment)
+    rows, _ = rosters.match(roster, class_)
+    before = read_back(path.read_bytes())
+    content = rosters.filled(roster, dict.fromkeys(rows.values(), "8.5"))
+    for row in rows.values():
+        before[row + 1][roster.column] = "8.5"
+    if platform == "brightspace":
+        before = [[row[0], row[1], row[6], row[9]] for row in before]
+    assert read_back(content) == before
+    assert content.startswith(b"\xef\xbb\xbf") == path.read_bytes().startswith(b"\xef\xbb\xbf")
+
+
+def test_brightspace_gets_only_what_its_import_reads():
+    """Names and calculated grades are imported, too, and the import is refused."""
+    roster = rosters.read(ROSTERS / "brightspace.csv", "brightspace", "Lab 2")
+    assert read_back(rosters.filled(roster, {0: "7"}))[:2] == [
+        ["OrgDefinedId", "Username", "Lab 2 Points Grade <Numeric MaxPoints:10>",
+         "End-of-Line Indicator"], ["#s1001", "#nalvarez", "7", "#"]]
+
+
+def test_what_the_platform_wrote_is_kept_in_its_own_way(tmp_path):
+    """Semicolons become commas, CRLF becomes LF, an Excel file in UTF-16 is not read."""
+    text = "Student;ID;Section;Lab 2 (12)\r\nKraus, Jürgen;7;A;\r\n"
+    for encoding, mark in (("utf-8", b""), ("utf-8-sig", b"\xef\xbb\xbf"),
+                           ("utf-16", b"\xef\xbb\xbf")):
+        (tmp_path / "a.csv").write_bytes(text.encode(encoding))
+        roster = rosters.read(tmp_path / "a.csv", "canvas")
+        assert rosters.filled(roster, {0: "5"}) == mark + text.replace(";\r", ";5\r").replace(
+            "(12);5", "(12)").encode()
+    (tmp_path / "a.csv").write_bytes(text.encode("latin-1"))
+    with pytest.raises(ValueError, match=r"is not UTF-8 text .byte 39.: export it again"):
+        rosters.read(tmp_path / "a.csv", "canvas")
+
+
+def test_a_short_row_is_filled_up(tmp_path):
+    """An IndexError where a spreadsheet has cut empty cells off."""
+    path = file(tmp_path, "a.csv", "Student,ID,Section,Lab 2 (12)", "Kraus,7")
+    assert read_back(rosters.filled(rosters.read(path, "canvas"), {0: "5"}))[1] == [
+        "Kraus", "7", "", "5"]
+
+
+@pytest.mark.parametrize(("platform", "name", "assignment", "sentence"), [
+    ("canvas", "canvas", None, r"2 columns that take points: .* .Lab 1 .880011.; Lab 2 .880012.."),
+    ("canvas", "canvas", "Lab 3", "0 columns called 'Lab 3'"),
+    ("canvas", "moodle", None, "is not Canvas's gradebook's export: it has no column 'ID'"),
+    ("moodle", "gradescope", None, "is not Moodle's offline grading worksheet"),
+    ("brightspace", "canvas", "Lab 1", "is not Brightspace's export of grades with names"),
+])
+def test_an_unclear_column_or_another_file_is_refused(platform, name, assignment, sentence):
+    """The points of lab 2 go to lab 1, or a traceback comes out."""
+    with pytest.raises(ValueError, match=sentence):
+        rosters.read(ROSTERS / f"{name}.csv", platform, assignment)
+
+
+def test_a_column_is_named_with_or_without_what_the_platform_adds():
+    """Only the whole title with its number is understood."""
+    for name in ("Lab 2", "Lab 2 (880012)"):
+        assert rosters.read(ROSTERS / "canvas.csv", "canvas", name).column == 7
+
+
+def test_who_is_excused_stays_excused():
+    """Canvas's EX becomes points."""
+    class_ = [handed_in("l", "canvas", id="50104")]
+    graded = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 1")
+    assert "l keeps the 'EX' that the roster has" in graded.said()
+    table = read_back(rosters.filled(graded.roster, {graded.rows["l"]: "7", 3: "7"}))
+    assert [row[6] for row in table[5:8]] == ["7.50", "EX", "N/A"] and table[4][6] == "7"
+
+
+def test_two_submissions_of_one_person_are_both_listed():
+    """One of them is chosen, nobody knows why."""
+    roster = rosters.read(ROSTERS / "canvas.csv", "canvas", "Lab 2")
+    twins = [handed_in(name, "canvas", id="50101") for name in "ab"]
+    rows, unmatched = rosters.match(roster, twins)
+    assert rows == {} and set(unmatched) == {"a", "b"}
+    assert rosters.match(roster, [handed_in("ada")])[1] == {
+        "ada": "what was handed in tells nothing that the roster has, too"}
+
+
+def test_gradescope_s_submissions_find_their_row_in_the_lms():
+    """Work from Gradescope can be graded, and its points must be typed in by hand."""
+    one = handed_in("a", "gradescope", id="s1002", email="juergen@uni.example")
+    for platform in ("canvas", "moodle", "brightspace"):
+        roster = rosters.read(ROSTERS / f"{platform}.csv", platform,
+                              None if platform == "moodle" else "Lab 2")
+        row, = rosters.match(roster, [one])[0].values()
+        assert "Jürgen" in " ".join(roster.sheet.rows[row])
+
+
+def test_gradescope_s_bare_roster_gets_a_column(tmp_path):
+    """The roster page's own download has no column for points."""
+    path = file(tmp_path, "a.csv", "Name,SID,Email,Role", "Wei Li,s1003,wei@uni.example,Student")
+    roster = rosters.read(path, "gradescope")
+    assert read_back(rosters.filled(roster, {0: "5"})) == [
+        ["Name", "SID", "Email", "Role", "Total Score"],
+        ["Wei Li", "s1003", "wei@uni.example", "Student", "5"]]
+
+
+@pytest.mark.parametrize(("platform", "assignment"), [(name, CLASSES[name][0]) for name in CLASSES])
+def test_the_platform_s_own_maximum_is_read(platform, assignment):
+    """20 points are written where the platform has 10, and nobody is told."""
+    assert rosters.most(rosters.read(ROSTERS / f"{platform}.csv", platform, assignment)) == 10
+
+
+# --- lateness ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("late", "grace", "seconds", "told", "percent"), [
+    ("10%/day", None, 0, "", 0), ("10%/day", None, 1, "0:00:01", 10),
+    ("10%/day", "1h", 3600, "1:00:00", 0), ("10%/day", "1h", 3601, "1:00:01", 10),
+    ("10%/day", None, 86400, "1 day, 0:00:00", 10), ("10%/day", None, 86401, "1 day, 0:00:01", 20),
+    ("2.5%/hour", "15min", 7300, "2:01:40", 7.5), ("30%/day", "1d", 9 * 86400,
+                                                    "9 days, 0:00:00", 100),
+    (None, None, 60, "0:01:00", 0), ("10%/day", None, -60, "", 0)])
+def test_each_begun_step_takes_its_share(late, grace, seconds, told, percent):
+    """The last second of a day costs another one, or the grace costs something, or below zero."""
+    policy = lateness.policy(DUE, late, grace)
+    when = datetime(2026, 11, 22, 22, 59, tzinfo=UTC).timestamp() + seconds
+    judged = lateness.judged(policy, when, None)
+    assert (judged["late by"], judged["percent"]) == (told, percent)
+    assert datetime.fromisoformat(judged["handed in"]).timestamp() == when
+    assert judged["handed in"].endswith("+01:00")
+
+
+@pytest.mark.parametrize(("options", "sentence"), [
+    ({"late": "10%/day"}, "need --due"), ({"grace": "1h"}, "need --due"),
+    ({"due": "2026-11-22"}, "is no date with a time"), ({"due": "Sunday"}, "no date with a time"),
+    ({"due": DUE, "late": "10/day"}, "is no share"), ({"due": DUE, "late": "101%/day"}, "no share"),
+    ({"due": DUE, "late": "0%/day"}, "is no share"), ({"due": DUE, "grace": "1"}, "is no duration"),
+])
+def test_a_policy_that_cannot_be_read_is_refused(options, sentence):
+    """--due 2026-11-22 means midnight before that day, and all are late."""
+    with pytest.raises(ValueError, match=sentence):
+        lateness.policy(**options)
+
+
+@pytest.mark.parametrize("text", [
+    "Monday, 23 November 2026, 2:00 AM", "Monday, November 23, 2026, 2:00\u202fAM",
+    "23 November 2026, 02:00"])
+def test_moodle_s_times_are_read_in_the_deadline_s_zone(text):
+    """Two hours late are one hour early, somewhere east."""
+    zone = timezone(timedelta(hours=1))
+    assert lateness.moodle_time(text, zone) == datetime(2026, 11, 23, 1, tzinfo=UTC).timestamp()
+    assert lateness.moodle_time("Montag, 23. November 2026, 02:00", zone) is None
+
+
+# --- the gradebook ----------------------------------------------------------------------------
+
+
+def book(class_, **asked):
+    return Gradebook(Asked(**asked), class_, CORE)
+
+
+def test_moodle_tells_in_its_worksheet_when_something_was_handed_in(tmp_path):
+    """Everybody from Moodle is in time, or the file's own time counts."""
+    class_ = [handed_in("a", "moodle", id="7001"), handed_in("k", "moodle", id="7002"),
+              handed_in("l", "moodle", id="7003")]
+    graded = book(class_, csv="moodle", roster=ROSTERS / "moodle.csv", due=DUE, late="10%/day")
+    records = {one.student: graded.entered(record(one.student)) for one in class_}
+    assert [marks.after_lateness(each) for each in records.values()] == [10, 9, 8]
+    graded.write(tmp_path, records, [])
+    table = read_back((tmp_path / "for-moodle.csv").read_bytes())
+    assert [row[5] for row in table] == ["Grade", "10", "9", "8", ""]
+
+
+def test_canvas_says_late_and_not_by_how_much(tmp_path):
+    """A guess takes points off. Or a late submission looks like all others."""
+    class_ = [handed_in("a", "canvas", id="50101", late=True), handed_in("b", "canvas", id="50102"),
+              handed_in("c")]
+    graded = book(class_, due=DUE, late="10%/day")
+    cells = {name: tables.line(graded.entered(record(name)), CORE) for name in "abc"}
+    assert [cells[name]["late by"] for name in "abc"] == [lateness.NOT_TOLD, "", lateness.NO_TIME]
+    assert {cells[name]["after lateness"] for name in "abc"} == {"10"}
+    assert "a is late, by how much is not told. Nothing is taken off" in "\n".join(graded.said())
+    path = file(tmp_path, "o.csv", "student,exercise,points,reason", "a,late,1.5,came by mail")
+    settled = book(class_, due=DUE, late="10%/day", overrides=path)
+    assert settled.said() == []
+    assert tables.line(settled.entered(record("a")), CORE)["after lateness"] == "8.5"
+
+
+def test_all_without_a_partner_are_listed(tmp_path):
+    """A submission without a row, or a person without a submission, is noticed in the exam."""
+    class_ = [handed_in("a", "canvas", id="50101"), handed_in("x", "canvas", id="9", name="=1+1")]
+    graded = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
+    said = "\n".join(graded.said())
+    assert "1 of 2 submissions are matched" in said
+    assert "not matched: x: nobody in the roster with the id 9" in said
+    assert "in the roster without a submission (5): Kraus, Jürgen; Li, Wei; Li, Wei" in said
+    graded.write(tmp_path, {"a": record("a"), "x": record("x")}, [])
+    table = read_back((tmp_path / "unmatched.csv").read_bytes())
+    assert table[1] == ["x", "9", "'=1+1", "", "nobody in the roster with the id 9"]
+    assert [row[1] for row in table[2:]] == ["50102", "50103", "50104", "50105", "50199"]
+
+
+def test_who_could_not_be_graded_keeps_the_cell(tmp_path):
+    """A crash of ours is a zero in the gradebook."""
+    class_ = [handed_in("k", "canvas", id="50102")]
+    graded = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
+    graded.write(tmp_path, {"k": record("k", problem="broke off", board=None)}, [])
+    assert read_back((tmp_path / "for-canvas.csv").read_bytes())[4][7] == "3.00"
+
+
+def test_another_maximum_there_is_told():
+    """10 of 13 points are imported as 10 of 10."""
+    graded = Gradebook(Asked("canvas", ROSTERS / "canvas.csv", "Lab 2"), [], EXERCISES)
+    assert "is out of 10 points there, and out of 13 here" in graded.said()[-1]
+
+
+@pytest.mark.parametrize("options", [{"csv": "canvas"}, {"roster": "a.csv"},
+                                     {"assignment": "Lab 2"}])
+def test_options_that_need_each_other(options):
+    """A forgotten option is noticed after an hour of grading."""
+    with pytest.raises(ValueError, match="belong together"):
+        book([], **options)
+
+
+# --- by hand ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("line", "sentence"), [
+    ("adda,2.1,3,x", "nobody called 'adda'"), ("ada,2.7,3,x", "'2.7' is not graded"),
+    ("ada,2.1,3,", "no reason for ada's 2.1"), ("ada,2.1,5,x", "'5' is no number of points from 0"),
+    ("ada,2.1,-1,x", "from 0 to 4"), ("ada,2.1,nan,x", "from 0 to 4"), ("ada,2.1,,x", "from 0 to"),
+    ("ada,total,11,x", "from 0 to 10"), ("ada", "'' is not graded"),
+    ("ada,2.2,1,x", "was given in a line above")])
+def test_a_wrong_override_is_refused_by_its_line(tmp_path, line, sentence):
+    """It is left out silently, or changes somebody else's points."""
+    path = file(tmp_path, "o.csv", "student,exercise,points,reason", "",
+                'ada,2.2,6,"a reason', 'in two lines"', line)
+    with pytest.raises(ValueError, match=f"o.csv, line 5: .*{sentence}"):
+        overrides.read(path, {"ada"}, CORE)
+    path = file(tmp_path, "o.csv", "student,exercise,points")
+    with pytest.raises(ValueError, match="no column reason"):
+        overrides.read(path, {"ada"}, CORE)
+
+
+def test_points_by_hand_show_with_their_reason(tmp_path):
+    """Nobody knows in May why Ada has 9.5 points."""
+    path = file(tmp_path, "o.csv", "student;exercise;points;reason",
+                "ada;2.2;5,5;the <b>figure</b> was right", "ada;late;0;was ill")
+    given = overrides.read(path, {"ada"}, CORE)["ada"]
+    ada = record("ada", entry(CORE[0], True), entry(CORE[1], False), overrides=given,
+                 lateness={"handed in": "t", "late by": "2:00:00", "percent": 50})
+    cells = tables.line(ada, CORE)
+    assert (cells["2.2 cover"], cells["total"], cells["after lateness"]) == ("5.5", "9.5", "9.5")
+    assert cells["by hand"] == ("2.2: 5.5 instead of 0 by hand (the <b>figure</b> was right); "
+                                "late: 0 taken off by hand (was ill)")
+    page = report.page(ada, {}, "")
+    assert "9.5 of 10 points" in page and "2.2: 5.5 instead of 0 by hand" in page
+    assert "&lt;b&gt;figure" in page and "handed in late by 2:00:00: 0 points are taken" in page
+    results = report.gradescope(ada, "")
+    assert results["score"] == sum(test["score"] for test in results["tests"]) == 9.5
+
+
+def test_a_total_by_hand_comes_before_lateness():
+    """Lateness is taken off twice, or not at all."""
+    bob = record("bob", overrides={"total": {"points": 8, "reason": "oral"}},
+                 lateness={"late by": "1:00:00", "percent": 10})
+    assert (marks.total(bob), marks.taken_off(bob), marks.after_lateness(bob)) == (8, 0.8, 7.2)
+    ill = record("eve", problem="broke off", board=None, overrides=bob["overrides"])
+    assert marks.is_graded(ill) and marks.after_lateness(ill) == 8
+
+
+def test_a_page_follows_its_override_without_grading_again(tmp_path):
+    """--resume keeps a page that says 4 points, beside a table that says 10."""
+    one = handed_in("ada")
+    failed = entry(CORE[1], False)
+    failed["checks"][0]["picture"] = "out/checks/1.png"
+    result = {"board": {"exercises": [entry(CORE[0], True), failed]}, "lost": {}, "problem": None,
+              "seconds": 1.0}
+    run = Run(CORE, "process", "", 0, "c")
+    first = Results(tmp_path, book([one]), run)
+    first.add(one, "mark", result, {"1.png": b"png"})
+    page = tmp_path / "students" / "ada" / "report.html"
+    assert "4 of 10 points" in page.read_text("utf-8")
+    path = file(tmp_path, "o.csv", "student,exercise,points,reason", "ada,2.2,6,right after all")
+    again = Results(tmp_path, book([one], overrides=path), run)
+    assert not again.keep("ada", "another mark") and again.keep("ada", "mark")
+    text = page.read_text("utf-8")
+    assert "10 of 10 points" in text and "right after all" in text and "base64,cG5n" in text
+
+
+def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
+    """The points of all who were in time are missing beside those who came late."""
+    first, second = (handed_in("a", "canvas", id="50101"), handed_in("k", "canvas", id="50102"))
+    asked = {"csv": "canvas", "roster": ROSTERS / "canvas.csv", "assignment": "Lab 2"}
+    run = Run(CORE, "process", "", 0, "c")
+    result = {name: record("")[name] for name in ("board", "lost", "problem", "seconds")}
+    Results(tmp_path, book([first], **asked), run).add(first, "mark", result, {})
+    before = earlier.records(tmp_path, [second], CORE)
+    later = Results(tmp_path, book([second, *map(earlier.submission, before)], **asked), run)
+    later.take(*before)
+    later.add(second, "mark", result, {})
+    assert tmp_path / "for-canvas.csv" in later.close()
+    table = read_back((tmp_path / "for-canvas.csv").read_bytes())
+    assert [row[7] for row in table[3:6]] == ["10", "10", ""]
+
+
+# --- tables -----------------------------------------------------------------------------------
+
+
+def test_core_fine_print_and_extras_have_columns_of_their_own():
+    """They are in one sum, or nowhere."""
+    ada = record("ada", entry(EXERCISES[0], True, True), entry(EXERCISES[1], True, False),
+                 entry(EXERCISES[2], True))
+    cells = tables.line(ada, EXERCISES)
+    assert {name: cells[name] for name in ("core", "core of", "extras", "extras of", "total", "of",
+                                           "fine print done", "fine print of")} == {
+        "core": "10", "core of": 10, "extras": "3", "extras of": 3, "total": "13", "of": 13,
+        "fine print done": 1, "fine print of": 2}
+    assert "extras" not in tables.line(ada, CORE)
+    lost = tables.line(record("eve", problem="broke off", board=None), CORE)
+    assert {lost[name] for name in ("core", "total", "after lateness", "fine print done")} == {""}
+
+
+@pytest.mark.parametrize("begins", list("=+-@\t\r"))
+def test_no_cell_of_ours_is_a_formula(begins):
+    """=HYPERLINK(...) in a reason runs in the instructor's spreadsheet."""
+    given = {"total": {"points": 8, "reason": "x"}}
+    odd = record("ada", overrides=given, problem=f"{begins}1", board=None)
+    content = sheets.written(tables.grades([odd], CORE))
+    assert not any(cell.startswith(begins) for row in read_back(content) for cell in row)
+
+
+# --- what changed -----------------------------------------------------------------------------
+
+
+def by_student(*records):
+    table = tables.grades(records, CORE)
+    return changes.by_student(table[0], table[1:])
+
+
+def changed(old, new):
+    return [row[1:] for row in changes.changes(by_student(old), by_student(new))]
+
+
+def test_a_change_is_told_with_its_cause():
+    """A mark is another one than last week, and nobody can say why."""
+    bad = (entry(CORE[0], True), entry(CORE[1], False))
+    assert changed(record("ada", *bad), record("ada", digest="e")) == [
+        ("2.2", "0", "6", "handed in again"), ("total", "4", "10", "handed in again"),
+        ("after lateness", "4", "10", "the total")]
+    assert changed(record("ada", *bad), record("ada", seed=7, checks="b"))[0][-1] == (
+        "other checks, other random inputs")
+    given = {"2.2": {"points": 5, "reason": "look; 2.1: fine"}}
+    assert changed(record("ada", *bad), record("ada", *bad, overrides=given)) == [
+        ("2.2", "0", "5", "5 instead of 0 by hand (look; 2.1: fine)"),
+        ("total", "4", "9", "what its exercises give"), ("after lateness", "4", "9", "the total")]
+    assert changed(record("ada", *bad, overrides=given), record("ada", *bad))[0][-1] == (
+        "no longer by hand")
+    assert changed(record("ada", *bad), record("ada"))[0][-1].startswith("the same work and checks")
+
+
+def test_lateness_that_changed_is_told():
+    """A new deadline changes grades without a word."""
+    late = {"handed in": "t", "late by": "2:00:00", "percent": 10}
+    assert changed(record("ada"), record("ada", lateness=late)) == [
+        ("after lateness", "10", "9", "lateness: 2:00:00, before: not late")]
+    dearer = {**late, "percent": 20}
+    excused = {"late": {"points": 0, "reason": "ill"}}
+    assert changed(record("ada", lateness=late), record("ada", lateness=dearer))[0][-1] == (
+        "what lateness costs")
+    assert changed(record("ada", entry(CORE[0], True), lateness=late),
+                   record("ada", lateness=late, overrides=excused))[-1][-1] == (
+        "0 taken off by hand (ill), the total")
+
+
+def test_who_is_new_and_who_is_gone_is_told():
+    """A student has vanished from the table."""
+    rows = list(changes.changes(by_student(record("ada")), by_student(record("bob"))))
+    assert rows == [("ada", "total", "10", None, "handed in nothing this time"),
+                    ("bob", "total", None, "10", "new")]
+    assert list(changes.changes(by_student(record("ada")), by_student(record("ada")))) == []
+
+
+def test_what_changed_is_written_and_another_table_is_refused(tmp_path):
+    """The earlier table is overwritten before it is read."""
+    one = handed_in("ada")
+    run = Run(CORE, "process", "", 0, "c")
+    result = {"board": {"exercises": [entry(CORE[0], True), entry(CORE[1], False)]}, "lost": {},
+              "problem": None, "seconds": 1.0}
+    first = Results(tmp_path, book([one]), run)
+    first.add(one, "mark", result, {})
+    later = Results(tmp_path, book([one], previous=tmp_path / "grades.csv"), run)
+    later.add(one, "mark", {**result, "board": record("ada")["board"]}, {})
+    assert tmp_path / "changes.csv" in later.close()
+    assert read_back((tmp_path / "changes.csv").read_bytes())[1][:4] == ["ada", "2.2", "0", "6"]
+    with pytest.raises(ValueError, match=r"is no grades.csv: it has no columns student and total"):
+        book([one], previous=ROSTERS / "canvas.csv")

@@ -1,0 +1,193 @@
+"""The pages: the class's, a student's, what is cut, and how reports are given back."""
+import io
+import re
+import zipfile
+
+import pytest
+
+from course.checks import page
+from course.checks.report import Check
+from course.exercises import Exercise
+from course.grading import handback, overview, platforms, report
+
+COLUMNS = [Exercise("1.1", "double", 1, 5, ()), Exercise("1.2", "halve", 2, 9, ())]
+ABOUT = "as told"
+
+
+def check(number, claim, verdict="passed", message=""):
+    return Check(number, "", claim, verdict, message, None, 0.0, False)._asdict()
+
+
+def record(student="ada", wrong=(), **more):
+    """A record of grade.run: of lab 1, these claims fail. {claim: message}."""
+    claims = {"1.1": ("It is twice as much",), "1.2": ("It is half", "Zero stays")}
+    wrong = dict(wrong)
+    entries = []
+    for exercise in COLUMNS:
+        checks = [check(exercise.number, claim, "failed" if claim in wrong else "passed",
+                        wrong.get(claim, "")) for claim in claims[exercise.number]]
+        verdict = "failing" if any(one["verdict"] == "failed" for one in checks) else "done"
+        entries.append({"number": exercise.number, "name": exercise.name, "topic": "transforms",
+                        "points": exercise.points, "verdict": verdict, "told": verdict,
+                        "extra": False, "checks": checks})
+    return {"student": student, "level": "strict", "digest": "0" * 64, "notes": (), "lost": {},
+            "problem": None, "seconds": 1.0, "board": {"exercises": entries}, **more}
+
+
+IMPORT = "labs/transforms.py cannot be imported: SyntaxError: invalid syntax"
+BROKEN = dict.fromkeys(("It is twice as much", "It is half", "Zero stays"),
+                       f"wrong     {IMPORT}\n          labs/transforms.py:1 in")
+
+
+def broken(student):
+    return record(student, BROKEN, missing={"transforms": f"{IMPORT}\nlabs/transforms.py:1 in"})
+
+
+def section(text, title):
+    """The text of a section, without tags."""
+    found = re.search(rf"<h2>{title}</h2>(.*?)(<h2>|</body>)", text, re.DOTALL)
+    return " ".join(re.sub("<[^>]*>", " ", found[1]).split()) if found else None
+
+
+# --- the class --------------------------------------------------------------------------------
+
+
+def test_the_class_s_page_counts_for_how_many_a_claim_fails():
+    """A lab that cannot be imported counts as failing every claim, or who has not begun does."""
+    unstarted = record("dan")
+    for entry in unstarted["board"]["exercises"]:
+        entry["verdict"] = entry["told"] = "not started"
+        entry["checks"] = [{**one, "verdict": "not started"} for one in entry["checks"]]
+    records = [record("ada"), record("bob", {"Zero stays": "no"}), broken("cyd"), unstarted,
+               record("eve", {"Zero stays": "no", "It is half": "no"})]
+    text = overview.overview(records, COLUMNS, "strict", ABOUT)
+    assert section(text, "Claims that fail") == (
+        "the claim fails for of 1.2 halve Zero stays 2 3 1.2 halve It is half 1 3")
+
+
+def test_what_is_missing_and_what_is_not_understood_stands_in_the_class_s_page():
+    """A file that nobody can have handed in, or a lab that cannot be imported, is never seen."""
+    text = overview.overview([record("ada"), broken("cyd")], COLUMNS, "strict", ABOUT,
+                             [("<img src=x>.rar", "<b>no student can be told from this name")])
+    assert section(text, "Not understood") == (
+        "&lt;img src=x&gt;.rar &lt;b&gt;no student can be told from this name")
+    assert section(text, "Labs that are not there, or cannot be imported") == (
+        f"cyd transforms {IMPORT}")
+
+
+def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
+    """LATE is only in the platform's name of a file; nobody sees which marks are by hand."""
+    late = record("bob", seed=77, late=True, handed_in=1e9, identity={}, lateness={
+        "handed in": "2001-09-09T01:46:40+00:00", "late by": "1 day, 0:00:00", "percent": 10})
+    told = record("eve", seed=5, late=True, handed_in=None, lateness={}, overrides={
+        "1.2": {"points": 1, "reason": "as <agreed>"}})
+    text = overview.overview([late, told], COLUMNS, "strict", ABOUT)
+    rows = section(text, "Everybody")
+    assert rows.startswith("points of 3 handed in late points left by hand seed bob 3")
+    assert "2001-09-09 01:46:40+00:00 LATE 1 day, 0:00:00 2.7 77" in rows
+    assert "eve 2 LATE 2 1.2: 1 instead of 2 by hand (as &lt;agreed&gt;) 5" in rows
+
+
+def test_records_of_an_earlier_version_can_be_shown():
+    """--resume stops at a record that has no seed, identity or time."""
+    text = overview.overview([record("ada")], COLUMNS, "strict", ABOUT)
+    assert section(text, "Everybody") == "points of 3 ada 3"
+    assert "seed 4" in report.page(record("ada"), {}, ABOUT, 4)
+    assert "seed 9" in report.page(record("ada", seed=9), {}, ABOUT, 4)
+
+
+def test_a_class_of_which_nothing_could_be_graded_has_a_page():
+    """The median of nothing."""
+    nothing = {**record("ada"), "board": None, "problem": "no worker could be started\nno"}
+    text = overview.overview([nothing], COLUMNS, "strict", ABOUT)
+    assert "0 of 1 submissions graded" in text
+    assert section(text, "Everybody") == "points of 3 problem ada 0 no worker could be started"
+
+
+# --- a student --------------------------------------------------------------------------------
+
+
+def test_that_a_lab_cannot_be_imported_is_said_once():
+    """The same sentence under every check, and nothing else is found between them."""
+    text = report.page(broken("cyd"), {}, ABOUT, 0)
+    assert text.count("cannot be imported") == 1 and "claims do not hold" not in text
+
+
+def test_what_fails_besides_is_still_said():
+    """A lab is lost after its first exercises; what these got wrong is not told any more."""
+    wrong = {**BROKEN, "It is twice as much": "expected 2"}
+    text = report.page(record("cyd", wrong, missing={"transforms": IMPORT}), {}, ABOUT, 0)
+    assert "expected 2" in text and "1.1 double" in text and text.count("<h2>1.2") == 0
+
+
+def test_a_student_s_page_names_nobody():
+    """A page that was shown to others, or marked without names, tells whose it is."""
+    one = record("lovelaceada", identity={"platform": "canvas", "id": "12", "name": "Ada Lovelace",
+                                          "email": "ada@x.org"},
+                 notes=("lovelaceada_12_34_old.zip is older, Ada Lovelace_5.zip not",),
+                 missing={"transforms": "there is no labs/transforms.py (lovelaceada.rar: what?)"})
+    text = report.page(one, {}, ABOUT, 0)
+    assert "ovelace" not in text and "..._12_34_old.zip is older" in text
+
+
+@pytest.mark.parametrize("make", [
+    lambda text: report.page(record(wrong={"Zero stays": text}), {}, ABOUT, 0),
+    lambda text: report.page(record(notes=[text]), {}, ABOUT, 0),
+    lambda text: report.page(record(lost={"1.1": text}, wrong={"It is twice as much": ""}), {},
+                             ABOUT, 0),
+    lambda text: overview.overview([record(lost={"1.1": text})], COLUMNS, "strict", ABOUT),
+    lambda text: overview.overview([], COLUMNS, "strict", ABOUT, [(text, text)])])
+def test_megabytes_that_a_student_sends_are_cut(make):
+    """Five hundred pages that no browser can open."""
+    text = make("<x" * 500_000)
+    assert len(text) < 40_000 and "<x" not in text and "characters more)" in text
+
+
+def test_tables_and_messages_scroll_by_themselves():
+    """On a phone the whole page moves sideways."""
+    text = report.page(record(wrong={"Zero stays": "x " * 200}), {}, ABOUT, 0)
+    assert text.count('<div class="wide"><table>') == text.count("<table>") > 0
+    assert "width=device-width" in text and "overflow-x: auto" in page.STYLE
+    assert page.breakable("a_long_name") == "a_<wbr>long_<wbr>name"
+
+
+# --- given back -------------------------------------------------------------------------------
+
+
+def put_reports(folder, *students):
+    for student in students:
+        path = folder / "students" / student / "report.html"
+        path.parent.mkdir(parents=True)
+        path.write_text(f"of {student}", "utf-8")
+
+
+def test_reports_have_the_names_that_platforms_read(tmp_path):
+    """Everybody's feedback is refused: Moodle and Canvas know students by numbers in names."""
+    put_reports(tmp_path, "Ada_1200", "lovelaceada", "bob", "cyd")
+    handback.write(tmp_path, [
+        record("Ada_1200", identity={"platform": "moodle", "id": "1200", "name": "Ada_B"}),
+        record("lovelaceada", identity={"platform": "canvas", "id": "12",
+                                        "file": "lovelaceada_LATE_12_34_labs.zip"}),
+        record("bob", identity={"platform": "canvas", "id": "13", "file": "bob_13_35_sampling.py"}),
+        record("cyd"), record("dan")])
+    with zipfile.ZipFile(tmp_path / "feedback.zip") as archive:
+        there = {name: archive.read(name) for name in archive.namelist()}
+    inner = zipfile.ZipFile(io.BytesIO(there.pop("lovelaceada_LATE_12_34_labs.zip")))
+    assert inner.read("report.html") == b"of lovelaceada"
+    assert there == {"Participant_1200_assignsubmission_file_/report.html": b"of Ada_1200",
+                     "bob/report.html": b"of bob", "cyd/report.html": b"of cyd"}
+    assert [path.name for path in tmp_path.iterdir() if path.is_file()] == ["feedback.zip"]
+
+
+def test_canvas_s_file_names_come_back_as_they_were(tmp_path):
+    """The zip has reports for Canvas under names of our own."""
+    for name in ("lovelaceada_LATE_12_34_labs-1.zip", "anon_x7Yz_35_labs.zip"):
+        sender, = platforms.senders(tmp_path / name, {})
+        assert handback.entry(record(identity=sender.identity), b"")[0] == name
+
+
+def test_an_old_report_of_work_that_could_not_be_graded_is_not_given_back(tmp_path):
+    """A student reads the report of an earlier run."""
+    put_reports(tmp_path, "ada")
+    handback.write(tmp_path, [{**record("ada"), "problem": "no worker could be started"}])
+    assert zipfile.ZipFile(tmp_path / "feedback.zip").namelist() == []
