@@ -202,6 +202,8 @@ def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
     assert done.returncode == 0, done.stderr
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         archive.extractall(tmp_path / "source")
+    for name in ("setup.sh", "requirements.txt", "course/grading/files/gradescope.Dockerfile"):
+        assert (tmp_path / "source" / name).exists()
     for name in ("submission", "results"):
         (tmp_path / name).mkdir()
     (tmp_path / "submission" / "transforms.py").write_text(LAB.replace("2 * x", "3 * x"))
