@@ -369,7 +369,7 @@ def test_a_page_follows_its_override_without_grading_again(tmp_path):
               "seconds": 1.0}
     run = Run(CORE, "process", "", 0, "c")
     first = Results(tmp_path, book([one]), run)
-    first.add(one, "mark", result, {"1.png": b"png"})
+    first.add(one, 0, "mark", result, {"1.png": b"png"})
     page = tmp_path / "students" / "ada" / "report.html"
     assert "4 of 10 points" in page.read_text("utf-8")
     path = file(tmp_path, "o.csv", "student,exercise,points,reason", "ada,2.2,6,right after all")
@@ -385,11 +385,11 @@ def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
     asked = {"csv": "canvas", "roster": ROSTERS / "canvas.csv", "assignment": "Lab 2"}
     run = Run(CORE, "process", "", 0, "c")
     result = {name: record("")[name] for name in ("board", "lost", "problem", "seconds")}
-    Results(tmp_path, book([first], **asked), run).add(first, "mark", result, {})
+    Results(tmp_path, book([first], **asked), run).add(first, 0, "mark", result, {})
     before = earlier.records(tmp_path, [second], CORE)
     later = Results(tmp_path, book([second, *map(earlier.submission, before)], **asked), run)
     later.take(*before)
-    later.add(second, "mark", result, {})
+    later.add(second, 0, "mark", result, {})
     assert tmp_path / "for-canvas.csv" in later.close()
     table = read_back((tmp_path / "for-canvas.csv").read_bytes())
     assert [row[7] for row in table[3:6]] == ["10", "10", ""]
@@ -479,9 +479,9 @@ def test_what_changed_is_written_and_another_table_is_refused(tmp_path):
     result = {"board": {"exercises": [entry(CORE[0], True), entry(CORE[1], False)]}, "lost": {},
               "problem": None, "seconds": 1.0}
     first = Results(tmp_path, book([one]), run)
-    first.add(one, "mark", result, {})
+    first.add(one, 0, "mark", result, {})
     later = Results(tmp_path, book([one], previous=tmp_path / "grades.csv"), run)
-    later.add(one, "mark", {**result, "board": record("ada")["board"]}, {})
+    later.add(one, 0, "mark", {**result, "board": record("ada")["board"]}, {})
     assert tmp_path / "changes.csv" in later.close()
     assert read_back((tmp_path / "changes.csv").read_bytes())[1][:4] == ["ada", "2.2", "0", "6"]
     with pytest.raises(ValueError, match=r"is no grades.csv: it has no columns student and total"):

@@ -88,14 +88,6 @@ def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
     assert "eve 2 LATE 2 1.2: 1 instead of 2 by hand (as &lt;agreed&gt;) 5" in rows
 
 
-def test_records_of_an_earlier_version_can_be_shown():
-    """--resume stops at a record that has no seed, identity or time."""
-    text = overview.overview([record("ada")], COLUMNS, "strict", ABOUT)
-    assert section(text, "Everybody") == "points of 3 ada 3"
-    assert "seed 4" in report.page(record("ada"), {}, ABOUT, 4)
-    assert "seed 9" in report.page(record("ada", seed=9), {}, ABOUT, 4)
-
-
 def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     """The median of nothing."""
     nothing = {**record("ada"), "board": None, "problem": "no worker could be started\nno"}
@@ -109,14 +101,14 @@ def test_a_class_of_which_nothing_could_be_graded_has_a_page():
 
 def test_that_a_lab_cannot_be_imported_is_said_once():
     """The same sentence under every check, and nothing else is found between them."""
-    text = report.page(broken("cyd"), {}, ABOUT, 0)
+    text = report.page(broken("cyd"), {}, ABOUT)
     assert text.count("cannot be imported") == 1 and "claims do not hold" not in text
 
 
 def test_what_fails_besides_is_still_said():
     """A lab is lost after its first exercises; what these got wrong is not told any more."""
     wrong = {**BROKEN, "It is twice as much": "expected 2"}
-    text = report.page(record("cyd", wrong, missing={"transforms": IMPORT}), {}, ABOUT, 0)
+    text = report.page(record("cyd", wrong, missing={"transforms": IMPORT}), {}, ABOUT)
     assert "expected 2" in text and "1.1 double" in text and text.count("<h2>1.2") == 0
 
 
@@ -126,13 +118,13 @@ def test_a_student_s_page_names_nobody():
                                           "email": "ada@x.org"},
                  notes=("lovelaceada_12_34_old.zip is older, Ada Lovelace_5.zip not",),
                  missing={"transforms": "there is no labs/transforms.py (lovelaceada.rar: what?)"})
-    text = report.page(one, {}, ABOUT, 0)
+    text = report.page(one, {}, ABOUT)
     assert "ovelace" not in text and "..._12_34_old.zip is older" in text
 
 
 @pytest.mark.parametrize("make", [
-    lambda text: report.page(record(wrong={"Zero stays": text}), {}, ABOUT, 0),
-    lambda text: report.page(record(notes=[text]), {}, ABOUT, 0),
+    lambda text: report.page(record(wrong={"Zero stays": text}), {}, ABOUT),
+    lambda text: report.page(record(notes=[text]), {}, ABOUT),
     lambda text: report.page(record(lost={"1.1": text}, wrong={"It is twice as much": ""}), {},
                              ABOUT, 0),
     lambda text: overview.overview([record(lost={"1.1": text})], COLUMNS, "strict", ABOUT),
@@ -145,7 +137,7 @@ def test_megabytes_that_a_student_sends_are_cut(make):
 
 def test_tables_and_messages_scroll_by_themselves():
     """On a phone the whole page moves sideways."""
-    text = report.page(record(wrong={"Zero stays": "x " * 200}), {}, ABOUT, 0)
+    text = report.page(record(wrong={"Zero stays": "x " * 200}), {}, ABOUT)
     assert text.count('<div class="wide"><table>') == text.count("<table>") > 0
     assert "width=device-width" in text and "overflow-x: auto" in page.STYLE
     assert page.breakable("a_long_name") == "a_<wbr>long_<wbr>name"

@@ -1,0 +1,79 @@
+"""Containers, workflows and the machine of a grader: files that other programs read."""
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from course.grading import autograder
+
+ROOT = Path(__file__).parents[2]
+FILES = ROOT / "course" / "grading" / "files"
+
+
+def keeps(schema, path):
+    """What check-jsonschema says of a file, with a schema that comes with it. Empty: it is right.
+
+    No network is needed.
+    """
+    done = subprocess.run([sys.executable, "-m", "check_jsonschema", "--builtin-schema",
+                           f"vendor.{schema}", str(path)], capture_output=True, encoding="utf-8")
+    return done.stdout + done.stderr if done.returncode else ""
+
+
+@pytest.mark.parametrize(("schema", "path", "right", "wrong"), [
+    ("github-workflows", ROOT / ".github/workflows/test.yml", "runs-on:", "run-on:"),
+    ("github-workflows", FILES / "labs.yml", "- run: python", "- runs: python"),
+    ("compose-spec", FILES / "compose.yml", "depends_on: [worker]", "depend_on: [worker]"),
+], ids=["tests", "labs", "compose"])
+def test_what_others_read_keeps_its_schema(schema, path, right, wrong, tmp_path):
+    """A misspelt key: the workflow does not start, and nobody sees it before the next push."""
+    assert keeps(schema, path) == ""
+    text = path.read_text("utf-8")
+    (tmp_path / path.name).write_text(text.replace(right, wrong), "utf-8")
+    assert right in text and keeps(schema, tmp_path / path.name)
+
+
+def test_the_grader_s_image_has_all_that_grading_needs():
+    """A folder that is new is not copied: the image is built, and no grading starts."""
+    text = (FILES / "Dockerfile").read_text("utf-8")
+    lines = [line.split()[1:-1] for line in re.findall(r"^COPY .*", text, re.MULTILINE)]
+    copied = {name for line in lines for name in line}
+    assert all((ROOT / name).exists() for name in copied)
+    needed = {pattern.partition("/")[0] for pattern in autograder.NEEDED}
+    assert needed <= copied
+
+
+APT = """\
+for package; do :; done  # the last one that is asked for
+case "$package" in *-venv) [[ " {there} " = *" ${{package%-venv}} "* ]];; esac
+"""
+PYTHON = """\
+echo "$(basename "$0") $2"
+mkdir -p "$3/bin"
+printf '#!/bin/bash\\necho "$@"\\n' > "$3/bin/pip"
+chmod +x "$3/bin/pip"
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="it is a script of bash")
+@pytest.mark.parametrize(("there", "chosen"), [
+    (["python3", "python3.11"], "python3.11"), (["python3.12", "python3.13"], "python3.13")])
+def test_the_set_up_takes_a_python_that_is_new_enough(there, chosen, tmp_path):
+    """Gradescope's default image, Ubuntu 22.04, has Python 3.10 as python3: nothing starts."""
+    for name in ("setup.sh", "requirements.txt"):
+        source = FILES / name if name == "setup.sh" else ROOT / name
+        (tmp_path / name).write_bytes(source.read_bytes())
+    programs = {"apt-get": APT.format(there=" ".join(there))} | dict.fromkeys(there, PYTHON)
+    (tmp_path / "bin").mkdir()
+    for name, text in programs.items():
+        path = tmp_path / "bin" / name
+        path.write_text(f"#!/bin/bash\n{text}\n")
+        path.chmod(0o755)
+    settings = {"PATH": f"{tmp_path / 'bin'}:/usr/bin:/bin", "GRADER": str(tmp_path / "grader")}
+    done = subprocess.run(["bash", str(tmp_path / "setup.sh")], env=settings, cwd="/",
+                          capture_output=True, encoding="utf-8")
+    assert done.stdout.splitlines() == [
+        f"{chosen} venv", "install --no-cache-dir -r requirements.txt"], done.stderr
