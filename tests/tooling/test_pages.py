@@ -31,7 +31,7 @@ def record(student="ada", wrong=(), **more):
                         "points": exercise.points, "verdict": verdict, "told": verdict,
                         "extra": False, "checks": checks})
     return {"student": student, "level": "strict", "digest": "0" * 64, "notes": (), "lost": {},
-            "problem": None, "seconds": 1.0, "board": {"exercises": entries}, **more}
+            "problem": None, "seconds": 1.0, "seed": 4, "board": {"exercises": entries}, **more}
 
 
 IMPORT = "labs/transforms.py cannot be imported: SyntaxError: invalid syntax"
@@ -93,7 +93,7 @@ def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     nothing = {**record("ada"), "board": None, "problem": "no worker could be started\nno"}
     text = overview.overview([nothing], COLUMNS, "strict", ABOUT)
     assert "0 of 1 submissions graded" in text
-    assert section(text, "Everybody") == "points of 3 problem ada 0 no worker could be started"
+    assert section(text, "Everybody") == "points of 3 seed problem ada 0 4 no worker could be started"
 
 
 # --- a student --------------------------------------------------------------------------------
@@ -126,7 +126,7 @@ def test_a_student_s_page_names_nobody():
     lambda text: report.page(record(wrong={"Zero stays": text}), {}, ABOUT),
     lambda text: report.page(record(notes=[text]), {}, ABOUT),
     lambda text: report.page(record(lost={"1.1": text}, wrong={"It is twice as much": ""}), {},
-                             ABOUT, 0),
+                             ABOUT),
     lambda text: overview.overview([record(lost={"1.1": text})], COLUMNS, "strict", ABOUT),
     lambda text: overview.overview([], COLUMNS, "strict", ABOUT, [(text, text)])])
 def test_megabytes_that_a_student_sends_are_cut(make):
