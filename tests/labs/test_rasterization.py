@@ -126,11 +126,11 @@ def test_inside_border_and_outside(impl):
 
 
 @exercise("2.4")
-def test_inside_does_not_depend_on_the_winding(impl):
+def test_inside_does_not_depend_on_the_winding(impl, rng):
     """Clockwise triangles have no inside, because only positive values count: either winding will
     do, so all three e may be negative.
     """
-    p = centres(8, 8)
+    p = centres(8, 8) + rng.uniform(-0.5, 0.5, (8, 8, 2))
     both = [impl.is_inside(p, triangle) for triangle in (TRIANGLE, TRIANGLE[::-1])]
     assert_picture(np.hstack(both), np.hstack([exact_inside(p, TRIANGLE)] * 2))
 
@@ -464,16 +464,14 @@ def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
     """z is mixed by weights of the screen and divided by w a second time, or not at all. Or a
     weight belongs to another corner's z.
     """
-    clip = np.append(rng.uniform(-1, 1, (3, 3)), rng.uniform(0.8, 1.2, (3, 1)), 1)
-    clip[:, :2] *= 3
-    clip[:, 2] /= 3
-    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 6, 6)
-    x, y = (clip[:, 0] / clip[:, 3] + 1) * 3, (clip[:, 1] / clip[:, 3] + 1) * 3
-    z = clip[:, 2] / clip[:, 3]
-    plane = np.linalg.solve(np.stack([x, y, np.ones(3)], -1), z)
-    expected = np.append(centres(6, 6), np.ones((6, 6, 1)), -1) @ plane
-    seen = np.isfinite(depth)
-    assert_close(depth[seen], expected[seen], rtol=1e-9, atol=1e-9)
+    corners = TRIANGLE + rng.uniform(-0.9, 0.9, (3, 2))  # of a picture of 8 x 7 pixels
+    z, w = rng.uniform(-1, 1, 3), rng.uniform(0.5, 2, 3)
+    clip = np.column_stack([corners / [4, 3.5] - 1, z, np.ones(3)]) * w[:, None]
+    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 8, 7)
+    plane = np.linalg.solve(np.column_stack([corners, np.ones(3)]), z)
+    expected = np.append(centres(8, 7), np.ones((7, 8, 1)), -1) @ plane
+    seen = exact_inside(centres(8, 7), corners)
+    assert_close(depth, np.where(seen, expected, np.inf), atol=1e-9)
 
 
 @exercise("2.13")
