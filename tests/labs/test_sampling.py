@@ -293,9 +293,9 @@ def test_it_is_the_fourier_transform_of_a_centred_box(impl, rng):
 @exercise("3.9")
 def test_a_box_of_many_samples_is_a_sinc(impl):
     """The zeros are in the wrong places: those of a box of width w are at multiples of 1 / w."""
-    width, n = 1001, 16016
-    f = np.arange(100) / n
-    assert_close(impl.box_spectrum(width, n)[:100], np.sinc(width * f), rtol=0, atol=1e-4)
+    width, n = 301, 4816
+    f = np.arange(30) / n
+    assert_close(impl.box_spectrum(width, n)[:30], np.sinc(width * f), rtol=0, atol=1e-4)
 
 
 # --- sampling ----------------------------------------------------------------------------------
