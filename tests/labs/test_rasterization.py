@@ -273,26 +273,40 @@ def test_the_box_of_a_triangle_on_paper(impl):
 
 @exercise("2.8")
 def test_the_box_is_a_sixteenth_of_a_pixel_wider(impl):
-    """MARGIN is missing, on one side only, taken away, or added twice; or a centre on the border is
-    out.
-    """
+    """MARGIN is missing, on one side only, taken away, or added twice."""
     low, high = 1.5 + 1 / 16, 4.5 - 1 / 16  # the box ends at the centres 1.5 and 4.5
     triangle = np.array([[low, high], [high, low], [3.0, 3.0]])
     uneven = np.array([[1.5 + 1 / 32, 1.5 - 1 / 32], [4.5 + 1 / 32, 4.5 - 1 / 32], [3.0, 3.0]])
     wider = uneven + [[1 / 16, 0.0], [0.0, -1 / 16], [0.0, 0.0]]
     boxes = [impl.bounding_box(corners, 9, 9)
-             for corners in (triangle, triangle + 1e-9, triangle - 1e-9, wider, uneven)]
-    assert_equal(np.array(boxes), np.array([[1, 1, 5, 5], [2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4],
+             for corners in (triangle + 1e-9, triangle - 1e-9, wider, uneven)]
+    assert_equal(np.array(boxes), np.array([[2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4],
                                             [1, 1, 5, 5]]))
+
+
+@exercise("2.8", fine_print=True)
+def test_a_centre_on_the_box_s_border_is_in_it(impl):
+    """> for >=: a centre on the border is out."""
+    low, high = 1.5 + 1 / 16, 4.5 - 1 / 16
+    box = impl.bounding_box(np.array([[low, high], [high, low], [3.0, 3.0]]), 9, 9)
+    assert_equal(box, (1, 1, 5, 5))
 
 
 @exercise("2.8")
 def test_the_box_stays_in_the_picture(impl):
     """The box is not cut to the picture (clipped), or to width - 1, or with width and height
-    swapped. Or only after it became integers, or -0.5 is cut to 0.
+    swapped.
     """
-    x0, y0, x1, y1 = impl.bounding_box(np.array([[-3.0, 2.0], [99.0, 3.0], [5.0, 77.0]]), 10, 20)
-    assert_equal((x0, y0, x1, y1), (0, 2, 10, 20))
+    corners = np.array([[-3.0, 2.0], [99.0, 3.0], [5.0, 77.0]])
+    assert_equal(impl.bounding_box(corners, 10, 20), (0, 2, 10, 20))
+    assert_equal(impl.bounding_box(corners - [9.0, 8.0], 10, 20), (0, 0, 10, 20))
+
+
+@exercise("2.8", fine_print=True)
+def test_the_box_stays_in_the_picture_wherever_the_triangle_is(impl):
+    """The box is cut only after it became integers, or -0.5 is cut to 0. Or what lies outside has a
+    box in the picture, or one of negative numbers.
+    """
     triangle = np.array([[-1e300, 2.0], [1e300, 3.0], [5.0, 1e300]])
     assert_equal(impl.bounding_box(triangle, 10, 20), (0, 2, 10, 20))
     for outside in ([-3.0, -0.5, -1.5], [-3.0, -2.5, -1.5], [12.0, 10.0, 11.0], [14.0, 12.5, 13.0]):
@@ -343,7 +357,7 @@ def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
         assert_equal(kept, faces[facing], given=f"corners scaled by {size}")
 
 
-@exercise("2.10")
+@exercise("2.10", fine_print=True)
 def test_faces_without_area_are_culled(impl):
     """>= for >: faces without area are kept."""
     x, y, w = np.array([[0.0, 2.0, 4.0], [0.0, 2.0, 4.0], [1.0, 1.0, 1.0]])

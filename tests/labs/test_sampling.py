@@ -505,7 +505,7 @@ def test_cuts_on_paper(impl):
     assert_close(t, np.array([right, left]))
 
 
-@exercise("3.16")
+@exercise("3.16", fine_print=True)
 def test_an_edge_along_a_line_has_cuts_too(impl):
     """0 / 0 is NaN where an edge runs along a side of the square. Or t leaves [0, 1], as it is not
     clamped beyond the ends of the edge.
@@ -515,14 +515,17 @@ def test_an_edge_along_a_line_has_cuts_too(impl):
     assert_equal(bool(np.isfinite(t).all() and (t >= 0).all() and (t <= 1).all()), True)
 
 
-@exercise("3.16")
-def test_every_crossing_is_among_the_cuts(impl, rng):
+@pytest.mark.parametrize("along", [
+    pytest.param(False, marks=exercise("3.16"), id="slanted"),
+    pytest.param(True, marks=exercise("3.16", fine_print=True), id="along the lines")])
+def test_every_crossing_is_among_the_cuts(impl, rng, along):
     """One of the four lines is left out. t leaves [0, 1], beyond the ends of the edge. Or all
     squares get the cuts of the first one.
     """
     polygon = rng.uniform(0, 6, (4, 2))
-    polygon[1, 0] = polygon[0, 0]  # an edge along the columns
-    polygon[2, 1] = polygon[1, 1]  # one along the rows
+    if along:
+        polygon[1, 0] = polygon[0, 0]  # an edge along the columns
+        polygon[2, 1] = polygon[1, 1]  # one along the rows
     x, y = corners(6, 5)
     t = impl.cuts(polygon, x, y)
     assert_equal(t.shape, (30, 4, 6))
@@ -621,7 +624,7 @@ def test_all_squares_together_pull_like_the_area(impl, rng):
     assert_close(got, expected)
 
 
-@exercise("3.18")
+@exercise("3.18", fine_print=True)
 def test_an_edge_along_a_side_pulls_once(impl):
     """An edge along a side counts in both of the squares that share it, or in none."""
     triangle = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
