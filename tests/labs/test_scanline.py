@@ -264,21 +264,6 @@ def test_a_row_of_pixels_is_half_open(impl):
     assert_close(np.stack([start, end]), np.array([[1.0], [3.0]]))
 
 
-@exercise("2.15", fine_print=True)
-def test_horizontal_edges_take_all_or_nothing(impl):
-    """Horizontal edges (n_x = 0) are skipped, so rows above or below the face are covered. A slope
-    of 0 becomes NaN (0 / 0), TINY gets a sign, or e = 0 is decided by TINY times the column. n_x >
-    0, not is_top_left, tells what opens.
-    """
-    # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
-    n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])
-    n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])
-    from_x, from_y = np.array([[3.0, 3.0], [-9.0, -9.0], [99.0, 99.0]]), np.full((3, 2), 1.5)
-    face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
-    start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
-    assert_close(np.maximum(end - start, 0), np.array([0.0, 8.0, 8.0, 8.0, 0.0, 0.0]))
-
-
 @pytest.mark.parametrize("n_x", [
     pytest.param([-3, -2, -1, 1, 2, 3], marks=exercise("2.15"), id="slanted"),
     pytest.param([-3, -2, -1, 0, 1, 2, 3], marks=exercise("2.15", fine_print=True), id="any")])
@@ -293,6 +278,21 @@ def test_intervals_hold_what_the_planes_say(impl, rng, n_x):
         got = np.arange(int(start[n]), int(end[n]))
         assert_equal(got, np.array(covered_loop(planes[..., face[n]], y[n], 9), int),
                      given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
+
+
+@exercise("2.15", fine_print=True)
+def test_horizontal_edges_take_all_or_nothing(impl):
+    """Horizontal edges (n_x = 0) are skipped, so rows above or below the face are covered. A slope
+    of 0 becomes NaN (0 / 0), TINY gets a sign, or e = 0 is decided by TINY times the column. n_x >
+    0, not is_top_left, tells what opens.
+    """
+    # y = 1.5 is the lower edge of face 0 and the upper edge of face 1; the others are far away.
+    n_y = np.array([[1.0, -1.0], [0.0, 0.0], [0.0, 0.0]])
+    n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])
+    from_x, from_y = np.array([[3.0, 3.0], [-9.0, -9.0], [99.0, 99.0]]), np.full((3, 2), 1.5)
+    face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
+    start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
+    assert_close(np.maximum(end - start, 0), np.array([0.0, 8.0, 8.0, 8.0, 0.0, 0.0]))
 
 
 def planes_loop(clip, faces, width, height):
