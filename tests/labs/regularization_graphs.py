@@ -11,9 +11,11 @@ def angle(corner, b, c):
 
 
 def graph(rng, vertex_count=7):
-    """Edges (E, 2), each once, weights (E,); the last vertex has no edge."""
+    """Edges (E, 2), each once, weights (E,); the last vertex alone has no edge."""
     pairs = np.array(list(itertools.combinations(range(vertex_count - 1), 2)))
-    edges = rng.permutation(pairs)[:2 * vertex_count - 4]
+    edges = pairs[:0]
+    while len(np.unique(edges)) < vertex_count - 1:
+        edges = rng.permutation(pairs)[:2 * vertex_count - 4]
     return edges, rng.uniform(0.5, 2.0, len(edges))
 
 

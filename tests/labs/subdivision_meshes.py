@@ -47,6 +47,12 @@ def flat(faces):
     return np.concatenate([np.array(face) for face in faces]), np.array([len(f) for f in faces])
 
 
+def renumbered(rng, count, faces):
+    """The same faces, with the vertices numbered at random; also if faces are lists."""
+    number = rng.permutation(count)
+    return number[faces] if isinstance(faces, np.ndarray) else [number[face] for face in faces]
+
+
 def sides(face):
     """A face's edges, low < high, each from a corner to the next."""
     face = [int(v) for v in face]

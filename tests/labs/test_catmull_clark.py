@@ -11,6 +11,7 @@ from subdivision_meshes import (
     flat,
     neighbours,
     old_vertices,
+    renumbered,
     sides,
     topology,
     valence_of,
@@ -173,9 +174,10 @@ def test_edges_between_two_triangles_on_paper(impl):
 
 @exercise("11.11")
 @each_polygon_mesh
-def test_points_on_edges_row_by_row(impl, count, faces):
+def test_points_on_edges_row_by_row(impl, rng, count, faces):
     """A corner gets the face point of another face where faces differ in size: the face's number is
     not the corner's over 3 or 4."""
+    faces = renumbered(rng, count, faces)
     edges, corner_edge, _ = topology(faces)
     entries = impl.catmull_clark_edge_rows(edges, corner_edge, flat(faces)[1], count)
     expected = np.zeros((len(edges), count + len(faces)))
@@ -217,9 +219,10 @@ def test_boundary_vertices_and_one_of_no_face_on_paper(impl):
 
 @exercise("11.12")
 @each_polygon_mesh
-def test_moved_vertices_row_by_row(impl, count, faces):
+def test_moved_vertices_row_by_row(impl, rng, count, faces):
     """Face points pull at boundary vertices as well. The strength is that of another vertex. A
     vertex is pulled by faces that do not meet there."""
+    faces = renumbered(rng, count, faces)
     edges, _, is_boundary = topology(faces)
     entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *flat(faces),
                                              valence_of(count, edges))
@@ -247,8 +250,9 @@ def test_a_triangle_and_a_square_become_seven_quads(impl):
 
 @exercise("11.13")
 @each_polygon_mesh
-def test_quads_fill_their_polygon(impl, count, faces):
+def test_quads_fill_their_polygon(impl, rng, count, faces):
     """Points on the middles: the quads of a polygon have its area vector in sum."""
+    faces = renumbered(rng, count, faces)
     edges, corner_edge, _ = topology(faces)
     x = np.arange(count)
     old = np.stack([x**2, np.sin(x), x], 1) + 0.0
@@ -304,15 +308,16 @@ def test_the_inner_corner_of_an_l_is_on_the_boundary(impl):
 
 
 @exercise("11.15")
-def test_many_steps_of_quads_lead_to_the_limit(impl):
+def test_many_steps_of_quads_lead_to_the_limit(impl, rng):
     """Not the fixed point of (8) and (9): valences 3, 4, 5 and 8."""
     for n in 3, 4, 5, 8:
         # n quads around vertex 0, the ring 1 to n, diagonals n + 1 to 2 n; one step of their means.
-        k = np.arange(n)
-        quads = np.stack([0 * k, 1 + k, 1 + n + k, 1 + (k + 1) % n], axis=1)
-        edges = np.stack([0 * k, 1 + k], axis=1)
-        got = dense(impl.catmull_clark_limit_rows(
-            edges, np.zeros(n, bool), quads, np.append(n, np.full(2 * n, 2))), (2 * n + 1,) * 2)[0]
+        k, number, valence = np.arange(n), rng.permutation(2 * n + 1), np.full(2 * n + 1, 2)
+        quads = number[np.stack([0 * k, 1 + k, 1 + n + k, 1 + (k + 1) % n], axis=1)]
+        edges = np.sort(number[np.stack([0 * k, 1 + k], axis=1)])
+        valence[number[0]] = n
+        got = dense(impl.catmull_clark_limit_rows(edges, np.zeros(n, bool), quads, valence),
+                    (2 * n + 1,) * 2)[number[0], number]
         # Means of vertex, ring and diagonals: F = (v + 2 r + d) / 4 is the new mean of diagonals.
         face = np.array([1, 2, 1]) / 4
         ring = (np.array([1, 1, 0]) + 2 * face) / 4

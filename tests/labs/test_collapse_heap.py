@@ -155,7 +155,7 @@ def test_a_refused_pair_has_its_turn_when_an_end_has_changed(impl, rng):
     """What was refused is thrown away and never comes back, not even where its own vertex has
     become another one."""
     vertices, faces = mesh.icosphere(320)
-    vertices = vertices + 0.02 * rng.normal(size=vertices.shape)
+    vertices = vertices + 0.005 * rng.normal(size=vertices.shape)
     pairs, q = edges_of(faces), quadrics_of(vertices, faces)
     a, b = pairs[0].tolist()
     around = {*pairs[(pairs == a).any(1)].ravel().tolist()}

@@ -47,6 +47,18 @@ def test_every_row_and_every_column_holds_one_sample(impl, count, step):
 
 
 @exercise("4.2")
+def test_each_sample_is_step_rows_above_the_one_before(impl, rng):
+    """Right for a few patterns alone, or rows do not go on at the bottom after the top one."""
+    for size in rng.choice([11, 13, 17, 19, 23, 29, 31, 37, 41, 43], 3).tolist():  # S + 1, a prime
+        step = int(rng.integers(2, size - 1))
+        rows = [0]
+        while len(rows) < size:
+            rows.append((rows[-1] + step) % size)
+        expected = np.array([[k + 0.5, row - 0.5] for k, row in enumerate(rows[1:])]) / (size - 1)
+        assert_close(impl.lattice(size - 1, step), expected)
+
+
+@exercise("4.2")
 def test_the_rotated_grid_is_a_square_turned(impl):
     """Another pattern with one sample on each row and column: a diagonal, or a zigzag."""
     p = impl.lattice(4, 2)
@@ -183,7 +195,7 @@ def test_the_gradient_of_blocks_is_a_central_difference(impl, rng, n):
         return sum(blocks) / n ** 2
 
     gradcheck(forward, lambda grad, picture: impl.box_resolve_backward(grad, picture, n),
-              (rng.random((2 * n, 3 * n, 2)),), name="box_resolve")
+              (rng.random((2 * n, 3 * n, 2)),), seed=int(rng.integers(2**31)), name="box_resolve")
 
 
 # --- one shade for each face in a pixel --------------------------------------------------------
@@ -325,11 +337,10 @@ def test_it_takes_less_time_than_to_visit_all_samples(impl, rng):
         function(*args)
         return time.perf_counter() - start
 
-    # The shortest of three, taken in turns, whatever else the machine does. A loop takes twice as
-    # long as a visit. Without one it is a hundredth, and half of a visit on the way to a grader.
+    # The shortest of three, taken in turns, whatever else the machine does.
     times = [(seconds(impl.shading_requests, face_index), seconds(visit)) for _ in range(3)]
     least, visited = map(min, zip(*times, strict=True))
-    assert least < visited, (
+    assert least < visited, (  # where work is graded, the numbers' way there counts, too
         f"it takes {least:.2f} s, and a visit of all samples {visited:.2f} s: is there a loop over "
         "pixels or samples?")
 

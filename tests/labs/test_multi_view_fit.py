@@ -18,9 +18,8 @@ def view_of(camera, target, outside=False):
     return target, view, 1, np.full((height, width), outside)
 
 
-def solid():
+def solid(rng):
     """A tetrahedron, its albedo, and a light: vertices, faces, albedo (4, 3), light (9, 3)."""
-    rng = np.random.default_rng(4)
     vertices = np.array([[0.9, 0.1, -0.2], [-0.7, 0.6, -0.3], [-0.3, -0.8, -0.1], [0.1, 0.2, 0.8]])
     faces = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
     light = rng.uniform(-0.3, 0.3, (9, 3))
@@ -28,8 +27,8 @@ def solid():
     return vertices, faces, rng.uniform(0.2, 0.8, (4, 3)), light
 
 
-def several_views(cameras=(IN_FRONT, FROM_THE_SIDE)):
-    targets = np.random.default_rng(5).uniform(0, 1, (len(cameras), 7, 8, 4))
+def several_views(rng, cameras=(IN_FRONT, FROM_THE_SIDE)):
+    targets = rng.uniform(0, 1, (len(cameras), 7, 8, 4))
     views = tuple(view_of(camera, target, outside=True) for camera, target in
                   zip(cameras, targets, strict=True))
     return views, targets
@@ -98,12 +97,12 @@ def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
 
 
 @exercise("16.15")
-def test_three_views_are_the_mean_of_each_alone(impl):
+def test_three_views_are_the_mean_of_each_alone(impl, rng):
     """One view alone decides, such as the last or the first, views add up and are no mean, or are
     divided by their number once more, or one is compared with the other's target.
     """
-    vertices, faces, albedo, light = solid()
-    views, targets = several_views((IN_FRONT, FROM_THE_SIDE, IN_FRONT @ FROM_BELOW))
+    vertices, faces, albedo, light = solid(rng)
+    views, targets = several_views(rng, (IN_FRONT, FROM_THE_SIDE, IN_FRONT @ FROM_BELOW))
 
     def found(chosen):
         return impl.there_and_back(vertices, faces, albedo, light, views[chosen], targets[chosen],
@@ -114,12 +113,11 @@ def test_three_views_are_the_mean_of_each_alone(impl):
         assert_close(got, sum(map(np.asarray, parts)) / 3)
 
 
-def check_gradient(impl, of):
+def check_gradient(impl, rng, of):
     """Gradcheck the loss along a random direction of vertices (0), albedo (1), light (2), or of
     several together.
     """
-    (vertices, faces, albedo, light), (views, targets) = solid(), several_views()
-    rng = np.random.default_rng(6)
+    (vertices, faces, albedo, light), (views, targets) = solid(rng), several_views(rng)
     directions = [rng.normal(size=part.shape) for part in (vertices, albedo, light)]
 
     def moved(steps):
@@ -138,29 +136,29 @@ def check_gradient(impl, of):
 
 
 @exercise("16.15")
-def test_the_gradient_of_the_albedo_is_central_differences(impl):
+def test_the_gradient_of_the_albedo_is_central_differences(impl, rng):
     """grad_albedo: grad_colours comes as it is, without the light of shade_backward; or views,
     pictures or the forward pass's normals are not those of the way there.
     """
-    check_gradient(impl, [1])
+    check_gradient(impl, rng, [1])
 
 
 @exercise("16.15")
-def test_the_gradient_of_the_light_is_central_differences(impl):
+def test_the_gradient_of_the_light_is_central_differences(impl, rng):
     """grad_light: it is wrong where light comes from several sides or the albedo is uneven."""
-    check_gradient(impl, [2])
+    check_gradient(impl, rng, [2])
 
 
 @exercise("16.15")
-def test_the_gradient_of_the_vertices_is_central_differences(impl):
+def test_the_gradient_of_the_vertices_is_central_differences(impl, rng):
     """grad_vertices: of its two ways, that through the normals or that through the pictures is
     missing, overwrites the other or has a minus: they are to be added. Coverage's weight is not
     passed to picture_loss_backward. see_backward gets the albedo for the colours.
     """
-    check_gradient(impl, [0])
+    check_gradient(impl, rng, [0])
 
 
 @exercise("16.15")
-def test_the_whole_step_is_central_differences(impl):
+def test_the_whole_step_is_central_differences(impl, rng):
     """A way back is missing: through outlines, normals, shading, or paint."""
-    check_gradient(impl, [0, 1, 2])
+    check_gradient(impl, rng, [0, 1, 2])

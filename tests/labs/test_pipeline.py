@@ -135,10 +135,11 @@ def test_inside_of_a_mesh_nothing_is_blended(impl):
 
 
 @exercise("9.12")
-def test_a_triangle_is_that_of_a_search(impl):
+def test_a_triangle_is_that_of_a_search(impl, rng):
     """Perspective is left out, or the background is another one."""
-    picture, _ = drawn(impl, CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
-    assert_picture(picture, by_hand(CLIP, COLOURS)[0], atol=1e-9)
+    colours = rng.uniform(size=(3, 2))
+    picture, _ = drawn(impl, CLIP, *ALONE, (colours,), WIDTH, HEIGHT, BACKGROUND)
+    assert_picture(picture, by_hand(CLIP, colours)[0], atol=1e-9)
 
 
 @exercise("9.12")

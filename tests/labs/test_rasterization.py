@@ -126,11 +126,12 @@ def test_inside_border_and_outside(impl):
 
 
 @exercise("2.4")
-def test_inside_does_not_depend_on_the_winding(impl):
+def test_inside_does_not_depend_on_the_winding(impl, rng):
     """Clockwise triangles have no inside, because only positive values count: either winding will
     do, so all three e may be negative.
     """
     p = centres(8, 8)
+    p = np.concatenate([p, p + rng.uniform(-0.5, 0.5, (8, 8, 2))])
     both = [impl.is_inside(p, triangle) for triangle in (TRIANGLE, TRIANGLE[::-1])]
     assert_picture(np.hstack(both), np.hstack([exact_inside(p, TRIANGLE)] * 2))
 
@@ -272,26 +273,40 @@ def test_the_box_of_a_triangle_on_paper(impl):
 
 @exercise("2.8")
 def test_the_box_is_a_sixteenth_of_a_pixel_wider(impl):
-    """MARGIN is missing, on one side only, taken away, or added twice; or a centre on the border is
-    out.
-    """
+    """MARGIN is missing, on one side only, taken away, or added twice."""
     low, high = 1.5 + 1 / 16, 4.5 - 1 / 16  # the box ends at the centres 1.5 and 4.5
     triangle = np.array([[low, high], [high, low], [3.0, 3.0]])
     uneven = np.array([[1.5 + 1 / 32, 1.5 - 1 / 32], [4.5 + 1 / 32, 4.5 - 1 / 32], [3.0, 3.0]])
     wider = uneven + [[1 / 16, 0.0], [0.0, -1 / 16], [0.0, 0.0]]
     boxes = [impl.bounding_box(corners, 9, 9)
-             for corners in (triangle, triangle + 1e-9, triangle - 1e-9, wider, uneven)]
-    assert_equal(np.array(boxes), np.array([[1, 1, 5, 5], [2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4],
+             for corners in (triangle + 1e-9, triangle - 1e-9, wider, uneven)]
+    assert_equal(np.array(boxes), np.array([[2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4],
                                             [1, 1, 5, 5]]))
+
+
+@exercise("2.8", fine_print=True)
+def test_a_centre_on_the_box_s_border_is_in_it(impl):
+    """> for >=: a centre on the border is out."""
+    low, high = 1.5 + 1 / 16, 4.5 - 1 / 16
+    box = impl.bounding_box(np.array([[low, high], [high, low], [3.0, 3.0]]), 9, 9)
+    assert_equal(box, (1, 1, 5, 5))
 
 
 @exercise("2.8")
 def test_the_box_stays_in_the_picture(impl):
     """The box is not cut to the picture (clipped), or to width - 1, or with width and height
-    swapped. Or only after it became integers, or -0.5 is cut to 0.
+    swapped.
     """
-    x0, y0, x1, y1 = impl.bounding_box(np.array([[-3.0, 2.0], [99.0, 3.0], [5.0, 77.0]]), 10, 20)
-    assert_equal((x0, y0, x1, y1), (0, 2, 10, 20))
+    corners = np.array([[-3.0, 2.0], [99.0, 3.0], [5.0, 77.0]])
+    assert_equal(impl.bounding_box(corners, 10, 20), (0, 2, 10, 20))
+    assert_equal(impl.bounding_box(corners - [9.0, 8.0], 10, 20), (0, 0, 10, 20))
+
+
+@exercise("2.8", fine_print=True)
+def test_the_box_stays_in_the_picture_wherever_the_triangle_is(impl):
+    """The box is cut only after it became integers, or -0.5 is cut to 0. Or what lies outside has a
+    box in the picture, or one of negative numbers.
+    """
     triangle = np.array([[-1e300, 2.0], [1e300, 3.0], [5.0, 1e300]])
     assert_equal(impl.bounding_box(triangle, 10, 20), (0, 2, 10, 20))
     for outside in ([-3.0, -0.5, -1.5], [-3.0, -2.5, -1.5], [12.0, 10.0, 11.0], [14.0, 12.5, 13.0]):
@@ -342,7 +357,7 @@ def test_vertices_behind_the_camera_turn_the_face_over(impl, rng):
         assert_equal(kept, faces[facing], given=f"corners scaled by {size}")
 
 
-@exercise("2.10")
+@exercise("2.10", fine_print=True)
 def test_faces_without_area_are_culled(impl):
     """>= for >: faces without area are kept."""
     x, y, w = np.array([[0.0, 2.0, 4.0], [0.0, 2.0, 4.0], [1.0, 1.0, 1.0]])
@@ -464,16 +479,14 @@ def test_depth_is_that_of_the_plane_through_the_corners(impl, rng):
     """z is mixed by weights of the screen and divided by w a second time, or not at all. Or a
     weight belongs to another corner's z.
     """
-    clip = np.append(rng.uniform(-1, 1, (3, 3)), rng.uniform(0.8, 1.2, (3, 1)), 1)
-    clip[:, :2] *= 3
-    clip[:, 2] /= 3
-    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 6, 6)
-    x, y = (clip[:, 0] / clip[:, 3] + 1) * 3, (clip[:, 1] / clip[:, 3] + 1) * 3
-    z = clip[:, 2] / clip[:, 3]
-    plane = np.linalg.solve(np.stack([x, y, np.ones(3)], -1), z)
-    expected = np.append(centres(6, 6), np.ones((6, 6, 1)), -1) @ plane
-    seen = np.isfinite(depth)
-    assert_close(depth[seen], expected[seen], rtol=1e-9, atol=1e-9)
+    corners = TRIANGLE + rng.uniform(-0.9, 0.9, (3, 2))  # of a picture of 8 x 7 pixels
+    z, w = rng.uniform(-1, 1, 3), rng.uniform(0.5, 2, 3)
+    clip = np.column_stack([corners / [4, 3.5] - 1, z, np.ones(3)]) * w[:, None]
+    _, depth = impl.rasterize_loop(clip, np.array([[0, 1, 2]]), 8, 7)
+    plane = np.linalg.solve(np.column_stack([corners, np.ones(3)]), z)
+    expected = np.append(centres(8, 7), np.ones((7, 8, 1)), -1) @ plane
+    seen = exact_inside(centres(8, 7), corners)
+    assert_close(depth, np.where(seen, expected, np.inf), atol=1e-9)
 
 
 @exercise("2.13")

@@ -665,6 +665,16 @@ def test_genus_of_several_pieces(impl):
 
 
 @exercise("16.13")
+def test_genus_of_any_pieces(impl, rng):
+    """Right for a few surfaces alone, or vertices must be numbered in some order."""
+    for balls, rings in rng.integers([0, 1], 5, (6, 2)).tolist():
+        pieces = [mesh.icosphere(20)[1]] * balls + [mesh.torus(36)[1]] * rings
+        apart = np.concatenate([piece + 20 * k for k, piece in enumerate(pieces)])
+        faces = rng.permutation(rng.permutation(400)[apart])
+        assert_equal(impl.genus(faces), (balls + rings, rings))
+
+
+@exercise("16.13")
 def test_genus_of_two_holes(impl):
     """Right up to one hole."""
     cubes = {(i, j) for i in range(5) for j in range(3)} - {(1, 1), (3, 1)}

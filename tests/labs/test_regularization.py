@@ -511,10 +511,10 @@ def test_two_rounds_on_paper(impl):
 
 
 @exercise("13.11")
-def test_each_wave_has_its_factor(impl):
+def test_each_wave_has_its_factor(impl, rng):
     """The number of rounds: one too many, or one in place of none; or shrink and grow are swapped.
     """
-    shrink, grow = 0.5, 0.53
+    shrink, grow = rng.uniform([0.3, 0.5], [0.5, 0.6])
     for rounds in 0, 1, 7:
         by_mass = EIGENVALUES / 2                      # of M^-1 L
         factor = ((1 - shrink * by_mass) * (1 + grow * by_mass))**rounds

@@ -19,7 +19,8 @@ def test_the_planes_of_a_face_on_paper(impl):
     x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, 1.0]])[..., None]
     n_x, n_y, from_x, from_y = impl.half_planes(x, y, w)
     assert_close(np.hstack([n_x, n_y]), np.array([[-4.0, -4.0], [5.0, -2.0], [-1.0, 6.0]]))
-    assert_close(np.hstack([from_x, from_y]), np.array([[3.0, 6.0], [1.0, 1.0], [1.0, 1.0]]))
+    # At (0, 0), from whichever end of the edge.
+    assert_close(sides((n_x, n_y, from_x, from_y), 0.0, 0.0), np.array([[36.0], [-3.0], [-5.0]]))
 
 
 @exercise("2.11")
@@ -54,7 +55,7 @@ def test_the_planes_hold_what_the_inverse_of_m_says(impl, rng):
         assert_equal(side > 0, c > 0)
 
 
-@exercise("2.11")
+@exercise("2.11", fine_print=True)
 def test_the_two_faces_at_an_edge_agree_in_every_bit(impl, rng):
     """The edge is measured from another end, or scaled, in one of the two faces."""
     x, y, w = rng.normal(size=(3, 4, 500)) * 10.0 ** rng.integers(-2, 3, (3, 4, 500))
@@ -75,7 +76,7 @@ def test_an_edge_is_exactly_zero_at_its_ends(impl, rng):
             assert_equal(sides(planes[:, k], x[end], y[end]), np.zeros(200))
 
 
-@exercise("2.11")
+@exercise("2.11", fine_print=True)
 def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
     """Its end is that of smaller |w|, or of greater w instead of |w|, or always the first end, or
     that of smaller x, although |w| differs.
@@ -89,7 +90,15 @@ def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
     assert_close(from_x, np.array([[4.0], [4.0], [9.0]]))
 
 
-@exercise("2.11")
+@exercise("2.11", fine_print=True)
+def test_at_equal_w_the_left_end_decides(impl):
+    """Each of the two faces at an edge takes its own end, or the right one."""
+    x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, -1.0]])[..., None]
+    _, _, from_x, from_y = impl.half_planes(x, y, w)
+    assert_close(np.hstack([from_x, from_y]), np.array([[3.0, 6.0], [1.0, 1.0], [1.0, 1.0]]))
+
+
+@exercise("2.11", fine_print=True)
 def test_at_equal_w_and_x_the_lower_end_decides(impl):
     """Each of the two faces at a vertical edge takes its own end: y does not decide, or the greater
     y does.
@@ -100,17 +109,14 @@ def test_at_equal_w_and_x_the_lower_end_decides(impl):
         assert_close(from_y[2], np.array([1.0]))
 
 
-@exercise("2.11")
-@pytest.mark.parametrize("x, y, w, dead", [
-    ([0, 4, 2], [0, 4, 2], [1, 1, 1], [True, True, True]),          # without area
-    ([0, 1e-9, 0], [0, 0, 1e-9], [1, 1, 1], [False, False, False]),  # tiny, and alive
-    ([-9e13, 0, 9e13], [-9e13, 9e13, 0], [1, 1, 1], [False, False, False]),  # large, and alive
-], ids=["flat", "tiny", "large"])
-def test_which_edges_have_n_0(impl, x, y, w, dead):
+@exercise("2.11", fine_print=True)
+def test_which_edges_have_n_0(impl):
     """The sign of 0 was taken for 1, or a tolerance for 0."""
-    x, y, w = (np.array(values, float)[:, None] for values in (x, y, w))
-    n_x, n_y, _, _ = impl.half_planes(x, y, w)
-    assert_equal((n_x == 0) & (n_y == 0), np.array(dead)[:, None])
+    flat, tiny, large = ([0, 4, 2], [0, 4, 2]), ([0, 1e-9, 0], [0, 0, 1e-9]), (
+        [-9e13, 0, 9e13], [-9e13, 9e13, 0])
+    x, y = np.array([flat, tiny, large], float).transpose(1, 2, 0)
+    n_x, n_y, _, _ = impl.half_planes(x, y, np.ones((3, 3)))
+    assert_equal((n_x == 0) & (n_y == 0), np.tile([True, False, False], (3, 1)))
 
 
 @exercise("2.12")
@@ -147,7 +153,7 @@ def test_the_depth_plane_goes_through_its_corners(impl, rng):
         assert_close(z[0] + dz_dx * (x - x[0]) + dz_dy * (y - y[0]), z, rtol=1e-6, atol=1e-8)
 
 
-@exercise("2.12")
+@exercise("2.12", fine_print=True)
 def test_a_face_without_area_stops_nothing(impl):
     """A solver that raises for one face of many."""
     x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None] * [1.0, 0.0]
@@ -155,7 +161,7 @@ def test_a_face_without_area_stops_nothing(impl):
     assert_close(np.stack([dz_dx, dz_dy])[:, 0], np.array([0.1, -0.2]))
 
 
-@exercise("2.12")
+@exercise("2.12", fine_print=True)
 def test_a_face_parallel_to_the_screen_is_exactly_flat(impl, rng):
     """Rounding tilts it: a face in the near plane itself gets holes."""
     x, y = rng.normal(size=(2, 3, 50))
@@ -196,6 +202,13 @@ def test_the_first_column_lies_between_0_and_width(impl):
 
 
 @exercise("2.14")
+def test_the_first_column_is_that_of_a_search(impl, rng):
+    """Right for whole numbers alone."""
+    slope, (x0, offset) = rng.uniform(0.1, 9, 200), rng.uniform(-20, 20, (2, 200))
+    assert_close(impl.first_column(slope, x0, offset, 16), first_column_loop(slope, x0, offset, 16))
+
+
+@exercise("2.14", fine_print=True)
 def test_the_sum_decides_and_not_the_quotient(impl, rng):
     """The quotient -offset / slope alone decides: one column off where the edge passes through a
     centre, because it is rounded differently. The sum has the last word.
@@ -207,7 +220,7 @@ def test_the_sum_decides_and_not_the_quotient(impl, rng):
     assert_close(column, first_column_loop(a, x0, offset, 16))
 
 
-@exercise("2.14")
+@exercise("2.14", fine_print=True)
 def test_any_slope_and_any_offset(impl, rng):
     """Steep or nearly horizontal edges overflow."""
     a, x0 = 10.0 ** rng.uniform(-30, 30, 2000), rng.normal(size=2000) * 100
@@ -251,7 +264,23 @@ def test_a_row_of_pixels_is_half_open(impl):
     assert_close(np.stack([start, end]), np.array([[1.0], [3.0]]))
 
 
-@exercise("2.15")
+@pytest.mark.parametrize("n_x", [
+    pytest.param([-3, -2, -1, 1, 2, 3], marks=exercise("2.15"), id="slanted"),
+    pytest.param([-3, -2, -1, 0, 1, 2, 3], marks=exercise("2.15", fine_print=True), id="any")])
+def test_intervals_hold_what_the_planes_say(impl, rng, n_x):
+    """Planes of another face or another row are used, or a horizontal edge on its own row."""
+    planes = rng.integers(-3, 4, (4, 3, 60)).astype(float)
+    planes[0] = rng.choice(n_x, (3, 60))
+    planes[2:] += 0.5  # so that many samples lie exactly on an edge
+    face, y = rng.integers(0, 60, 400), rng.integers(-2, 3, 400) + 0.5
+    start, end = impl.row_interval(tuple(planes), face, y, 9)
+    for n in range(400):
+        got = np.arange(int(start[n]), int(end[n]))
+        assert_equal(got, np.array(covered_loop(planes[..., face[n]], y[n], 9), int),
+                     given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
+
+
+@exercise("2.15", fine_print=True)
 def test_horizontal_edges_take_all_or_nothing(impl):
     """Horizontal edges (n_x = 0) are skipped, so rows above or below the face are covered. A slope
     of 0 becomes NaN (0 / 0), TINY gets a sign, or e = 0 is decided by TINY times the column. n_x >
@@ -264,19 +293,6 @@ def test_horizontal_edges_take_all_or_nothing(impl):
     face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
     start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
     assert_close(np.maximum(end - start, 0), np.array([0.0, 8.0, 8.0, 8.0, 0.0, 0.0]))
-
-
-@exercise("2.15")
-def test_intervals_hold_what_the_planes_say(impl, rng):
-    """Planes of another face or another row are used, or a horizontal edge on its own row."""
-    planes = rng.integers(-3, 4, (4, 3, 60)).astype(float)
-    planes[2:] += 0.5  # so that many samples lie exactly on an edge
-    face, y = rng.integers(0, 60, 400), rng.integers(-2, 3, 400) + 0.5
-    start, end = impl.row_interval(tuple(planes), face, y, 9)
-    for n in range(400):
-        got = np.arange(int(start[n]), int(end[n]))
-        assert_equal(got, np.array(covered_loop(planes[..., face[n]], y[n], 9), int),
-                     given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
 
 
 def planes_loop(clip, faces, width, height):

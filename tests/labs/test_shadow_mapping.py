@@ -70,9 +70,9 @@ def test_any_number_of_points_may_come(impl):
 @exercise("14.1")
 def test_the_rows_are_the_axes(impl, rng):
     """Columns are taken for the light's axes."""
-    rotation, position = rotation_of(rng), rng.normal(size=3)
-    got = impl.to_light(position + rotation, position, rotation)
-    assert_close(got, np.eye(3))
+    rotation, position, along = rotation_of(rng), rng.normal(size=3), rng.normal(size=(4, 3))
+    points = [position + sum(p[k] * rotation[k] for k in range(3)) for p in along]
+    assert_close(impl.to_light(np.array(points), position, rotation), along)
 
 
 @exercise("14.2")
@@ -235,6 +235,17 @@ def test_outside_the_map_all_is_lit(impl):
                       [3.5, 1.5], [3.0, 1.0]])
     got = impl.is_lit(MAP, np.concatenate([place, EIGHT]), np.full(16, 100.0), np.full(16, 0.5))
     assert_equal(got, np.arange(16) < 8)
+
+
+@exercise("14.7")
+def test_what_is_lit_is_that_of_a_search(impl, rng):
+    """Right for a few points alone, or for one map."""
+    stored, place = rng.uniform(1, 5, (4, 6)), rng.uniform(-1, [7, 5], (80, 2))
+    distance, bias = rng.uniform(1, 5, 80), rng.uniform(0, 0.5, 80)
+    held = {(i, j): stored[i, j] for i in range(4) for j in range(6)}
+    expected = [bool(distance[n] <= held.get((int(y // 1), int(x // 1)), np.inf) + bias[n])
+                for n, (x, y) in enumerate(place)]
+    assert_equal(impl.is_lit(stored, place, distance, bias), np.array(expected))
 
 
 # --- bias ---------------------------------------------------------------------------------------

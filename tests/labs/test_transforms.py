@@ -195,11 +195,11 @@ def test_a_pinhole_shrinks_with_distance(impl):
 @exercise("1.9")
 def test_points_of_one_ray_meet_in_one_pixel(impl, rng):
     """x and y are divided by something else than z."""
-    ray = np.append(rng.uniform(1, 2, 3), 0)
-    matrix = impl.pinhole(1.5)
+    ray, f = np.append(rng.uniform(1, 2, 3), 0), rng.uniform(1, 2)
+    matrix = impl.pinhole(f)
     near, far = matrix @ (2 * ray), matrix @ (9 * ray)
     assert_close(near[:2] / near[3], far[:2] / far[3])
-    assert_close(near[:2] / near[3], 1.5 * ray[:2] / ray[2])
+    assert_close(near[:2] / near[3], f * ray[:2] / ray[2])
 
 
 @exercise("1.10")
@@ -296,11 +296,12 @@ def test_near_becomes_minus_1_and_far_1(impl):
 
 
 @exercise("1.12")
-def test_the_corners_of_the_box_become_those_of_the_cube(impl):
+def test_the_corners_of_the_box_become_those_of_the_cube(impl, rng):
     """The matrix is right for one box, and wrong for others: a number stands there for l, r, b, t,
     near or far.
     """
-    l, r, b, t, near, far = -1.0, 3.0, -2.0, 0.5, 0.7, 4.0
+    l, b, near = -rng.uniform(1, 2), -rng.uniform(1, 2), rng.uniform(0.5, 1)
+    r, t, far = rng.uniform(3, 4), rng.uniform(3, 4), rng.uniform(5, 9)
     matrix = impl.orthographic(l, r, b, t, near, far)
     assert_close(matrix @ np.array([l, b, -near, 1.0]), np.array([-1.0, -1.0, -1.0, 1.0]))
     assert_close(matrix @ np.array([r, t, -far, 1.0]), np.array([1.0, 1.0, 1.0, 1.0]))
@@ -374,12 +375,13 @@ def test_the_viewport_on_paper(impl):
 
 
 @exercise("1.15")
-def test_the_corners_of_ndc_become_those_of_the_picture(impl):
+def test_the_corners_of_ndc_become_those_of_the_picture(impl, rng):
     """The matrix is right for one size of the picture, and wrong for others."""
-    matrix = impl.viewport(35, 22)
+    width, height = rng.integers([100, 1000], [900, 9000]).tolist()
+    matrix = impl.viewport(width, height)
     assert_close(matrix @ np.array([-1.0, -1.0, 0.5, 1.0]), np.array([0.0, 0.0, 0.5, 1.0]))
-    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([35.0, 22.0, -0.5, 1.0]))
-    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, 22.0, 0.0, 1.0]))
+    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([width, height, -0.5, 1.0]))
+    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, height, 0.0, 1.0]))
 
 
 @exercise("1.17")
@@ -395,6 +397,7 @@ def test_a_step_in_ndc_is_half_a_picture(impl):
 @exercise("1.17")
 def test_the_gradient_of_the_viewport_is_central_differences(impl, rng):
     """The constant part of the viewport leaks into the gradient."""
-    gradcheck(lambda ndc: (ndc + np.array([1.0, 1.0, 0.0])) * np.array([320.0, 240.0, 1.0]),
-              lambda grad, ndc: impl.to_screen_backward(grad, 640, 480),
+    width, height = rng.integers([100, 1000], [900, 9000]).tolist()
+    gradcheck(lambda ndc: (ndc + np.array([1.0, 1.0, 0.0])) * [width / 2, height / 2, 1.0],
+              lambda grad, ndc: impl.to_screen_backward(grad, width, height),
               (rng.normal(size=(3, 4, 3)),), name="to_screen")
