@@ -157,14 +157,16 @@ def rehearsed(topics, level, limits, extra, jobs, scheduler=None):
 
     ValueError: the reference itself does not earn all points here, so nothing else is graded.
     """
-    todo = [(topic, Job({topic: exercises.read(exercises.reference(topic))}, {}, level,
-                        limits=limits, extra=extra)) for topic in topics]
+    texts = [(topic, exercises.read(exercises.reference(topic))) for topic in topics]
+    jobs = jobs or os.cpu_count()
+    todo = [(None, Job(dict(texts[k::jobs]), {}, level, limits=limits, extra=extra))
+            for k in range(min(jobs, len(texts)))]
     asks = {}
-    with contextlib.closing(running.examined(todo, jobs or os.cpu_count(), scheduler)) as steps:
-        for topic, _, (result, _) in steps:
+    with contextlib.closing(running.examined(todo, jobs, scheduler)) as steps:
+        for _, _, (result, _) in steps:
             if wrong := result["problem"] or report.first_wrong(result["board"]):
                 raise ValueError("nothing was graded, for the reference itself does not pass "
-                                 f"here: {topic}: {wrong}")
+                                 f"here: {wrong}")
             asks |= result["asked"]
     return asks
 
