@@ -20,6 +20,8 @@ from .showing import arguments, shape_name
 
 HINTS = Path(__file__).with_name("hints.json")
 WHOLE = "whole"
+OTHER = "other"         # the mark of a check with other random inputs than the known mistakes had
+MOST = 1 << 18          # numbers that a fingerprint is taken of
 NOTHING = Suspicion("", False)  # explains it: no suspicion
 
 
@@ -99,11 +101,17 @@ def known_mistake(exercise, found):
     All that it fails is failed, with the same numbers, and nothing else. Fewer than ENOUGH numbers
     can be the same by chance.
     """
-    for sentence, failed in known_mistakes().get(exercise, ()):
-        if found.numbers and failed == found.failed:
-            certain = found.numbers >= ENOUGH
-            return f"this {'is' if certain else 'may be'} what comes out when {sentence}"
-    return None
+    said = [sentence for sentence, failed in known_mistakes().get(exercise, ())
+            if found.numbers and agree(failed, found.failed)]
+    if len(said) != 1:  # with another seed, two mistakes may agree in all that can be compared
+        return None
+    return f"this {'is' if found.numbers >= ENOUGH else 'may be'} what comes out when {said[0]}"
+
+
+def agree(known, found):
+    """Do both fail the same checks, with the same numbers where these can be compared?"""
+    return known.keys() == found.keys() and all(
+        mark in (known[check], OTHER) for check, mark in found.items())
 
 
 def hint(exercise, checks):
@@ -145,13 +153,15 @@ def short(nodeid):
 
 
 def mark(nodeid, returned, compared=None):
-    """(fingerprint, `count`) of what a check was returned; (None, 0) if nothing was.
+    """(fingerprint, `count`) of what a check was returned; (None, 0) if nothing was, or too much.
 
     Or of an array that it made of what was returned: then the rest does not matter, as an order.
     """
     if compared and compared.got.size >= ENOUGH and place_in(returned, compared.got) is None:
         returned = compared.got
-    return (None, 0) if returned is None else (fingerprint(nodeid, returned), count(returned))
+    if returned is None or count(returned) > MOST:
+        return None, 0
+    return fingerprint(nodeid, returned), count(returned)
 
 
 def count(returned):

@@ -59,9 +59,9 @@ def judge(item, error, report, mark):
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
     returned = item.stash.get(LAST_RETURN, None) if verdict == "failed" else None
-    suspected, compared, known = None, getattr(error, "compared", None), (None, 0)
-    if item.config.option.seed == 0:  # the seed of the known mistakes
-        known = hints.mark(item.nodeid, returned, compared)
+    suspected, compared = None, getattr(error, "compared", None)
+    as_known = item.config.option.seed == 0 or "rng" not in item.fixturenames
+    known = hints.mark(item.nodeid, returned, compared) if as_known else (hints.OTHER, 0)
     with contextlib.suppress(Exception):  # a report without a hint is better than none
         suspected = hints.suspected(compared, item.stash.get(LAST_CALL, None), returned)
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),

@@ -80,7 +80,7 @@ class Collector:
         self.problems += [f"{item.nodeid} names exercise {mark.args[0]}, and there is none"
                           for item, mark in marks if mark and mark.args[0] not in self.known]
         asked = [(item, mark) for item, mark in marks if mark and mark.args[0] in self.numbers]
-        items[:] = [item for item, _ in asked]
+        items[:] = [item for item, mark in sorted(asked, key=lambda one: is_fine_print(one[1]))]
         self.planned = {item.nodeid: Check(mark.args[0], item.nodeid, claim(item), "not run", "",
                                            None, 0.0, is_fine_print(mark)) for item, mark in asked}
         self.task = self.progress.add_task("checks", total=len(items))

@@ -20,7 +20,7 @@ import pytest
 
 from .. import board, exercises
 from ..checks import Mismatch, loader, runner
-from ..checks.report import UNFINISHED
+from ..checks.report import UNFINISHED, is_fine_print
 from ..checks.showing import cut, shown_frames
 from ..given import places
 from ..upkeep.skeleton import skeleton
@@ -73,6 +73,7 @@ class Examination:
         self.missing = dict(job.missing)
         self.loaded = set()     # labs that were seen to load
         self.lost = {}
+        self.spoilt = set()     # those of them that were lost in a check of the question
         self.spent = dict.fromkeys((None, *self.topic), 0.0)  # seconds; None: of all exercises
         self.pictures = 0       # so many were drawn
         self.problem = None     # why this submission could not be examined at all
@@ -89,6 +90,7 @@ class Examination:
 
     def pytest_runtest_setup(self, item):
         self.running = number_of(item)
+        self.is_fine_print = is_fine_print(item.get_closest_marker("exercise"))
         self.printed = 0
 
     @pytest.hookimpl(tryfirst=True)
@@ -301,10 +303,13 @@ class Examination:
             self.worker.finish()
         except sandbox.Lost as lost:
             self.lost[number] = f"at its end: {lost}"
+            self.spoilt.add(number)
             self.forget()
 
     def lose(self, why):
         self.lost[self.running] = why
+        if not self.is_fine_print:
+            self.spoilt.add(self.running)
         self.forget()
 
     def forget(self):
@@ -370,7 +375,7 @@ def examine(job):
                if job.extra or not exercise.is_extra]
     examination = Examination(job, labs)
     found, problems = runner.run_checks(labs, numbers, "labs", job.seed, [examination])
-    entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.lost
+    entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.spoilt
                else entry for entry in board.entries(labs, numbers, {}, found)]
     problems += defects(labs, [check for check in found if examination.ran(check)], job.seed)
     return {"board": json.loads(board.as_json(entries)), "lost": examination.lost,
