@@ -14,6 +14,15 @@ from course.checks.report import Check
 from course.grading import grade, overview, report, running, sandbox
 from course.upkeep.skeleton import skeleton
 
+FINE_PRINT = '''\
+@exercise("1.1", fine_print=True)
+def test_nothing(impl):
+    """It never ends."""
+    assert impl.double(np.zeros(0)).size == 0
+
+
+@exercise("1.1")'''
+
 
 @pytest.fixture(scope="module")
 def course(house):
@@ -110,6 +119,19 @@ def test_a_check_that_the_reference_fails_is_nobodys_mistake(house, run_module, 
     done = run_module(course, "course", "grade", tmp_path / "in", "--out", tmp_path / "out",
                       "--isolation", "process")
     assert done.returncode == 1 and "the reference fails it, too, at seed" in done.stdout
+
+
+def test_fine_print_that_hangs_costs_no_points(house, run_module, tmp_path):
+    """The question is right, and its points are lost with the process."""
+    checks = CHECKS.replace('@exercise("1.1")', FINE_PRINT)
+    course = house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
+                    "tests/labs/test_transforms.py": checks})
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "ada_transforms.py").write_text(LAB.replace(
+        "return 2 * x", "while not x.size: pass\n    return 2 * x"), encoding="utf-8")
+    run_grade(run_module, course, tmp_path, "--seconds", 1)
+    row = rows(tmp_path / "out")["ada"]
+    assert (row["total"], row["fine print open"]) == ("7", "1.1")
 
 
 def test_nothing_is_graded_where_the_reference_fails(house, run_module, tmp_path):

@@ -248,3 +248,18 @@ def mismatch(got, expected):
     with pytest.raises(Mismatch) as error:
         assert_close(got, expected)
     return error.value
+
+
+@pytest.mark.parametrize(("marks", "named"), [
+    ({"paper": "a", "random": "b"}, "half"), ({"paper": "a", "random": hints.OTHER}, None),
+    ({"paper": "c", "random": hints.OTHER}, "twice"), ({"paper": "c"}, None),
+    ({"paper": "x", "random": hints.OTHER}, None)])
+def test_a_known_mistake_is_told_with_other_random_inputs(monkeypatch, marks, named):
+    """Graded work has a seed of its own, and its report names no mistake. Or one of two that agree
+    in all that can be compared, or one that fails other checks.
+    """
+    monkeypatch.setattr(hints, "known_mistakes", lambda: {"1.1": [
+        ("half", {"paper": "a", "random": "b"}), ("third", {"paper": "a", "random": "d"}),
+        ("twice", {"paper": "c", "random": "e"})]})
+    told = hints.known_mistake("1.1", hints.Pattern(marks, 4))
+    assert told == (named and f"this is what comes out when {named}")

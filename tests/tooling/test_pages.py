@@ -93,7 +93,8 @@ def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     nothing = {**record("ada"), "board": None, "problem": "no worker could be started\nno"}
     text = overview.overview([nothing], COLUMNS, "strict", ABOUT)
     assert "0 of 1 submissions graded" in text
-    assert section(text, "Everybody") == "points of 3 seed problem ada 0 4 no worker could be started"
+    assert section(text, "Everybody") == (
+        "points of 3 seed problem ada 0 4 no worker could be started")
 
 
 # --- a student --------------------------------------------------------------------------------
