@@ -105,7 +105,8 @@ def known_mistake(exercise, found):
             if found.numbers and agree(failed, found.failed)]
     if len(said) != 1:  # with another seed, two mistakes may agree in all that can be compared
         return None
-    return f"this {'is' if found.numbers >= ENOUGH else 'may be'} what comes out when {said[0]}"
+    certain = found.numbers >= ENOUGH and OTHER not in found.failed.values()
+    return f"this {'is' if certain else 'may be'} what comes out when {said[0]}"
 
 
 def agree(known, found):

@@ -251,8 +251,8 @@ def mismatch(got, expected):
 
 
 @pytest.mark.parametrize(("marks", "named"), [
-    ({"paper": "a", "random": "b"}, "half"), ({"paper": "a", "random": hints.OTHER}, None),
-    ({"paper": "c", "random": hints.OTHER}, "twice"), ({"paper": "c"}, None),
+    ({"paper": "a", "random": "b"}, "is half"), ({"paper": "a", "random": hints.OTHER}, None),
+    ({"paper": "c", "random": hints.OTHER}, "may be twice"), ({"paper": "c"}, None),
     ({"paper": "x", "random": hints.OTHER}, None)])
 def test_a_known_mistake_is_told_with_other_random_inputs(monkeypatch, marks, named):
     """Graded work has a seed of its own, and its report names no mistake. Or one of two that agree
@@ -262,4 +262,4 @@ def test_a_known_mistake_is_told_with_other_random_inputs(monkeypatch, marks, na
         ("half", {"paper": "a", "random": "b"}), ("third", {"paper": "a", "random": "d"}),
         ("twice", {"paper": "c", "random": "e"})]})
     told = hints.known_mistake("1.1", hints.Pattern(marks, 4))
-    assert told == (named and f"this is what comes out when {named}")
+    assert told == (named and f"this {' what comes out when '.join(named.rsplit(' ', 1))}")
