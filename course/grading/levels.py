@@ -22,7 +22,8 @@ from . import seccomp
 LEVELS = ("strict", "process")
 WORKER = Path(__file__).with_name("worker.py")
 PACKAGES = Path(np.__file__).parent.parent
-SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache")
+SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache",
+          "/etc/alternatives")  # Debian links libblas through it
 OTHER_USERS = 2_000_000_000  # from here on, numbers that belong to nobody
 
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from ..given import places
 from . import seccomp, wire
-from .cgroups import Share, ground
+from .cgroups import Share
 from .levels import environment, given, plain, strict
 from .processes import WORKERS, end_orphans, family, use_of
 
@@ -72,6 +72,7 @@ class Worker:
             said = self.process.stderr.read1(2000).decode("utf-8", "replace").strip()
             raise Lost(said.splitlines()[-1] if said else str(lost)) from None
         self.share = Share(family(self.process.pid), limits.memory, limits.processes + OUR_OWN)
+        self.has += ("cgroup",) * bool(self.share.folder)
 
     def exchange(self, message, seconds):
         """Send a message -> the one that comes back, in at most these seconds."""
@@ -239,7 +240,7 @@ def available():
         return "process", f"bubblewrap does not work here: {lost}"
     if ways:
         return "process", f"bubblewrap leaves open: {', '.join(ways)}"
-    return "strict", ", ".join(["bubblewrap", *has, *["cgroup"] * bool(ground())])
+    return "strict", ", ".join(["bubblewrap", *has])
 
 
 def open_ways(level):
