@@ -21,10 +21,12 @@ td > a { display: inline-block; min-width: min(11rem, 28vw); }
 """
 
 
-def overview(records, exercises, level, about, not_understood=(), alike=None):
+def overview(records, exercises, level, about, not_understood=(), alike=None,
+             waiting=0):
     """records: of grade.run. exercises: those that count. not_understood: [(name, sentence)].
 
     alike: what `similarity.pairs` found; None where nobody has looked yet.
+    waiting: how many are not graded yet.
     """
     graded = [record for record in records if is_graded(record)]
     sections = {
@@ -41,7 +43,8 @@ def overview(records, exercises, level, about, not_understood=(), alike=None):
         "Alike, for a person to judge": alike_part(alike),
         "Everybody": table(*everybody(records, exercises))}
     sections = {title: content for title, content in sections.items() if content}
-    about = (f"{len(graded)} of {len(records)} submissions graded; isolation {level} ({about})")
+    about = (f"{len(graded)} of {len(records) + waiting} submissions graded; isolation {level} "
+             f"({about})" + f"; {waiting} are still to be graded" * bool(waiting))
     return document("Grades", paragraph(about), contents(sections), *(
         f'<h2 id="{anchor(title)}">{title}</h2>\n{content}'
         for title, content in sections.items()), style=STYLE)

@@ -88,6 +88,12 @@ def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
     assert "eve 2 LATE 2 1.2: 1 instead of 2 by hand (as &lt;agreed&gt;) 5" in rows
 
 
+def test_the_class_s_page_says_how_many_are_still_to_be_graded():
+    """After Ctrl-C, 3 of 8 rows look like the whole class."""
+    text = overview.overview([record()], COLUMNS, "strict", ABOUT, waiting=2)
+    assert "1 of 3 submissions graded" in text and "2 are still to be graded" in text
+
+
 def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     """The median of nothing."""
     nothing = {**record("ada"), "board": None, "problem": "no worker could be started\nno"}
