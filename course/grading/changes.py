@@ -51,8 +51,10 @@ def why(what, old, new):
     before, now = by_hand(old, what), by_hand(new, what)
     if before != now:
         return now or "no longer by hand"
-    causes = [told for column, told in CAUSES.items()
-              if column in old and old[column] != new[column]]
+    differ = {column for column in CAUSES if column in old and old[column] != new[column]}
+    if "hash" in differ:
+        differ.discard("seed")  # each submission has its own
+    causes = [told for column, told in CAUSES.items() if column in differ]
     alone = "what its exercises give" if what == "total" else SAME
     return ", ".join(causes) or alone
 

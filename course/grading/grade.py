@@ -13,7 +13,7 @@ from rich.progress import Progress
 
 from .. import exercises
 from ..given import places
-from . import archives, earlier, gradebook, report, running, sandbox, submissions
+from . import archives, earlier, gradebook, lateness, report, running, sandbox, submissions
 from .examine import Job
 from .results import Results, Run
 
@@ -31,10 +31,11 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     level, about = level_to_use(isolation)
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if extra or not exercise.is_extra]
-    handed_in, not_understood = submissions.read(folder, topics)
+    book = book or gradebook.Asked()
+    handed_in, not_understood = submissions.read(folder, topics, lateness.zone(book.due))
     before = earlier.records(Path(out), handed_in, columns)
     everybody = [*handed_in, *map(earlier.submission, before)]
-    book = gradebook.Gradebook(book or gradebook.Asked(), everybody, columns)
+    book = gradebook.Gradebook(book, everybody, columns)
     results = Results(made(out), book, Run(columns, level, about, seed, running.course_digest(),
                                            tuple(not_understood)))
     print(f"isolation: {level} ({about})", *warnings(level), *book.said(),

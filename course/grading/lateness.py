@@ -30,6 +30,11 @@ def policy(due=None, late=None, grace=None):
                   duration(grace) if grace else 0, percent, step)
 
 
+def zone(due):
+    """The zone that a due time names, which is that of times which name none. None: it has none."""
+    return deadline(due).tzinfo if due else None
+
+
 def deadline(text):
     """ISO -> the moment. Without a zone it is this machine's."""
     try:

@@ -3,43 +3,66 @@
 Names of files and students, and messages, come from students: all of them are escaped.
 """
 import collections
+import re
 
 from ..checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
 from .lateness import iso
 from .marks import after_lateness, is_graded, points, told_by_hand, total
 from .report import is_of_the_lab, missing
 from .sheets import shown
+from .submissions import tidy
 
 MOST_CLAIMS = 60  # in the table of those that fail
 MOST_PAIRS = 20   # of those that are alike; similar.csv has all
+STYLE = """
+body { max-width: 76rem; } .contents a { margin-right: 1rem; white-space: nowrap; }
+td > a { display: inline-block; min-width: min(11rem, 28vw); }
+@media (max-width: 45rem) { .bar { width: 2.5rem; } }
+"""
 
 
-def overview(records, exercises, level, about, not_understood=(), alike=None):
+def overview(records, exercises, level, about, not_understood=(), alike=None,
+             waiting=0):
     """records: of grade.run. exercises: those that count. not_understood: [(name, sentence)].
 
     alike: what `similarity.pairs` found; None where nobody has looked yet.
+    waiting: how many are not graded yet.
     """
     graded = [record for record in records if is_graded(record)]
-    parts = [paragraph(f"{len(graded)} of {len(records)} submissions graded; isolation {level} "
-                       f"({about})"),
-             *part("Not understood", not_understood),
-             *(marks(graded, exercises) if graded else ()),
-             *part("Claims that fail", failing_claims(graded),
-                   ["", "", "the claim", "fails for", "of"]),
-             *part("Labs that are not there, or cannot be imported", [
-                 [student_link(record["student"]), topic, first_line(why)]
-                 for record in records for topic, why in missing(record).items()]),
-             *part("Crashes, time-outs, and worse", [
-                 [student_link(record["student"]), number, sentence]
-                 for record in records for number, sentence in record["lost"].items()]),
-             *alike_part(alike),
-             *part("Everybody", *everybody(records, exercises))]
-    return document("Grades", *parts)
+    sections = {
+        "Not understood": table(not_understood),
+        "Distribution": distribution(graded, exercises),
+        "Exercises, the hardest first": hardest(graded, exercises),
+        "Claims that fail": table(failing_claims(graded), ["", "the claim", "fails for", "of"]),
+        "Labs that are not there, or cannot be imported": table([
+            [student_link(record["student"]), topic, first_line(why)]
+            for record in records for topic, why in missing(record).items()]),
+        "Crashes, time-outs, and worse": table([
+            [student_link(record["student"]), number, sentence]
+            for record in records for number, sentence in record["lost"].items()]),
+        "Alike, for a person to judge": alike_part(alike),
+        "Everybody": table(*everybody(records, exercises))}
+    sections = {title: content for title, content in sections.items() if content}
+    about = (f"{len(graded)} of {len(records) + waiting} submissions graded; isolation {level} "
+             f"({about})" + f"; {waiting} are still to be graded" * bool(waiting))
+    return document("Grades", paragraph(about), contents(sections), *(
+        f'<h2 id="{anchor(title)}">{title}</h2>\n{content}'
+        for title, content in sections.items()), style=STYLE)
 
 
-def part(title, lines, head=None):
-    """A title and its table. Nothing where the table would be empty."""
-    return [f"<h2>{title}</h2>", rows(lines, head)] if lines else []
+def table(lines, head=None):
+    """The table of these rows, or nothing where it would be empty."""
+    return rows(lines, head) if lines else ""
+
+
+def contents(titles):
+    """A line of links: in a large class, the last part is far below."""
+    links = (f'<a href="#{anchor(title)}">{title.partition(",")[0]}</a>' for title in titles)
+    return f'<p class="contents">{" ".join(links)}</p>'
+
+
+def anchor(title):
+    return re.sub(r"\W+", "-", title.lower())
 
 
 def student_link(name):
@@ -53,31 +76,28 @@ def first_line(text):
 # --- the exercises ----------------------------------------------------------------------------
 
 
-def marks(graded, exercises):
+def distribution(graded, exercises):
+    """The median, and ten bars: how many reached each tenth of the points."""
+    if not graded:
+        return ""
     of = sum(exercise.points for exercise in exercises)
-    totals = [total(record) for record in graded]
-    middle = sorted(totals)[len(totals) // 2]
-    return ["<h2>Distribution</h2>", paragraph(f"median {shown(middle)} of {of} points"),
-            distribution(totals, of), "<h2>Exercises, the hardest first</h2>",
-            hardest(graded, exercises)]
-
-
-def distribution(totals, of):
-    """Ten bars: how many reached each tenth of the points."""
+    totals = sorted(map(total, graded))
     counts = [0] * 10
     for reached in totals:
         counts[min(9, int(10 * reached // max(of, 1)))] += 1
-    return rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
-                 for tenth, count in enumerate(counts)])
+    return "\n".join([
+        paragraph(f"median {shown(totals[len(totals) // 2])} of {of} points"),
+        rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
+              for tenth, count in enumerate(counts)])])
 
 
 def hardest(graded, exercises):
     solved = {exercise.number: sum(points(record).get(exercise.number, 0) > 0 for record in graded)
               for exercise in exercises}
     order = sorted(exercises, key=lambda exercise: solved[exercise.number])
-    return rows([[exercise.number, exercise.name, solved[exercise.number],
-                  bar(solved[exercise.number], len(graded))] for exercise in order],
-                ["", "", "solved by", f"of {len(graded)}"])
+    return table([[exercise.number, exercise.name, solved[exercise.number],
+                   bar(solved[exercise.number], len(graded))] for exercise in order],
+                 ["", "", "solved by", f"of {len(graded)}"]) if graded else ""
 
 
 def failing_claims(graded):
@@ -86,7 +106,7 @@ def failing_claims(graded):
     for record in graded:
         for entry in record["board"]["exercises"] if record["board"] else ():
             for check in entry["checks"]:
-                claim = entry["number"], entry["name"], check["claim"]
+                claim = f"{entry['number']} {entry['name']}", check["claim"]
                 if check["verdict"] in ("passed", "failed") and not is_of_the_lab(
                         check, entry["topic"], record):
                     tried[claim] += 1
@@ -103,6 +123,7 @@ def everybody(records, exercises):
     of = sum(exercise.points for exercise in exercises)
     columns = {
         "": lambda record: student_link(record["student"]),
+        "name": name_besides,
         "points": lambda record: number(total(record)),
         f"of {of}": lambda record: bar(total(record), of),
         "handed in": handed_in,
@@ -115,6 +136,12 @@ def everybody(records, exercises):
     table = {head: [cell(record) for record in records] for head, cell in columns.items()}
     table = {head: cells for head, cells in table.items() if any(cell != "" for cell in cells)}
     return list(zip(*table.values(), strict=True)), list(table)
+
+
+def name_besides(record):
+    """The student's name, where the row has a number or an address of a platform."""
+    name = (record.get("identity") or {}).get("name", "")
+    return "" if record["student"].startswith(tidy(name)[:20]) else name
 
 
 def number(reached):
@@ -135,10 +162,10 @@ def lateness(record):
 
 def alike_part(pairs):
     if pairs is None:
-        return []
+        return ""
     link = '<a href="similar.html">side by side</a>, <a href="similar.csv">as a table</a>'
-    return ["<h2>Alike, for a person to judge</h2>",
-            f'<p class="note">Pairs of students whose answers are alike beyond what the questions '
-            f"force: {len(pairs)} ({link}). This takes no points.</p>",
-            *([rows([[student_link(pair.first), student_link(pair.second), pair.nodes]
-                     for pair in pairs[:MOST_PAIRS]])] if pairs else [])]
+    return "\n".join([
+        '<p class="note">Pairs of students whose answers are alike beyond what the questions '
+        f"force: {len(pairs)} ({link}). This takes no points.</p>",
+        table([[student_link(pair.first), student_link(pair.second), pair.nodes]
+               for pair in pairs[:MOST_PAIRS]])])

@@ -12,6 +12,7 @@ Canvas's names are made in its lib/content_zipper.rb, Moodle's in mod/assign/cla
 """
 import contextlib
 import datetime
+import functools
 import re
 import unicodedata
 from typing import NamedTuple
@@ -45,17 +46,17 @@ def identity(platform="", id="", name="", email=""):
     return {"platform": platform, "id": id, "name": name, "email": email}
 
 
-def senders(path, submitters):
+def senders(path, submitters, zone=None):
     """Those who handed in what lies at a path. Several: a group. None: the name tells nobody.
 
-    submitters: of `gradescope`.
+    submitters: of `gradescope`. zone: of times that name none; None: this machine's.
     """
     whole = archives.printable(unicodedata.normalize("NFC", path.name))
     name = " ".join(whole.split())  # a space before PM may be a narrow one
     if found := submitters.get(name.partition(".")[0]):
         return found
-    for form, sender in ((BRIGHTSPACE, brightspace), (MOODLE, moodle), (ANONYMOUS, canvas),
-                         (CANVAS, canvas)):
+    for form, sender in ((BRIGHTSPACE, functools.partial(brightspace, zone=zone)),
+                         (MOODLE, moodle), (ANONYMOUS, canvas), (CANVAS, canvas)):
         if match := form.fullmatch(name):
             found = sender(**match.groupdict())
             return [found._replace(identity={**found.identity, "file": name})]
@@ -72,12 +73,13 @@ def moodle(name, id):
     return Sender(f"{name}_{id}" if id else name, identity("moodle", id or "", name))
 
 
-def brightspace(user, name, day, hour, minute, half):
-    """The time is taken as that of this machine's zone. None: in another language."""
+def brightspace(user, name, day, hour, minute, half, zone):
+    """The time is taken as that of the zone. None: in another language."""
     when = None
     with contextlib.suppress(ValueError):
         form = "%b %d, %Y %I%M %p" if half else "%b %d, %Y %H%M"
-        when = datetime.datetime.strptime(f"{day} {hour:0>2}{minute}{half or ''}", form).timestamp()
+        moment = datetime.datetime.strptime(f"{day} {hour:0>2}{minute}{half or ''}", form)
+        when = moment.replace(tzinfo=zone).timestamp()
     return Sender(f"{name}_{user}", identity("brightspace", name=name), when or 0, when)
 
 

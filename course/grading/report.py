@@ -58,8 +58,9 @@ def first_wrong(board):
 
 
 def missing(record):
-    """{topic: why}: labs that were not handed in, or cannot be imported."""
-    return record.get("missing", {})
+    """{topic: why}: labs that count, and were not handed in, or cannot be imported."""
+    counting = {entry["topic"] for entry in record["board"]["exercises"]} if record["board"] else ()
+    return {topic: why for topic, why in record.get("missing", {}).items() if topic in counting}
 
 
 def is_of_the_lab(check, topic, record):

@@ -88,7 +88,8 @@ class Results:
         self.out.mkdir(parents=True, exist_ok=True)
         places.write_whole(self.out / "grades.csv", sheets.written(table))
         page = overview.overview(records, self.run.columns, self.run.level, self.run.about,
-                                 self.run.not_understood, self.alike)
+                                 self.run.not_understood, self.alike,
+                                 len(self.book.handed_in) - len(records))
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
         return table
 

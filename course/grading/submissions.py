@@ -36,15 +36,16 @@ class Found(NamedTuple):
     path: Path
 
 
-def read(folder, topics):
+def read(folder, topics, zone=None):
     """The submissions in a folder, one for each student; [(name, sentence)] of the rest.
 
+    zone: of times that name none; None: this machine's.
     OSError or ValueError: there is no submission.
     """
     folder = Path(folder)
     if not folder.is_dir():
         raise ValueError(f"there is no folder {folder}: name the one with the submissions")
-    found, not_understood = listed(folder, topics)
+    found, not_understood = listed(folder, topics, zone)
     if not found:
         raise ValueError(f"nothing was handed in to {folder}: it should hold a folder, a zip or "
                          f"a file such as ada_{topics[0]}.py for each student"
@@ -57,14 +58,14 @@ def read(folder, topics):
             for student in sorted(groups)], not_understood
 
 
-def listed(folder, topics):
+def listed(folder, topics, zone):
     """[Found] of what is in a folder; [(name, sentence)] of what cannot be anybody's."""
     submitters = platforms.gradescope(folder)
     found, not_understood, seen = [], [], set()
     for path in sorted(folder.iterdir()):
         if path.name in platforms.NOT_HANDED_IN or path.name.startswith("._"):
             continue
-        senders = platforms.senders(path, submitters)
+        senders = platforms.senders(path, submitters, zone)
         found += [Found(sender, path) for sender in senders]
         seen.add(path.stem)
         if not senders:

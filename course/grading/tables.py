@@ -18,7 +18,7 @@ def line(record, exercises):
     done, of = marks.fine_print(record)
     lateness = record.get("lateness", {})
     return {
-        "student": record["student"],
+        "student": record["student"], "name": (record.get("identity") or {}).get("name", ""),
         **{f"{one.number} {one.name}": shown(got.get(one.number)) for one in exercises},
         **sums("core", [one for one in exercises if not one.is_extra], got),
         **sums("extras", [one for one in exercises if one.is_extra], got),

@@ -409,6 +409,7 @@ def test_core_fine_print_and_extras_have_columns_of_their_own():
         "fine print done": 1, "fine print of": 2}
     assert "extras" not in tables.line(ada, CORE)
     lost = tables.line(record("eve", problem="broke off", board=None), CORE)
+    assert tables.line(record("s1", identity={"name": "Wei Li"}), CORE)["name"] == "Wei Li"
     assert {lost[name] for name in ("core", "total", "after lateness", "fine print done")} == {""}
 
 
@@ -441,6 +442,8 @@ def test_a_change_is_told_with_its_cause():
         ("after lateness", "4", "10", "the total")]
     assert changed(record("ada", *bad), record("ada", seed=7, checks="b"))[0][-1] == (
         "other checks, other random inputs")
+    assert changed(record("ada", *bad), record("ada", seed=7, digest="e"))[0][-1] == (
+        "handed in again")
     given = {"2.2": {"points": 5, "reason": "look; 2.1: fine"}}
     assert changed(record("ada", *bad), record("ada", *bad, overrides=given)) == [
         ("2.2", "0", "5", "5 instead of 0 by hand (look; 2.1: fine)"),

@@ -45,7 +45,7 @@ def broken(student):
 
 def section(text, title):
     """The text of a section, without tags."""
-    found = re.search(rf"<h2>{title}</h2>(.*?)(<h2>|</body>)", text, re.DOTALL)
+    found = re.search(rf"<h2[^>]*>{title}</h2>(.*?)(<h2|</body>)", text, re.DOTALL)
     return " ".join(re.sub("<[^>]*>", " ", found[1]).split()) if found else None
 
 
@@ -88,6 +88,12 @@ def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
     assert "eve 2 LATE 2 1.2: 1 instead of 2 by hand (as &lt;agreed&gt;) 5" in rows
 
 
+def test_the_class_s_page_says_how_many_are_still_to_be_graded():
+    """After Ctrl-C, 3 of 8 rows look like the whole class."""
+    text = overview.overview([record()], COLUMNS, "strict", ABOUT, waiting=2)
+    assert "1 of 3 submissions graded" in text and "2 are still to be graded" in text
+
+
 def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     """The median of nothing."""
     nothing = {**record("ada"), "board": None, "problem": "no worker could be started\nno"}
@@ -95,6 +101,29 @@ def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     assert "0 of 1 submissions graded" in text
     assert section(text, "Everybody") == (
         "points of 3 seed problem ada 0 4 no worker could be started")
+
+
+def test_a_lab_without_exercises_that_count_is_not_missed():
+    """Full marks, and below them: "nothing could be checked"."""
+    one = record("ada", missing={"scanline": "there is no labs/scanline.py"})
+    assert "scanline" not in report.page(one, {}, ABOUT)
+    assert "scanline" not in overview.overview([one], COLUMNS, "strict", ABOUT)
+
+
+def test_a_platform_s_number_has_a_name_beside_it():
+    """Nobody knows who s1001 is."""
+    known = {"platform": "canvas", "name": "lovelaceada"}
+    text = overview.overview([record("s1001", identity={"name": "Ada <b>"}),
+                              record("lovelaceada_7", identity=known)], COLUMNS, "strict", ABOUT)
+    rows = section(text, "Everybody")
+    assert "s1001 Ada &lt;b&gt; 3" in rows and "lovelaceada_ 7 3 4" in rows
+
+
+def test_the_class_s_page_begins_with_links_to_its_parts():
+    """Everybody's row is below three screens of tables."""
+    text = overview.overview([record("ada"), broken("cyd")], COLUMNS, "strict", ABOUT)
+    anchors = re.findall(r'<h2 id="([\w-]+)"', text)
+    assert anchors == re.findall(r'href="#([\w-]+)"', text) and "everybody" in anchors
 
 
 # --- a student --------------------------------------------------------------------------------

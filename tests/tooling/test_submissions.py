@@ -9,7 +9,7 @@ import zipfile
 import pytest
 
 from course import exercises
-from course.grading import archives, submissions
+from course.grading import archives, lateness, submissions
 
 TOPICS = ("transforms", "rasterization")
 MOODLE = "Ada Lovelace_1234_assignsubmission_file"
@@ -147,6 +147,15 @@ def test_brightspace_tells_the_time_here(handed_in, written, time):
     """1:15 is read as 11:05, or as a time in Greenwich."""
     one, = handed_in({f"{BRIGHTSPACE}{written} - transforms.py": "x"}).values()
     assert one.handed_in == (time and datetime.datetime(*time).timestamp())
+
+
+def test_brightspace_s_time_is_that_of_the_deadline_s_zone(tmp_path):
+    """In a container, whose zone is Greenwich's, everybody is an hour late."""
+    (tmp_path / f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - transforms.py").write_text("x")
+    zone = lateness.zone("2026-11-22T23:59+01:00")
+    (one,), _ = submissions.read(tmp_path, TOPICS, zone)
+    assert one.handed_in == datetime.datetime(2026, 11, 22, 22, 59, tzinfo=datetime.UTC).timestamp()
+    assert lateness.zone("2026-11-22T23:59") is None is lateness.zone(None)
 
 
 def test_gradescope_s_export_names_all_submitters(read):
