@@ -1,0 +1,55 @@
+"""Workers seen from outside, while nobody waits for an answer of theirs."""
+import contextlib
+import time
+
+import pytest
+
+from course.grading import examine, sandbox
+from course.grading.levels import LEVELS
+from course.grading.processes import Use
+
+GREEDY = '''
+import os
+import time
+
+def greedy():
+    for _ in range(4):
+        if os.fork() == 0:
+            kept = b"1" * (1 << 28)
+            time.sleep(1000)
+'''
+
+
+@pytest.fixture(params=LEVELS)
+def level(request):
+    strict, about = sandbox.available()
+    if request.param == "strict" != strict:
+        pytest.skip(about)
+    return request.param
+
+
+def test_memory_is_watched_between_two_calls(level):
+    """Children take all memory while the check computes, or while each answer comes at once."""
+    limits = sandbox.Limits(memory=1 << 29)
+    with contextlib.closing(sandbox.Worker(level, limits)) as worker:
+        worker.exchange(("open", (("greedy", GREEDY, ()),), ()), 10)
+        assert worker.exchange(("call", "greedy", "greedy", (), {}), 10)[0] == "returned"
+        worker.guard.join(60)
+        assert "more than 512 MB of memory" in worker.guard.excess
+        with pytest.raises(sandbox.Lost, match="more than 512 MB of memory"):
+            worker.exchange(("call", "greedy", "greedy", (), {}), 10)
+
+
+def test_time_counts_that_no_process_seems_to_use():
+    """A worker hides in a child that is waited for as if for a disk: asleep, and not seen so."""
+    meter = sandbox.Meter()
+    meter.began -= 100
+    meter.add(sandbox.Look(time.monotonic(), Use(seconds=1, asleep=False)))
+    meter.add(sandbox.Look(time.monotonic() + 100, Use(seconds=1, asleep=False)))
+    assert meter.total() >= 100 / sandbox.CLOCK
+
+
+def test_no_returned_string_is_long():
+    """Among many short strings, a long one makes an array that fills the memory."""
+    returned = ["a" * 10**6, ("b" * 10**6, 1.0), *[""] * 4]
+    assert examine.shortened(returned) == ["a" * 200, ("b" * 200, 1.0), *[""] * 4]
