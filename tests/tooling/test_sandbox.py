@@ -1,12 +1,16 @@
 """Workers seen from outside, while nobody waits for an answer of theirs."""
 import contextlib
+import os
+import signal
+import sys
 import time
+from pathlib import Path
 
 import pytest
 
-from course.grading import examine, sandbox
+from course.grading import examine, sandbox, wire
 from course.grading.levels import LEVELS
-from course.grading.processes import Use
+from course.grading.processes import Use, family
 
 GREEDY = '''
 import os
@@ -18,6 +22,11 @@ def greedy():
             kept = b"1" * (1 << 28)
             time.sleep(1000)
 '''
+ENDLESS = """
+def endless():
+    while True:
+        pass
+"""
 
 
 @pytest.fixture(params=LEVELS)
@@ -53,3 +62,24 @@ def test_no_returned_string_is_long():
     """Among many short strings, a long one makes an array that fills the memory."""
     returned = ["a" * 10**6, ("b" * 10**6, 1.0), *[""] * 4]
     assert examine.shortened(returned) == ["a" * 200, ("b" * 200, 1.0), *[""] * 4]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="others cannot tie a process to its parent")
+def test_what_runs_for_an_exercise_ends_with_its_worker(level):
+    """The grader is killed, and an endless loop that it was waiting for goes on for ever."""
+    with contextlib.closing(sandbox.Worker(level)) as worker:
+        worker.exchange(("open", (("endless", ENDLESS, ()),), ()), 10)
+        worker.socket.sendall(wire.framed(wire.encode(("call", "endless", "endless", (), {}))))
+        *_, first, served = family(worker.process.pid)
+        os.kill(first, signal.SIGKILL)
+        patience = time.monotonic() + 60
+        while is_alive(served) and time.monotonic() < patience:
+            time.sleep(0.05)
+        assert not is_alive(served)
+
+
+def is_alive(pid):
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
