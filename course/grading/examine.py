@@ -33,6 +33,7 @@ QUESTION = re.compile(rb'.{4}\{"tuple": \["ask", "(\w{1,60})", "(\w{1,60})", ', 
 PARENT_MEMORY = 1 << 32
 MOST_FRAMES = 40
 MOST_TEXT = 4000      # characters of an error, or of what a check prints
+MOST_STRING = 200     # of a string that a call returns, and no exercise does
 MOST_RECEIVED = 1 << 30  # bytes of all answers to a submission's examination
 LOOPS = 10            # loops ask in small pieces, so a submission may ask for so many times as much
 FEW = 10_000          # bytes that each exercise may ask for what another one of its lab asks for
@@ -222,7 +223,7 @@ class Examination:
         if kind == "returned":
             for position, array in answer[1]:
                 change(inputs, position, array)
-        return answer[0]
+        return shortened(answer[0])
 
     def show(self, printed):
         printed = printable(printed[:MOST_TEXT - self.printed])
@@ -299,12 +300,14 @@ class Examination:
         if self.opened is None:
             return
         number, self.opened = self.opened, None
+        began = time.monotonic()
         try:
             self.worker.finish()
         except sandbox.Lost as lost:
             self.lost[number] = f"at its end: {lost}"
             self.spoilt.add(number)
             self.forget()
+        self.spent[None] += time.monotonic() - began
 
     def lose(self, why):
         self.lost[self.running] = why
@@ -353,6 +356,13 @@ def frame(told):
     """What a worker tells of a frame -> (file, line, function), always of these types."""
     file, line, function = told if isinstance(told, tuple) and len(told) == 3 else ("", 0, "")
     return str(file)[:60], line if isinstance(line, int) else 0, printable(str(function)[:60])
+
+
+def shortened(value):
+    """With short strings alone: an array of strings has room for the longest one everywhere."""
+    if isinstance(value, str):
+        return value[:MOST_STRING]
+    return type(value)(map(shortened, value)) if isinstance(value, tuple | list) else value
 
 
 def change(inputs, position, array):

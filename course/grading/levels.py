@@ -85,7 +85,8 @@ def strict(folder, limits):
     hidden = ["--tmpfs", str(places.ROOT)] * any(places.ROOT.is_relative_to(path)
                                                  for path in there.values())
     empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev",
-             "--size", str(1 << 24), "--perms", "1777", "--tmpfs", "/tmp", "--chdir", "/tmp"]
+             "--size", str(1 << 24), "--perms", "1777", "--tmpfs", "/tmp", "--remount-ro", "/",
+             "--chdir", "/tmp"]
     return ["bwrap", *shut_in, "--die-with-parent", "--as-pid-1", *seen, *hidden, *empty,
             *python("/worker/worker.py", "/packages")], settings(
         limits, processes=limits.processes, uid=user, doors=[], readable=["/"],

@@ -3,6 +3,7 @@
 What shuts them in is in levels.py. Here it is also tried, before the level `strict` is claimed.
 """
 import contextlib
+import math
 import os
 import select
 import shutil
@@ -11,6 +12,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 from typing import NamedTuple
@@ -19,11 +21,12 @@ from ..given import places
 from . import seccomp, wire
 from .cgroups import Share
 from .levels import environment, given, plain, strict
-from .processes import WORKERS, end_orphans, family, use_of
+from .processes import WORKERS, Use, end_orphans, family, use_of
 
 PROBE = Path(__file__).with_name("probe.py")
 PATIENCE = 0.2         # seconds between two looks at a worker
 CLOCK = 5              # so many times its limit may a worker take on the clock, on a busy machine
+KILL = signal.SIGKILL if os.name != "nt" else signal.SIGTERM
 OUR_OWN = 4            # processes of a worker that are not the submission's
 FILES_LEFT = "files"
 MOST_FILES = 1000      # of a worker's folder: the system counts their bytes, and not their number
@@ -66,6 +69,7 @@ class Worker:
                 self.process.stdin.write(theirs.share(self.process.pid))
                 self.process.stdin.close()
         self.share = None
+        self.guard = Guard(self.process.pid, limits.memory, level == "strict")
         try:
             _, self.has = self.exchange(("start", settings, given()), 30)
         except Lost as lost:
@@ -73,6 +77,7 @@ class Worker:
             raise Lost(said.splitlines()[-1] if said else str(lost)) from None
         self.share = Share(family(self.process.pid), limits.memory, limits.processes + OUR_OWN)
         self.has += ("cgroup",) * bool(self.share.folder)
+        self.guard.start()
 
     def exchange(self, message, seconds):
         """Send a message -> the one that comes back, in at most these seconds."""
@@ -104,7 +109,7 @@ class Worker:
             self.lose(f"the process ended{self.cause()}")
         except wire.Garbled as error:
             self.lose(f"what it sent cannot be read: {error}")
-        self.spent = meter.spent + meter.unseen()
+        self.spent = meter.total()
         answer = bytes(self.buffer[8:length])
         del self.buffer[:length]
         return answer
@@ -121,16 +126,8 @@ class Worker:
         return b""
 
     def watch(self, meter, seconds):
-        """Every PATIENCE seconds, see what the worker uses. TimeoutError: it took too long."""
-        if meter.unseen() < PATIENCE:
-            return
-        pids = family(self.process.pid)
-        use = use_of(pids)
-        meter.add(use)
-        if use.memory > self.limits.memory:
-            self.lose(f"it took more than {self.limits.memory >> 20} MB of memory")
-        if self.level == "strict" and self.share and files_of(pids) > MOST_FILES:
-            self.lose(f"it made more than {MOST_FILES} files")
+        """TimeoutError: it took too long."""
+        meter.add(self.guard.look)
         if meter.spent > seconds or meter.clock() > CLOCK * seconds:
             raise TimeoutError
 
@@ -164,6 +161,8 @@ class Worker:
         """' by signal 11', or the like."""
         with contextlib.suppress(subprocess.TimeoutExpired):
             status = self.process.wait(1) if status is None else status
+        if self.guard.excess:
+            return f": {self.guard.excess}"
         if self.share and self.share.is_exceeded():
             return f": it took more than {self.limits.memory >> 20} MB of memory"
         if status is None:
@@ -174,11 +173,12 @@ class Worker:
         """End all of its processes, and remove its folder. A second call does nothing."""
         if self.process.returncode is not None and not os.path.exists(self.folder):
             return
+        self.guard.close()
         self.socket.close()
         self.control.close()
         with contextlib.suppress(ProcessLookupError, PermissionError):
             for pid in family(self.process.pid):
-                os.kill(pid, signal.SIGKILL if os.name != "nt" else signal.SIGTERM)
+                os.kill(pid, KILL)
             if hasattr(os, "killpg"):
                 os.killpg(self.process.pid, signal.SIGKILL)
         self.process.kill()
@@ -190,10 +190,53 @@ class Worker:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
+class Look(NamedTuple):
+    """What a worker's processes used at a time."""
+
+    time: float = -math.inf
+    use: Use = Use()
+
+
+class Guard(threading.Thread):
+    """Looks at a worker every PATIENCE seconds, whatever else is done. Ends what takes too much."""
+
+    def __init__(self, pid, memory, counts_files):
+        super().__init__(daemon=True)
+        self.pid, self.memory, self.counts_files = pid, memory, counts_files
+        self.look = Look()
+        self.excess = None  # a sentence, when it took too much
+        self.over = threading.Event()
+
+    def run(self):
+        rest = PATIENCE
+        while not self.excess and not self.over.wait(rest):
+            began = time.monotonic()
+            pids = family(self.pid)
+            self.look = Look(began, use_of(pids))
+            if self.look.use.memory > self.memory:
+                self.end(pids, f"it took more than {self.memory >> 20} MB of memory")
+            elif self.counts_files and files_of(pids) > MOST_FILES:
+                self.end(pids, f"it made more than {MOST_FILES} files")
+            rest = max(PATIENCE, 10 * (time.monotonic() - began))  # a tenth of a processor at most
+
+    def end(self, pids, why):
+        self.excess = why
+        for pid in pids:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.kill(pid, KILL)
+
+    def close(self):
+        """Its process may not be waited for before: another one could get the number."""
+        self.over.set()
+        if self.is_alive():
+            self.join()
+
+
 class Meter:
     """The time that a worker takes: its processors' seconds, and those for which it sleeps.
 
-    So a machine that is busy with other things costs no student a point.
+    So a machine that is busy with other things costs no student a point. What seems to be busy and
+    is not, as work that no process is seen to do, counts as a CLOCK-th of its time on the clock.
     """
 
     def __init__(self):
@@ -204,14 +247,17 @@ class Meter:
     def clock(self):
         return time.monotonic() - self.began
 
-    def unseen(self):
-        return time.monotonic() - self.seen
+    def total(self):
+        return max(self.spent + time.monotonic() - self.seen, self.clock() / CLOCK)
 
-    def add(self, use):
-        """use: what the worker uses now."""
-        worked = use.seconds - self.use.seconds if self.use else 0.0
-        self.spent += max(worked, self.unseen() if use.asleep or self.use is None else 0.0)
-        self.seen, self.use = time.monotonic(), use
+    def add(self, look):
+        """look: the last one at what the worker uses."""
+        if look.time <= self.seen:
+            return
+        since = look.time - self.seen
+        worked = look.use.seconds - self.use.seconds if self.use else 0.0
+        self.spent += max(worked, since if look.use.asleep or self.use is None else 0.0)
+        self.seen, self.use = look
 
 
 def files_of(pids):

@@ -4,6 +4,7 @@ libseccomp makes the filter here. A worker puts it in force before it loads what
 """
 import ctypes
 import functools
+import signal
 import tempfile
 
 LIBRARY = "libseccomp.so.2"
@@ -27,7 +28,7 @@ NEW_NAMESPACES = 0x7E020080       # clone's flags for them
 SHARED = 0x01                     # mmap's flag for memory that stays when no process maps it
 DESCRIPTORS = 0, 1, 2, 3, 4, 1030  # fcntl's commands for copies and flags, and not for locks
 TERMINALS = 0x5401, 0x5421, 0x5450, 0x5451  # ioctl's: is it one; wait or not; close at exec or not
-NAME = 15                         # prctl's, for a thread
+NAME, WITH_PARENT = 15, 1         # prctl's: a thread's name; the signal when the parent ends
 ALLOW, REFUSE = 0x7FFF0000, 0x00050000 + 38  # with ENOSYS, as an older kernel would
 EQUAL, MASKED = 4, 7
 
@@ -46,6 +47,7 @@ def rules():
     yield "clone", (Comparison(0, MASKED, NEW_NAMESPACES, 0),)
     yield "mmap", (Comparison(3, MASKED, SHARED, 0),)
     yield "prctl", (Comparison(0, EQUAL, NAME, 0),)
+    yield "prctl", (Comparison(0, EQUAL, WITH_PARENT, 0), Comparison(1, EQUAL, signal.SIGKILL, 0))
     yield "prlimit64", (Comparison(0, EQUAL, 0, 0),)  # its own
     for name, commands in (("fcntl", DESCRIPTORS), ("ioctl", TERMINALS)):
         for command in commands:

@@ -165,9 +165,13 @@ def file_name(topic):
 
 def serve_apart(channel, control, codes):
     """Serve one exercise in a process of its own, and end all that it leaves behind."""
+    parent = os.getpid()
     child = 0 if WITHOUT_FORK else os.fork()
     if child == 0:
         os.close(control)
+        end_with_the_parent()
+        if not WITHOUT_FORK and os.getppid() != parent:  # it has ended already
+            os._exit(1)
         serve(channel, codes)
         os._exit(0)
     _, status = os.waitpid(child, 0)
@@ -339,8 +343,8 @@ def restrict(memory, processes, uid, doors, readable, writable, program, keyctl)
             os.setgroups([])
             os.setgid(uid)
             os.setuid(uid)
-        libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG: end with the parent
-        libc.prctl(38, 1, 0, 0, 0)              # PR_SET_NO_NEW_PRIVS
+        end_with_the_parent()
+        libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
         if version and libc.syscall(ENFORCE, rules, 0) == 0:
             has.append(f"Landlock {version}")
             os.close(rules)
@@ -355,6 +359,12 @@ def restrict(memory, processes, uid, doors, readable, writable, program, keyctl)
     if program and filter_calls(libc, bytes.fromhex(program)):
         has.append("seccomp")
     return tuple(has)
+
+
+def end_with_the_parent():
+    """Have the kernel end this process, and none that it forks, when its parent ends (Linux)."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG
 
 
 def hold_open(folders):

@@ -1,24 +1,95 @@
-"""Workers, as far as they can be seen from outside: who they are, how their time is counted."""
+"""Workers seen from outside: who they are, how their time and memory are watched."""
 import contextlib
 import os
+import signal
 import sys
+import time
 from pathlib import Path
 
 import pytest
 
-from course.grading import sandbox
+from course.grading import examine, sandbox, wire
 from course.grading.levels import LEVELS
 from course.grading.processes import Use, family
 
+GREEDY = '''
+import os
+import time
+
+def greedy():
+    for _ in range(4):
+        if os.fork() == 0:
+            kept = b"1" * (1 << 28)
+            time.sleep(1000)
+'''
+ENDLESS = """
+def endless():
+    while True:
+        pass
+"""
+
+
+@pytest.fixture(params=LEVELS)
+def level(request):
+    strict, about = sandbox.available()
+    if request.param == "strict" != strict:
+        pytest.skip(about)
+    return request.param
+
+
+def test_memory_is_watched_between_two_calls(level):
+    """Children take all memory while the check computes, or while each answer comes at once."""
+    limits = sandbox.Limits(memory=1 << 29)
+    with contextlib.closing(sandbox.Worker(level, limits)) as worker:
+        worker.exchange(("open", (("greedy", GREEDY, ()),), ()), 10)
+        assert worker.exchange(("call", "greedy", "greedy", (), {}), 10)[0] == "returned"
+        worker.guard.join(60)
+        assert "more than 512 MB of memory" in worker.guard.excess
+        with pytest.raises(sandbox.Lost, match="more than 512 MB of memory"):
+            worker.exchange(("call", "greedy", "greedy", (), {}), 10)
+
+
+def test_time_counts_that_no_process_seems_to_use():
+    """A worker hides in a child that is waited for as if for a disk: asleep, and not seen so."""
+    meter = sandbox.Meter()
+    meter.began -= 100
+    meter.add(sandbox.Look(time.monotonic(), Use(seconds=1, asleep=False)))
+    meter.add(sandbox.Look(time.monotonic() + 100, Use(seconds=1, asleep=False)))
+    assert meter.total() >= 100 / sandbox.CLOCK
+
+
+def test_no_returned_string_is_long():
+    """Among many short strings, a long one makes an array that fills the memory."""
+    returned = ["a" * 10**6, ("b" * 10**6, 1.0), *[""] * 4]
+    assert examine.shortened(returned) == ["a" * 200, ("b" * 200, 1.0), *[""] * 4]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="others cannot tie a process to its parent")
+def test_what_runs_for_an_exercise_ends_with_its_worker(level):
+    """The grader is killed, and an endless loop that it was waiting for goes on for ever."""
+    with contextlib.closing(sandbox.Worker(level)) as worker:
+        worker.exchange(("open", (("endless", ENDLESS, ()),), ()), 10)
+        worker.socket.sendall(wire.framed(wire.encode(("call", "endless", "endless", (), {}))))
+        *_, first, served = family(worker.process.pid)
+        os.kill(first, signal.SIGKILL)
+        patience = time.monotonic() + 60
+        while is_alive(served) and time.monotonic() < patience:
+            time.sleep(0.05)
+        assert not is_alive(served)
+
+
+def is_alive(pid):
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
 
 @pytest.mark.skipif(sys.platform != "linux", reason="it reads /proc")
-@pytest.mark.parametrize("level", LEVELS)
 def test_a_worker_is_the_first_to_go_and_never_root(level):
     """Where memory runs out, the grader ends, or a neighbour. Or root's Python is nobody else's, so
     submissions run as root.
     """
-    if level == "strict" != sandbox.available()[0]:
-        pytest.skip(sandbox.available()[1])
     with contextlib.closing(sandbox.Worker(level)) as worker:
         inside = Path("/proc", str(family(worker.process.pid)[-1]))
         assert (inside / "oom_score_adj").read_text() == "1000\n"
@@ -37,12 +108,9 @@ def test_strict_is_there_where_it_is_tested():
     ([Use(0, 1.0, False), Use(0, 9.0, False)], 8.0),   # it works in many processes
     ([Use(0, 1.0, True), Use(0, 1.0, True)], 4.0),     # it sleeps
 ])
-def test_a_worker_pays_for_what_it_uses_or_sleeps(monkeypatch, used, spent):
+def test_a_worker_pays_for_what_it_uses_or_sleeps(used, spent):
     """Right work is lost on a busy machine, or a worker that sleeps is waited for."""
-    now = [100.0]
-    monkeypatch.setattr(sandbox.time, "monotonic", lambda: now[0])
     meter = sandbox.Meter()
-    meter.add(used[0])
-    now[0] += 4.0
-    meter.add(used[1])
-    assert meter.spent == spent
+    meter.add(sandbox.Look(meter.began + 1.0, used[0]))
+    meter.add(sandbox.Look(meter.began + 5.0, used[1]))
+    assert meter.spent == 1.0 + spent  # before the first look, it is not known what it did
