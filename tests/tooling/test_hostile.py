@@ -38,6 +38,7 @@ POINTS = dict.fromkeys((path.stem for path in HOSTILE.glob("*.py")), 6) | {
     "asks_for_its_own_answer": 4,
     "sets_attributes": 4,
     "asks_much": 4,
+    "memory_between_questions": 4,
     "asks_beside_the_point": 2,
     "left_files": 5,
     "kills_by_number": 7,
@@ -49,7 +50,7 @@ POINTS = dict.fromkeys((path.stem for path in HOSTILE.glob("*.py")), 6) | {
 # What no `process` is protected from, and what needs fork.
 STRICT_ONLY = {"keyring", "shared_memory", "sockets", "file_locks", "many_files", "drips",
                "kills_by_number", "fork_bomb", "writes_results", "reads_the_reference", "network",
-               "kills_its_parent", "memory_of_many", "daemon"}
+               "kills_its_parent", "memory_of_many", "memory_between_questions", "daemon"}
 # At the level `process`, where `strict` is graded, too: enough to see that the levels agree.
 BOTH = {"honest", "one_mistake", "exits_hard", "endless_loop_in_c", "closes_descriptors",
         "forged_frames", "changes_its_input", "breaks_numpy"}
