@@ -316,7 +316,7 @@ def test_line_ends_and_a_mark_for_utf_8_do_not_matter(handed_in):
     ("ada.tar", tarred({"labs/transforms.py": None}, "w"), "put the file there"),
     ("ada.zip", {"labs/transforms.py": b"\xe9"}, "is not UTF-8 text (byte 0)"),
     ("ada.zip", {"labs/transforms.py": "#" * (1 << 19)}, "has more than 256 kB"),
-])
+], ids=lambda value: "bytes" if isinstance(value, bytes) else None)  # they hold the time
 def test_who_handed_in_what_cannot_be_read_has_a_row(handed_in, name, content, sentence):
     """A student without a row, and without a word on what to do."""
     one, = handed_in({name: content}).values()
