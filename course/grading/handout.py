@@ -20,13 +20,8 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "tests/labs/[!t]*.py",  # what checks share
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
          ".gitignore")
-TEACHERS = {f"course/{name}.py" for name in (  # a copy without these is one for students: cli.py
-    "grading/handout", "grading/autograder", "grading/grade", "grading/examine", "grading/report",
-    "grading/submissions", "grading/platforms", "grading/running", "grading/worker",
-    "grading/files/autograder", "grading/results", "grading/gradebook", "grading/rosters",
-    "grading/lateness", "grading/overrides", "grading/marks", "grading/tables", "grading/changes",
-    "grading/sheets", "grading/overview", "grading/similarity", "grading/side_by_side",
-    "grading/handback", "grading/earlier", "upkeep/feedback", "upkeep/mistakes", "upkeep/mutants")}
+PACKS = {f"course/grading/{name}.py" for name in ("__init__", "archives", "pack")}
+TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 
@@ -118,7 +113,7 @@ def files(asked, given, released, extra):
     for pattern in WHOLE:
         for path in sorted(places.ROOT.glob(pattern)):
             name = path.relative_to(places.ROOT).as_posix()
-            if name not in TEACHERS:
+            if not is_for_teachers(name):
                 yield name, path.read_bytes()
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
@@ -141,6 +136,11 @@ def files(asked, given, released, extra):
             text = switched(text)
         yield f"notebooks/{path.name}", text.encode()
     yield "README.md", readme(asked, given, released).encode()
+
+
+def is_for_teachers(name):
+    """A copy without these files is one for students. Of course/grading, they get what packs."""
+    return name in TEACHERS or (name.startswith("course/grading/") and name not in PACKS)
 
 
 def readme(asked, given, released):

@@ -21,6 +21,7 @@ from . import seccomp
 
 LEVELS = ("strict", "process")
 WORKER = Path(__file__).with_name("worker.py")
+NEIGHBOURS = "worker.py", "confine.py", "wire.py"
 PACKAGES = Path(np.__file__).parent.parent
 SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache",
           "/etc/alternatives")  # Debian links libblas through it
@@ -53,7 +54,7 @@ def python(worker, packages):
 
 
 def settings(limits, **more):
-    """What a worker does to itself before it loads what was handed in: see worker.restrict."""
+    """What a worker does to itself before it loads what was handed in: see confine.give_up."""
     program, keyctl = "", None
     if sys.platform == "linux" and seccomp.is_there():
         program, keyctl = seccomp.program().hex(), seccomp.number("keyctl")
@@ -80,7 +81,7 @@ def strict(folder, limits):
     there = {path: path for path in (*SYSTEM, interpreter(), *map(str, library()))
              if os.path.exists(path)}
     there |= {f"/packages/{name}": path for name, path in packages().items()}
-    there |= {f"/worker/{name}": WORKER.with_name(name) for name in ("worker.py", "wire.py")}
+    there |= {f"/worker/{name}": WORKER.with_name(name) for name in NEIGHBOURS}
     seen = [option for place, path in there.items() for option in shown(place, str(path))]
     hidden = ["--tmpfs", str(places.ROOT)] * any(places.ROOT.is_relative_to(path)
                                                  for path in there.values())

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from course.grading import examine, sandbox, wire
+from course.grading import examination, sandbox, wire
 from course.grading.levels import LEVELS
 from course.grading.processes import Use, family
 
@@ -61,7 +61,7 @@ def test_time_counts_that_no_process_seems_to_use():
 def test_no_returned_string_is_long():
     """Among many short strings, a long one makes an array that fills the memory."""
     returned = ["a" * 10**6, ("b" * 10**6, 1.0), *[""] * 4]
-    assert examine.shortened(returned) == ["a" * 200, ("b" * 200, 1.0), *[""] * 4]
+    assert examination.shortened(returned) == ["a" * 200, ("b" * 200, 1.0), *[""] * 4]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="others cannot tie a process to its parent")

@@ -1,0 +1,354 @@
+"""The checks of a submission, with a worker in the place of the labs: a plugin of pytest.
+
+What comes from the worker is believed in nothing. The checks and the reference are trusted.
+"""
+import contextlib
+import functools
+import importlib
+import re
+import time
+from pathlib import Path
+
+import pytest
+
+from .. import exercises
+from ..checks import Mismatch, loader
+from ..checks.report import UNFINISHED, is_fine_print
+from ..checks.showing import cut, shown_frames
+from ..upkeep.skeleton import skeleton
+from . import sandbox, wire
+
+MESSAGES = {  # what a worker may say, and the types of what follows
+    "opened": (str,), "missing": (str,), "returned": (object, tuple, str),
+    "raised": (str, str, tuple, str)}
+QUESTION = re.compile(rb'.{4}\{"tuple": \["ask", "(\w{1,60})", "(\w{1,60})", ', re.DOTALL)
+MOST_FRAMES = 40
+MOST_TEXT = 4000      # characters of an error, or of what a check prints
+MOST_STRING = 200     # of a string that a call returns, and no exercise does
+MOST_RECEIVED = 1 << 30  # bytes of all answers to a submission's examination
+LOOPS = 10            # loops ask in small pieces, so a submission may ask for so many times as much
+FEW = 10_000          # bytes that each exercise may ask for what another one of its lab asks for
+
+
+class Examination:
+    """A pytest plugin: the functions that checks ask for run in a worker.
+
+    lost {exercise: sentence}: those whose worker died, fell silent, or sent what is no answer.
+    """
+
+    def __init__(self, job, labs):
+        self.job = job
+        self.limits = sandbox.Limits(*job.limits)
+        self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
+        self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
+                        for found in labs.values() for k, exercise in enumerate(found)}
+        self.checked = {}       # {exercise: whether all of its checks have passed}
+        self.asked = {}         # {exercise: {"topic.name": bytes}}: the reference was asked for
+        self.received = 0       # bytes
+        self.printed = 0        # characters, by the check that runs now
+        self.worker = self.reference = None
+        self.opened = None      # the exercise that the worker serves now
+        self.running = None     # the exercise whose check runs now
+        self.missing = dict(job.missing)
+        self.loaded = set()     # labs that were seen to load
+        self.lost = {}
+        self.spoilt = set()     # those of them that were lost in a check of the question
+        self.spent = dict.fromkeys((None, *self.topic), 0.0)  # seconds; None: of all exercises
+        self.pictures = 0       # so many were drawn
+        self.problem = None     # why this submission could not be examined at all
+
+    # --- hooks
+
+    def pytest_configure(self, config):
+        config.stash[loader.FIND] = self.find
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_collection_modifyitems(self, items):
+        order = list(self.topic)
+        items.sort(key=lambda item: order.index(number_of(item)))
+
+    def pytest_runtest_setup(self, item):
+        self.running = number_of(item)
+        self.is_fine_print = is_fine_print(item.get_closest_marker("exercise"))
+        self.printed = 0
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtest_logreport(self, report):
+        """Give each picture a name of its own, before the next check draws another one."""
+        check = getattr(report, "check", {})
+        if check:
+            passed = check["verdict"] == "passed"
+            self.checked[self.running] = passed and self.checked.get(self.running, True)
+        if picture := check.get("picture"):
+            self.pictures += 1
+            kept = Path(picture).with_name(f"{self.pictures}.png")
+            report.check["picture"] = str(Path(picture).rename(kept))
+
+    def pytest_sessionfinish(self):
+        self.finish()
+        for worker in filter(None, (self.worker, self.reference)):
+            worker.close()
+
+    # --- calls
+
+    def find(self, topic, name):
+        @functools.wraps(getattr(importlib.import_module(f"reference.{topic}"), name))
+        def call(*args, **kwargs):
+            return self.call(topic, name, args, kwargs)
+
+        return call
+
+    def call(self, topic, name, args, kwargs):
+        """Call a function of the lab, or the reference for an exercise before the one checked."""
+        number = self.running
+        if topic in self.missing:
+            raise Mismatch(("wrong", self.missing[topic]))
+        if number in self.lost:
+            raise Mismatch(("wrong", self.lost[number]))
+        try:
+            if name in self.earlier[number]:
+                question = wire.encode(("ask", topic, name, args, kwargs))
+                return wire.decode(self.referred(topic, name, question))[1]
+            self.open(topic)
+            message = self.exchange(("call", topic, name, args, kwargs))
+            inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
+            return self.outcome(topic, name, message, inputs)
+        except sandbox.Lost as lost:
+            self.lose(f"in {name}: {lost}")
+            raise Mismatch(("wrong", self.lost[number])) from None
+
+    def open(self, topic):
+        """Have the worker load the lab for the exercise that is checked now."""
+        if self.opened == self.running:
+            return
+        self.finish()
+        self.worker = self.worker or self.start()
+        modules = (*map(self.earlier_lab, before_it(topic)),
+                   (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
+        self.opened = self.running
+        try:
+            message = self.exchange(("open", modules, preloaded(topic)))
+            self.outcome(topic, None, message, [])
+            self.loaded.add(topic)
+        except (sandbox.Lost, Mismatch, NotImplementedError) as error:
+            why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
+            self.missing[topic] = f"labs/{topic}.py cannot be imported: {why}"
+            if isinstance(error, sandbox.Lost):
+                self.forget()
+            raise Mismatch(("wrong", self.missing[topic])) from None
+
+    def earlier_lab(self, topic):
+        """(topic, text, exercises for which the reference answers) of a lab before this one.
+
+        Their own, if it has been seen to load. Else ours without answers: what is given runs in
+        the worker, for constants, classes and generators cannot be sent.
+        """
+        if topic in self.loaded:
+            return topic, self.job.texts[topic], self.stand_ins(exercise_numbers(topic))
+        return topic, given_text(topic), tuple(exercise_numbers(topic))
+
+    def stand_ins(self, numbers):
+        """Those exercises, of {name: number}, for which the reference answers.
+
+        So a mistake costs its own points alone, and work that is all right runs as it does at home.
+        """
+        return tuple(name for name, number in numbers.items()
+                     if self.job.asks is None or not self.is_sound(number))
+
+    def is_sound(self, number):
+        """Has an exercise passed all of its checks, without an answer of the reference?"""
+        return self.checked.get(number) and number not in (*self.asked, *self.lost)
+
+    def ran(self, check):
+        """Did what was handed in answer this check?"""
+        return check.exercise not in self.lost and self.topic[check.exercise] not in self.missing
+
+    def exchange(self, message):
+        """A message to the worker, and the one back. What it asks in between is answered."""
+        payload = self.timed(self.worker, wire.encode(message))
+        while question := QUESTION.match(payload):
+            answer = self.answer(*(name.decode() for name in question.groups()), payload)
+            payload = self.timed(self.worker, answer)
+        kind, *content = answer = self.worker.decoded(payload)
+        types = MESSAGES.get(kind)
+        if types is None or len(content) != len(types) or not all(map(isinstance, content, types)):
+            raise sandbox.Lost("what it sent is no message")
+        return answer
+
+    def timed(self, worker, *payloads):
+        """Payloads to a worker and one back, in the time that is left."""
+        for what, most in ((self.running, self.limits.exercise), (None, self.limits.submission)):
+            if self.spent[what] >= most:
+                each = "all exercises" if what is None else "this exercise"
+                raise sandbox.Lost(f"the {most:g} s for {each} are used up")
+        payload = worker.relay(min(self.limits.call, self.limits.exercise), *payloads)
+        self.received += len(payload)
+        if self.received > MOST_RECEIVED:
+            raise sandbox.Lost(f"all answers together have more than {MOST_RECEIVED >> 20} MB")
+        for what in (self.running, None):
+            self.spent[what] += worker.spent
+        return payload
+
+    def outcome(self, topic, name, message, inputs):
+        """What a call returned, its inputs changed where it changed them. Or raise what it did."""
+        kind, *answer = message
+        self.show(answer[-1])
+        if kind == "missing":
+            raise Mismatch(("wrong", f"labs/{topic}.py has no function {name}; "
+                                            "keep the names that the skeleton gives"))
+        if kind == "raised":
+            self.raise_here(topic, *answer[:3])
+        if kind == "returned":
+            for position, array in answer[1]:
+                change(inputs, position, array)
+        return shortened(answer[0])
+
+    def show(self, printed):
+        printed = printable(printed[:MOST_TEXT - self.printed])
+        self.printed += len(printed)
+        print(printed, end="")
+
+    def raise_here(self, topic, error, text, frames):
+        text, lines = printable(text[:MOST_TEXT]), self.job.texts[topic].splitlines()
+        if error == "NotImplementedError" and UNFINISHED.fullmatch(text):
+            raise NotImplementedError(text)
+        shown = [(file, line, function, lines[line - 1].strip())
+                 for file, line, function in map(frame, frames[:MOST_FRAMES])
+                 if file == f"labs/{topic}.py" and 0 < line <= len(lines)]
+        raise Mismatch(("wrong", "\n".join([
+            cut(f"{printable(error[:60])}: {text}".removesuffix(": ")),
+            *shown_frames(shown)])))
+
+    # --- the reference's answers
+
+    def answer(self, topic, name, question):
+        """What a worker is told that asks for a function of the reference: as much as is needed."""
+        own = self.topic[self.running]
+        earlier = (self.earlier[self.running] if topic == own else
+                   exercise_numbers(topic) if topic in before_it(own) else {})
+        if name not in earlier:
+            raise sandbox.Lost(f"it asked for {topic}.{name}, which is not an earlier exercise")
+        asked = self.asked.setdefault(self.running, {})
+        asked[f"{topic}.{name}"] = asked.get(f"{topic}.{name}", 0) + len(question)
+        if asked[f"{topic}.{name}"] <= self.allowed(f"{topic}.{name}"):
+            return self.referred(topic, name, question)
+        if topic == own or topic in self.loaded:
+            return wire.encode(("own",))
+        return wire.encode(("raised", "RuntimeError", f"{topic}.{name} is not needed here, or not "
+                            "so often, so the grader does not answer any more", (), ""))
+
+    def allowed(self, name):
+        """How many bytes of questions to "topic.name" the exercise that runs may ask."""
+        if self.job.asks is None:
+            return MOST_RECEIVED
+        own = self.topic[self.running]
+        of_lab = any(name in asks for number, asks in self.job.asks.items()
+                     if self.topic.get(number) == own)
+        return LOOPS * self.job.asks.get(self.running, {}).get(name, 0) + FEW * (
+            of_lab and not name.startswith(f"{own}."))
+
+    def referred(self, topic, name, question):
+        """What the reference returns, found out in a worker of its own.
+
+        Question and answer are passed on as they came: only the two workers look inside.
+        """
+        if self.reference is None:
+            self.reference = self.start()
+            modules = tuple((each, exercises.read(exercises.reference(each)), ())
+                            for each in exercises.topics())
+            self.reference.exchange(("open", modules, ()), 60)
+        try:
+            return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
+        except sandbox.Lost as lost:
+            self.reference.close()
+            self.reference = None
+            raise sandbox.Lost(f"in {topic}.{name}, which it asked for: {lost}") from None
+
+    # --- workers
+
+    def start(self):
+        try:
+            return sandbox.Worker(self.job.level, self.limits)
+        except (sandbox.Lost, OSError) as error:
+            self.problem = f"no worker could be started: {error}"
+            raise pytest.exit.Exception(self.problem) from None
+
+    def finish(self):
+        """Let the worker end the exercise that it serves, and be ready for the next one."""
+        if self.opened is None:
+            return
+        number, self.opened = self.opened, None
+        began = time.monotonic()
+        try:
+            self.worker.finish()
+        except sandbox.Lost as lost:
+            self.lost[number] = f"at its end: {lost}"
+            self.spoilt.add(number)
+            self.forget()
+        self.spent[None] += time.monotonic() - began
+
+    def lose(self, why):
+        self.lost[self.running] = why
+        if not self.is_fine_print:
+            self.spoilt.add(self.running)
+        self.forget()
+
+    def forget(self):
+        if self.worker:
+            self.worker.close()
+        self.worker = self.opened = None
+
+
+def number_of(item):
+    return item.get_closest_marker("exercise").args[0]
+
+
+def before_it(topic):
+    """The topics before this one: those that it may import."""
+    return exercises.topics()[:exercises.topics().index(topic)]
+
+
+@functools.cache
+def given_text(topic):
+    """A lab's text without answers."""
+    return skeleton(exercises.read(exercises.reference(topic)), extra=True)
+
+
+@functools.cache
+def exercise_numbers(topic):
+    """{name: number} of a topic's exercises."""
+    return {exercise.name: exercise.number for exercise in exercises.topic_exercises(topic)}
+
+
+@functools.cache
+def preloaded(topic):
+    """The modules of SciPy and the course that a topic, or one before it, imports."""
+    texts = [exercises.read(exercises.reference(each)) for each in (*before_it(topic), topic)]
+    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?",
+                       "\n".join(texts), re.M)
+    return tuple(dict.fromkeys(f"{module}.{name}" if module in ("scipy", "course.given") else module
+                               for module, name in lines))
+
+
+def frame(told):
+    """What a worker tells of a frame -> (file, line, function), always of these types."""
+    file, line, function = told if isinstance(told, tuple) and len(told) == 3 else ("", 0, "")
+    return str(file)[:60], line if isinstance(line, int) else 0, printable(str(function)[:60])
+
+
+def shortened(value):
+    """With short strings alone: an array of strings has room for the longest one everywhere."""
+    if isinstance(value, str):
+        return value[:MOST_STRING]
+    return type(value)(map(shortened, value)) if isinstance(value, tuple | list) else value
+
+
+def change(inputs, position, array):
+    """Do to an input what the worker says was done to its copy."""
+    with contextlib.suppress(IndexError, TypeError, ValueError):
+        inputs[position][...] = array
+
+
+def printable(text):
+    """Without control characters: they move a terminal's cursor, and more."""
+    return "".join(c if c.isprintable() or c == "\n" else "?" for c in text)
