@@ -34,7 +34,7 @@ def standard(value):
     if not isinstance(value, np.ndarray | np.generic | bool | int | float | complex | list | range):
         return value
     array = as_array(value)
-    if array.dtype.kind not in "biufc":
+    if array.dtype == object:
         return tuple(map(standard, value)) if isinstance(value, list) else value
     small = array.dtype.kind == "u" and array.itemsize < 8
     kind = np.int64 if small else STANDARD.get(array.dtype.kind, array.dtype)

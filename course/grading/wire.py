@@ -84,6 +84,8 @@ def described(value, arrays):
 
 def described_array(value, arrays):
     array = np.asarray(value)
+    if array.dtype.kind == "U":
+        return described(array.tolist(), arrays)
     name = array.dtype.str.replace(">", "<")
     if name not in DTYPES:
         return {"other": f"{type(value).__name__} of {array.dtype.name}"}
