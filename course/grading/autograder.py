@@ -5,6 +5,7 @@ import sys
 import zipfile
 from pathlib import Path
 
+from .. import exercises
 from ..given import places
 from . import archives, grade, running, sandbox
 
@@ -62,7 +63,8 @@ def main(folder, path):
     result, _ = running.examine(job._asdict())
     if result["problem"]:
         raise SystemExit(f"could not be graded: {result['problem']}")
-    record = {"level": level, "digest": archives.digest(texts), "notes": notes, "seed": job.seed,
+    whole, *_ = archives.read(folder, exercises.topics())
+    record = {"level": level, "digest": archives.digest(whole), "notes": notes, "seed": job.seed,
               **result}
     places.write_whole(path, json.dumps(report.gradescope(record, about)).encode())
 

@@ -45,7 +45,8 @@ class Gradebook:
         one = self.handed_in[record["student"]]
         when = self.when(one)
         marked = one.late if one.identity.get("platform") == "canvas" else None
-        return {**record, "identity": one.identity, "handed_in": when, "late": one.late,
+        return {**record, "digest": one.digest or record["digest"],
+                "identity": one.identity, "handed_in": when, "late": one.late,
                 "lateness": lateness.judged(self.policy, when, marked),
                 "overrides": self.by_hand.get(one.student, {})}
 

@@ -12,7 +12,7 @@ import shutil
 from typing import NamedTuple
 
 from ..given import places
-from . import archives, earlier, handback, overview, report, sheets, side_by_side, tables
+from . import earlier, handback, overview, report, sheets, side_by_side, tables
 
 
 class Run(NamedTuple):
@@ -53,7 +53,7 @@ class Results:
         """Write what belongs to one student, and the tables."""
         record = {"student": one.student, "fingerprint": mark, "level": self.run.level,
                   "seed": seed, "checks": self.run.checks[:12],
-                  "digest": archives.digest(one.texts), "notes": one.notes, **result}
+                  "digest": one.digest, "notes": one.notes, **result}
         record = self.records[one.student] = self.book.entered(record)
         try:
             self.write_pictures(one.student, pictures)

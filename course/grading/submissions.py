@@ -10,6 +10,7 @@ import unicodedata
 from pathlib import Path
 from typing import NamedTuple
 
+from .. import exercises
 from . import archives, platforms
 
 LONGEST_NAME = 100  # bytes of a student's name as a folder
@@ -27,6 +28,7 @@ class Submission(NamedTuple):
     identity: dict            # of the platform: platform, id, name, email ("": untold), file
     handed_in: float | None   # seconds since 1970 UTC, as the platform tells it
     late: bool                # the platform marked it as late
+    digest: str = ""          # the hash of all labs, as `pack` prints it; "": not known
 
 
 class Found(NamedTuple):
@@ -105,11 +107,13 @@ def marked(name, student):
 
 def submission(name, found, topics):
     """The newest file of each lab that a student has handed in."""
-    notes, labs = [], []
+    notes, every = [], []
     for sender, path in found:
         there = archives.labs_in(path, path.name, notes)
-        labs.append({topic: lab._replace(when=(sender.order, lab.when))
-                     for topic, lab in there.items() if topic in topics})
+        every.append({topic: lab._replace(when=(sender.order, lab.when))
+                      for topic, lab in there.items()})
+    labs = [{topic: lab for topic, lab in there.items() if topic in topics} for there in every]
+    whole, _ = archives.texts_of(archives.newest(every, []), exercises.topics(), [])
     taken = archives.newest(labs, notes)
     senders = [sender for sender, _ in found]
     used = [sender for sender, there in zip(senders, labs, strict=True)
@@ -117,4 +121,4 @@ def submission(name, found, topics):
     last = max(used, key=lambda sender: sender.order)
     texts, missing = archives.texts_of(taken, topics, notes)
     return Submission(name, texts, missing, tuple(notes), last.identity, last.handed_in,
-                      any(sender.late for sender in used))
+                      any(sender.late for sender in used), archives.digest(whole))
