@@ -172,13 +172,14 @@ def chosen(entries, name, notes):
 
 def newest(found, notes):
     """A list of {topic: Lab} -> {topic: the newest Lab}."""
-    labs = {}
+    labs, told = {}, {}
     for topic in dict.fromkeys(itertools.chain(*found)):
         there = [one[topic] for one in found if topic in one]
         labs[topic] = max(there, key=lambda lab: lab.when)
         if older := [lab.source for lab in there if lab is not labs[topic]]:
-            notes.append(f"{topic}: {labs[topic].source} is the newest; not looked at: "
-                         f"{few(older)}")
+            told.setdefault((labs[topic].source, few(older)), []).append(topic)
+    notes += [f"{', '.join(topics)}: {source} is the newest; not looked at: {older}"
+              for (source, older), topics in told.items()]
     return labs
 
 

@@ -17,6 +17,7 @@ MOST_PAIRS = 20   # of those that are alike; similar.csv has all
 STYLE = """
 body { max-width: 76rem; } .contents a { margin-right: 1rem; white-space: nowrap; }
 td > a { display: inline-block; min-width: min(11rem, 28vw); }
+td:last-child:not(:has(.bar)) { min-width: 14rem; }
 @media (max-width: 45rem) { .bar { width: 2.5rem; } }
 """
 

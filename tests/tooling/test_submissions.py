@@ -298,6 +298,14 @@ def test_line_ends_and_a_mark_for_utf_8_do_not_matter(handed_in):
     assert found["ada"].digest == found["bob"].digest
 
 
+def test_what_is_older_is_told_once_for_all_labs(handed_in):
+    """A zip that was handed in twice fills a page with one sentence for each of 16 labs."""
+    labs = {f"labs/{topic}.py": "x" for topic in TOPICS}
+    one = handed_in({"ada/labs.zip": labs, "ada/labs (1).zip": labs})["ada"]
+    assert one.notes == ("transforms, rasterization: labs (1).zip is the newest; not looked at: "
+                         "labs.zip",)
+
+
 def test_the_hash_is_of_all_labs_that_were_handed_in(handed_in):
     """`pack` prints the hash of labs 1-4. Lab 2 is graded, and the table has another hash."""
     every = {"transforms": "x = 1\n", "reconstruction": "y = 2\n"}
