@@ -26,8 +26,8 @@ MOST_FRAMES = 40
 MOST_TEXT = 4000      # characters of an error, or of what a check prints
 MOST_STRING = 200     # of a string that a call returns, and no exercise does
 MOST_RECEIVED = 1 << 30  # bytes of all answers to a submission's examination
-LOOPS = 10            # loops ask in small pieces, so a submission may ask for so many times as much
-FEW = 10_000          # bytes that each exercise may ask for what another one of its lab asks for
+LOOPS = 10            # loops name the same numbers again, so a submission may send more of them
+FEW = 10_000          # bytes that each exercise may send to what another one of its lab asks
 
 
 class Examination:
@@ -229,7 +229,7 @@ class Examination:
         if name not in earlier:
             raise sandbox.Lost(f"it asked for {topic}.{name}, which is not an earlier exercise")
         asked = self.asked.setdefault(self.running, {})
-        asked[f"{topic}.{name}"] = asked.get(f"{topic}.{name}", 0) + len(question)
+        asked[f"{topic}.{name}"] = asked.get(f"{topic}.{name}", 0) + wire.size(question)
         if asked[f"{topic}.{name}"] <= self.allowed(f"{topic}.{name}"):
             return self.referred(topic, name, question)
         if topic == own or topic in self.loaded:
@@ -238,7 +238,7 @@ class Examination:
                             "so often, so the grader does not answer any more", (), ""))
 
     def allowed(self, name):
-        """How many bytes of questions to "topic.name" the exercise that runs may ask."""
+        """How many bytes of numbers the exercise that runs may send to "topic.name"."""
         if self.job.asks is None:
             return MOST_RECEIVED
         own = self.topic[self.running]

@@ -93,6 +93,11 @@ def described_array(value, arrays):
     return {"array" if isinstance(value, np.ndarray) else "number": [name, array.shape]}
 
 
+def size(payload):
+    """The bytes of the numbers in a payload, and 8 for itself."""
+    return len(payload) - 4 - int.from_bytes(payload[:4], "big") + 8
+
+
 def decode(payload, most_header=MOST_HEADER):
     """A payload -> the value, its arrays' numbers copied. Garbled: it is not one."""
     try:

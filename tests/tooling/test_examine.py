@@ -6,7 +6,8 @@ from other_forms import in_other_forms
 from submitted import other_solution
 
 from course import exercises
-from course.grading import grade, running, sandbox
+from course.given import places
+from course.grading import examination, examine, grade, running, sandbox
 from course.grading.examine import Job
 from course.grading.levels import LEVELS
 
@@ -18,6 +19,12 @@ def asks(lab):
     """What the lab's exercises ask of each other. ValueError: the reference fails a check."""
     level, _ = sandbox.available()
     return grade.rehearsed(grade.topics_of(str(lab)), level, sandbox.Limits(), True, 1)
+
+
+def others(lab):
+    """{topic: text} of the other solutions."""
+    return {topic: other_solution(topic) for topic in grade.topics_of(str(lab))
+            if topic in exercises.asking_topics()}
 
 
 def wrong_in(texts, level, asks, seed=0):
@@ -42,9 +49,19 @@ def test_other_right_answers_get_all_points(lab, level):
     """What passes at home loses points in grading: a list for its own function, a helper."""
     if level == "strict" != sandbox.available()[0]:
         pytest.skip(sandbox.available()[1])
-    asking = exercises.asking_topics()
-    texts = {topic: other_solution(topic) for topic in grade.topics_of(str(lab)) if topic in asking}
-    assert wrong_in(texts, level, asks(lab), seed=lab) == {}
+    assert wrong_in(others(lab), level, asks(lab), seed=lab) == {}
+
+
+@pytest.mark.parametrize("lab", LABS)
+def test_an_answer_gets_its_points_if_all_before_it_are_wrong(lab, monkeypatch, tmp_path):
+    """The reference stops answering before a right answer, with loops, has asked what it needs."""
+    level, _ = sandbox.available()
+    needed = asks(lab)
+    monkeypatch.setattr(examination.Examination, "is_sound", lambda self, number: False)
+    monkeypatch.setattr(places, "OUT", tmp_path)
+    job = Job(others(lab), {}, level, asks=needed)
+    assert [entry["number"] for entry in examine.examine(job)["board"]["exercises"]
+            if entry["told"] != "done"] == []
 
 
 @pytest.mark.parametrize("topic", ["rasterization", "mipmapping", "implicit_surfaces"])

@@ -30,9 +30,14 @@ def test_what_is_sent_arrives_to_the_bit(value):
     assert same(value, wire.decode(wire.encode(value)))
 
 
+def test_an_array_of_strings_arrives_as_a_list():
+    """Names that an exercise returns are lost on their way."""
+    assert wire.decode(wire.encode(np.array([["a", "b"]]))) == [["a", "b"]]
+
+
 @pytest.mark.parametrize(("value", "name"), [
     ((x for x in ()), "generator"), (object(), "object"), ({1: 2}, "dict"), ({1}, "set"),
-    (np.array([None]), "ndarray of object"), (np.array(["a"]), "ndarray of str32"),
+    (np.array([None]), "ndarray of object"),
     (np.zeros(1, "f8,i4"), "ndarray of void96"),
 ])
 def test_what_cannot_be_sent_arrives_as_its_type_s_name(value, name):
