@@ -71,11 +71,20 @@ class Worker:
         self.share = None
         self.guard = Guard(self.process.pid, limits.memory, level == "strict")
         try:
+            self.begin(settings)
+        except BaseException:  # such as Ctrl-C
+            self.close()
+            raise
+
+    def begin(self, settings):
+        """Have it shut in, and watched from now on."""
+        try:
             _, self.has = self.exchange(("start", settings, given()), 30)
         except Lost as lost:
             said = self.process.stderr.read1(2000).decode("utf-8", "replace").strip()
             raise Lost(said.splitlines()[-1] if said else str(lost)) from None
-        self.share = Share(family(self.process.pid), limits.memory, limits.processes + OUR_OWN)
+        self.share = Share(family(self.process.pid), self.limits.memory,
+                           self.limits.processes + OUR_OWN)
         self.has += ("cgroup",) * bool(self.share.folder)
         self.guard.start()
 

@@ -9,7 +9,6 @@ from course import exercises
 from course.given import places
 from course.grading import examination, examine, grade, running, sandbox
 from course.grading.examine import Job
-from course.grading.levels import LEVELS
 
 LABS = range(1, len(exercises.LABS) + 1)
 
@@ -21,12 +20,6 @@ def asks(lab):
     return grade.rehearsed(grade.topics_of(str(lab)), level, sandbox.Limits(), True, 1)
 
 
-def others(lab):
-    """{topic: text} of the other solutions."""
-    return {topic: other_solution(topic) for topic in grade.topics_of(str(lab))
-            if topic in exercises.asking_topics()}
-
-
 def wrong_in(texts, level, asks, seed=0):
     """What takes points from these labs: {exercise: its checks}, and worse."""
     result, _ = running.examine(Job(texts, {}, level, seed, extra=True, asks=asks)._asdict())
@@ -36,30 +29,20 @@ def wrong_in(texts, level, asks, seed=0):
 
 
 @pytest.mark.parametrize("lab", LABS)
-def test_the_reference_gets_all_points(lab):
-    """A check that a worker cannot serve; a lab that needs what is not there."""
+def test_what_is_right_gets_all_points(lab, monkeypatch, tmp_path):
+    """A check that a worker cannot serve; a list for one's own function, which passes at home; an
+    answer with loops, where all before it are wrong: the reference stops answering too early.
+    """
     for topic in grade.topics_of(str(lab)):
         assert exercises.foreign_imports(exercises.read(exercises.reference(topic))) == []
-    assert asks(lab) is not None
+    needed = asks(lab)  # of the reference, which gets all points
+    texts = {topic: other_solution(topic) for topic in grade.topics_of(str(lab))
+             if topic in exercises.asking_topics()}
+    assert wrong_in(texts, sandbox.available()[0], needed, seed=lab) == {}
 
-
-@pytest.mark.parametrize("level", LEVELS)
-@pytest.mark.parametrize("lab", LABS)
-def test_other_right_answers_get_all_points(lab, level):
-    """What passes at home loses points in grading: a list for its own function, a helper."""
-    if level == "strict" != sandbox.available()[0]:
-        pytest.skip(sandbox.available()[1])
-    assert wrong_in(others(lab), level, asks(lab), seed=lab) == {}
-
-
-@pytest.mark.parametrize("lab", LABS)
-def test_an_answer_gets_its_points_if_all_before_it_are_wrong(lab, monkeypatch, tmp_path):
-    """The reference stops answering before a right answer, with loops, has asked what it needs."""
-    level, _ = sandbox.available()
-    needed = asks(lab)
     monkeypatch.setattr(examination.Examination, "is_sound", lambda self, number: False)
     monkeypatch.setattr(places, "OUT", tmp_path)
-    job = Job(others(lab), {}, level, asks=needed)
+    job = Job(texts, {}, "process", asks=needed)
     assert [entry["number"] for entry in examine.examine(job)["board"]["exercises"]
             if entry["told"] != "done"] == []
 

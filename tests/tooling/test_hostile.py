@@ -164,7 +164,7 @@ def test_every_submission_gets_what_its_honest_part_deserves(isolation, house, r
     start = time.monotonic()
     graded = tmp_path / "graded"
     done = run_module(root, "course", "grade", handed_in, "--out", graded, "--jobs", 2,
-                      "--seconds", 2, "--isolation", isolation, seconds=550)
+                      "--seconds", 1, "--isolation", isolation, seconds=550)
     assert done.returncode == 0, done.stdout + done.stderr
     print(f"{len(expected)} submissions, {isolation}: {time.monotonic() - start:.0f} s")
     with open(graded / "grades.csv", encoding="utf-8") as file:
