@@ -230,7 +230,7 @@ BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
     ("ada.tar.gz", tarred(LAB)), ("ada.tgz", tarred(LAB)), ("ada.tar", tarred(LAB, "w")),
     ("lovelaceada_1234_56789_labs.tar.gz", tarred(LAB)),
     ("ada.rar", zipped(LAB)),
-    ("ada/work/labs.tar.gz", tarred(LAB)),
+    ("ada/homework/labs.tar.gz", tarred(LAB)),
 ])
 def test_archives_are_read(handed_in, name, content):
     """A zip in Moodle's folder is overlooked, a whole course is refused, a tar is nobody's."""
