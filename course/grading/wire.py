@@ -20,6 +20,7 @@ import numpy as np
 MOST_BYTES = 1 << 24   # of a payload: twice what any exercise returns
 MOST_HEADER = 1 << 22  # of it
 MOST_ANSWER = 1 << 17  # of the header of a worker's answer, where numbers are in arrays
+USUAL = 300            # bytes of a header that holds no numbers
 DTYPES = {name: np.dtype(name) for name in (
     "|b1", "|i1", "|u1", "<i2", "<u2", "<f2", "<i4", "<u4", "<f4", "<i8", "<u8", "<f8", "<c8",
     "<c16")}
@@ -94,8 +95,9 @@ def described_array(value, arrays):
 
 
 def size(payload):
-    """The bytes of the numbers in a payload, and 8 for itself."""
-    return len(payload) - 4 - int.from_bytes(payload[:4], "big") + 8
+    """The bytes of the numbers in a payload, and 8 for itself. Numbers in its header count, too."""
+    header = min(int.from_bytes(payload[:4], "big"), len(payload) - 4)
+    return 8 + len(payload) - 4 - header + max(0, header - USUAL)
 
 
 def decode(payload, most_header=MOST_HEADER):

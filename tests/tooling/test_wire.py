@@ -30,6 +30,16 @@ def test_what_is_sent_arrives_to_the_bit(value):
     assert same(value, wire.decode(wire.encode(value)))
 
 
+def test_numbers_count_wherever_they_are_sent():
+    """Numbers in the header are free, or a header that claims to be longer than it is gives some
+    back: a submission asks the reference without end.
+    """
+    numbers = np.arange(1000.0)
+    assert wire.size(wire.encode(numbers)) == 8 + numbers.nbytes
+    assert wire.size(wire.encode(numbers.tolist())) > 3 * numbers.size
+    assert wire.size(b"\xff" * 4 + bytes(100)) >= 8
+
+
 def test_an_array_of_strings_arrives_as_a_list():
     """Names that an exercise returns are lost on their way."""
     assert wire.decode(wire.encode(np.array([["a", "b"]]))) == [["a", "b"]]
