@@ -3,8 +3,10 @@
 Pictures have row 0 at the bottom. Pixel [row i, column j] covers [j, j+1] x [i, i+1], so that
 triangles, samples and arrows are drawn over a picture in the same screen coordinates.
 
-A notebook calls `style()` once. `panels` makes the Axes for pictures, `plt.subplots` all others.
+`panels` makes the Axes for pictures, `plt.subplots` those for curves, sketch.py those for
+drawings. `film` shows a figure that moves.
 """
+import io
 import textwrap
 
 import matplotlib as mpl
@@ -12,32 +14,38 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.patheffects import withStroke
+from PIL import Image
 
-# Okabe and Ito, "Color Universal Design", 2008: hues that colour-blind readers tell apart.
+# Okabe and Ito, "Color Universal Design", 2008: hues that colour-blind readers tell apart. Their
+# vermilion looks orange, so RED is a red: dark, to be told from GREEN without its hue.
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
-    "#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00", "#CC79A7")
-GREY = "#8a8a8a"
+    "#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#C2152E", "#CC79A7")
+GREY = "#767676"
 LABELS = "#f2f2f2", "#cfcfcf", BLACK, GREY, ORANGE, SKY, PURPLE, RED, BLUE, GREEN
 BACKGROUND = (0.80, 0.88, 0.95)                    # where a depth picture shows no surface
 DEPTHS = mpl.colormaps["magma_r"]                  # near to far
 SIGNED = mpl.colormaps["RdBu"]                     # below zero red, above zero blue
 HALO = [withStroke(linewidth=2.5, foreground="white")]
 
-# The layout of `panels`, in dots, of which a figure has 100 to the inch.
-PAGE_WIDTH, PANEL_HEIGHT = 900, 520                # as wide as a notebook; the highest picture
-LEFT, BOTTOM, RIGHT, LINE = 26, 24, 14, 17         # room for tick labels, scale, gap, a title line
+# The layout of `panels`, in displayed pixels, of which a figure has 100 to the inch. Each is drawn
+# with DOTS x DOTS dots, for today's screens and for print.
+DOTS = 2
+PAGE_WIDTH, PANEL_HEIGHT = 960, 640                # as wide as a page; the highest picture
+SMALLEST = 200                                     # a panel's longer side
+LEFT, BOTTOM, RIGHT, LINE = 25, 26, 13, 19         # room for tick labels, scale, gap, a title line
 
 
 def style():
     """Make all figures of a notebook alike, whatever the reader's own settings are."""
     mpl.rcdefaults()
     mpl.rcParams.update({
-        "figure.dpi": 100, "figure.figsize": (9, 3.2), "figure.constrained_layout.use": True,
-        "font.size": 8.5, "axes.titlesize": 9.5, "axes.titlelocation": "left",
+        "figure.dpi": 100, "figure.figsize": (9.6, 3.4), "figure.constrained_layout.use": True,
+        "font.size": 9.5, "axes.titlesize": 10.5, "axes.titlelocation": "left",
         "axes.prop_cycle": mpl.cycler(color=[BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK]),
         "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
         "axes.axisbelow": True, "grid.color": "#e6e6e6", "grid.linewidth": 0.7,
-        "legend.frameon": False, "lines.linewidth": 1.6, "image.cmap": "gray",
+        "legend.frameon": False, "lines.linewidth": 1.8, "image.cmap": "gray",
+        "mathtext.fontset": "cm",
     })
     if "inline" in mpl.get_backend():
         _show_whole_figures()
@@ -50,17 +58,17 @@ def _show_whole_figures():
 
     inline = InlineBackend.instance()
     inline.print_figure_kwargs = {"bbox_inches": None, "metadata": {"Software": None}}
-    set_matplotlib_formats("png")
+    set_matplotlib_formats("retina")               # DOTS dots for each displayed pixel
 
 
 # Axes for pictures
 
 def panels(shapes, columns=None):
-    """One figure with an Axes for each picture, in which a pixel is a whole number of dots wide.
+    """One figure with an Axes for each picture, whose pixels are a whole number of dots wide.
 
     shapes: the pictures' (height, width) -> list of Axes, row by row, `columns` in a row.
-    One column has room for 860 dots, two for 410, three for 260, four for 185. A picture that is
-    too large for that, or higher than 520 dots, is shown at 1/2, 1/3, ... of its size.
+    One column has room for 922 displayed pixels, two for 442, three for 282, four for 202. A
+    picture that is too large is shrunk. ValueError: a picture would be under 200 x 200.
 
     >>> left, right = panels([(64, 64), (8, 8)])
     """
@@ -68,11 +76,11 @@ def panels(shapes, columns=None):
 
 
 def _panels(shapes, columns, title_lines):
-    sizes = _whole_sizes(np.array(shapes), _room(PAGE_WIDTH / columns))
+    sizes = _sizes(np.array(shapes), PAGE_WIDTH // columns - LEFT - RIGHT)
     rows = -(-len(sizes) // columns)
     heights = [sizes[columns * row:columns * (row + 1), 0].max() + BOTTOM + LINE * title_lines + 6
                for row in range(rows)]
-    page = np.array([PAGE_WIDTH, sum(heights)])
+    page = np.array([PAGE_WIDTH, np.ceil(sum(heights))])
     figure = plt.figure(figsize=page / mpl.rcParams["figure.dpi"], layout="none")
     axes = []
     for index, size in enumerate(sizes):
@@ -83,22 +91,32 @@ def _panels(shapes, columns, title_lines):
     return axes
 
 
-def _room(width):
-    return width - LEFT - RIGHT
+def _sizes(shapes, room):
+    """Shapes (N, 2) of pictures -> sizes (N, 2) in displayed pixels that fill the room's width.
 
-
-def _whole_sizes(shapes, room):
-    """Shapes (N, 2) of pictures -> sizes (N, 2) in dots: whole multiples that fit the room.
-
-    One size for all, where there is one: 16 x 16 and 64 x 64 are both shown at 128 x 128.
+    A picture's pixel is a whole number of dots wide, unless the picture is large or would come
+    out small. If there is one size for all, they get it: 16 x 16 and 64 x 64 become 256 x 256.
     """
     common = np.lcm.reduce(shapes)
     same_zoom = np.all(common[0] * shapes[:, 1] == common[1] * shapes[:, 0])
-    if same_zoom and common[1] <= room and common[0] <= PANEL_HEIGHT:
+    if same_zoom and common[1] <= DOTS * room and common[0] <= DOTS * PANEL_HEIGHT:
         shapes = np.broadcast_to(common, shapes.shape)
-    zoom = np.minimum(room / shapes[:, 1], PANEL_HEIGHT / shapes[:, 0])
-    zoom = np.where(zoom >= 1, np.floor(zoom), 1 / np.ceil(1 / zoom))
-    return np.round(shapes * zoom[:, None]).astype(int)
+    largest = DOTS * np.minimum(room / shapes[:, 1], PANEL_HEIGHT / shapes[:, 0])
+    zoom = np.floor(largest)
+    is_small = (zoom * shapes.max(axis=1) < DOTS * SMALLEST) | (zoom < 0.7 * largest)
+    sizes = shapes * np.where(is_small, largest, zoom)[:, None] / DOTS
+    if sizes.max(axis=1).min() < SMALLEST:
+        raise ValueError(f"a panel would be {sizes[np.argmin(sizes.max(axis=1))].round()} displayed"
+                         f" pixels, and {SMALLEST} is the least: put fewer in a row")
+    return np.floor(DOTS * sizes) / DOTS
+
+
+def chart(axes):
+    """Make an Axes of `panels` one for curves: its box shrinks, to leave room for labels."""
+    box = axes.get_position()
+    left, bottom = np.array([34, 18]) / axes.figure.bbox.size
+    axes.set_position((box.x0 + left, box.y0 + bottom, box.width - left, box.height - bottom))
+    return axes
 
 
 def strip(pictures, titles, columns=None):
@@ -118,21 +136,47 @@ def screen(axes, width, height, title=""):
     """An empty screen of width x height pixels. Its two corners are labelled, y is up."""
     axes.set(xlim=(0, width), ylim=(0, height), aspect="equal",
              xticks=(0, width), yticks=(0, height))
-    axes.tick_params(length=0, pad=3, labelsize=7, labelcolor=GREY)
+    axes.tick_params(length=0, pad=3, labelsize=8, labelcolor=GREY)
     axes.grid(False)
     axes.spines[:].set(visible=True, color=GREY, linewidth=0.6)
-    _title(axes, title)
+    title_of(axes, title)
 
 
-def _title(axes, title):
+def title_of(axes, title):
+    """A title in lines that fit over the Axes."""
     grid = axes.get_gridspec()                     # None for an inset
     room = axes.figure.bbox.width / grid.ncols if grid else axes.bbox.width
     axes.set_title(_wrapped(title, room), loc="left", pad=5)
 
 
 def _wrapped(title, width):
-    letter = 6.6                                   # dots to a letter of a title, on average
-    return "\n".join(textwrap.wrap(title, max(12, int(_room(width) / letter))))
+    letter = 7.3                                   # pixels to a letter of a title, on average
+    return "\n".join(textwrap.wrap(title, max(12, int((width - LEFT - RIGHT) / letter))))
+
+
+# What moves
+
+def film(figure, draw, frames, seconds=0.1):
+    """Show a figure that moves, for ever: draw(frame) draws each of the frames into its Axes.
+
+    Before each frame the Axes are emptied. seconds: of a frame, or of each frame in turn.
+    """
+    from IPython import display  # only notebooks need it
+
+    pictures = []
+    for frame in frames:
+        for axes in figure.axes:
+            axes.clear()
+        draw(frame)
+        figure.canvas.draw()
+        pictures.append(Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
+    plt.close(figure)
+    content = io.BytesIO()
+    milliseconds = np.rint(1000 * np.broadcast_to(seconds, len(pictures))).astype(int).tolist()
+    pictures[0].save(content, "PNG", save_all=True, append_images=pictures[1:], loop=0,
+                     duration=milliseconds)
+    width, height = pictures[0].size
+    display.display(display.Image(content.getvalue(), format="png", width=width, height=height))
 
 
 # Pictures
@@ -141,9 +185,10 @@ def image(axes, picture, title=""):
     """A picture (H, W) or (H, W, 3), as it is: 0 black, 1 full, beyond that clipped."""
     picture = np.clip(np.asarray(picture, float), 0, 1)
     height, width = picture.shape[:2]
-    enlarged = round(axes.bbox.width) >= width     # only a picture that is shrunk is filtered
+    zoom = DOTS * axes.bbox.width / width          # dots to a pixel: a whole number, or many
+    is_sharp = zoom > 2.9 or (zoom > 0.99 and abs(zoom - round(zoom)) < 0.01)
     axes.imshow(picture, origin="lower", extent=(0, width, 0, height), cmap="gray", vmin=0, vmax=1,
-                interpolation="nearest" if enlarged else "antialiased")
+                interpolation="nearest" if is_sharp else "antialiased")
     screen(axes, width, height, title)
 
 
@@ -197,7 +242,7 @@ def labels(axes, labels, names, title=""):
     for label, count in zip(*np.unique(labels, return_counts=True), strict=True):
         axes.plot([], [], "s", color=colours[label], markeredgecolor=GREY, markeredgewidth=0.4,
                   label=f"{names[label]}: {count:,}")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0, fontsize=7.5)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0, fontsize=8.5)
 
 
 def before_after(axes, before, after, titles):
@@ -223,12 +268,12 @@ def signed(axes, values, title=""):
 def _scale(axes, colours, low, high):
     """A colour scale under the picture, between the labels of the two corners."""
     dots = axes.bbox.height
-    bar = axes.inset_axes((0.36, -13 / dots, 0.28, 6 / dots))
+    bar = axes.inset_axes((0.36, -15 / dots, 0.28, 7 / dots))
     bar.imshow(np.linspace(0, 1, 128)[None], aspect="auto", cmap=colours)
     bar.set_axis_off()
     for x, side, text in ((0.345, "right", low), (0.655, "left", high)):
-        axes.text(x, -10 / dots, text, transform=axes.transAxes, ha=side, va="center",
-                  fontsize=7, color="#444444")
+        axes.text(x, -11.5 / dots, text, transform=axes.transAxes, ha=side, va="center",
+                  fontsize=8, color="#444444")
 
 
 # Triangles on the screen
@@ -319,62 +364,5 @@ def arrows(axes, points, gradients, color=GREEN):
                     scale=scale, width=0.007, zorder=4, path_effects=HALO)
     stated = f"longest arrow: |gradient| = {longest:.3g}" if longest else "no gradient"
     axes.annotate(stated, (1, 0), (-5, 6), xycoords="axes fraction", textcoords="offset points",
-                  ha="right", color=color, fontsize=8, path_effects=HALO, zorder=5,
+                  ha="right", color=color, fontsize=9, path_effects=HALO, zorder=5,
                   bbox={"color": "white", "alpha": 0.8, "pad": 1.5})
-
-
-def gradient_check(axes, analytic, numeric, name="gradient"):
-    """The analytic gradient against central differences, of any one shape, element by element.
-
-    The title states the largest difference, relative to the largest central difference.
-    """
-    analytic, numeric = np.ravel(analytic), np.ravel(numeric)
-    difference = np.abs(analytic - numeric)
-    error = difference.max() / max(np.abs(numeric).max(), np.finfo(float).tiny)
-    wrong = ~(difference <= 1e-6 * np.abs(numeric).max())       # nan is wrong, too
-    axes.axline((0, 0), slope=1, color=GREY, linewidth=0.8)
-    axes.scatter(numeric[~wrong], analytic[~wrong], s=14, color=BLUE, alpha=0.6, linewidths=0)
-    axes.scatter(numeric[wrong], analytic[wrong], s=18, color=RED, marker="x", linewidths=1)
-    axes.set(xlabel="central difference", ylabel="analytic")
-    verdict = f"{wrong.sum()} of {wrong.size} differ" if wrong.any() else f"all {wrong.size} agree"
-    _title(axes, f"{name}: {verdict}, largest relative error {error:.1e}")
-
-
-# The camera
-
-def frustum(axes, corners, eye, points=None, title=""):
-    """A camera in the world, in an Axes of projection "3d". y is up, as on the screen.
-
-    corners (8, 3): the near plane's four in turn, then the far plane's in the same order.
-    eye (3,). points (N, 3), such as a mesh's vertices, are drawn as dots.
-    """
-    corners, eye = np.asarray(corners, float), np.asarray(eye, float)
-    near, far = corners[:4], corners[4:]
-    for ring, color, name in ((near, RED, "near"), (far, BLUE, "far")):
-        axes.plot(*_upright(ring[[0, 1, 2, 3, 0]]), color=color, linewidth=1.8)
-        axes.text(*_upright(ring[2]), f"  {name}", color=color)
-    for start, end in zip(near, far, strict=True):
-        axes.plot(*_upright(np.stack([eye, start])), color=GREY, linewidth=0.7)
-        axes.plot(*_upright(np.stack([start, end])), color=BLUE, linewidth=1.2)
-    axes.scatter(*_upright(eye), color=BLACK, s=16)
-    axes.text(*_upright(eye), "  eye", color=BLACK)
-    points = np.empty((0, 3)) if points is None else points
-    axes.scatter(*_upright(points), color=GREEN, s=4, linewidths=0, alpha=0.8)
-    _world(axes, np.concatenate([corners, eye[None], points]))
-    _title(axes, title)
-
-
-def _world(axes, points):
-    """Axes named and scaled alike around points (N, 3)."""
-    axes.set_box_aspect(_upright(np.ptp(points, axis=0)))
-    for axis, name in ((axes.xaxis, "z"), (axes.yaxis, "x"), (axes.zaxis, "y")):
-        axis.set_label_text(name)
-        axis.labelpad = -4
-        axis.set_major_locator(mpl.ticker.MaxNLocator(4, integer=True))
-        axis.set_pane_color("white")
-        axis.set_tick_params(labelsize=7, labelcolor=GREY, pad=0)
-
-
-def _upright(points):
-    """World (..., 3) -> the coordinates z, x, y, of which matplotlib draws the last one up."""
-    return np.moveaxis(np.asarray(points)[..., [2, 0, 1]], -1, 0)

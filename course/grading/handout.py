@@ -16,7 +16,7 @@ from ..upkeep.skeleton import skeleton
 from .grade import topics_of
 
 WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
-         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
+         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*", "notebooks/errata.md",
          "tests/labs/[!t]*.py",  # what checks share
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
          ".gitignore")
@@ -216,10 +216,10 @@ def without_marks(text):
 
 
 def switched(text):
-    """A notebook that imports from labs what it imports from reference."""
+    """A notebook that imports from labs, and links to labs, where it does so to reference."""
     notebook = json.loads(text)
     for cell in notebook["cells"]:
-        if cell["cell_type"] == "code":
-            cell["source"] = [re.sub(r"^from reference import (.*?)(  #.*)?$",
-                                     r"from labs import \1", line) for line in cell["source"]]
+        pattern, lab = ((r"^from reference import (.*?)(  #.*)?$", r"from labs import \1")
+                        if cell["cell_type"] == "code" else (r"\]\(\.\./reference/", "](../labs/"))
+        cell["source"] = [re.sub(pattern, lab, line) for line in cell["source"]]
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"

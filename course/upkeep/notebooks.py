@@ -7,18 +7,21 @@ depend on the versions listed under "written_with". Where these agree, so do the
 A lecture begins with these lines, which work in Jupyter and in the command alike:
 
     import sys; sys.path.append("..")  # finds the course from the folder notebooks/
-    from reference import rasterization, transforms  # "labs" for "reference": your own work
-    from course.given import mesh, plot
+    from reference import rasterization, transforms  # "labs": your own work
+    from course.given import lecture, mesh, plot, sketch
 
-    plot.style()
+    lecture.begin()
 
-A code cell that begins with `# live` (a slider, say) is left for the reader to run.
+A code cell that begins with `# live` (a slider, say) is left for the reader to run. One that begins
+with `# figure:` only draws: its code is folded away. What follows is told to those who do not see
+the picture, in a sentence that may go on in comment lines. A cell with two pictures has two.
+
+    # figure: a triangle over a pixel grid; the seven pixels whose centres
+    # lie inside are blue
 """
 import asyncio
-import base64
 import contextlib
 import functools
-import io
 import itertools
 import json
 import os
@@ -38,17 +41,17 @@ from jupyter_client import AsyncKernelManager
 from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
-from PIL import Image, ImageSequence
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from course.given.places import ROOT, is_handout, read_whole, write_whole
+from course.upkeep import errata, pictures
 
 FOLDER = ROOT / "notebooks"
 AT_A_TIME = 2
 TIME_LIMIT = 180                                   # seconds for a notebook
-SIZE_LIMIT = 500_000                               # bytes of a notebook, its pictures included
-PICTURE_LIMIT = 2.0                                # between two pictures, of 255; see `compare`
+SIZE_LIMIT = 1_500_000                             # bytes of a notebook, its pictures included
+LINE_LIMIT = 88                                    # letters of a line of code
 NUMBER_LIMIT = 0.01                                # between two printed numbers
 ROUNDING = 1e-9                                    # numbers below it are rounding errors
 
@@ -85,6 +88,8 @@ def run(names):
         refusals = _wait_for(_run_all(paths, progress))
     for refusal in refusals:
         console.print(refusal, markup=False)
+    if not is_handout():
+        errata.write()
     return 1 if refusals else 0
 
 
@@ -152,13 +157,17 @@ async def execute(path, progress=lambda **cells: None):
     notebook = _read(path)
     cells = [(index, cell) for index, cell in enumerate(notebook.cells) if _is_run(cell)]
     progress(completed=0, total=len(cells))
+    for number, (_, cell) in enumerate(cells, start=1):
+        if long := [line for line in cell.source.splitlines() if len(line) > LINE_LIMIT]:
+            raise ValueError(f"{path.name}, code cell [{number}] has a line of more than "
+                             f"{LINE_LIMIT} letters: {long[0].strip()[:40]}...")
     async with _kernel(notebook) as client:
         for number, (index, cell) in enumerate(cells, start=1):
             objection = await _run_cell(client, cell, index) or _objection(cell)
             if objection:
                 raise ValueError(f"{path.name}, code cell [{number}] {objection}")
             _join_streams(cell)
-            _pack_pictures(cell)
+            pictures.finish(cell)
             progress(completed=number)
     return _content(notebook, path)
 
@@ -173,6 +182,8 @@ def _read(path):
             cell.id, cell.metadata, cell.source = f"cell-{index:02}", {}, "".join(cell.source)
             if cell.cell_type == "code":
                 cell.outputs, cell.execution_count = [], None
+                if cell.source.startswith("# figure:"):
+                    cell.metadata = {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
     except (ValueError, KeyError, TypeError, AttributeError):
         raise ValueError(f"{path} is not a notebook of format 4: open it in Jupyter and save it, "
                          "or get it again") from None
@@ -256,23 +267,11 @@ def _join_streams(cell):
     cell.outputs = outputs
 
 
-def _pack_pictures(cell):
-    """The same pixels in fewer bytes: PNGs without an alpha that says nothing, best compression."""
-    for output in cell.outputs:
-        if "image/png" in output.get("data", {}):
-            with Image.open(io.BytesIO(base64.b64decode(output.data["image/png"]))) as picture:
-                opaque = picture.mode == "RGBA" and picture.getextrema()[3] == (255, 255)
-                if opaque and getattr(picture, "n_frames", 1) == 1:
-                    packed = io.BytesIO()
-                    picture.convert("RGB").save(packed, "PNG", optimize=True)
-                    output.data["image/png"] = base64.b64encode(packed.getvalue()).decode()
-
-
 # What a lecture must not show
 
 def _objection(cell):
-    """The first thing in the cell's outputs that must not be written, as a clause, or None."""
-    pictures = []
+    """The first thing in the cell that must not be written, as a clause, or None."""
+    shown = []
     for output in cell.outputs:
         contents = _contents(output)
         text = "\n".join(contents[kind] for kind in contents if kind.startswith("text/"))
@@ -285,9 +284,10 @@ def _objection(cell):
         for pattern, clause in UNWANTED:
             if re.search(pattern, text):
                 return clause
-        pictures += [contents[kind] for kind in contents if kind.startswith("image/")]
-    if len(set(pictures)) < len(pictures):
+        shown += [contents[kind] for kind in contents if kind.startswith("image/")]
+    if len(set(shown)) < len(shown):
         return "shows one picture twice: end its last line with a semicolon"
+    return pictures.objection(cell)
 
 
 def _contents(output):
@@ -316,10 +316,7 @@ def compare(path):
     Sources and structure must be equal. Text and pictures must be equal byte for byte where the
     file was written with the versions and the rounding of this environment. Elsewhere fonts and
     roundings differ a little: there a number may be off by NUMBER_LIMIT of itself or by one in its
-    last digit, and below ROUNDING all numbers are the same. A picture may be two pixels larger or
-    smaller, and the means of its blocks of 32 x 32 pixels may differ by PICTURE_LIMIT on average.
-    (matplotlib 3.9 and 3.11 differ by up to 1. The course's figures upside down, mirrored or empty
-    differ by 4 and more.)
+    last digit, and below ROUNDING all numbers are the same. For pictures see `pictures.difference`.
     """
     path = Path(path)
     try:
@@ -348,15 +345,16 @@ def _cell_differences(was, now, here):
         return
     for old, new in zip(map(_contents, before), map(_contents, after), strict=True):
         for kind in old:
-            difference = (_picture_difference(old[kind], new[kind], here) if kind == "image/png"
+            difference = (pictures.difference(old[kind], new[kind], here) if kind == "image/png"
                           else _text_difference(old[kind], new[kind], here))
             if difference:
                 yield f"{now['id']} {difference}"
 
 
 def _form(output):
-    """All of an output but what it shows."""
-    return {**output, "text": None, "data": sorted(_contents(output))}
+    """All of an output but what it shows, and how large."""
+    told = output.get("metadata", {}).get("image/png", {}).get("alt")
+    return {**output, "text": None, "data": sorted(_contents(output)), "metadata": told}
 
 
 def _text_difference(was, now, here):
@@ -378,32 +376,3 @@ def _last_digit(number):
     """A little more than one in the last digit of a printed number: "1.25e-3" -> 1.1e-05."""
     digits, _, exponent = number.lower().partition("e")
     return 1.1 * 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2]))
-
-
-def _picture_difference(was, now, here):
-    """How two pictures in base64 differ, as a clause, or None where that is as it may be."""
-    if was == now:
-        return None
-    if here:
-        return "draws a picture with other bytes, with the same versions: find what is not seeded"
-    old, new = _frames(was), _frames(now)
-    if len(old) != len(new) or np.abs(np.subtract(old[0].size, new[0].size)).max() > 2:
-        return (f"draws {len(new)} pictures of {new[0].size} pixels, "
-                f"and the file has {len(old)} of {old[0].size}")
-    size = np.minimum(old[0].size, new[0].size)
-    difference = max(np.abs(_small(one, size) - _small(other, size)).mean()
-                     for one, other in zip(old, new, strict=True))
-    if difference > PICTURE_LIMIT:
-        return (f"draws a picture that differs from the file's by {difference:.1f} of 255 "
-                f"on average: {PICTURE_LIMIT} is what other fonts may explain")
-
-
-def _frames(picture):
-    """A PNG or APNG in base64 -> its frames, in RGB."""
-    with Image.open(io.BytesIO(base64.b64decode(picture))) as opened:
-        return [frame.convert("RGB") for frame in ImageSequence.Iterator(opened)]
-
-
-def _small(frame, size):
-    """The means of 32 x 32 pixels, so that a line moved by a pixel or two counts for little."""
-    return np.asarray(frame.crop((0, 0, *size)).reduce(32), float)

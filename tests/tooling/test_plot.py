@@ -11,7 +11,7 @@ import pytest
 from matplotlib.text import Text
 from PIL import Image
 
-from course.given import plot
+from course.given import image, plot
 
 
 @pytest.fixture(autouse=True)
@@ -29,6 +29,7 @@ def rng():
 
 def dots(axes):
     """The dots that an Axes covers, (height, width, 3) from 0 to 255, row 0 at the bottom."""
+    axes.figure.set_dpi(100 * plot.DOTS)
     axes.figure.canvas.draw()
     drawn = np.asarray(axes.figure.canvas.buffer_rgba())[::-1, :, :3]
     left, bottom, right, top = np.round(axes.bbox.extents).astype(int)
@@ -101,13 +102,95 @@ def test_sizes_with_a_common_multiple_are_shown_alike():
     axes = plot.panels([(16, 16), (64, 64), (4, 4)])
     assert [size(place) for place in axes] == [(256, 256)] * 3
     tall, wide = plot.panels([(8, 4), (4, 8)])
-    assert (size(tall), size(wide)) == ((260, 520), (408, 204))
+    assert (size(tall), size(wide)) == ((320, 640), (440, 220))
 
 
-def test_a_large_picture_is_shrunk_by_a_whole_number():
+def test_a_large_picture_is_shrunk():
     """A picture that leaves the page."""
     axes = plot.panels([(1024, 1024), (1024, 1024)])
-    assert [size(place) for place in axes] == [(341, 341), (341, 341)]
+    assert [size(place) for place in axes] == [(442, 442), (442, 442)]
+
+
+def test_a_panel_that_would_be_small_is_refused():
+    """A row of five pictures of the size of stamps."""
+    assert [size(place) for place in plot.panels([(64, 64)] * 4)] == [(202, 202)] * 4
+    with pytest.raises(ValueError, match=r"would be \[154. 154.\] displayed pixels, and 200"):
+        plot.panels([(64, 64)] * 5)
+
+
+def test_a_chart_beside_pictures_has_room_for_its_labels():
+    """Labels of the axis that lie over the picture beside it."""
+    picture, axes = plot.panels([(8, 8), (8, 8)])
+    plot.image(picture, np.eye(8))
+    plot.chart(axes).plot([0, 1000], [0, 1000])
+    axes.set_ylabel("loss")
+    axes.figure.canvas.draw()
+    assert axes.get_tightbbox().x0 > picture.bbox.x1
+    assert axes.get_tightbbox().y0 >= 0
+
+
+def machado(colours, matrix):
+    """How linear colours (N, 3) look to the colour-blind, in linear colours."""
+    return np.clip(colours @ np.array(matrix).T, 0, 1)
+
+
+# Machado, Oliveira and Fernandes 2009, severity 1.0, table of the supplement.
+BLIND = {
+    "no": np.eye(3),
+    "protan": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216],
+               [-0.003882, -0.048116, 1.051998]],
+    "deutan": [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413],
+               [-0.011820, 0.042940, 0.968881]],
+    "tritan": [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602],
+               [0.004733, 0.691367, 0.303900]],
+}
+
+
+def lab(linear):
+    """Linear sRGB colours (N, 3) -> CIE L*a*b* of D65."""
+    xyz = linear @ np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722],
+                             [0.0193, 0.1192, 0.9505]]).T / [0.9505, 1.0, 1.089]
+    f = np.where(xyz > 216 / 24389, np.cbrt(xyz), (24389 / 27 * xyz + 16) / 116)
+    return np.stack([116 * f[:, 1] - 16, 500 * (f[:, 0] - f[:, 1]), 200 * (f[:, 1] - f[:, 2])], -1)
+
+
+def least_distance(points):
+    distances = np.linalg.norm(points[:, None] - points, axis=-1)
+    return distances[np.triu_indices(len(points), 1)].min()
+
+
+@pytest.mark.parametrize("kind", BLIND)
+def test_the_colours_differ_for_the_colour_blind(kind):
+    """Two curves that some readers cannot tell apart."""
+    names = plot.BLACK, plot.ORANGE, plot.SKY, plot.GREEN, plot.BLUE, plot.RED
+    linear = image.to_linear([mpl.colors.to_rgb(name) for name in names])
+    assert least_distance(lab(machado(linear, BLIND[kind]))) > 15
+
+
+def test_the_colours_of_two_curves_differ_in_grey_print():
+    """Blue and red of one brightness, the two that most figures compare; red that is orange."""
+    colours = np.array([mpl.colors.to_rgb(name) for name in (plot.BLUE, plot.ORANGE, plot.RED)])
+    brightness = lab(image.to_linear(colours))[:, 0]
+    assert least_distance(brightness[:2, None]) > 15
+    red, green, blue = colours[2]
+    assert red > 0.7 and max(green, blue) < 0.25
+
+
+def test_a_film_shows_each_frame_for_its_time(monkeypatch):
+    """Axes that keep the frame before; a last frame that goes by like the others."""
+    shown = []
+    monkeypatch.setattr("IPython.display.display", shown.append)
+    figure, axes = plt.subplots(figsize=(4, 3))
+    plot.film(figure, lambda k: axes.plot([0, k], color=plot.RED), range(3), [0.1, 0.1, 0.8])
+    film, = shown
+    opened = Image.open(io.BytesIO(film.data))
+    assert (opened.n_frames, opened.size, film.width, film.height) == (3, (400, 300), 400, 300)
+    durations = []
+    for k in range(3):
+        opened.seek(k)
+        durations.append(opened.info["duration"])
+    assert durations == [100, 100, 800]
+    assert len(axes.lines) == 1 and not plt.get_fignums()
 
 
 def test_titles_of_a_strip_stay_on_the_page_and_apart():
@@ -275,32 +358,6 @@ def test_labels_have_a_colour_and_a_count_each():
     picture = axes.images[0].get_array()
     assert (picture[0, 0] == picture[1, 1]).all() and (picture[0, 0] != picture[0, 1]).any()
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["sky: 2", "land: 4"]
-
-
-def test_a_gradient_check_states_the_largest_relative_error(rng):
-    """A mean instead of the largest; nan counted as right."""
-    numeric = rng.normal(size=(5, 4))
-    numeric[0, 0] = 4.0
-    analytic = numeric.copy()
-    analytic[2, 1] += 0.02
-    right, wrong, broken = plt.subplots(1, 3)[1]
-    plot.gradient_check(right, numeric, numeric)
-    plot.gradient_check(wrong, analytic, numeric, "grad_a")
-    plot.gradient_check(broken, np.where(numeric == 4.0, np.nan, numeric), numeric)
-    titles = [" ".join(axes.get_title(loc="left").split()) for axes in (right, wrong, broken)]
-    assert titles[0] == "gradient: all 20 agree, largest relative error 0.0e+00"
-    assert titles[1] == "grad_a: 1 of 20 differ, largest relative error 5.0e-03"
-    assert titles[2].startswith("gradient: 1 of 20 differ")
-
-
-def test_the_frustum_has_y_up_and_stays_right_handed():
-    """Matplotlib's own z up, a mirrored world."""
-    axes = plt.figure().add_subplot(projection="3d")
-    near = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1.0]])
-    plot.frustum(axes, np.concatenate([near, 3 * near]), np.zeros(3), np.array([[0.0, 2, -2]]))
-    assert np.array_equal(axes.lines[0].get_data_3d(), near[[0, 1, 2, 3, 0]][:, [2, 0, 1]].T)
-    assert (axes.get_xlabel(), axes.get_ylabel(), axes.get_zlabel()) == ("z", "x", "y")
-    dots(axes)
 
 
 def test_a_figure_is_small_and_does_not_tell_versions(rng):

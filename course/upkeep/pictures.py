@@ -1,0 +1,132 @@
+"""The pictures of a lecture: what is told of them, how they are packed, whether two are alike."""
+import base64
+import io
+import re
+
+import numpy as np
+from PIL import Image, ImageSequence
+from scipy.spatial import cKDTree
+
+FULL_COLOUR_LIMIT = 50_000                         # bytes of a picture; above it, a palette
+LEAST, MOST = (320, 200), (960, 1600)              # a picture's width and height, as displayed
+PICTURE_LIMIT = 2.0                                # between two pictures, of 255; see `difference`
+
+
+def told(source):
+    """What is said of a cell's pictures, in their order: its comments `# figure: ...`."""
+    comments = re.findall(r"^# figure: *(.*(?:\n#(?! figure:).*)*)", source, re.MULTILINE)
+    return [re.sub(r"\s*\n#\s*", " ", comment).strip() for comment in comments]
+
+
+def pictures_of(cell):
+    """The cell's outputs that show a picture."""
+    return [output for output in cell.outputs if "image/png" in output.get("data", {})]
+
+
+def finish(cell):
+    """Pack the cell's pictures, and put beside them what is told of them."""
+    for output, text in zip(pictures_of(cell), told(cell.source), strict=False):
+        content = packed(base64.b64decode(output.data["image/png"]))
+        output.data["image/png"] = base64.b64encode(content).decode()
+        output.metadata["image/png"] = {**output.metadata.get("image/png", {}), "alt": text}
+
+
+def objection(cell):
+    """What a cell's pictures lack, as a clause, or None."""
+    shown, said = pictures_of(cell), told(cell.source)
+    if shown and len(shown) != len(said):  # a cell that waits for an exercise shows none
+        return (f"shows {len(shown)} pictures and tells of {len(said)}: write a comment "
+                '"# figure: ..." for each, for those who do not see it')
+    for size in (output.metadata["image/png"] for output in shown):
+        width, height = size["width"], size["height"]
+        if not (LEAST[0] <= width <= MOST[0] and LEAST[1] <= height <= MOST[1]):
+            return (f"shows a picture of {width} x {height}: draw {LEAST[0]} x {LEAST[1]} to "
+                    f"{MOST[0]} x {MOST[1]} displayed pixels")
+
+
+def packed(content):
+    """A PNG's bytes -> fewer bytes, for the same picture to the eye.
+
+    With a palette of 256 colours where all but one dot in a thousand stay within 3 of 255. A
+    picture that needs more colours keeps them, unless it is large and a palette is within 12.
+    """
+    pictures, stay = _frames_and_stay(content)
+    few, off = _with_palette(pictures)
+    if off <= 3:
+        return _png(few, stay)
+    full = _png(pictures, stay)
+    return _png(few, stay) if off <= 12 and len(full) > FULL_COLOUR_LIMIT else full
+
+
+def _with_palette(pictures):
+    """Pictures (RGB) with one palette of 256 colours, and how far all but 1 in 1,000 dots are off.
+
+    The most frequent colours, white among them, are kept as they are.
+    """
+    sheet = np.stack(pictures).astype(np.uint32)
+    code = sheet[..., 0] << 16 | sheet[..., 1] << 8 | sheet[..., 2]
+    count = np.bincount(code.ravel(), minlength=1 << 24)
+    used = np.flatnonzero(count)
+    colours = np.stack([used >> 16, used >> 8 & 255, used & 255], axis=-1)
+    rows = Image.fromarray(np.concatenate(pictures))
+    palette = np.reshape(rows.quantize(256, Image.Quantize.MAXCOVERAGE, kmeans=3).getpalette(),
+                         (-1, 3))
+    frequent = colours[np.argsort(count[used], kind="stable")[-8:]]
+    palette[cKDTree(palette).query(frequent)[1]] = frequent
+    nearest = cKDTree(palette).query(colours)[1]
+    off = np.abs(palette[nearest] - colours).max(axis=-1)
+    entry = np.zeros(1 << 24, np.uint8)
+    entry[used] = nearest
+    few = [Image.fromarray(indices) for indices in entry[code]]
+    for picture in few:
+        picture.putpalette(palette.astype(np.uint8).tobytes())
+    return few, np.percentile(np.repeat(off, count[used]), 99.9)
+
+
+def _png(pictures, stay):
+    content = io.BytesIO()
+    moving = {"save_all": True, "append_images": pictures[1:], "loop": 0, "duration": stay}
+    pictures[0].save(content, "PNG", optimize=True, **(moving if len(pictures) > 1 else {}))
+    return content.getvalue()
+
+
+def _frames_and_stay(content):
+    """A PNG's bytes -> its frames in RGB, and how many milliseconds each is shown."""
+    with Image.open(io.BytesIO(content)) as opened:
+        frames = [(frame.convert("RGB"), frame.info.get("duration", 0))
+                  for frame in ImageSequence.Iterator(opened)]
+    return [frame for frame, _ in frames], [stay for _, stay in frames]
+
+
+def difference(was, now, here):
+    """How two pictures in base64 differ, as a clause, or None where that is as it may be.
+
+    here: the same versions drew both, so the bytes must agree. Elsewhere a picture may be two
+    pixels larger or smaller, and the means of its blocks of 32 x 32 pixels may differ by
+    PICTURE_LIMIT on average. (matplotlib 3.9 and 3.11 differ by up to 1. The course's figures
+    upside down, mirrored or empty differ by 4 and more.)
+    """
+    if was == now:
+        return None
+    if here:
+        return "draws a picture with other bytes, with the same versions: find what is not seeded"
+    old, new = frames(was), frames(now)
+    if len(old) != len(new) or np.abs(np.subtract(old[0].size, new[0].size)).max() > 2:
+        return (f"draws {len(new)} pictures of {new[0].size} pixels, "
+                f"and the file has {len(old)} of {old[0].size}")
+    size = np.minimum(old[0].size, new[0].size)
+    distance = max(np.abs(_small(one, size) - _small(other, size)).mean()
+                   for one, other in zip(old, new, strict=True))
+    if distance > PICTURE_LIMIT:
+        return (f"draws a picture that differs from the file's by {distance:.1f} of 255 "
+                f"on average: {PICTURE_LIMIT} is what other fonts may explain")
+
+
+def frames(picture):
+    """A PNG or APNG in base64 -> its frames, in RGB."""
+    return _frames_and_stay(base64.b64decode(picture))[0]
+
+
+def _small(frame, size):
+    """The means of 32 x 32 pixels, so that a line moved by a pixel or two counts for little."""
+    return np.asarray(frame.crop((0, 0, *size)).reduce(32), float)

@@ -1,0 +1,177 @@
+"""The beginning of a lecture: what a real kernel prints where labs are not finished."""
+import os
+import re
+
+import matplotlib.pyplot as plt
+import nbformat
+import pytest
+from jupyter_client import AsyncKernelManager
+from nbclient import NotebookClient
+
+from course.given import lecture
+from course.upkeep.notebooks import KERNEL_ENVIRONMENT, ThisInterpreter
+
+OUTLINES = '''
+def width(x):  # exercise 8.4 (2 points)
+    """How wide is it?"""
+    return x / 2
+'''
+RASTERIZATION = '''
+def edge(x):  # exercise 2.1 (2 points)
+    """On which side is it?"""
+    raise NotImplementedError("exercise 2.1: edge")
+'''
+ANTIALIASING = '''
+from .outlines import width
+from .rasterization import edge
+
+
+def area(x):  # exercise 8.1 (2 points)
+    """How large is it?"""
+    raise ValueError(f"no area for {x}")
+
+
+def crossing(x):  # exercise 8.7 (3 points)
+    """Where does it cross?"""
+    raise NotImplementedError("exercise 8.7: crossing")
+
+
+def blend(x):  # exercise 8.8 (3 points)
+    """Raise NotImplementedError("exercise 8.7: crossing")?"""
+    raise NotImplementedError("exercise 8.8: blend")
+
+
+def misspelt(x):  # exercise 8.9 (1 point)
+    """A name that waits in the lecture is a mistake here."""
+    return picture
+
+
+def not_handled(x):
+    raise NotImplementedError("x must be positive")
+
+
+def rendered(x):
+    return [crossing(width(x)) for _ in range(3)]
+'''
+CELLS = {  # each runs after those before it, in one kernel
+    "all done": 'import sys; sys.path.append("..")  # finds the course from notebooks/\n'
+                "from labs import outlines\nfrom course.given import lecture, plot\n\n"
+                "lecture.begin()",
+    "not all done": "from labs import antialiasing\nimport matplotlib.pyplot as plt\n"
+                    "lecture.begin()",
+    "made at first": "picture = 7\nfor k in range(3): pass\ntotal = k",
+    "waits": "from fractions import Fraction\n"
+             "import labs\n"
+             "plt.subplots()\n"
+             "print('so far')\n"
+             "def halved(x): return Fraction(x, 2)\n"
+             "sizes = [k for k in range(3)]\n"
+             "with plt.rc_context():\n"
+             "    picture, (_, *rest) = labs.antialiasing.rendered(4)\n"
+             "def doubled(x): return 2 * x",
+    "waits, too": "plt.subplots()\nprint(picture)",
+    "waits for a function": "double = doubled(3)",
+    "waits for one that waits, too": "triple = double + 1",
+    "goes on": "print(halved(3), k, total, outlines.width(3))",
+    "waits for another": "picture = antialiasing.blend(3)",
+    "waits for the other": "import numpy as np; np.array([picture])",
+    "figures": "plt.figure(figsize=(1, 1));",
+}
+WRONG = {
+    "typo": "pictures = 1\npictrue",
+    "typo in a function": "def shown():\n    return picture\n    picture = 1\nshown()",
+    "mistake in an exercise": "antialiasing.area(3)",
+    "name in an exercise": "antialiasing.misspelt(3)",
+    "not handled": "antialiasing.not_handled(3)",
+}
+
+
+@pytest.fixture(scope="module")
+def outputs(house):
+    """Name -> outputs of a cell. CellExecutionError: one of CELLS stops Jupyter from going on."""
+    root = house({"labs/__init__.py": "", "labs/outlines.py": OUTLINES,
+                  "labs/rasterization.py": RASTERIZATION, "labs/antialiasing.py": ANTIALIASING})
+    (root / "notebooks").mkdir()
+    cells = {name: nbformat.v4.new_code_cell(source) for name, source in (CELLS | WRONG).items()}
+    for name in WRONG:
+        cells[name].metadata = {"tags": ["raises-exception"]}
+    notebook = nbformat.v4.new_notebook(cells=[*cells.values()])
+    manager = AsyncKernelManager(kernel_spec_manager=ThisInterpreter())
+    environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": str(root / "settings")}
+    client = NotebookClient(notebook, km=manager, timeout=60)
+    client.execute(cwd=str(root / "notebooks"), env=environment, cleanup_kc=True)
+    return {name: cell.outputs for name, cell in cells.items()}
+
+
+def printed(outputs):
+    """The text on stdout, which is all that there is."""
+    assert all(output.get("name") == "stdout" for output in outputs), outputs
+    return "".join(output.text for output in outputs)
+
+
+def test_nothing_is_said_where_all_is_done(outputs):
+    """A page of the finished course that speaks to students."""
+    assert printed(outputs["all done"]) == ""
+
+
+def test_the_first_cell_names_what_is_still_to_be_written(outputs):
+    """An exercise that is written, or one of another module; a lecture that waits by surprise."""
+    assert printed(outputs["not all done"]) == (
+        "Still to be written: 8.7, 8.8 in labs/antialiasing.py.\n"
+        "A cell that needs what is missing waits and says so.\n")
+
+
+def test_a_cell_that_calls_an_unwritten_exercise_says_which(outputs):
+    """A traceback; the number of the exercise that calls it; the empty axes of half a figure."""
+    assert printed(outputs["waits"]) == (
+        "so far\n"
+        "This cell waits for exercise 8.7, crossing, in labs/antialiasing.py: write it, restart "
+        "the kernel and run all cells.\n")
+
+
+@pytest.mark.parametrize(("cell", "name"), [
+    ("waits, too", "picture"), ("waits for a function", "doubled"),
+    ("waits for one that waits, too", "double")])
+def test_a_cell_that_uses_what_is_not_there_waits_too(outputs, cell, name):
+    """A NameError that sends a student to look for a typo; a picture of the value before."""
+    assert printed(outputs[cell]) == (
+        f"This cell waits, too, for exercise 8.7: it uses `{name}`, which is made above.\n")
+
+
+def test_other_cells_go_on(outputs):
+    """Imports and functions of a cell that waits are lost, or the names of its comprehensions."""
+    assert printed(outputs["goes on"]) == "3/2 2 2 1.5\n"
+
+
+def test_the_exercise_is_the_one_that_the_name_waits_for_now(outputs):
+    """The first exercise that a name has waited for, for ever."""
+    assert printed(outputs["waits for another"]).startswith("This cell waits for exercise 8.8, ")
+    assert printed(outputs["waits for the other"]) == (
+        "This cell waits, too, for exercise 8.8: it uses `picture`, which is made above.\n")
+
+
+def test_figures_of_cells_that_waited_do_not_come_later(outputs):
+    """Figures that are hidden, and shown below the next cell that draws."""
+    assert [output.output_type for output in outputs["figures"]] == ["display_data"]
+
+
+@pytest.mark.parametrize(("cell", "error", "line"), [
+    ("typo", "NameError", "pictrue"),
+    ("typo in a function", "UnboundLocalError", "return picture"),
+    ("mistake in an exercise", "ValueError", 'raise ValueError(f"no area for {x}")'),
+    ("name in an exercise", "NameError", "return picture"),
+    ("not handled", "NotImplementedError", 'raise NotImplementedError("x must be positive")')])
+def test_a_mistake_keeps_its_traceback(outputs, cell, error, line):
+    """A student's mistake that looks like something to wait for."""
+    shown, = outputs[cell]
+    assert shown.output_type == "error" and shown.ename == error
+    text = "\n".join(shown.traceback)
+    assert line in re.sub(r"\x1b\[[\d;]*m", "", text)
+
+
+def test_outside_of_jupyter_only_the_style_is_set(capsys):
+    """A lecture that is run as a script fails at its first cell, or speaks of labs."""
+    with plt.rc_context({"figure.figsize": (1, 1)}):
+        lecture.begin()
+        assert plt.rcParams["figure.figsize"] != [1, 1]
+    assert capsys.readouterr() == ("", "")
