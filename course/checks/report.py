@@ -14,13 +14,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ..given import places
+from ..given.contract import UNFINISHED
 from ..given.suspicions import Suspicion
 from . import hints
 from .assertions import Mismatch
 from .loader import LAST_CALL, LAST_RETURN, folder
 from .showing import MOST_LINES, arguments, large_arrays, layout, shown, shown_call, told
-
-UNFINISHED = re.compile(r"exercise (\d+\.\d+): \w+")  # what an exercise of a skeleton raises
 
 
 class Check(NamedTuple):

@@ -13,7 +13,6 @@ cell. All other errors are shown as always, those inside an exercise as well.
 """
 import ast
 import functools
-import re
 import traceback
 import types
 
@@ -21,8 +20,8 @@ import matplotlib.pyplot as plt
 from IPython import get_ipython
 
 from . import plot
+from .contract import UNFINISHED
 
-UNFINISHED = re.compile(r"exercise (\d+\.\d+): (\w+)")  # what an exercise of a skeleton raises
 SCOPES = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp
 
 

@@ -20,11 +20,12 @@ from PIL import Image
 # vermilion looks orange, so RED is a red: dark, to be told from GREEN without its hue.
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
     "#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#C2152E", "#CC79A7")
-GREY = "#767676"
-LABELS = "#f2f2f2", "#cfcfcf", BLACK, GREY, ORANGE, SKY, PURPLE, RED, BLUE, GREEN
+GREY, PALE = "#767676", "#a8a8a8"                  # beside a colour; what was there before it
+LABELS = "#f2f2f2", "#cfcfcf", BLACK, GREY, ORANGE, SKY, PURPLE, RED, GREEN, BLUE
 BACKGROUND = (0.80, 0.88, 0.95)                    # where a depth picture shows no surface
 DEPTHS = mpl.colormaps["magma_r"]                  # near to far
-SIGNED = mpl.colormaps["RdBu"]                     # below zero red, above zero blue
+SIGNED = mpl.colors.LinearSegmentedColormap.from_list(  # below zero red and darker, above blue
+    "signed", ["#7a0c1e", "#e0656e", "#ffffff", "#6db3e0", BLUE])
 HALO = [withStroke(linewidth=2.5, foreground="white")]
 
 # The layout of `panels`, in displayed pixels, of which a figure has 100 to the inch. Each is drawn
@@ -32,7 +33,7 @@ HALO = [withStroke(linewidth=2.5, foreground="white")]
 DOTS = 2
 PAGE_WIDTH, PANEL_HEIGHT = 960, 640                # as wide as a page; the highest picture
 SMALLEST = 200                                     # a panel's longer side
-LEFT, BOTTOM, RIGHT, LINE = 25, 26, 13, 19         # room for tick labels, scale, gap, a title line
+LEFT, BOTTOM, RIGHT, LINE = 29, 28, 9, 19          # room for tick labels, scale, gap, a title line
 
 
 def style():
@@ -41,6 +42,7 @@ def style():
     mpl.rcParams.update({
         "figure.dpi": 100, "figure.figsize": (9.6, 3.4), "figure.constrained_layout.use": True,
         "font.size": 9.5, "axes.titlesize": 10.5, "axes.titlelocation": "left",
+        "axes.titlepad": 5,
         "axes.prop_cycle": mpl.cycler(color=[BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK]),
         "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
         "axes.axisbelow": True, "grid.color": "#e6e6e6", "grid.linewidth": 0.7,
@@ -136,7 +138,7 @@ def screen(axes, width, height, title=""):
     """An empty screen of width x height pixels. Its two corners are labelled, y is up."""
     axes.set(xlim=(0, width), ylim=(0, height), aspect="equal",
              xticks=(0, width), yticks=(0, height))
-    axes.tick_params(length=0, pad=3, labelsize=8, labelcolor=GREY)
+    axes.tick_params(length=0, pad=3, labelsize=9, labelcolor=GREY)
     axes.grid(False)
     axes.spines[:].set(visible=True, color=GREY, linewidth=0.6)
     title_of(axes, title)
@@ -150,7 +152,7 @@ def title_of(axes, title):
 
 
 def _wrapped(title, width):
-    letter = 7.3                                   # pixels to a letter of a title, on average
+    letter = 7.6                                   # pixels to a letter of a title, on average
     return "\n".join(textwrap.wrap(title, max(12, int((width - LEFT - RIGHT) / letter))))
 
 
@@ -159,7 +161,8 @@ def _wrapped(title, width):
 def film(figure, draw, frames, seconds=0.1):
     """Show a figure that moves, for ever: draw(frame) draws each of the frames into its Axes.
 
-    Before each frame the Axes are emptied. seconds: of a frame, or of each frame in turn.
+    Before each frame the Axes are emptied. seconds: of a frame, or of each frame in turn. The film
+    begins with its last frame, which is what a printer shows, or a program that shows no films.
     """
     from IPython import display  # only notebooks need it
 
@@ -171,10 +174,10 @@ def film(figure, draw, frames, seconds=0.1):
         figure.canvas.draw()
         pictures.append(Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
     plt.close(figure)
+    stay = np.rint(1000 * np.broadcast_to(seconds, len(pictures))).astype(int).tolist()
     content = io.BytesIO()
-    milliseconds = np.rint(1000 * np.broadcast_to(seconds, len(pictures))).astype(int).tolist()
-    pictures[0].save(content, "PNG", save_all=True, append_images=pictures[1:], loop=0,
-                     duration=milliseconds)
+    pictures[-1].save(content, "PNG", save_all=True, append_images=pictures[:-1], loop=0,
+                      duration=[stay[-1], *stay[:-1]])
     width, height = pictures[0].size
     display.display(display.Image(content.getvalue(), format="png", width=width, height=height))
 
@@ -189,7 +192,14 @@ def image(axes, picture, title=""):
     is_sharp = zoom > 2.9 or (zoom > 0.99 and abs(zoom - round(zoom)) < 0.01)
     axes.imshow(picture, origin="lower", extent=(0, width, 0, height), cmap="gray", vmin=0, vmax=1,
                 interpolation="nearest" if is_sharp else "antialiased")
+    if axes.bbox.width >= 16 * width:              # pixels that are looked at one by one
+        _pixel_borders(axes, width, height)
     screen(axes, width, height, title)
+
+
+def _pixel_borders(axes, width, height):
+    axes.hlines(np.arange(1, height), 0, width, color="#cccccc", linewidth=0.5, zorder=0.5)
+    axes.vlines(np.arange(1, width), 0, height, color="#cccccc", linewidth=0.5, zorder=0.5)
 
 
 def depth(axes, depth, title=""):
@@ -225,7 +235,7 @@ def face_colours(face_index):
     face = np.asarray(face_index)
     hue = face * (np.sqrt(5) - 1) / 2 % 1
     saturation = 0.35 + 0.45 * (face * np.sqrt(2) % 1)
-    value = 0.75 + 0.25 * (face * np.sqrt(3) % 1)
+    value = np.where(face % 2, 0.90, 0.64) + 0.1 * (face * np.sqrt(3) % 1)  # neighbours, in grey
     colours = mpl.colors.hsv_to_rgb(np.stack([hue, saturation, value], axis=-1))
     return np.where(face[..., None] >= 0, colours, 1.0)
 
@@ -242,7 +252,7 @@ def labels(axes, labels, names, title=""):
     for label, count in zip(*np.unique(labels, return_counts=True), strict=True):
         axes.plot([], [], "s", color=colours[label], markeredgecolor=GREY, markeredgewidth=0.4,
                   label=f"{names[label]}: {count:,}")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0, fontsize=8.5)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0, fontsize=9)
 
 
 def before_after(axes, before, after, titles):
@@ -258,11 +268,15 @@ def before_after(axes, before, after, titles):
     signed(axes[2], change, f"{changed:.1%} of the pixels differ")
 
 
-def signed(axes, values, title=""):
-    """Values (H, W) of both signs: red below zero, white at zero, blue above, on one scale."""
-    largest = np.nanmax(np.abs(values), initial=0.0) or 1.0
-    image(axes, SIGNED(0.5 + 0.5 * np.asarray(values) / largest)[..., :3], title)
-    _scale(axes, SIGNED, f"{-largest:.3g}", f"{largest:+.3g}")
+def signed(axes, values, title="", largest=None):
+    """Values (H, W) of both signs: red below zero, white at zero, blue above, on one scale.
+
+    The scale ends at the largest value, or where largest says: what is beyond has its colour.
+    """
+    most = np.nanmax(np.abs(values), initial=0.0) or 1.0
+    end, beyond = largest or most, "≥ " if largest and most > largest else ""
+    image(axes, SIGNED(0.5 + 0.5 * np.asarray(values) / end)[..., :3], title)
+    _scale(axes, SIGNED, f"{beyond.replace('≥', '≤')}{-end:.3g}", f"{beyond}{end:+.3g}")
 
 
 def _scale(axes, colours, low, high):
@@ -273,7 +287,7 @@ def _scale(axes, colours, low, high):
     bar.set_axis_off()
     for x, side, text in ((0.345, "right", low), (0.655, "left", high)):
         axes.text(x, -11.5 / dots, text, transform=axes.transAxes, ha=side, va="center",
-                  fontsize=8, color="#444444")
+                  fontsize=9, color="#444444")
 
 
 # Triangles on the screen
@@ -290,7 +304,10 @@ def wireframe(axes, vertices, faces, color=BLACK):
     axes.autoscale_view()                          # an Axes that shows a screen keeps its limits
     start, end = axes.transData.transform(lines.reshape(-1, 2)).reshape(-1, 2, 2).swapaxes(0, 1)
     length = np.nanmedian(np.linalg.norm(end - start, axis=1))
-    collection.set_linewidth(np.clip(0.04 * length, 0.25, 1.0))
+    width = np.clip(0.04 * length, 0.25, 1.0)
+    collection.set_linewidth(width)
+    if width > 0.8:                                # few lines: to be seen on dark pixels, too
+        collection.set_path_effects([withStroke(linewidth=width + 1.6, foreground="white")])
 
 
 def triangle_pixels(axes, triangle, width, height, covered=None, title=""):
@@ -300,8 +317,7 @@ def triangle_pixels(axes, triangle, width, height, covered=None, title=""):
     """
     covered = np.zeros((height, width), bool) if covered is None else covered
     screen(axes, width, height, title)
-    axes.hlines(np.arange(height), 0, width, color="#dddddd", linewidth=0.7, zorder=0.5)
-    axes.vlines(np.arange(width), 0, height, color="#dddddd", linewidth=0.7, zorder=0.5)
+    _pixel_borders(axes, width, height)
     axes.imshow(np.where(covered[..., None], mpl.colors.to_rgba(SKY, 0.35), 0),
                 origin="lower", extent=(0, width, 0, height), interpolation="nearest")
     row, column = np.indices(covered.shape)
@@ -350,16 +366,17 @@ def _arrow(axes, start, end, color):
 
 # Gradients
 
-def arrows(axes, points, gradients, color=GREEN):
+def arrows(axes, points, gradients, color=GREEN, of_longest=None):
     """The descent direction, -gradient (N, 2), at points (N, 2): where a step would move them.
 
     All arrows have one scale: the longest is an eighth of the Axes wide, its gradient is stated.
+    of_longest: the gradient that gets this length instead, to compare two Axes.
     """
     lengths = np.linalg.norm(gradients, axis=1)
     longest = lengths.max(initial=0.0)
-    axes.scatter(*points.T, s=9, color=color, zorder=4)
+    axes.scatter(*points.T, s=12, color=color, zorder=5)
     if longest > 0:
-        scale = longest / (np.ptp(axes.get_xlim()) / 8)
+        scale = (of_longest or longest) / (np.ptp(axes.get_xlim()) / 8)
         axes.quiver(*points.T, *-gradients.T, color=color, angles="xy", scale_units="xy",
                     scale=scale, width=0.007, zorder=4, path_effects=HALO)
     stated = f"longest arrow: |gradient| = {longest:.3g}" if longest else "no gradient"

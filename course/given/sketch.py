@@ -8,9 +8,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Arc, FancyBboxPatch
 
-from .plot import BLACK, BLUE, GREY, HALO, LINE, PAGE_WIDTH, SKY, title_of
+from .plot import BLACK, BLUE, GREY, HALO, LINE, ORANGE, PAGE_WIDTH, PURPLE, SKY, title_of
 
 SIZE = 11                                          # of a label, in points
+DARKER = {ORANGE: "#8a5a00", SKY: "#1f6fa8", PURPLE: "#96407a"}  # for text in these colours
 GAP = 14                                           # around drawings, in displayed pixels
 
 
@@ -25,7 +26,7 @@ def sheet(*limits, titles=None, height=420):
     wide, high = x1 - x0, np.max(y1 - y0)
     scale = min((PAGE_WIDTH - GAP * (len(limits) + 1)) / wide.sum(), height / high)
     gap = (PAGE_WIDTH - scale * wide.sum()) / (len(limits) + 1)
-    page = np.array([PAGE_WIDTH, scale * high + (2 * LINE if titles else 0) + 2 * GAP])
+    page = np.ceil([PAGE_WIDTH, scale * high + (2 * LINE if titles else 0) + 2 * GAP])
     figure = plt.figure(figsize=page / 100, layout="none")
     left = gap + np.append(0, np.cumsum(scale * wide + gap))
     places = []
@@ -48,7 +49,8 @@ def label(axes, at, text, color=BLACK, offset=(0, 0), **style):
     """Text beside a point, or on it."""
     side = {-1: "right", 0: "center", 1: "left"}[int(np.sign(offset[0]))]
     level = {-1: "top", 0: "center", 1: "bottom"}[int(np.sign(offset[1]))]
-    axes.annotate(text, at, offset, textcoords="offset points", color=color, ha=side, va=level,
+    axes.annotate(text, at, offset, textcoords="offset points", ha=side, va=level,
+                  color=DARKER.get(color, color),
                   **{"fontsize": SIZE, "path_effects": HALO, "zorder": 6, **style})
 
 

@@ -13,8 +13,9 @@ import pytest
 
 from .. import exercises
 from ..checks import Mismatch, loader
-from ..checks.report import UNFINISHED, is_fine_print
+from ..checks.report import is_fine_print
 from ..checks.showing import cut, shown_frames
+from ..given.contract import UNFINISHED
 from ..upkeep.skeleton import skeleton
 from . import sandbox, wire
 

@@ -9,6 +9,8 @@ from scipy.spatial import cKDTree
 
 FULL_COLOUR_LIMIT = 50_000                         # bytes of a picture; above it, a palette
 LEAST, MOST = (320, 200), (960, 1600)              # a picture's width and height, as displayed
+MARGIN = 12                                        # dots above and below a picture
+SAMPLE = 2_000_000                                 # dots that choose a film's palette
 PICTURE_LIMIT = 2.0                                # between two pictures, of 255; see `difference`
 
 
@@ -26,9 +28,11 @@ def pictures_of(cell):
 def finish(cell):
     """Pack the cell's pictures, and put beside them what is told of them."""
     for output, text in zip(pictures_of(cell), told(cell.source), strict=False):
-        content = packed(base64.b64decode(output.data["image/png"]))
+        content, (width, height) = packed(base64.b64decode(output.data["image/png"]))
+        shown = output.metadata["image/png"]["width"]
         output.data["image/png"] = base64.b64encode(content).decode()
-        output.metadata["image/png"] = {**output.metadata.get("image/png", {}), "alt": text}
+        output.metadata["image/png"] = {"alt": text, "width": shown,
+                                        "height": round(height * shown / width)}
 
 
 def objection(cell):
@@ -45,17 +49,29 @@ def objection(cell):
 
 
 def packed(content):
-    """A PNG's bytes -> fewer bytes, for the same picture to the eye.
+    """A PNG's bytes -> fewer bytes for the same picture to the eye, its size (width, height).
 
     With a palette of 256 colours where all but one dot in a thousand stay within 3 of 255. A
     picture that needs more colours keeps them, unless it is large and a palette is within 12.
+    White rows above and below are cut.
     """
     pictures, stay = _frames_and_stay(content)
+    pictures = _cut(pictures)
     few, off = _with_palette(pictures)
     if off <= 3:
-        return _png(few, stay)
+        return _png(few, stay), few[0].size
     full = _png(pictures, stay)
-    return _png(few, stay) if off <= 12 and len(full) > FULL_COLOUR_LIMIT else full
+    return (_png(few, stay) if off <= 12 and len(full) > FULL_COLOUR_LIMIT else full), few[0].size
+
+
+def _cut(pictures):
+    """Pictures without the rows above and below that are white in all of them, but for MARGIN."""
+    ink = np.flatnonzero(np.min(pictures, axis=(0, 2, 3)) < 255)
+    if not ink.size:
+        return pictures
+    width, height = pictures[0].size
+    top, bottom = max(ink[0] - MARGIN, 0), min(ink[-1] + 1 + MARGIN, height)
+    return [picture.crop((0, top, width, bottom)) for picture in pictures]
 
 
 def _with_palette(pictures):
@@ -68,7 +84,8 @@ def _with_palette(pictures):
     count = np.bincount(code.ravel(), minlength=1 << 24)
     used = np.flatnonzero(count)
     colours = np.stack([used >> 16, used >> 8 & 255, used & 255], axis=-1)
-    rows = Image.fromarray(np.concatenate(pictures))
+    rows = np.concatenate(pictures)
+    rows = Image.fromarray(rows[::-(-rows[..., 0].size // SAMPLE)])
     palette = np.reshape(rows.quantize(256, Image.Quantize.MAXCOVERAGE, kmeans=3).getpalette(),
                          (-1, 3))
     frequent = colours[np.argsort(count[used], kind="stable")[-8:]]

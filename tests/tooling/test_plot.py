@@ -37,11 +37,14 @@ def dots(axes):
 
 
 def assert_is_enlarged(shown, picture):
-    """Each pixel of the picture is a square of equal dots; the frame around it is not looked at."""
+    """Each pixel of the picture is a square of equal dots; the lines between are not looked at."""
     zoom = shown.shape[0] // picture.shape[0]
     expected = np.round(picture * 255).repeat(zoom, axis=0).repeat(zoom, axis=1)
     assert shown.shape == expected.shape
-    assert np.abs(shown[2:-2, 2:-2] - expected[2:-2, 2:-2]).max() <= 1
+    y, x = np.indices(shown.shape[:2]) % zoom
+    inside = (2 <= y) & (y < zoom - 2) & (2 <= x) & (x < zoom - 2) if zoom > 4 else y >= 0
+    inside[[0, 1, -2, -1]] = inside[:, [0, 1, -2, -1]] = False
+    assert np.abs(shown[inside] - expected[inside]).max() <= 1
 
 
 def size(axes):
@@ -177,7 +180,7 @@ def test_the_colours_of_two_curves_differ_in_grey_print():
 
 
 def test_a_film_shows_each_frame_for_its_time(monkeypatch):
-    """Axes that keep the frame before; a last frame that goes by like the others."""
+    """Axes that keep the frame before; a last frame that goes by, and is not what is printed."""
     shown = []
     monkeypatch.setattr("IPython.display.display", shown.append)
     figure, axes = plt.subplots(figsize=(4, 3))
@@ -189,7 +192,7 @@ def test_a_film_shows_each_frame_for_its_time(monkeypatch):
     for k in range(3):
         opened.seek(k)
         durations.append(opened.info["duration"])
-    assert durations == [100, 100, 800]
+    assert durations == [800, 100, 100]
     assert len(axes.lines) == 1 and not plt.get_fignums()
 
 
@@ -290,7 +293,7 @@ def test_both_signs_have_one_scale():
     axes, zeros = plot.panels([(1, 3), (2, 2)])
     plot.signed(axes, np.array([[-4.0, 0.0, 1.0]]))
     below, zero, above = axes.images[0].get_array()[0]
-    assert below[0] - below[2] > 0.2 > above[2] - above[0] > 0 and np.ptp(zero) < 0.02
+    assert below[0] - below[2] > 0.3 > above[2] - above[0] > 0 and np.ptp(zero) < 0.02
     assert [text.get_text() for text in axes.texts] == ["-4", "+4"]
     plot.signed(zeros, np.zeros((2, 2)))
     assert zeros.images[0].get_array().min() > 0.9
