@@ -33,7 +33,7 @@ HALO = [withStroke(linewidth=2.5, foreground="white")]
 DOTS = 2
 PAGE_WIDTH, PANEL_HEIGHT = 960, 640                # as wide as a page; the highest picture
 SMALLEST = 200                                     # a panel's longer side
-LEFT, BOTTOM, RIGHT, LINE = 29, 28, 9, 19          # room for tick labels, scale, gap, a title line
+LEFT, BOTTOM, RIGHT, LINE = 28, 28, 12, 19        # room for tick labels, scale, gap, a title line
 
 
 def style():
@@ -69,7 +69,7 @@ def panels(shapes, columns=None):
     """One figure with an Axes for each picture, whose pixels are a whole number of dots wide.
 
     shapes: the pictures' (height, width) -> list of Axes, row by row, `columns` in a row.
-    One column has room for 922 displayed pixels, two for 442, three for 282, four for 202. A
+    One column has room for 920 displayed pixels, two for 440, three for 280, four for 200. A
     picture that is too large is shrunk. ValueError: a picture would be under 200 x 200.
 
     >>> left, right = panels([(64, 64), (8, 8)])

@@ -111,12 +111,12 @@ def test_sizes_with_a_common_multiple_are_shown_alike():
 def test_a_large_picture_is_shrunk():
     """A picture that leaves the page."""
     axes = plot.panels([(1024, 1024), (1024, 1024)])
-    assert [size(place) for place in axes] == [(442, 442), (442, 442)]
+    assert [size(place) for place in axes] == [(440, 440), (440, 440)]
 
 
 def test_a_panel_that_would_be_small_is_refused():
     """A row of five pictures of the size of stamps."""
-    assert [size(place) for place in plot.panels([(64, 64)] * 4)] == [(202, 202)] * 4
+    assert [size(place) for place in plot.panels([(64, 64)] * 4)] == [(200, 200)] * 4
     with pytest.raises(ValueError, match=r"would be \[154. 154.\] displayed pixels, and 200"):
         plot.panels([(64, 64)] * 5)
 
