@@ -78,7 +78,7 @@ def measured(topic):
     """[(WrongAnswer, its verdict, the Checks that it fails)]."""
     answers = corpus(topic)
     trials = [(answer.exercise, answer.text) for answer in answers]
-    found = mutants.caught_by(topic, trials, only_first=False)
+    found = mutants.caught_by(topic, trials, only_first=False, with_hints=True)
     return [(answer, verdict(answer, checks), checks)
             for answer, checks in zip(answers, found, strict=True)]
 

@@ -344,12 +344,9 @@ def failures(items):
                 break
 
 
-def work(topic, trials, only_first, pipe):
-    """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn.
-
-    With only_first, no hint is looked for.
-    """
-    if only_first:
+def work(topic, trials, only_first, with_hints, pipe):
+    """What a worker does: pytest with Trials. Nothing is printed, no picture is drawn."""
+    if not with_hints:
         retries.SECONDS = 0.0
     with contextlib.suppress(ImportError):  # not on Windows
         import resource
@@ -372,7 +369,7 @@ def work(topic, trials, only_first, pipe):
 # --- in the main process ----------------------------------------------------------------------
 
 
-def caught_by(topic, trials, only_first=True):
+def caught_by(topic, trials, only_first=True, with_hints=False):
     """Who caught each of the trials (exercise, text): see Trials. [] for one that lives.
 
     A mutant that does not end is ended with its process. The next process goes on behind it.
@@ -382,7 +379,8 @@ def caught_by(topic, trials, only_first=True):
     while len(verdicts) < len(trials):
         here, there = multiprocessing.Pipe()
         process = multiprocessing.get_context("spawn").Process(
-            target=work, args=(topic, trials[len(verdicts):], only_first, there), daemon=True)
+            target=work, daemon=True,
+            args=(topic, trials[len(verdicts):], only_first, with_hints, there))
         process.start()
         there.close()
         try:

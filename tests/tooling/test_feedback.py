@@ -64,7 +64,7 @@ def test_what_was_told_wrongly_once_is_not_told_again(topic, name, answer, told)
     """Two mistakes look alike in the few numbers of a check."""
     exercise = next(one for one in exercises.topic_exercises(topic) if one.name == name)
     text = RIGHT_BEFORE.format(name=name) + textwrap.dedent(answer).replace("\n", "\n    ")
-    [checks] = mutants.caught_by(topic, [(exercise, text)], only_first=False)
+    [checks] = mutants.caught_by(topic, [(exercise, text)], only_first=False, with_hints=True)
     hints = [feedback.rows_of(check).get("hint", "") for check in explained(checks)]
     assert hints and not any(told in hint for hint in hints), hints
 

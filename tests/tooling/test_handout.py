@@ -78,7 +78,7 @@ def test_labs_lectures_and_checks_are_there(handed_out):
     assert sorted(path.stem for path in handed_out.glob("labs/*.py")) == sorted(names)
     assert sorted(path.stem for path in handed_out.glob("tests/labs/test_*.py")) == sorted(
         f"test_{name}" for name in names)
-    assert [path.stem[:2] for path in sorted(handed_out.glob("notebooks/*"))] == [
+    assert [path.stem[:2] for path in sorted(handed_out.glob("notebooks/*.ipynb"))] == [
         "00", "01", "02", "03", "04"]
     assert not (handed_out / "tests" / "project").exists()
     for path in handed_out.glob("labs/*.py"):

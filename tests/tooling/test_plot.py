@@ -117,7 +117,7 @@ def test_a_large_picture_is_shrunk():
 def test_a_panel_that_would_be_small_is_refused():
     """A row of five pictures of the size of stamps."""
     assert [size(place) for place in plot.panels([(64, 64)] * 4)] == [(200, 200)] * 4
-    with pytest.raises(ValueError, match=r"would be \[154. 154.\] displayed pixels, and 200"):
+    with pytest.raises(ValueError, match=r"would be \[152. 152.\] displayed pixels, and 200"):
         plot.panels([(64, 64)] * 5)
 
 
