@@ -15,8 +15,9 @@ CLAY, INK = "#d9c7ae", "#333333"                   # of faces and of edges
 def surface(axes, vertices, faces, azimuth=30, elevation=20, colours=CLAY, edges=INK, title=""):
     """A mesh, its faces lit and outlined, seen from far away (no perspective), nearest in front.
 
-    vertices (V, 3), faces (F, 3). The viewer is at azimuth degrees from +z towards +x, and
-    elevation degrees up. colours: of the faces, one or (F, 3). edges: their colour, or "none".
+    vertices (V, 3), faces (F, 3), or (F, K) of polygons. The viewer is at azimuth degrees from +z
+    towards +x, and elevation degrees up. colours: of the faces, one or (F, 3). edges: their colour,
+    or "none".
     The mesh fills the Axes. Give `axes.set(xlim=..., ylim=...)` afterwards for a scale of its own.
     """
     points = vertices @ turn(azimuth, elevation).T
