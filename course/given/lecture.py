@@ -1,7 +1,7 @@
 """How a lecture begins: figures of one style, and cells that wait for what is not written yet.
 
     import sys; sys.path.append("..")  # finds the course from the folder notebooks/
-    from reference import antialiasing, outlines  # "labs" for "reference": your own work
+    from reference import antialiasing, outlines  # "labs": your own work
     from course.given import lecture, mesh, plot
 
     lecture.begin()

@@ -2,9 +2,6 @@
 import io
 
 import matplotlib as mpl
-
-mpl.use("Agg")
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -13,13 +10,7 @@ from PIL import Image
 
 from course.given import image, plot
 
-
-@pytest.fixture(autouse=True)
-def figures():
-    plot.style()
-    yield
-    plt.close("all")
-    mpl.rcdefaults()
+pytestmark = pytest.mark.usefixtures("style")
 
 
 @pytest.fixture

@@ -1,21 +1,11 @@
 """Meshes in space: seen from the side that the angles say, near faces in front of far ones."""
-import matplotlib as mpl
-
-mpl.use("Agg")
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from course.given import plot, plot_3d
+from course.given import plot_3d
 
-
-@pytest.fixture(autouse=True)
-def figures():
-    plot.style()
-    yield
-    plt.close("all")
-    mpl.rcdefaults()
+pytestmark = pytest.mark.usefixtures("style")
 
 
 @pytest.mark.parametrize("azimuth, elevation, point, seen", [

@@ -1,21 +1,10 @@
 """Drawings: every point where its numbers say, every name beside it, and the page filled."""
-import matplotlib as mpl
-
-mpl.use("Agg")
-
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
 from course.given import plot, sketch
 
-
-@pytest.fixture(autouse=True)
-def figures():
-    plot.style()
-    yield
-    plt.close("all")
-    mpl.rcdefaults()
+pytestmark = pytest.mark.usefixtures("style")
 
 
 def test_drawings_have_one_scale_and_fill_the_page():
