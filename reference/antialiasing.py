@@ -185,7 +185,7 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):  # exercise 8.8 (2 p
     >>> np.stack(crossing_backward(grad_c, x0, y0, x1, y1)).T
     array([[ 0.75  , -0.5625,  0.25  , -0.1875]])
 
-    Fine print. epsilon keeps r finite where y1 is nearly y0. Let r = 1 / (h + epsilon), h = y1 - y0,
+    Fine print. epsilon keeps r finite where y1 is near y0. Let r = 1 / (h + epsilon), h = y1 - y0,
     with epsilon of h's sign. Use r in c = (x0 y1 - x1 y0) r, dc/dx0 = r y1, dc/dy0 = r (c - x1).
     For the other end swap the ends: r becomes -r.
     """
