@@ -255,19 +255,6 @@ def labels(axes, labels, names, title=""):
     axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0, fontsize=9)
 
 
-def before_after(axes, before, after, titles):
-    """Two pictures of one shape and their difference, in three Axes. titles: of the first two.
-
-    The difference is after - before, averaged over the channels: red darker, blue brighter.
-    """
-    image(axes[0], before, titles[0])
-    image(axes[1], after, titles[1])
-    change = np.asarray(after, float) - before
-    change = change.reshape(*change.shape[:2], -1).mean(axis=-1)
-    changed = np.mean(change != 0)
-    signed(axes[2], change, f"{changed:.1%} of the pixels differ")
-
-
 def signed(axes, values, title="", largest=None):
     """Values (H, W) of both signs: red below zero, white at zero, blue above, on one scale.
 

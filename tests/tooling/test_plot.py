@@ -332,19 +332,6 @@ def test_zero_gradients_are_told_not_divided_by():
     assert axes.texts[0].get_text() == "no gradient"
 
 
-def test_before_and_after_count_the_pixels_that_differ():
-    """A difference of the wrong sign, or a share of channels for a share of pixels."""
-    before = np.zeros((4, 4, 3))
-    after = before.copy()
-    after[0, 0, 1] = 0.6
-    axes = plot.panels([(4, 4)] * 3)
-    plot.before_after(axes, before, after, ["before", "after"])
-    assert axes[2].get_title(loc="left") == "6.2% of the pixels differ"
-    assert [text.get_text() for text in axes[2].texts] == ["-0.2", "+0.2"]
-    red, _, blue = axes[2].images[0].get_array()[0, 0]
-    assert blue > red
-
-
 def test_labels_have_a_colour_and_a_count_each():
     """A label has the colour or the name of another one, or the legend tells of absent ones."""
     axes, = plot.panels([(2, 3)], columns=3)
