@@ -8,6 +8,7 @@ import json
 import os
 import platform
 import statistics
+import sys
 import time
 from pathlib import Path
 
@@ -51,6 +52,20 @@ def machine():
             "processor": (names or [platform.processor() or "unknown"])[0],
             "python": platform.python_version(), "numpy": np.__version__,
             "scipy": scipy.__version__}
+
+
+HELD = {"MALLOC_TRIM_THRESHOLD_": "2000000000", "MALLOC_MMAP_THRESHOLD_": "2000000000",
+        "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "LP_NUM_THREADS": "0"}
+
+
+def hold_memory():
+    """Start this script anew, with one thread in all libraries, and keeping what memory it has had.
+
+    Otherwise glibc gives the pages of freed arrays back and takes them again, now and then.
+    """
+    if any(os.environ.get(name) != value for name, value in HELD.items()):
+        os.environ.update(HELD)
+        os.execv(sys.executable, [sys.executable, *sys.argv])
 
 
 def begin():

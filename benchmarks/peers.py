@@ -1,105 +1,118 @@
-"""Other differentiable renderers, for the same picture and its gradient, where they are installed.
+"""This course beside compiled renderers, in one process: python3 benchmarks/peers.py
 
-A peer is a function (vertices, faces, clip, attributes, size) -> call: call() renders the scene of
-benchmarks/pipeline.py once, forward and backward, from a picture of three attributes to vertices.
-None of them does quite the same work; its docstring says what is different.
+Three works, on icospheres of 1,000 to a million faces and screens of 512 x 512 to 4,096 x 4,096
+pixels. Milliseconds of processor time on one core. All renderers take turns, in another order each
+round. "x" is our time divided by the peer's: the median of the rounds, each divided by itself.
+
+Freed memory stays with the process here. Otherwise glibc gives the pages of large arrays back and
+takes them again, which is the largest noise: the script starts itself anew with that switched off.
+Writes benchmarks/peers.json and benchmarks/peers.png, which README.md shows.
 """
-import importlib.util
+import json
+import statistics
+import sys
+import time
+import tracemalloc
+from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-from reference import antialiasing, rasterization
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from benchmarks import measure, renderers
+from course.given import places, plot
 
-BACKGROUND = np.zeros(3)
-
-
-def calls(*scene):
-    """{name: call} of the peers that are installed and work; what fails is told in a line."""
-    found = {}
-    for name, peer in PEERS.items():
-        if importlib.util.find_spec(name):
-            try:
-                found[name] = peer(*scene)
-                found[name]()
-            except Exception as error:  # another version, or no compiler for its kernels
-                found.pop(name, None)
-                print(f"{name} is installed, but failed: {type(error).__name__}: {error}")
-    return found
+FACES = 1_000, 10_000, 100_000, 1_000_000
+SIZES = 512, 1024, 2048, 4096
+ROUNDS = 15, 5  # of scenes up to 100,000 faces or 1,024 x 1,024 pixels, and of larger ones
+COLOURS = {"ours": plot.BLACK, "drtk": plot.BLUE, "llvmpipe": plot.ORANGE, "deodr": plot.GREEN}
 
 
-def deodr(vertices, faces, clip, attributes, size):
-    """Compiled; interpolates on the screen, without perspective; overdraws silhouettes by a pixel.
-
-    Its time includes the squared error to a target. Which edges are silhouettes is given to it.
-    """
-    from deodr.differentiable_renderer import Scene2D
-    x, y, w = rasterization.screen_points(clip, size, size)
-    silhouette = antialiasing.silhouette_edges(x, y, w, faces,
-                                               antialiasing.opposite_vertices(faces))
-    edgeflags = silhouette[:, [2, 0, 1]].copy()  # from vertex k to the next one
-    corners = np.ascontiguousarray(faces, np.uint32)
-    scene = Scene2D(
-        ij=np.stack([x, y], -1), depths=w, faces=corners, faces_uv=corners,
-        colors=attributes.copy(), shade=np.ones(len(w)), uv=np.zeros((len(w), 2)),
-        texture=np.zeros((2, 2, 3)), textured=np.zeros(len(faces), bool),
-        shaded=np.zeros(len(faces), bool), edgeflags=edgeflags, height=size, width=size,
-        nb_colors=3, background_image=None, background_color=BACKGROUND, clockwise=False,
-        backface_culling=True, integer_pixel_centers=False)
-    covered = (scene.render(sigma=1)[0] != 0).any(-1).mean()
-    if covered < 0.1:  # it sees the back faces
-        scene.clockwise = True
-    target = np.zeros((size, size, 3))
-    return lambda: scene.render_compare_and_backward(sigma=1, antialiase_error=False, obs=target)
+def main():
+    measure.hold_memory()
+    facts = measure.begin()
+    peers = renderers.installed()
+    scenes = [(count, 512) for count in FACES] + [(10_000, size) for size in SIZES[1:]]
+    rows = [line for scene in scenes for line in lines_of(peers, *scene)]
+    measure.show(rows)
+    by_faces = [line for line in rows if line["pixels"] == 512**2]
+    by_pixels = [line for line in rows if 10_000 <= line["faces"] < 20_000]
+    growth = {"exponent in faces": exponent(by_faces, "faces"),
+              "exponent in pixels": exponent(by_pixels, "pixels"),
+              "peak memory, MB": peak_memory()}
+    for name, value in growth.items():
+        print(f"forward and backward, {name}: {value:.3g}")
+    content = json.dumps({**facts, "milliseconds": rows, **growth}, indent=1)
+    places.write_whole(Path(__file__).with_suffix(".json"), content.encode())
+    draw(by_faces, by_pixels)
 
 
-def pytorch3d(vertices, faces, clip, attributes, size):
-    """Compiled, on the CPU; one face for each pixel, with perspective; no silhouettes at all."""
-    import torch
-    from pytorch3d.ops import interpolate_face_attributes
-    from pytorch3d.renderer.mesh.rasterize_meshes import rasterize_meshes
-    from pytorch3d.structures import Meshes
-    torch.set_num_threads(1)
-    xyz = np.concatenate([-clip[:, :2] / clip[:, 3:], clip[:, 3:]], 1)  # its x runs left, y up
-    position = torch.tensor(xyz, dtype=torch.float32, requires_grad=True)
-    colour = torch.tensor(attributes, dtype=torch.float32, requires_grad=True)
-    face = torch.tensor(faces.astype(np.int64))
-
-    def call():
-        seen, _, barycentric, _ = rasterize_meshes(
-            Meshes([position], [face]), image_size=size, blur_radius=0.0, faces_per_pixel=1,
-            perspective_correct=True)
-        interpolate_face_attributes(seen, barycentric, colour[face]).sum().backward()
-
-    return call
+def lines_of(peers, face_count, size):
+    """The lines of the table for one scene, one for each work."""
+    _, faces, clip = measure.sphere(face_count)
+    found = renderers.prepare(peers, renderers.scene(faces, clip, size))
+    count = ROUNDS[face_count > 100_000 or size > 1024]
+    lines = []
+    for work in renderers.WORK:
+        calls = {name: calls[work] for name, calls in found.items() if work in calls}
+        took = rounds(calls, count)
+        line = {"work": work, "faces": len(faces), "pixels": size**2}
+        for name, times in took.items():
+            line[name] = statistics.median(times)
+            if name != "ours":
+                line[f"x {name}"] = statistics.median(np.divide(took["ours"], times))
+        lines.append(line)
+    return lines
 
 
-def mitsuba(vertices, faces, clip, attributes, size):
-    """A path tracer, compiled, on the CPU's threads; 16 samples a pixel; silhouettes included."""
-    import drjit
-    import mitsuba as mi
-    mi.set_variant("llvm_ad_rgb")
-    ball = mi.Mesh("ball", len(vertices), len(faces))
-    traversed = mi.traverse(ball)
-    traversed["vertex_positions"] = vertices.astype(np.float32).ravel()
-    traversed["faces"] = faces.astype(np.uint32).ravel()
-    traversed.update()
-    scene = mi.load_dict({
-        "type": "scene", "ball": ball, "light": {"type": "constant"},
-        "integrator": {"type": "direct_projective"},
-        "sensor": {"type": "perspective", "fov": 48.0,
-                   "to_world": mi.ScalarTransform4f().look_at([0, 0, 3], [0, 0, 0], [0, 1, 0]),
-                   "film": {"type": "hdrfilm", "width": size, "height": size}}})
-    parameters = mi.traverse(scene)
-    key = next(name for name in parameters.keys() if name.endswith("vertex_positions"))
-
-    def call():
-        drjit.enable_grad(parameters[key])
-        parameters.update()
-        drjit.backward(drjit.sum(mi.render(scene, parameters, spp=16), axis=None))
-        drjit.eval(drjit.grad(parameters[key]))
-        drjit.sync_thread()
-
-    return call
+def rounds(calls, count):
+    """{name: call} -> {name: milliseconds of each round}. Each round begins with another name."""
+    names = list(calls)
+    took = {name: [] for name in names}
+    for start in range(count + 1):
+        for name in np.roll(names, start).tolist():
+            begin = time.process_time()
+            calls[name]()
+            took[name].append(1000 * (time.process_time() - begin))
+    return {name: times[1:] for name, times in took.items()}  # the first was to warm up
 
 
-PEERS = {peer.__name__: peer for peer in (deodr, pytorch3d, mitsuba)}
+def exponent(lines, key):
+    """p in time = const * key^p of forward and backward, by least squares."""
+    size, took = np.transpose([(line[key], line["ours"]) for line in lines
+                               if line["work"] == "both ways"])
+    return np.polyfit(np.log(size), np.log(took), 1)[0]
+
+
+def peak_memory():
+    """Megabytes in use at most in forward and backward: 10,000 faces, 2048 x 2048 pixels."""
+    _, faces, clip = measure.sphere(10_000)
+    call = renderers.ours(renderers.scene(faces, clip, 2048))["both ways"]
+    tracemalloc.start()
+    call()
+    return tracemalloc.get_traced_memory()[1] / 1e6
+
+
+def draw(by_faces, by_pixels):
+    """benchmarks/peers.png: time against faces for each work, and against pixels for the last."""
+    works = list(renderers.WORK)
+    shown = [("faces", title, [line for line in by_faces if line["work"] == work])
+             for work, title in renderers.WORK.items()]
+    shown.append(("pixels", f"{renderers.WORK[works[-1]]}, 10,580 faces",
+                  [line for line in by_pixels if line["work"] == works[-1]]))
+    axes = plot.panels([(300, 400)] * 4, columns=2)
+    for place, (key, title, lines) in zip(axes, shown, strict=True):
+        chart = plot.chart(place)
+        for name, colour in COLOURS.items():
+            known = [(line[key], line[name]) for line in lines if name in line]
+            if known:
+                chart.loglog(*np.transpose(known), "o-", color=colour)
+                chart.annotate(f" {name}", known[-1], color=colour, va="center")
+        chart.set(title=title, xlabel=key, ylabel="ms of processor time")
+        chart.margins(x=0.18)
+        chart.grid(color=plot.PALE)
+    plt.savefig(Path(__file__).with_suffix(".png"), dpi=2 * plt.rcParams["figure.dpi"])
+
+
+if __name__ == "__main__":
+    main()

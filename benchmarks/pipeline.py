@@ -6,8 +6,7 @@ picture to clip positions and attributes.
 back: the stages and what joins them. Milliseconds as benchmarks/measure.py has them; in brackets
 the growth, times the column before. Also in out/benchmarks/pipeline.json.
 
-Where DEODR, PyTorch3D or Mitsuba is installed, its time for this scene, forward and backward,
-stands below ours; benchmarks/peers.py says how its work differs.
+benchmarks/peers.py sets the whole beside other renderers.
 """
 import sys
 from pathlib import Path
@@ -15,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from benchmarks import measure, peers
+from benchmarks import measure
 from reference import (
     antialiasing,
     interpolation,
@@ -42,10 +41,9 @@ def row(face_count, size):
     attributes = np.random.default_rng(0).random((len(vertices), 3))
     took = measure.medians(stages(clip, faces, attributes, size))
     whole = measure.medians(renders(vertices, faces, attributes, size))
-    others = measure.medians(peers.calls(vertices, faces, clip, attributes, size), runs=2)
     forward = sum(value for name, value in took.items() if not name.startswith("d "))
     return {"faces": len(faces), "pixels": size * size, **took, "forward": forward,
-            "backward": sum(took.values()) - forward, "all": sum(took.values()), **whole, **others}
+            "backward": sum(took.values()) - forward, "all": sum(took.values()), **whole}
 
 
 def stages(clip, faces, attributes, size):

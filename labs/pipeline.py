@@ -14,6 +14,7 @@ Source: Laine et al. 2020 (nvdiffrast).
 from typing import NamedTuple
 
 import numpy as np
+import scipy.sparse
 
 from course.given import inputs
 
@@ -69,15 +70,18 @@ class Buffers(NamedTuple):
     """What was found on the way to a picture, which the way back needs.
 
     clip (V, 4), face_index and depth (H, W), and barycentric (H, W, 3) come first. `shade` adds
-    derivatives (H, W, 3, 2), for a texture, and colour (H, W, C), the picture before antialiasing.
+    colour (H, W, C), the picture before antialiasing, and what it was made with: the matrix B of
+    lab 5 for Colours, derivatives (H, W, 3, 2) for a Texture. pairs are lab 8's, the blended ones.
     """
 
     clip: np.ndarray
     face_index: np.ndarray
     depth: np.ndarray
     barycentric: np.ndarray
+    weights: scipy.sparse.csr_array | None = None
     derivatives: np.ndarray | None = None
     colour: np.ndarray | None = None
+    pairs: outlines.Pairs | None = None
 
 
 class Gradients(NamedTuple):
@@ -117,8 +121,7 @@ def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None)
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
-    grad_surface, grad_clip = draw_backward(grad_picture, buffers, mesh.faces, mesh.opposite,
-                                            surface, grad_depth)
+    grad_surface, grad_clip = draw_backward(grad_picture, buffers, mesh.faces, surface, grad_depth)
     grad_positions, grad_clip_from_model = to_clip_backward(grad_clip, mesh.positions,
                                                             view.clip_from_model)
     return Gradients(grad_positions, as_surface(grad_surface), grad_clip_from_model)
@@ -128,8 +131,9 @@ def draw(clip, faces, opposite, surface, width, height, background):  # exercise
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The
-    given `visible` makes the first four of the Buffers, and `shade` the others. All of lecture 09
-    is drawn by it.
+    given `visible` makes the first four of the Buffers, and `shade` the others up to colour. The
+    last field, pairs, is what lab 8's `blended_pairs` finds. `blend_pairs` makes the picture of
+    them, and the way back needs them. All of lecture 09 is drawn by it.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> mesh = clip, np.array([[0, 1, 2]]), np.full((1, 3), -1)
@@ -140,18 +144,19 @@ def draw(clip, faces, opposite, surface, width, height, background):  # exercise
     raise NotImplementedError("exercise 9.12: draw")
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface,  # exercise 9.13 (3 points)
+def draw_backward(grad_picture, buffers, faces, surface,  # exercise 9.13 (3 points)
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_surface, grad_clip (V, 4).
 
-    Antialiasing, then `surface_backward`, then lab 7's `rasterize_backward`, which takes
-    grad_depth. The first and the last give a grad_clip: add them. buffers is a plain tuple.
+    `blend_pairs_backward` of lab 8, then `surface_backward`, then lab 7's `rasterize_backward`,
+    which takes grad_depth. The first and the last give a grad_clip: add them. buffers is a plain
+    tuple.
     Watch it: `python3 -m course demo --impl labs fit_bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
-    >>> mesh, colours = (np.array([[0, 1, 2]]), np.full((1, 3), -1)), Colours(np.ones((3, 1)))
-    >>> picture, buffers = draw(clip, *mesh, colours, 4, 1, np.zeros(1))
-    >>> grad_surface, grad_clip = draw_backward(np.ones((1, 4, 1)), tuple(buffers), *mesh, colours)
+    >>> faces, colours = np.array([[0, 1, 2]]), Colours(np.ones((3, 1)))
+    >>> picture, buffers = draw(clip, faces, np.full((1, 3), -1), colours, 4, 1, np.zeros(1))
+    >>> grad_surface, grad_clip = draw_backward(np.ones((1, 4, 1)), tuple(buffers), faces, colours)
     >>> grad_surface.colours.sum().round(9), grad_clip[:, 0].round(9)
     (np.float64(1.75), array([1., 1., 0.]))
     """
@@ -197,9 +202,13 @@ def shade(seen, faces, surface, background):
         seen = with_derivatives(seen, faces)
         colour = textured(seen, surface)
     else:
-        colour = interpolation.interpolate(surface.colours, faces, seen.face_index,
-                                           seen.barycentric)
-    colour[seen.face_index < 0] = background
+        seen = seen._replace(weights=interpolation.interpolation_matrix(
+            len(surface.colours), faces, seen.face_index, seen.barycentric))
+        colour = (seen.weights @ surface.colours).reshape(*seen.face_index.shape,
+                                                          surface.colours.shape[1])
+    outside = seen.face_index < 0
+    for channel, value in enumerate(background):
+        colour[..., channel][outside] = value
     return seen._replace(colour=colour)
 
 
@@ -225,10 +234,12 @@ def coloured_backward(grad_colour, buffers, faces, surface):
     """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
     corner 0, and None for the derivatives.
     """
-    grad_colours, grad_barycentric = interpolation.interpolate_backward(
-        grad_colour, surface.colours, faces, buffers.face_index, buffers.barycentric)
+    grad_colours = buffers.weights.T @ grad_colour.reshape(-1, surface.colours.shape[1])
+    grad_barycentric = interpolation.weights_backward(grad_colour, surface.colours, faces,
+                                                      buffers.face_index)
     # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0.
-    grad_barycentric -= grad_barycentric[..., :1].copy()
+    for corner in 2, 1, 0:
+        grad_barycentric[..., corner] -= grad_barycentric[..., 0]
     return Colours(grad_colours), grad_barycentric, None
 
 

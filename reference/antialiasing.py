@@ -76,13 +76,13 @@ def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points)
     side = np.sign(w)
 
     def place(vertex):
-        return np.stack([x[vertex], y[vertex]]).T, side[vertex]
+        return np.stack([x.take(vertex), y.take(vertex)]).T, side.take(vertex)
 
     def is_clockwise(*triangle):
         points, sides = zip(*triangle, strict=True)
-        return edge_function(*points) * np.prod(sides, 0) < 0
+        return edge_function(*points) * (sides[0] * sides[1] * sides[2]) < 0
 
-    corners = [place(vertex) for vertex in faces.T]
+    corners = [place(vertex) for vertex in faces.T.copy()]
     own = is_clockwise(*corners)
     silhouette = opposite < 0
     for k, (i, j) in enumerate(EDGES):

@@ -22,7 +22,7 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
-from .rasterization import normalize_derivative, seen_pixels
+from .rasterization import normalize_derivative, seen_corners, write_rows
 
 
 def lerp(a, b, t):
@@ -200,30 +200,30 @@ def interpolate(attributes, faces, face_index, barycentric):  # extra 5.11 (2 po
     return (weights @ attributes).reshape(*face_index.shape, attributes.shape[1])
 
 
-def seen_corners(face_index, faces):
-    """The pixels that see a face, in chunks that stay in the cache.
-
-    Yields pixel (N,) = row * width + column, and corners (3, N), the vertices of their faces.
-    """
-    for pixel in seen_pixels(face_index):
-        yield pixel, faces.take(face_index.reshape(-1)[pixel], 0).T
-
-
 def interpolate_backward(grad_output, attributes, faces, face_index,  # extra 5.12 (4 points)
                          barycentric):
     """Eq. (8): the gradients of `interpolate_backward_loop`, without a loop over pixels.
 
-    The given `seen_corners` walks over the pixels that see a face.
+    The given `weights_backward` makes grad_barycentric.
     """
     weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
+    grad_attributes = weights.T @ grad_output.reshape(-1, attributes.shape[1])
+    return grad_attributes, weights_backward(grad_output, attributes, faces, face_index)
+
+
+def weights_backward(grad_output, attributes, faces, face_index):
+    """Eq. (8) for the weights: grad_output (H, W, C) -> grad_barycentric (H, W, 3).
+
+    attributes (V, C), faces (F, 3), face_index (H, W). It is 0 where no face is seen.
+    """
     grad_pixels = grad_output.reshape(-1, attributes.shape[1])
     grad_barycentric = np.zeros((face_index.size, 3))
+    channels = attributes.T.copy()  # contiguous rows: faster
     for pixel, corners in seen_corners(face_index, faces):
-        grad_seen = grad_pixels.take(pixel, 0)
-        for k, vertex in enumerate(corners):
-            at_corner = attributes.take(vertex, 0)
-            grad_barycentric[pixel, k] = np.einsum("nc,nc->n", grad_seen, at_corner)
-    return weights.T @ grad_pixels, grad_barycentric.reshape(barycentric.shape)
+        grad_seen = grad_pixels.take(pixel, 0).T.copy()
+        by_weight = np.einsum("cn,ckn->kn", grad_seen, channels.take(corners, 1))
+        write_rows(grad_barycentric, pixel, by_weight)
+    return grad_barycentric.reshape(*face_index.shape, 3)
 
 
 def interpolate_derivatives(attributes, faces, face_index, derivatives):  # exercise 5.13 (2 points)

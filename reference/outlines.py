@@ -72,10 +72,11 @@ def seen_silhouettes(face_index, screen, faces, opposite):
     which face_index -1 finds.
     """
     is_seen = np.zeros(len(faces) + 1, bool)
-    is_seen[face_index] = True
+    is_seen[face_index.ravel()] = True
     seen = np.flatnonzero(is_seen[:-1])
-    silhouette = np.zeros((len(faces) + 1, 3), bool)
-    silhouette[seen] = silhouette_edges(*screen, faces[seen], opposite[seen])
+    silhouette = np.zeros((len(faces) + 1, 3), bool, order="F")  # one edge after the other
+    silhouette[seen] = silhouette_edges(*screen, faces.take(seen, 0),
+                                         opposite.take(seen, 0))
     return silhouette
 
 
@@ -121,8 +122,7 @@ def antialias(colour, face_index, depth, clip, faces, opposite):
     Fine print. Faces that meet share their vertices here. Doubled vertices, as for uv seams, make
     the seam an outline: give attributes their own faces, as lab 5 does.
     """
-    pairs = blended_pairs(face_index, depth, clip, faces, opposite)
-    return blend(colour, pairs.owner, pairs.other, blend_weight(pairs.c))
+    return blend_pairs(colour, blended_pairs(face_index, depth, clip, faces, opposite))
 
 
 def antialias_backward(grad_output, colour, face_index, depth, clip, faces, opposite, epsilon=0.0):
@@ -130,14 +130,26 @@ def antialias_backward(grad_output, colour, face_index, depth, clip, faces, oppo
 
     The face of each pixel, the edge of each pair and whether it is blended are taken as given.
     epsilon: of `crossing_backward`, in pixels.
+    """
+    pairs = blended_pairs(face_index, depth, clip, faces, opposite)
+    return blend_pairs_backward(grad_output, colour, pairs, clip, epsilon)
+
+
+def blend_pairs(colour, pairs):
+    """Eqs. (4) and (5) for the Pairs that are blended: colour (H, W, C) -> output (H, W, C)."""
+    return blend(colour, pairs.owner, pairs.other, blend_weight(pairs.c))
+
+
+def blend_pairs_backward(grad_output, colour, pairs, clip, epsilon=0.0):
+    """Backward of `blend_pairs` for `blended_pairs`, as `antialias_backward`.
 
     Fine print. Near the camera plane digits are lost: where w is a millionth of x or y, six digits
     of the gradient with respect to w are right.
     """
     # The steps of `antialias` upwards, as far as the edges' ends. Then each vertex sums the
     # gradients of all edges that end there, and only such vertices go back to clip space.
-    height, width = face_index.shape
-    owner, other, c, ends, x, y, *_ = blended_pairs(face_index, depth, clip, faces, opposite)
+    height, width, _ = colour.shape
+    owner, other, c, ends, x, y, *_ = pairs
     grad_colour, grad_alpha = blend_backward(grad_output, colour, owner, other, blend_weight(c))
     grad_c = blend_weight_backward(grad_alpha, c)
     grad_x0, grad_y0, grad_x1, grad_y1 = crossing_backward(grad_c, x[0], y[0], x[1], y[1], epsilon)

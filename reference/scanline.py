@@ -22,9 +22,11 @@ import numpy as np
 
 from course.given import inputs
 
-from .rasterization import CHUNK, EDGES, MARGIN, bounding_box, is_top_left, screen_points
+from .rasterization import EDGES, MARGIN, bounding_box, in_chunks, is_top_left, screen_points
 
+CHUNK = 1 << 15  # rows, or fragments, in flight at once: they stay in the cache
 TINY = 1e-300  # stands for a slope of 0 in a division
+FINITE = np.uint8(1)  # the last bit of an outcode
 
 
 def twice_area(x, y):
@@ -78,17 +80,25 @@ def depth_slopes(x, y, z):  # extra 2.12 (3 points)
     return (z1 * y2 - z2 * y1) / determinant, (x1 * z2 - x2 * z1) / determinant
 
 
-def can_be_seen(clip, x, y, faces):
+def outcodes(clip, x, y):
+    """For each vertex a bit for each plane of the view frustum that it is beyond, and FINITE.
+
+    clip (V, 4); x, y (V,) of `screen_points` -> uint8 (V,).
+    """
+    clip_x, clip_y, z, w = clip.T.copy()  # contiguous rows: faster
+    beyond = clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0
+    outcode = FINITE * np.isfinite(x + y + z + w)
+    for bit, is_beyond in enumerate(beyond, 1):
+        outcode |= np.left_shift(is_beyond, bit, dtype=np.uint8)
+    return outcode
+
+
+def can_be_seen(outcode, corners):
     """Which faces have corners that are finite and not all beyond one plane of the view frustum.
 
-    clip (V, 4); x, y (V,) of `screen_points`; faces (F, 3) -> bool (F,).
+    outcode (V,) of `outcodes`; corners (3, F) -> bool (F,).
     """
-    clip_x, clip_y, z, w = clip.T
-    beyond = clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0
-    # One bit for each plane, and the last bit is 1 for a vertex that is finite.
-    outcode = np.packbits([*beyond, np.isfinite(x + y + z + w)], axis=0)[0]
-    k0, k1, k2 = faces.T
-    return (outcode[k0] & outcode[k1] & outcode[k2]) == 1
+    return np.bitwise_and.reduce(outcode.take(corners)) == FINITE
 
 
 def farthest_first(corners, w):
@@ -98,9 +108,10 @@ def farthest_first(corners, w):
     infinite.
     """
     first, second, third = corners
-    swap = np.abs(w[second]) > np.abs(w[first])
+    w0, w1, w2 = np.abs(w.take(corners))
+    swap = w1 > w0
     first, second = np.where(swap, second, first), np.where(swap, first, second)
-    swap = np.abs(w[third]) > np.abs(w[first])
+    swap = w2 > np.maximum(w0, w1)
     return np.stack([np.where(swap, third, first), second, np.where(swap, first, third)])
 
 
@@ -115,11 +126,13 @@ class Triangles(NamedTuple):
     dz_dy: np.ndarray
 
 
-def triangle_setup(x, y, z, w, faces):
-    """The Triangles of faces (F, 3); x, y, w (V,) of `screen_points`, z (V,) after the divide."""
-    corners = farthest_first(faces.T, w)
-    x, y, z = x[corners], y[corners], z[corners]
-    return Triangles(half_planes(x, y, w[corners]), x[0], y[0], z[0], *depth_slopes(x, y, z))
+def triangle_setup(x, y, z, w, corners):
+    """The Triangles of faces, corners (3, F); x, y, w (V,) of `screen_points`, z (V,) after the
+    divide.
+    """
+    corners = farthest_first(corners, w)
+    x, y, z, w = (values.take(corners) for values in (x, y, z, w))
+    return Triangles(half_planes(x, y, w), x[0], y[0], z[0], *depth_slopes(x, y, z))
 
 
 def half_plane_loop(clip, faces, width, height):
@@ -134,8 +147,8 @@ def half_plane_loop(clip, faces, width, height):
     py = np.arange(height)[:, None] + 0.5
     x, y, w = screen_points(clip, width, height)
     points = np.stack([x, y], -1)
-    setup = triangle_setup(x, y, clip[:, 2] / w, w, faces)
-    for f in np.flatnonzero(can_be_seen(clip, x, y, faces)):
+    setup = triangle_setup(x, y, clip[:, 2] / w, w, faces.T)
+    for f in np.flatnonzero(can_be_seen(outcodes(clip, x, y), faces.T)):
         x0, y0, x1, y1 = 0, 0, width, height
         if (w[faces[f]] > 0).all():
             x0, y0, x1, y1 = bounding_box(points[faces[f]], width, height)
@@ -150,52 +163,54 @@ def half_plane_loop(clip, faces, width, height):
     return face_index, depth
 
 
-def first_column(slope, from_x, offset, width):  # extra 2.14 (3 points)
-    """The first column j with slope (j + 0.5 - from_x) + offset >= 0, from 0 to width.
+def first_column(slope, from_x, offset):  # extra 2.14 (3 points)
+    """The first column j with slope (j + 0.5 - from_x) + offset >= 0, also outside the picture.
 
     slope (R,) > 0, from_x, offset (R,) -> j (R,), as floats.
 
-    >>> zero = np.zeros(3)
-    >>> first_column(np.array([2.0, 2.0, 2.0]), zero, np.array([-3.0, -3.1, -99.0]), 8)
-    array([1., 2., 8.])
+    >>> first_column(np.array([2.0, 2.0, 2.0]), np.zeros(3), np.array([-3.0, -3.1, 99.0]))
+    array([  1.,   2., -50.])
 
     Fine print. A quotient finds the place, but is rounded differently from this sum, which has the
-    last word. For |from_x| < 1e14 the two are never more than one column apart.
+    last word. For |from_x| < 1e14 the two are never more than one column apart. Of a slope that is
+    nearly 0 the answer may be infinite.
     """
     # The crossing lies in this column: its centre is inside, or the next one's is.
     column = np.floor(from_x - offset / slope)
     column += slope * (column + 0.5 - from_x) + offset < 0
-    return np.clip(column, 0, width)
+    return column
 
 
-def row_interval(planes, face, y, width):  # extra 2.15 (3 points)
+def row_interval(planes, face, y, left, right):  # extra 2.15 (3 points)
     """The columns start <= j < end that a face covers on the row of pixels at height y.
 
-    planes of `half_planes`, each (3, F); face, y (R,) -> start, end (R,), floats. Edges that are
-    top-left open the interval at the first column with e >= 0. The others end it at the first with
-    -e >= 0.
+    planes of `half_planes`, each (3, F). left, right (F,): the face's box, left <= j < right. face,
+    y (R,): the rows -> start, end (R,), floats. Edges that are top-left open the interval at the
+    first column with e >= 0. The others end it at the first with -e >= 0.
 
     >>> corners = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 4.0], [1.0, 1.0, 1.0]])
-    >>> row_interval(half_planes(*corners[..., None]), np.array([0, 0]), np.array([0.5, 2.5]), 8)
+    >>> row_interval(half_planes(*corners[..., None]), np.array([0, 0]), np.array([0.5, 2.5]),
+    ...              np.array([0.0]), np.array([8.0]))
     (array([0., 0.]), array([3., 1.]))
 
-    Fine print. The e of a horizontal edge is one number on the whole row: `first_column` is 0 or
-    width. Where n_x = 0, give it the slope TINY and from_x = 0. An edge without length, n = 0, ends
-    the interval at 0.
+    Fine print. The e of a horizontal edge is one number on the whole row. Where n_x = 0, give
+    `first_column` the slope TINY and from_x = 0: the answer lies far outside, or is 0 where e = 0.
+    An edge without length, n = 0, ends the interval at 0.
     """
-    start = np.zeros(len(y))
-    end = np.full(len(y), float(width))
+    start = left.astype(float).take(face)
+    end = right.astype(float).take(face)
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y)
-        sign = np.where(opens, 1, -1)  # from here on, e grows from left to right
+        rise = np.where(opens, n_y, -n_y)  # with slope >= 0, e or -e grows from left to right
+        slope = np.abs(n_x)
         # A horizontal edge's e is offset, and has its sign with a slope of TINY from x = 0 as well.
-        slope = np.where(n_x == 0, TINY, sign * n_x)
-        from_x = np.where(n_x == 0, 0, from_x)
-        offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]
-        start = np.maximum(start, np.where(opens, column, 0))
-        end = np.minimum(end, np.where(opens, width, column))
+        from_x = np.where(slope == 0, 0, from_x)
+        slope = np.maximum(slope, TINY)
+        offset = rise.take(face) * (y - from_y.take(face))
+        column = first_column(slope.take(face), from_x.take(face), offset)
+        opens = opens.take(face)
+        start = np.where(opens, np.maximum(start, column), start)
+        end = np.where(opens, end, np.minimum(end, column))
     return start, end
 
 
@@ -204,7 +219,7 @@ def expand(start, count):
     number [7, 8, 4, 5, 6].
     """
     owner = np.repeat(np.arange(len(count)), count)
-    return owner, np.arange(len(owner)) + (start - (np.cumsum(count) - count))[owner]
+    return owner, np.arange(len(owner)) + (start - (np.cumsum(count) - count)).take(owner)
 
 
 def chunks(count):
@@ -218,18 +233,42 @@ def chunks(count):
         start = end
 
 
-def sample_range(position, in_front, faces, size):
-    """`bounding_box` in one direction, of all faces: first (F,), end (F,) columns (or rows).
+def sample_range(position, in_front, size):
+    """`bounding_box` in one direction, of single vertices: first and end column (or row), (V,).
 
-    position (V,): x (or y) on screen, valid where in_front (V,). A face with a vertex that is not
-    gets the whole range, 0 to size.
+    position (V,): x (or y) on screen, valid where in_front (V,). The others get the whole range, 0
+    to size.
     """
     position = np.clip(position, 0, size)
-    low = np.where(in_front, np.ceil(position - (0.5 + MARGIN)), 0).astype(np.int32)
-    high = np.where(in_front, np.floor(position + (0.5 + MARGIN)), size).astype(np.int32)
-    k0, k1, k2 = faces.T
-    first = np.minimum(np.minimum(low[k0], low[k1]), low[k2])
-    return first, np.maximum(np.maximum(high[k0], high[k1]), high[k2])
+    first = np.where(in_front, np.ceil(position - (0.5 + MARGIN)), 0)
+    return first, np.where(in_front, np.floor(position + (0.5 + MARGIN)), size)
+
+
+class Boxes(NamedTuple):
+    """Faces, and the samples that they may cover: left <= column < right, bottom <= row < top."""
+
+    face: np.ndarray     # (F,) their numbers
+    corners: np.ndarray  # (3, F)
+    left: np.ndarray     # (F,) like the rest
+    bottom: np.ndarray
+    right: np.ndarray
+    top: np.ndarray
+
+
+def boxes(clip, x, y, w, faces, width, height):
+    """The Boxes of the faces that may cover a sample, the last face first, in chunks."""
+    left, right = sample_range(x, w > 0, width)
+    bottom, top = sample_range(y, w > 0, height)
+    # A face has the least left and bottom of its corners, and the least -right and -top.
+    reach = np.stack([left, bottom, -right, -top], -1).astype(np.int32)
+    outcode = outcodes(clip, x, y)
+    for face in in_chunks(np.arange(len(faces))[::-1]):
+        corners = faces.take(face, 0).T.copy()
+        left, bottom, minus_right, minus_top = reach.take(corners, 0).min(0).T
+        drawn = np.flatnonzero((left < -minus_right) & (bottom < -minus_top)
+                               & can_be_seen(outcode, corners))
+        yield Boxes(face.take(drawn), corners.take(drawn, 1), left.take(drawn), bottom.take(drawn),
+                    -minus_right.take(drawn), -minus_top.take(drawn))
 
 
 class Spans(NamedTuple):
@@ -251,22 +290,21 @@ def spans(clip, faces, width, height):
     """All Spans of all faces, the last face first, in chunks."""
     x, y, w = screen_points(clip, width, height)
     z = clip[:, 2] / w
-    left, right = sample_range(x, w > 0, faces, width)
-    bottom, top = sample_range(y, w > 0, faces, height)
-    drawn = can_be_seen(clip, x, y, faces) & (left < right) & (bottom < top)
-    drawn = np.flatnonzero(drawn)[::-1]
-    for some in chunks((top - bottom)[drawn]):
-        part = drawn[some]
-        setup = triangle_setup(x, y, z, w, faces[part])
-        face, row = expand(bottom[part], (top - bottom)[part])
-        start, end = row_interval(setup.planes, face, row + 0.5, width)
-        start = np.maximum(start, left[part][face])
-        end = np.minimum(end, right[part][face])
-        covered = np.flatnonzero(start < end)
-        face, row = face[covered], row[covered]
-        start, end = start[covered].astype(int), end[covered].astype(int)
-        offset = setup.dz_dy[face] * (row + 0.5 - setup.y[face]) + setup.z[face]
-        yield Spans(part[face], row, start, end, setup.dz_dx[face], setup.x[face], offset)
+    for box in boxes(clip, x, y, w, faces, width, height):
+        for part in chunks(box.top - box.bottom):
+            some = Boxes(*(values[..., part] for values in box))
+            yield spans_in_boxes(some, triangle_setup(x, y, z, w, some.corners))
+
+
+def spans_in_boxes(box, setup):
+    """The Spans of the faces of Boxes, from their Triangles."""
+    face, row = expand(box.bottom, box.top - box.bottom)
+    start, end = row_interval(setup.planes, face, row + 0.5, box.left, box.right)
+    covered = np.flatnonzero(start < end)
+    face, row, start, end = (values.take(covered) for values in (face, row, start, end))
+    offset = setup.dz_dy.take(face) * (row + 0.5 - setup.y.take(face)) + setup.z.take(face)
+    return Spans(box.face.take(face), row, start.astype(int), end.astype(int),
+                 setup.dz_dx.take(face), setup.x.take(face), offset)
 
 
 def fragments(clip, faces, width, height):
@@ -277,9 +315,10 @@ def fragments(clip, faces, width, height):
         for part in chunks(found.end - found.start):
             piece = Spans(*(values[part] for values in found))
             span, column = expand(piece.start, piece.end - piece.start)
-            depth = piece.slope[span] * (column + 0.5 - piece.from_x[span]) + piece.offset[span]
-            pixel = (piece.row * width)[span] + column
-            face = piece.face[span]
+            depth = (piece.slope.take(span) * (column + 0.5 - piece.from_x.take(span))
+                     + piece.offset.take(span))
+            pixel = (piece.row * width).take(span) + column
+            face = piece.face.take(span)
             seen = np.abs(depth) <= 1  # between near and far
             if not seen.all():
                 pixel, depth, face = pixel[seen], depth[seen], face[seen]
@@ -300,6 +339,6 @@ def rasterize(clip, faces, width, height):
     with np.errstate(all="ignore"):  # faces without an area cover nothing
         for pixel, z, face in fragments(clip, faces, width, height):
             np.minimum.at(depth, pixel, z)
-            seen = np.flatnonzero(z == depth[pixel])
+            seen = z == depth.take(pixel)
             face_index[pixel[seen]] = face[seen]  # the last write stays: the first of equally deep
     return face_index.reshape(height, width), depth.reshape(height, width)

@@ -29,24 +29,60 @@ def by_hand(clip, colours):
                      np.inf)
     colour = np.where(covered[..., None], barycentric @ colours, BACKGROUND)
     corners = (clip[:, :2] / clip[:, 3:] + 1) / 2 * [WIDTH, HEIGHT]
-    picture, decided = colour.copy(), np.zeros((HEIGHT, WIDTH, 4), int)
+    pairs, decided = pairs_by_hand(covered, corners)
+    picture, flat = colour.reshape(-1, 2).copy(), colour.reshape(-1, 2)
+    for owner, other, c in zip(*pairs[:3], strict=True):
+        picture[owner if c < 0.5 else other] += (0.5 - c) * (flat[other] - flat[owner])
+    return picture.reshape(colour.shape), (
+        clip, covered - 1, depth, barycentric, matrix(ALONE[0], covered - 1, barycentric, 3), None,
+        colour, pairs), decided
+
+
+def matrix(faces, face_index, barycentric, count):
+    """Lab 5's B (H W, count), which is sparse there."""
+    weights = np.zeros((face_index.size, count))
+    seen = np.flatnonzero(face_index >= 0)
+    for corner in range(3):
+        vertex = faces[face_index.ravel()[seen], corner]
+        weights[seen, vertex] = barycentric.reshape(-1, 3)[seen, corner]
+    return weights
+
+
+def pairs_by_hand(covered, corners):
+    """The pairs of one triangle that are blended, and what was decided, for each pixel and turn.
+
+    covered (HEIGHT, WIDTH), corners (3, 2) on screen -> pairs as lab 8's are, as a tuple.
+    """
+    found, decided = [], np.zeros((HEIGHT, WIDTH, 4), int)
     for i, j in np.argwhere(covered):
         for turn, (right, up) in enumerate(((1, 0), (-1, 0), (0, 1), (0, -1))):
             k, m = i + up, j + right
             if 0 <= k < HEIGHT and 0 <= m < WIDTH and not covered[k, m]:
-                found = [crossing(corners[[a, b]] - (j + 0.5, i + 0.5), right, up)
-                         for a, b in EDGES]
-                c = max(found)
+                ends = [(corners[[a, b]] - (j + 0.5, i + 0.5))
+                        @ np.array([[right, abs(up)], [up, abs(right)]]) for a, b in EDGES]
+                places = [crossing(*ends[edge]) for edge in range(3)]
+                c = max(places)
                 if 0 < c <= 1:
-                    decided[i, j, turn] = 1 + 2 * found.index(c) + (c > 0.5)
-                    target = (i, j) if c < 0.5 else (k, m)
-                    picture[target] += (0.5 - c) * (colour[k, m] - colour[i, j])
-    return picture, (clip, covered - 1, depth, barycentric, None, colour), decided
+                    edge = places.index(c)
+                    decided[i, j, turn] = 1 + 2 * edge + (c > 0.5)
+                    found.append((i * WIDTH + j, k * WIDTH + m, c, EDGES[edge], ends[edge][:, 0],
+                                  ends[edge][:, 1], 0, edge))
+    return pairs_of(found), decided
 
 
-def crossing(ends, right, up):
-    """Where an edge crosses the way from (0, 0) to (right, up). -1: not steep, or not at all."""
-    (x0, y0), (x1, y1) = ends @ np.array([[right, abs(up)], [up, abs(right)]])
+def pairs_of(found):
+    """Lab 8's Pairs as a tuple: owner, other, c, ends (2, N), x (2, N), y (2, N), face, edge."""
+    kinds = int, int, float, int, float, float, int, int
+    if not found:
+        return tuple(np.zeros((2, 0) if k in (3, 4, 5) else 0, kind)
+                     for k, kind in enumerate(kinds))
+    return tuple(np.array(values, kind).T
+                 for values, kind in zip(zip(*found, strict=True), kinds, strict=True))
+
+
+def crossing(one, other):
+    """Where an edge crosses the way from (0, 0) to (1, 0). -1: not steep, or not at all."""
+    (x0, y0), (x1, y1) = one, other
     if y0 * y1 >= 0 or abs(y1 - y0) < abs(x1 - x0):
         return -1.0
     return (x0 * y1 - x1 * y0) / (y1 - y0)
@@ -72,20 +108,39 @@ def drawn(impl, *scene):
     returned = impl.draw(*scene)
     is_drawn = (isinstance(returned, tuple) and len(returned) == 2 and
                 isinstance(returned[0], np.ndarray) and isinstance(returned[1], tuple))
-    if not is_drawn or len(returned[1]) != 6:
-        raise Mismatch(("wrong", "draw must return the picture, and then a tuple of six buffers"))
+    if not is_drawn or len(returned[1]) != 8:
+        raise Mismatch(("wrong", "draw must return the picture, and then a tuple of eight buffers"))
     return returned
 
 
+def drawn_pairs(impl, *scene):
+    """The pairs in the buffers that `draw` returns, sorted by pixel. Mismatch: there are none."""
+    pairs = drawn(impl, *scene)[1][7]
+    if not isinstance(pairs, tuple) or len(pairs) != 8:
+        kind = "None" if pairs is None else type(pairs).__name__
+        raise Mismatch(("wrong", "the last of the buffers must be the pairs that blended_pairs "
+                                 f"returns, which the way back needs; it is {kind}"))
+    return by_pixel(pairs)
+
+
+def by_pixel(pairs):
+    """owner, other, c, ends (2, N), face and edge of pairs, in the order of their pixels."""
+    owner, other, c, ends, _, _, face, edge = map(np.asarray, pairs)
+    order = np.lexsort((other, owner))
+    return tuple(values[..., order] for values in (owner, other, c, ends, face, edge))
+
+
 @exercise("9.12")
-def test_the_picture_comes_first_and_then_six_buffers(impl):
+def test_the_picture_comes_first_and_then_the_buffers(impl):
     """Width and height are swapped. The buffers come first and the picture second, or only the
     picture comes, without the buffers. They are those of `visible`, without the colour that `shade`
     adds.
     """
     texture = np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]]), ALONE[0], np.ones((4, 8, 2)), "linear"
     got = impl.draw(bar(6, 5, 2.5), *ALONE, texture, 6, 5, np.zeros(2))
-    assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, 5x6x3x2, 5x6x2))")
+    if isinstance(got, tuple) and len(got) == 2 and isinstance(got[1], tuple):
+        got = got[0], got[1][:7]  # without the pairs
+    assert_equal(form(got), "(5x6x2, (3x4, 5x6, 5x6, 5x6x3, None, 5x6x3x2, 5x6x2))")
 
 
 @exercise("9.12")
@@ -105,12 +160,25 @@ def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, end):
     """The buffer colour is antialiased, too: the way back needs the colour of before. Or the
     buffers come in another order.
     """
-    _, (_, face_index, depth, _, _, colour) = drawn(impl, bar(4, 3, end), *ALONE,
-                                                    (np.ones((3, 1)),), 4, 3, np.zeros(1))
+    _, (_, face_index, depth, *_, colour, _) = drawn(impl, bar(4, 3, end), *ALONE,
+                                                     (np.ones((3, 1)),), 4, 3, np.zeros(1))
     seen = np.tile(np.array([True, True, False, False]), (3, 1))
     assert_picture(colour, np.where(seen, 1.0, 0.0)[..., None], atol=1e-9)
     assert_picture(face_index, np.where(seen, 0, -1))
     assert_close(depth, np.where(seen, 0.25, np.inf))
+
+
+@exercise("9.12")
+@pytest.mark.parametrize("end", [1.75, 2.25])
+def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, end):
+    """The pairs are left out of the buffers, as those of `shade` are returned. Or they are not the
+    blended ones.
+    """
+    found = drawn_pairs(impl, bar(4, 3, end), *ALONE, (np.ones((3, 1)),), 4, 3, np.zeros(1))
+    # In each row pixel 1 sees the bar, and pixel 2 does not. Edge 2 runs between vertices 0 and 1.
+    assert_close(found[:3], (np.array([1, 5, 9]), np.array([2, 6, 10]), np.full(3, end - 1.5)))
+    assert_equal((np.sort(found[3], 0), *found[4:]), (np.repeat([[0], [1]], 3, 1), np.zeros(3, int),
+                                                      np.full(3, 2)))
 
 
 # Two faces at a diagonal, larger than the picture and parallel to the screen.
@@ -129,7 +197,7 @@ def centres():
 
 @exercise("9.12")
 def test_inside_of_a_mesh_nothing_is_blended(impl):
-    """Each edge is taken for an outline: opposite is not passed on to antialias, or is all -1."""
+    """Each edge is taken for an outline: opposite is not passed on to blended_pairs, or all -1."""
     picture, _ = drawn(impl, QUAD, *QUAD_MESH, (QUAD_COLOURS,), WIDTH, HEIGHT, BACKGROUND)
     assert_picture(picture, centres() @ SHADES, atol=1e-9)
 
@@ -143,12 +211,25 @@ def test_a_triangle_is_that_of_a_search(impl, rng):
 
 
 @exercise("9.12")
-@pytest.mark.parametrize("number", [0, 1, 2, 3, 5],
+@pytest.mark.parametrize("number", [0, 1, 2, 3, 6],
                          ids=["clip", "face_index", "depth", "barycentric", "colour"])
 def test_each_buffer_of_a_triangle_is_that_of_a_search(impl, number):
     """This buffer holds something else, or the buffers come in another order."""
     _, buffers = drawn(impl, CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
     assert_close(buffers[number], by_hand(CLIP, COLOURS)[1][number])
+
+
+@exercise("9.12")
+def test_the_pairs_of_a_triangle_are_those_of_a_search(impl):
+    """They are all neighbours that see different faces, not those that are blended. Or an edge
+    inside of a mesh has pairs: opposite is left out.
+    """
+    found = drawn_pairs(impl, CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
+    expected = by_pixel(by_hand(CLIP, COLOURS)[1][7])
+    assert_equal((*found[:2], *found[4:]), (*expected[:2], *expected[4:]))
+    assert_close(found[2], expected[2])
+    inside = drawn_pairs(impl, QUAD, *QUAD_MESH, (QUAD_COLOURS,), WIDTH, HEIGHT, BACKGROUND)
+    assert_equal(len(inside[0]), 0)
 
 
 @exercise("9.12")
@@ -158,7 +239,7 @@ def test_a_texture_of_one_colour_gives_the_picture_of_that_colour(impl):
     texture = uv, ALONE[0], np.tile(shade, (4, 8, 1)), "linear"
     picture, buffers = drawn(impl, CLIP, *ALONE, texture, WIDTH, HEIGHT, BACKGROUND)
     assert_picture(picture, by_hand(CLIP, np.tile(shade, (3, 1)))[0], atol=1e-9)
-    assert_equal(np.shape(buffers[4]), (HEIGHT, WIDTH, 3, 2))
+    assert_equal(np.shape(buffers[5]), (HEIGHT, WIDTH, 3, 2))
 
 
 @exercise("9.12")
@@ -173,7 +254,7 @@ def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
     # No vertex across: all edges are outlines, and what is inside of a face stays as it is.
     _, buffers = drawn(impl, clip, faces, np.full(faces.shape, -1), (colours,), 64, 64,
                        np.zeros(3))
-    _, face_index, depth, barycentric, _, colour = map(np.asarray, buffers)
+    face_index, depth, barycentric, colour = (np.asarray(buffers[k]) for k in (1, 2, 3, 6))
     assert_picture(face_index, golden["cube_64x64/face_index"].astype(int))
     assert_close(depth[seen], golden["cube_64x64/depth"][seen], rtol=0, atol=2e-5)
     assert_close(barycentric[seen], expected[seen], rtol=0, atol=1e-4)
@@ -187,7 +268,7 @@ def gradients(impl, *given):
     """grad_surface, grad_clip of `draw_backward`, by default with a grad_depth of 0. Mismatch: it
     returns something else.
     """
-    no_depth = [np.zeros(given[0].shape[:2])] if len(given) < 6 else []
+    no_depth = [np.zeros(given[0].shape[:2])] if len(given) < 5 else []
     returned = impl.draw_backward(*given, *no_depth)
     if not (isinstance(returned, tuple) and len(returned) == 2 and isinstance(returned[0], tuple)):
         raise Mismatch(("wrong", "draw_backward must return grad_surface, and then grad_clip"))
@@ -198,8 +279,12 @@ def buffers_of_bar(end):
     """`draw`'s buffers of a bar of 4 x 3 pixels, with barycentrics that are easy to add up."""
     seen = np.tile(np.array([True, True, False, False]), (3, 1))
     barycentric = np.where(seen[..., None], [0.5, 0.3, 0.2], 0.0)
-    return (bar(4, 3, end), np.where(seen, 0, -1), np.where(seen, 0.25, np.inf), barycentric,
-            None, np.where(seen, 1.0, 0.0)[..., None])
+    face_index, colour = np.where(seen, 0, -1), np.where(seen, 1.0, 0.0)[..., None]
+    # In each row edge 2, from vertex 0 to 1, is end - 1.5 to the right of pixel 1's centre.
+    pairs = pairs_of([(4 * row + 1, 4 * row + 2, end - 1.5, (0, 1), (end - 1.5, end - 1.5),
+                       (-43.5 - row - 0.5, 46.5 - row - 0.5), 0, 2) for row in range(3)])
+    return (bar(4, 3, end), face_index, np.where(seen, 0.25, np.inf), barycentric,
+            matrix(ALONE[0], face_index, barycentric, 3), None, colour, pairs)
 
 
 @exercise("9.13")
@@ -207,7 +292,7 @@ def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
     """The results come in the other order, grad_clip first. grad_surface is not the tuple that
     surface_backward returns first. Of grad_clip there are two, not their sum.
     """
-    got = impl.draw_backward(np.ones((HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1], *ALONE,
+    got = impl.draw_backward(np.ones((HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1], ALONE[0],
                              (COLOURS,), np.zeros((HEIGHT, WIDTH)))
     assert_equal(form(got), "((3x2), 3x4)")
 
@@ -218,7 +303,7 @@ def test_moving_a_bar_changes_what_it_covers(impl, end):
     """grad_clip lacks the path through the edges: a face of one colour has no other gradient. Or it
     is subtracted, not added.
     """
-    _, grad_clip = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), *ALONE,
+    _, grad_clip = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), ALONE[0],
                              (np.ones((3, 1)),))
     # Each of the 3 rows covers as much more as the edge moves, and a pixel is 1/2 in clip. Each end
     # moves it by half. x / w falls by x as w grows from 1.
@@ -230,7 +315,7 @@ def test_moving_a_bar_changes_what_it_covers(impl, end):
 @pytest.mark.parametrize("end", [1.75, 2.25])
 def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, end):
     """grad_picture goes on to surface_backward: it is grad_colour, after the blend."""
-    (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), *ALONE,
+    (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), ALONE[0],
                                    (np.ones((3, 1)),))
     assert_close(grad_colours, 5.0 * 3 * end * np.array([[0.5], [0.3], [0.2]]))
 
@@ -250,7 +335,7 @@ def test_moving_a_wall_moves_the_colours_on_it(impl, rng):
     here.
     """
     grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(WALL, COLOURS)[1]
-    _, grad_clip = gradients(impl, grad_picture, buffers, *ALONE, (COLOURS,))
+    _, grad_clip = gradients(impl, grad_picture, buffers, ALONE[0], (COLOURS,))
     # Where a corner goes, each point goes by its share, and it was there less by the slope.
     pulls = np.einsum("hwc,hwk->kc", grad_picture, buffers[3])
     assert_close(grad_clip[:, :2], -pulls @ slopes(COLOURS))
@@ -258,16 +343,17 @@ def test_moving_a_wall_moves_the_colours_on_it(impl, rng):
 
 @exercise("9.13")
 def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
-    """Each edge is taken for an outline: opposite is not passed on to antialias_backward, or is
-    all -1.
+    """Each edge is taken for an outline: not the pairs of the buffers are taken, but others, made
+    with an opposite of all -1.
     """
-    faces, opposite = QUAD_MESH
+    faces, _ = QUAD_MESH
     ndc, grad_picture = centres(), rng.normal(size=(HEIGHT, WIDTH, 2))
     weights = ndc @ np.linalg.inv(QUAD[faces][..., [3, 0, 1]])[:, None]  # of both faces
     face_index = (weights[1] > 0).all(-1).astype(int)
     barycentric = np.where(face_index[..., None], weights[1], weights[0])
-    buffers = QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric, None, ndc @ SHADES
-    _, grad_clip = gradients(impl, grad_picture, buffers, faces, opposite, (QUAD_COLOURS,))
+    buffers = (QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric,
+               matrix(faces, face_index, barycentric, 4), None, ndc @ SHADES, pairs_of([]))
+    _, grad_clip = gradients(impl, grad_picture, buffers, faces, (QUAD_COLOURS,))
     pulls = np.zeros((4, 2))
     np.add.at(pulls, faces[face_index], barycentric[..., None] * grad_picture[..., None, :])
     assert_close(grad_clip[:, :2], -pulls @ SHADES[1:].T)
@@ -277,7 +363,7 @@ def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
 def test_the_depth__s_gradient_reaches_the_vertices(impl, rng):
     """grad_depth is left out, or is not passed on to rasterize_backward."""
     grad_depth, buffers = rng.normal(size=(HEIGHT, WIDTH)), by_hand(WALL, COLOURS)[1]
-    _, grad_clip = gradients(impl, np.zeros((HEIGHT, WIDTH, 2)), buffers, *ALONE, (COLOURS,),
+    _, grad_clip = gradients(impl, np.zeros((HEIGHT, WIDTH, 2)), buffers, ALONE[0], (COLOURS,),
                              grad_depth)
     pulls = np.einsum("hw,hwk->k", grad_depth, buffers[3])[:, None]
     assert_close(grad_clip[:, :3], np.hstack([-pulls @ slopes(WALL[:, 2:3]), pulls]))
@@ -293,7 +379,7 @@ def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl):
 
     def backward(grad_picture, grad_depth, clip, colours):
         (grad_colours,), grad_clip = gradients(impl, grad_picture, by_hand(clip, colours)[1],
-                                               *ALONE, (colours,), grad_depth)
+                                               ALONE[0], (colours,), grad_depth)
         return grad_clip, grad_colours
 
     def decisions(clip, colours):
@@ -307,7 +393,7 @@ def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl):
 def test_without_a_depth_there_is_its_gradient_of_0(impl, rng):
     """A grad_depth of None, the default, is not allowed for, or counts as another one than 0."""
     grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1]
-    given = grad_picture, buffers, *ALONE, (COLOURS,)
+    given = grad_picture, buffers, ALONE[0], (COLOURS,)
     _, expected = gradients(impl, *given, np.zeros((HEIGHT, WIDTH)))
     _, grad_clip = impl.draw_backward(*given)
     assert_close(grad_clip, expected)
@@ -317,13 +403,14 @@ def test_without_a_depth_there_is_its_gradient_of_0(impl, rng):
 def test_all_that_a_colour_covers_comes_back_to_its_texture(impl, rng):
     """Colours are taken for granted: a texture has no way back."""
     ones, uv = np.ones((3, 2)), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
-    _, (*seen, _, colour), _ = by_hand(CLIP, ones)
+    _, (*seen, _, _, colour, pairs), _ = by_hand(CLIP, ones)
     picture_of_one = by_hand(CLIP, ones)[0]
     picture_of_zero = by_hand(CLIP, 0 * ones)[0]
     grad_picture = rng.normal(size=(HEIGHT, WIDTH, 2))
     texture = uv, ALONE[0], np.ones((4, 8, 2)), "linear"
     derivatives = np.zeros((HEIGHT, WIDTH, 3, 2))  # the filter "linear" does not look at them
-    grad_surface, _ = gradients(impl, grad_picture, (*seen, derivatives, colour), *ALONE, texture)
+    buffers = *seen, None, derivatives, colour, pairs
+    grad_surface, _ = gradients(impl, grad_picture, buffers, ALONE[0], texture)
     assert_close(np.asarray(grad_surface[2]).sum((0, 1)),
                  (grad_picture * (picture_of_one - picture_of_zero)).sum((0, 1)))
 
@@ -345,9 +432,9 @@ def test_a_larger_face_has_a_smaller_footprint(impl):
     level = np.log2(1.2)
     colour = np.full((height, width, 1), 1 - level * 3 / 4)  # right in the middle
     buffers = (WALL, np.zeros((height, width), int), barycentric @ WALL[:, 2], barycentric,
-               derivatives, colour)
+               None, derivatives, colour, pairs_of([]))
     grad_picture = np.zeros((height, width, 1))
     grad_picture[1, 2] = 8.0
-    _, grad_clip = gradients(impl, grad_picture, buffers, *ALONE, texture)
+    _, grad_clip = gradients(impl, grad_picture, buffers, ALONE[0], texture)
     # Twice as large about the middle, the wall is seen a level lower: 3/4 more of the texel.
     assert_close((grad_clip * WALL)[:, :2].sum(), 8 * 3 / 4 / np.log(2))

@@ -272,12 +272,12 @@ def test_the_box_of_a_triangle_on_paper(impl):
 
 
 @exercise("2.8")
-def test_the_box_is_a_sixteenth_of_a_pixel_wider(impl):
+def test_the_box_is_wider_by_1_256_of_a_pixel(impl):
     """MARGIN is missing, on one side only, taken away, or added twice."""
-    low, high = 1.5 + 1 / 16, 4.5 - 1 / 16  # the box ends at the centres 1.5 and 4.5
+    low, high = 1.5 + 1 / 256, 4.5 - 1 / 256  # the box ends at the centres 1.5 and 4.5
     triangle = np.array([[low, high], [high, low], [3.0, 3.0]])
-    uneven = np.array([[1.5 + 1 / 32, 1.5 - 1 / 32], [4.5 + 1 / 32, 4.5 - 1 / 32], [3.0, 3.0]])
-    wider = uneven + [[1 / 16, 0.0], [0.0, -1 / 16], [0.0, 0.0]]
+    uneven = np.array([[1.5, 1.5], [4.5, 4.5], [3.0, 3.0]]) + np.array([1, -1]) / 512
+    wider = uneven + [[1 / 256, 0.0], [0.0, -1 / 256], [0.0, 0.0]]
     boxes = [impl.bounding_box(corners, 9, 9)
              for corners in (triangle + 1e-9, triangle - 1e-9, wider, uneven)]
     assert_equal(np.array(boxes), np.array([[2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4],
@@ -287,7 +287,7 @@ def test_the_box_is_a_sixteenth_of_a_pixel_wider(impl):
 @exercise("2.8", fine_print=True)
 def test_a_centre_on_the_box_s_border_is_in_it(impl):
     """> for >=: a centre on the border is out."""
-    low, high = 1.5 + 1 / 16, 4.5 - 1 / 16
+    low, high = 1.5 + 1 / 256, 4.5 - 1 / 256
     box = impl.bounding_box(np.array([[low, high], [high, low], [3.0, 3.0]]), 9, 9)
     assert_equal(box, (1, 1, 5, 5))
 

@@ -76,37 +76,44 @@ def test_a_face_seen_from_its_side_has_edges(impl):
 
 
 @exercise("7.11")
-def test_nine_gradients_on_paper(impl):
-    """A corner has the gradient of one of its two edges alone, as by = for +=. p and q are
-    exchanged, or the order in one or both cross products: a sign. Rows are taken for columns. Edge
-    k is not across from corner k, or edge 1 is not q_2 x q_0."""
-    grad_edges = np.array([[1.0, 0.0, 2.0], [3.0, -1.0, 1.0], [-2.0, 1.0, 4.0]])
-    # q_1 x g_2 = (2, -20, 6) and g_1 x q_2 = (-8, -7, 17) add up to column 0.
-    expected = np.array([[-6.0, 3.0, 1.0], [-27.0, 13.0, 6.0], [23.0, -12.0, -8.0]])
-    assert_close(impl.edge_functions_backward(grad_edges, PAPER), expected)
+def test_six_gradients_of_two_pixels_on_paper(impl):
+    """A corner has the gradient of one of its two edges alone, as by = for +=. A sign: that of one
+    of the two terms of e_k, or of all. x and y are exchanged, or grad_x and grad_y. Edge k is not
+    across from corner k, or edge 1 is not that from 2 to 0.
+    """
+    x = np.array([[3.0, -1.0], [4.0, 6.0], [2.0, 0.5]])
+    y = np.array([[2.0, 7.0], [1.0, -3.0], [5.0, 8.0]])
+    grad_e = np.array([[1.0, 2.0], [3.0, -1.0], [-2.0, 4.0]])
+    # The first pixel: x_0 is in e_1 by -y_2 and in e_2 by y_1, which is 3 (-5) + -2 (1).
+    expected = (np.array([[-17.0, -4.0], [9.0, -12.0], [5.0, -1.0]]),
+                np.array([[14.0, -24.5], [-8.0, -5.0], [-5.0, 11.0]]))
+    assert_close(impl.edge_functions_at_backward(grad_e, x, y), expected)
 
 
 @exercise("7.11")
-def test_an_element_of_the_edges_on_paper(impl):
-    """edges[0, 0] = y_1 w_2 - w_1 y_2, and edges[1, 2] = x_2 y_0 - y_2 x_0; a flipped sign."""
-    grad = np.zeros((3, 3))
-    grad[0, 0] = 1.0
-    expected = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, -0.5], [0.0, -2.0, 0.0]])
-    assert_close(impl.edge_functions_backward(grad, NEAR), expected)
-    grad[0, 0], grad[1, 2] = 0.0, 3.0
-    expected = np.array([[-6.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    assert_close(impl.edge_functions_backward(grad, NEAR), expected)
+def test_each_edge_alone_on_paper(impl):
+    """An edge is that of other corners, or of one of its two only; a flipped sign. Or a pixel gets
+    what is another's.
+    """
+    x = np.array([[1.0, 3.0, -1.0], [2.0, 4.0, 6.0], [5.0, 2.0, 0.5]])
+    y = np.array([[3.0, 2.0, 7.0], [7.0, 1.0, -3.0], [4.0, 5.0, 8.0]])
+    # e_0 = x_1 y_2 - y_1 x_2, then twice e_1 = x_2 y_0 - y_2 x_0, then -3 e_2, x_0 y_1 - y_0 x_1
+    expected = (np.array([[0.0, -10.0, 9.0], [4.0, 0.0, 21.0], [-7.0, 4.0, 0.0]]),
+                np.array([[0.0, 4.0, 18.0], [-5.0, 0.0, 3.0], [2.0, -6.0, 0.0]]))
+    assert_close(impl.edge_functions_at_backward(np.diag([1.0, 2.0, -3.0]), x, y), expected)
 
 
 @exercise("7.11")
-def test_the_gradients_of_edges_are_central_differences(impl, rng):
-    """A corner gets the gradient of one of its two edges alone, or another face's."""
-    def forward(corners):
-        return np.stack([np.cross(corners[:, i], corners[:, j], axis=0)
-                         for i, j in [(1, 2), (2, 0), (0, 1)]])
+@pytest.mark.parametrize("count", [1, 5])
+def test_the_gradients_of_edges_at_pixels_are_central_differences(impl, rng, count):
+    """A corner gets the gradient of one of its two edges alone, or another pixel's. Or it is right
+    for as many pixels as there are corners.
+    """
+    def forward(x, y):
+        return np.stack([x[i] * y[j] - y[i] * x[j] for i, j in [(1, 2), (2, 0), (0, 1)]])
 
-    gradcheck(forward, impl.edge_functions_backward, (corners_of(rng, 5),), name="5 faces")
-    gradcheck(forward, impl.edge_functions_backward, (MATRICES["w differs"],), name="a face")
+    gradcheck(forward, impl.edge_functions_at_backward, tuple(rng.normal(size=(2, 3, count))),
+              name=f"{count} pixels")
 
 
 def test_epsilon_makes_the_sum_larger(impl):

@@ -171,9 +171,10 @@ def test_a_face_parallel_to_the_screen_is_exactly_flat(impl, rng):
 
 # --- whole rows --------------------------------------------------------------------------------
 
-def first_column_loop(a, x0, offset, width):
+def first_column_loop(a, x0, offset, first, last):
+    """By trying first <= j < last. Where none of them will do, it is last."""
     edges = zip(a, x0, offset, strict=True)
-    return np.array([next((j for j in range(width) if k * (j + 0.5 - s) + m >= 0), width)
+    return np.array([next((j for j in range(first, last) if k * (j + 0.5 - s) + m >= 0), last)
                      for k, s, m in edges], float)
 
 
@@ -186,26 +187,27 @@ def test_the_first_column_on_paper(impl):
     slope  = np.array([ 2.0,  4.0,  0.5,   8.0,  1.0,  2.0])
     from_x = np.array([ 0.0,  1.0, -2.0,   3.5,  5.0,  3.0])
     offset = np.array([-3.0, -2.2, -1.725, 2.0, -0.5, -2.0])  # x = 1.5, 1.55, 1.45, 3.25, 5.5, 4
-    assert_close(impl.first_column(slope, from_x, offset, 8),
-                 np.array([1.0, 2.0, 1.0, 3.0, 5.0, 4.0]))
+    assert_close(impl.first_column(slope, from_x, offset), np.array([1.0, 2.0, 1.0, 3.0, 5.0, 4.0]))
 
 
 @exercise("2.14")
-def test_the_first_column_lies_between_0_and_width(impl):
-    """The column is cut to width - 1, so an edge beyond the right border still covers the last
-    column: it is from 0 to width. Or it is not cut (clipped) at all.
+def test_the_first_column_may_lie_outside_the_picture(impl):
+    """The column is cut (clipped), at 0 or at a width: there is no column below 0. Or it is rounded
+    towards 0, not down.
     """
-    slope  = np.array([ 2.0,   4.0,   0.5, 1.0])
-    from_x = np.array([ 0.0,   1.0,  -2.0, 5.0])
-    offset = np.array([-99.0, -26.4, -4.7, 7.5])  # x = 49.5, 7.6, 7.4, -2.5
-    assert_close(impl.first_column(slope, from_x, offset, 8), np.array([8.0, 8.0, 7.0, 0.0]))
+    slope  = np.array([ 2.0,   4.0,   0.5, 1.0,  2.0])
+    from_x = np.array([ 0.0,   1.0,  -2.0, 5.0, -1.0])
+    offset = np.array([-99.0, -26.4, -4.7, 7.5, 99.4])  # x = 49.5, 7.6, 7.4, -2.5, -50.7
+    column = impl.first_column(slope, from_x, offset)
+    assert_close(column, np.array([49.0, 8.0, 7.0, -3.0, -51.0]))
 
 
 @exercise("2.14")
 def test_the_first_column_is_that_of_a_search(impl, rng):
     """Right for whole numbers alone."""
     slope, (x0, offset) = rng.uniform(0.1, 9, 200), rng.uniform(-20, 20, (2, 200))
-    assert_close(impl.first_column(slope, x0, offset, 16), first_column_loop(slope, x0, offset, 16))
+    column = impl.first_column(slope, x0, offset)
+    assert_close(column, first_column_loop(slope, x0, offset, -250, 250))
 
 
 @exercise("2.14", fine_print=True)
@@ -216,26 +218,46 @@ def test_the_sum_decides_and_not_the_quotient(impl, rng):
     a, x0 = 10.0 ** rng.uniform(-30, 6, 3000), rng.uniform(-5, 5, 3000)
     offset = -a * (rng.integers(-3, 20, 3000) + 0.5 - x0)
     offset *= 1 + rng.choice([0, 1, -1, 2, -2], 3000) * 2.0 ** -52
-    column = impl.first_column(a, x0, offset, 16)
-    assert_close(column, first_column_loop(a, x0, offset, 16))
+    column = impl.first_column(a, x0, offset)
+    assert_close(column, first_column_loop(a, x0, offset, -8, 24))
 
 
 @exercise("2.14", fine_print=True)
 def test_any_slope_and_any_offset(impl, rng):
-    """Steep or nearly horizontal edges overflow."""
+    """Steep or nearly horizontal edges overflow, as where columns become integers."""
     a, x0 = 10.0 ** rng.uniform(-30, 30, 2000), rng.normal(size=2000) * 100
     offset = rng.normal(size=2000) * 10.0 ** rng.uniform(-9, 9, 2000)
-    column = impl.first_column(a, x0, offset, 16)
-    assert_close(column, first_column_loop(a, x0, offset, 16))
+    column = np.clip(impl.first_column(a, x0, offset), -20, 20)  # some lie 1e39 columns away
+    assert_close(column, first_column_loop(a, x0, offset, -20, 20))
 
 
-def covered_loop(planes, y, width):
-    """The columns of a row that lie on the right side of all planes (4, P)."""
+@exercise("2.14", fine_print=True)
+def test_a_column_may_be_infinite(impl):
+    """nan, or any number, where -offset / slope is too large for a float."""
+    offset = np.array([-1e10, 1e10, -3.0, 3.0])
+    with np.errstate(over="ignore"):
+        column = impl.first_column(np.full(4, 1e-300), np.array([0.0, 0.0, 5.0, -5.0]), offset)
+    assert_equal(column < -1e299, np.array([False, True, False, True]))
+    assert_equal(column > 1e299, np.array([True, False, True, False]))
+
+
+def covered_loop(planes, y, left, right):
+    """The columns left <= j < right of a row that lie on the right side of all planes (4, P)."""
     def covers(a, b, x0, y0, x):
         e = a * (x - x0) + b * (y - y0)
         return e > 0 or (e == 0 and (a > 0 or (a == 0 and b > 0)))
 
-    return [j for j in range(width) if all(covers(*plane, j + 0.5) for plane in planes.T)]
+    return [j for j in range(left, right) if all(covers(*plane, j + 0.5) for plane in planes.T)]
+
+
+# Face 0 is 1 + 0.4 (y - 1) <= x <= 9.25 - y, x <= 6 y - 5. Face 1 is face 0 mirrored at x = 4.
+MIRRORED = (np.array([[-4.0, 4.0], [5.0, -5.0], [-1.0, 1.0]]),    # n_x
+            np.array([[-4.0, -4.0], [-2.0, -2.0], [6.0, 6.0]]),   # n_y
+            np.array([[3.25, 4.75], [1.0, 7.0], [1.0, 7.0]]),     # from_x
+            np.array([[6.0, 6.0], [1.0, 1.0], [1.0, 1.0]]))       # from_y
+# On these rows face 0 is from 1.2 to 4, 1.6 to 6.75, 2.4 to 4.75. Face 1 is from 4 to 6.8, 1.25 to
+# 6.4, 3.25 to 5.6.
+FACE, Y = np.array([0, 1, 0, 1, 0, 1]), np.array([1.5, 1.5, 2.5, 2.5, 4.5, 4.5])
 
 
 @exercise("2.15")
@@ -244,23 +266,27 @@ def test_the_intervals_of_two_triangles_on_paper(impl):
     for max). The last edge alone decides. Closing edges need -e: both slope and offset (n_y) change
     their sign. end is the last column, not one past it.
     """
-    # Face 0 is 1 + 0.4 (y - 1) <= x <= 9.25 - y, x <= 6 y - 5. Face 1 is face 0 mirrored at x = 4.
-    n_x = np.array([[-4.0, 4.0], [5.0, -5.0], [-1.0, 1.0]])
-    n_y = np.array([[-4.0, -4.0], [-2.0, -2.0], [6.0, 6.0]])
-    from_x = np.array([[3.25, 4.75], [1.0, 7.0], [1.0, 7.0]])
-    from_y = np.array([[6.0, 6.0], [1.0, 1.0], [1.0, 1.0]])
-    face, y = np.array([0, 1, 0, 1, 0, 1]), np.array([1.5, 1.5, 2.5, 2.5, 4.5, 4.5])
-    start_end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
-    # Face 0 from 1.2 to 4, 1.6 to 6.75, 2.4 to 4.75, face 1 from 4 to 6.8, 1.25 to 6.4, 3.25 to 5.6
+    start_end = impl.row_interval(MIRRORED, FACE, Y, np.array([0.0, 1.0]), np.array([8.0, 9.0]))
     assert_close(np.array(start_end), np.array([[1.0, 4.0, 2.0, 1.0, 2.0, 3.0],
                                                 [4.0, 7.0, 7.0, 6.0, 5.0, 6.0]]))
+
+
+@exercise("2.15")
+def test_a_face_s_box_cuts_its_rows(impl):
+    """left or right (the box) is left out, or is that of another face, or cuts the wrong end. right
+    is in the interval, or right - 1 is not.
+    """
+    start_end = impl.row_interval(MIRRORED, FACE, Y, np.array([2.0, 3.0]), np.array([5.0, 6.0]))
+    assert_close(np.array(start_end), np.array([[2.0, 4.0, 2.0, 3.0, 2.0, 3.0],
+                                                [4.0, 6.0, 5.0, 6.0, 5.0, 6.0]]))
 
 
 @exercise("2.15")
 def test_a_row_of_pixels_is_half_open(impl):
     """Closed intervals: the sample at x = 3.5 lies on a right edge and belongs to the neighbour."""
     planes = np.array([[1.0, -1.0, 1.0], [0.0, 0.0, 0.0], [1.5, 3.5, 0.5], [0.0] * 3])[..., None]
-    start, end = impl.row_interval(tuple(planes), np.zeros(1, int), np.array([0.5]), 8)
+    start, end = impl.row_interval(tuple(planes), np.zeros(1, int), np.array([0.5]),
+                                   np.array([0.0]), np.array([8.0]))
     assert_close(np.stack([start, end]), np.array([[1.0], [3.0]]))
 
 
@@ -268,16 +294,20 @@ def test_a_row_of_pixels_is_half_open(impl):
     pytest.param([-3, -2, -1, 1, 2, 3], marks=exercise("2.15"), id="slanted"),
     pytest.param([-3, -2, -1, 0, 1, 2, 3], marks=exercise("2.15", fine_print=True), id="any")])
 def test_intervals_hold_what_the_planes_say(impl, rng, n_x):
-    """Planes of another face or another row are used, or a horizontal edge on its own row."""
+    """Planes or a box of another face or another row are used, or a horizontal edge on its own row.
+    """
     planes = rng.integers(-3, 4, (4, 3, 60)).astype(float)
     planes[0] = rng.choice(n_x, (3, 60))
     planes[2:] += 0.5  # so that many samples lie exactly on an edge
     face, y = rng.integers(0, 60, 400), rng.integers(-2, 3, 400) + 0.5
-    start, end = impl.row_interval(tuple(planes), face, y, 9)
-    for n in range(400):
-        got = np.arange(int(start[n]), int(end[n]))
-        assert_equal(got, np.array(covered_loop(planes[..., face[n]], y[n], 9), int),
-                     given=f"a, b, x0, y0 {planes[..., face[n]].tolist()}, y {y[n]}, width 9")
+    left, right = rng.integers(0, 4, 60), rng.integers(4, 10, 60)
+    start, end = impl.row_interval(tuple(planes), face, y, left, right)
+    for n, f in enumerate(face):
+        got = [j for j in range(-5, 15) if start[n] <= j < end[n]]
+        expected = covered_loop(planes[..., f], y[n], left[f], right[f])
+        assert_equal(np.array(got, int), np.array(expected, int),
+                     given=f"a, b, x0, y0 {planes[..., f].tolist()}, y {y[n]}, "
+                           f"left {left[f]}, right {right[f]}")
 
 
 @exercise("2.15", fine_print=True)
@@ -291,8 +321,9 @@ def test_horizontal_edges_take_all_or_nothing(impl):
     n_x = np.array([[0.0, 0.0], [1.0, 1.0], [-1.0, -1.0]])
     from_x, from_y = np.array([[3.0, 3.0], [-9.0, -9.0], [99.0, 99.0]]), np.full((3, 2), 1.5)
     face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
-    start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, 8)
-    assert_close(np.maximum(end - start, 0), np.array([0.0, 8.0, 8.0, 8.0, 0.0, 0.0]))
+    start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, np.array([0.0, 2.0]),
+                                   np.array([8.0, 7.0]))
+    assert_close(np.maximum(end - start, 0), np.array([0.0, 8.0, 8.0, 5.0, 0.0, 0.0]))
 
 
 def planes_loop(clip, faces, width, height):

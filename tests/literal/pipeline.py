@@ -5,14 +5,14 @@ def draw(clip, faces, opposite, surface, width, height, background):
     face_index, depth = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     buffers = shade((clip, face_index, depth, barycentric), faces, surface, background)
-    picture = outlines.antialias(buffers[-1], face_index, depth, clip, faces, opposite)
-    return picture, buffers
+    pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
+    picture = outlines.blend_pairs(buffers.colour, pairs)
+    return picture, (*buffers[:-1], pairs)
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    clip, face_index, depth, _, _, colour = buffers
-    grad_colour, grad_clip = outlines.antialias_backward(grad_picture, colour, face_index, depth,
-                                                         clip, faces, opposite)
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
+    clip, face_index, _, _, _, _, colour, pairs = buffers
+    grad_colour, grad_clip = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_surface, grad_barycentric, grad_derivatives = surface_backward(grad_colour, buffers, faces,
                                                                         surface)
     grad_clip = grad_clip + rasterizer_gradients.rasterize_backward(

@@ -7,7 +7,8 @@ def draw(clip, faces, opposite, surface, width, height, background):
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, surface, background)
-    return buffers.colour, buffers
+    pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
+    return buffers.colour, buffers._replace(pairs=pairs)
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
@@ -16,8 +17,9 @@ def draw(clip, faces, opposite, surface, width, height, background):
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, surface, background)
-    picture = outlines.antialias(buffers.colour, face_index, depth, clip, faces, opposite)
-    return picture, buffers._replace(colour=picture)
+    pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
+    picture = outlines.blend_pairs(buffers.colour, pairs)
+    return picture, buffers._replace(colour=picture, pairs=pairs)
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
@@ -26,89 +28,83 @@ def draw(clip, faces, opposite, surface, width, height, background):
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, surface, background)
-    picture = outlines.antialias(buffers.colour, face_index, depth, clip, faces, opposite)
-    return picture, buffers
+    pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
+    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
     """the background is painted over after antialiasing; it must blend with the outline"""
     buffers = shade(visible(clip, faces, width, height), faces, surface, background)
-    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
-                                 opposite)
+    pairs = outlines.blended_pairs(buffers.face_index, buffers.depth, clip, faces, opposite)
+    picture = outlines.blend_pairs(buffers.colour, pairs)
     picture[buffers.face_index < 0] = background
-    return picture, buffers
+    return picture, buffers._replace(pairs=pairs)
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
-    """each edge is taken for an outline, inner edges too: antialias is not given opposite"""
+    """each edge is taken for an outline, inner edges too: blended_pairs is not given opposite"""
     buffers = shade(visible(clip, faces, width, height), faces, surface, background)
-    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
-                                 np.full(faces.shape, -1))
-    return picture, buffers
+    pairs = outlines.blended_pairs(buffers.face_index, buffers.depth, clip, faces,
+                                   np.full(faces.shape, -1))
+    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw(clip, faces, opposite, surface, width, height, background):
     """the background is not passed on to shade: it is black"""
-    buffers = shade(visible(clip, faces, width, height), faces, surface, 0.0)
-    picture = outlines.antialias(buffers.colour, buffers.face_index, buffers.depth, clip, faces,
-                                 opposite)
-    return picture, buffers
+    buffers = shade(visible(clip, faces, width, height), faces, surface, 0 * background)
+    pairs = outlines.blended_pairs(buffers.face_index, buffers.depth, clip, faces, opposite)
+    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
     """the path through the edges is left out of grad_clip"""
-    clip, face_index, depth, *_, colour = buffers
-    grad_colour, _ = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
+    clip, face_index, *_, colour, pairs = buffers
+    grad_colour, _ = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)
     through_colours = rasterizer_gradients.rasterize_backward(
         *grad_weights, grad_depth, face_index, clip, faces)
     return grad_surface, through_colours
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
     """the path through the colours is left out of grad_clip"""
-    clip, face_index, depth, *_, colour = buffers
-    grad_colour, through_edges = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
+    clip, *_, colour, pairs = buffers
+    grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_surface, *_ = surface_backward(grad_colour, buffers, faces, surface)
     return grad_surface, through_edges
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    """grad_picture goes on to surface_backward, not the grad_colour of antialias_backward"""
-    clip, face_index, depth, *_, colour = buffers
-    _, through_edges = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
+    """grad_picture goes on to surface_backward, not the grad_colour of blend_pairs_backward"""
+    clip, face_index, *_, colour, pairs = buffers
+    _, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_surface, *grad_weights = surface_backward(grad_picture, buffers, faces, surface)
     through_colours = rasterizer_gradients.rasterize_backward(
         *grad_weights, grad_depth, face_index, clip, faces)
     return grad_surface, through_edges + through_colours
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
     """grad_depth is left out: it is not passed on to rasterize_backward"""
-    clip, face_index, depth, *_, colour = buffers
-    grad_colour, through_edges = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
+    clip, face_index, *_, colour, pairs = buffers
+    grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)
     through_colours = rasterizer_gradients.rasterize_backward(
         *grad_weights, None, face_index, clip, faces)
     return grad_surface, through_edges + through_colours
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
     """grad_derivatives is left out: a texture's footprint has no gradient"""
-    clip, face_index, depth, *_, colour = buffers
-    grad_colour, through_edges = outlines.antialias_backward(
-        grad_picture, colour, face_index, depth, clip, faces, opposite)
+    clip, face_index, *_, colour, pairs = buffers
+    grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_surface, grad_barycentric, _ = surface_backward(grad_colour, buffers, faces, surface)
     through_colours = rasterizer_gradients.rasterize_backward(
         grad_barycentric, None, grad_depth, face_index, clip, faces)
     return grad_surface, through_edges + through_colours
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
     """the way back through antialiasing is left out: of the blend and of the edges"""
     grad_surface, *grad_weights = surface_backward(grad_picture, buffers, faces, surface)
     return grad_surface, rasterizer_gradients.rasterize_backward(

@@ -27,58 +27,58 @@ def edge_functions(corners):
     return np.stack([cross(corners[:, i], corners[:, j]) for i, j in [(1, 2), (0, 2), (0, 1)]])
 
 
-def edge_functions_backward(grad_edges, corners):
-    """a corner has the gradient of one of its two edges alone: p gets q x g, q gets nothing"""
-    grad_corners = np.zeros(np.shape(corners))
-    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
-        grad_corners[:, i] += cross(corners[:, j], g)
-    return grad_corners
+def edge_functions_at_backward(grad_e, x, y):
+    """a corner has the gradient of one of its two edges alone: each e_k gives one to its first
+    corner, i, and none to its second, j"""
+    grad_x, grad_y = np.zeros(x.shape), np.zeros(y.shape)
+    for g, (i, j) in zip(grad_e, EDGES, strict=True):
+        grad_x[i] += g * y[j]
+        grad_y[i] -= g * x[j]
+    return grad_x, grad_y
 
 
-def edge_functions_backward(grad_edges, corners):
-    """a corner has the gradient of one of its two edges alone: q gets g x p, p gets nothing"""
-    grad_corners = np.zeros(np.shape(corners))
-    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
-        grad_corners[:, j] += cross(g, corners[:, i])
-    return grad_corners
-
-
-def edge_functions_backward(grad_edges, corners):
+def edge_functions_at_backward(grad_e, x, y):
     """the second edge's gradient replaces the first one's, by = for +=; they add up, as each corner
     is in two edges"""
-    grad_corners = np.zeros(np.shape(corners))
-    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
-        grad_corners[:, i] = cross(corners[:, j], g)
-        grad_corners[:, j] = cross(g, corners[:, i])
-    return grad_corners
+    grad_x, grad_y = np.zeros(x.shape), np.zeros(y.shape)
+    for g, (i, j) in zip(grad_e, EDGES, strict=True):
+        grad_x[i], grad_y[i] = g * y[j], -g * x[j]
+        grad_x[j], grad_y[j] = -g * y[i], g * x[i]
+    return grad_x, grad_y
 
 
-def edge_functions_backward(grad_edges, corners):
-    """all signs are flipped, the cross products are in reverse order: p gets q x g, not g x q"""
-    grad_corners = np.zeros(np.shape(corners))
-    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
-        grad_corners[:, i] += cross(g, corners[:, j])
-        grad_corners[:, j] += cross(corners[:, i], g)
-    return grad_corners
+def edge_functions_at_backward(grad_e, x, y):
+    """all signs are flipped: it is the backward pass of y_i x_j - x_i y_j"""
+    grad_x, grad_y = np.zeros(x.shape), np.zeros(y.shape)
+    for g, (i, j) in zip(grad_e, EDGES, strict=True):
+        grad_x[i] -= g * y[j]
+        grad_y[i] += g * x[j]
+        grad_x[j] += g * y[i]
+        grad_y[j] -= g * x[i]
+    return grad_x, grad_y
 
 
-def edge_functions_backward(grad_edges, corners):
-    """p and q are exchanged, each gets the other's gradient: p gets q x g, and q gets g x p"""
-    grad_corners = np.zeros(np.shape(corners))
-    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
-        grad_corners[:, i] += cross(g, corners[:, i])
-        grad_corners[:, j] += cross(corners[:, j], g)
-    return grad_corners
+def edge_functions_at_backward(grad_e, x, y):
+    """x and y are exchanged: grad_x holds x, and grad_y holds y; the derivative of x_i y_j with
+    respect to x_i is y_j"""
+    grad_x, grad_y = np.zeros(x.shape), np.zeros(y.shape)
+    for g, (i, j) in zip(grad_e, EDGES, strict=True):
+        grad_x[i] += g * x[j]
+        grad_y[i] -= g * y[j]
+        grad_x[j] -= g * x[i]
+        grad_y[j] += g * y[i]
+    return grad_x, grad_y
 
 
-def edge_functions_backward(grad_edges, corners):
-    """rows and columns are swapped: grad_edges is transposed (its row k, grad_edges[k], is of edge
-    k), or M is, both the corners and their gradients (column k, corners[:, k], is corner k)"""
-    grad_corners = np.zeros(np.shape(corners))
-    for g, (i, j) in zip(grad_edges, EDGES, strict=True):
-        grad_corners[i] += cross(corners[j], g)
-        grad_corners[j] += cross(g, corners[i])
-    return grad_corners
+def edge_functions_at_backward(grad_e, x, y):
+    """edge k starts at corner k; it is the one opposite to corner k"""
+    grad_x, grad_y = np.zeros(x.shape), np.zeros(y.shape)
+    for g, (i, j) in zip(grad_e, EDGES[2:] + EDGES[:2], strict=True):
+        grad_x[i] += g * y[j]
+        grad_y[i] -= g * x[j]
+        grad_x[j] -= g * y[i]
+        grad_y[j] += g * x[i]
+    return grad_x, grad_y
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):

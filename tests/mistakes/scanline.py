@@ -96,122 +96,117 @@ def depth_slopes(x, y, z):
     return (z1 * y2 - z2 * y1) / abs(area), (x1 * z2 - x2 * z1) / abs(area)
 
 
-def first_column(slope, from_x, offset, width):
+def first_column(slope, from_x, offset):
     """the centre's half pixel is forgotten: columns are tested at their left border, j, instead of
     at j + 0.5"""
     column = np.floor(from_x - offset / slope)
     column += slope * (column - from_x) + offset < 0
-    return np.clip(column, 0, width)
+    return column
 
 
-def first_column(slope, from_x, offset, width):
+def first_column(slope, from_x, offset):
     """the offset has the wrong sign"""
     column = np.floor(from_x + offset / slope)
     column += slope * (column + 0.5 - from_x) + offset < 0
-    return np.clip(column, 0, width)
+    return column
 
 
-def first_column(slope, from_x, offset, width):
+def first_column(slope, from_x, offset):
     """a centre exactly on the edge is left out: > 0 for >= 0"""
     column = np.floor(from_x - offset / slope)
     column += slope * (column + 0.5 - from_x) + offset <= 0
-    return np.clip(column, 0, width)
+    return column
 
 
-def first_column(slope, from_x, offset, width):
-    """the column is cut to width - 1: an edge beyond the right border then covers the last column.
-    It is from 0 to width"""
+def first_column(slope, from_x, offset):
+    """the column is cut at 0: it may also lie to the left of the picture"""
     column = np.floor(from_x - offset / slope)
     column += slope * (column + 0.5 - from_x) + offset < 0
-    return np.clip(column, 0, width - 1)
+    return np.maximum(column, 0)
 
 
-def row_interval(planes, face, y, width):
+def row_interval(planes, face, y, left, right):
     """the slope of edges that end the interval is not negated, only their offset is: -e, not e,
     grows from left to right there"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
+    start, end = left[face], right[face]
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1
+        opens = is_top_left(n_x, n_y)
+        sign = np.where(opens, 1, -1)
         slope, from_x = np.where(n_x == 0, TINY, n_x), np.where(n_x == 0, 0, from_x)
         offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]
-        start = np.maximum(start, opens * column)
-        end = np.minimum(end, opens * width + column)
+        column = first_column(slope[face], from_x[face], offset)
+        start = np.where(opens[face], np.maximum(start, column), start)
+        end = np.where(opens[face], end, np.minimum(end, column))
     return start, end
 
 
-def row_interval(planes, face, y, width):
+def row_interval(planes, face, y, left, right):
     """only the slope of edges that end the interval is negated, and their offset, n_y (y - from_y),
     is not: -e has the opposite sign in both"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
+    start, end = left[face], right[face]
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y)
         slope = np.where(n_x == 0, TINY, np.where(opens, n_x, -n_x))
         from_x = np.where(n_x == 0, 0, from_x)
-        column = first_column(slope[face], from_x[face], n_y[face] * (y - from_y[face]), width)
-        opens = opens[face]
-        start = np.maximum(start, np.where(opens, column, 0))
-        end = np.minimum(end, np.where(opens, width, column))
+        column = first_column(slope[face], from_x[face], n_y[face] * (y - from_y[face]))
+        start = np.where(opens[face], np.maximum(start, column), start)
+        end = np.where(opens[face], end, np.minimum(end, column))
     return start, end
 
 
-def row_interval(planes, face, y, width):
+def row_interval(planes, face, y, left, right):
     """the last opening edge decides, instead of the one farthest right: the maximum"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
-    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1
-        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
-        offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]
-        start = opens * column
-        end = np.minimum(end, opens * width + column)
-    return start, end
-
-
-def row_interval(planes, face, y, width):
-    """end is the last column that is covered; it is one past it, the first one that is not"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
-    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        opens = is_top_left(n_x, n_y).astype(float)
-        sign = 2 * opens - 1
-        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
-        offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        opens = opens[face]
-        start = np.maximum(start, opens * column)
-        end = np.minimum(end, opens * width + column)
-    return start, end - 1
-
-
-def row_interval(planes, face, y, width):
-    """min and max are exchanged, which makes the union: the opening edge farthest right and the
-    closing one farthest left must count, not the leftmost and the rightmost"""
-    start, end = np.full(len(y), float(width)), np.zeros(len(y))
+    start, end = left[face], right[face]
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
         opens = is_top_left(n_x, n_y)
         sign = np.where(opens, 1, -1)
         slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
         offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
+        column = first_column(slope[face], from_x[face], offset)
+        start = np.where(opens[face], column, start)
+        end = np.where(opens[face], end, np.minimum(end, column))
+    return start, end
+
+
+def row_interval(planes, face, y, left, right):
+    """end is the last column that is covered; it is one past it, the first one that is not"""
+    start, end = left[face], right[face]
+    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
+        opens = is_top_left(n_x, n_y)
+        sign = np.where(opens, 1, -1)
+        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
+        offset = (sign * n_y)[face] * (y - from_y[face])
+        column = first_column(slope[face], from_x[face], offset)
+        start = np.where(opens[face], np.maximum(start, column), start)
+        end = np.where(opens[face], end, np.minimum(end, column))
+    return start, end - 1
+
+
+def row_interval(planes, face, y, left, right):
+    """min and max are exchanged, which makes the union: the opening edge farthest right and the
+    closing one farthest left must count, not the leftmost and the rightmost"""
+    start, end = right[face], left[face]
+    for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
+        opens = is_top_left(n_x, n_y)
+        sign = np.where(opens, 1, -1)
+        slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
+        offset = (sign * n_y)[face] * (y - from_y[face])
+        column = first_column(slope[face], from_x[face], offset)
         start = np.where(opens[face], np.minimum(start, column), start)
         end = np.where(opens[face], end, np.maximum(end, column))
     return start, end
 
 
-def row_interval(planes, face, y, width):
-    """face is ignored: the planes of face 0 are taken on all rows"""
-    start, end = np.zeros(len(y)), np.full(len(y), float(width))
+def row_interval(planes, face, y, left, right):
+    """the face's box is left out: start is at least left, and end at most right, those of its
+    face"""
+    start, end = np.full(len(y), -np.inf), np.full(len(y), np.inf)
     for n_x, n_y, from_x, from_y in zip(*planes, strict=True):
-        face = 0 * face
         opens = is_top_left(n_x, n_y)
         sign = np.where(opens, 1, -1)
         slope, from_x = np.where(n_x == 0, TINY, sign * n_x), np.where(n_x == 0, 0, from_x)
         offset = (sign * n_y)[face] * (y - from_y[face])
-        column = first_column(slope[face], from_x[face], offset, width)
-        start = np.maximum(start, np.where(opens[face], column, 0))
-        end = np.minimum(end, np.where(opens[face], width, column))
+        column = first_column(slope[face], from_x[face], offset)
+        start = np.where(opens[face], np.maximum(start, column), start)
+        end = np.where(opens[face], end, np.minimum(end, column))
     return start, end

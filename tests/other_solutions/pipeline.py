@@ -11,17 +11,19 @@ def draw(clip, faces, opposite, surface, width, height, background):
     channels = np.moveaxis(buffers.colour, -1, 0)
     picture = [outlines.antialias(channel[..., None], seen.face_index, seen.depth, clip, faces,
                                   opposite)[..., 0] for channel in channels]
-    return np.stack(picture, -1), tuple(buffers)
+    pairs = outlines.blended_pairs(seen.face_index, seen.depth, clip, faces, opposite)
+    backwards = tuple(np.asarray(values)[..., ::-1] for values in pairs)
+    return np.stack(picture, -1), (*buffers[:7], backwards)
 
 
-def draw_backward(grad_picture, buffers, faces, opposite, surface, grad_depth=None):
-    clip, face_index, depth, _, _, colour = buffers
+def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
+    clip, face_index, depth, *_, colour, pairs = buffers
+    pairs = outlines.Pairs(*pairs)
     grad_clip = np.zeros(np.shape(clip))
     grad_colour = np.empty(np.shape(colour))
     for k in range(grad_colour.shape[2]):  # the way back is linear: channel by channel
-        part, through_edges = outlines.antialias_backward(
-            grad_picture[..., k:k + 1], colour[..., k:k + 1], face_index, depth, clip, faces,
-            opposite)
+        part, through_edges = outlines.blend_pairs_backward(
+            grad_picture[..., k:k + 1], colour[..., k:k + 1], pairs, clip)
         grad_colour[..., k:k + 1] = part
         grad_clip += through_edges
     grad_surface, *grad_weights = pipeline.surface_backward(grad_colour, buffers, faces, surface)

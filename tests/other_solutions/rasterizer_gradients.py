@@ -9,16 +9,13 @@ def edge_functions(corners):
     return np.asfortranarray(rows)
 
 
-def edge_functions_backward(grad_edges, corners):
-    # e_k = sum epsilon_abc q_i[b] q_j[c]: linear in each of the two.
-    epsilon = np.zeros((3, 3, 3))
-    for k in range(3):
-        epsilon[k, k - 2, k - 1], epsilon[k, k - 1, k - 2] = 1, -1
-    grad = np.zeros(np.shape(corners))
-    for k, (i, j) in enumerate(EDGES):
-        grad[:, i] += np.einsum("abc,a...,c...->b...", epsilon, grad_edges[k], corners[:, j])
-        grad[:, j] += np.einsum("abc,a...,b...->c...", epsilon, grad_edges[k], corners[:, i])
-    return grad
+def edge_functions_at_backward(grad_e, x, y):
+    # Of one pixel e is the cross product of its three x and its three y.
+    grad_x, grad_y = np.empty(np.shape(x)), np.empty(np.shape(y))
+    for n in range(np.shape(x)[1]):
+        grad_x[:, n] = np.cross(y[:, n], grad_e[:, n])
+        grad_y[:, n] = np.cross(grad_e[:, n], x[:, n])
+    return grad_x, grad_y
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):

@@ -27,22 +27,25 @@ def depth_slopes(x, y, z):
         return -n_x / n_z, -n_y / n_z
 
 
-def first_column(slope, from_x, offset, width):
-    return np.array([
-        float(bisect.bisect_left(range(width), True, key=lambda j: m * (j + 0.5 - x) + c >= 0))
-        for m, x, c in zip(slope, from_x, offset, strict=True)])
+def first_column(slope, from_x, offset):
+    # The place where the sum is 0, at most a column off: of three columns the first one inside.
+    columns = []
+    for m, x, c in zip(slope, from_x, offset, strict=True):
+        near = [np.ceil(x - c / m - 0.5) + step for step in (-1, 0, 1)]
+        columns.append(next((j for j in near if m * (j + 0.5 - x) + c >= 0), near[-1]))
+    return np.array(columns, float)
 
 
-def row_interval(planes, face, y, width):
+def row_interval(planes, face, y, left, right):
     intervals = np.empty((2, len(face)))
-    for r in range(len(face)):
-        opening, closing = [0], [width]
-        for n_x, n_y, from_x, from_y in zip(*(part[:, face[r]] for part in planes), strict=True):
+    for r, f in enumerate(face):
+        columns = range(int(left[f]), int(right[f]))
+        opening, closing = [left[f]], [right[f]]
+        for n_x, n_y, from_x, from_y in zip(*(part[:, f] for part in planes), strict=True):
             opens = is_top_left(n_x, n_y)
             sign = 1 if opens else -1
             offset = n_y * (y[r] - from_y)
-            (opening if opens else closing).append(bisect.bisect_left(
-                range(width), True,
-                key=lambda j: sign * (n_x * (j + 0.5 - from_x) + offset) >= 0))
+            (opening if opens else closing).append(left[f] + bisect.bisect_left(
+                columns, True, key=lambda j: sign * (n_x * (j + 0.5 - from_x) + offset) >= 0))
         intervals[:, r] = max(opening), min(closing)
     return tuple(intervals)

@@ -99,7 +99,7 @@ def test_all_of_it_is_the_sum(scene):
 
 
 def test_it_is_the_matrix_formula_summed_over_the_pixels(scene):
-    """Eqs. (1) to (3) are not lab 7's eq. (6), or (4) is not its (4): an inverse for each pixel."""
+    """Eqs. (1) to (3) are not lab 7's eq. (6), or (5) is not its (4): an inverse for each pixel."""
     clip, faces, face_index, width, height = scene
     rng = np.random.default_rng(2)
     by_b, by_z = rng.normal(size=(height, width, 3)), rng.normal(size=(height, width))
@@ -221,30 +221,54 @@ def test_a_mesh_moves_along_its_depth():
     assert numeric < 0
 
 
-def test_sums_on_paper(impl):
-    """A face that no pixel sees is left out; x, y and 1 are in another order; or += with an index,
-    which adds a face's pixels once only.
-    """
-    u = np.array([[1.0, 10.0, 100.0], [1.0, 1.0, 1.0]])
-    x, y, face = np.array([1.0, 2.0, 4.0]), np.array([0.0, 1.0, 3.0]), np.array([2, 0, 2])
-    got = impl.sum_per_face(u, x, y, face, 4)
-    expected = np.array([[[20.0, 0, 401, 0], [10, 0, 300, 0], [10, 0, 101, 0]],
-                         [[2, 0, 5, 0], [1, 0, 3, 0], [1, 0, 2, 0]]])
-    assert_close(got, expected)
+# --- one face ----------------------------------------------------------------------------------
+
+# In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
+NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
+
+# Numbers for paper: q_0 = (3, 2, 1), q_1 = (4, 1, 2), q_2 = (2, 5, 3). det(M) = -19.
+PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
 
 
-def test_every_pixel_counts_once(impl, rng):
-    """Of two pixels with the same face one is lost, as with sums[face] += ..."""
-    u, x, y, face = rng.normal(size=(3, 50)), *rng.normal(size=(2, 50)), rng.integers(0, 6, 50)
-    expected = np.zeros((3, 3, 7))
-    for n in range(50):
-        for k in range(3):
-            for i, factor in enumerate((x[n], y[n], 1.0)):
-                expected[k, i, face[n]] += u[k, n] * factor
-    assert_close(impl.sum_per_face(u, x, y, face, 7), expected)
+def test_nine_gradients_on_paper():
+    """A corner has the gradient of one of its two edges alone, as by = for +=. p and q are
+    exchanged, or the order in one or both cross products: a sign. Rows are taken for columns. Edge
+    k is not across from corner k, or edge 1 is not q_2 x q_0."""
+    grad_edges = np.array([[1.0, 0.0, 2.0], [3.0, -1.0, 1.0], [-2.0, 1.0, 4.0]])
+    # q_1 x g_2 = (2, -20, 6) and g_1 x q_2 = (-8, -7, 17) add up to column 0.
+    expected = np.array([[-6.0, 3.0, 1.0], [-27.0, 13.0, 6.0], [23.0, -12.0, -8.0]])
+    assert_close(gradients.edge_functions_backward(grad_edges, PAPER), expected)
 
 
-def test_no_pixels_sum_to_zero(impl):
-    """An error where nothing is seen."""
-    got = impl.sum_per_face(np.zeros((2, 0)), np.zeros(0), np.zeros(0), np.zeros(0, int), 3)
-    assert_close(got, np.zeros((2, 3, 3)))
+def test_an_element_of_the_edges_on_paper():
+    """edges[0, 0] = y_1 w_2 - w_1 y_2, and edges[1, 2] = x_2 y_0 - y_2 x_0; a flipped sign."""
+    grad = np.zeros((3, 3))
+    grad[0, 0] = 1.0
+    expected = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, -0.5], [0.0, -2.0, 0.0]])
+    assert_close(gradients.edge_functions_backward(grad, NEAR), expected)
+    grad[0, 0], grad[1, 2] = 0.0, 3.0
+    expected = np.array([[-6.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    assert_close(gradients.edge_functions_backward(grad, NEAR), expected)
+
+
+@pytest.mark.parametrize("shape", [(3, 3), (3, 3, 5)], ids=["a face", "5 faces"])
+def test_the_gradients_of_edges_are_central_differences(shape):
+    """A corner gets the gradient of one of its two edges alone, or another face's."""
+    def forward(corners):
+        return np.stack([np.cross(corners[:, i], corners[:, j], axis=0)
+                         for i, j in [(1, 2), (2, 0), (0, 1)]])
+
+    corners = np.random.default_rng(8).normal(size=shape)
+    gradcheck(forward, gradients.edge_functions_backward, (corners,), name="edges")
+
+
+def test_at_a_pixel_the_edges_are_those_of_the_matrix():
+    """The e of `barycentrics_backward` and of `barycentrics_derivatives_backward` have other
+    gradients: a = (0, 0, 1) is not where corners are measured from."""
+    rng = np.random.default_rng(9)
+    corners, grad_e = rng.normal(size=(3, 3, 6)), rng.normal(size=(3, 6))
+    grad_edges = np.stack([0 * grad_e, 0 * grad_e, grad_e], 1)
+    grad_x, grad_y, grad_w = gradients.edge_functions_backward(grad_edges, corners)
+    assert_close(gradients.edge_functions_at_backward(grad_e, corners[0], corners[1]),
+                 (grad_x, grad_y))
+    assert_close(grad_w, np.zeros((3, 6)))

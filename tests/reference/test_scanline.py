@@ -191,6 +191,7 @@ def test_chunks_change_nothing(monkeypatch):
     whole = scanline.rasterize(clip, faces, 90, 70)
     for size in (1, 100, 4000):
         monkeypatch.setattr(scanline, "CHUNK", size)
+        monkeypatch.setattr(rasterization, "CHUNK", size)
         assert bits(scanline.rasterize(clip, faces, 90, 70)) == bits(whole)
 
 

@@ -12,43 +12,47 @@ def edge_functions(corners):
     return edges
 
 
-def edge_functions_backward(grad_edges, corners):
+def edge_functions_at_backward(grad_e, x, y):
     """the second edge of a corner overwrites the gradient of the first one instead of adding to it
 
     told by: overwrit | two edges | both edges | one of & edges | add & edges | sum & edges | accumul | one edge | last edge
     """
-    result = np.zeros(np.shape(corners))
+    grad_x, grad_y = np.zeros_like(x), np.zeros_like(y)
     for k, (i, j) in enumerate(EDGES):
-        result[:, i] = cross(corners[:, j], grad_edges[k])
-        result[:, j] = cross(grad_edges[k], corners[:, i])
-    return result
+        grad_x[i] = grad_e[k] * y[j]
+        grad_x[j] = -grad_e[k] * y[i]
+        grad_y[i] = -grad_e[k] * x[j]
+        grad_y[j] = grad_e[k] * x[i]
+    return grad_x, grad_y
 
 
-def edge_functions_backward(grad_edges, corners):
-    """the second corner gets p x g instead of g x p, so its share has the wrong sign
+def edge_functions_at_backward(grad_e, x, y):
+    """the minus of - y_i x_j is lost: both of its derivatives are added
 
-    told by: p x g | g x p | sign & second | sign & q_j | sign & one | order & cross | second & factor | anticommut | cross & sign
+    told by: sign | minus | - y_i | subtract
     """
-    result = np.zeros(np.shape(corners))
+    grad_x, grad_y = np.zeros_like(x), np.zeros_like(y)
+    for k, (i, j) in enumerate(EDGES):
+        grad_x[i] += grad_e[k] * y[j]
+        grad_y[j] += grad_e[k] * x[i]
+        grad_y[i] += grad_e[k] * x[j]
+        grad_x[j] += grad_e[k] * y[i]
+    return grad_x, grad_y
+
+
+def edge_functions_at_backward(grad_e, x, y):
+    """e_k is taken for the edge from corner k to k + 1, so each gradient is that of other corners
+
+    told by: opposite | across | starts at | k + 1 | edge k | other corners | next corner
+    """
+    grad_x, grad_y = np.zeros_like(x), np.zeros_like(y)
     for k in range(3):
-        i, j = EDGES[k]
-        p, q, g = corners[:, i], corners[:, j], grad_edges[k]
-        result[:, i] += cross(q, g)
-        result[:, j] += cross(p, g)
-    return result
-
-
-def edge_functions_backward(grad_edges, corners):
-    """it takes column k of grad_edges for edge k, but edge k is row k
-
-    told by: transpos | column & row | grad_edges[:, k] | grad_edges[k] | columns of grad_edges | rows of grad_edges | axis
-    """
-    result = np.zeros(np.shape(corners))
-    for k, (i, j) in enumerate(EDGES):
-        g = grad_edges[:, k]
-        result[:, i] += cross(corners[:, j], g)
-        result[:, j] += cross(g, corners[:, i])
-    return result
+        n = (k + 1) % 3
+        grad_x[k] += grad_e[k] * y[n]
+        grad_y[n] += grad_e[k] * x[k]
+        grad_y[k] -= grad_e[k] * x[n]
+        grad_x[n] -= grad_e[k] * y[k]
+    return grad_x, grad_y
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):
@@ -94,32 +98,31 @@ def edge_functions(corners):
     return np.stack(rows)
 
 
-def edge_functions_backward(grad_edges, corners):
-    """the cross products are turned round: g x q for p and p x g for q, so the sign is wrong
+def edge_functions_at_backward(grad_e, x, y):
+    """x and y are mixed up: the derivative by x_i is written with x_j, where y_j belongs
 
-    told by: sign | order of the cross | turned round | minus | g x q | p x g | cross & exchanged | cross & swapped | negative | factors & order
+    told by: x and y & exchang | x and y & swap | x and y & mixed | respect to x | grad_x & y_j
     """
-    out = np.zeros(corners.shape)
-    for k, (i, j) in enumerate(EDGES):
-        out[:, i] += cross(grad_edges[k], corners[:, j])
-        out[:, j] += cross(corners[:, i], grad_edges[k])
-    return out
+    grad_x, grad_y = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
+    for (i, j), g in zip(EDGES, grad_e):
+        grad_x[i] = grad_x[i] + g * x[j]
+        grad_x[j] = grad_x[j] - g * x[i]
+        grad_y[i] = grad_y[i] - g * y[j]
+        grad_y[j] = grad_y[j] + g * y[i]
+    return np.array(grad_x), np.array(grad_y)
 
 
-def edge_functions_backward(grad_edges, corners):
-    """assigned instead of added: each corner keeps only the last of its two edges
+def edge_functions_at_backward(grad_e, x, y):
+    """each corner has the share of the edge that starts there, and not of the one that ends there
 
-    told by: two edges & sum | both edges | overwrit | += | added up | only one & edge | only the last | add up
+    told by: one of its two | both edges | two edges | one edge | second edge | other edge | ends there
     """
-    out = np.zeros(corners.shape)
-    for g, (i, j) in zip(grad_edges, EDGES):
-        out[:, i] = cross(corners[:, j], g)
-        out[:, j] = cross(g, corners[:, i])
-    return out
+    following, after = [1, 2, 0], [2, 0, 1]
+    return grad_e[after] * y[following], -grad_e[after] * x[following]
 
 
 def depth_planes(z, corners):
-    """z is divided by w first: depth in ndc at the corners, where eq. (4) has z in clip space
+    """z is divided by w first: depth in ndc at the corners, where eq. (5) has z in clip space
 
     told by: divided by w | z / w | divid & w | ndc | clip space | z & w
     """

@@ -31,28 +31,27 @@ def depth_slopes(x, y, z):
     return (uz * vy - vz * uy) / d, (vx * uz - ux * vz) / d
 
 
-def first_column(slope, from_x, offset, width):
+def first_column(slope, from_x, offset):
     """the column is tested at its left side j instead of at its centre j + 0.5
 
     told by: centre | center | 0.5 | half | left side | 1/2 | left border
     """
-    j = np.ceil(from_x - offset / slope)
-    return np.clip(j, 0, width)
+    return np.ceil(from_x - offset / slope)
 
 
-def row_interval(planes, face, y, width):
+def row_interval(planes, face, y, left, right):
     """for the edges that end the interval only the slope is negated, the offset along y is not
 
     told by: offset & sign | n_y & sign | -e | offset & negat | closing & negat | n_y & negat | slope & not & offset
     """
     nx, ny, fx, fy = planes
-    begin, end = np.zeros(len(y)), np.full(len(y), float(width))
+    begin, end = left[face].astype(float), right[face].astype(float)
     for k in range(3):
         a, b = nx[k][face], ny[k][face]
         opening = is_top_left(a, b)
         steep = np.where(a == 0, TINY, np.where(opening, a, -a))
         origin = np.where(a == 0, 0, fx[k][face])
-        column = first_column(steep, origin, b * (y - fy[k][face]), width)
+        column = first_column(steep, origin, b * (y - fy[k][face]))
         begin = np.where(opening, np.maximum(begin, column), begin)
         end = np.where(opening, end, np.minimum(end, column))
     return begin, end
@@ -86,29 +85,55 @@ def depth_slopes(x, y, z):
     return (az * by - bz * ay) / area, (ax * bz - bx * az) / area
 
 
-def first_column(slope, from_x, offset, width):
+def first_column(slope, from_x, offset):
     """the sample is at the left border j of a column instead of its centre j + 0.5
 
     told by: centre | half a pixel | half a column | 0.5 | 1/2 | left border
     """
-    j = np.ceil(from_x - offset / slope)
-    return np.clip(j, 0, width)
+    return np.ceil(from_x - offset / slope)
 
 
-def row_interval(planes, face, y, width):
+def row_interval(planes, face, y, left, right):
     """every edge with n_x >= 0 opens the interval, so an upper horizontal edge opens it, too, instead of ending it
 
     told by: horizontal | n_x = 0 | n_x >= 0 | n_x == 0 | upper edge | n_y & top
     """
-    first = np.zeros(len(y))
-    last = np.full(len(y), float(width))
+    first = left[face]
+    last = right[face]
     for k in range(3):
         n_x, n_y, fx, fy = (value[k][face] for value in planes)
         opens = n_x >= 0
         sign = np.where(opens, 1, -1)
         slope = np.where(n_x == 0, TINY, sign * n_x)
         fx = np.where(n_x == 0, 0, fx)
-        column = first_column(slope, fx, sign * n_y * (y - fy), width)
+        column = first_column(slope, fx, sign * n_y * (y - fy))
+        first = np.where(opens, np.maximum(first, column), first)
+        last = np.where(opens, last, np.minimum(last, column))
+    return first, last
+
+
+def first_column(slope, from_x, offset):
+    """columns to the left of the picture are raised to 0, although j may lie outside
+
+    told by: cut | clip | negative | below 0 | at 0 | outside | to the left
+    """
+    at = from_x - offset / slope
+    return np.maximum(0.0, np.ceil(at - 0.5))
+
+
+def row_interval(planes, face, y, left, right):
+    """left and right bound nothing: the interval is that of the three edges alone
+
+    told by: box | left & right | bound | cut
+    """
+    first = np.full(len(face), -1e9)
+    last = np.full(len(face), 1e9)
+    for k in range(3):
+        n_x, n_y, fx, fy = (value[k][face] for value in planes)
+        opens = is_top_left(n_x, n_y)
+        e = np.where(opens, n_y, -n_y) * (y - fy)
+        flat = n_x == 0
+        column = first_column(np.where(flat, TINY, np.abs(n_x)), np.where(flat, 0, fx), e)
         first = np.where(opens, np.maximum(first, column), first)
         last = np.where(opens, last, np.minimum(last, column))
     return first, last

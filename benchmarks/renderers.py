@@ -1,0 +1,208 @@
+"""The renderers of benchmarks/peers.py: ours, DRTK, DEODR and llvmpipe, each in its own way.
+
+Each is a function scene -> {work: call}. WORK names what a call can do. None does quite the same as
+another; its docstring says what differs. "face index" is a call, too, and tells what was seen.
+"""
+from typing import NamedTuple
+
+import numpy as np
+
+from reference import antialiasing, interpolation, pipeline, rasterization, scanline
+
+WORK = {"visible": "face index and depth",
+        "interpolated": "and perspective barycentrics, 3 attributes",
+        "both ways": "forward and backward with silhouettes"}
+
+
+class Scene(NamedTuple):
+    """A mesh on a square screen."""
+
+    faces: np.ndarray       # (F, 3)
+    clip: np.ndarray        # (V, 4)
+    attributes: np.ndarray  # (V, 3)
+    gradient: np.ndarray    # (size, size, 3), of a loss with respect to the picture
+    opposite: np.ndarray    # (F, 3) of lab 8, made once for a mesh
+
+
+def scene(faces, clip, size):
+    """A Scene with random attributes and a random gradient."""
+    rng = np.random.default_rng(0)
+    return Scene(faces, clip, rng.random((len(clip), 3)), rng.normal(size=(size, size, 3)),
+                 antialiasing.opposite_vertices(faces))
+
+
+def ours(scene):
+    """This course: NumPy, float64."""
+    faces, clip, attributes, gradient, opposite = scene
+    size = len(gradient)
+    surface = pipeline.Colours(attributes)
+
+    def interpolated():
+        seen = pipeline.visible(clip, faces, size, size)
+        return interpolation.interpolate(attributes, faces, seen.face_index, seen.barycentric)
+
+    def both_ways():
+        _, buffers = pipeline.draw(clip, faces, opposite, surface, size, size, np.zeros(3))
+        return pipeline.draw_backward(gradient, buffers, faces, surface)
+
+    return {"visible": lambda: scanline.rasterize(clip, faces, size, size),
+            "interpolated": interpolated, "both ways": both_ways,
+            "face index": lambda: scanline.rasterize(clip, faces, size, size)[0]}
+
+
+def drtk(scene):
+    """C++, float32. Its gradient of silhouettes is another estimate than ours: the same edges."""
+    import drtk
+    import torch
+    torch.set_num_threads(1)
+    faces, clip, attributes, gradient, _ = scene
+    size = len(gradient)
+    x, y, w = rasterization.screen_points(clip, size, size)
+    points = np.stack([x - 0.5, y - 0.5, w], -1)  # its pixels' centres are whole numbers
+    v, a, g = (torch.tensor(values, dtype=torch.float32)[None]
+               for values in (points, attributes, gradient.transpose(2, 0, 1)))
+    vi = torch.tensor(faces.astype(np.int32))[None]
+
+    def interpolated():
+        index = drtk.rasterize(v, vi, size, size)
+        _, weights = drtk.render(v, vi, index)
+        return drtk.interpolate(a, vi, index, weights)
+
+    def both_ways():
+        position, colours = (tensor.clone().requires_grad_() for tensor in (v, a))
+        index = drtk.rasterize(position, vi, size, size)
+        _, weights = drtk.render(position, vi, index)
+        picture = drtk.interpolate(colours, vi, index, weights) * (index >= 0)[:, None]
+        picture = drtk.edge_grad_estimator(position, vi, weights, picture, index)
+        picture.backward(g)
+        return colours.grad, position.grad
+
+    return {"visible": lambda: drtk.rasterize_with_depth(v, vi, size, size),
+            "interpolated": interpolated, "both ways": both_ways,
+            "face index": lambda: drtk.rasterize(v, vi, size, size)[0].numpy()}
+
+
+def deodr(scene):
+    """C++, float64. No perspective; silhouettes are overdrawn by a pixel, and are given to it. Its
+    way back includes a squared error.
+    """
+    from deodr.differentiable_renderer import Scene2D
+    faces, clip, attributes, gradient, opposite = scene
+    size = len(gradient)
+    x, y, w = rasterization.screen_points(clip, size, size)
+    silhouette = antialiasing.silhouette_edges(x, y, w, faces, opposite)
+    corners = np.ascontiguousarray(faces, np.uint32)
+    peer = Scene2D(
+        ij=np.stack([x, y], -1), depths=w, faces=corners, faces_uv=corners,
+        colors=attributes.copy(), shade=np.ones(len(w)), uv=np.zeros((len(w), 2)),
+        texture=np.zeros((2, 2, 3)), textured=np.zeros(len(faces), bool),
+        shaded=np.zeros(len(faces), bool),
+        edgeflags=silhouette[:, [2, 0, 1]].copy(),  # from vertex k to the next one
+        height=size, width=size, nb_colors=3, background_image=None,
+        background_color=np.zeros(3), clockwise=False, backface_culling=True,
+        integer_pixel_centers=False)
+    if (peer.render(sigma=1)[0] != 0).any(-1).mean() < 0.1:  # it sees the back faces
+        peer.clockwise = True
+    target = np.zeros((size, size, 3))
+    return {"interpolated": lambda: peer.render(sigma=0),
+            "both ways": lambda: peer.render_compare_and_backward(
+                sigma=1, antialiase_error=False, obs=target)}
+
+
+FACE = ("""#version 430
+in vec4 position;
+void main() { gl_Position = position; }""", """#version 430
+layout(location = 0) out int face;
+void main() { face = gl_PrimitiveID + 1; }""")
+INTERPOLATED = ("""#version 430
+in vec4 position;
+in vec3 given;
+in vec3 corner;
+out vec3 colour;
+out vec3 weights;
+void main() { gl_Position = position; colour = given; weights = corner; }""", """#version 430
+in vec3 colour;
+in vec3 weights;
+layout(location = 0) out int face;
+layout(location = 1) out vec3 mixed;
+layout(location = 2) out vec3 barycentric;
+void main() { face = gl_PrimitiveID + 1; mixed = colour; barycentric = weights; }""")
+
+
+def llvmpipe(scene):
+    """OpenGL on the processor (Mesa), float32, vertices rounded to 1/256 pixel. Its time includes
+    sending the positions and reading the pictures back.
+    """
+    import moderngl
+    context = moderngl.create_context(standalone=True, backend="egl")
+    if "llvmpipe" not in context.info["GL_RENDERER"]:
+        raise RuntimeError(f"OpenGL is {context.info['GL_RENDERER']}, not llvmpipe")
+    context.enable(moderngl.DEPTH_TEST)
+    faces, clip, attributes, gradient, _ = scene
+    size = gradient.shape[:2]
+    face = context.texture(size, 1, dtype="i4")
+    others = [context.texture(size, 3, dtype="f4") for _ in range(2)]
+    depth = context.depth_texture(size)
+    corners = faces.reshape(-1)
+    at_corners = np.tile(np.eye(3), (len(faces), 1))  # the weights there
+
+    def drawing(shaders, pictures, positions, indices, **values):
+        """A call that sends the positions, draws, and reads the pictures and the depth back."""
+        buffer = context.buffer(positions.astype("f4"))
+        content = [(buffer, "4f", "position")]
+        content += [(context.buffer(value.astype("f4")), "3f", name)
+                    for name, value in values.items()]
+        indices = None if indices is None else context.buffer(indices.astype("i4"))
+        mesh = context.vertex_array(context.program(*shaders), content, index_buffer=indices)
+        target = context.framebuffer(pictures, depth)
+        found = {texture: np.empty((*size, texture.components), texture.dtype)
+                 for texture in [*pictures, depth]}
+
+        def call():
+            buffer.write(positions.astype("f4"))
+            target.use()
+            target.clear()
+            mesh.render()
+            for texture, pixels in found.items():
+                texture.read_into(pixels)
+            return found[face][..., 0] - 1
+
+        return call
+
+    visible = drawing(FACE, [face], clip, corners)
+    return {"visible": visible, "face index": visible, "interpolated": drawing(
+        INTERPOLATED, [face, *others], clip[corners], None, given=attributes[corners],
+        corner=at_corners)}
+
+
+PEERS = {
+    drtk: "build github.com/facebookresearch/DRTK (the package drtk of PyPI is something else)",
+    llvmpipe: "pip install moderngl, and Mesa's EGL (apt install libegl1 libgl1-mesa-dri)",
+    deodr: "pip install deodr",
+}
+
+
+def installed():
+    """The functions of PEERS whose packages are there; what is missing, or fails, is told."""
+    triangle = np.array([[0, 1, 2]])
+    clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]])
+    found = []
+    for peer, how in PEERS.items():
+        try:
+            for call in peer(scene(triangle, clip, 64)).values():
+                call()
+            found.append(peer)
+        except Exception as error:  # no package, another version, no driver
+            print(f"{peer.__name__} is left out, {type(error).__name__}: {error}. For it, {how}")
+    return found
+
+
+def prepare(peers, scene):
+    """{name: calls} of this course and of peers. RuntimeError if one draws another picture."""
+    found = {"ours": ours(scene), **{peer.__name__: peer(scene) for peer in peers}}
+    expected = found["ours"]["face index"]()
+    for name, calls in found.items():
+        different = (calls["face index"]() != expected).mean() if "face index" in calls else 0
+        if different > 0.01:  # more than where vertices are rounded
+            raise RuntimeError(f"{name} sees other faces than ours in {different:.1%} of pixels")
+    return found
