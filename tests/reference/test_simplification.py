@@ -348,7 +348,7 @@ def test_without_any_plane_a_stays():
 def test_where_the_segment_is_nearly_flat_one_of_three_is_taken():
     """Eq. (7) is left out: a, or the best place of a segment along which the error hardly changes.
     """
-    q = np.repeat(planes_of([0.02, 0, 1, 0]), 3, 0)     # A = 0.0004 along x, its trace is 1.0004
+    q = np.repeat(planes_of([5e-4, 0, 1, 0]), 3, 0)     # A = 2.5e-7 along x, its trace is 1
     a = np.array([[5.0, 0.0, 0.0], [5.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
     b = np.array([[-4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [6.0, 0.0, 0.0]])
     expected = np.array([[0.5, 0, 0], [1, 0, 0], [1, 0, 0]])
