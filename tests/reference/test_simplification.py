@@ -61,8 +61,7 @@ def test_the_lectures_picture(bunny, face_count):
 
 
 def test_a_torus_is_as_near_as_by_qslim():
-    """15 % farther away: a fine mesh is taken for flat, as its normals turn little from face to face.
-    """
+    """15 % farther away: a fine mesh is taken for flat, for its normals turn little at an edge."""
     vertices, faces, _ = collapse_heap.simplify(*mesh.torus(10_000), 2000)
     x, y, z = distances.sample_surface(vertices, faces, 20_000, np.random.default_rng(0)).T
     away = np.abs(np.hypot(np.hypot(x, z) - 1.0, y) - 0.4)   # from the round torus itself
