@@ -5,7 +5,7 @@ import numpy as np
 
 from course.given import mesh
 
-LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-3, 0.5**0.5, 0.01  # as in the module
+LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-6, 0.5**0.5, 0.01  # as in the module
 # A double pyramid: 0 above, 4 below, and the ring 1 2 3, whose edges belong to no face inside.
 DOUBLE = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]])
 
