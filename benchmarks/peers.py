@@ -17,6 +17,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import LogLocator, NullFormatter
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure, renderers
@@ -25,7 +26,7 @@ from course.given import places, plot
 FACES = 1_000, 10_000, 100_000, 1_000_000
 SIZES = 512, 1024, 2048, 4096
 ROUNDS = 15, 5  # of scenes up to 100,000 faces or 1,024 x 1,024 pixels, and of larger ones
-COLOURS = {"ours": plot.BLACK, "drtk": plot.BLUE, "llvmpipe": plot.ORANGE, "deodr": plot.GREEN}
+COLOURS = {"ours": plot.BLACK, "DRTK": plot.BLUE, "llvmpipe": plot.ORANGE, "DEODR": plot.GREEN}
 
 
 def main():
@@ -95,21 +96,24 @@ def peak_memory():
 
 def draw(by_faces, by_pixels):
     """benchmarks/peers.png: time against faces for each work, and against pixels for the last."""
-    works = list(renderers.WORK)
     shown = [("faces", title, [line for line in by_faces if line["work"] == work])
              for work, title in renderers.WORK.items()]
-    shown.append(("pixels", f"{renderers.WORK[works[-1]]}, 10,580 faces",
-                  [line for line in by_pixels if line["work"] == works[-1]]))
+    last = [line for line in by_pixels if line["work"] == "both ways"]
+    shown.append(("pixels", f"The same, {last[0]['faces']:,} faces", last))
     axes = plot.panels([(300, 400)] * 4, columns=2)
     for place, (key, title, lines) in zip(axes, shown, strict=True):
         chart = plot.chart(place)
         for name, colour in COLOURS.items():
             known = [(line[key], line[name]) for line in lines if name in line]
             if known:
-                chart.loglog(*np.transpose(known), "o-", color=colour)
-                chart.annotate(f" {name}", known[-1], color=colour, va="center")
+                chart.loglog(*np.transpose(known), "o-", color=colour, label=name)
+        for axis in chart.xaxis, chart.yaxis:
+            axis.set_minor_formatter(NullFormatter())
+            axis.set_major_locator(LogLocator(subs=(1, 3)))
+            axis.set_major_formatter("{x:,.0f}")
+        chart.xaxis.set_major_locator(LogLocator())
         chart.set(title=title, xlabel=key, ylabel="ms of processor time")
-        chart.margins(x=0.18)
+        chart.legend(loc="upper left")
         chart.grid(color=plot.PALE)
     plt.savefig(Path(__file__).with_suffix(".png"), dpi=2 * plt.rcParams["figure.dpi"])
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from reference import antialiasing, interpolation, pipeline, rasterization, scanline
 
-WORK = {"visible": "face index and depth",
-        "interpolated": "and perspective barycentrics, 3 attributes",
-        "both ways": "forward and backward with silhouettes"}
+WORK = {"visible": "Face index and depth",
+        "interpolated": "With barycentrics and 3 attributes",
+        "both ways": "Forward and backward, with silhouettes"}
 
 
 class Scene(NamedTuple):
@@ -176,30 +176,30 @@ def llvmpipe(scene):
 
 
 PEERS = {
-    drtk: "build github.com/facebookresearch/DRTK (the package drtk of PyPI is something else)",
-    llvmpipe: "pip install moderngl, and Mesa's EGL (apt install libegl1 libgl1-mesa-dri)",
-    deodr: "pip install deodr",
+    "DRTK": (drtk, "build github.com/facebookresearch/DRTK, not the package of this name on PyPI"),
+    "llvmpipe": (llvmpipe, "pip install moderngl, and Mesa (apt install libegl1 libgl1-mesa-dri)"),
+    "DEODR": (deodr, "pip install deodr"),
 }
 
 
 def installed():
-    """The functions of PEERS whose packages are there; what is missing, or fails, is told."""
+    """{name: function} of the PEERS that are there. What is missing or fails is told in a line."""
     triangle = np.array([[0, 1, 2]])
     clip = np.array([[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]])
-    found = []
-    for peer, how in PEERS.items():
+    found = {}
+    for name, (peer, how) in PEERS.items():
         try:
             for call in peer(scene(triangle, clip, 64)).values():
                 call()
-            found.append(peer)
+            found[name] = peer
         except Exception as error:  # no package, another version, no driver
-            print(f"{peer.__name__} is left out, {type(error).__name__}: {error}. For it, {how}")
+            print(f"{name} is left out, {type(error).__name__}: {error}. For it, {how}")
     return found
 
 
 def prepare(peers, scene):
     """{name: calls} of this course and of peers. RuntimeError if one draws another picture."""
-    found = {"ours": ours(scene), **{peer.__name__: peer(scene) for peer in peers}}
+    found = {name: peer(scene) for name, peer in {"ours": ours, **peers}.items()}
     expected = found["ours"]["face index"]()
     for name, calls in found.items():
         different = (calls["face index"]() != expected).mean() if "face index" in calls else 0
