@@ -115,8 +115,7 @@ def pyramid_backward(grad_levels):  # extra 6.11 (2 points)
 
 
 def in_texels(jacobian, width, height):
-    """J (N, 2, 2) of u and v -> that of s = w u and t = h v: rows s_x, s_y and t_x, t_y, (2, 2, N).
-    """
+    """J (N, 2, 2) of u and v -> the rows s_x, s_y and t_x, t_y of s = w u and t = h v (2, 2, N)."""
     scale = np.reshape([width, height], (2, 1, 1))
     return np.multiply(np.moveaxis(jacobian, 0, -1), scale, order="C")  # long rows are faster
 
@@ -235,7 +234,8 @@ def taps(uv, level, mipmap, sampler):
 
 
 def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):
-    """Backward of `taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
+    """Backward of `taps`, which gave inside: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,).
+    """
     grad_uv = np.zeros(uv.shape)
     grad_level = np.zeros(level.shape)
     if sampler.filter == "nearest":
