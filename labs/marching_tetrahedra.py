@@ -24,18 +24,26 @@ def tetrahedral_grid(n):
     vertices 0, 1, 2 counter-clockwise. Each path from a cube's lowest corner to its highest along
     three edges, one for each axis, has the four corners of a tetrahedron.
     """
+    return grid_points(n), tetrahedra_of(np.arange(n**3), n)
+
+
+def grid_points(n):
+    """The points of `tetrahedral_grid` alone, ((n + 1)^3, 3)."""
     axis = np.linspace(-1, 1, n + 1)
-    points = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
-    number = np.arange((n + 1)**3).reshape(n + 1, n + 1, n + 1)
-    lowest = number[:-1, :-1, :-1].reshape(-1, 1)
-    tetrahedra = []
+    return np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
+
+
+def tetrahedra_of(cubes, n):
+    """The tetrahedra of some cubes of `tetrahedral_grid`: cubes (C,), numbers -> (6 C, 4)."""
     step = np.array([(n + 1)**2, n + 1, 1])  # from a point to the next one along x, y, z
+    lowest = np.stack(np.unravel_index(cubes, (n, n, n)), -1) @ step
+    paths = []
     for axes in itertools.permutations(range(3)):
         path = np.cumsum([0, *step[list(axes)]])
         if is_odd(axes):
             path[[1, 2]] = path[[2, 1]]
-        tetrahedra.append(lowest + path)
-    return points, np.stack(tetrahedra, 1).reshape(-1, 4)
+        paths.append(path)
+    return (lowest[:, None, None] + np.array(paths)).reshape(-1, 4)
 
 
 def is_odd(order):

@@ -129,7 +129,7 @@ def look_up_backward(grad_colour, texels, index, weight):  # extra 6.6 (3 points
     matrix = csr_array((weight.ravel(), index.ravel(), start), (len(index), len(texels)))
 
     def by_weight(grad, texel):
-        return np.einsum("nc,nkc->nk", grad, texels.take(texel, 0)),
+        return (texels.take(texel, 0) @ grad[..., None])[..., 0],
 
     grad_weight, = in_parts(by_weight, grad_colour, index)
     return matrix.T @ grad_colour, grad_weight
@@ -166,13 +166,13 @@ def texels_on_axis(x, size, filter, boundary):
 
 
 def each_pair(combine, rows, columns):
-    """combine(rows[i], columns[j]) for all i, j: (K, N) twice -> (N, K^2), number K i + j."""
+    """combine(rows[i], columns[j]) for all i, j: (K, N) twice -> (K^2, N), number K i + j."""
     pairs = combine(rows[:, None], columns)
-    return pairs.reshape(len(rows)**2, -1).T
+    return pairs.reshape(len(rows)**2, -1)
 
 
 def texels_at(uv, width, height, filter, boundary):
-    """Eqs. (1) to (3): index, weight, inside (N, K) of the texels that uv (N, 2) looks up, K = 1
+    """Eqs. (1) to (3): index, weight, inside (K, N) of the texels that uv (N, 2) looks up, K = 1
     or 4. Texels count row by row. width and height are numbers or (N,).
     """
     column, column_weight, column_inside = texels_on_axis(uv[:, 0], width, filter, boundary)
@@ -228,7 +228,7 @@ def footprint_mean(image, uv, jacobian, n, boundary="wrap"):
     for points in footprint_points(uv, jacobian, n):
         points = near_texture(points, boundary)
         index, weight, _ = texels_at(points, width, height, "nearest", boundary)
-        total += look_up(texels, index, weight)
+        total += look_up(texels, index.T, weight.T)
     return total / n**2
 
 

@@ -22,7 +22,9 @@ from .texturing import (
     BOUNDARIES,
     Footprint,
     bilinear_backward,
+    each_pair,
     in_parts,
+    linear_texels,
     look_up,
     look_up_backward,
     near_texture,
@@ -61,8 +63,8 @@ def halve(image):  # exercise 6.9 (1 point)
     that is not square ends in one texel, too.
     """
     rows, columns = np.minimum(image.shape[:2], 2)
-    means = (image[::rows] + image[rows - 1::rows]) / 2
-    return (means[:, ::columns] + means[:, columns - 1::columns]) / 2
+    sums = image[::rows] + image[rows - 1::rows]
+    return (sums[:, ::columns] + sums[:, columns - 1::columns]) / 4
 
 
 def halve_backward(grad_half, image):  # extra 6.10 (2 points)
@@ -75,7 +77,7 @@ def halve_backward(grad_half, image):  # extra 6.10 (2 points)
     Fine print. Where a side of the image is 1, a mean is of two texels.
     """
     rows, columns = np.minimum(image.shape[:2], 2)
-    return grad_half.repeat(rows, 0).repeat(columns, 1) / (rows * columns)
+    return (grad_half / (rows * columns)).repeat(columns, 1).repeat(rows, 0)
 
 
 def pyramid(image, max_level=None):
@@ -112,6 +114,12 @@ def pyramid_backward(grad_levels):  # extra 6.11 (2 points)
     return grad
 
 
+def in_texels(jacobian, width, height):
+    """J (N, 2, 2) of u and v -> the rows s_x, s_y and t_x, t_y of s = w u and t = h v (2, 2, N)."""
+    scale = np.reshape([width, height], (2, 1, 1))
+    return np.multiply(np.moveaxis(jacobian, 0, -1), scale, order="C")  # long rows are faster
+
+
 def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
     """Eq. (6): the level whose texels are as large as the footprint is long -> (N,).
 
@@ -124,7 +132,7 @@ def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
 
     Fine print. J = 0 has the level -inf. Leave it so: `blend_levels` takes it for 0.
     """
-    s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
+    (s_x, s_y), (t_x, t_y) = in_texels(jacobian, width, height)
     A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
     C = s_x * s_y + t_x * t_y
     with np.errstate(divide="ignore"):
@@ -142,20 +150,20 @@ def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 po
     Fine print. Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There,
     and only there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
     """
-    s_x, s_y, t_x, t_y = (jacobian * [[width], [height]]).reshape(-1, 4).T
+    (s_x, s_y), (t_x, t_y) = in_texels(jacobian, width, height)
     A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
     C = s_x * s_y + t_x * t_y
     S = (A + B) / 2
     R = np.sqrt((A - B)**2 / 4 + C**2)
     # level = ln(S + R) / (2 ln 2), with dS = (dA + dB)/2 and dR = (A - B)/(4 R) (dA - dB) + C/R dC.
     grad_sum = grad_level / (2 * np.log(2) * np.where(S > 0, S + R, np.inf))
-    corner = np.where(R > 0, R, np.inf)
-    grad_A = grad_sum * (1 / 2 + (A - B) / (4 * corner))
-    grad_B = grad_sum * (1 / 2 - (A - B) / (4 * corner))
-    grad_C = grad_sum * C / corner
-    grad = np.stack([2 * grad_A * s_x + grad_C * s_y, 2 * grad_B * s_y + grad_C * s_x,
-                     2 * grad_A * t_x + grad_C * t_y, 2 * grad_B * t_y + grad_C * t_x], -1)
-    return grad.reshape(-1, 2, 2) * [[width], [height]]
+    by_root = grad_sum / np.where(R > 0, R, np.inf)
+    grad_A = grad_sum / 2 + by_root * (A - B) / 4
+    grad_B = grad_sum / 2 - by_root * (A - B) / 4
+    grad_C = by_root * C
+    grad_s = width * np.stack([2 * grad_A * s_x + grad_C * s_y, 2 * grad_B * s_y + grad_C * s_x])
+    grad_t = height * np.stack([2 * grad_A * t_x + grad_C * t_y, 2 * grad_B * t_y + grad_C * t_x])
+    return np.moveaxis(np.stack([grad_s, grad_t]), -1, 0)
 
 
 def blend_levels(level, top):  # exercise 6.14 (2 points)
@@ -201,49 +209,50 @@ def unpack(texels, mipmap):
 
 
 def mixture(level, filter, top):
-    """Eq. (7): the levels that a look-up mixes, and their shares: [(level (N,), share (N, 1))]."""
-    whole = np.ones((len(level), 1))
+    """Eq. (7): the levels that a look-up mixes, and their shares: [(level (N,), share (N,))]."""
+    whole = np.ones(len(level))
     if "mipmap" not in filter:
         return [(np.zeros(len(level), int), whole)]
     lower, upper, fraction = blend_levels(level, top)
     if filter == "linear-mipmap-nearest":
         return [(lower, whole)]
-    return [(lower, 1 - fraction[:, None]), (upper, fraction[:, None])]
+    return [(lower, 1 - fraction), (upper, fraction)]
 
 
 def taps(uv, level, mipmap, sampler):
-    """The texels that make a colour: index, weight (N, K), K = 1, 4, or 8 for trilinear.
+    """The texels that make a colour: index, weight, inside (N, K), K = 1, 4, or 8 for trilinear.
 
-    uv (N, 2), level (N,) before it is clamped.
+    uv (N, 2), level (N,) before it is clamped. Where not inside, the weight is 0.
     """
-    index = []
-    weight = []
+    found = []
     for at, share in mixture(level, sampler.filter, len(mipmap.start) - 1):
-        texel, part, _ = texels_at(uv, mipmap.width[at], mipmap.height[at], sampler.filter,
-                                   sampler.boundary)
-        index.append(mipmap.start[at, None] + texel)
-        weight.append(share * part)
-    return np.concatenate(index, 1), np.concatenate(weight, 1)
+        index, weight, inside = texels_at(uv, mipmap.width[at], mipmap.height[at], sampler.filter,
+                                          sampler.boundary)
+        found.append((mipmap.start[at] + index, share * weight, inside))
+    index, weight, inside = map(np.concatenate, zip(*found, strict=True))
+    return index.T.copy(), weight.T.copy(), inside.T  # a look-up reads them row by row
 
 
-def taps_backward(grad_weight, uv, level, mipmap, sampler):
-    """Backward of `taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
+def taps_backward(grad_weight, inside, uv, level, mipmap, sampler):
+    """Backward of `taps`, which gave inside: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,).
+    """
     grad_uv = np.zeros(uv.shape)
     grad_level = np.zeros(level.shape)
     if sampler.filter == "nearest":
         return grad_uv, grad_level
     top = len(mipmap.start) - 1
     looks = mixture(level, sampler.filter, top)
-    grads = np.split(np.asfortranarray(grad_weight), len(looks), 1)  # laid out as the weights are
+    grads = np.split(grad_weight.T.copy() * inside.T, len(looks))
     trilinear = sampler.filter == "linear-mipmap-linear"
     grad_share = []
+    # Inside, a tap's weight is share * (row weight) (column weight).
     for (at, share), grad in zip(looks, grads, strict=True):
         width, height = mipmap.width[at], mipmap.height[at]
-        _, weight, inside = texels_at(uv, width, height, sampler.filter, sampler.boundary)
-        # A tap's weight is share * inside * (row weight) (column weight).
-        grad_uv += bilinear_backward(grad * inside * share, uv, width, height)
+        grad_uv += bilinear_backward((share * grad).T, uv, width, height)
         if trilinear:
-            grad_share.append(np.einsum("nk,nk->n", grad, weight))
+            _, column_weight = linear_texels(uv[:, 0], width)
+            _, row_weight = linear_texels(uv[:, 1], height)
+            grad_share.append((grad * each_pair(np.multiply, row_weight, column_weight)).sum(0))
     if trilinear:  # the shares are 1 - f and f
         grad_level = blend_levels_backward(grad_share[1] - grad_share[0], level, top)
     return grad_uv, grad_level
@@ -287,7 +296,8 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
     mipmap = pack(pyramid(image, max_level if "mipmap" in filter else 0))
 
     def colours(uv, level):
-        return look_up(mipmap.texels, *taps(uv, level, mipmap, sampler)),
+        index, weight, _ = taps(uv, level, mipmap, sampler)
+        return look_up(mipmap.texels, index, weight),
 
     level = footprint_level(footprint, mipmap, filter)
     colour, = in_parts(colours, near_texture(footprint.uv, boundary).reshape(-1, 2), level)
@@ -308,10 +318,10 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
     points = (near_texture(footprint.uv, boundary).reshape(-1, 2),
               footprint_level(footprint, mipmap, filter))
     # `texture` read upwards: the look-up, its taps, the level, the pyramid.
-    index, weight = in_parts(lambda *point: taps(*point, mipmap, sampler), *points)
+    index, weight, inside = in_parts(lambda *point: taps(*point, mipmap, sampler), *points)
     grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
     grad_uv, grad_level = in_parts(lambda *point: taps_backward(*point, mipmap, sampler),
-                                   grad_weight, *points)
+                                   grad_weight, inside, *points)
     grad_jacobian, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
     grad_image = pyramid_backward(unpack(grad_texels, mipmap))
     return grad_image, grad_uv.reshape(footprint.uv.shape), grad_jacobian, grad_bias

@@ -23,6 +23,7 @@ from course.given import mesh
 
 from . import interpolation, marching_tetrahedra, msaa, pipeline, reconstruction
 from .inverse_rendering import adam_step, descend
+from .rasterization import EDGES
 from .regularization import uniform_adam_step
 
 
@@ -108,7 +109,7 @@ SPREAD = 1.0     # the amount of eq. (8)
 
 def start(n):
     """The Scene of n^3 cells where every fit begins: a ball, grey, in even light."""
-    points, _ = marching_tetrahedra.tetrahedral_grid(n)
+    points = marching_tetrahedra.grid_points(n)
     light = np.zeros((9, 3))
     light[0] = 1 / reconstruction.C0
     return Scene(np.linalg.norm(points, axis=1) - 0.85, np.zeros((len(points), 3)),
@@ -119,7 +120,7 @@ def refine(x, n):
     """A Scene, looked up on a grid of n^3 cells. Its offsets go back to 0, which moves the surface
     a little.
     """
-    points, _ = marching_tetrahedra.tetrahedral_grid(n)
+    points = marching_tetrahedra.grid_points(n)
     weights = marching_tetrahedra.grid_weights(points, cells(x))
     return Scene(weights @ x.distance, np.zeros((len(points), 3)), weights @ x.albedo, x.light)
 
@@ -133,7 +134,7 @@ def bounded(x):
     """The nearest Scene that is allowed: its surface stays within the grid, its albedo from 0 to 1,
     and its offsets are too small to turn a tetrahedron over.
     """
-    points, _ = marching_tetrahedra.tetrahedral_grid(cells(x))
+    points = marching_tetrahedra.grid_points(cells(x))
     cell = points[1, 2] - points[0, 2]
     at_border = (np.abs(points) == 1).any(1)
     return Scene(np.where(at_border, np.maximum(x.distance, cell / 100), x.distance),
@@ -146,17 +147,17 @@ def bounded(x):
 def crossed_cubes(distance):
     """Which cubes of the grid have corners of both signs: bool (n^3,), in their order."""
     m = round(len(distance)**(1 / 3))
-    corners = np.lib.stride_tricks.sliding_window_view((distance < 0).reshape(m, m, m), (2, 2, 2))
-    inside = corners.sum((3, 4, 5)).ravel()
-    return (0 < inside) & (inside < 8)
+    inside = (distance < 0).astype(int).reshape(m, m, m)
+    squares = sum(inside[:, i:m - 1 + i, j:m - 1 + j] for i in (0, 1) for j in (0, 1))
+    corners = (squares[:-1] + squares[1:]).ravel()  # how many of a cube's eight are inside
+    return (0 < corners) & (corners < 8)
 
 
 def surface(x):
     """The Surface of a Scene. Where nothing is inside, V = F = 0."""
-    points, tetrahedra = marching_tetrahedra.tetrahedral_grid(cells(x))
-    near = tetrahedra.reshape(-1, 6, 4)[crossed_cubes(x.distance)].reshape(-1, 4)
-    vertices, faces, ends = marching_tetrahedra.marching_tetrahedra(points + x.offsets, x.distance,
-                                                                    near)
+    points = marching_tetrahedra.grid_points(cells(x)) + x.offsets
+    near = marching_tetrahedra.tetrahedra_of(np.flatnonzero(crossed_cubes(x.distance)), cells(x))
+    vertices, faces, ends = marching_tetrahedra.marching_tetrahedra(points, x.distance, near)
     a, b = ends.T
     albedo = marching_tetrahedra.crossing(x.albedo[a], x.albedo[b], x.distance[a], x.distance[b])
     return Surface(vertices, faces, ends, mesh.vertex_normals(vertices, faces), albedo)
@@ -169,9 +170,9 @@ def surface_backward(grad_vertices, grad_albedo, ends, x):
     The normals' gradient has come to grad_vertices before (`vertex_normals_backward`).
     """
     # Positions and albedo are mixed by the same distances: these get a gradient from both.
-    points, _ = marching_tetrahedra.tetrahedral_grid(cells(x))
+    points = marching_tetrahedra.grid_points(cells(x)) + x.offsets
     backward = marching_tetrahedra.marching_tetrahedra_backward
-    grad_offsets, by_place = backward(grad_vertices, ends, points + x.offsets, x.distance)
+    grad_offsets, by_place = backward(grad_vertices, ends, points, x.distance)
     grad_field, by_colour = backward(grad_albedo, ends, x.albedo, x.distance)
     return by_place + by_colour, grad_offsets, grad_field
 
@@ -301,7 +302,8 @@ def regularizers_backward(weights, found, x):
     """The gradients of bumps, to vertices (V, 3), and of sign changes (7), to distances (G,)."""
     # Both count in cells, so that a weight means the same on any grid.
     cell = 2 / cells(x)
-    edges, _ = mesh.edges(found.faces)
+    sides = found.faces[:, EDGES].reshape(-1, 2)
+    edges = sides[sides[:, 0] < sides[:, 1]]  # each edge is walked once up and once down
     by_bumps = reconstruction.bumps_backward(weights.bumps / cell**2, found.vertices,
                                              found.normals, edges)
     by_changes = reconstruction.sign_changes_backward(

@@ -126,7 +126,7 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (5 
     # dn = (dm - n (n . dm)) / |m|: what lies along n only makes m longer.
     grad_m = (grad_normals - (grad_normals * n).sum(1, keepdims=True) * n) / length
     # (b - a) x (c - a) = b x c + c x a + a x b, so g . that is a . (b x g - c x g) + ...
-    g = grad_m[faces].sum(1)
+    g = grad_m[faces.T].sum(0)
     corners = np.stack([np.cross(b - c, g), np.cross(c - a, g), np.cross(a - b, g)], 1)
     return scatter(corners, faces, len(vertices))
 

@@ -134,7 +134,7 @@ def look_up_backward(grad_colour, texels, index, weight):  # extra 6.6 (3 points
     matrix = csr_array((weight.ravel(), index.ravel(), start), (len(index), len(texels)))
 
     def by_weight(grad, texel):
-        return np.einsum("nc,nkc->nk", grad, texels.take(texel, 0)),
+        return (texels.take(texel, 0) @ grad[..., None])[..., 0],
 
     grad_weight, = in_parts(by_weight, grad_colour, index)
     return matrix.T @ grad_colour, grad_weight
@@ -171,13 +171,13 @@ def texels_on_axis(x, size, filter, boundary):
 
 
 def each_pair(combine, rows, columns):
-    """combine(rows[i], columns[j]) for all i, j: (K, N) twice -> (N, K^2), number K i + j."""
+    """combine(rows[i], columns[j]) for all i, j: (K, N) twice -> (K^2, N), number K i + j."""
     pairs = combine(rows[:, None], columns)
-    return pairs.reshape(len(rows)**2, -1).T
+    return pairs.reshape(len(rows)**2, -1)
 
 
 def texels_at(uv, width, height, filter, boundary):
-    """Eqs. (1) to (3): index, weight, inside (N, K) of the texels that uv (N, 2) looks up, K = 1
+    """Eqs. (1) to (3): index, weight, inside (K, N) of the texels that uv (N, 2) looks up, K = 1
     or 4. Texels count row by row. width and height are numbers or (N,).
     """
     column, column_weight, column_inside = texels_on_axis(uv[:, 0], width, filter, boundary)
@@ -204,11 +204,11 @@ def bilinear_backward(grad_weight, uv, width, height):  # exercise 6.7 (4 points
     _, row_weight = linear_texels(uv[:, 1], height)
     _, column_weight = linear_texels(uv[:, 0], width)
     grad_weight = grad_weight.T.reshape(2, 2, -1)                   # by row, by column
-    grad_row = (grad_weight * column_weight).sum(1)
-    grad_column = (grad_weight * row_weight[:, None]).sum(0)
-    # The weights are 1 - a and a, and da = w du.
-    return np.stack([(grad_column[1] - grad_column[0]) * width,
-                     (grad_row[1] - grad_row[0]) * height], -1)
+    # The weights are 1 - a and a, and da = w du. So each row has its slope along u, and each
+    # column has its slope along v.
+    along_u = (row_weight * (grad_weight[:, 1] - grad_weight[:, 0])).sum(0)
+    along_v = (column_weight * (grad_weight[1] - grad_weight[0])).sum(0)
+    return np.stack([along_u * width, along_v * height], -1)
 
 
 def footprint_points(uv, jacobian, n):  # extra 6.8 (2 points)
@@ -240,7 +240,7 @@ def footprint_mean(image, uv, jacobian, n, boundary="wrap"):
     for points in footprint_points(uv, jacobian, n):
         points = near_texture(points, boundary)
         index, weight, _ = texels_at(points, width, height, "nearest", boundary)
-        total += look_up(texels, index, weight)
+        total += look_up(texels, index.T, weight.T)
     return total / n**2
 
 

@@ -50,13 +50,13 @@ def fit(labs, size, seed, steps=1000):
     -> errors (steps + 1,), the mean distance of the vertices from the cube's, losses (steps,), and
     the Cube at the end.
     """
-    lab9, rng = labs.inverse_rendering, np.random.default_rng(seed)
+    lab9, rng, shape = labs.inverse_rendering, np.random.default_rng(seed), mesh_of(labs)
     x = Cube(TRUTH.positions + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3)))
 
     def gradient(x):
         pose = camera(labs) @ random_pose(labs, rng, 0.25)
-        target, *_ = seen(labs, TRUTH, pose, size)
-        picture, *given = seen(labs, x, pose, size)
+        target, *_ = seen(labs, shape, TRUTH, pose, size)
+        picture, *given = seen(labs, shape, x, pose, size)
         grad_picture = lab9.squared_error_backward(1.0, picture, target)
         grads = labs.pipeline.render_backward(grad_picture, *given)
         return lab9.squared_error(picture, target), Cube(grads.positions, grads.surface.colours)
@@ -74,15 +74,20 @@ def error(positions):
     return np.linalg.norm(np.abs(positions) - 0.5, axis=1).mean()
 
 
-def seen(labs, cube, clip_from_model, size):
-    """A Cube on black, (size, size, 3), and what `render_backward` takes."""
-    shape = labs.pipeline.make_mesh(cube.positions, FACES)
-    return on_black(labs, shape, cube.colours, clip_from_model, size)
+def mesh_of(labs):
+    """The Mesh of every Cube: only its positions differ."""
+    return labs.pipeline.make_mesh(TRUTH.positions, FACES)
+
+
+def seen(labs, shape, cube, clip_from_model, size):
+    """A Cube on black, (size, size, 3), and what `render_backward` takes. shape: `mesh_of`."""
+    moved = shape._replace(positions=cube.positions)
+    return on_black(labs, moved, cube.colours, clip_from_model, size)
 
 
 def shown(labs, cube, clip_from_model, size):
     """What a Cube looks like on black, in colours from 0 to 1: (size, size, 3)."""
-    return np.clip(seen(labs, cube, clip_from_model, size)[0], 0, 1)
+    return np.clip(seen(labs, mesh_of(labs), cube, clip_from_model, size)[0], 0, 1)
 
 
 def camera(labs, distance=3.5):

@@ -193,9 +193,9 @@ def vertex_normals(vertices, faces):
 
     Zero for a vertex of no face.
     """
-    total = np.zeros_like(vertices)
-    np.add.at(total, faces, _area_vectors(vertices, faces)[:, None])
-    return unit(total)
+    corner = faces.ravel()
+    columns = _area_vectors(vertices, faces).repeat(3, 0).T  # each face's, at its three corners
+    return unit(np.stack([np.bincount(corner, column, len(vertices)) for column in columns], -1))
 
 
 def _area_vectors(vertices, faces):
