@@ -232,7 +232,10 @@ def rasterize_backward(grad_barycentric, grad_derivatives, grad_depth, face_inde
 
     grad_barycentric (H, W, 3). grad_derivatives (H, W, 3, 2) or None. grad_depth (H, W) or None.
     """
-    grad_clip = barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon)
+    if grad_barycentric.any():
+        grad_clip = barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon)
+    else:  # as of a silhouette, where all faces have one colour
+        grad_clip = np.zeros(clip.shape)
     if grad_derivatives is not None:
         grad_clip += barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
                                                        epsilon)
