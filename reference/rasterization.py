@@ -306,11 +306,11 @@ def samples_on_faces(face_index, clip, faces):
     = row * width + column, its centre px, py (N,), and the corners x, y, w (3, N) of its face.
     """
     height, width = face_index.shape
-    screen = screen_points(clip, width, height)
+    x, y, w = screen_points(clip, width, height)
     for pixel, corners in seen_corners(face_index, faces):
         row = pixel // width
-        x, y, w = (values.take(corners) for values in screen)
-        yield pixel, pixel - row * width + 0.5, row + 0.5, x, y, w
+        yield (pixel, pixel - row * width + 0.5, row + 0.5,
+               x.take(corners), y.take(corners), w.take(corners))
 
 
 def barycentrics(face_index, clip, faces):
