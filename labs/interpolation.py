@@ -167,15 +167,19 @@ def weight_rows(faces, face_index, barycentric):  # extra 5.10 (3 points)
 
 
 def interpolation_matrix(vertex_count, faces, face_index, barycentric):
-    """B of eq. (7), a sparse matrix (H W, V), made of `weight_rows`.
+    """B of eq. (7), a sparse matrix (H W, V), made of `weight_rows`."""
+    return sparse_matrix(vertex_count, *weight_rows(faces, face_index, barycentric))
+
+
+def sparse_matrix(vertex_count, start, vertex, weight):
+    """The matrix of which `weight_rows` made start, vertex and weight: (H W, V).
 
     IndexError if a seen face names a vertex that does not exist. SciPy would read on in memory.
     """
-    start, vertex, weight = weight_rows(faces, face_index, barycentric)
     if len(vertex) and not 0 <= vertex.min() <= vertex.max() < vertex_count:
         raise IndexError(f"faces name rows {vertex.min()} to {vertex.max()} of the attributes, "
                          f"which have {vertex_count}: give the faces that belong to them")
-    return scipy.sparse.csr_array((weight, vertex, start), (face_index.size, vertex_count))
+    return scipy.sparse.csr_array((weight, vertex, start), (len(start) - 1, vertex_count))
 
 
 def interpolate(attributes, faces, face_index, barycentric):  # extra 5.11 (2 points)

@@ -21,7 +21,7 @@ import numpy as np
 
 from course.given import mesh
 
-from . import marching_tetrahedra, msaa, pipeline, reconstruction
+from . import interpolation, marching_tetrahedra, msaa, pipeline, reconstruction
 from .inverse_rendering import adam_step, descend
 from .rasterization import EDGES
 from .regularization import uniform_adam_step
@@ -223,7 +223,7 @@ def see_backward(grad_pictures, buffers, shape, colours, views):
         grad_fine = msaa.box_resolve_backward(grad_picture, seen.colour, target.samples)
         gradients = target.renderer.render_backward(grad_fine, seen, shape, covering(colours),
                                                     pipeline.View(*target.view))
-        grad_level = carving_backward(1 / len(views), target, seen)
+        grad_level = carving_backward(1 / len(views), target, len(shape.positions), seen)
         found.append((gradients.positions, gradients.surface.colours[:, :3], grad_level))
     return tuple(map(sum, zip(*found, strict=True)))
 
@@ -233,12 +233,13 @@ def covering(colours):
     return pipeline.Colours(np.column_stack([colours, np.ones(len(colours))]))
 
 
-def carving_backward(grad_carving, target, buffers):
+def carving_backward(grad_carving, target, vertex_count, buffers):
     """Backward of eq. (6): grad_carving, a number -> grad_level (V,), of s at the vertices."""
     # s is an attribute of the vertices, seen by the pixels: back as any other attribute of lab 5.
     grad_picture = -grad_carving / target.outside.size * target.outside[..., None]
     grad_fine = msaa.box_resolve_backward(grad_picture, buffers.colour[..., :1], target.samples)
-    return buffers.weights.T @ grad_fine.reshape(-1)
+    weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
+    return weights.T @ grad_fine.reshape(-1)
 
 
 def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 16.15 (6 points)

@@ -14,7 +14,6 @@ Source: Laine et al. 2020 (nvdiffrast).
 from typing import NamedTuple
 
 import numpy as np
-import scipy.sparse
 
 from course.given import inputs
 
@@ -70,15 +69,16 @@ class Buffers(NamedTuple):
     """What was found on the way to a picture, which the way back needs.
 
     clip (V, 4), face_index and depth (H, W), and barycentric (H, W, 3) come first. `shade` adds
-    colour (H, W, C), the picture before antialiasing, and what it was made with: the matrix B of
-    lab 5 for Colours, derivatives (H, W, 3, 2) for a Texture. pairs are lab 8's, the blended ones.
+    colour (H, W, C), the picture before antialiasing, and what it was made with: weights, lab 5's
+    `weight_rows`, for Colours; derivatives (H, W, 3, 2) for a Texture. pairs are lab 8's, the
+    blended ones.
     """
 
     clip: np.ndarray
     face_index: np.ndarray
     depth: np.ndarray
     barycentric: np.ndarray
-    weights: scipy.sparse.csr_array | None = None
+    weights: tuple | None = None
     derivatives: np.ndarray | None = None
     colour: np.ndarray | None = None
     pairs: outlines.Pairs | None = None
@@ -213,10 +213,10 @@ def shade(seen, faces, surface, background):
         seen = with_derivatives(seen, faces)
         colour = textured(seen, surface)
     else:
-        seen = seen._replace(weights=interpolation.interpolation_matrix(
-            len(surface.colours), faces, seen.face_index, seen.barycentric))
-        colour = (seen.weights @ surface.colours).reshape(*seen.face_index.shape,
-                                                          surface.colours.shape[1])
+        seen = seen._replace(weights=interpolation.weight_rows(faces, seen.face_index,
+                                                               seen.barycentric))
+        colours = interpolation.sparse_matrix(len(surface.colours), *seen.weights) @ surface.colours
+        colour = colours.reshape(*seen.face_index.shape, surface.colours.shape[1])
     outside = seen.face_index < 0
     for channel, value in enumerate(background):
         colour[..., channel][outside] = value
@@ -245,7 +245,9 @@ def coloured_backward(grad_colour, buffers, faces, surface):
     """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
     corner 0, and None for the derivatives.
     """
-    grad_colours = buffers.weights.T @ grad_colour.reshape(-1, surface.colours.shape[1])
+    vertex_count, channels = surface.colours.shape
+    weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
+    grad_colours = weights.T @ grad_colour.reshape(-1, channels)
     grad_barycentric = interpolation.weights_backward(grad_colour, surface.colours, faces,
                                                       buffers.face_index)
     # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0.

@@ -34,18 +34,16 @@ def by_hand(clip, colours):
     for owner, other, c in zip(*pairs[:3], strict=True):
         picture[owner if c < 0.5 else other] += (0.5 - c) * (flat[other] - flat[owner])
     return picture.reshape(colour.shape), (
-        clip, covered - 1, depth, barycentric, matrix(ALONE[0], covered - 1, barycentric, 3), None,
+        clip, covered - 1, depth, barycentric, weight_rows(ALONE[0], covered - 1, barycentric), None,
         colour, pairs), decided
 
 
-def matrix(faces, face_index, barycentric, count):
-    """Lab 5's B (H W, count), which is sparse there."""
-    weights = np.zeros((face_index.size, count))
-    seen = np.flatnonzero(face_index >= 0)
-    for corner in range(3):
-        vertex = faces[face_index.ravel()[seen], corner]
-        weights[seen, vertex] = barycentric.reshape(-1, 3)[seen, corner]
-    return weights
+def weight_rows(faces, face_index, barycentric):
+    """Lab 5's B in compressed sparse rows: start (H W + 1,), vertex and weight (3 N,)."""
+    seen = face_index.ravel() >= 0
+    start = np.concatenate([[0], 3 * np.cumsum(seen)])
+    vertex = faces[face_index.ravel()[seen]].ravel()
+    return start, vertex, barycentric.reshape(-1, 3)[seen].ravel()
 
 
 def pairs_by_hand(covered, corners):
@@ -284,7 +282,7 @@ def buffers_of_bar(end):
     pairs = pairs_of([(4 * row + 1, 4 * row + 2, end - 1.5, (0, 1), (end - 1.5, end - 1.5),
                        (-43.5 - row - 0.5, 46.5 - row - 0.5), 0, 2) for row in range(3)])
     return (bar(4, 3, end), face_index, np.where(seen, 0.25, np.inf), barycentric,
-            matrix(ALONE[0], face_index, barycentric, 3), None, colour, pairs)
+            weight_rows(ALONE[0], face_index, barycentric), None, colour, pairs)
 
 
 @exercise("9.13")
@@ -352,7 +350,7 @@ def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
     face_index = (weights[1] > 0).all(-1).astype(int)
     barycentric = np.where(face_index[..., None], weights[1], weights[0])
     buffers = (QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric,
-               matrix(faces, face_index, barycentric, 4), None, ndc @ SHADES, pairs_of([]))
+               weight_rows(faces, face_index, barycentric), None, ndc @ SHADES, pairs_of([]))
     _, grad_clip = gradients(impl, grad_picture, buffers, faces, (QUAD_COLOURS,))
     pulls = np.zeros((4, 2))
     np.add.at(pulls, faces[face_index], barycentric[..., None] * grad_picture[..., None, :])

@@ -34,8 +34,8 @@ def short(array):
 def formed(returned, form):
     if isinstance(returned, tuple):
         return tuple(formed(output, form) for output in returned)
-    array = np.asarray(returned)
-    return returned if array.dtype.kind in "OU" else form(array)  # None, text, a sparse matrix
+    plain = returned is None or isinstance(returned, str)
+    return returned if plain else form(np.asarray(returned))
 
 
 def require_promised(given):
