@@ -50,11 +50,12 @@ def fit(labs, size, seed, steps=1000):
     -> errors (steps + 1,), the mean distance of the vertices from the cube's, losses (steps,), and
     the Cube at the end.
     """
-    lab9, rng, shape = labs.inverse_rendering, np.random.default_rng(seed), mesh_of(labs)
+    lab9, rng = labs.inverse_rendering, np.random.default_rng(seed)
+    shape, clip_from_world = mesh_of(labs), camera(labs)
     x = Cube(TRUTH.positions + rng.uniform(-0.5, 0.5, (8, 3)), rng.uniform(0, 1, (8, 3)))
 
     def gradient(x):
-        pose = camera(labs) @ random_pose(labs, rng, 0.25)
+        pose = clip_from_world @ random_pose(labs, rng, 0.25)
         target, *_ = seen(labs, shape, TRUTH, pose, size)
         picture, *given = seen(labs, shape, x, pose, size)
         grad_picture = lab9.squared_error_backward(1.0, picture, target)
