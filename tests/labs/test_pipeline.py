@@ -33,9 +33,9 @@ def by_hand(clip, colours):
     picture, flat = colour.reshape(-1, 2).copy(), colour.reshape(-1, 2)
     for owner, other, c in zip(*pairs[:3], strict=True):
         picture[owner if c < 0.5 else other] += (0.5 - c) * (flat[other] - flat[owner])
-    return picture.reshape(colour.shape), (
-        clip, covered - 1, depth, barycentric, weight_rows(ALONE[0], covered - 1, barycentric), None,
-        colour, pairs), decided
+    rows = weight_rows(ALONE[0], covered - 1, barycentric)
+    buffers = clip, covered - 1, depth, barycentric, rows, None, colour, pairs
+    return picture.reshape(colour.shape), buffers, decided
 
 
 def weight_rows(faces, face_index, barycentric):
