@@ -27,13 +27,22 @@ CLIP_FROM_WORLD = transforms.perspective(np.radians(48), 1.0, 0.1, 10.0) @ trans
 
 def medians(calls, runs=RUNS):
     """{name: call} -> {name: milliseconds}, after one round to warm up."""
-    took = {name: [] for name in calls}
-    for _ in range(runs + 1):
-        for name, call in calls.items():
-            start = time.process_time()
-            call()
-            took[name].append(1000 * (time.process_time() - start))
-    return {name: statistics.median(times[1:]) for name, times in took.items()}
+    return {name: statistics.median(times) for name, times in rounds(calls, runs).items()}
+
+
+def rounds(calls, runs):
+    """{name: call} -> {name: milliseconds of each round}, after one round to warm up.
+
+    Each round begins with another name.
+    """
+    names = list(calls)
+    took = {name: [] for name in names}
+    for start in range(runs + 1):
+        for name in np.roll(names, start).tolist():
+            begin = time.process_time()
+            calls[name]()
+            took[name].append(1000 * (time.process_time() - begin))
+    return {name: times[1:] for name, times in took.items()}
 
 
 def sphere(face_count):

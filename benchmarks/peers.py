@@ -11,7 +11,6 @@ Writes benchmarks/peers.json and benchmarks/peers.png, which README.md shows.
 import json
 import statistics
 import sys
-import time
 import tracemalloc
 from pathlib import Path
 
@@ -56,7 +55,7 @@ def lines_of(peers, face_count, size):
     lines = []
     for work in renderers.WORK:
         calls = {name: calls[work] for name, calls in found.items() if work in calls}
-        took = rounds(calls, count)
+        took = measure.rounds(calls, count)
         line = {"work": work, "faces": len(faces), "pixels": size**2}
         for name, times in took.items():
             line[name] = statistics.median(times)
@@ -64,18 +63,6 @@ def lines_of(peers, face_count, size):
                 line[f"x {name}"] = statistics.median(np.divide(took["ours"], times))
         lines.append(line)
     return lines
-
-
-def rounds(calls, count):
-    """{name: call} -> {name: milliseconds of each round}. Each round begins with another name."""
-    names = list(calls)
-    took = {name: [] for name in names}
-    for start in range(count + 1):
-        for name in np.roll(names, start).tolist():
-            begin = time.process_time()
-            calls[name]()
-            took[name].append(1000 * (time.process_time() - begin))
-    return {name: times[1:] for name, times in took.items()}  # the first was to warm up
 
 
 def exponent(lines, key):

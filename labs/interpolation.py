@@ -191,7 +191,7 @@ def interpolate(attributes, faces, face_index, barycentric):  # extra 5.11 (2 po
     return (weights @ attributes).reshape(*face_index.shape, attributes.shape[1])
 
 
-def interpolate_backward(grad_output, attributes, faces, face_index,  # extra 5.12 (4 points)
+def interpolate_backward(grad_output, attributes, faces, face_index,  # extra 5.12 (2 points)
                          barycentric):
     """Eq. (8): the gradients of `interpolate_backward_loop`, without a loop over pixels.
 

@@ -1,12 +1,12 @@
 """Outlines: lab 8's blend for whole pictures, and its gradient from the picture to clip space.
 
-The steps are lab 8's, with the numbers of its equations. `antialias_backward` takes them upwards.
+The steps are lab 8's, with the numbers of its equations. `blend_pairs_backward` takes them upwards.
 
     screen points   ->  silhouette edges of the faces that are seen     (1)   seen_silhouettes
     pictures        ->  pairs of pixels in which an edge may run        (2)   jumping_pairs
     pairs           ->  the edge that the pair's line crosses last      (3)   jumping_pairs
     edges           ->  the pairs that are blended, and alpha           (4)   blended_pairs
-    pairs, colours  ->  picture                                         (5)   antialias
+    pairs, colours  ->  picture                                         (5)   blend_pairs
 
 face_index and depth (H, W) are those of `rasterize`: -1 and np.inf where no face is seen. clip
 (V, 4) and faces (F, 3) are the mesh, opposite (F, 3) is made once for it by `opposite_vertices`.
@@ -141,7 +141,9 @@ def blend_pairs(colour, pairs):
 
 
 def blend_pairs_backward(grad_output, colour, pairs, clip, epsilon=0.0):
-    """Backward of `blend_pairs` for `blended_pairs`, as `antialias_backward`.
+    """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
+
+    pairs of `blended_pairs`, clip (V, 4). epsilon: of `crossing_backward`, in pixels.
 
     Fine print. Near the camera plane digits are lost: where w is a millionth of x or y, six digits
     of the gradient with respect to w are right.

@@ -250,7 +250,8 @@ def coloured_backward(grad_colour, buffers, faces, surface):
     grad_colours = weights.T @ grad_colour.reshape(-1, channels)
     grad_barycentric = interpolation.weights_backward(grad_colour, surface.colours, faces,
                                                       buffers.face_index)
-    # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0.
+    # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0. Corner
+    # 0 is taken from the others first, and then from itself.
     for corner in 2, 1, 0:
         grad_barycentric[..., corner] -= grad_barycentric[..., 0]
     return Colours(grad_colours), grad_barycentric, None
