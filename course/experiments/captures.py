@@ -17,22 +17,12 @@ import json
 from pathlib import Path
 
 import numpy as np
-import trimesh
 from PIL import Image
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ..given import image, places
 
 LONGEST = 128       # pixels of a picture's longer side, to which it is made smaller
 DIFFERENT = 20 / 255  # more than this from the background, in a channel, is object; less, JPEG's
-EVERY = 20          # steps from one mesh on disk to the next
-FINE_STAGES = (24, 1, 1, 100, 1.0), (32, 1, 1, 80, 0.5), (48, 1, 2, 120, 0.3)  # see lab 16's `fit`
-
-COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
-           TextColumn("{task.fields[told]}"))
-
-# --- what comes in -----------------------------------------------------------------------------
 
 
 def read(labs, folder):
@@ -154,99 +144,3 @@ def camera(labs, view, fov_y, aspect, centre, radius):
     near = max(-seen[2] - 2 * radius, 0.01 * radius)
     clip_from_camera = labs.transforms.perspective(fov_y, aspect, near, -seen[2] + 2 * radius)
     return clip_from_camera @ np.linalg.inv(pose)
-
-
-# --- what goes out -----------------------------------------------------------------------------
-
-
-def save(labs, x, path, world_from_grid):
-    """The mesh of x in the world, its albedo as vertex colours, as path.glb and path.obj."""
-    vertices, faces, _, normals, albedo = labs.multi_view_fit.surface(x)
-    vertices = vertices @ world_from_grid[:3, :3].T + world_from_grid[:3, 3]
-    places.write_whole(path.with_suffix(".glb"), glb(vertices, faces, normals, albedo))
-    places.write_whole(path.with_suffix(".obj"), obj(vertices, faces, albedo))
-
-
-def obj(vertices, faces, albedo):
-    """An OBJ file's bytes. Colours, in sRGB, follow a vertex's position: most viewers read that."""
-    coloured = trimesh.Trimesh(vertices, faces, vertex_colors=eight_bits(image.to_srgb(albedo)),
-                               process=False)
-    return coloured.export(file_type="obj", digits=7, header=None).encode()
-
-
-def glb(vertices, faces, normals, albedo):
-    """A binary glTF 2.0 file's bytes: one mesh, y up, linear vertex colours, a dull material."""
-    dull = trimesh.visual.TextureVisuals(material=trimesh.visual.material.PBRMaterial(
-        metallicFactor=0.0, roughnessFactor=1.0))
-    coloured = trimesh.Trimesh(vertices, faces, vertex_normals=normals, visual=dull, process=False)
-    coloured.visual.vertex_attributes["color"] = eight_bits(albedo)
-    return coloured.export(file_type="glb", include_normals=True)
-
-
-def eight_bits(colours):
-    """Colours (V, 3) of 0 to 1 -> (V, 4) bytes, opaque."""
-    return np.rint(255 * np.pad(np.clip(colours, 0, 1), ((0, 0), (0, 1)), constant_values=1)
-                   ).astype(np.uint8)
-
-
-# --- the run -----------------------------------------------------------------------------------
-
-
-def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
-    """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
-    written to path every EVERY steps and at the end, even after Ctrl-C.
-    """
-    good = None
-    with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task(path.stem, total=steps, told="")
-        try:
-            for step, (x, loss) in enumerate(fit, 1):
-                require_surface(loss, x, step)
-                good = x
-                if step % EVERY == 0 or step == steps:
-                    save(labs, x, path, world_from_grid)
-                    progress.update(task, told=told(labs, loss, x))
-                progress.update(task, completed=step)
-                yield x, loss
-        except KeyboardInterrupt:
-            progress.print("stopped before the first mesh" if good is None else
-                           f"stopped; the last good mesh is in {places.shown_path(path)}")
-            raise
-        finally:
-            if good is not None:
-                save(labs, good, path, world_from_grid)
-
-
-def require_surface(loss, x, step):
-    """ValueError unless all of x is finite, and something of it is inside."""
-    finite = np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
-    require(finite and (x.distance < 0).any(), f"the search came to nothing at step {step}: are "
-            "the cameras right, and is the object in the ball?")
-
-
-def told(labs, loss, x):
-    """Loss, faces and genus, in words."""
-    faces = labs.multi_view_fit.surface(x).faces
-    _, genus = labs.reconstruction.genus(faces)
-    return f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
-
-
-def steps_of(stages):
-    """How many steps lab 16's `fit` takes."""
-    return sum(steps for _, _, _, steps, _ in stages)
-
-
-def run(labs, folder):
-    """Reconstruct what a folder's pictures show, and say where the mesh is. -> 0"""
-    pictures, cameras, background, world_from_grid = read(labs, folder)
-    path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
-    capture = labs.multi_view_fit.Capture(pictures, cameras, background)
-    fit = labs.multi_view_fit.fit(capture, FINE_STAGES)
-    steps = steps_of(FINE_STAGES)
-    for x, loss in watched(labs, fit, steps, path, world_from_grid):  # noqa: B007
-        pass  # an x is 7 MB: only the last one is kept
-    faces = labs.multi_view_fit.surface(x).faces
-    pieces, genus = labs.reconstruction.genus(faces)
-    print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"
-          f"{path} and .obj")
-    return 0

@@ -17,7 +17,6 @@ from ..given import places
 from . import (
     ablations,
     aliasing,
-    captures,
     fit_bunny,
     fit_cube,
     fit_outlines,
@@ -33,6 +32,7 @@ from . import (
     reconstruct,
     relaxation,
     representations,
+    searches,
     shadow,
 )
 
@@ -111,7 +111,7 @@ def run(names, implementation=None):
     labs = Labs(implementation)
     if len(names) == 2 and names[0] == "reconstruct" and names[1] not in SCENES:
         with exercises_named():
-            return captures.run(labs, names[1])
+            return searches.run(labs, names[1])
     unknown = [name for name in names if name not in SCENES]
     if unknown:
         raise ValueError(f"there is no scene {unknown[0]}: choose from {', '.join(SCENES)}")

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..given import distances, image, mesh, places
-from . import captures
+from . import searches
 from .drawing import WHITE, cameras_around, save, unit_bunny
 
 BALL_STAGES = (16, 2, 1, 80, 1.0), (24, 2, 1, 60, 0.5), (32, 1, 1, 60, 0.3)  # see lab 16's `fit`
@@ -30,11 +30,11 @@ def reconstruct(labs):
     """Shape, albedo and light from 24 pictures, or from FOLDER (lab 16)."""
     for name, stages, seconds, genus, percent in (
             ("ring", BALL_STAGES, 180, 1, 1.0), ("two rings", BALL_STAGES, 180, 2, 1.0),
-            ("bunny", captures.FINE_STAGES, 360, 0, 1.2)):
+            ("bunny", searches.FINE_STAGES, 360, 0, 1.2)):
         path = places.out("demo", "reconstruct", f"{name.replace(' ', '_')}.glb")
         camera, frames = new_cameras(labs)[5], []
-        start, steps = time.process_time(), captures.steps_of(stages)
-        found = captures.watched(labs, fit(labs, name, stages), steps, path)
+        start, steps = time.process_time(), searches.steps_of(stages)
+        found = searches.watched(labs, fit(labs, name, stages), steps, path)
         for step, (x, _) in enumerate(found, 1):
             if step % 5 == 1 or step == steps:
                 frames.append(portrait(labs, x, camera, 128))

@@ -1,0 +1,76 @@
+"""Lab 16's search under a progress bar, with the mesh so far on disk."""
+from pathlib import Path
+
+import numpy as np
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+from ..given import places
+from . import captures, exports
+
+EVERY = 20          # steps from one mesh on disk to the next
+FINE_STAGES = (24, 1, 1, 100, 1.0), (32, 1, 1, 80, 0.5), (48, 1, 2, 120, 0.3)  # see lab 16's `fit`
+
+COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
+           TextColumn("{task.fields[told]}"))
+
+
+
+def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
+    """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
+    written to path every EVERY steps and at the end, even after Ctrl-C.
+    """
+    good = None
+    with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(path.stem, total=steps, told="")
+        try:
+            for step, (x, loss) in enumerate(fit, 1):
+                require_surface(loss, x, step)
+                good = x
+                if step % EVERY == 0 or step == steps:
+                    exports.save(labs, x, path, world_from_grid)
+                    progress.update(task, told=told(labs, loss, x))
+                progress.update(task, completed=step)
+                yield x, loss
+        except KeyboardInterrupt:
+            progress.print("stopped before the first mesh" if good is None else
+                           f"stopped; the last good mesh is in {places.shown_path(path)}")
+            raise
+        finally:
+            if good is not None:
+                exports.save(labs, good, path, world_from_grid)
+
+
+def require_surface(loss, x, step):
+    """ValueError unless all of x is finite, and something of it is inside."""
+    finite = np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
+    require(finite and (x.distance < 0).any(), f"the search came to nothing at step {step}: are "
+            "the cameras right, and is the object in the ball?")
+
+
+def told(labs, loss, x):
+    """Loss, faces and genus, in words."""
+    faces = labs.multi_view_fit.surface(x).faces
+    _, genus = labs.reconstruction.genus(faces)
+    return f"loss {loss:.4f}  {len(faces):,} faces  genus {genus}"
+
+
+def steps_of(stages):
+    """How many steps lab 16's `fit` takes."""
+    return sum(steps for _, _, _, steps, _ in stages)
+
+
+def run(labs, folder):
+    """Reconstruct what a folder's pictures show, and say where the mesh is. -> 0"""
+    pictures, cameras, background, world_from_grid = captures.read(labs, folder)
+    path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
+    capture = labs.multi_view_fit.Capture(pictures, cameras, background)
+    fit = labs.multi_view_fit.fit(capture, FINE_STAGES)
+    steps = steps_of(FINE_STAGES)
+    for x, loss in watched(labs, fit, steps, path, world_from_grid):  # noqa: B007
+        pass  # an x is 7 MB: only the last one is kept
+    faces = labs.multi_view_fit.surface(x).faces
+    pieces, genus = labs.reconstruction.genus(faces)
+    print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"
+          f"{path} and .obj")
+    return 0
