@@ -44,8 +44,8 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
 def require_surface(loss, x, step):
     """ValueError unless all of x is finite, and something of it is inside."""
     finite = np.isfinite(loss) and all(np.isfinite(part).all() for part in x)
-    require(finite and (x.distance < 0).any(), f"the search came to nothing at step {step}: are "
-            "the cameras right, and is the object in the ball?")
+    captures.require(finite and (x.distance < 0).any(), f"the search came to nothing at step {step}"
+                     ": are the cameras right, and is the object in the ball?")
 
 
 def told(labs, loss, x):
