@@ -16,6 +16,7 @@ LEAST = 4  # views
 COLMAP_PLACES = "cameras.txt", "sparse/0/cameras.txt", "sparse/cameras.txt"
 COLMAP_MODELS = {"SIMPLE_PINHOLE": (0, 0, 1, 2), "PINHOLE": (0, 1, 2, 3)}  # where fx fy cx cy are
 DISTORTION = "k1", "k2", "k3", "k4", "p1", "p2"
+LARGEST = 1e12   # of all numbers: squares of them can be added
 STRAIGHT = 1e-6  # a distortion of less bends no pixel
 Y_AND_Z_TURNED = np.diag([1.0, -1.0, -1.0, 1.0])  # OpenCV's axes <-> OpenGL's
 
@@ -227,8 +228,8 @@ def colmap_lens(line):
             "pictures without distortion, and their cameras")
     order = COLMAP_MODELS[model]
     given = floats(words[2:], 3 + max(order), f"camera {camera} in cameras.txt")
-    require((given[:2 + max(order) - 1] > 0).all(), f"camera {camera} in cameras.txt must have a "
-            "width, height and focal length above 0")
+    require((given[:max(order) + 1] >= 1).all(), f"camera {camera} in cameras.txt must have a "
+            "width, a height and a focal length of at least 1")
     return camera, (*given[:2], *given[2:][list(order)])
 
 
@@ -257,8 +258,7 @@ def floats(words, count, title):
         array = np.array([float(word) for word in words])
     except ValueError:
         array = np.array([np.nan])
-    require(array.shape == (count,) and np.isfinite(array).all(),
-            f"{title} must be {count} finite numbers, and is {' '.join(words)[:60]!r}")
+    require_finite(array, (count,), title, f"{count} finite numbers", repr(" ".join(words)[:60]))
     return array
 
 
@@ -287,9 +287,16 @@ def numbers(given, shape, title):
     except (TypeError, ValueError, OverflowError):
         array = np.array(np.nan)
     expected = f"{' x '.join(map(str, shape))} finite numbers" if shape else "a finite number"
-    require(array.shape == shape and np.isfinite(array).all(), f"{title} must be {expected}, and "
-            f"is {'missing' if given is None else str(given)[:60]}")
+    require_finite(array, shape, title, expected, "missing" if given is None else str(given)[:60])
     return array
+
+
+def require_finite(array, shape, title, expected, given):
+    """ValueError unless an array has this shape and no number is NaN, infinite or too large."""
+    require(array.shape == shape and np.isfinite(array).all(),
+            f"{title} must be {expected}, and is {given}")
+    require((np.abs(array) <= LARGEST).all(),
+            f"{title} must be from {-LARGEST:g} to {LARGEST:g}, and is {given}")
 
 
 def number(scene, key, file, low, high, default=None):

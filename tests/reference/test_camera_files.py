@@ -160,12 +160,13 @@ def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, chan
     ("cameras.txt", "SIMPLE_PINHOLE", "OPENCV", "and is a OPENCV: `colmap image_undistorter`"),
     ("cameras.txt", "SIMPLE_PINHOLE", "PINHOLE", "must be 6 finite numbers, and is '48 32 59.7"),
     ("cameras.txt", " 24.0", " nan", "must be 5 finite numbers"),
-    ("cameras.txt", " 48", " -48", "must have a width, height and focal length above 0"),
+    ("cameras.txt", " 48", " -48", "must have a width, a height and a focal length of at"),
     ("cameras.txt", "1 SIMPLE", "2 SIMPLE", "0.png in images.txt has camera 1, which is not"),
     ("images.txt", " 1 0.png", "", "images.txt must have two lines for each picture"),
     ("images.txt", "\n\n", "\n", "images.txt must have two lines for each picture"),
     ("images.txt", " 1 0.png", " 1 9.png", "there is no file"),
     ("images.txt", "1 ", "1 9", "must have length 1, and has"),
+    ("images.txt", "1 ", "1 1e300", "must be from -1e+12 to 1e+12, and is '1e300"),
     ("images.txt", "1 ", "1 a", "QW QX QY QZ TX TY TZ of 0.png in images.txt must be 7 finite"),
 ])
 def test_what_is_wrong_with_colmaps_files_is_told_in_one_sentence(folder, file, old, new, sentence):
