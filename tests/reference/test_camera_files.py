@@ -163,18 +163,16 @@ def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, chan
     ("cameras.txt", " 48", " -48", "must have a width, a height and a focal length of at"),
     ("cameras.txt", "1 SIMPLE", "2 SIMPLE", "0.png in images.txt has camera 1, which is not"),
     ("images.txt", " 1 0.png", "", "images.txt must have two lines for each picture"),
-    ("images.txt", "\n\n", "\n", "images.txt must have two lines for each picture"),
+    ("images.txt", "0.png\n", "0.png", "images.txt must have two lines for each picture"),
     ("images.txt", " 1 0.png", " 1 9.png", "there is no file"),
     ("images.txt", "1 ", "1 9", "must have length 1, and has"),
-    ("images.txt", "1 ", "1 1e300", "must be from -1e+12 to 1e+12, and is '1e300"),
+    ("images.txt", "1 0.0", "1 1e300", "must be from -1e+12 to 1e+12, and is '1e300 1.0"),
     ("images.txt", "1 ", "1 a", "QW QX QY QZ TX TY TZ of 0.png in images.txt must be 7 finite"),
 ])
 def test_what_is_wrong_with_colmaps_files_is_told_in_one_sentence(folder, file, old, new, sentence):
     """A traceback, or a search that cannot find anything."""
     path = ring.colmap(folder) / file
-    header, body = path.read_text().split("\n", 1)
-    path.write_text(f"{header}\n{body.replace(old, new, None if new == chr(10) else 1)}"
-                    if new != "\n" else f"{header}\n{body.replace(old, new)}")
+    path.write_text(path.read_text().replace(old, new, 1))
     assert sentence in told(folder)
 
 
