@@ -53,10 +53,9 @@ def ball(scene, shots, pictures):
     told = sides(outlines)
     points, reach = hull_around(outlines)
     require(len(points), disagreement(outlines, scene))
-    low, high = points.min(0), points.max(0)
-    centre = (low + high) / 2 if scene.centre is None else scene.centre
-    size = np.linalg.norm(points - centre, axis=1).max() + reach
-    found = Ball(centre, size if scene.radius is None else scene.radius)
+    centre = (points.min(0) + points.max(0)) / 2 if scene.centre is None else scene.centre
+    size = size_around(outlines, centre, points, reach) if scene.radius is None else scene.radius
+    found = Ball(centre, size)
     if scene.centre is None or scene.radius is None:
         middle = ", ".join(f"{number:.3g}" for number in found.centre)
         told.append(f"the object is taken to lie in a ball of radius {found.radius:.3g} around "
@@ -167,6 +166,16 @@ def size_at(outline, point):
     """The radius of the silhouette, were it at the point's depth."""
     depth = np.linalg.norm(point - eye(outline.shot))
     return depth * np.linalg.norm(np.ptp(outline.pixels, axis=0) + 1) / 2 / outline.shot.fx
+
+
+def size_around(outlines, centre, points, reach):
+    """The radius of a ball that holds the hull's points, and what half of the silhouettes show.
+
+    The hull is too small where cameras are a little wrong, and a silhouette may have specks.
+    """
+    shown = [np.quantile(distance_of(one.shot, one.pixels, centre), 1 - CROPPED)
+             for one in outlines]
+    return max(np.linalg.norm(points - centre, axis=1).max() + reach, np.median(shown))
 
 
 # --- what can be wrong --------------------------------------------------------------------------

@@ -62,7 +62,7 @@ def test_a_camera_sees_the_object_where_its_picture_shows_it(tmp_path):
 
 def test_pictures_of_two_sizes_come_out_as_one_with_the_same_rays(tmp_path):
     """A frame of background moves the picture, but not its camera, or stretches it."""
-    sizes = [(48, 32), (48, 24), (48, 32), (40, 40), (96, 48), (48, 32)]
+    sizes = [(48, 32), (48, 23), (48, 32), (40, 40), (96, 48), (45, 32)]
     ring.photograph(tmp_path, [ring.picture(k, *size) for k, size in enumerate(sizes)])
     photos = captures.read(ring.LABS, ring.ours(tmp_path, centre=[1, 2, 3], radius=0.8), 48)
     assert {picture.shape for picture in photos.pictures} == {(40, 48, 4)}
@@ -86,7 +86,7 @@ def require_same_silhouettes(photos):
         height, width, _ = picture.shape
         clip = ring.LABS.pipeline.to_clip(vertices + ring.CENTRE, camera @ grid_from_world)
         seen = ring.LABS.scanline.rasterize(clip, faces, width, height)[0] >= 0
-        assert ((picture[..., 3] > 0.5) != seen).sum() < 0.1 * seen.sum()
+        assert ((picture[..., 3] > 0.5) != seen).sum() < 0.07 * seen.sum()
 
 
 def test_a_ball_behind_a_camera_is_told():

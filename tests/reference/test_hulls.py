@@ -2,6 +2,7 @@
 import numpy as np
 import pytest
 import ring_captures as ring
+from scipy.spatial.transform import Rotation
 
 from course.experiments import camera_files, captures, hulls
 from course.given import image
@@ -39,11 +40,11 @@ def square(half):
 def test_a_pixels_ray_on_paper():
     """A ray leads through a pixel's corner, or rows are counted from above.
 
-    The pixel 15, 5 from below, has its centre 5.5 right of and 4.5 below the middle.
+    The pixel 15, 5 from below, has its centre 4.5 right of (11, 8), and 20 - 5.5 - 8 = 6.5 below.
     """
-    shot = camera_files.Shot("a.png", None, 20, 20, 10.0, 5.0, 10.0, 10.0, np.eye(4))
+    shot = camera_files.Shot("a.png", None, 30, 20, 10.0, 5.0, 11.0, 8.0, np.eye(4))
     ray = hulls.rays(shot, np.array([[15, 5]]))
-    np.testing.assert_allclose(ray / -ray[0, 2], [[0.55, -0.9, -1]])
+    np.testing.assert_allclose(ray / -ray[0, 2], [[0.45, -1.3, -1]])
     column, row, depth = hulls.seen_at(shot, 7 * ray / -ray[0, 2])
     np.testing.assert_allclose([column[0], row[0], depth[0]], [15.5, 5.5, 7])
 
@@ -101,6 +102,14 @@ def test_a_ball_that_crops_the_object_is_told(folder):
     assert photos.assumed[0].endswith("leave centre and radius out of cameras.json, and they are "
                                       "found, or make it larger")
     assert captures.read(ring.LABS, ring.ours(folder, centre=[1, 2, 3], radius=0.76)).assumed == []
+
+
+def test_the_ball_holds_the_object_of_cameras_that_are_a_little_wrong(folder):
+    """The ball is that of the hull, of which wrong cameras cut a piece from all sides."""
+    turns = Rotation.from_rotvec(np.radians(2) * np.random.default_rng(3).normal(size=(6, 3)))
+    poses = np.array(ring.POSES)
+    poses[:, :3, :3] = poses[:, :3, :3] @ turns.as_matrix()
+    assert captures.read(ring.LABS, with_poses(folder, poses)).world_from_grid[0, 0] > 0.74
 
 
 def test_thin_things_are_not_lost():
