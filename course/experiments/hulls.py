@@ -115,12 +115,9 @@ def nearest_to_axes(outlines):
 def hull_around(outlines):
     """Points (N, 3) of a grid that fill the visual hull, and how far it may reach beyond them.
 
-    No points where a camera looks away from the point that is nearest to all axes. The first grid
-    lies around that point, each later one around the hull so far.
+    The first grid lies around the axes' meeting point, each later one around the hull so far.
     """
     centre = nearest_to_axes(outlines)
-    if looking_away(outlines, centre):
-        return np.empty((0, 3)), 0.0
     half = 2 * max(size_at(outline, centre) for outline in outlines)
     for _ in range(3):
         points, reach = hull(outlines, centre, half)

@@ -4,7 +4,7 @@ import pytest
 import ring_captures as ring
 from scipy.spatial.transform import Rotation
 
-from course.experiments import camera_files, captures, hulls
+from course.experiments import camera_files, captures, hulls, silhouettes
 from course.given import image
 
 
@@ -114,9 +114,10 @@ def test_the_ball_holds_the_object_of_cameras_that_are_a_little_wrong(folder):
 
 def test_thin_things_are_not_lost():
     """A wire falls between the points of the grid: cameras that agree are said to disagree."""
-    wire = np.zeros((20, 20, 4))
-    wire[2:18, 10] = 1
-    shots = facing([0, 0, 10], [7, 0, 7], [10, 0, 0], [7, 0, -7])
+    wire = np.zeros((160, 160, 4))
+    wire[16:144, 80] = 1  # 10 away, that is 8 long and 1/16 thick, and cells are 1/3
+    shots = [silhouettes.resized(shot, 160, 160)
+             for shot in facing([0, 0, 10], [7, 0, 7], [10, 0, 0], [7, 0, -7])]
     outlines = [hulls.outline(shot, wire) for shot in shots]
     assert len(hulls.hull_around(outlines)[0])
 
@@ -172,6 +173,13 @@ def test_views_from_one_side_are_told(degrees, sentence):
         told = str(error)
         assert degrees == 15
     assert told.startswith(sentence) and bool(told) == bool(sentence)
+
+
+def test_pixels_finer_than_the_grid_are_filled(folder):
+    """Between the hull's points there seems to be nothing: good cameras are said to be bad."""
+    ring.photograph(folder, [ring.picture(k, 240, 160) for k in range(6)])
+    told = captures.read(ring.LABS, folder, longest=240).assumed
+    assert [sentence[:21] for sentence in told] == ["the object is taken t"]
 
 
 def test_silhouettes_that_agree_badly_are_told(folder):

@@ -67,6 +67,7 @@ def test_opaque_pictures_have_silhouettes_by_their_background(folder):
     opaque(folder)
     photos = captures.read(ring.LABS, ring.ours(folder, background=[51, 51, 51]))
     np.testing.assert_allclose(photos.background, image.to_linear(GREY))
+    np.testing.assert_allclose(photos.pictures[0][0, 0], [*photos.background, 0])
     np.testing.assert_array_equal(coverage(photos), [ring.picture(k)[..., 3] for k in range(6)])
     assert not any("background" in sentence for sentence in photos.assumed)
 
