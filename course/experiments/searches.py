@@ -62,7 +62,7 @@ def steps_of(stages):
 
 def run(labs, folder):
     """Reconstruct what a folder's pictures show, and say where the mesh is. -> 0"""
-    pictures, cameras, background, world_from_grid = captures.read(labs, folder)
+    _, pictures, cameras, background, world_from_grid, _ = captures.read(labs, folder)
     path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
     capture = labs.multi_view_fit.Capture(pictures, cameras, background)
     fit = labs.multi_view_fit.fit(capture, FINE_STAGES)

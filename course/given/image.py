@@ -6,7 +6,7 @@ import io
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
+from PIL import ExifTags, Image, ImageOps
 
 from . import places
 
@@ -15,25 +15,38 @@ from . import places
 SRGB_JOIN = 0.0031306684425005758
 
 
-def read(path):
+def read(path, upright=False):
     """A picture file with 8 bits a channel -> image (H, W, 3), or (H, W, 4) if it has alpha.
 
-    Grey becomes three equal channels. The numbers stay as encoded: see `to_linear`.
+    Grey becomes three equal channels. The numbers stay as encoded: see `to_linear`. upright: turned
+    as EXIF says, else as stored.
     FileNotFoundError or OSError for a file that cannot be opened, ValueError for one that is no
     whole picture or holds more than 8 bits.
     """
-    content = places.read_whole(path)
-    try:
-        picture = Image.open(io.BytesIO(content))
-        picture.load()
-    except Exception:  # whatever a broken file makes the parser stumble over
-        raise ValueError(f"cannot read {path} as a picture: it is broken, cut short or something "
-                         "else, save it again as PNG") from None
+    picture = _opened(path, upright)
     if picture.mode[0] in "IF":
         raise ValueError(f"cannot read {path} as a picture: it holds more than 8 bits a channel "
                          f"({picture.mode}), save it again with 8")
     alpha = picture.mode in ("LA", "PA", "RGBA") or "transparency" in picture.info
     return _turned_over(np.asarray(picture.convert("RGBA" if alpha else "RGB"))) / 255.0
+
+
+def size(path, upright=False):
+    """(width, height) of a picture file: turned as EXIF says, else as stored. Errors as `read`."""
+    return _opened(path, upright, whole=False).size
+
+
+def _opened(path, upright, whole=True):
+    content = places.read_whole(path)
+    try:
+        picture = Image.open(io.BytesIO(content))
+        if whole:
+            picture.load()
+        turned = picture.getexif().get(ExifTags.Base.Orientation, 1) != 1
+        return ImageOps.exif_transpose(picture) if upright and turned else picture
+    except Exception:  # whatever a broken file makes the parser stumble over
+        raise ValueError(f"cannot read {path} as a picture: it is broken, cut short or something "
+                         "else, save it again as PNG") from None
 
 
 def write(path, image):

@@ -1,0 +1,320 @@
+"""Where pictures were taken: our cameras.json, NeRF's transforms.json and COLMAP's text model.
+
+A Shot is a picture and its camera, in one convention for all formats. captures.py says what a
+user writes. Sources: the formats' own pages, colmap.github.io/format.html and the example data of
+Mildenhall et al. 2020, "NeRF".
+"""
+import json
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from ..given import image, places
+
+LEAST = 4  # views
+COLMAP_PLACES = "cameras.txt", "sparse/0/cameras.txt", "sparse/cameras.txt"
+COLMAP_MODELS = {"SIMPLE_PINHOLE": (0, 0, 1, 2), "PINHOLE": (0, 1, 2, 3)}  # where fx fy cx cy are
+DISTORTION = "k1", "k2", "k3", "k4", "p1", "p2"
+LARGEST = 1e12   # of all numbers: squares of them can be added
+STRAIGHT = 1e-6  # a distortion of less bends no pixel
+Y_AND_Z_TURNED = np.diag([1.0, -1.0, -1.0, 1.0])  # OpenCV's axes <-> OpenGL's
+
+
+class Shot(NamedTuple):
+    """A picture, and the camera that took it. It has no distortion.
+
+    The camera sees (x, y, z) in column cx + fx x / -z and in row cy - fy y / -z, in pixels from the
+    picture's upper left corner: x is right, y is up, and it looks along -z.
+    """
+
+    name: str
+    path: Path
+    width: int
+    height: int
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+    world_from_camera: np.ndarray
+
+
+class Scene(NamedTuple):
+    """What a file says: Shots, in the file's order, and maybe more. background (3,) is from 0 to 1.
+
+    upright: widths and heights are those of pictures turned as EXIF says.
+    """
+
+    file: str
+    shots: list
+    upright: bool = True
+    background: np.ndarray | None = None
+    centre: np.ndarray | None = None
+    radius: float | None = None
+
+
+def read(folder):
+    """The Scene of a folder, in whichever of the three formats it is described.
+
+    FileNotFoundError, OSError or ValueError, one sentence for each thing that can be wrong.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise FileNotFoundError(f"there is no folder {folder}: check its name, and the folder you "
+                                f"are in ({Path.cwd()})")
+    found = [(path, scene_of) for names, scene_of in FORMATS
+             for path in [folder / name for name in names if (folder / name).exists()][:1]]
+    if not found:
+        raise FileNotFoundError(nothing_found(folder))
+    require(len(found) == 1, f"{' and '.join(path.name for path, _ in found)} in {folder} both say "
+            "where the cameras are: move all but one of them away")
+    (path, scene_of), = found
+    scene = scene_of(folder, path)
+    require(len(scene.shots) >= LEAST, f"at least {LEAST} views are needed, 20 are better, and "
+            f"{scene.file} has {len(scene.shots)}")
+    return scene
+
+
+def nothing_found(folder):
+    """A sentence."""
+    if any((folder / name).with_suffix(".bin").exists() for name in COLMAP_PLACES):
+        return (f"{folder} has COLMAP's binary model only: `colmap model_converter --output_type "
+                "TXT` writes it as text")
+    return (f"there is no file cameras.json, transforms.json or cameras.txt (COLMAP's) in {folder}:"
+            " course/experiments/captures.py says what must be in it")
+
+
+# --- our own ------------------------------------------------------------------------------------
+
+
+def ours(folder, path):
+    """The Scene of cameras.json."""
+    scene = described(path, "views", '{"fov_y": ..., "views": [...]}')
+    half = np.tan(np.radians(number(scene, "fov_y", path.name, 1, 170)) / 2)
+    shots = []
+    for k, view in enumerate(scene["views"]):
+        require(isinstance(view, dict) and isinstance(view.get("picture"), str),
+                f'view {k} in {path.name} needs a "picture", the name of a file')
+        require("world_from_camera" in view, f'view {k} ({view["picture"]}) in {path.name} needs '
+                'a "world_from_camera", four rows of four numbers')
+        seen = folder / view["picture"]
+        width, height = image.size(seen, upright=True)
+        f = height / 2 / half
+        title = f"world_from_camera of {view['picture']} in {path.name}"
+        shots.append(Shot(named(folder, seen), seen, width, height, f, f, width / 2, height / 2,
+                          pose(view["world_from_camera"], title)))
+    return Scene(path.name, shots, **besides(scene, path.name))
+
+
+def described(path, key, expected):
+    """A JSON file's object, with a list under this key."""
+    try:
+        scene = json.loads(places.read_whole(path))
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path} is no JSON: {error}") from None
+    require(isinstance(scene, dict) and isinstance(scene.get(key), list),
+            f"{path.name} must be {expected}; course/experiments/captures.py shows it all")
+    return scene
+
+
+def besides(scene, file):
+    """What cameras.json and transforms.json may say of background, centre and radius."""
+    background, centre, radius = (scene.get(key) for key in ("background", "centre", "radius"))
+    if background is not None:
+        background = numbers(background, (3,), f"background in {file}") / 255
+        require(((background >= 0) & (background <= 1)).all(),
+                f"background in {file} must be three numbers from 0 to 255")
+    if centre is not None:
+        centre = numbers(centre, (3,), f"centre in {file}")
+    if radius is not None:
+        radius = number(scene, "radius", file, 1e-9, 1e9)
+    return {"background": background, "centre": centre, "radius": radius}
+
+
+# --- NeRF's -------------------------------------------------------------------------------------
+
+
+def nerf(folder, path):
+    """The Scene of transforms.json, as NeRF's example data, instant-ngp and Nerfstudio write it."""
+    scene = described(path, "frames", '{"camera_angle_x": ..., "frames": [...]}')
+    shots = []
+    for k, frame in enumerate(scene["frames"]):
+        require(isinstance(frame, dict) and isinstance(frame.get("file_path"), str),
+                f'frame {k} in {path.name} needs a "file_path", the name of a picture')
+        require("transform_matrix" in frame, f'frame {k} ({frame["file_path"]}) in {path.name} '
+                'needs a "transform_matrix", four rows of four numbers')
+        seen = with_ending(folder / frame["file_path"])
+        lens = nerf_lens({**scene, **frame}, seen, path.name)
+        title = f"transform_matrix of {frame['file_path']} in {path.name}"
+        shots.append(Shot(named(folder, seen), seen, *lens, pose(frame["transform_matrix"], title)))
+    return Scene(path.name, shots, **besides(scene, path.name))
+
+
+def with_ending(path):
+    """The path of a picture whose name may lack its ending: .png."""
+    longer = path.parent / f"{path.name}.png"
+    return longer if longer.exists() and not path.exists() else path
+
+
+def nerf_lens(given, seen, file):
+    """width, height, fx, fy, cx, cy of the picture seen: what is given for it or for all."""
+    require(given.get("camera_model") in (None, "PINHOLE", "SIMPLE_PINHOLE", "OPENCV")
+            and not given.get("is_fisheye"), f"camera_model in {file} must be PINHOLE, and is "
+            f"{given.get('camera_model')}: undistort the pictures, as `colmap image_undistorter` "
+            "does")
+    bent = [key for key in DISTORTION if abs(number(given, key, file, -1e9, 1e9, 0.0)) > STRAIGHT]
+    require(not bent, f"{', '.join(bent)} in {file} must be 0: the lens bends straight lines, so "
+            "undistort the pictures, as `colmap image_undistorter` does")
+    shown = image.size(seen, upright=True)
+    width, height = (number(given, key, file, 1, 1e6, float(side))
+                     for key, side in zip("wh", shown, strict=True))
+    if "fl_x" in given:
+        fx = number(given, "fl_x", file, 1e-3, 1e9)
+    else:
+        require("camera_angle_x" in given, f"{file} needs a camera_angle_x in radians, or a fl_x "
+                "in pixels")
+        fx = width / 2 / np.tan(number(given, "camera_angle_x", file, 0.01, 3.1) / 2)
+    return (width, height, fx, number(given, "fl_y", file, 1e-3, 1e9, fx),
+            number(given, "cx", file, -1e6, 1e6, width / 2),
+            number(given, "cy", file, -1e6, 1e6, height / 2))
+
+
+# --- COLMAP's -----------------------------------------------------------------------------------
+
+
+def colmap(folder, path):
+    """The Scene of COLMAP's cameras.txt, and of images.txt beside it. COLMAP ignores EXIF."""
+    lenses = dict(colmap_lens(line) for line in lines_of(path) if line.split())
+    images = path.with_name("images.txt")
+    lines = lines_of(images)
+    while lines and not lines[-1].split():
+        lines.pop()
+    shots = []
+    for line, points in zip(lines[::2], [*lines[1::2], ""], strict=False):
+        words = line.split(maxsplit=9)
+        require(len(words) == 10 and three_each(points), f"{images.name} must have two lines for "
+                "each picture: IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, and its points, which "
+                f"may be an empty line, and here is {line[:60]!r}")
+        name = words[9].strip()
+        require(words[8] in lenses, f"{name} in {images.name} has camera {words[8]}, which is not "
+                f"in {path.name}")
+        seen = next((one for one in (folder / "images" / name, folder / name) if one.exists()),
+                    folder / "images" / name)
+        shots.append(Shot(name, seen, *lenses[words[8]],
+                          colmap_pose(words[1:8], f"{name} in {images.name}")))
+    return Scene(images.name, shots, upright=False)
+
+
+def lines_of(path):
+    """The lines of a text file that are no comments."""
+    lines = places.read_whole(path).decode(errors="replace").splitlines()
+    return [line for line in lines if not line.lstrip().startswith("#")]
+
+
+def three_each(line):
+    """Whether a line is that of an image's points: X Y POINT3D_ID, again and again."""
+    try:
+        return len([float(word) for word in line.split()]) % 3 == 0
+    except ValueError:
+        return False
+
+
+def colmap_lens(line):
+    """CAMERA_ID MODEL WIDTH HEIGHT PARAMS -> its id, and width, height, fx, fy, cx, cy."""
+    words = line.split()
+    camera, model = [*words, ""][:2]
+    require(model in COLMAP_MODELS, f"camera {camera} in cameras.txt must be a PINHOLE or a "
+            f"SIMPLE_PINHOLE, and is a {model or 'nothing'}: `colmap image_undistorter` makes "
+            "pictures without distortion, and their cameras")
+    order = COLMAP_MODELS[model]
+    given = floats(words[2:], 3 + max(order), f"camera {camera} in cameras.txt")
+    require((given[:max(order) + 1] >= 1).all(), f"camera {camera} in cameras.txt must have a "
+            "width, a height and a focal length of at least 1")
+    return camera, (*given[:2], *given[2:][list(order)])
+
+
+def colmap_pose(words, title):
+    """QW QX QY QZ TX TY TZ, from the world to OpenCV's camera -> world_from_camera (4, 4)."""
+    given = floats(words, 7, f"QW QX QY QZ TX TY TZ of {title}")
+    length = np.linalg.norm(given[:4])
+    require(abs(length - 1) < 1e-2, f"QW QX QY QZ of {title} must have length 1, and has "
+            f"{length:.3g}")
+    camera_from_world = np.eye(4)
+    camera_from_world[:3, :3] = rotation(*given[:4] / length)
+    camera_from_world[:3, 3] = given[4:]
+    return np.linalg.inv(Y_AND_Z_TURNED @ camera_from_world)
+
+
+def rotation(w, x, y, z):
+    """A quaternion of length 1 as a matrix (3, 3)."""
+    return np.array([[1 - 2*(y*y + z*z), 2*(x*y - w*z),     2*(x*z + w*y)    ],
+                     [2*(x*y + w*z),     1 - 2*(x*x + z*z), 2*(y*z - w*x)    ],
+                     [2*(x*z - w*y),     2*(y*z + w*x),     1 - 2*(x*x + y*y)]])
+
+
+def floats(words, count, title):
+    """Words as an array of this many finite numbers."""
+    try:
+        array = np.array([float(word) for word in words])
+    except ValueError:
+        array = np.array([np.nan])
+    require_finite(array, (count,), title, f"{count} finite numbers", repr(" ".join(words)[:60]))
+    return array
+
+
+FORMATS = ((("cameras.json",), ours), (("transforms.json", "transforms_train.json"), nerf),
+           (COLMAP_PLACES, colmap))
+
+# --- what all of them must be -------------------------------------------------------------------
+
+
+def require(fits, sentence):
+    """ValueError with this sentence, unless it fits."""
+    if not fits:
+        raise ValueError(sentence)
+
+
+def named(folder, path):
+    """A picture's name: its path from the folder, where it lies in there."""
+    return (path.relative_to(folder) if path.is_relative_to(folder) else path).as_posix()
+
+
+def numbers(given, shape, title):
+    """A list, or lists of lists, as an array of this shape."""
+    try:
+        array = np.array(given)
+        array = array.astype(float) if array.dtype.kind in "iuf" else np.array(np.nan)
+    except (TypeError, ValueError, OverflowError):
+        array = np.array(np.nan)
+    expected = f"{' x '.join(map(str, shape))} finite numbers" if shape else "a finite number"
+    require_finite(array, shape, title, expected, "missing" if given is None else str(given)[:60])
+    return array
+
+
+def require_finite(array, shape, title, expected, given):
+    """ValueError unless an array has this shape and no number is NaN, infinite or too large."""
+    require(array.shape == shape and np.isfinite(array).all(),
+            f"{title} must be {expected}, and is {given}")
+    require((np.abs(array) <= LARGEST).all(),
+            f"{title} must be from {-LARGEST:g} to {LARGEST:g}, and is {given}")
+
+
+def number(scene, key, file, low, high, default=None):
+    """The number that a file gives under this key, from low to high."""
+    value = numbers(scene.get(key, default), (), f"{key} in {file}")
+    require(low <= value <= high,
+            f"{key} in {file} must be from {low:g} to {high:g}, and is {value:g}")
+    return float(value)
+
+
+def pose(given, title):
+    """world_from_camera (4, 4): a rotation and a shift."""
+    matrix = numbers(given, (4, 4), title)
+    turn = matrix[:3, :3]
+    require(np.allclose(matrix[3], [0, 0, 0, 1]), f"{title} must have 0, 0, 0, 1 as its last row: "
+            "is it transposed?")
+    require(np.allclose(turn.T @ turn, np.eye(3), atol=1e-3), f"{title} must be a rotation and a "
+            "shift: its three columns have length 1 and are at right angles")
+    require(np.linalg.det(turn) > 0, f"{title} is mirrored: x is right, y is up, and the camera "
+            "looks along -z")
+    return matrix

@@ -1,0 +1,254 @@
+"""Where pictures were taken, as cameras.json, transforms.json and COLMAP's text say it."""
+import numpy as np
+import pytest
+import ring_captures as ring
+
+from course.experiments import camera_files, captures
+from course.given import image
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Six pictures, 48 x 32 pixels, and no cameras."""
+    ring.photograph(tmp_path)
+    return tmp_path
+
+
+def test_a_camera_of_colmap_on_paper():
+    """The quaternion's w is last, its inverse is taken, or y stays down.
+
+    A quarter turn about x takes the world's y to the camera's z, and its z to -y. So the camera
+    looks along the world's y, z is up, and it stands 5 before the origin.
+    """
+    half = np.sqrt(0.5)
+    found = camera_files.colmap_pose(f"{half} {half} 0 0 0 0 5".split(), "a.png")
+    np.testing.assert_allclose(found, [[1, 0, 0, 0], [0, 0, -1, -5], [0, 1, 0, 0], [0, 0, 0, 1]],
+                               atol=1e-12)
+    name, lens = camera_files.colmap_lens("3 SIMPLE_PINHOLE 24 16 20 14 7")
+    assert (name, lens) == ("3", (24, 16, 20, 20, 14, 7))
+    assert camera_files.colmap_lens("1 PINHOLE 24 16 20 21 14 7")[1] == (24, 16, 20, 21, 14, 7)
+    # (1, 0, 0.5) is 1 right, 0.5 up and 5 away: column 14 + 20/5 = 18, row 7 - 10/5 = 5.
+    shot = camera_files.Shot("a.png", None, *lens, found)
+    clip = captures.camera(ring.LABS, shot, np.array([0.1, 0.0, 0.0]), 1.0) @ [1, 0, 0.5, 1]
+    np.testing.assert_allclose(clip[:2] / clip[3], [2 * 18 / 24 - 1, 1 - 2 * 5 / 16])
+
+
+def test_a_camera_of_nerf_on_paper(folder):
+    """The angle is taken from below to above, or as degrees."""
+    shot = camera_files.read(ring.nerf(folder, camera_angle_x=2 * np.arctan(0.5))).shots[2]
+    np.testing.assert_allclose(shot[2:8], [48, 32, 48, 48, 24, 16])
+    assert shot.name == "2.png"
+    frames = [{"file_path": f"{k}.png", "transform_matrix": pose.tolist(), "fl_x": 50 + k}
+              for k, pose in enumerate(ring.POSES)]
+    scene = ring.nerf(folder, frames=frames, fl_x=40, fl_y=70, cx=20, cy=17, w=96, h=64, k1=0)
+    shot = camera_files.read(scene).shots[2]
+    np.testing.assert_allclose(shot[2:8], [96, 64, 52, 70, 20, 17])
+    np.testing.assert_allclose(shot.world_from_camera, ring.POSES[2])
+
+
+def test_pictures_of_another_size_scale_their_cameras(folder):
+    """A camera for pictures of twice the size sees half of the object."""
+    exact = captures.read(ring.LABS, ring.nerf(folder))
+    scene = ring.nerf(folder, fl_x=2 * ring.F, cx=48, cy=32, w=96, h=64, camera_angle_x=None)
+    scaled = captures.read(ring.LABS, scene)
+    np.testing.assert_allclose(scaled.cameras, exact.cameras, atol=1e-9)
+    assert scaled.assumed[0] == ("0.png (and 5 more) is not of the size that transforms.json says, "
+                                 "but 48 x 32: its camera is scaled")
+
+
+@pytest.mark.parametrize(("model", "pictures"), [
+    ("sparse/0", "images"), ("sparse", "images"), (".", "images"), ("sparse/0", ".")])
+def test_colmaps_folders_are_found(tmp_path, model, pictures):
+    """Only one of the places where COLMAP's tools write is known."""
+    ring.photograph(tmp_path)
+    ring.colmap(tmp_path / model)
+    (tmp_path / pictures).mkdir(exist_ok=True)
+    for k in range(6):
+        (tmp_path / f"{k}.png").rename(tmp_path / pictures / f"{k}.png")
+    scene = camera_files.read(tmp_path)
+    assert [shot.name for shot in scene.shots] == ring.names()
+    assert all(shot.path.exists() for shot in scene.shots)
+
+
+def test_names_of_pictures_may_have_spaces_and_folders(tmp_path):
+    """A name is cut at its first space."""
+    names = [f"left side/{k} of 6.png" for k in range(6)]
+    ring.colmap(tmp_path, pictures=names)
+    assert [shot.name for shot in camera_files.read(tmp_path).shots] == names
+
+
+def test_the_train_part_of_nerfs_example_data_is_taken(folder):
+    """A folder as NeRF's authors publish it is refused."""
+    ring.nerf(folder).joinpath("transforms.json").rename(folder / "transforms_train.json")
+    assert camera_files.read(folder).file == "transforms_train.json"
+
+
+OPENCV = np.diag([1, -1, -1, 1])
+MATRIX = np.eye(4)
+MATRIX[2, 3] = 5.0
+WRONG = (
+    (np.eye(3), "must be 4 x 4 finite numbers"),
+    (np.diag([1, 1, np.nan, 1]), "must be 4 x 4 finite numbers"),
+    (MATRIX.T, "must have 0, 0, 0, 1 as its last row: is it transposed?"),
+    (MATRIX * [2, 2, 2, 1], "must be a rotation and a shift"),
+    (MATRIX * [-1, 1, 1, 1], "is mirrored"),
+)
+
+
+def views(matrix):
+    return [{"picture": "0.png", "world_from_camera": np.asarray(matrix).tolist()}] * 4
+
+
+def frames(matrix):
+    return [{"file_path": "0", "transform_matrix": np.asarray(matrix).tolist()}] * 4
+
+
+@pytest.mark.parametrize(("changes", "sentence"), [
+    ({"fov_y": "wide"}, "fov_y in cameras.json must be a finite number, and is wide"),
+    ({"fov_y": 190}, "fov_y in cameras.json must be from 1 to 170, and is 190"),
+    ({"radius": -1}, "radius in cameras.json must be from 1e-09 to 1e"),
+    ({"centre": [1, 2]}, "centre in cameras.json must be 3 finite numbers"),
+    ({"views": 7}, "cameras.json must be"),
+    ({"views": []}, "at least 4 views are needed, 20 are better, and cameras.json has 0"),
+    ({"views": views(MATRIX)[:3]}, "at least 4 views are needed, 20 are better, and cameras.json "),
+    ({"views": [{}, {}]}, 'view 0 in cameras.json needs a "picture"'),
+    ({"views": [{"picture": "0.png"}] * 2}, 'view 0 (0.png) in cameras.json needs a "world_from_'),
+    *(({"views": views(matrix)}, sentence) for matrix, sentence in WRONG),
+    ({"views": views(MATRIX)}, "0.png and 0.png have the same camera in cameras.json"),
+    ({"fov_y": None}, "fov_y in cameras.json must be a finite number, and is missing"),
+    ({"fov_y": True}, "must be a finite number, and is True"),
+    ({"fov_y": 10**400}, "must be a finite number, and is 1000"),
+    ({"background": [300, 0, 0]}, "three numbers from 0 to 255"),
+    ({"views": [{**views(MATRIX)[0], "picture": "a\0.png"}] * 4}, "no file can have such a name"),
+    ({"views": [{**views(MATRIX)[0], "picture": "9.png"}] * 4}, "there is no file"),
+])
+def test_what_is_wrong_with_cameras_json_is_told_in_one_sentence(folder, changes, sentence):
+    """A traceback, or a search that cannot find anything."""
+    assert sentence in told(ring.ours(folder, **changes))
+
+
+@pytest.mark.parametrize(("changes", "sentence"), [
+    ({"frames": {}}, 'transforms.json must be {"camera_angle_x": ..., "frames": [...]}'),
+    ({"frames": [7] * 4}, 'frame 0 in transforms.json needs a "file_path"'),
+    ({"frames": [{"file_path": "0"}]}, 'frame 0 (0) in transforms.json needs a "transform_matrix"'),
+    *(({"frames": frames(matrix)}, f"transform_matrix of 0 in transforms.json {sentence}")
+      for matrix, sentence in WRONG),
+    ({"camera_angle_x": None}, "needs a camera_angle_x in radians, or a fl_x in pixels"),
+    ({"camera_angle_x": 40}, "camera_angle_x in transforms.json must be from 0.01 to 3.1, and is"),
+    ({"k1": 0.1, "p2": -0.01}, "k1, p2 in transforms.json must be 0: the lens bends"),
+    ({"camera_model": "OPENCV_FISHEYE"}, "camera_model in transforms.json must be PINHOLE"),
+    ({"w": 48, "h": 40}, "0.png has 48 x 32 pixels, and transforms.json says 48 x 40, which is"),
+    ({"frames": [{**frames(MATRIX)[0], "file_path": "9"}] * 4}, "there is no file"),
+    ({"background": "white"}, "background in transforms.json must be 3 finite numbers"),
+    ({"frames": [{"file_path": str(k), "transform_matrix": (pose * [1, -1, -1, 1]).tolist()}
+                 for k, pose in enumerate(ring.POSES)]},
+     "matrices are OpenCV's, along +z: change the signs of their second and third columns"),
+    ({"frames": [{"file_path": str(k), "transform_matrix": view.tolist()}
+                 for k, view in enumerate(ring.VIEWS)]},
+     "these matrices lead from the world to the camera: give their inverses"),
+    ({"frames": [{"file_path": str(k), "transform_matrix": (OPENCV @ view).tolist()}
+                 for k, view in enumerate(ring.VIEWS)]},
+     "these matrices lead from the world to OpenCV's camera"),
+])
+def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, changes, sentence):
+    """A traceback, or a search that cannot find anything."""
+    assert sentence in told(ring.nerf(folder, **changes))
+
+
+@pytest.mark.parametrize(("file", "old", "new", "sentence"), [
+    ("cameras.txt", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "`colmap image_undistorter`"),
+    ("cameras.txt", "SIMPLE_PINHOLE", "OPENCV", "and is a OPENCV: `colmap image_undistorter`"),
+    ("cameras.txt", "SIMPLE_PINHOLE", "PINHOLE", "must be 6 finite numbers, and is '48 32 59.7"),
+    ("cameras.txt", " 24.0", " nan", "must be 5 finite numbers"),
+    ("cameras.txt", " 48", " -48", "must have a width, a height and a focal length of at"),
+    ("cameras.txt", "1 SIMPLE", "2 SIMPLE", "0.png in images.txt has camera 1, which is not"),
+    ("images.txt", " 1 0.png", "", "images.txt must have two lines for each picture"),
+    ("images.txt", "0.png\n", "0.png", "images.txt must have two lines for each picture"),
+    ("images.txt", " 1 0.png", " 1 9.png", "there is no file"),
+    ("images.txt", "1 ", "1 9", "must have length 1, and has"),
+    ("images.txt", "1 0.0", "1 1e300", "must be from -1e+12 to 1e+12, and is '1e300 1.0"),
+    ("images.txt", "1 ", "1 a", "QW QX QY QZ TX TY TZ of 0.png in images.txt must be 7 finite"),
+])
+def test_what_is_wrong_with_colmaps_files_is_told_in_one_sentence(folder, file, old, new, sentence):
+    """A traceback, or a search that cannot find anything."""
+    path = ring.colmap(folder) / file
+    path.write_text(path.read_text().replace(old, new, 1))
+    assert sentence in told(folder)
+
+
+def test_one_format_is_there_or_it_is_said(tmp_path):
+    """A file is taken that the user has forgotten, or a traceback."""
+    assert "there is no folder" in told(tmp_path / "none")
+    assert "there is no file cameras.json, transforms.json or cameras.txt" in told(tmp_path)
+    (tmp_path / "cameras.bin").write_bytes(b"\1")
+    assert "`colmap model_converter --output_type TXT` writes it as text" in told(tmp_path)
+    (tmp_path / "cameras.json").write_text("{")
+    assert "cameras.json is no JSON: " in told(tmp_path)
+    (tmp_path / "transforms.json").write_text("{}")
+    assert "cameras.json and transforms.json in" in told(tmp_path)
+
+
+def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
+    """EXIF's rotation is ignored: the object lies on its side, seen by a standing camera."""
+    straight, turned = ring.ours(tmp_path / "a"), ring.ours(tmp_path / "b")
+    ring.photograph(straight)
+    ring.photograph(turned)
+    lay_down(turned / "1.png")
+    assert image.size(turned / "1.png") == (32, 48)
+    expected, found = (captures.read(ring.LABS, folder) for folder in (straight, turned))
+    np.testing.assert_array_equal(found.pictures, expected.pictures)
+    np.testing.assert_array_equal(found.cameras, expected.cameras)
+    assert found.assumed == expected.assumed
+
+
+def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
+    """COLMAP ignores EXIF, so a picture that EXIF turns no longer fits its camera."""
+    folder = ring.colmap(tmp_path)
+    ring.photograph(folder)
+    expected = captures.read(ring.LABS, folder)
+    for k in range(6):
+        tag(folder / f"{k}.png", 6 if k else 3)
+    found = captures.read(ring.LABS, folder)
+    np.testing.assert_array_equal(found.pictures, expected.pictures)
+    np.testing.assert_array_equal(found.cameras, expected.cameras)
+    assert found.assumed == expected.assumed
+
+
+def test_a_stated_size_decides_between_shown_and_stored(tmp_path):
+    """A camera of the stored picture is given to the shown one, or the other way round, unsaid."""
+    ring.photograph(tmp_path)
+    ring.nerf(tmp_path, w=48, h=32)
+    expected = captures.read(ring.LABS, tmp_path)
+    tag(tmp_path / "2.png", 6)
+    found = captures.read(ring.LABS, tmp_path)
+    np.testing.assert_array_equal(found.pictures, expected.pictures)
+    assert found.assumed[0] == ("EXIF turns 2.png: transforms.json describes the picture as it is "
+                                "stored, and so it is read")
+    (tmp_path / "transforms.json").unlink()
+    tag(tmp_path / "2.png", 1)
+    lay_down(tmp_path / "2.png")
+    found = captures.read(ring.LABS, ring.colmap(tmp_path))
+    np.testing.assert_array_equal(found.pictures, expected.pictures)
+    assert "describes the picture as it is shown, and so it is read" in found.assumed[0]
+
+
+def told(folder):
+    """What a user reads."""
+    with pytest.raises((ValueError, OSError)) as error:
+        captures.read(ring.LABS, folder)
+    assert "\n" not in str(error.value)
+    return str(error.value)
+
+
+def tag(path, orientation):
+    """Write EXIF's orientation into a picture, and leave its pixels."""
+    picture = image.Image.open(path)
+    exif = image.Image.Exif()
+    exif[0x0112] = orientation
+    picture.save(path, exif=exif)
+
+
+def lay_down(path):
+    """Store a picture turned to the left, with the EXIF that turns it back (6: a quarter right)."""
+    image.Image.open(path).transpose(image.Image.Transpose.ROTATE_90).save(path)
+    tag(path, 6)
