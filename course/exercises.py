@@ -35,7 +35,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("regularization", "remeshing"),
     ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
     ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
-    ("reconstruction", "multi_view_fit"),
+    ("reconstruction", "multi_view_fit", "intrinsic_decomposition"),
 )
 TOPICS = tuple(itertools.chain(*LABS))
 

@@ -24,7 +24,7 @@ import scipy.sparse.csgraph
 from course.given import mesh
 
 from . import inverse_rendering
-from .rasterization import scatter
+from .rasterization import EDGES, scatter
 
 C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
@@ -191,6 +191,12 @@ def sign_changes_backward(grad_changes, distance, edges):  # extra 16.11 (3 poin
     sign = np.where(distance < 0, -1, 1)
     slope = sign / (1 + np.exp(-np.abs(distance)))
     return grad_changes * slope * np.bincount(np.concatenate([a, b]), minlength=len(distance))
+
+
+def edges_of(faces):
+    """The edges (E, 2) of a closed mesh, each once: it is walked once up and once down."""
+    sides = faces[:, EDGES].reshape(-1, 2)
+    return sides[sides[:, 0] < sides[:, 1]]
 
 
 def bumps(vertices, normals, edges):

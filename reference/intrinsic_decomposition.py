@@ -31,7 +31,7 @@ from . import (
     soft_shadows,
 )
 from .inverse_rendering import adam_step, descend
-from .rasterization import EDGES, scatter
+from .rasterization import scatter
 
 
 class Appearance(NamedTuple):
@@ -76,12 +76,6 @@ REFRESH = 20     # steps with one shadow map
 # --- the colours that the pictures show: eq. (10) -----------------------------------------------
 
 
-def edges_of(faces):
-    """The edges (E, 2) of a closed mesh, each once: it is walked once up and once down."""
-    sides = faces[:, EDGES].reshape(-1, 2)
-    return sides[sides[:, 0] < sides[:, 1]]
-
-
 def inner(picture):
     """The pixels (H, W) of a picture (H, W, 4) that are covered, with all pixels around them."""
     covered = np.pad(picture[..., 3] > 0.99, 1)
@@ -108,7 +102,7 @@ def seen_colours(surface, targets):
     # |W c - C|^2 is least where W^T W c = W^T C. A weak Laplacian makes it solvable everywhere.
     rows, colours = zip(*(pixel_weights(surface, target) for target in targets), strict=True)
     count = sum(matrix.sum(0) for matrix in rows)
-    edges = edges_of(surface.faces)
+    edges = reconstruction.edges_of(surface.faces)
     stiff = regularization.laplacian(edges, np.full(len(edges), STIFF), len(surface.vertices))
     system = sum(matrix.T @ matrix for matrix in rows) + stiff
     told = sum(matrix.T @ colour for matrix, colour in zip(rows, colours, strict=True))
@@ -234,7 +228,7 @@ def observe(surface, targets):
     colours, count = seen_colours(surface, targets)
     share = count / count.sum()
     exposure = max(2 * (share @ colours).mean(), 1e-9)
-    edges = edges_of(surface.faces)
+    edges = reconstruction.edges_of(surface.faces)
     a, b = surface.vertices[edges.T]
     length = np.linalg.norm(a - b, axis=1).mean()
     return Observed(colours / exposure, share, surface.normals, edges, length), exposure
@@ -259,18 +253,17 @@ def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     def gradient(x):
         return loss_and_gradients(x, observed, lit, priors)
 
-    def search(x, rates):
-        return enumerate(descend(x, gradient, rates, ADAM, project), 1)
-
     project = functools.partial(bounded, share=observed.share)
     no_sun, first = RATES._replace(sun=0.0), steps // 4
-    for _, (x, _) in search(x, first * [no_sun]):  # noqa: B007
+    in_the_shade = descend(x, gradient, first * [no_sun], ADAM, project)
+    for x, _ in in_the_shade:  # noqa: B007
         pass
     x, rates = (sunrise(x), RATES) if with_sun else (x, no_sun)
     falling = [Appearance(*(20**-(step / (steps - first)) * np.array(rates)))
                for step in range(steps - first)]
     lit = lit_share(surface, x.sun)
-    for step, (x, _) in search(x, falling):
+    in_the_sun = descend(x, gradient, falling, ADAM, project)
+    for step, (x, _) in enumerate(in_the_sun, 1):
         if step % REFRESH == 0:
             lit = lit_share(surface, x.sun)
     return within_one(x, exposure)

@@ -23,7 +23,6 @@ from course.given import mesh
 
 from . import interpolation, marching_tetrahedra, msaa, pipeline, reconstruction
 from .inverse_rendering import adam_step, descend
-from .rasterization import EDGES
 from .regularization import uniform_adam_step
 
 
@@ -300,8 +299,7 @@ def regularizers_backward(weights, found, x):
     """The gradients of bumps, to vertices (V, 3), and of sign changes (7), to distances (G,)."""
     # Both count in cells, so that a weight means the same on any grid.
     cell = 2 / cells(x)
-    sides = found.faces[:, EDGES].reshape(-1, 2)
-    edges = sides[sides[:, 0] < sides[:, 1]]  # each edge is walked once up and once down
+    edges = reconstruction.edges_of(found.faces)
     by_bumps = reconstruction.bumps_backward(weights.bumps / cell**2, found.vertices,
                                              found.normals, edges)
     by_changes = reconstruction.sign_changes_backward(
@@ -329,19 +327,24 @@ def stochastic_gradient(targets, per_step, rng, weights):
     return gradient
 
 
-def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=pipeline):
+def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=pipeline, after=(None, 0)):
     """Reconstruction, from coarse to fine: yields x, a Scene, after each step, and the loss before
     it, eq. (5) of the views drawn.
 
     capture is a Capture, stages are tuples like Stage. Each step looks at per_step of the views,
-    drawn by the seed. renderer has a `render` and a `render_backward` like the pipeline's.
+    drawn by the seed. renderer has a `render` and a `render_backward` like the pipeline's. after: a
+    Scene that was found, in how many steps. The search goes on from there.
     """
     rng = np.random.default_rng(seed)
-    x = None
+    x, done = after
     for stage in itertools.starmap(Stage, stages):
-        x = start(stage.cells) if x is None else refine(x, stage.cells)
+        past, done = min(done, stage.steps), max(done - stage.steps, 0)
+        for _ in range(past):
+            rng.permutation(len(capture.pictures))  # as those steps drew
+        if not past:
+            x = start(stage.cells) if x is None else refine(x, stage.cells)
         targets = targets_of(capture, stage.shrink, stage.samples, renderer)
         gradient = stochastic_gradient(targets, per_step, rng, weights)
-        steps = descend(x, gradient, learning_rates(stage), UPDATES, bounded)
+        steps = descend(x, gradient, learning_rates(stage)[past:], UPDATES, bounded)
         for x, loss in steps:
             yield x, loss
