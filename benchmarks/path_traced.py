@@ -1,10 +1,10 @@
 """Make the captures of lab 16 in course/given/data/captures/: pictures by a path tracer.
 
     pip install mitsuba        in an environment of its own, with this course's requirements.txt
-    python3 benchmarks/path_traced.py
+    python3 benchmarks/path_traced.py [duck] [bunny] [rings]
 
-Three objects of our own, each in one of the formats that captures.py reads: a duck in the sun, a
-bunny of many colours under a grey sky with a sun, two rings in warm light. The tracer is Mitsuba 3
+Three objects, each in one of the formats that captures.py reads: a duck in the sun, the bunny in
+many colours, with a grey sun and sky, and two rings in warm light. The tracer is Mitsuba 3
 (Jakob et al.), which knows cast shadows and light from surface to surface. Beside each capture lie
 8 views that no search sees, with their true albedo.
 """
@@ -183,13 +183,14 @@ def write_truth(folder, shape, lamps):
 
 
 CAPTURES = {
-    "duck": (duck, write_own, Lamps([-0.5, -0.75, -0.45], [2.6, 2.4, 2.1], [0.38, 0.43, 0.52])),
+    "duck": (duck, write_own, Lamps([-0.5, -0.75, -0.45], [2.4, 2.2, 1.95], [0.36, 0.4, 0.48])),
     "bunny": (bunny, write_nerf, Lamps([0.4, -0.8, -0.5], [1.5, 1.5, 1.5], [0.5, 0.5, 0.5])),
     "rings": (rings, write_colmap, Lamps([-0.6, -0.5, 0.6], [2.2, 2.1, 1.9], [0.5, 0.48, 0.45]))}
 
 
 def main():
-    for name, (painted, write_cameras, lamps) in CAPTURES.items():
+    for name in sys.argv[1:] or CAPTURES:
+        painted, write_cameras, lamps = CAPTURES[name]
         folder = places.DATA / "captures" / name
         shutil.rmtree(folder, ignore_errors=True)
         (folder / "images").mkdir(parents=True)

@@ -1,0 +1,127 @@
+"""Albedo and light told apart (lab 16), on pictures of a path tracer: what each part is worth.
+
+The captures are in course/given/data/captures/. Each has 24 views in its folder, and in unseen.png
+8 more, the upper row, with the true albedo below.
+"""
+import time
+from typing import NamedTuple
+
+import numpy as np
+
+from ..given import image, places
+from . import captures, reconstruct, searches
+from .drawing import save
+
+NAMES = "duck", "bunny", "rings"
+SHOWN = 1, 3, 6  # of the 8 unseen views
+
+
+class Unseen(NamedTuple):
+    """Views that no search sees: albedo and colours (8, H, W, 3), linear, and coverage (8, H, W)."""
+
+    albedo: np.ndarray
+    colours: np.ndarray
+    coverage: np.ndarray
+
+
+def folder(name):
+    return places.DATA / "captures" / name
+
+
+def unseen(name):
+    """The Unseen of a capture."""
+    rows = image.read(folder(name) / "unseen.png")
+    size = len(rows) // 2
+    views = rows.reshape(2, size, 8, size, 4).swapaxes(1, 2)
+    albedo, colours = image.to_linear(views[..., :3])
+    return Unseen(albedo, colours, views[1, ..., 3])
+
+
+def paint_and_light(labs):
+    """Albedo and light told apart, on pictures of a path tracer (lab 16)."""
+    lab = labs.intrinsic_decomposition
+    ways = {"all of it": {}, "coloured light": {"priors": lab.PRIORS._replace(neutral=0.0)},
+            "no patches": {"priors": lab.PRIORS._replace(patches=0.0)},
+            "no sun": {"with_sun": False}}
+    for name in NAMES:
+        photos, x, surface, seconds = found(labs, name)
+        yield f"{name}: {seconds:.0f} s", None
+        sheets = [as_found(labs, x, surface, name, photos)]
+        for way, settings in ways.items():
+            look = lab.decompose(surface, targets_of(labs, photos), **settings)
+            numbers, sheet = judged(labs, surface, look, name, photos)
+            sheets.append(sheet)
+            yield f"  {way}: {words(numbers)}", None
+        sheets.append(true_sheet(name))
+        yield ("  as found, then " + ", ".join(ways) + ", truth",
+               save("paint_and_light", name, image.to_srgb(np.clip(np.vstack(sheets), 0, 1))))
+
+
+def found(labs, name):
+    """Lab 16's search in a capture: its Photos, the Scene, its Surface, and the seconds."""
+    photos, start = captures.read(labs, folder(name)), time.process_time()
+    capture = labs.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
+    search = labs.multi_view_fit.fit(capture, searches.FINE_STAGES)
+    for x, _ in search:  # noqa: B007
+        pass
+    return photos, x, labs.multi_view_fit.surface(x), time.process_time() - start
+
+
+def targets_of(labs, photos):
+    capture = labs.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
+    return labs.multi_view_fit.targets_of(capture, 1, 1)
+
+
+def as_found(labs, x, surface, name, photos):
+    """The sheet of the search alone, before its colours are told apart."""
+    colours = labs.reconstruction.shade(surface.albedo, surface.normals, x.light)
+    return compared(seen(labs, surface, colours, surface.albedo, photos), unseen(name))[1]
+
+
+def judged(labs, surface, look, name, photos):
+    """How near a Surface in an Appearance is to the truth: dB of albedo and views, and a sheet."""
+    colours = labs.intrinsic_decomposition.appear(surface, look)
+    return compared(seen(labs, surface, colours, look.albedo, photos), unseen(name))
+
+
+def seen(labs, surface, colours, albedo, photos):
+    """The unseen views, rendered: (8, H, W, 6), colours and albedo on black."""
+    shape = labs.pipeline.make_mesh(surface.vertices, surface.faces)
+    both = labs.pipeline.Colours(np.hstack([colours, albedo]))
+    side = 2 * photos.pictures[0].shape[1]
+    return np.stack([labs.msaa.box_resolve(labs.pipeline.render(
+        shape, both, labs.pipeline.View(camera, side, side, np.zeros(6)))[0], 2)
+        for camera in reconstruct.new_cameras(labs) @ photos.world_from_grid])
+
+
+def compared(pictures, truth):
+    """Pictures (8, H, W, 6) against the Unseen, on the object: dB, and a sheet of some of them.
+
+    The albedo is compared in linear colours, after one factor for all. Views as a screen shows.
+    """
+    inside = truth.coverage > 0.99
+    colours, albedo = pictures[..., :3], pictures[..., 3:]
+    factor = (albedo * truth.albedo)[inside].sum() / (albedo**2)[inside].sum()
+    on_screen = [image.to_srgb(np.clip(part[inside], 0, 1)) for part in (colours, truth.colours)]
+    numbers = {"albedo": decibels(factor * albedo[inside], truth.albedo[inside]),
+               "views": decibels(*on_screen)}
+    return numbers, sheet_of(factor * albedo, colours)
+
+
+def decibels(found, truth):
+    return -10 * np.log10(((found - truth)**2).mean())
+
+
+def sheet_of(albedo, colours):
+    """Some albedo, and beside it the same views."""
+    return np.hstack([*albedo[list(SHOWN)], *colours[list(SHOWN)]])
+
+
+def true_sheet(name):
+    truth = unseen(name)
+    alpha = truth.coverage[..., None]
+    return sheet_of(alpha * truth.albedo, alpha * truth.colours)
+
+
+def words(numbers):
+    return ", ".join(f"{name} {value:.1f} dB" for name, value in numbers.items())
