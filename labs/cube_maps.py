@@ -210,7 +210,7 @@ def cube_taps_backward(grad_weight, missing, uv, level, mipmap, filter):
     # mean. After that, all is as on a texture that has no border.
     N, K = grad_weight.shape
     if K > 1:
-        grad = (grad_weight * ~missing).reshape(N, -1, 4)
+        grad = (grad_weight * ~missing).reshape(N, K // 4, 4)
         mean = grad.sum(2, keepdims=True) / 3
         grad_weight = np.where(missing.reshape(grad.shape), mean, grad).reshape(N, K)
     return taps_backward(grad_weight, np.ones(missing.shape, bool), uv, level, mipmap,
