@@ -182,17 +182,24 @@ def cube_texels(face, uv, size, filter):
         column, row = np.minimum(nearest_texel(uv.T, size), size - 1)
         index = (face * size + row) * size + column
         return index[None], np.ones((1, len(uv))), np.zeros((1, len(uv)), bool)
-    column, column_weight = linear_texels(uv[:, 0], size)
-    row, row_weight = linear_texels(uv[:, 1], size)
+    columns, column_weight = linear_texels(uv[:, 0], size)
+    rows, row_weight = linear_texels(uv[:, 1], size)
     weight = each_pair(np.multiply, row_weight, column_weight)
-    texel = np.stack([np.tile(face, (4, 1)), np.tile(column, (2, 1)), row.repeat(2, 0)])
+    index, missing = four_texels(face, columns, rows, size)
+    return index, (weight + (weight * missing).sum(0) / 3) * ~missing, missing
+
+
+def four_texels(face, columns, rows, size):
+    """index, missing (4, N) of the texels in columns (2, N) and rows (2, N) of face (N,), some of
+    them beyond an edge. size is a number or (N,). Where missing, the index is 0.
+    """
+    texel = np.stack([np.tile(face, (4, 1)), np.tile(columns, (2, 1)), rows.repeat(2, 0)])
     beyond = (texel[1:] < 0) | (texel[1:] >= size)
     missing = beyond.all(0)
-    texel[:, missing] = 0
-    weight = (weight + (weight * missing).sum(0) / 3) * ~missing
     over = beyond.any(0) & ~missing
     texel[:, over] = across_edge(*texel[:, over], np.broadcast_to(size, over.shape)[over])
-    return (texel[0] * size + texel[2]) * size + texel[1], weight, missing
+    face, column, row = texel
+    return np.where(missing, 0, (face * size + row) * size + column), missing
 
 
 def cube_taps(face, uv, level, mipmap, filter):
@@ -206,8 +213,8 @@ def cube_taps(face, uv, level, mipmap, filter):
 
 def cube_taps_backward(grad_weight, missing, uv, level, mipmap, filter):
     """Backward of `cube_taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
-    # Each third of a missing texel's weight went to one of the other three: its gradient is their
-    # mean. After that, all is as on a texture that has no border.
+    # A missing texel's weight went to the other three in thirds, so its gradient is the mean of
+    # theirs. After that, all is as on a texture that has no border.
     N, K = grad_weight.shape
     if K > 1:
         grad = (grad_weight * ~missing).reshape(N, K // 4, 4)
@@ -298,8 +305,8 @@ def spread(rows, seen):
 
 
 def require_cube(faces, look, filter, max_level):
-    """The arguments of `cube_texture` -> the six faces one above the other (6 n, n, C), and look,
-    as float64. ValueError if they do not fit.
+    """The arguments of `cube_texture`, look a Footprint with directions for uv -> the six faces one
+    above the other (6 n, n, C), and look, as float64. ValueError if they do not fit.
     """
     faces = np.asarray(faces, float)
     require(faces.ndim == 4 and faces.size and len(faces) == 6 and faces.shape[1] == faces.shape[2],
