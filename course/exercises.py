@@ -25,7 +25,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("sampling",),
     ("msaa",),
     ("interpolation",),
-    ("texturing", "mipmapping"),
+    ("texturing", "mipmapping", "cube_maps"),
     ("vertex_gradients", "rasterizer_gradients"),
     ("antialiasing", "outlines", "diagnosis"),
     ("inverse_rendering", "pipeline"),

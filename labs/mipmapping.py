@@ -319,7 +319,7 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
     return grad_image, grad_uv.reshape(footprint.uv.shape), grad_jacobian, grad_bias
 
 
-def require_texture(image, footprint, sampler):
+def require_texture(image, footprint, sampler, axes=2):
     """The arguments of `texture` -> image, footprint as float64. ValueError if they do not fit."""
     filter, boundary, max_level = sampler
     require(filter in FILTERS, f"a filter out of {', '.join(FILTERS)}", repr(filter))
@@ -329,7 +329,7 @@ def require_texture(image, footprint, sampler):
     image = np.asarray(image, float)
     require(image.ndim == 3 and image.size, "an image (h, w, C) with at least one texel; "
             "give a grey one as image[..., None]", image.shape)
-    return image, require_footprint(footprint)
+    return image, require_footprint(footprint, axes)
 
 
 def require_gradient(grad_colour, image, footprint):

@@ -250,18 +250,19 @@ def require(fits, expected, came):
         raise ValueError(f"texture expects {expected}, got {came}")
 
 
-def require_footprint(footprint):
-    """The footprint as float64. ValueError if its parts do not fit."""
+def require_footprint(footprint, axes=2):
+    """The footprint as float64. ValueError if its parts do not fit. axes: 3 for cube_maps.py."""
     uv, jacobian, bias = (None if part is None else np.asarray(part, float) for part in footprint)
-    require(uv.shape[-1:] == (2,) and np.isfinite(uv).all(),
-            "uv (..., 2) of finite numbers; give (0, 0) where no face is seen",
+    name, nowhere = {2: ("uv", (0, 0)), 3: ("directions", (0, 0, 0))}[axes]
+    require(uv.shape[-1:] == (axes,) and np.isfinite(uv).all(),
+            f"{name} (..., {axes}) of finite numbers; give {nowhere} where no face is seen",
             f"{uv.shape}, or NaN or infinity in it")
     pixels = uv.shape[:-1]
     require(bias.shape in ((), pixels) and np.isfinite(bias).all(),
-            f"a finite bias {pixels}, one for each uv, or one number",
+            f"a finite bias {pixels}, one for each pixel of {name}, or one number",
             f"{bias.shape}, or NaN or infinity in it")
     if jacobian is not None:
-        require(jacobian.shape == (*pixels, 2, 2) and (np.abs(jacobian) < LARGEST).all(),
-                f"a jacobian {(*pixels, 2, 2)} of numbers below {LARGEST:g}, or None",
+        require(jacobian.shape == (*pixels, axes, 2) and (np.abs(jacobian) < LARGEST).all(),
+                f"a jacobian {(*pixels, axes, 2)} of numbers below {LARGEST:g}, or None",
                 f"{jacobian.shape}, or a larger number or NaN in it")
     return Footprint(uv, jacobian, bias)

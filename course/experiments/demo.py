@@ -19,6 +19,7 @@ from . import (
     aliasing,
     fit_bunny,
     fit_cube,
+    fit_mirror,
     fit_outlines,
     fit_pose,
     fit_texture,
@@ -27,6 +28,7 @@ from . import (
     flight,
     large_steps,
     levels,
+    mirror,
     msaa,
     portrait,
     reconstruct,
@@ -38,13 +40,13 @@ from . import (
 
 SCENES = {scene.__name__: scene for scene in (
     portrait.bunny, portrait.teapot, flight.flight, aliasing.aliasing, msaa.msaa,
-    fit_triangle.fit_triangle, fit_cube.fit_cube, fit_pose.fit_pose, fit_texture.fit_texture,
-    fit_bunny.fit_bunny, fit_outlines.fit_outlines, levels.rounded, levels.simplified,
-    relaxation.relaxation, large_steps.large_steps,
+    mirror.mirror, fit_triangle.fit_triangle, fit_cube.fit_cube, fit_pose.fit_pose,
+    fit_texture.fit_texture, fit_mirror.fit_mirror, fit_bunny.fit_bunny, fit_outlines.fit_outlines,
+    levels.rounded, levels.simplified, relaxation.relaxation, large_steps.large_steps,
     shadow.shadow, representations.representations, fit_volume.fit_volume, reconstruct.reconstruct,
     ablations.ablations)}
-SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_bunny", "fit_outlines", "large_steps",
-        "fit_volume", "reconstruct", "ablations")
+SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny", "fit_outlines",
+        "large_steps", "fit_volume", "reconstruct", "ablations")
 
 
 class Lacking(ValueError):
