@@ -329,7 +329,8 @@ def stochastic_gradient(targets, per_step, rng, weights):
     return gradient
 
 
-def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=pipeline):
+def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=pipeline, found=None,
+        done=0):
     """Reconstruction, from coarse to fine: yields x, a Scene, after each step, and the loss before
     it, eq. (5) of the views drawn.
 
@@ -337,11 +338,18 @@ def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=pipeline)
     drawn by the seed. renderer has a `render` and a `render_backward` like the pipeline's.
     """
     rng = np.random.default_rng(seed)
-    x = None
+    x = found
     for stage in itertools.starmap(Stage, stages):
-        x = start(stage.cells) if x is None else refine(x, stage.cells)
+        skipped = min(done, stage.steps)
+        done -= skipped
+        for _ in range(skipped):
+            rng.permutation(len(capture.pictures))
+        if skipped == stage.steps:
+            continue
+        if not skipped:
+            x = start(stage.cells) if x is None else refine(x, stage.cells)
         targets = targets_of(capture, stage.shrink, stage.samples, renderer)
         gradient = stochastic_gradient(targets, per_step, rng, weights)
-        steps = descend(x, gradient, learning_rates(stage), UPDATES, bounded)
+        steps = descend(x, gradient, learning_rates(stage)[skipped:], UPDATES, bounded)
         for x, loss in steps:
             yield x, loss
