@@ -1,5 +1,4 @@
-// The mesh of report.html, to turn and to look at: WebGL 2 and nothing else. Where it cannot run,
-// the animation in the page stays.
+// The mesh of report.html, to turn and to look at: WebGL 2 and nothing else.
 "use strict";
 
 const VERTEX = `#version 300 es
@@ -72,8 +71,7 @@ function clipFromWorld(back, up, centre, away, radius) {
 
 // --- drawing ------------------------------------------------------------------------------------
 
-function program(gl) {
-  const made = gl.createProgram();
+function program(gl, made = gl.createProgram()) {
   for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
     const shader = gl.createShader(kind);
     gl.shaderSource(shader, text), gl.compileShader(shader), gl.attachShader(made, shader);
@@ -186,7 +184,7 @@ function offerLights(state, draw) {
 async function begin() {
   const text = id => document.getElementById(id).textContent;
   const canvas = document.createElement("canvas"), gl = canvas.getContext("webgl2");
-  if (!gl) return;
+  if (!gl) return;  // the animation stays
   const mesh = readGlb(text("mesh")), state = { ...START, kind: 0 };
   const picture = await createImageBitmap(mesh.image);
   upload(gl, program(gl), mesh, picture);

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import FormatStrFormatter
 from PIL import Image
 
 from ..given import image, places, plot
@@ -170,6 +171,8 @@ def loss_curve(losses, stages):
         axes.semilogy(np.arange(1, len(losses) + 1), smooth, color=plot.BLUE)
         for end in np.cumsum(stages)[:-1]:
             axes.axvline(end + 0.5, color=plot.GREY, linewidth=0.8, linestyle=":")
+        for axis in axes.yaxis.set_major_formatter, axes.yaxis.set_minor_formatter:
+            axis(FormatStrFormatter("%.3g"))
         axes.set(xlabel="step", ylabel="loss of the views drawn", xlim=(0, len(losses) + 1))
         content = io.BytesIO()
         figure.savefig(content, format="svg", metadata={"Date": None})
@@ -210,7 +213,8 @@ def numbers(judged):
         if views:
             found[f"PSNR, {name}, on the object"] = f"{of_all(views, True):.2f} dB"
             found[f"PSNR, {name}, whole pictures"] = f"{of_all(views, False):.2f} dB"
-    found["IoU of the silhouettes, mean"] = f"{np.mean([view.iou for view in judged.views]):.4f}"
+    mean = np.mean([view.iou for view in judged.views])
+    found["IoU of the silhouettes, mean of all"] = f"{mean:.4f}"
     minutes, seconds = divmod(round(judged.kept.seconds), 60)
     return {**found, "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
             "Genus": str(judged.genus), "Steps": str(len(judged.kept.losses)),
@@ -240,8 +244,8 @@ def figure(view):
                      for kind, each in pictures)
     mark = ' <b class=new>new</b>' if view.kept_out else ""
     return (f"<figure><div>{images}</div><figcaption>{name}{mark}<br><small>"
-            f"{view.on_object:.2f} dB on the object, {view.whole:.2f} dB in all, "
-            f"IoU {view.iou:.4f}</small></figcaption></figure>")
+            f"{view.on_object:.1f} dB on the object, {view.whole:.1f} in all, "
+            f"IoU {view.iou:.3f}</small></figcaption></figure>")
 
 
 def jpeg(picture):
