@@ -39,16 +39,17 @@ function readGlb(uri) {
   const length = new DataView(bytes.buffer).getUint32(12, true);
   const gltf = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length)));
   const part = view => {
-    const start = 28 + length + (gltf.bufferViews[view].byteOffset || 0);
-    return bytes.slice(start, start + gltf.bufferViews[view].byteLength);
+    const { byteOffset = 0, byteLength } = gltf.bufferViews[view];
+    return bytes.slice(28 + length + byteOffset, 28 + length + byteOffset + byteLength);
   };
   const kinds = { 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array };
   const array = index => new kinds[gltf.accessors[index].componentType](
     part(gltf.accessors[index].bufferView).buffer);
   const { attributes, indices } = gltf.meshes[0].primitives[0];
   const image = new Blob([part(gltf.images[0].bufferView)], { type: "image/png" });
-  return { position: array(attributes.POSITION), normal: array(attributes.NORMAL),
-    uv: array(attributes.TEXCOORD_0), index: Uint32Array.from(array(indices)), image };
+  const [position, normal, uv] = ["POSITION", "NORMAL", "TEXCOORD_0"].map(name =>
+    array(attributes[name]));
+  return { position, normal, uv, index: Uint32Array.from(array(indices)), image };
 }
 
 // --- vectors and matrices, column by column as WebGL takes them ---------------------------------
@@ -63,9 +64,8 @@ function clipFromWorld(back, up, centre, away, radius) {
   const eye = sum([1, centre], [away, back]), f = 1 / Math.tan(Math.PI / 9);
   const near = Math.max(away - 2 * radius, 0.02 * radius), far = away + 2 * radius;
   const c = (far + near) / (near - far), d = 2 * far * near / (near - far);
-  const rows = [[right, f], [above, f], [back, c], [back, -1]].map(([axis, scale]) =>
-    [...axis.map(x => x * scale), -dot(axis, eye) * scale]);
-  rows[2][3] += d;
+  const rows = [[right, f, 0], [above, f, 0], [back, c, d], [back, -1, 0]].map(([axis, s, shift]) =>
+    [...axis.map(x => x * s), shift - dot(axis, eye) * s]);
   return [0, 1, 2, 3].flatMap(column => rows.map(row => row[column]));
 }
 
@@ -103,6 +103,8 @@ function painter(gl, canvas, mesh, scene, state) {
   const at = name => gl.getUniformLocation(shaders, name);
   const m = scene.worldFromGrid, column = k => [m[0][k], m[1][k], m[2][k]];
   const radius = Math.hypot(...column(0)), centre = column(3);
+  const whole = 3 * mesh.position.reduce((most, _, k, all) => k % 3 ? most : Math.max(most,
+    Math.hypot(...sum([1, all.subarray(k, k + 3)], [-1, centre]))), 0);
   const turn = v => sum(...v.map((x, k) => [x / radius, column(k)]));
   const up = unit(turn(scene.up));
   const side = unit(cross(up, Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]));
@@ -118,14 +120,14 @@ function painter(gl, canvas, mesh, scene, state) {
     const flat = Math.cos(state.tilt), back = sum([flat * Math.cos(state.turn), ahead],
       [flat * Math.sin(state.turn), side], [Math.sin(state.tilt), up]);
     gl.uniformMatrix4fv(at("clipFromWorld"), false,
-      clipFromWorld(back, up, centre, state.away * radius, radius));
+      clipFromWorld(back, up, centre, state.away * whole, radius));
     gl.uniform3fv(at("eye"), [0, 1, 2].map(k => dot(column(k), back) / radius));
     gl.uniform1i(at("kind"), state.kind);
     gl.drawElements(gl.TRIANGLES, mesh.index.length, gl.UNSIGNED_INT, 0);
   };
 }
 
-const START = { turn: 0, tilt: 0.35, away: 3.0 };
+const START = { turn: 0.8, tilt: 0.35, away: 1 };  // away: in distances that show the whole
 
 // --- hands on it --------------------------------------------------------------------------------
 
@@ -133,14 +135,13 @@ function listen(canvas, state, draw) {
   const moved = (turn, tilt, nearer) => {
     state.turn += turn;
     state.tilt = Math.min(1.5, Math.max(-1.5, state.tilt + tilt));
-    state.away = Math.min(8, Math.max(1.1, state.away * nearer));
+    state.away = Math.min(3, Math.max(0.37, state.away * nearer));
     requestAnimationFrame(draw);
   };
   const fingers = new Map(), gap = ([a, b] = fingers.values()) => Math.hypot(a.x - b.x, a.y - b.y);
   canvas.onpointerdown = e => {
     canvas.setPointerCapture(e.pointerId);
-    fingers.set(e.pointerId, { x: e.clientX, y: e.clientY });
-  };
+    fingers.set(e.pointerId, { x: e.clientX, y: e.clientY }); };
   canvas.onpointerup = canvas.onpointercancel = e => fingers.delete(e.pointerId);
   canvas.onpointermove = e => {
     const last = fingers.get(e.pointerId);
@@ -172,10 +173,9 @@ function offerLights(state, draw) {
     const button = Object.assign(document.createElement("button"), { textContent: name });
     button.onclick = () => {
       state.kind = kind;
-      buttons.forEach((each, k) => each.setAttribute("aria-pressed", k === kind));
-      draw();
-    };
-    button.setAttribute("aria-pressed", kind === 0);
+      buttons.forEach((each, k) => { each.ariaPressed = k === kind; });
+      draw(); };
+    button.ariaPressed = kind === 0;
     return bar.appendChild(button);
   });
   bar.hidden = document.getElementById("help").hidden = false;
@@ -189,8 +189,7 @@ async function begin() {
   const picture = await createImageBitmap(mesh.image);
   upload(gl, program(gl), mesh, picture);
   const draw = painter(gl, canvas, mesh, JSON.parse(text("scene")), state);
-  Object.assign(canvas, { tabIndex: 0, role: "img" });
-  canvas.setAttribute("aria-label", "The object that was found. Arrow keys turn it.");
+  Object.assign(canvas, { tabIndex: 0, role: "img", ariaLabel: "The object. Arrow keys turn it." });
   document.querySelector("#orbit img").replaceWith(canvas);
   listen(canvas, state, draw);
   offerLights(state, draw);

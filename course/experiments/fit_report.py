@@ -13,7 +13,7 @@ from typing import NamedTuple
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import FormatStrFormatter
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from PIL import Image
 
 from ..given import image, places, plot
@@ -120,13 +120,15 @@ def told(judged):
 # --- pictures -----------------------------------------------------------------------------------
 
 
-def turning(labs, photos, count):
-    """Cameras (count, 4, 4) once around the object, a little from above: clip_from_grid."""
+def turning(labs, photos, count, away=3.0):
+    """Cameras (count, 4, 4) once around the object, so far away, a little from above:
+    clip_from_grid.
+    """
     up = upwards(photos.cameras)
     side = np.linalg.svd(up[None])[2][1]
     ahead = np.cross(side, up)
-    clip_from_view = labs.transforms.perspective(np.radians(40), 1.0, 0.5, 10.0)
-    eyes = [3 * (0.94 * (np.cos(t) * ahead + np.sin(t) * side) + 0.34 * up)
+    clip_from_view = labs.transforms.perspective(np.radians(40), 1.0, 0.1, 10.0)
+    eyes = [away * (0.94 * (np.cos(t) * ahead + np.sin(t) * side) + 0.34 * up)
             for t in 2 * np.pi * np.arange(count) / count]
     return [clip_from_view @ labs.transforms.look_at(eye, np.zeros(3), up) for eye in eyes]
 
@@ -143,8 +145,10 @@ def upwards(cameras):
 
 def turntable(labs, x, photos, path):
     """Write the object, turning, as an animated PNG on nothing."""
-    frames = [clear(frame) for frame in rendered(labs, x, turning(labs, photos, FRAMES),
-                                                 np.zeros(3), (FRAME_SIZE, FRAME_SIZE))]
+    reach = np.linalg.norm(labs.multi_view_fit.surface(x).vertices, axis=1).max()
+    cameras = turning(labs, photos, FRAMES, 3 * max(reach, 0.4))
+    frames = [clear(frame) for frame in rendered(labs, x, cameras, np.zeros(3),
+                                                 (FRAME_SIZE, FRAME_SIZE))]
     image.write_animation(path, frames, SECONDS)
 
 
@@ -171,8 +175,9 @@ def loss_curve(losses, stages):
         axes.semilogy(np.arange(1, len(losses) + 1), smooth, color=plot.BLUE)
         for end in np.cumsum(stages)[:-1]:
             axes.axvline(end + 0.5, color=plot.GREY, linewidth=0.8, linestyle=":")
-        for axis in axes.yaxis.set_major_formatter, axes.yaxis.set_minor_formatter:
-            axis(FormatStrFormatter("%.3g"))
+        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.yaxis.set_major_formatter(FormatStrFormatter("%.3g"))
+        axes.yaxis.set_minor_formatter(NullFormatter())
         axes.set(xlabel="step", ylabel="loss of the views drawn", xlim=(0, len(losses) + 1))
         content = io.BytesIO()
         figure.savefig(content, format="svg", metadata={"Date": None})
