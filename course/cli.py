@@ -109,11 +109,12 @@ class Parser(argparse.ArgumentParser):
         self.exit(2, f"course: {message}; {self.prog} --help says more\n")
 
 
-def whole_number(least):
+def whole_number(least, most=None):
     """-> the function that reads an option's whole number, from the least one on."""
     def read(text):
-        if not text.isdecimal() or int(text) < least:
-            raise argparse.ArgumentTypeError(f"give a whole number from {least} on, not {text}")
+        if not text.isdecimal() or int(text) < least or (most and int(text) > most):
+            limits = f"from {least} to {most}" if most else f"from {least} on"
+            raise argparse.ArgumentTypeError(f"give a whole number {limits}, not {text}")
         return int(text)
 
     return read
@@ -138,6 +139,12 @@ def arguments():
     option("--impl", choices=("reference", "labs"),
            help="whose code renders: the reference's, or yours in labs/; without, the reference's "
                 "if it is all there")
+    option("--steps", type=whole_number(3), metavar="N",
+           help="reconstruct FOLDER: so many steps in all; without, 300")
+    option("--size", type=whole_number(32, 512), metavar="N",
+           help="reconstruct FOLDER: pixels of a picture's longest side, 32 to 512; without, 128")
+    option("--resume", action="store_true",
+           help="reconstruct FOLDER: go on with the search that Ctrl-C stopped")
 
     option = add(notebooks)
     option("names", nargs="*", metavar="NAME", help="a topic or a number; without, all of them")
@@ -227,7 +234,9 @@ def demo(asked):
     """Render the course's scenes and say where the pictures are."""
     from course.experiments import demo
     if not asked.list:
-        return demo.run(asked.names, implementation=asked.impl)
+        wishes = {name: getattr(asked, name) for name in ("steps", "size", "resume")}
+        return demo.run(asked.names, implementation=asked.impl,
+                        **{name: wish for name, wish in wishes.items() if wish})
     for name, title in demo.scenes().items():
         print(f"{name:12} {title}")
     return 0

@@ -26,6 +26,7 @@ from . import (
     fit_triangle,
     fit_volume,
     flight,
+    folders,
     large_steps,
     levels,
     mirror,
@@ -34,7 +35,6 @@ from . import (
     reconstruct,
     relaxation,
     representations,
-    searches,
     shadow,
 )
 
@@ -104,16 +104,19 @@ def when_written():
         print(f"Nothing to see yet: {error}")
 
 
-def run(names, implementation=None):
+def run(names, implementation=None, **wishes):
     """Render the named scenes, or all quick ones -> exit status: 1 if a goal was missed, else 0.
 
     Without names, scenes that lack something are left out, and what they lack is said; 1 if all do.
-    ["reconstruct", FOLDER] is what `captures` does. ValueError: a name that is no scene's. Lacking.
+    ["reconstruct", FOLDER] is what `folders` does, and wishes, as `folders.Wishes` has them,
+    are for it alone. ValueError: a name that is no scene's, or wishes for another scene. Lacking.
     """
     labs = Labs(implementation)
     if len(names) == 2 and names[0] == "reconstruct" and names[1] not in SCENES:
         with exercises_named():
-            return searches.run(labs, names[1])
+            return folders.run(labs, names[1], folders.Wishes(**wishes))
+    if wishes:
+        raise ValueError("--steps, --size and --resume are only for: reconstruct FOLDER")
     unknown = [name for name in names if name not in SCENES]
     if unknown:
         raise ValueError(f"there is no scene {unknown[0]}: choose from {', '.join(SCENES)}")

@@ -17,7 +17,7 @@ SHOWN = 1, 3, 6  # of the 8 unseen views
 
 
 class Unseen(NamedTuple):
-    """Views that no search sees: albedo and colours (8, H, W, 3), linear, and coverage (8, H, W)."""
+    """Views that no search sees: linear albedo and colours (8, H, W, 3), coverage (8, H, W)."""
 
     albedo: np.ndarray
     colours: np.ndarray

@@ -1,6 +1,4 @@
 """Lab 16's search under a progress bar, with the mesh so far on disk."""
-from pathlib import Path
-
 import numpy as np
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
@@ -15,16 +13,16 @@ COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
            TextColumn("{task.fields[told]}"))
 
 
-
-def watched(labs, fit, steps, path, world_from_grid=np.eye(4)):  # noqa: B008
+def watched(labs, fit, steps, path, world_from_grid=np.eye(4), done=0):  # noqa: B008
     """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
-    written to path every EVERY steps and at the end, even after Ctrl-C.
+    written to path every EVERY steps and at the end, even after Ctrl-C. done: so many of the steps
+    were taken before.
     """
     good = None
     with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task(path.stem, total=steps, told="")
+        task = progress.add_task(path.stem, total=steps, completed=done, told="")
         try:
-            for step, (x, loss) in enumerate(fit, 1):
+            for step, (x, loss) in enumerate(fit, done + 1):
                 require_surface(loss, x, step)
                 good = x
                 if step % EVERY == 0 or step == steps:
@@ -58,19 +56,3 @@ def told(labs, loss, x):
 def steps_of(stages):
     """How many steps lab 16's `fit` takes."""
     return sum(steps for _, _, _, steps, _ in stages)
-
-
-def run(labs, folder):
-    """Reconstruct what a folder's pictures show, and say where the mesh is. -> 0"""
-    _, pictures, cameras, background, world_from_grid, _ = captures.read(labs, folder)
-    path = places.out("demo", "reconstruct", f"{Path(folder).resolve().name}.glb")
-    capture = labs.multi_view_fit.Capture(pictures, cameras, background)
-    fit = labs.multi_view_fit.fit(capture, FINE_STAGES)
-    steps = steps_of(FINE_STAGES)
-    for x, loss in watched(labs, fit, steps, path, world_from_grid):  # noqa: B007
-        pass  # an x is 7 MB: only the last one is kept
-    faces = labs.multi_view_fit.surface(x).faces
-    pieces, genus = labs.reconstruction.genus(faces)
-    print(f"loss {loss:.4f}, {len(faces):,} faces, pieces {pieces}, genus {genus}\n"
-          f"{path} and .obj")
-    return 0

@@ -74,6 +74,8 @@ def test_no_solution_is_handed_out_but_those_released(handed_out):
 def test_labs_lectures_and_checks_are_there(handed_out):
     """A lab without its checks, lectures of labs that come later, or no licence."""
     assert "MIT License" in (handed_out / "LICENSE").read_text(encoding="utf-8")
+    assert {path.name for path in handed_out.glob("course/experiments/fit_report.*")} == {
+        "fit_report.py", "fit_report.html", "fit_report.js"}
     names = ["transforms", "rasterization", "scanline", "sampling", "msaa"]
     assert sorted(path.stem for path in handed_out.glob("labs/*.py")) == sorted(names)
     assert sorted(path.stem for path in handed_out.glob("tests/labs/test_*.py")) == sorted(

@@ -1,0 +1,271 @@
+"""How good the mesh from a folder of pictures is: numbers, pictures, and one page with all of it.
+
+The page is a single file. fit_report.html is its template, and fit_report.js turns the mesh.
+"""
+import base64
+import html
+import io
+import json
+import string
+from pathlib import Path
+from typing import NamedTuple
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
+from PIL import Image
+
+from ..given import image, places, plot
+from .drawing import intersection_over_union
+
+HERE = Path(__file__).parent
+SAMPLES = 2        # squared: how many in a pixel of a rendering
+FRAMES, FRAME_SIZE, SECONDS = 30, 240, 0.12  # of the turntable
+LARGEST = 192      # pixels of a picture's side in the page, so that the page stays small
+DIFFERENCE = 4     # how often a difference is enlarged
+
+
+class View(NamedTuple):
+    """A picture of the folder, and its rendering: (H, W, 4), sRGB and coverage, and how well they
+    agree: PSNR in dB over all pixels and over the object's, and the silhouettes' IoU.
+    """
+
+    name: str
+    kept_out: bool
+    picture: np.ndarray
+    rendering: np.ndarray
+    whole: float
+    on_object: float
+    iou: float
+
+
+class Judged(NamedTuple):
+    """What the report says: what was Found, its views, the steps of the search's stages, and the
+    mesh's faces, pieces and genus.
+    """
+
+    found: object
+    views: list
+    stages: list
+    faces: int
+    pieces: int
+    genus: int
+
+
+# --- numbers ------------------------------------------------------------------------------------
+
+
+def judged(labs, found, photos, stages, kept_out):
+    """Judged. kept_out names the pictures that the search did not see."""
+    faces = found.surface.faces
+    renderings = rendered(labs, found, photos.cameras, photos.background,
+                          photos.pictures[0].shape[:2])
+    views = [compared(name, k in kept_out, shown(picture), shown(rendering))
+             for k, (name, picture, rendering) in enumerate(
+                 zip(photos.names, photos.pictures, renderings, strict=True))]
+    return Judged(found, views, stages, len(faces), *labs.reconstruction.genus(faces))
+
+
+def rendered(labs, found, cameras, background, shape):
+    """Yield what was Found as cameras see it, in the light that was found: linear (H, W, 4)."""
+    solid = labs.pipeline.make_mesh(found.surface.vertices, found.surface.faces)
+    surface = labs.multi_view_fit.covering(found.colours)
+    height, width = shape
+    for camera in cameras:
+        view = labs.pipeline.View(camera, SAMPLES * width, SAMPLES * height,
+                                  np.append(background, 0.0))
+        yield labs.msaa.box_resolve(labs.pipeline.render(solid, surface, view)[0], SAMPLES)
+
+
+def shown(picture):
+    """Linear colours and coverage (H, W, 4) -> colours as a screen takes them, and coverage."""
+    return np.dstack([image.to_srgb(np.clip(picture[..., :3], 0, 1)), picture[..., 3]])
+
+
+def compared(name, kept_out, picture, rendering):
+    """A View and its numbers. The object's pixels are those that the picture shows it in."""
+    return View(name, kept_out, picture, rendering, *(
+        decibels(squares([(picture, rendering)], only)) for only in (False, True)),
+        intersection_over_union(picture[..., 3] >= 0.5, rendering[..., 3] >= 0.5))
+
+
+def squares(pairs, on_object):
+    """The mean square of the differences in colour over the pixels of several pairs."""
+    squared = [((a - b)**2)[..., :3][a[..., 3] > 0 if on_object else ...].reshape(-1, 3)
+               for a, b in pairs]
+    return np.concatenate(squared).mean()
+
+
+def decibels(mean_square):
+    return float(-10 * np.log10(max(mean_square, 1e-10)))
+
+
+def of_all(views, on_object):
+    """The PSNR over all pixels of several views, in dB."""
+    return decibels(squares([(view.picture, view.rendering) for view in views], on_object))
+
+
+def told(judged):
+    """The numbers, in a line."""
+    views = [view for view in judged.views if view.kept_out]
+    new = (f", {of_all(views, True):.1f} dB on the object in {len(views)} new views" if views
+           else "")
+    loss = judged.found.kept.losses[-1]
+    return (f"loss {loss:.4f}, {judged.faces:,} faces, pieces {judged.pieces}, "
+            f"genus {judged.genus}{new}")
+
+
+# --- pictures -----------------------------------------------------------------------------------
+
+
+def turning(labs, photos, count, away=3.0):
+    """Cameras (count, 4, 4) once around the object, so far away, a little from above:
+    clip_from_grid.
+    """
+    up = upwards(photos.cameras)
+    side = np.linalg.svd(up[None])[2][1]
+    ahead = np.cross(side, up)
+    clip_from_view = labs.transforms.perspective(np.radians(40), 1.0, 0.1, 10.0)
+    eyes = [away * (0.94 * (np.cos(t) * ahead + np.sin(t) * side) + 0.34 * up)
+            for t in 2 * np.pi * np.arange(count) / count]
+    return [clip_from_view @ labs.transforms.look_at(eye, np.zeros(3), up) for eye in eyes]
+
+
+def upwards(cameras):
+    """Where "up" is in the grid: the mean of what is up in the pictures, or y."""
+    up, forward = cameras[:, 1, :3], cameras[:, 3, :3]
+    share = (up * forward).sum(1) / (forward**2).sum(1)
+    up = up - share[:, None] * forward
+    mean = (up / np.linalg.norm(up, axis=1, keepdims=True)).mean(0)
+    length = np.linalg.norm(mean)
+    return mean / length if length > 0.1 else np.array([0.0, 1.0, 0.0])
+
+
+def turntable(labs, found, photos, path):
+    """Write the object, turning, as an animated PNG on nothing."""
+    reach = np.linalg.norm(found.surface.vertices, axis=1).max()
+    cameras = turning(labs, photos, FRAMES, 3 * max(reach, 0.4))
+    frames = [clear(frame) for frame in rendered(labs, found, cameras, np.zeros(3),
+                                                 (FRAME_SIZE, FRAME_SIZE))]
+    image.write_animation(path, frames, SECONDS)
+
+
+def clear(picture):
+    """Linear colours on black and coverage -> sRGB colours and alpha."""
+    alpha = picture[..., 3:]
+    return shown(np.dstack([picture[..., :3] / np.maximum(alpha, 1e-6), alpha]))
+
+
+def difference(view):
+    """Where picture and rendering differ: white where they do not."""
+    return 1 - np.clip(DIFFERENCE * np.abs(view.picture - view.rendering)[..., :3], 0, 1)
+
+
+def loss_curve(losses, stages):
+    """The losses, step by step, as an SVG's bytes. Lines between the stages."""
+    with mpl.rc_context():
+        plot.style()
+        mpl.rcParams["svg.hashsalt"] = "loss"
+        figure = Figure(figsize=(7.2, 3.0))
+        axes = figure.add_subplot()
+        axes.semilogy(np.arange(1, len(losses) + 1), losses, color=plot.SKY, linewidth=0.8)
+        smooth = [np.mean(losses[max(0, k - 9):k + 1]) for k in range(len(losses))]
+        axes.semilogy(np.arange(1, len(losses) + 1), smooth, color=plot.BLUE)
+        for end in np.cumsum(stages)[:-1]:
+            axes.axvline(end + 0.5, color=plot.GREY, linewidth=0.8, linestyle=":")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.yaxis.set_major_formatter(FormatStrFormatter("%.3g"))
+        axes.yaxis.set_minor_formatter(NullFormatter())
+        axes.set(xlabel="step", ylabel="loss of the views drawn", xlim=(0, len(losses) + 1))
+        content = io.BytesIO()
+        figure.savefig(content, format="svg", metadata={"Date": None})
+    return content.getvalue()
+
+
+# --- the page -----------------------------------------------------------------------------------
+
+
+def write(labs, judged, photos, path):
+    """turntable.png, and report.html with all that it shows, beside the GLB file of this path."""
+    turntable(labs, judged.found, photos, path.with_name("turntable.png"))
+    page = string.Template((HERE / "fit_report.html").read_text(encoding="utf-8")).substitute(
+        title=html.escape(path.stem), viewer=(HERE / "fit_report.js").read_text(encoding="utf-8"),
+        turntable=as_uri("image/png", path.with_name("turntable.png").read_bytes()),
+        loss=as_uri("image/svg+xml", loss_curve(judged.found.kept.losses, judged.stages)),
+        mesh=as_uri("model/gltf-binary", path.read_bytes()),
+        scene=scene(labs, judged.found.look, photos),
+        numbers=rows(numbers(judged)), views="\n".join(map(figure, judged.views)),
+        kept_out=about_kept_out(judged.views),
+        assumed="\n".join(f"<li>{html.escape(each)}</li>" for each in
+                          photos.assumed or ["Nothing: all was in the folder."]))
+    places.write_whole(path.with_name("report.html"), page.encode())
+
+
+def scene(labs, look, photos):
+    """What the page's viewer needs besides the mesh, as JSON: light, the way up, and the grid.
+
+    It draws no shadows. So the sun joins the nine numbers.
+    """
+    light = look.light + labs.reconstruction.distant_light(look.sun[:1], look.sun[1:])
+    return json.dumps({"light": light.round(5).tolist(),
+                       "up": upwards(photos.cameras).round(5).tolist(),
+                       "worldFromGrid": photos.world_from_grid.tolist()})
+
+
+def numbers(judged):
+    """{what: how much} of the table, in words."""
+    kept_out = [view for view in judged.views if view.kept_out]
+    found = {}
+    for name, views in ("new views", kept_out), ("views of the search", [
+            view for view in judged.views if not view.kept_out]):
+        if views:
+            found[f"PSNR, {name}, on the object"] = f"{of_all(views, True):.2f} dB"
+            found[f"PSNR, {name}, whole pictures"] = f"{of_all(views, False):.2f} dB"
+    mean = np.mean([view.iou for view in judged.views])
+    found["IoU of the silhouettes, mean of all"] = f"{mean:.4f}"
+    minutes, seconds = divmod(round(judged.found.kept.seconds), 60)
+    return {**found, "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
+            "Genus": str(judged.genus), "Steps": str(len(judged.found.kept.losses)),
+            "Time of the search": f"{minutes} min {seconds} s"}
+
+
+def rows(table):
+    return "\n".join(f"<tr><th scope=row>{name}</th><td>{value}</td></tr>"
+                     for name, value in table.items())
+
+
+def about_kept_out(views):
+    """A sentence: which pictures the search did not see."""
+    count = sum(view.kept_out for view in views)
+    if not count:
+        return "The search saw all pictures: from eight on, every eighth is kept out."
+    return (f"The search did not see {count} of the {len(views)} pictures. They are marked as new. "
+            "How well they are met is the fair measure.")
+
+
+def figure(view):
+    """A view as HTML: picture, rendering, difference, numbers."""
+    name = html.escape(view.name)
+    pictures = (("picture", view.picture[..., :3]), ("rendering", view.rendering[..., :3]),
+                ("difference", difference(view)))
+    images = "".join(f'<img src="{as_uri("image/jpeg", jpeg(each))}" alt="{name}: the {kind}">'
+                     for kind, each in pictures)
+    mark = ' <b class=new>new</b>' if view.kept_out else ""
+    return (f"<figure><div>{images}</div><figcaption>{name}{mark}<br><small>"
+            f"{view.on_object:.1f} dB on the object, {view.whole:.1f} in all, "
+            f"IoU {view.iou:.3f}</small></figcaption></figure>")
+
+
+def jpeg(picture):
+    """An image, made smaller than LARGEST pixels a side, as the bytes of a JPEG file."""
+    content = io.BytesIO()
+    made = Image.fromarray(np.rint(255 * np.clip(picture[::-1], 0, 1)).astype(np.uint8))
+    made.thumbnail((LARGEST, LARGEST), Image.Resampling.BOX)
+    made.save(content, "JPEG", quality=90)
+    return content.getvalue()
+
+
+def as_uri(kind, content):
+    """Bytes as a URI that holds them."""
+    return f"data:{kind};base64,{base64.b64encode(content).decode()}"
