@@ -31,6 +31,7 @@ from . import (
     levels,
     mirror,
     msaa,
+    paint_and_light,
     portrait,
     reconstruct,
     relaxation,
@@ -44,9 +45,9 @@ SCENES = {scene.__name__: scene for scene in (
     fit_texture.fit_texture, fit_mirror.fit_mirror, fit_bunny.fit_bunny, fit_outlines.fit_outlines,
     levels.rounded, levels.simplified, relaxation.relaxation, large_steps.large_steps,
     shadow.shadow, representations.representations, fit_volume.fit_volume, reconstruct.reconstruct,
-    ablations.ablations)}
+    ablations.ablations, paint_and_light.paint_and_light)}
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny", "fit_outlines",
-        "large_steps", "fit_volume", "reconstruct", "ablations")
+        "large_steps", "fit_volume", "reconstruct", "ablations", "paint_and_light")
 
 
 class Lacking(ValueError):

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..given import image, places
-from . import captures, checkpoints, exports, fit_report, reconstruct, searches
+from . import captures, checkpoints, exports, fit_report, hulls, reconstruct, searches
 
 KEPT_OUT = 8  # every eighth picture is not shown to the search, so that the report can judge it
 STATE_SIZE = 256
@@ -99,7 +99,9 @@ def search(labs, photos, path, stages, resume):
 def steps(labs, photos, path, stages, kept):
     """Yield Kept after each step that is left, under a bar."""
     done, start = len(kept.losses), time.monotonic() - kept.seconds
-    fit = labs.multi_view_fit.fit(seen(labs, photos), stages, after=(kept.x, done))
+    capture = seen(labs, photos)
+    x = kept.x if done else hulls.start(labs, capture, stages[0][0])
+    fit = labs.multi_view_fit.fit(capture, stages, after=(x, done))
     losses = list(kept.losses)
     for x, loss in searches.watched(labs, fit, searches.steps_of(stages), path,
                                     photos.world_from_grid, done):

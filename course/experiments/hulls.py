@@ -15,6 +15,7 @@ COVERED = 0.1       # a pixel of more coverage is in the silhouette
 CROPPED = 0.01      # a smaller part of a silhouette outside of the ball is noise
 UNFILLED = 0.05     # a smaller part of a silhouette that the hull does not fill is noise
 ONE_SIDE, FEW_SIDES = 20, 60  # degrees from the mean axis: no depth is seen, little is seen
+SHRUNK = 0.03       # of the grid [-1, 1]^3: how much smaller than the hull the search begins
 SAME = 1e-6         # the difference of two cameras that are one
 
 CONVENTIONS = (  # how matrices may be meant that cannot be meant as they should be
@@ -278,3 +279,35 @@ def crops(outlines, ball, scene):
 def distance_of(shot, pixels, point):
     """How far the rays through pixels (N, 2) pass a point (3,): (N,)."""
     return np.linalg.norm(np.cross(rays(shot, pixels), point - eye(shot)), axis=1)
+
+
+# --- where the search begins --------------------------------------------------------------------
+
+
+def start(labs, capture, cells):
+    """Lab 16's `start`, but with the visual hull in the place of the ball: a Scene of cells^3.
+
+    A point is as far outside as the picture says that sees it farthest outside its silhouette. The
+    start is a little smaller. So thin bridges, which no silhouette denies, are gone.
+    """
+    x = labs.multi_view_fit.start(cells)
+    points = labs.marching_tetrahedra.grid_points(cells)
+    views = zip(capture.pictures, capture.cameras, strict=True)
+    outside = np.max([beyond(labs, picture, camera, points) for picture, camera in views], axis=0)
+    return labs.multi_view_fit.bounded(x._replace(distance=outside + SHRUNK))
+
+
+def beyond(labs, picture, camera, points):
+    """How far points (G, 3) are outside of a picture's silhouette, below 0 inside: (G,).
+
+    camera is clip_from_grid. x in clip space changes by the length of its first row for one unit
+    across, and a pixel is 2 w / width of it.
+    """
+    height, width, _ = picture.shape
+    covered = picture[..., 3] > 0.5
+    pixels = (ndimage.distance_transform_edt(~covered) - ndimage.distance_transform_edt(covered)
+              - np.where(covered, -0.5, 0.5))
+    clip = labs.pipeline.to_clip(points, camera)
+    column, row = (clip[:, :2] / clip[:, 3:] + 1).T * [[width / 2], [height / 2]] - 0.5
+    found = ndimage.map_coordinates(pixels, [row, column], order=1, mode="nearest")
+    return found * clip[:, 3] * 2 / (width * np.linalg.norm(camera[0, :3]))

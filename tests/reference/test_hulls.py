@@ -4,8 +4,8 @@ import pytest
 import ring_captures as ring
 from scipy.spatial.transform import Rotation
 
-from course.experiments import camera_files, captures, hulls, silhouettes
-from course.given import image
+from course.experiments import camera_files, captures, drawing, hulls, silhouettes
+from course.given import distances, image, mesh
 
 
 @pytest.fixture
@@ -188,3 +188,21 @@ def test_silhouettes_that_agree_badly_are_told(folder):
     told = captures.read(ring.LABS, folder).assumed[-1]
     assert told.startswith("the silhouettes agree badly: ")
     assert told.endswith(", and 1.png leaves out most: look at its camera and its mask")
+
+
+def test_the_search_begins_with_the_hull():
+    """The hull is mirrored, shifted by half a pixel, or its hole is closed."""
+    labs = ring.LABS
+    cameras = drawing.cameras_around(labs, 20)
+    vertices, faces = mesh.torus(4000, 0.6, 0.2)
+    moved = vertices + [0.1, -0.05, 0.15]
+    pictures = [drawing.seen_mask(labs, moved, faces, camera, 64)[..., None].repeat(4, 2)
+                for camera in cameras]
+    capture = labs.multi_view_fit.Capture(pictures, cameras, np.ones(3))
+    x = hulls.start(labs, capture, 24)
+    found = labs.multi_view_fit.surface(x)
+    assert labs.reconstruction.genus(found.faces) == (1, 1)
+    middle = (found.vertices.min(0) + found.vertices.max(0)) / 2
+    np.testing.assert_allclose(middle, [0.1, -0.05, 0.15], atol=0.02)
+    away, _ = distances.surface_distances(found.vertices, found.faces, moved, faces)
+    assert away < hulls.SHRUNK + 0.03

@@ -1,0 +1,56 @@
+"""The captures that a path tracer made, in three formats, and how a result is judged there."""
+import numpy as np
+import pytest
+
+from course.experiments import captures, demo, drawing, hulls, paint_and_light, reconstruct
+
+LABS = demo.Labs("reference")
+
+
+@pytest.mark.parametrize("name", paint_and_light.NAMES)
+def test_a_capture_shows_its_object_from_all_sides(name):
+    """Another format, other cameras, or pictures that are upside down."""
+    photos = captures.read(LABS, paint_and_light.folder(name), 64)
+    assert len(photos.pictures) == 24
+    eyes = drawing.cameras_around(LABS, 24) @ photos.world_from_grid
+    np.testing.assert_allclose(photos.cameras[:, [0, 1, 3]], eyes[:, [0, 1, 3]], atol=1e-5)
+    capture = LABS.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
+    found = LABS.multi_view_fit.surface(hulls.start(LABS, capture, 24))
+    truth = paint_and_light.unseen(name)
+    for camera, coverage in zip(reconstruct.new_cameras(LABS), truth.coverage, strict=True):
+        seen = drawing.seen_mask(LABS, found.vertices, found.faces, camera @ photos.world_from_grid,
+                                 len(coverage))
+        assert drawing.intersection_over_union(seen > 0.5, coverage > 0.5) > 0.7  # it is shrunk
+
+
+def test_albedo_is_judged_up_to_one_factor():
+    """Each colour has a factor of its own, which hides a light of the wrong colour."""
+    rng = np.random.default_rng(0)
+    albedo, colours = rng.uniform(0.2, 0.6, (2, 8, 6, 6, 3))
+    truth = paint_and_light.Unseen(albedo, colours, np.ones((8, 6, 6)))
+    pictures = np.concatenate([colours, 0.5 * albedo], 3) + 1e-9
+    assert paint_and_light.compared(pictures, truth)[0]["albedo"] > 100
+    pictures[..., 3] *= 1.5
+    numbers, _ = paint_and_light.compared(pictures, truth)
+    assert numbers["albedo"] < 25 and numbers["views"] > 100
+
+
+@pytest.mark.parametrize("name", ["duck", "rings"])
+def test_paint_is_nearer_to_the_truth_once_it_is_told_from_light(name):
+    """The light takes the paint's colour, or a shadow is taken for paint. The search is short."""
+    photos = captures.read(LABS, paint_and_light.folder(name))
+    capture = LABS.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
+    search = LABS.multi_view_fit.fit(capture, ((24, 2, 1, 60, 1.0),),
+                                     after=(hulls.start(LABS, capture, 24), 0))
+    for x, _ in search:  # noqa: B007
+        pass
+    surface = LABS.multi_view_fit.surface(x)
+    colours = LABS.reconstruction.shade(surface.albedo, surface.normals, x.light)
+    before, _ = paint_and_light.compared(
+        paint_and_light.seen(LABS, surface, colours, surface.albedo, photos),
+        paint_and_light.unseen(name))
+    look = LABS.intrinsic_decomposition.decompose(
+        surface, paint_and_light.targets_of(LABS, photos), steps=200)
+    after, _ = paint_and_light.judged(LABS, surface, look, name, photos)
+    assert after["albedo"] > before["albedo"] + 2.5
+    assert after["views"] > before["views"] + 2.5
