@@ -61,7 +61,7 @@ class Priors(NamedTuple):
     patches: float
 
 
-PRIORS = Priors(neutral=0.01, patches=0.01)
+PRIORS = Priors(neutral=0.01, patches=0.007)
 RATES = Appearance(albedo=0.01, light=0.05, sun=0.05)
 ADAM = functools.partial(adam_step, constants=(0.9, 0.99, 1e-8))
 DARKEST = 0.005  # the least albedo

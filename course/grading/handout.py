@@ -16,7 +16,8 @@ from ..upkeep.skeleton import skeleton
 from .grade import topics_of
 
 WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
-         "course/given/data/*.png", "course/given/data/captures/**/*.*", "course/experiments/*.html", "course/experiments/*.js",
+         "course/given/data/*.png", "course/given/data/captures/**/*.*",
+         "course/experiments/*.html", "course/experiments/*.js",
          "course/checks/hints.json", "tests/conftest.py", "tests/golden/*", "notebooks/errata.md",
          "tests/labs/[!t]*.py",  # what checks share
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
