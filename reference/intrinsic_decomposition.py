@@ -224,8 +224,14 @@ def loss_and_gradients(x, observed, lit, priors):
 
 
 def observe(surface, targets):
-    """-> Observed, in the exposure where a light of 1 is usual, and this exposure, a number."""
+    """-> Observed, in the exposure where a light of 1 is usual, and this exposure, a number.
+
+    ValueError where no pixel of any picture lies within the object.
+    """
     colours, count = seen_colours(surface, targets)
+    if not count.any():
+        raise ValueError("no pixel lies inside the object with all pixels around it, so nothing "
+                         "tells its colours: give larger pictures")
     share = count / count.sum()
     exposure = max(2 * (share @ colours).mean(), 1e-9)
     edges = reconstruction.edges_of(surface.faces)

@@ -53,7 +53,7 @@ def paint_and_light(labs):
             sheets.append(sheet)
             yield f"  {way}: {words(numbers)}", None
         sheets.append(true_sheet(name))
-        yield ("  as found, then " + ", ".join(ways) + ", truth",
+        yield ("  from below: as found, " + ", ".join(ways) + ", truth",
                save("paint_and_light", name, image.to_srgb(np.clip(np.vstack(sheets), 0, 1))))
 
 

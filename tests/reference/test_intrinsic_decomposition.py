@@ -63,6 +63,13 @@ def test_what_no_pixel_sees_takes_the_colours_around():
     assert (found.min(0) > seen.min(0) - 0.01).all() and (found.max(0) < seen.max(0) + 0.01).all()
 
 
+def test_an_object_of_outlines_alone_is_refused():
+    """All colours become nan."""
+    surface, _, targets = photographed(2, 3)
+    with pytest.raises(ValueError, match="no pixel lies inside the object"):
+        lab.decompose(surface, targets)
+
+
 # --- eq. (11) ----------------------------------------------------------------------------------
 
 
