@@ -267,10 +267,10 @@ def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     x, rates = (sunrise(x), RATES) if with_sun else (x, no_sun)
     falling = [Appearance(*(20**-(step / (steps - first)) * np.array(rates)))
                for step in range(steps - first)]
-    lit = lit_share(surface, x.sun)
     in_the_sun = descend(x, gradient, falling, ADAM, project)
+    lit = lit_share(surface, x.sun)
     for step, (x, _) in enumerate(in_the_sun, 1):
-        if step % REFRESH == 0:
+        if with_sun and step % REFRESH == 0:
             lit = lit_share(surface, x.sun)
     return within_one(x, exposure)
 

@@ -92,11 +92,7 @@ def ours(folder, path):
     scene = described(path, "views", '{"fov_y": ..., "views": [...]}')
     half = np.tan(np.radians(number(scene, "fov_y", path.name, 1, 170)) / 2)
     shots = []
-    for k, view in enumerate(scene["views"]):
-        require(isinstance(view, dict) and isinstance(view.get("picture"), str),
-                f'view {k} in {path.name} needs a "picture", the name of a file')
-        require("world_from_camera" in view, f'view {k} ({view["picture"]}) in {path.name} needs '
-                'a "world_from_camera", four rows of four numbers')
+    for view in whole(scene["views"], "view", "picture", "world_from_camera", path.name):
         seen = folder / view["picture"]
         width, height = image.size(seen, upright=True)
         f = height / 2 / half
@@ -115,6 +111,16 @@ def described(path, key, expected):
     require(isinstance(scene, dict) and isinstance(scene.get(key), list),
             f"{path.name} must be {expected}; course/experiments/captures.py shows it all")
     return scene
+
+
+def whole(views, kind, picture, matrix, file):
+    """Yield the views of a JSON file. Each names its picture and has a matrix, under these keys."""
+    for k, view in enumerate(views):
+        require(isinstance(view, dict) and isinstance(view.get(picture), str),
+                f'{kind} {k} in {file} needs a "{picture}", the name of a file')
+        require(matrix in view, f'{kind} {k} ({view[picture]}) in {file} needs a "{matrix}", four '
+                "rows of four numbers")
+        yield view
 
 
 def besides(scene, file):
@@ -138,11 +144,7 @@ def nerf(folder, path):
     """The Scene of transforms.json, as NeRF's example data, instant-ngp and Nerfstudio write it."""
     scene = described(path, "frames", '{"camera_angle_x": ..., "frames": [...]}')
     shots = []
-    for k, frame in enumerate(scene["frames"]):
-        require(isinstance(frame, dict) and isinstance(frame.get("file_path"), str),
-                f'frame {k} in {path.name} needs a "file_path", the name of a picture')
-        require("transform_matrix" in frame, f'frame {k} ({frame["file_path"]}) in {path.name} '
-                'needs a "transform_matrix", four rows of four numbers')
+    for frame in whole(scene["frames"], "frame", "file_path", "transform_matrix", path.name):
         seen = with_ending(folder / frame["file_path"])
         lens = nerf_lens({**scene, **frame}, seen, path.name)
         title = f"transform_matrix of {frame['file_path']} in {path.name}"
