@@ -1,0 +1,59 @@
+"""What the tests of the web site share: a browser, and a server for a folder's files."""
+import contextlib
+import functools
+import http.server
+import shutil
+import threading
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+BROWSERS = "chromium", "chromium-browser", "google-chrome", "chrome"
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@contextlib.contextmanager
+def served(folder):
+    """-> the address at which this folder's files are served."""
+    handler = functools.partial(Quiet, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """Headless Chromium. Without one, the tests that need it are skipped."""
+    found = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if not found:
+        pytest.skip(f"no browser: install one of {', '.join(BROWSERS)}")
+    from playwright.sync_api import sync_playwright
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=found, args=["--no-sandbox"])
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture(scope="session")
+def static():
+    """The address of site/static."""
+    with served(ROOT / "site" / "static") as address:
+        yield address
+
+
+@pytest.fixture
+def page(browser):
+    """A new page. An error in its console, or a request that fails, fails the test."""
+    opened, said = browser.new_page(), []
+    opened.on("console", lambda message: message.type == "error" and said.append(message.text))
+    opened.on("pageerror", lambda error: said.append(str(error)))
+    opened.on("requestfailed", lambda request: said.append(f"failed: {request.url}"))
+    yield opened
+    opened.close()
+    assert not said, said
