@@ -1,0 +1,164 @@
+"""The labs' pages: what each exercise asks, without its answer, and where to read on."""
+import ast
+import functools
+import re
+
+from docutils.nodes import make_id
+
+from course import exercises
+from course.given import places
+
+from . import sources_course
+from .sources_text import (
+    anchor,
+    as_myst,
+    docstring,
+    escape,
+    first_sentence,
+    inline,
+    kind,
+    lab_title,
+    mark,
+    own_names,
+    points,
+    write_pages,
+)
+
+ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
+         "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
+         "lab 1. Exercises are the core. Extras go further: they are complete until "
+         "`python3 -m course open 1.8` empties one.")
+
+
+def write(folder):
+    """Write folder/labs: a page for each lab, and the index of all exercises."""
+    course = sources_course.read()
+    pages = {f"{course.lectures[lab].page}.md": page(course, lab)
+             for lab in course.lectures}
+    write_pages(folder / "labs", {"index.md": index(course), **pages})
+
+
+def of_lab(course, lab):
+    """{full name: Exercise} of a lab, by number."""
+    mine = {name: exercise for name, exercise in course.exercises.items()
+            if exercise.number.split(".")[0] == str(lab)}
+    return dict(sorted(mine.items(), key=lambda item: int(item[1].number.split(".")[1])))
+
+
+def summary(course, lab):
+    """What is built in a lab, and how long it takes: README.md knows."""
+    built, hours = re.search(rf"^\| {lab} \|.*\| ([^|]*) \| ([\d.]+) \|$", readme(), re.M).groups()
+    found = of_lab(course, lab).values()
+    core = [exercise for exercise in found if not exercise.is_extra]
+    return (f"What you build: {escape(built)}. About {hours} hours with the lecture: {len(core)} "
+            f"exercises of {points(sum(exercise.points for exercise in core))} together, and "
+            f"{len(found) - len(core)} extras.\n")
+
+
+@functools.cache
+def readme():
+    return exercises.read(places.ROOT / "README.md")
+
+
+def index(course):
+    """All labs, with all their exercises."""
+    parts = [f"# Labs\n\n{ABOUT}\n"]
+    for lab, lecture in course.lectures.items():
+        items = " ".join(f'<li><a class="{kind(exercise)}" href="{lecture.page}.html'
+                         f'#{anchor(exercise)}">{exercise.number} <code>{exercise.name}</code>'
+                         f"</a></li>" for exercise in of_lab(course, lab).values())
+        parts.append(f"## [{lab_title(course, lab)}](/labs/{lecture.page}.md)\n\n"
+                     + summary(course, lab)
+                     + as_myst(f'<ul class="exercises">{items}</ul>'))
+    return "\n".join(parts)
+
+
+def page(course, lab):
+    """One lab: its table of exercises, then their questions."""
+    lecture, asked = course.lectures[lab], of_lab(course, lab)
+    modules = [course.modules[f"reference.{topic}"] for topic in exercises.LABS[lab - 1]]
+    links = " · ".join([f'<a href="../lectures/{lecture.page}.html">Lecture {lab}</a>',
+                        *(f'<a href="{course.address(module.name)}">'
+                          f"<code>{module.topic}.py</code></a>" for module in modules)])
+    return "\n".join([f"# {lab_title(course, lab)}\n",
+                      summary(course, lab),
+                      as_myst(f'<p class="belongs">{links}</p>'),
+                      f"Your file: {files(course, asked)}. To check it: "
+                      f"`python3 -m course check {lab}`.\n", as_myst(table(course, asked)),
+                      *(question(course, name) for name in asked)])
+
+
+def files(course, asked):
+    """The files that a student opens, in words."""
+    names = [f"`labs/{name.split('.')[1]}.py`" for name in asked]
+    names = list(dict.fromkeys(names))
+    return " and ".join([*filter(None, [", ".join(names[:-1])]), names[-1]])
+
+
+def table(course, asked):
+    rows = [f'<tr><td><a href="#{anchor(exercise)}">{exercise.number}</a></td>'
+            f'<td><a href="#{anchor(exercise)}"><code>{exercise.name}</code></a></td>'
+            f"<td>{exercise.points}</td>"
+            f'<td><span class="badge {kind(exercise)}">{kind(exercise)}</span></td>'
+            f"<td>{question_line(course, name)}</td></tr>" for name, exercise in asked.items()]
+    head = "".join(f"<th>{word}</th>" for word in ("", "function", "points", "kind", "question"))
+    return (f'<div class="table-wrapper source-index" tabindex="0"><table><thead><tr>{head}</tr>'
+            "</thead>\n<tbody>\n" + "\n".join(rows) + "\n</tbody></table></div>")
+
+
+def question_line(course, name):
+    module, node = found(course, name)
+    return inline(course, module, first_sentence(ast.get_docstring(node)), own_names(node))
+
+
+def found(course, name):
+    """The full name of a function -> its Module, its node."""
+    module, _, function = name.rpartition(".")
+    return course.modules[module], course.modules[module].nodes[function]
+
+
+def question(course, name):
+    """An exercise: its mark, its signature, its docstring, and links."""
+    exercise, (module, node) = course.exercises[name], found(course, name)
+    marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
+             f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
+             "</code></pre>")
+    return "\n".join([f"({anchor(exercise)})=\n## {exercise.number} `{exercise.name}`\n",
+                      as_myst(marks),
+                      docstring(course, module, ast.get_docstring(node), own_names(node)),
+                      as_myst(read_on(course, name))])
+
+
+def read_on(course, name):
+    """Links: where the lecture asks it, its answer, and what the answer calls."""
+    exercise, (module, node) = course.exercises[name], found(course, name)
+    lecture = course.lectures[module.lab]
+    heading = lecture.announced.get(exercise.number, lecture.title)
+    place = f"../lectures/{lecture.page}.html#{make_id(heading)}"
+    items = [("Lecture", f'<a href="{place}">{inline(course, module, heading)}</a>'),
+             ("Answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
+                        f"</code>, line {exercise.line}</a>")]
+    called = dict.fromkeys(full for (line, _), full in sorted(course.uses[module.name].items())
+                           if node.lineno < line <= node.end_lineno and full != name
+                           and is_function(course, full))
+    if called:
+        items.append(("It calls", ", ".join(
+            f'<a href="{asked_address(course, full)}"><code>{full.rpartition(".")[2]}</code></a>'
+            for full in called)))
+    return "<dl class=\"read-on\">" + "".join(
+        f"<div><dt>{term}</dt><dd>{text}</dd></div>" for term, text in items) + "</dl>"
+
+
+def is_function(course, full):
+    module, _, name = full.rpartition(".")
+    return isinstance(course.modules.get(module) and course.modules[module].nodes.get(name),
+                      ast.FunctionDef)
+
+
+def asked_address(course, full):
+    """An exercise's question, or the place of a function that is none."""
+    if full not in course.exercises:
+        return course.address(full)
+    exercise = course.exercises[full]
+    lab = course.lectures[int(exercise.number.split(".")[0])]
+    return f"{lab.page}.html#{anchor(exercise)}"

@@ -1,0 +1,137 @@
+"""The annotated source: each module of reference/ and course/given/, its docstrings as prose.
+
+A function is a `py:function` of Sphinx, so it is in the index, in the search and in references.
+Beside its docstring stands its code, with the numbers of its lines in the file.
+"""
+import ast
+
+from . import sources_course
+from .sources_code import blocks, docstring_lines, html_lines, listing
+from .sources_text import (
+    as_myst,
+    badge,
+    docstring,
+    escape,
+    first_sentence,
+    inline,
+    lab_title,
+    own_names,
+    write_pages,
+)
+
+ABOUT = {
+    "reference": ("The annotated source", "The complete code of the labs: every function with its "
+                  "question, its equations, its worked example and its answer."),
+    "given": ("Given code", "What the labs and the lectures use: meshes, pictures, plots, inputs, "
+              "and the check of gradients."),
+}
+
+
+def write(folder):
+    """Write folder/reference and folder/given: a page for each module, and an index of each."""
+    course = sources_course.read()
+    for name in ABOUT:
+        modules = [module for module in course.modules.values() if module.folder == name]
+        pages = {f"{module.topic}.md": page(course, module) for module in modules}
+        write_pages(folder / name, {"index.md": index(course, name, modules), **pages})
+
+
+def index(course, name, modules):
+    """The table of modules: name, first sentence, lab."""
+    title, about = ABOUT[name]
+    rows = [f'<tr><td><a href="{module.topic}.html"><code>{module.topic}</code></a></td>'
+            f"<td>{inline(course, module, first_sentence(ast.get_docstring(module.tree)))}</td>"
+            f"{lab_cell(course, module)}</tr>" for module in modules]
+    head = "<th>module</th><th>what it is</th>" + "<th>lab</th>" * (name == "reference")
+    table = (f'<div class="table-wrapper source-index" tabindex="0"><table><thead><tr>{head}</tr>'
+             f"</thead>\n<tbody>\n" + "\n".join(rows) + "\n</tbody></table></div>")
+    tree = "```{toctree}\n:hidden:\n\n" + "\n".join(module.topic for module in modules) + "\n```"
+    return f"# {title}\n\n{about}\n{as_myst(table)}\n{tree}\n"
+
+
+def lab_cell(course, module):
+    if not module.lab:
+        return ""
+    page = course.lectures[module.lab].page
+    return f'<td><a href="../labs/{page}.html">{module.lab}</a></td>'
+
+
+def page(course, module):
+    lines = html_lines(course, module)
+    parts = [f"# {escape(module.topic)}\n", directive("module", module.name),
+             opening(course, module)]
+    for block in blocks(module):
+        if block.kind == "section":
+            parts.append(section(module, block))
+        elif block.kind == "code":
+            parts += [constants(module, block),
+                      as_myst(listing(lines, block.first, block.last))]
+        else:
+            parts.append(definition(course, module, lines, block))
+    return "\n".join(parts)
+
+
+def directive(kind, name, content="", options=()):
+    """A directive of Sphinx's Python domain, whose content may hold others."""
+    lines = "".join(f":{option}:\n" for option in options)
+    return f":::::{{py:{kind}}} {name}\n{lines}\n{content}\n:::::\n"
+
+
+def opening(course, module):
+    """The module's docstring. Below its aligned equations stand the same, typeset."""
+    text = ast.get_docstring(module.tree)
+    return links(course, module) + docstring(course, module, text, is_module=True)
+
+
+def links(course, module):
+    """Where the module belongs, and its file."""
+    parts = [f"<code>{module.name.replace('.', '/')}.py</code>"]
+    if module.lab:
+        lecture = course.lectures[module.lab]
+        parts += [f'<a href="../lectures/{lecture.page}.html">Lecture {module.lab}</a>',
+                  f'<a href="../labs/{lecture.page}.html">{lab_title(course, module.lab)}</a>']
+    return as_myst(f'<p class="belongs">{" · ".join(parts)}</p>')
+
+
+def section(module, block):
+    """A comment that stands alone is a heading: its first sentence. The rest goes below it."""
+    lines = module.text.splitlines()[block.first - 1:block.last]
+    text = " ".join(line.strip("# -") for line in lines)
+    title = first_sentence(text)
+    rest = text.removeprefix(title).lstrip(".: ")
+    anchors = "".join(f'<span id="line-{n}"></span>' for n in range(block.first, block.last + 1))
+    below = f"<p>{rest}</p>" if rest else ""
+    return f"## {escape(title)}\n{as_myst(anchors + below)}"
+
+
+def constants(module, block):
+    """The constants of a block have their places in the index, and no text of their own."""
+    names = [name for node in block.nodes for name in sources_course.defined(node)]
+    return "\n".join(directive("data", name, options=("no-typesetting",)) for name in names)
+
+
+def definition(course, module, lines, block):
+    """A function or a class: what its docstring says, and its code beside it."""
+    node, = block.nodes
+    said = ""
+    exercise = course.exercises.get(f"{module.name}.{node.name}")
+    if exercise:
+        said += as_myst(f'<p class="marks">{badge(course, exercise)}</p>')
+    text = ast.get_docstring(node)
+    if text:
+        said += docstring(course, module, text, own_names(node))
+    code = listing(lines, block.first, block.last, docstring_lines(node))
+    kind, name = signature(node)
+    content = "".join([as_myst('<div class="beside"><div class="said">'), said,
+                       as_myst(f'</div><div class="answer">{code}</div></div>')])
+    return directive(kind, name, content)
+
+
+def signature(node):
+    """-> "function" or "class", and how it is called."""
+    if isinstance(node, ast.FunctionDef):
+        return "function", f"{node.name}({ast.unparse(node.args)})"
+    fields = [part for part in node.body if isinstance(part, ast.AnnAssign)]
+    names = [part.target.id + (f"={ast.unparse(part.value)}" if part.value else "")
+             for part in fields]
+    return "class", f"{node.name}({', '.join(names)})" if names else node.name
