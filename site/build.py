@@ -14,10 +14,10 @@ from pathlib import Path
 SITE = Path(__file__).parent
 sys.path[:0] = [str(SITE), str(SITE.parent)]
 
+from pages import front, lectures  # noqa: E402
 from sphinx.cmd.build import build_main  # noqa: E402
 
 from course.given.places import ROOT, out  # noqa: E402
-from pages import front, lectures  # noqa: E402
 
 SOURCE, TARGET = out("site-source", "pages"), out("site")
 EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are

@@ -16,9 +16,9 @@ myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "at
 myst_heading_anchors = 3
 myst_dmath_double_inline = True
 nb_execution_mode = "off"
-nb_remove_code_outputs = False
 nb_merge_streams = True
-nb_number_source_lines = False
+nb_code_prompt_show = "How this figure is drawn"
+nb_code_prompt_hide = "How this figure is drawn"
 
 html_theme = "furo"
 html_title = "Differentiable rasterization"

@@ -32,6 +32,7 @@ function style() {
 }
 """
 GLYPH = re.compile(r'<path id="MJX-\d+-(\S+)" d="([^"]*)"></path>')
+UNUSED = re.compile(r' (?:data-mml-node|data-c|xmlns|xmlns:xlink|focusable|jax|unselectable)="[^"]*"')
 TAG = re.compile(r"\\tag\{(\w+)\}")
 
 
@@ -54,7 +55,7 @@ def formula(tex, display):
     drawing = mathjax(os.getpid()).call("set", tex, display)
     if "merror" in drawing:
         raise ValueError(f"MathJax cannot read the formula {tex!r}")
-    return drawing
+    return UNUSED.sub("", drawing).replace("xlink:href", "href")
 
 
 def style():

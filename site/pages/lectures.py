@@ -24,7 +24,7 @@ NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)\)")
 ANNOUNCED = re.compile(r"^\*+(?:Exercises?|Extras?) \d.*", re.MULTILINE)
 NUMBER = re.compile(r"\b\d+\.\d+\b")
-SHOWN_BOARD = re.compile(r"# live\s+(?:from course import board\s+)?board\.show\([^)]*\)\s*")
+BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
 
 
 def write(folder, extra):
@@ -32,8 +32,7 @@ def write(folder, extra):
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
         notebook = nbformat.read(path, as_version=4)
         pictures = Pictures(path.stem, extra / "lectures" / "pictures")
-        notebook.cells = [cell for cell in notebook.cells
-                          if not SHOWN_BOARD.fullmatch(cell.source)]
+        notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
         for cell in notebook.cells:
             if cell.cell_type == "markdown":
                 cell.source = linked(cell.source)
@@ -90,16 +89,16 @@ class Pictures:
         put(self.folder / f"{name}.png", content)
         about = output.metadata["image/png"]
         size = f'width="{about["width"]}" height="{about["height"]}"'
-        shown, moves = name, getattr(Image.open(io.BytesIO(content)), "is_animated", False)
+        still, moves = name, getattr(Image.open(io.BytesIO(content)), "is_animated", False)
         if moves:
-            shown = f"{name}_still"
-            put(self.folder / f"{shown}.png", poster(content))
-        picture = (f'<img src="pictures/{shown}.png" alt="{html.escape(about["alt"])}" {size} '
+            still = f"{name}_still"
+            put(self.folder / f"{still}.png", poster(content))
+        picture = (f'<img src="pictures/{still}.png" alt="{html.escape(about["alt"])}" {size} '
                    'loading="lazy" decoding="async">')
         kind = f'class="animation" data-file="pictures/{name}.png"' if moves else 'class="drawn"'
         answer = self.answer(about["alt"])
-        output.data = nbformat.from_dict({"text/html": f"<figure {kind}>{picture}</figure>{answer}"})
-        output.metadata = nbformat.from_dict({})
+        shown = f"<figure {kind}>{picture}</figure>{answer}"
+        output.data, output.metadata = nbformat.from_dict([{"text/html": shown}, {}])
 
     def answer(self, words):
         """The place of the figure that answers below the one with these words."""
