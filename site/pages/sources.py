@@ -25,6 +25,7 @@ ABOUT = {
     "given": ("Given code", "What the labs and the lectures use: meshes, pictures, plots, inputs, "
               "and the check of gradients."),
 }
+HIDE_CONTENTS = "---\nhide-toc: true\n---\n"
 
 
 def write(folder):
@@ -58,8 +59,10 @@ def lab_cell(course, module):
 
 def page(course, module):
     lines = html_lines(course, module)
-    parts = [f"# {escape(module.topic)}\n", directive("module", module.name),
-             opening(course, module)]
+    parts = [HIDE_CONTENTS, f"# {escape(module.topic)}\n", directive("module", module.name),
+             links(course, module),
+             docstring(course, module, ast.get_docstring(module.tree), is_module=True),
+             contents(course, module)]
     for block in blocks(module):
         if block.kind == "section":
             parts.append(section(module, block))
@@ -77,12 +80,6 @@ def directive(kind, name, content="", options=()):
     return f":::::{{py:{kind}}} {name}\n{lines}\n{content}\n:::::\n"
 
 
-def opening(course, module):
-    """The module's docstring. Below its aligned equations stand the same, typeset."""
-    text = ast.get_docstring(module.tree)
-    return links(course, module) + docstring(course, module, text, is_module=True)
-
-
 def links(course, module):
     """Where the module belongs, and its file."""
     parts = [f"<code>{module.name.replace('.', '/')}.py</code>"]
@@ -91,6 +88,13 @@ def links(course, module):
         parts += [f'<a href="../lectures/{lecture.page}.html">Lecture {module.lab}</a>',
                   f'<a href="../labs/{lecture.page}.html">{lab_title(course, module.lab)}</a>']
     return as_myst(f'<p class="belongs">{" · ".join(parts)}</p>')
+
+
+def contents(course, module):
+    """The functions and classes, in their order. The theme's own list takes the code's place."""
+    items = " ".join(f'<li><a href="#{module.name}.{name}"><code>{name}</code></a></li>'
+                     for name in module.nodes)
+    return as_myst(f'<ul class="names">{items}</ul>')
 
 
 def section(module, block):
