@@ -156,7 +156,9 @@ def uses(modules, module):
     for statement in module.tree.body:
         own = bound(statement) if isinstance(statement, ast.FunctionDef) else set()
         for node in ast.walk(statement):
-            if isinstance(node, ast.Name) and node.id not in own:
+            if isinstance(node, ast.alias) and node.name in module.names:
+                found[node.lineno, node.col_offset] = module.names[node.name]
+            elif isinstance(node, ast.Name) and node.id not in own:
                 if isinstance(node.ctx, ast.Load) and node.id in module.names:
                     found[node.lineno, node.col_offset] = module.names[node.id]
             elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):

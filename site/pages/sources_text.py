@@ -7,6 +7,7 @@ import ast
 import functools
 import html
 import re
+import textwrap
 
 from pygments import lexers, token
 
@@ -63,7 +64,7 @@ def block(course, module, paragraph, own=(), is_first=False):
     if paragraph.startswith(">>> "):
         return listing(example(paragraph), "example")
     if is_table(paragraph):
-        return listing(html.escape(paragraph, quote=False), "table")
+        return listing(html.escape(textwrap.dedent(paragraph), quote=False), "table")
     kind = ' class="question"' if is_first else ""
     return f"<p{kind}>{inline(course, module, paragraph, own)}</p>"
 
@@ -74,8 +75,14 @@ def listing(text, kind):
 
 @functools.cache
 def example(text):
-    """A doctest in the colours of Pygments' style, as HTML."""
-    return "".join(span(*each) for each in PYCON.get_tokens(text)).rstrip("\n")
+    """A doctest in the colours of Pygments' style, as HTML. What is typed may wrap."""
+    lines = [""]
+    for kind, value in PYCON.get_tokens(text):
+        first, *rest = value.split("\n")
+        lines[-1] += span(kind, first)
+        lines += [span(kind, line) for line in rest]
+    return "\n".join(f'<span class="typed">{line}</span>' if plain.startswith((">>>", "..."))
+                     else line for line, plain in zip(lines, text.split("\n"), strict=False))
 
 
 def span(kind, value):
