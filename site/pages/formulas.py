@@ -73,7 +73,7 @@ def block(translator, node):
     tag = TAG.search(node.astext())
     name = f' id="equation-{tag[1]}"' if tag else ""
     drawing = _drawn(node, display=True)
-    translator.body.append(f'<div class="math notranslate" tabindex="0"{name}>{drawing}</div>\n')
+    translator.body.append(f'<div class="math notranslate"{name}>{drawing}</div>\n')
     raise SkipNode
 
 

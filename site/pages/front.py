@@ -51,7 +51,7 @@ def write(folder, extra):
 def page(readme):
     """README.md -> the front page: the doors stand before the code."""
     opening, *sections = re.split(r"^## ", readme, flags=re.MULTILINE)
-    title, film, text, code = opening.split("\n\n", 3)
+    title, _, film, text, code = opening.split("\n\n", 4)
     words = film.removeprefix("![").partition("]")[0]
     sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
     doors = sections.pop("Three doors")
