@@ -32,7 +32,7 @@ function style() {
 }
 """
 GLYPH = re.compile(r'<path id="MJX-\d+-(\S+)" d="([^"]*)"></path>')
-UNUSED = re.compile(r' (?:data-mml-node|data-c|xmlns|xmlns:xlink|focusable|jax|unselectable)="[^"]*"')
+UNUSED = re.compile(r' (?:data-\S+|xmlns(?::\S+)?|focusable|jax|unselectable)="[^"]*"')
 TAG = re.compile(r"\\tag\{(\w+)\}")
 
 
