@@ -12,12 +12,13 @@ import webbrowser
 from pathlib import Path
 
 SITE = Path(__file__).parent
-sys.path[:0] = [str(SITE), str(SITE.parent)]
+sys.path.insert(0, str(SITE.parent))
+sys.path.insert(0, str(SITE))
 
-from pages import front, lectures  # noqa: E402
-from sphinx.cmd.build import build_main  # noqa: E402
+from pages import front, lectures
+from sphinx.cmd.build import build_main
 
-from course.given.places import ROOT, out  # noqa: E402
+from course.given.places import ROOT, out
 
 SOURCE, TARGET = out("site-source", "pages"), out("site")
 EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are

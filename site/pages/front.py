@@ -55,7 +55,8 @@ def page(readme):
     words = film.removeprefix("![").partition("]")[0]
     sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
     doors = sections.pop("Three doors")
-    parts = [title, FILM.format(words=words), text, cards(doors), "## A picture and its gradient", code,
+    parts = [title, FILM.format(words=words), text, cards(doors),
+             "## A picture and its gradient", code,
              *(f"## {name}\n{body}" for name, body in sections.items())]
     return LINK.sub(_led, "\n\n".join(parts)) + "".join(trees())
 
