@@ -34,12 +34,12 @@ BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\
 def write(folder, extra):
     """Write the lectures to folder/lectures, their pictures to extra/lectures/pictures."""
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
-        notebook = nbformat.read(path, as_version=4)
+        notebook, lab = nbformat.read(path, as_version=4), int(path.stem[:2])
         pictures = Pictures(path.stem, extra / "lectures" / "pictures")
         notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
         for cell in notebook.cells:
             if cell.cell_type == "markdown":
-                cell.source = linked(cell.source, int(path.stem[:2])) + answers(path.stem, cell.source)
+                cell.source = linked(cell.source, lab) + answers(path.stem, cell.source)
             for output in cell.get("outputs", []):
                 pictures.extract(output)
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
