@@ -21,6 +21,7 @@ from .sources_text import (
     mark,
     own_names,
     points,
+    table,
     write_pages,
 )
 
@@ -51,7 +52,7 @@ def summary(course, lab):
     found = of_lab(course, lab).values()
     core = [exercise for exercise in found if not exercise.is_extra]
     return (f"What you build: {escape(built)}. About {hours} hours with the lecture: {len(core)} "
-            f"exercises of {points(sum(exercise.points for exercise in core))} together, and "
+            f"exercises ({points(sum(exercise.points for exercise in core))}) and "
             f"{len(found) - len(core)} extras.\n")
 
 
@@ -84,7 +85,7 @@ def page(course, lab):
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
                       f"Your file: {files(course, asked)}. To check it: "
-                      f"`python3 -m course check {lab}`.\n", as_myst(table(course, asked)),
+                      f"`python3 -m course check {lab}`.\n", overview(course, asked),
                       *(question(course, name) for name in asked)])
 
 
@@ -95,15 +96,14 @@ def files(course, asked):
     return " and ".join([*filter(None, [", ".join(names[:-1])]), names[-1]])
 
 
-def table(course, asked):
-    rows = [f'<tr><td><a href="#{anchor(exercise)}">{exercise.number}</a></td>'
-            f'<td><a href="#{anchor(exercise)}"><code>{exercise.name}</code></a></td>'
-            f"<td>{exercise.points}</td>"
-            f'<td><span class="badge {kind(exercise)}">{kind(exercise)}</span></td>'
-            f"<td>{question_line(course, name)}</td></tr>" for name, exercise in asked.items()]
-    head = "".join(f"<th>{word}</th>" for word in ("", "function", "points", "kind", "question"))
-    return (f'<div class="table-wrapper source-index" tabindex="0"><table><thead><tr>{head}</tr>'
-            "</thead>\n<tbody>\n" + "\n".join(rows) + "\n</tbody></table></div>")
+def overview(course, asked):
+    """The table of a lab's exercises, a line each."""
+    rows = [[f'<a href="#{anchor(exercise)}">{exercise.number}</a>',
+             f'<a href="#{anchor(exercise)}"><code>{exercise.name}</code></a>',
+             str(exercise.points),
+             f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
+             question_line(course, name)] for name, exercise in asked.items()]
+    return table(["number", "function", "points", "kind", "question"], rows)
 
 
 def question_line(course, name):
@@ -124,6 +124,7 @@ def question(course, name):
              f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
     return "\n".join([f"({anchor(exercise)})=\n## {exercise.number} `{exercise.name}`\n",
+                      f"```{{index}} exercise {exercise.number}\n```\n",  # the search knows it
                       as_myst(marks),
                       docstring(course, module, ast.get_docstring(node), own_names(node)),
                       as_myst(read_on(course, name))])

@@ -16,6 +16,7 @@ from .sources_text import (
     inline,
     lab_title,
     own_names,
+    table,
     write_pages,
 )
 
@@ -40,29 +41,26 @@ def write(folder):
 def index(course, name, modules):
     """The table of modules: name, first sentence, lab."""
     title, about = ABOUT[name]
-    rows = [f'<tr><td><a href="{module.topic}.html"><code>{module.topic}</code></a></td>'
-            f"<td>{inline(course, module, first_sentence(ast.get_docstring(module.tree)))}</td>"
-            f"{lab_cell(course, module)}</tr>" for module in modules]
-    head = "<th>module</th><th>what it is</th>" + "<th>lab</th>" * (name == "reference")
-    table = (f'<div class="table-wrapper source-index" tabindex="0"><table><thead><tr>{head}</tr>'
-             f"</thead>\n<tbody>\n" + "\n".join(rows) + "\n</tbody></table></div>")
+    rows = [[f'<a href="{module.topic}.html"><code>{module.topic}</code></a>',
+             inline(course, module, first_sentence(ast.get_docstring(module.tree))),
+             *lab_link(course, module)] for module in modules]
+    head = ["module", "what it is", "lab"][:len(rows[0])]
     tree = "```{toctree}\n:hidden:\n\n" + "\n".join(module.topic for module in modules) + "\n```"
-    return f"# {title}\n\n{about}\n{as_myst(table)}\n{tree}\n"
+    return f"# {title}\n\n{about}\n{table(head, rows)}\n{tree}\n"
 
 
-def lab_cell(course, module):
-    if not module.lab:
-        return ""
-    page = course.lectures[module.lab].page
-    return f'<td><a href="../labs/{page}.html">{module.lab}</a></td>'
+def lab_link(course, module):
+    if module.lab:
+        page = course.lectures[module.lab].page
+        yield f'<a href="../labs/{page}.html">{module.lab}</a>'
 
 
 def page(course, module):
     lines = html_lines(course, module)
     parts = [HIDE_CONTENTS, f"# {escape(module.topic)}\n", directive("module", module.name),
-             links(course, module),
+             as_myst(f'<div class="opening">{links(course, module)}'),
              docstring(course, module, ast.get_docstring(module.tree), is_module=True),
-             contents(course, module)]
+             as_myst(f"</div>{contents(module)}")]
     for block in blocks(module):
         if block.kind == "section":
             parts.append(section(module, block))
@@ -87,14 +85,14 @@ def links(course, module):
         lecture = course.lectures[module.lab]
         parts += [f'<a href="../lectures/{lecture.page}.html">Lecture {module.lab}</a>',
                   f'<a href="../labs/{lecture.page}.html">{lab_title(course, module.lab)}</a>']
-    return as_myst(f'<p class="belongs">{" · ".join(parts)}</p>')
+    return f'<p class="belongs">{" · ".join(parts)}</p>'
 
 
-def contents(course, module):
+def contents(module):
     """The functions and classes, in their order. The theme's own list takes the code's place."""
     items = " ".join(f'<li><a href="#{module.name}.{name}"><code>{name}</code></a></li>'
                      for name in module.nodes)
-    return as_myst(f'<ul class="names">{items}</ul>')
+    return f'<ul class="names">{items}</ul>'
 
 
 def section(module, block):

@@ -1,0 +1,246 @@
+"""The annotated source and the labs' pages: nothing of the code and of its words is lost.
+
+They look at the site that `python3 -m course site` has made. Each check of a page returns what is
+wrong with it, so that a planted mistake shows that it would be found.
+"""
+import ast
+import collections
+import copy
+import functools
+import re
+import sys
+
+import pytest
+from bs4 import BeautifulSoup
+from serving import ROOT
+
+sys.path.insert(0, str(ROOT / "site"))
+
+from pages import labs, sources, sources_course, sources_text  # noqa: E402
+
+SITE = ROOT / "out" / "site"
+COURSE = sources_course.read()
+MODULES = sorted(COURSE.modules)
+LABS = sorted(COURSE.lectures)
+NAME = re.compile(r"`(\w+)`")
+
+
+@functools.cache
+def page(name):
+    return BeautifulSoup((SITE / f"{name}.html").read_text("utf-8"), "html.parser")
+
+
+def source_page(name):
+    module = COURSE.modules[name]
+    return page(f"{module.folder}/{module.topic}")
+
+
+def lab_page(lab):
+    return page(f"labs/{COURSE.lectures[lab].page}")
+
+
+def letters(text):
+    """Without white space, and without the marks of code."""
+    return re.sub(r"[\s`]", "", text)
+
+
+def prose(element):
+    """The text of a docstring's place on a page, without what was added to it."""
+    element = copy.copy(element)
+    for added in element.select(".marks, .equation, .belongs, .signature, .read-on, h2"):
+        added.decompose()
+    return element.get_text()
+
+
+def docstrings(module):
+    """{name: docstring} of a module's functions and classes, and of itself: ""."""
+    found = {name: ast.get_docstring(node) or "" for name, node in module.nodes.items()}
+    return {"": ast.get_docstring(module.tree), **found}
+
+
+def places(module, soup):
+    """{name: element} where their docstrings stand."""
+    dts = {dt["id"].removeprefix(f"{module.name}."): dt.find_next_sibling("dd")
+           for dt in soup.select("dl.py > dt[id]")}
+    return {"": soup.select_one(".opening"),
+            **{name: dd.select_one(".said") for name, dd in dts.items() if dd and dd.select(".said")}}
+
+
+def wrong_functions(module, soup):
+    """Functions and classes that are not there exactly once, or in another order."""
+    shown = [dt["id"].rpartition(".")[2] for dt in soup.select("dl.function > dt, dl.class > dt")]
+    return [] if shown == list(module.nodes) else [shown]
+
+
+def wrong_letters(module, soup):
+    """Docstrings that a page does not hold as they are."""
+    shown = places(module, soup)
+    return [name for name, text in docstrings(module).items()
+            if name not in shown or letters(prose(shown[name])) != letters(text)]
+
+
+def wrong_lines(module, soup):
+    """Numbers of lines that are missing, hold something else, or are there twice."""
+    inside = {n for node in (module.tree, *module.nodes.values()) if ast.get_docstring(node)
+              for n in range(node.body[0].lineno, node.body[0].end_lineno + 1)}
+    lines = module.text.splitlines()
+    shown = collections.defaultdict(list)
+    for element in soup.select('[id^="line-"]'):
+        heading = element.find_previous("h2")
+        shown[int(element["id"].removeprefix("line-"))].append(
+            element.get_text() if element.get("class") else heading.parent.get_text())
+    expected = {n for n, line in enumerate(lines, 1) if line.strip() and n not in inside}
+    strange = {n for n, texts in shown.items() if len(texts) != 1 or n in inside
+               or (texts[0] != lines[n - 1] and lines[n - 1].strip("# -") not in texts[0])}
+    return sorted(expected - set(shown) | strange)
+
+
+def wrong_equations(module, soup):
+    """Docstrings whose equations are not there, drawn as in the lecture and with their number."""
+    shown, known, wrong = places(module, soup), COURSE.equations(module), []
+    for name, text in docstrings(module).items():
+        tables = name == ""
+        named = {number for part in sources_text.paragraphs(text)
+                 if sources_text.is_table(part) == tables
+                 for number in sources_text.named_equations(part)}
+        found = {}
+        for equation in shown[name].select(".equation") if name in shown else ():
+            number = equation.select_one(".number")
+            found[int(number.get_text().strip("()"))] = (equation, number["href"])
+        if set(found) != named & set(known) or not all(
+                formula(equation) == lecture_formula(module, number)
+                and href.endswith(f"{COURSE.lectures[module.lab].page}.html#equation-{number}")
+                for number, (equation, href) in found.items()):
+            wrong.append(name)
+    return wrong
+
+
+def formula(element):
+    """What a screen reader reads of a drawn formula, without its number."""
+    return re.sub(r"^\(\d+\)", "", letters(element.select_one("mjx-assistive-mml").get_text()))
+
+
+def lecture_formula(module, number):
+    lecture = page(f"lectures/{COURSE.lectures[module.lab].page}")
+    return formula(lecture.select_one(f"#equation-{number}"))
+
+
+CHECKS = wrong_functions, wrong_letters, wrong_lines, wrong_equations
+
+
+@pytest.mark.parametrize("check", CHECKS)
+@pytest.mark.parametrize("name", MODULES)
+def test_a_page_holds_its_module(name, check):
+    """A star of `x*` was taken for emphasis; a line number is off by one; a formula is another."""
+    assert check(COURSE.modules[name], source_page(name)) == []
+
+
+def test_many_equations_are_typeset():
+    """The check above finds nothing where no equation is named."""
+    shown = {name: len(source_page(name).select(".equation")) for name in MODULES}
+    own = {f"reference.{topic}" for topic in sources_course.OWN_NUMBERS}
+    assert sum(shown.values()) > 400
+    assert {name for name in own if shown[name]} == set()
+
+
+PLANTED = {  # a mistake in the page of antialiasing, and the check that finds it
+    "a function is missing": (wrong_functions, r'<dl class="py function">.*?</dl>', ""),
+    "a star is lost": (wrong_letters, r"row \* W", "row  W"),
+    "three dots are one letter": (wrong_letters, r"c \(\.\.\.\)", "c (…)"),
+    "the fine print is lost": (wrong_letters, r"<details.*?</details>", ""),
+    "a line has the next one's number": (wrong_lines, 'id="line-176"', 'id="line-177"'),
+    "a line is not there": (wrong_lines, r'<span class="line" id="line-176">.*?\n', ""),
+    "a line holds other code": (wrong_lines, r"nearer = |nearer <span[^>]*>=", "other ="),
+    "an equation is not there": (wrong_equations, r'class="equation"', 'class="lost"'),
+    "an equation has another number": (wrong_equations, r">\(3\)</a></div>", ">(4)</a></div>"),
+    "an equation is another": (wrong_equations, "<mn>1</mn>", "<mn>7</mn>"),
+}
+
+
+@pytest.mark.parametrize("mistake", PLANTED)
+def test_a_planted_mistake_is_found(mistake):
+    """A check that finds nothing, whatever the page."""
+    check, pattern, other = PLANTED[mistake]
+    text = (SITE / "reference" / "antialiasing.html").read_text("utf-8")
+    planted, count = re.subn(pattern, other, text, count=1, flags=re.S)
+    assert count == 1
+    assert check(COURSE.modules["reference.antialiasing"], BeautifulSoup(planted, "html.parser"))
+
+
+@pytest.mark.parametrize("lab", LABS)
+def test_a_lab_has_all_its_questions_and_no_answer(lab):
+    """An exercise is not on its page, or its answer is."""
+    soup, asked = lab_page(lab), labs.of_lab(COURSE, lab)
+    shown = {element["id"]: element for element in soup.select('section[id^="exercise-"]')}
+    assert list(shown) == [sources_text.anchor(exercise) for exercise in asked.values()]
+    listed = page("labs/index").get_text()
+    for name, exercise in asked.items():
+        module, node = labs.found(COURSE, name)
+        element = shown[sources_text.anchor(exercise)]
+        assert f"{exercise.number} {exercise.name}" in element.h2.get_text()
+        assert f"{exercise.number} {exercise.name}" in listed
+        assert sources_text.mark(exercise) in element.get_text()
+        assert letters(prose(element)) == letters(ast.get_docstring(node))
+        assert f"({ast.unparse(node.args)})" in element.select_one(".signature").get_text()
+        assert answer_lines(module, node) & {*map(str.strip, element.get_text().splitlines())} \
+            == set()
+        assert f'../reference/{module.topic}.html#{name}' in str(element)
+
+
+def answer_lines(module, node):
+    """The longer lines of a function below its docstring."""
+    lines = module.text.splitlines()[node.body[0].end_lineno:node.end_lineno]
+    return {line.strip() for line in lines if len(line.strip()) > 12}
+
+
+@pytest.mark.parametrize("lab", LABS)
+def test_a_question_leads_to_where_the_lecture_asks_it(lab):
+    """The link leads to the section before, or to the top."""
+    lecture = page(f"lectures/{COURSE.lectures[lab].page}")
+    for exercise in labs.of_lab(COURSE, lab).values():
+        anchor = sources_text.anchor(exercise)
+        links = lab_page(lab).select_one(f"#{anchor}").select('.read-on a[href*="/lectures/"]')
+        section = lecture.find(id=links[0]["href"].partition("#")[2])
+        assert section.select(f'a[href$="#{anchor}"]'), exercise.number
+
+
+def test_only_what_changed_is_written(tmp_path):
+    """Sphinx makes all pages anew, each time."""
+    sources.write(tmp_path)
+    labs.write(tmp_path)
+    before = {path: path.stat().st_mtime_ns for path in tmp_path.glob("*/*.md")}
+    changed, stale = tmp_path / "reference" / "lights.md", tmp_path / "labs" / "17_more.md"
+    changed.write_text("another text")
+    stale.write_text("of a lab that is gone")
+    sources.write(tmp_path)
+    labs.write(tmp_path)
+    after = {path: path.stat().st_mtime_ns for path in tmp_path.glob("*/*.md")}
+    assert {path for path in after if after[path] != before.get(path)} == {changed}
+    assert set(after) == set(before)
+    assert len(before) == len(MODULES) + len(LABS) + 3
+
+
+@pytest.mark.parametrize("text", [
+    "a*b* and x* and *c*", "_a_ __init__ b_", "|n| <b> & &amp; <!-- -->", "(..., 2) -> e (...)",
+    r"\alpha \* $x$ $$y$$", "1. one\n2. two\n- three", "# no heading\n===\n---", "`a` and ``b``",
+    "``````{raw} html", ":::::{py:function}", "> no quotation", '"quotes" -- it\'s...'])
+def test_no_letter_is_markup(text):
+    """A docstring is plain text."""
+    module = COURSE.modules["reference.antialiasing"]
+    shown = BeautifulSoup(sources_text.block(COURSE, module, text), "html.parser").get_text()
+    assert letters(shown) == letters(text)
+
+
+def test_names_become_links_to_the_right_places():
+    """`crossing_backward` is in two modules; `tube` is a parameter."""
+    def address(module, name, own=()):
+        return sources_text.name_address(COURSE, COURSE.modules[module], name, own)
+    assert address("reference.antialiasing", "crossing_backward") \
+        == "../reference/antialiasing.html#reference.antialiasing.crossing_backward"
+    assert address("reference.shape_rendering", "sphere_trace") \
+        == "../reference/implicit_surfaces.html#reference.implicit_surfaces.sphere_trace"
+    assert address("reference.reconstruction", "course.given.mesh.vertex_normals") \
+        == "../given/mesh.html#course.given.mesh.vertex_normals"
+    assert address("reference.regularization", "remeshing") == "../reference/remeshing.html"
+    assert address("course.given.mesh", "radius", ("radius", "tube")) is None
+    assert address("reference.antialiasing", "no_such_function") is None
