@@ -53,14 +53,14 @@ def sphere(face_count):
 
 
 def machine():
-    """{what: fact} of what the numbers are measured on."""
+    """{what: fact} of what the numbers are measured on, and when."""
     info = Path("/proc/cpuinfo")
     lines = info.read_text().splitlines() if info.exists() else []
     names = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
     return {"machine": platform.machine(), "system": platform.platform(),
             "processor": (names or [platform.processor() or "unknown"])[0],
             "python": platform.python_version(), "numpy": np.__version__,
-            "scipy": scipy.__version__}
+            "scipy": scipy.__version__, "date": time.strftime("%Y-%m-%d")}
 
 
 HELD = {"MALLOC_TRIM_THRESHOLD_": "2000000000", "MALLOC_MMAP_THRESHOLD_": "2000000000",
