@@ -1,40 +1,46 @@
 """Links of the course's own texts, made links of the site.
 
-A text in the repository links to files beside it: `[renderers.py](renderers.py)`. What has a page on
-the site becomes a link to this page. The name of any other file is left, as code.
+A text in the repository links to files beside it: `[renderers.py](renderers.py)`. What has a page
+becomes a link to this page. The name of any other file is left, as code.
 """
 import os
 import re
-from pathlib import Path
 
-from course import exercises
+from course.given.places import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
+from . import put
+from .names import functions, page_of_file
+
 LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
+CODE = re.compile(r"(?<!`)`(?:(\w+)\.)?(\w+)`(?![`\w])")
 
 
-def pages():
-    """{file of the repository: its page}, without the page's ending."""
-    found = {"README.md": "index", "benchmarks/README.md": "benchmarks",
-             "course/grading/README.md": "instructors", "notebooks/errata.md": "errata"}
-    lectures = [path.stem for path in sorted((ROOT / "notebooks").glob("[0-9]*.ipynb"))]
-    found |= {f"notebooks/{name}.ipynb": f"lectures/{name}" for name in lectures}
-    for topics, name in zip(exercises.LABS, lectures[1:], strict=True):
-        found |= {f"labs/{topic}.py": f"labs/{name}" for topic in topics}
-        found |= {f"reference/{topic}.py": f"reference/{topic}" for topic in topics}
-    return found | {f"course/given/{path.name}": f"given/{path.stem}"
-                    for path in (ROOT / "course" / "given").glob("[a-z]*.py")}
+def write(folder):
+    """Write the pages of site/texts: what they name of reference/ leads to its place there."""
+    for path in sorted((ROOT / "site" / "texts").glob("*.md")):
+        put(folder / path.name, CODE.sub(_function, path.read_text("utf-8")))
 
 
-def mapped(text, folder, found):
-    """Markdown of a file in this folder of the repository, its links by found {file: page}."""
-    def on_site(match):
-        label, target = match.groups()
-        if "://" in target or target.startswith("#"):
-            return match[0]
-        file, _, anchor = os.path.normpath(f"{folder}/{target}").partition("#")
-        if file in found:
-            return f"[{label}]({found[file]}{'#' * bool(anchor)}{anchor})"
+def mapped(text, place):
+    """Markdown of a file in the folder `place` of the repository, with the site's links."""
+    return LINK.sub(lambda link: _led(link, place), text)
+
+
+def _led(link, place):
+    label, target = link.groups()
+    if "://" in target or target.startswith(("#", "/")):
+        return link[0]
+    page = page_of_file(os.path.normpath(f"{place}/{target}").replace(os.sep, "/"))
+    if page is None:
         return label if "`" in label else f"`{label}`"
+    return f"[{label}](/{page}{'.ipynb' if page.startswith('lectures/') else '.md'})"
 
-    return LINK.sub(on_site, text)
+
+def _function(name):
+    module, function = name.groups()
+    address = functions().get(function, "")
+    if module and (ROOT / "reference" / f"{module}.py").exists():
+        address = f"reference/{module}.html#reference.{module}.{function}"
+    if not address:
+        return name[0]
+    return f'<a class="function" href="{address}"><code>{name[0].strip("`")}</code></a>'
