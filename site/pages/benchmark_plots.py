@@ -3,6 +3,7 @@
 A plot is made of a result alone. Its numbers, and those in its title, come from there.
 """
 import io
+import textwrap
 from typing import NamedTuple
 
 import matplotlib as mpl
@@ -12,7 +13,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from benchmarks.measure import text as number
 from course.given import plot
 
-WIDTH, HEIGHT = 480, 360  # in pixels: a phone shrinks it to three quarters
+WIDTH, HEIGHT = 480, 400  # in pixels: a phone shrinks it to three quarters
 COLOURS = plot.BLUE, plot.RED, plot.GREEN, plot.ORANGE
 MARKS = "osD^"
 
@@ -58,14 +59,16 @@ class Lines(NamedTuple):
         figure, axes = empty(self.finding(rows))
         for name, colour, mark in zip(self.names, COLOURS, MARKS, strict=False):
             known = [(row[self.x], row[name]) for row in rows if name in row]
-            axes.loglog(*zip(*known, strict=True), f"{mark}-", color=colour, label=name)
+            if known:
+                axes.loglog(*zip(*known, strict=True), f"{mark}-", color=colour, label=name)
         for axis in axes.xaxis, axes.yaxis:
             axis.set_minor_formatter(NullFormatter())
-            axis.set_major_formatter("{x:,g}")
+            axis.set_major_formatter("{x:,.9g}")
         axes.set_xticks([row[self.x] for row in rows])
-        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5), numticks=99))
+        low, high = axes.get_ylim()
+        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 1000 * low else (1,)))
         axes.set(xlabel=self.x, ylabel=self.y)
-        axes.legend(loc="best")
+        axes.legend(loc="lower left", bbox_to_anchor=(-0.1, 1), ncols=2, columnspacing=1)
         return drawing(figure)
 
 
@@ -90,8 +93,8 @@ class Bars(NamedTuple):
         axes.bar_label(bars, [number(value) for value in values.values()], padding=3)
         axes.invert_yaxis()
         axes.grid(axis="y", visible=False)
-        axes.margins(x=0.15)
-        axes.set(xlabel=self.y)
+        axes.margins(x=0.2)
+        figure.supxlabel(self.y, fontsize=12.5)
         return drawing(figure)
 
 
@@ -100,7 +103,7 @@ def empty(title):
     plot.style()
     mpl.rcParams.update({"font.size": 12.5, "axes.titlesize": 13.5, "svg.hashsalt": "benchmarks"})
     figure, axes = plt.subplots(figsize=(WIDTH / 100, HEIGHT / 100))
-    figure.suptitle(plot.textwrap.fill(title, 52), x=0.02, ha="left", fontsize=13.5)
+    figure.suptitle(textwrap.fill(title, 48), x=0.02, ha="left", fontsize=13.5)
     axes.grid(color=plot.PALE, linewidth=0.5)
     return figure, axes
 
@@ -112,13 +115,19 @@ def drawing(figure):
     return content.getvalue(), WIDTH, HEIGHT
 
 
+def ratio(value, other):
+    """How many times the other, as text."""
+    return f"{value / other:.3g}"
+
+
 def times(rows, name, other, at=-1):
     """name / other in a row, as text."""
-    return number(rows[at][name] / rows[at][other])
+    return ratio(rows[at][name], rows[at][other])
 
 
 def growth(rows, name):
-    return number(rows[-1][name] / rows[0][name])
+    """How many times the first row's value the last one is, as text."""
+    return ratio(rows[-1][name], rows[0][name])
 
 
 def peers(work, title, x="faces", **wanted):
@@ -130,7 +139,7 @@ def peers(work, title, x="faces", **wanted):
 def against(rows, x):
     """How our time compares with the others', in the last row."""
     last = rows[-1]
-    told = ", ".join(f"{number(value)} times {name[2:]}'s" for name, value in last.items()
+    told = ", ".join(f"{value:.3g} times {name[2:]}'s" for name, value in last.items()
                      if name.startswith("x "))
     return f"at {number(last[x])} {x} our time is {told}"
 
@@ -175,13 +184,13 @@ PLOTS = {
         lambda found: {f"{row['filter']}{', back' * back}": row["backward" if back else "forward"]
                        for row in found["medians in ms"] for back in (False, True)},
         lambda bars: f"The way back of a trilinear look-up takes "
-                     f"{number(bars['linear-mipmap-linear, back'] / bars['linear-mipmap-linear'])} "
+                     f"{ratio(bars['linear-mipmap-linear, back'], bars['linear-mipmap-linear'])} "
                      "times the way there"),
     "msaa": Bars(
         named("medians"),
-        lambda bars: f"4x MSAA takes {number(bars['4x MSAA'] / bars['1 sample'])} times one "
+        lambda bars: f"4x MSAA takes {ratio(bars['4x MSAA'], bars['1 sample'])} times one "
                      "sample, 2 x 2 supersampling "
-                     f"{number(bars['2 x 2 supersampling'] / bars['1 sample'])} times"),
+                     f"{ratio(bars['2 x 2 supersampling'], bars['1 sample'])} times"),
     "neural_renderer": Bars(
         named("medians"),
         lambda bars: f"A teapot with cubes of texels takes {number(bars['teapot, 1 x 1 samples'])} "

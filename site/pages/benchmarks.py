@@ -13,8 +13,8 @@ from benchmarks.measure import text as number
 from course.given.places import ROOT
 
 from . import put
-from .benchmark_plots import PLOTS, chosen, row_at
-from .texts_links import mapped
+from .benchmark_plots import PLOTS, chosen, growth, ratio, row_at
+from .texts_links import mapped, named
 
 SCRIPTS, KEPT, NEW = ROOT / "benchmarks", ROOT / "benchmarks" / "results", "out/benchmarks"
 FACTS = "machine", "system", "processor", "python", "numpy", "scipy", "date"
@@ -62,7 +62,7 @@ def page(found, pictures):
                        else f"`{script[1]}.py`", about)
     about = FILE.sub(lambda file: f'<a href="benchmarks/{file[2]}.json">{file[1]}</a>'
                      if file[2] else f"`{file[1]}`", about)
-    parts = [title, "## Questions", questions(found), "## About these numbers",
+    parts = [title, "## Questions", named(questions(found)), "## About these numbers",
              mapped(about, "benchmarks").replace("\n## ", "\n### "), "## Results"]
     for name, content in found.items():
         parts += section(name, content, pictures)
@@ -86,14 +86,14 @@ said.
 [Stage by stage](#pipeline)
 
 **And the way back?** `pipeline.render_backward` takes {number(seen["d render"])} ms, \
-{number(seen["d render"] / seen["render"])} times the picture.
+{ratio(seen["d render"], seen["render"])} times the picture.
 
 (antialias-backward-at-100-000-faces)=
 **What does `antialias_backward` cost at 100,000 faces?** It takes {number(row["backward"])} ms, \
 and `antialias` {number(row["forward"])} ms. At the outline these faces are thinner than a pixel, \
 so only {row["blended"]} pairs of pixels are blended. In {screen(wide)} pixels \
-{wide["blended"]} pairs are: then `antialias_backward` takes {number(wide["backward"])} ms, and \
-`antialias` {number(wide["forward"])} ms. [All sizes](#antialiasing)
+{wide["blended"]} pairs are blended. There it takes {number(wide["backward"])} ms, and `antialias` \
+{number(wide["forward"])} ms. [All sizes](#antialiasing)
 
 **How does it grow?** {grown(pipeline["faces"], "faces")} {grown(pipeline["pixels"], "pixels")} \
 Both together, up to {number(max(row["faces"] for row in both))} faces, grow as the faces to the \
@@ -108,10 +108,8 @@ the power of {number(peers["exponent in pixels"])}. [Up to a million faces](#pee
 
 def grown(rows, key):
     """A sentence: how much longer the last row takes than the first."""
-    first, last = rows[0], rows[-1]
-    times = {name: number(last[name] / first[name]) for name in (key, "render", "d render")}
-    return (f"{times[key]} times as many {key} take `render` {times['render']} times as long, and "
-            f"`render_backward` {times['d render']} times.")
+    return (f"{growth(rows, key)} times as many {key} take `render` {growth(rows, 'render')} times "
+            f"as long, and `render_backward` {growth(rows, 'd render')} times.")
 
 
 def screen(row):

@@ -18,7 +18,12 @@ CODE = re.compile(r"(?<!`)`(?:(\w+)\.)?(\w+)`(?![`\w])")
 def write(folder):
     """Write the pages of site/texts: what they name of reference/ leads to its place there."""
     for path in sorted((ROOT / "site" / "texts").glob("*.md")):
-        put(folder / path.name, CODE.sub(_function, path.read_text("utf-8")))
+        put(folder / path.name, named(path.read_text("utf-8")))
+
+
+def named(text):
+    """A text with links from the functions that it names to their places in reference/."""
+    return CODE.sub(_function, text)
 
 
 def mapped(text, place):
