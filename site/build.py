@@ -4,6 +4,7 @@
     python3 -m course site --serve    and opens it in the browser
     python3 -m course site --lite     and with JupyterLite: the labs in the browser
 """
+import contextlib
 import functools
 import http.server
 import shutil
@@ -11,14 +12,14 @@ import sys
 import webbrowser
 from pathlib import Path
 
-SITE = Path(__file__).parent
-sys.path[:0] = [str(SITE), str(SITE.parent)]
+sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import front, lectures  # noqa: E402
-from sphinx.cmd.build import build_main  # noqa: E402
+from pages import front, lectures
+from sphinx.cmd.build import build_main
 
-from course.given.places import ROOT, out  # noqa: E402
+from course.given.places import ROOT, out
 
+SITE = ROOT / "site"
 SOURCE, TARGET = out("site-source", "pages"), out("site")
 EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are
 
@@ -45,7 +46,8 @@ def serve(port=8000):
         address = f"http://127.0.0.1:{server.server_port}"
         print(f"The site is at {address} until you press Ctrl-C.")
         webbrowser.open(address)
-        server.serve_forever()
+        with contextlib.suppress(KeyboardInterrupt):
+            server.serve_forever()
 
 
 def main(options):

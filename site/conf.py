@@ -20,14 +20,15 @@ nb_merge_streams = True
 nb_code_prompt_show = "How this figure is drawn"
 nb_code_prompt_hide = "How this figure is drawn"
 
+templates_path = ["templates"]
 html_theme = "furo"
 html_title = "Differentiable rasterization"
 html_math_renderer = "drawn"
 html_static_path = [str(SITE / "static")]
-html_css_files = ["style.css"]
+html_css_files = ["style.css", "players/players.css", "figures/figures.css"]
+html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
+                 ("players/begin.js", {"type": "module"})]
 html_copy_source = False
 html_show_sphinx = False
 html_permalinks_icon = "#"
 html_theme_options = {"navigation_with_keys": False}
-pygments_style = "friendly"
-pygments_dark_style = "github-dark"

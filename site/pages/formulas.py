@@ -32,7 +32,7 @@ function style() {
 }
 """
 GLYPH = re.compile(r'<path id="MJX-\d+-(\S+)" d="([^"]*)"></path>')
-UNUSED = re.compile(r' (?:data-mml-node|data-c|xmlns|xmlns:xlink|focusable|jax|unselectable)="[^"]*"')
+UNUSED = re.compile(r' (?:data-\S+|xmlns(?::\S+)?|focusable|jax|unselectable)="[^"]*"')
 TAG = re.compile(r"\\tag\{(\w+)\}")
 
 
@@ -73,7 +73,7 @@ def block(translator, node):
     tag = TAG.search(node.astext())
     name = f' id="equation-{tag[1]}"' if tag else ""
     drawing = _drawn(node, display=True)
-    translator.body.append(f'<div class="math notranslate" tabindex="0"{name}>{drawing}</div>\n')
+    translator.body.append(f'<div class="math notranslate"{name}>{drawing}</div>\n')
     raise SkipNode
 
 

@@ -51,11 +51,12 @@ def write(folder, extra):
 def page(readme):
     """README.md -> the front page: the doors stand before the code."""
     opening, *sections = re.split(r"^## ", readme, flags=re.MULTILINE)
-    title, film, text, code = opening.split("\n\n", 3)
+    title, _, film, text, code = opening.split("\n\n", 4)
     words = film.removeprefix("![").partition("]")[0]
     sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
     doors = sections.pop("Three doors")
-    parts = [title, FILM.format(words=words), text, cards(doors), "## Twelve lines", code,
+    parts = [title, FILM.format(words=words), text, cards(doors),
+             "## A picture and its gradient", code,
              *(f"## {name}\n{body}" for name, body in sections.items())]
     return LINK.sub(_led, "\n\n".join(parts)) + "".join(trees())
 

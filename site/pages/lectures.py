@@ -14,11 +14,15 @@ from PIL import Image
 from course.given.places import ROOT
 
 from . import put
-from .names import CODE, exercise_pages, functions, page_of_file
+from .names import CODE, exercise_pages, function_page, page_of_file
 from .posters import poster
 
-ANSWERS = {  # the figure that answers: its lecture, and how the words of the figure above it begin
-    "edge_functions": ("02_rasterization", ""),
+ANSWERS = {  # the figure that answers: its lecture, and words of the cell or figure above it
+    "edge_functions": ("02_rasterization", "a point p in a triangle and the three smaller"),
+    "alias": ("03_sampling", "a wave with 4 periods in one second and a wave with 1 period"),
+    "perspective": ("05_interpolation", "two pictures of a checkerboard floor of two faces"),
+    "mip_level": ("06_texturing", "left, a pixel with its circle"),
+    "antialias": ("08_antialiasing", "\\tag{7}"),
 }
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)\)")
@@ -30,24 +34,31 @@ BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\
 def write(folder, extra):
     """Write the lectures to folder/lectures, their pictures to extra/lectures/pictures."""
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
-        notebook = nbformat.read(path, as_version=4)
+        notebook, lab = nbformat.read(path, as_version=4), int(path.stem[:2])
         pictures = Pictures(path.stem, extra / "lectures" / "pictures")
         notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
         for cell in notebook.cells:
             if cell.cell_type == "markdown":
-                cell.source = linked(cell.source)
+                cell.source = linked(cell.source, lab) + answers(path.stem, cell.source)
             for output in cell.get("outputs", []):
                 pictures.extract(output)
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
 
 
-def linked(text):
-    """A lecture's text with its links led to the site's pages, and more links."""
+def linked(text, lab):
+    """The text of a lab's lecture with its links led to the site's pages, and more links."""
     text = NEIGHBOUR.sub("", text)
     text = LINK.sub(_led, text)
     text = ANNOUNCED.sub(lambda found: NUMBER.sub(_exercise, found[0]), text)
     seen = set()
-    return CODE.sub(lambda found: _function(found, seen), text)
+    return CODE.sub(lambda found: _function(found, lab, seen), text)
+
+
+def answers(lecture, text):
+    """The places of the figures that answer, below this text of a lecture."""
+    return "".join(f'\n\n<div class="answers" data-figure="{figure}"></div>'
+                   for figure, (place, words) in ANSWERS.items()
+                   if place == lecture and words in text)
 
 
 def _led(link):
@@ -63,9 +74,9 @@ def _exercise(number):
     return f'<a href="../{address}">{number[0]}</a>' if address else number[0]
 
 
-def _function(name, seen):
+def _function(name, lab, seen):
     """The first of a cell's `crossing` leads to its place in the source."""
-    address = functions().get(name[1])
+    address = function_page(name[1], lab)
     if address is None or name[1] in seen:
         return name[0]
     seen.add(name[1])
@@ -96,12 +107,6 @@ class Pictures:
         picture = (f'<img src="pictures/{still}.png" alt="{html.escape(about["alt"])}" {size} '
                    'loading="lazy" decoding="async">')
         kind = f'class="animation" data-file="pictures/{name}.png"' if moves else 'class="drawn"'
-        answer = self.answer(about["alt"])
+        answer = answers(self.lecture, about["alt"])
         shown = f"<figure {kind}>{picture}</figure>{answer}"
         output.data, output.metadata = nbformat.from_dict([{"text/html": shown}, {}])
-
-    def answer(self, words):
-        """The place of the figure that answers below the one with these words."""
-        return "".join(f'<div class="answers" data-figure="{figure}"></div>'
-                       for figure, (lecture, beginning) in ANSWERS.items()
-                       if lecture == self.lecture and beginning and words.startswith(beginning))

@@ -14,15 +14,26 @@ def lab_page(topic):
 
 
 @functools.cache
-def functions():
-    """{name: address} of the functions of reference/ that have a name of their own."""
+def topics_of_functions():
+    """{name: topics} of all functions of reference/."""
     found = {}
     for topic in exercises.topics():
-        text = exercises.read(exercises.reference(topic))
-        for function in exercises.top_level_functions(text):
-            found.setdefault(function.name, []).append(
-                f"reference/{topic}.html#reference.{topic}.{function.name}")
-    return {name: places[0] for name, places in found.items() if len(places) == 1}
+        for function in exercises.top_level_functions(exercises.read(exercises.reference(topic))):
+            found.setdefault(function.name, []).append(topic)
+    return found
+
+
+def function_page(name, lab):
+    """The address of a function as a lab's lecture means it, or None: that lab's, or the only one.
+
+    lab: a number, as the first lecture's is 0.
+    """
+    topics = topics_of_functions().get(name, [])
+    near = [topic for topic in topics if exercises.lab_number(topic) == lab]
+    meant = near or topics
+    if len(meant) != 1:
+        return None
+    return f"reference/{meant[0]}.html#reference.{meant[0]}.{name}"
 
 
 @functools.cache
