@@ -9,7 +9,7 @@ import re
 from course.given.places import ROOT
 
 from . import put
-from .names import functions, page_of_file
+from .names import function_page, page_of_file
 
 LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(?<!`)`(?:(\w+)\.)?(\w+)`(?![`\w])")
@@ -43,9 +43,9 @@ def _led(link, place):
 
 def _function(name):
     module, function = name.groups()
-    address = functions().get(function, "")
+    address = function_page(function, lab=None)
     if module and (ROOT / "reference" / f"{module}.py").exists():
         address = f"reference/{module}.html#reference.{module}.{function}"
-    if not address:
+    if address is None:
         return name[0]
     return f'<a class="function" href="{address}"><code>{name[0].strip("`")}</code></a>'
