@@ -154,7 +154,7 @@ def tables(content, title=""):
     alone = {key: value for key, value in content.items()
              if not isinstance(value, (list, dict)) and key not in FACTS}
     if alone:
-        yield title or "one for all", [alone]
+        yield title or "other numbers", [alone]
     for key, value in content.items():
         if isinstance(value, list):
             yield f"{title}, {key}".removeprefix(", "), value
