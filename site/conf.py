@@ -29,6 +29,7 @@ html_css_files = ["style.css", "source.css", "players/players.css", "figures/fig
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]
 html_copy_source = False
+html_domain_indices = False  # reference/index lists the modules
 html_show_sphinx = False
 html_permalinks_icon = "#"
 html_theme_options = {"navigation_with_keys": False}
