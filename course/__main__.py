@@ -3,10 +3,12 @@
 Where everything is there already (conda, an active environment), this goes straight on to cli.py.
 Elsewhere it makes .venv, once, and starts itself again inside, where nothing is started again.
 
-A copy of requirements.txt in .venv tells how far its set-up came:
-    none        somebody else made this .venv: it is used, never changed
+The web site needs more than the rest: site/requirements.txt, and for --lite one more file.
+
+A copy of each of these files in .venv tells how far its set-up came:
+    none        of requirements.txt: somebody else made this .venv: it is used, never changed
     empty       set-up was cut short: .venv is made anew
-    different   requirements.txt has changed since: install again
+    different   the file has changed since, or was never asked for: install it
     the same    ready
 Standard library only, and readable for Python 3.6, so that an old Python gets a sentence, too.
 """
@@ -25,10 +27,11 @@ REQUIREMENTS = ROOT / "requirements.txt"
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 COPY = VENV / "requirements.txt"
+SITE, LITE = ROOT / "site" / "requirements.txt", ROOT / "site" / "requirements-lite.txt"
 INSIDE = VENV.exists() and VENV.samefile(sys.prefix)
 
 REMEDIES = (  # what an error says, and what helps
-    ("lacks|does not start", "delete this folder, or install requirements.txt in it yourself"),
+    ("lacks|does not start", "delete this folder, or install the requirements in it yourself"),
     ("No module named '?(venv|ensurepip)",
      "install uv, or your system's venv package (Debian, Ubuntu: sudo apt install python3-venv)"),
     ("No space left|not enough space|quota exceeded", "free 1 GB on this disk"),
@@ -46,12 +49,13 @@ def main():
                    f"{sys.version.split()[0]}: install a newer one (python.org, conda, uv), "
                    "then start with its name, as in: python3.13 -m course")
     try:
-        if missing():
-            set_up()
-            if not INSIDE:
-                return start_inside()
-            if missing():
-                raise OSError("it lacks " + ", ".join(missing()))
+        for requirements in asked():
+            if missing(requirements):
+                set_up(requirements)
+                if not INSIDE:
+                    return start_inside()
+                if missing(requirements):
+                    raise OSError("it lacks " + ", ".join(missing(requirements)))
     except KeyboardInterrupt:
         return say("set-up was interrupted; the next start begins it again", status=130)
     except OSError as error:
@@ -63,8 +67,17 @@ def main():
     return cli.main()
 
 
-def missing():
-    """The lines of requirements.txt that this Python does not meet, by name and lower bound."""
+def asked():
+    """The files of requirements that this command needs."""
+    yield REQUIREMENTS
+    if sys.argv[1:2] == ["site"] or "--site" in sys.argv:
+        yield SITE
+    if "--lite" in sys.argv:
+        yield LITE
+
+
+def missing(requirements):
+    """The lines of this file that this Python does not meet, by name and lower bound."""
     from importlib.metadata import PackageNotFoundError, version
 
     def met(name, bound):
@@ -75,7 +88,7 @@ def missing():
 
     importlib.invalidate_caches()
     line = r"^(([\w.-]+)(?:>=([\d.]+))?)"
-    wanted = re.findall(line, REQUIREMENTS.read_text("utf-8"), re.MULTILINE)
+    wanted = re.findall(line, requirements.read_text("utf-8"), re.MULTILINE)
     return [whole for whole, name, bound in wanted if not met(name, bound)]
 
 
@@ -84,27 +97,28 @@ def numbers(version):
     return tuple(int(digits) for digits in re.findall(r"\d+", version or ""))
 
 
-def set_up():
-    """Bring .venv in step with requirements.txt. OSError says in one line what went wrong."""
+def set_up(requirements):
+    """Bring .venv in step with this file. OSError says in one line what went wrong."""
+    name = requirements.relative_to(ROOT)
+    copy = VENV / "-".join(name.parts)
     starts = succeeds(PYTHON, "-c", "import sys; sys.exit(sys.version_info < (3, 11))")
     if VENV.exists() and not COPY.exists():
         if not starts:
             raise OSError("its Python does not start, or is too old")
         return
-    wanted = REQUIREMENTS.read_text("utf-8")
-    reached = COPY.read_text("utf-8") if starts else ""
-    if reached == wanted:
+    wanted = requirements.read_text("utf-8")
+    if starts and copy.exists() and copy.read_text("utf-8") == wanted:
         return
     uv = succeeds("uv", "--version")
-    say(f"installing requirements.txt into {VENV} with {'uv' if uv else 'pip'}; "
+    say(f"installing {name} into {VENV} with {'uv' if uv else 'pip'}; "
         "about a minute, only this once")
-    if not reached and not INSIDE:
+    if not INSIDE and not (starts and COPY.read_text("utf-8")):
         make_venv(uv)
-    COPY.write_text("", "utf-8")
+    copy.write_text("", "utf-8")
     pip = ["uv", "pip", "install", "--python", PYTHON] if uv else [
         PYTHON, "-m", "pip", "--disable-pip-version-check", "install"]
-    run_quietly(*pip, "-r", REQUIREMENTS)
-    COPY.write_text(wanted, "utf-8")
+    run_quietly(*pip, "-r", requirements)
+    copy.write_text(wanted, "utf-8")
 
 
 def make_venv(uv):

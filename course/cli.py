@@ -21,7 +21,8 @@ to work on the course
   mistakes [TARGET]     try the known mistakes, and make the hints that they give
   feedback [TARGET]     how often reports name what is wrong, on wrong answers as students write
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
-  test                  check everything: lint, code, labs, notebooks
+  site                  make the web site in out/site/ of all this
+  test                  check everything: lint, code, labs, notebooks; with --site the web site
 
 examples
   python3 -m course demo                     all scenes that take seconds
@@ -223,8 +224,14 @@ def arguments():
     option("target", nargs="?", metavar="TARGET",
            help="a topic, a lab or an exercise, as for check; without, everything: an hour")
 
+    option = add(site)
+    option("--serve", action="store_true", help="show it in the browser, until Ctrl-C")
+    option("--lite", action="store_true", help="and with JupyterLite, the labs in the browser")
+
     option = add(test)
     option("--quick", action="store_true", help="leave the notebooks out")
+    option("--site", action="store_true",
+           help="check the web site instead: make it, and open every page in Chromium")
     for name in withheld():
         del commands.choices[name]
     return parser
@@ -334,8 +341,19 @@ def mutants(asked):
     return course.upkeep.mutants.run(asked.target)
 
 
+def site(asked):
+    """Make the web site in out/site/ from lectures, labs and code. Nothing of them is run."""
+    return make_site(*(f"--{name}" for name in ("serve", "lite") if getattr(asked, name)))
+
+
+def make_site(*wishes):
+    return run_python(str(ROOT / "site" / "build.py"), *wishes)
+
+
 def test(asked):
-    """Check the whole project: lint, then every test, on all cores."""
+    """Check the whole project: lint, then every test, on all cores. Or the web site."""
+    if asked.site:
+        return make_site() or run_module("pytest", "-rs", "-n", str(os.cpu_count()), "tests/site")
     # labs/ is not for lint: it is made from reference/, or a student's own.
     lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"),
                       str(ROOT))
@@ -347,9 +365,13 @@ def test(asked):
 
 
 def run_module(*command):
-    """python -m command, in the course's folder, without anybody's own settings for pytest."""
+    return run_python("-m", *command)
+
+
+def run_python(*command):
+    """python command, in the course's folder, without anybody's own settings for pytest."""
     settings = {**os.environ, "PYTEST_ADDOPTS": "", "OMP_NUM_THREADS": "1"}  # one core, one worker
-    with subprocess.Popen([sys.executable, "-m", *command], cwd=ROOT, env=settings) as child:
+    with subprocess.Popen([sys.executable, *command], cwd=ROOT, env=settings) as child:
         signal.signal(signal.SIGTERM, lambda *_: child.terminate())
         try:
             return child.wait()

@@ -1,30 +1,10 @@
-"""What the tests of the web site share: a browser, and a server for a folder's files."""
-import contextlib
-import functools
-import http.server
+"""What the tests of the web site share: a browser, and pages that may not fail."""
 import shutil
-import threading
-from pathlib import Path
 
 import pytest
+from serving import ROOT, served
 
-ROOT = Path(__file__).parents[2]
 BROWSERS = "chromium", "chromium-browser", "google-chrome", "chrome"
-
-
-class Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *_):
-        pass
-
-
-@contextlib.contextmanager
-def served(folder):
-    """-> the address at which this folder's files are served."""
-    handler = functools.partial(Quiet, directory=str(folder))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
 
 
 @pytest.fixture(scope="session")

@@ -147,6 +147,18 @@ def test_changed_requirements_are_installed_in_the_active_venv_too(ready):
     assert "stone-1.2.dist-info" in installed(ready)
 
 
+def test_what_the_site_needs_is_installed_when_the_site_is_asked_for(ready):
+    """Every student waits for the site's packages; or the site's first build misses them."""
+    (ready / "site").mkdir()
+    (ready / "site" / "requirements.txt").write_text("stone>=1.0\n")
+    assert start(ready, "0").told == [] and "stone-1.2.dist-info" not in installed(ready)
+    ended = start(ready, "0", "--site")
+    assert (ended.status, len(ended.told)) == (0, 1)
+    assert f"site{os.sep}requirements.txt" in ended.told[0]
+    assert installed(ready) == ["pebble-1.2.dist-info", "stone-1.2.dist-info"]
+    assert start(ready, "0", "--site", PIP_FIND_LINKS="nowhere").told == []
+
+
 def test_a_set_up_that_was_cut_short_is_made_anew(ready, first):
     """A start that was killed leaves a .venv that fails for ever."""
     (ready / ".venv" / "requirements.txt").write_text("")
@@ -234,7 +246,7 @@ def test_a_version_is_compared_by_its_numbers(module, monkeypatch):
     """As text, 10.0 comes before 9.0."""
     monkeypatch.setattr("importlib.metadata.version", {"old": "2.9", "new": "10.0rc1"}.get)
     module.REQUIREMENTS.write_text("# why\nnew>=9.1  # why\nnew>=10.0\n\nold>=2.10\nold\nbroken>=1")
-    assert module.missing() == ["old>=2.10", "broken>=1"]
+    assert module.missing(module.REQUIREMENTS) == ["old>=2.10", "broken>=1"]
 
 
 def test_an_old_python_gets_a_sentence(module, monkeypatch, capsys):
@@ -269,7 +281,7 @@ def test_uv_is_used_where_it_is_found(module, monkeypatch):
     commands = []
     monkeypatch.setattr(module, "succeeds", lambda *command: command[0] == "uv")
     monkeypatch.setattr(module, "run_quietly", lambda *command: commands.append(command[:3]))
-    module.set_up()
+    module.set_up(module.REQUIREMENTS)
     assert commands == [("uv", "venv", "--allow-existing"), ("uv", "pip", "install")]
     assert module.COPY.read_text() == module.REQUIREMENTS.read_text()
 

@@ -1,0 +1,66 @@
+"""Makes the web site: writes its pages' sources to out/site-source, and lets Sphinx make out/site.
+
+    python3 -m course site            the site, from what the course holds; nothing is run
+    python3 -m course site --serve    and opens it in the browser
+    python3 -m course site --lite     and with JupyterLite: the labs in the browser
+"""
+import contextlib
+import functools
+import http.server
+import shutil
+import sys
+import webbrowser
+from pathlib import Path
+
+sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
+
+from pages import front, lectures
+from sphinx.cmd.build import build_main
+
+from course.given.places import ROOT, out
+
+SITE = ROOT / "site"
+SOURCE, TARGET = out("site-source", "pages"), out("site")
+EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are
+
+
+def write_sources():
+    """All pages, as Sphinx reads them."""
+    front.write(SOURCE, EXTRA)
+    lectures.write(SOURCE, EXTRA)
+    for path in (SITE / "texts").glob("*.md"):
+        shutil.copy2(path, SOURCE)
+
+
+def make():
+    """-> Sphinx's exit status. A warning is an error: a link that leads nowhere, say."""
+    return build_main(["-b", "html", "-j", "auto", "-q", "--fail-on-warning", "--keep-going",
+                       "-c", str(SITE), "-d", str(SOURCE.parent / "doctrees"),
+                       "-D", f"html_extra_path={EXTRA}", str(SOURCE), str(TARGET)])
+
+
+def serve(port=8000):
+    """Show the site in the browser, until Ctrl-C."""
+    handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=str(TARGET))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", port), handler) as server:
+        address = f"http://127.0.0.1:{server.server_port}"
+        print(f"The site is at {address} until you press Ctrl-C.")
+        webbrowser.open(address)
+        with contextlib.suppress(KeyboardInterrupt):
+            server.serve_forever()
+
+
+def main(options):
+    SOURCE.mkdir(parents=True, exist_ok=True)
+    write_sources()
+    status = make()
+    if status == 0:
+        print(f"The site is in {TARGET.relative_to(ROOT)}: open index.html there, or "
+              "python3 -m course site --serve")
+    if "--serve" in options:
+        serve()
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,34 @@
+"""How Sphinx makes the web site of the pages that build.py has written."""
+import sys
+from pathlib import Path
+
+SITE = Path(__file__).parent
+sys.path[:0] = [str(SITE), str(SITE.parent)]
+
+project = "Differentiable rasterization in plain NumPy"
+author = "the authors of the course"
+copyright = "Code: MIT License. Lectures and figures: CC BY 4.0"
+extensions = ["myst_nb", "sphinx_design", "pages.formulas"]
+exclude_patterns = ["static/**"]
+
+myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline",
+                          "attrs_block"]
+myst_heading_anchors = 3
+myst_dmath_double_inline = True
+nb_execution_mode = "off"
+nb_merge_streams = True
+nb_code_prompt_show = "How this figure is drawn"
+nb_code_prompt_hide = "How this figure is drawn"
+
+templates_path = ["templates"]
+html_theme = "furo"
+html_title = "Differentiable rasterization"
+html_math_renderer = "drawn"
+html_static_path = [str(SITE / "static")]
+html_css_files = ["style.css", "players/players.css", "figures/figures.css"]
+html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
+                 ("players/begin.js", {"type": "module"})]
+html_copy_source = False
+html_show_sphinx = False
+html_permalinks_icon = "#"
+html_theme_options = {"navigation_with_keys": False}

@@ -1,0 +1,87 @@
+"""The front page, from README.md, and the tree of all pages."""
+import re
+
+from course import exercises
+from course.given.places import DATA, ROOT, read_whole
+
+from . import put
+from .names import page_of_file
+from .posters import poster
+
+DOORS = {"Students": "labs/index", "Instructors": "instructors", "Readers": "reference/index"}
+CARDS = """\
+::::{{grid}} 1 1 3 3
+:gutter: 3
+
+{cards}
+::::
+"""
+CARD = """\
+:::{{grid-item-card}} {title}
+:link: /{page}
+:link-type: doc
+
+{text}
+:::
+"""
+TREE = """
+```{{toctree}}
+:hidden:
+:caption: {caption}
+
+{pages}
+```
+"""
+FILM = """\
+<figure class="animation" data-file="reconstruction.png" data-autoplay>
+<img src="reconstruction_still.png" alt="{words}" width="900" height="263">
+</figure>
+"""
+LINK = re.compile(r"\[([^]]*)\]\((?!https?:)([^)]+)\)")
+
+
+def write(folder, extra):
+    """Write folder/index.md, and its film to extra."""
+    film = read_whole(DATA / "reconstruction.png")
+    put(extra / "reconstruction.png", film)
+    put(extra / "reconstruction_still.png", poster(film))
+    put(folder / "index.md", page((ROOT / "README.md").read_text("utf-8")))
+
+
+def page(readme):
+    """README.md -> the front page: the doors stand before the code."""
+    opening, *sections = re.split(r"^## ", readme, flags=re.MULTILINE)
+    title, _, film, text, code = opening.split("\n\n", 4)
+    words = film.removeprefix("![").partition("]")[0]
+    sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
+    doors = sections.pop("Three doors")
+    parts = [title, FILM.format(words=words), text, cards(doors),
+             "## A picture and its gradient", code,
+             *(f"## {name}\n{body}" for name, body in sections.items())]
+    return LINK.sub(_led, "\n\n".join(parts)) + "".join(trees())
+
+
+def cards(doors):
+    """The three paragraphs about students, instructors and readers, as cards."""
+    found = re.findall(r"\*\*(\w+)\*\* (.*?)(?=\n\n\*\*|\Z)", doors.strip(), re.DOTALL)
+    return CARDS.format(cards="\n".join(
+        CARD.format(title=title, page=DOORS[title],
+                    text=LINK.sub(r"\1", text[0].upper() + text[1:])) for title, text in found))
+
+
+def _led(link):
+    page = page_of_file(link[2])
+    if page is None:
+        return link[1]
+    return f"[{link[1]}](/{page}{'.ipynb' if page.startswith('lectures/') else '.md'})"
+
+
+def trees():
+    """What stands in the margin of every page."""
+    lectures = [f"lectures/{path.stem}" for path in sorted((ROOT / "notebooks").glob("*.ipynb"))]
+    labs = [f"labs/{exercises.lecture(topics[0]).stem}" for topics in exercises.LABS]
+    groups = {"Lectures": lectures, "Labs": ["labs/index", *labs],
+              "Code": ["reference/index", "given/index", "benchmarks"],
+              "More": ["instructors", "errata", "glossary", "bibliography"]}
+    for caption, pages in groups.items():
+        yield TREE.format(caption=caption, pages="\n".join(pages))

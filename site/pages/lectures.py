@@ -1,0 +1,112 @@
+"""The lectures: the notebooks as they are saved, with links to the site's other pages.
+
+Pictures become files. What moves waits for the reader, in a player. Below some figures stands one
+that answers: without JavaScript its place is empty.
+"""
+import base64
+import html
+import io
+import re
+
+import nbformat
+from PIL import Image
+
+from course.given.places import ROOT
+
+from . import put
+from .names import CODE, exercise_pages, function_page, page_of_file
+from .posters import poster
+
+ANSWERS = {  # the figure that answers: its lecture, and words of the cell or figure above it
+    "edge_functions": ("02_rasterization", "a point p in a triangle and the three smaller"),
+    "alias": ("03_sampling", "a wave with 4 periods in one second and a wave with 1 period"),
+    "perspective": ("05_interpolation", "two pictures of a checkerboard floor of two faces"),
+    "mip_level": ("06_texturing", "left, a pixel with its circle"),
+    "antialias": ("08_antialiasing", "\\tag{7}"),
+}
+NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
+LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)\)")
+ANNOUNCED = re.compile(r"^\*+(?:Exercises?|Extras?) \d.*", re.MULTILINE)
+NUMBER = re.compile(r"\b\d+\.\d+\b")
+BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
+
+
+def write(folder, extra):
+    """Write the lectures to folder/lectures, their pictures to extra/lectures/pictures."""
+    for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
+        notebook, lab = nbformat.read(path, as_version=4), int(path.stem[:2])
+        pictures = Pictures(path.stem, extra / "lectures" / "pictures")
+        notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
+        for cell in notebook.cells:
+            if cell.cell_type == "markdown":
+                cell.source = linked(cell.source, lab) + answers(path.stem, cell.source)
+            for output in cell.get("outputs", []):
+                pictures.extract(output)
+        put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
+
+
+def linked(text, lab):
+    """The text of a lab's lecture with its links led to the site's pages, and more links."""
+    text = NEIGHBOUR.sub("", text)
+    text = LINK.sub(_led, text)
+    text = ANNOUNCED.sub(lambda found: NUMBER.sub(_exercise, found[0]), text)
+    seen = set()
+    return CODE.sub(lambda found: _function(found, lab, seen), text)
+
+
+def answers(lecture, text):
+    """The places of the figures that answer, below this text of a lecture."""
+    return "".join(f'\n\n<div class="answers" data-figure="{figure}"></div>'
+                   for figure, (place, words) in ANSWERS.items()
+                   if place == lecture and words in text)
+
+
+def _led(link):
+    path = (ROOT / "notebooks" / link[1]).resolve().relative_to(ROOT).as_posix()
+    page = page_of_file(path)
+    if page is None:
+        raise ValueError(f"a lecture leads to {link[1]}, which is no page of the site")
+    return f"](/{page}{'.ipynb' if page.startswith('lectures/') else '.md'})"
+
+
+def _exercise(number):
+    address = exercise_pages().get(number[0])
+    return f'<a href="../{address}">{number[0]}</a>' if address else number[0]
+
+
+def _function(name, lab, seen):
+    """The first of a cell's `crossing` leads to its place in the source."""
+    address = function_page(name[1], lab)
+    if address is None or name[1] in seen:
+        return name[0]
+    seen.add(name[1])
+    return f'<a class="function" href="../{address}"><code>{name[1]}</code></a>'
+
+
+class Pictures:
+    """Takes the pictures out of a lecture's outputs, and writes them into files."""
+
+    def __init__(self, lecture, folder):
+        self.lecture, self.folder, self.count = lecture, folder, 0
+
+    def extract(self, output):
+        """Put the HTML that shows a picture in its place."""
+        data = output.get("data", {})
+        if "image/png" not in data:
+            return
+        content = base64.b64decode(data["image/png"])
+        name = f"{self.lecture[:2]}_{self.count:02}"
+        self.count += 1
+        put(self.folder / f"{name}.png", content)
+        about = output.metadata["image/png"]
+        size = f'width="{about["width"]}" height="{about["height"]}"'
+        still, moves = name, getattr(Image.open(io.BytesIO(content)), "is_animated", False)
+        if moves:
+            still = f"{name}_still"
+            put(self.folder / f"{still}.png", poster(content))
+        picture = (f'<img src="pictures/{still}.png" alt="{html.escape(about["alt"])}" {size} '
+                   'loading="lazy" decoding="async">')
+        kind = f'class="animation" data-file="pictures/{name}.png"' if moves else 'class="drawn"'
+        answer = answers(self.lecture, about["alt"])
+        shown = f"<figure {kind}>{picture}</figure>{answer}"
+        output.data, output.metadata = nbformat.from_dict([{"text/html": shown}, {}])

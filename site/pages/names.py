@@ -1,0 +1,59 @@
+"""Where on the site the course's functions, exercises and files are."""
+import functools
+import re
+
+from course import exercises
+from course.given.places import ROOT
+
+CODE = re.compile(r"(?<!`)`(\w+)`(?!`)")
+
+
+def lab_page(topic):
+    """antialiasing -> labs/08_antialiasing, as its lecture is called."""
+    return f"labs/{exercises.lecture(topic).stem}"
+
+
+@functools.cache
+def topics_of_functions():
+    """{name: topics} of all functions of reference/."""
+    found = {}
+    for topic in exercises.topics():
+        for function in exercises.top_level_functions(exercises.read(exercises.reference(topic))):
+            found.setdefault(function.name, []).append(topic)
+    return found
+
+
+def function_page(name, lab):
+    """The address of a function as a lab's lecture means it, or None: that lab's, or the only one.
+
+    lab: a number, as the first lecture's is 0.
+    """
+    topics = topics_of_functions().get(name, [])
+    near = [topic for topic in topics if exercises.lab_number(topic) == lab]
+    meant = near or topics
+    if len(meant) != 1:
+        return None
+    return f"reference/{meant[0]}.html#reference.{meant[0]}.{name}"
+
+
+@functools.cache
+def exercise_pages():
+    """{number: address} of all exercises and extras."""
+    return {exercise.number: f"{lab_page(topic)}.html#exercise-{exercise.number.replace('.', '-')}"
+            for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)}
+
+
+def page_of_file(path):
+    """A file of the course, seen from its folder -> the page that shows it, or None."""
+    folder, _, name = path.rpartition("/")
+    stem, _, ending = name.partition(".")
+    if path == "README.md":
+        return "index"
+    if folder == "notebooks" and ending == "ipynb":
+        return f"lectures/{stem}"
+    if folder == "labs" and stem in exercises.TOPICS:
+        return lab_page(stem)
+    if folder in ("reference", "course/given") and (ROOT / path).exists() and ending == "py":
+        return f"{folder.rpartition('/')[2]}/{stem}"
+    return {"notebooks/errata.md": "errata", "benchmarks/README.md": "benchmarks",
+            "course/grading/README.md": "instructors"}.get(path)

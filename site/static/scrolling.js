@@ -1,0 +1,6 @@
+// What is wider than the page scrolls in its place: by keyboard, too.
+addEventListener("DOMContentLoaded", () => {
+  for (const place of document.querySelectorAll("pre, div.math, figure, .table-wrapper")) {
+    if (place.scrollWidth > place.clientWidth) place.tabIndex = 0;
+  }
+});

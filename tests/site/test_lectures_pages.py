@@ -1,0 +1,97 @@
+"""The lectures on the site: what the notebooks say is there, and more links."""
+import json
+import re
+import sys
+
+import pytest
+from bs4 import BeautifulSoup
+from serving import ROOT
+
+sys.path.insert(0, str(ROOT / "site"))
+
+from pages import formulas, front, lectures, names
+
+NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("lectures")
+    lectures.write(folder, folder / "extra")
+    return folder
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_lecture_shows_every_picture_with_its_words_and_size(path, written):
+    """A picture is lost, or stands there without its words."""
+    def outputs(notebook):
+        return [output for cell in json.loads(notebook.read_text("utf-8"))["cells"]
+                for output in cell.get("outputs", [])]
+
+    given = [output["metadata"]["image/png"] for output in outputs(path)
+             if "image/png" in output.get("data", {})]
+    html = "".join("".join(output["data"]["text/html"])
+                   for output in outputs(written / "lectures" / path.name)
+                   if "text/html" in output.get("data", {}))
+    shown = BeautifulSoup(html, "html.parser").find_all("img")
+    assert [picture["alt"] for picture in shown] == [about["alt"] for about in given]
+    assert [int(picture["width"]) for picture in shown] == [about["width"] for about in given]
+    for picture in shown:
+        assert (written / "extra" / "lectures" / picture["src"]).exists()
+
+
+def test_every_figure_that_answers_has_its_place(written):
+    """The words of a lecture have changed, and the figure is gone without a sound."""
+    for figure, (lecture, _) in lectures.ANSWERS.items():
+        text = (written / "lectures" / f"{lecture}.ipynb").read_text("utf-8")
+        assert text.count(f'data-figure=\\"{figure}\\"') + text.count(
+            f'data-figure=\\\\\\"{figure}\\\\\\"') == 1, figure
+
+
+def test_an_exercise_and_a_function_are_linked():
+    """A reader of a lecture has to search for the exercise that it announces."""
+    text = lectures.linked("**Exercise 8.7** `crossing`. Then `crossing` again, and `np`.", 8)
+    assert ('<a href="../labs/08_antialiasing.html#exercise-8-7">8.7</a>** <a class="function" '
+            'href="../reference/antialiasing.html#reference.antialiasing.crossing">') in text
+    assert text.endswith("</a>. Then `crossing` again, and `np`.", 8)
+
+
+def test_a_version_or_a_section_is_no_exercise():
+    """Python 3.11 becomes a link to lab 3."""
+    text = "It needs Python 3.11. See section 4.2."
+    assert lectures.linked(text, 4) == text
+
+
+def test_a_link_to_a_file_without_a_page_is_refused():
+    """A dead link on the site."""
+    with pytest.raises(ValueError, match="no page of the site"):
+        lectures.linked("[setup](../pyproject.toml)", 1)
+
+
+def test_pages_of_files():
+    """A README's link leads to a file that is not on the site."""
+    assert names.page_of_file("labs/outlines.py") == "labs/08_antialiasing"
+    assert names.page_of_file("reference/outlines.py") == "reference/outlines"
+    assert names.page_of_file("notebooks/02_rasterization.ipynb") == "lectures/02_rasterization"
+    assert names.page_of_file("LICENSE") is None
+
+
+def test_a_formula_is_a_drawing_with_its_words_for_screen_readers():
+    """Formulas need a script of two megabytes, or cannot be heard."""
+    drawn = formulas.formula(r"\frac{x_0}{2}\tag{3}", True)
+    assert "<svg" in drawn and "<math" in drawn and "<script" not in drawn
+    assert re.search(r"<mn>2</mn>", drawn)
+
+
+def test_a_formula_with_a_mistake_ends_the_build():
+    """Red letters on a page that nobody looks at."""
+    with pytest.raises(ValueError, match=r"cannot read the formula '\\\\frac\{'"):
+        formulas.formula(r"\frac{", False)
+
+
+def test_the_front_page_has_the_readmes_doors_and_its_lines():
+    """The README changed its form, and the front page lost a part."""
+    page = front.page((ROOT / "README.md").read_text("utf-8"))
+    assert page.count("grid-item-card") == 3
+    assert "import numpy as np" in page and "data-autoplay" in page
+    assert page.index("grid-item-card") < page.index("import numpy as np")

@@ -1,0 +1,153 @@
+"""Every page of the web site: its text, and what Chromium makes of it."""
+import collections
+import functools
+import re
+import urllib.parse
+from pathlib import Path
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from bs4 import BeautifulSoup
+from serving import ROOT, served
+
+SITE = ROOT / "out" / "site"
+PAGES = sorted(path.relative_to(SITE).as_posix() for path in SITE.glob("**/*.html")
+               if "lite" not in path.relative_to(SITE).parts)
+SIX = ("index", "lectures/02_rasterization", "lectures/08_antialiasing", "labs/08_antialiasing",
+       "reference/antialiasing", "benchmarks")
+WIDTHS = 1280, 768, 375
+WEIGHT_LIMIT = 1_500_000  # bytes of a page with all that it loads, before anything is played
+
+SHIFTS = """new Promise(done => {
+  let sum = 0;
+  const watch = list => list.getEntries().forEach(entry => { sum += entry.value; });
+  new PerformanceObserver(watch).observe({type: "layout-shift", buffered: true});
+  setTimeout(() => done(sum), 300);
+})"""
+
+
+@functools.cache
+def soup(page):
+    return BeautifulSoup((SITE / page).read_text(encoding="utf-8"), "html.parser")
+
+
+@functools.cache
+def anchors(page):
+    return {element["id"] for element in soup(page).find_all(id=True)}
+
+
+def test_the_site_is_there():
+    """The tests below have no page to fail on."""
+    assert len(PAGES) > 80, "make the site first: python3 -m course site"
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_link_leads_somewhere(page):
+    """A page or a heading was renamed, and a reader ends at nothing."""
+    dead = []
+    for link in soup(page).find_all(["a", "link"], href=True):
+        address = urllib.parse.urlsplit(link["href"])
+        if address.scheme:
+            continue
+        path = urllib.parse.unquote(address.path)
+        target = (SITE / page).parent / path if path else SITE / page
+        if not target.resolve().is_file():
+            dead.append(link["href"])
+        elif address.fragment and target.suffix == ".html":
+            name = target.resolve().relative_to(SITE).as_posix()
+            if urllib.parse.unquote(address.fragment) not in anchors(name):
+                dead.append(link["href"])
+    assert dead == []
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_is_sound(page):
+    """A picture that is not described, a name given twice, a formula in red letters."""
+    dumb = [picture["src"] for picture in soup(page).find_all("img") if not picture.get("alt")]
+    sizes = [picture["src"] for picture in soup(page).find_all("img")
+             if not (picture.get("width") and picture.get("height"))]
+    names = collections.Counter(element["id"] for element in soup(page).find_all(id=True))
+    assert dumb == []
+    assert sizes == []
+    assert [name for name, count in names.items() if count > 1] == []
+    assert len(soup(page).find_all("h1")) == 1
+    assert "merror" not in (SITE / page).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_opens_without_a_fault(page, site_page):
+    """An error of a script, a missing file, another host, a barrier for somebody."""
+    opened, weight = site_page(page)
+    assert not opened.evaluate("document.querySelector('merror')")
+    assert opened.evaluate(SHIFTS) == 0
+    assert sum(weight.values()) < WEIGHT_LIMIT, weight
+    found = Axe().run(opened).response["violations"]
+    assert [(rule["id"], node["html"][:200], node.get("failureSummary", "")[:300])
+            for rule in found for node in rule["nodes"]] == []
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_in_the_dark_and_on_a_phone_nothing_is_lost(page, site_page):
+    """Grey on black; or a page that moves sideways because one formula is wide."""
+    opened, _ = site_page(page, width=375, theme="dark")
+    wide = opened.evaluate("document.documentElement.scrollWidth - innerWidth")
+    found = Axe().run(opened, options={"runOnly": ["color-contrast"]}).response["violations"]
+    assert wide <= 0
+    assert [(node["html"][:200], node.get("failureSummary", "")[:300])
+            for rule in found for node in rule["nodes"]] == []
+
+
+@pytest.mark.parametrize("page", SIX)
+def test_six_pages_are_there_to_look_at(page, site_page):
+    """Nobody has seen the site."""
+    for width in WIDTHS:
+        for theme in "light", "dark":
+            opened, _ = site_page(f"{page}.html", width, theme)
+            name = f"{page.replace('/', '_')}_{width}_{theme}.png"
+            opened.screenshot(path=ROOT / "out" / "site-pictures" / name)
+
+
+@pytest.mark.parametrize(("words", "first"), [
+    ("antialias_backward", "reference/outlines.html"),
+    ("exercise 8.4", "labs/08_antialiasing.html"),
+    ("top-left rule", "lectures/02_rasterization.html")])
+def test_the_search_finds_the_place_first(words, first, site_page):
+    """The words are on forty pages, and the one that says what they mean comes last."""
+    opened, _ = site_page(f"search.html?q={urllib.parse.quote(words)}")
+    opened.wait_for_selector("ul.search li a")
+    found = opened.eval_on_selector_all("ul.search li a", "all => all.map(one => one.href)")
+    assert re.search(re.escape(first), found[0]), found[:5]
+
+
+@pytest.fixture(scope="module")
+def address():
+    with served(SITE) as there:
+        yield there
+
+
+@pytest.fixture
+def site_page(browser, address):
+    """-> a function that opens a page of the site: the page, and the bytes of what it loaded."""
+    contexts, said = [], []
+
+    def open_page(name, width=1280, theme="light"):
+        contexts.append(browser.new_context(viewport={"width": width, "height": 900},
+                                            color_scheme=theme))
+        opened, weight = contexts[-1].new_page(), {}
+
+        def weigh(response):
+            if not response.url.startswith(address):
+                said.append(f"another host: {response.url}")
+            weight[Path(response.url).name] = len(response.body())
+
+        opened.on("response", weigh)
+        opened.on("requestfailed", lambda request: said.append(f"failed: {request.url}"))
+        opened.on("pageerror", lambda error: said.append(str(error)))
+        opened.on("console", lambda message: message.type == "error" and said.append(message.text))
+        opened.goto(f"{address}/{name}", wait_until="networkidle")
+        return opened, weight
+
+    yield open_page
+    for context in contexts:
+        context.close()
+    assert said == []
