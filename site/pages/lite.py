@@ -1,12 +1,15 @@
 """JupyterLite: JupyterLab, the lectures and the labs as files, to be run in the browser.
 
 Python and its packages are not among the files. They come from Pyodide's CDN when a cell is run.
+One that the CDN does not have, comm, is among them, so that no other host is asked.
 """
 import json
 import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
+from importlib.metadata import distribution
 from pathlib import Path
 
 from course.given.places import ROOT
@@ -35,6 +38,7 @@ def write(folder):
     with tempfile.TemporaryDirectory() as source:
         contents = Path(source) / "contents"
         collect(contents)
+        pack("comm", contents.parent / "pypi")
         for name, content in (("jupyter-lite.json", SETTINGS), ("overrides.json", OVERRIDES)):
             (contents.parent / name).write_text(json.dumps(content), "utf-8")
         shutil.rmtree(folder, ignore_errors=True)
@@ -57,3 +61,13 @@ def collect(folder):
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(path, copy)
     shutil.copy2(GUIDE, folder / "notebooks")
+
+
+def pack(name, folder):
+    """Write the wheel of an installed package of pure Python."""
+    found = distribution(name)
+    folder.mkdir()
+    with zipfile.ZipFile(folder / f"{name}-{found.version}-py3-none-any.whl", "w") as wheel:
+        for file in found.files:
+            if file.suffix != ".pyc" and file.name not in ("INSTALLER", "REQUESTED"):
+                wheel.write(file.locate(), file)

@@ -4,7 +4,6 @@ So it is in Pyodide, which the tests cannot load. They take these away from a Py
 """
 import contextlib
 import importlib.util
-import json
 import socket
 import subprocess
 import sys
