@@ -219,7 +219,7 @@ def triangles(faces):
 
 
 def as_polygons(corners, counts):
-    """Both as int64. ValueError unless both are rows of integers, and the counts fit."""
+    """Both as indices. ValueError unless both are rows of integers, and the counts fit."""
     corners, counts = np.asarray(corners), np.asarray(counts)
     for name, numbers in (("corners", corners), ("counts", counts)):
         if numbers.ndim != 1 or len(numbers) == 0 or numbers.dtype.kind not in "iu":
