@@ -110,8 +110,9 @@ for path in sorted(Path(".").glob("[01]*.ipynb")):
     assert len(told.split()) == 17
 
 
-def test_what_is_collected_is_small_and_has_nothing_for_teachers(contents):
-    files = [path for path in contents.rglob("*") if path.is_file()]
+def test_what_is_collected_is_small_and_has_nothing_for_teachers(tmp_path):
+    lite.collect(tmp_path)
+    files = [path for path in tmp_path.rglob("*") if path.is_file()]
     outside = [path for path in files if path.suffix != ".ipynb"]
     assert sum(path.stat().st_size for path in outside) < 6e6
     assert sum(path.stat().st_size for path in files) < 30e6
