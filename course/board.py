@@ -9,6 +9,7 @@ import time
 import webbrowser
 from pathlib import Path
 from typing import NamedTuple
+from unittest import mock
 
 from rich.console import Console
 from rich.table import Table
@@ -69,7 +70,7 @@ def check(target=None, implementation="labs", json_file=None, seed=0, pictures=F
     board = [entry for entry in everything if entry.exercise.number in asked]
 
     all_is_done = all(entry.verdict == "done" for entry in board)
-    Console().print(table(board))
+    Console(force_jupyter=False).print(table(board))
     if closed and target not in asked:
         lab = min(int(number.split(".")[0]) for number in closed)
         print(f"\n{plural(len(closed), 'extra')} more, complete as they came; "
@@ -111,9 +112,21 @@ def show(target=None, implementation="labs"):
     """The board of `check`, in a notebook; in a process of its own, so that labs are read anew."""
     command = [sys.executable, "-m", "course", "check", *filter(None, [target])]
     plain = {**os.environ, "FORCE_COLOR": "", "COLUMNS": "80", "PYTHONIOENCODING": "utf-8"}
-    board = subprocess.run([*command, "--impl", implementation], cwd=places.ROOT, env=plain,
-                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
+    try:
+        board = subprocess.run([*command, "--impl", implementation], cwd=places.ROOT, env=plain,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
+    except OSError:  # a browser starts no processes
+        return show_here(target, implementation, plain)
     print(board.stdout)
+
+
+def show_here(target, implementation, plain):
+    """The board of `check`, made in this process, with other environment variables."""
+    with contextlib.chdir(places.ROOT), mock.patch.dict(os.environ, plain):
+        try:
+            check(target, implementation)
+        except ValueError as error:
+            print(f"course: {error}")
 
 
 def asked_for(target):

@@ -27,7 +27,7 @@ def next_corner(counts):
     >>> next_corner(np.array([3, 4]))
     array([1, 2, 0, 4, 5, 6, 3])
     """
-    last = np.cumsum(counts, dtype=np.int64) - 1
+    last = np.cumsum(counts, dtype=np.intp) - 1
     following = np.arange(1, last[-1] + 2)
     following[last] = last + 1 - counts
     return following
@@ -39,7 +39,7 @@ def face_of_corner(counts):
     >>> face_of_corner(np.array([3, 4]))
     array([0, 0, 0, 1, 1, 1, 1])
     """
-    return np.repeat(np.arange(len(counts)), np.asarray(counts, np.int64))
+    return np.repeat(np.arange(len(counts)), np.asarray(counts, np.intp))
 
 
 def edges_of(corners, counts):  # exercise 11.1 (2 points)
@@ -219,13 +219,13 @@ def triangles(faces):
 
 
 def as_polygons(corners, counts):
-    """Both as int64. ValueError unless both are rows of integers, and the counts fit."""
+    """Both as indices. ValueError unless both are rows of integers, and the counts fit."""
     corners, counts = np.asarray(corners), np.asarray(counts)
     for name, numbers in (("corners", corners), ("counts", counts)):
         if numbers.ndim != 1 or len(numbers) == 0 or numbers.dtype.kind not in "iu":
             raise ValueError(f"{name} must be integers in a row, at least one; "
                              f"got {numbers.shape} of {numbers.dtype}")
-    corners, counts = corners.astype(np.int64), counts.astype(np.int64)
+    corners, counts = corners.astype(np.intp), counts.astype(np.intp)
     if counts.min() < 3 or counts.sum() != len(corners):
         raise ValueError("counts must be at least 3 for each face and add up to the number of "
                          f"corners, {len(corners)}; the least is {counts.min()}, "
@@ -274,6 +274,6 @@ def split_fans(corners, counts):
     """
     corners, counts = as_polygons(corners, counts)
     check_corners(corners, counts, corners.max() + 1)
-    fan = fans(corners, counts, *edges_of(corners, counts)).astype(np.int64)
+    fan = fans(corners, counts, *edges_of(corners, counts)).astype(np.intp)
     _, one_corner = np.unique(fan, return_index=True)
     return fan, corners[one_corner]

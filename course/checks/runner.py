@@ -27,6 +27,7 @@ def run_checks(labs, numbers, implementation, seed, plugins=()):
         return [], []
     options = ["--rootdir", places.ROOT, "-c", places.ROOT / "pyproject.toml",
                "-p", "no:cacheprovider", "--continue-on-collection-errors",
+               "--capture=sys",  # of prints; a browser cannot capture files
                f"--impl={implementation}", f"--seed={seed}"]
     said = io.StringIO()
     with (Progress(console=Console(stderr=True), transient=True, auto_refresh=False,

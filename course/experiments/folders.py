@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..given import image, places
-from . import captures, checkpoints, exports, fit_report, hulls, reconstruct, searches
+from . import captures, checkpoints, fit_report, hulls, reconstruct, searches
 
 KEPT_OUT = 8  # every eighth picture is not shown to the search, so that the report can judge it
 STATE_SIZE = 256
@@ -46,6 +46,7 @@ def run(labs, folder, wishes):
     print("telling paint from light ...", flush=True)
     found = told_apart(labs, kept, seen(labs, photos))
     print("cutting the surface into charts, and writing the report ...", flush=True)
+    from . import exports  # its packages are not there in a browser, where lectures import scenes
     exports.save_textured(labs, found.surface, path, photos.world_from_grid)
     judged = fit_report.judged(labs, found, photos, [stage[3] for stage in stages],
                                kept_out(photos))

@@ -4,7 +4,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ..given import places
-from . import captures, exports
+from . import captures
 
 EVERY = 20          # steps from one mesh on disk to the next
 FINE_STAGES = (24, 1, 1, 100, 1.0), (32, 1, 1, 80, 0.5), (48, 1, 2, 120, 0.3)  # see lab 16's `fit`
@@ -18,6 +18,7 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4), done=0):  # noqa:
     written to path every EVERY steps and at the end, even after Ctrl-C. done: so many of the steps
     were taken before.
     """
+    from . import exports  # its packages are not there in a browser, where lectures import scenes
     good = None
     with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task(path.stem, total=steps, completed=done, told="")

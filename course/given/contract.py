@@ -17,7 +17,7 @@ import warnings
 import numpy as np
 
 UNFINISHED = re.compile(r"exercise (\d+\.\d+): (\w+)")  # the text of its NotImplementedError
-STANDARD = {"i": np.int64, "f": np.float64, "c": np.complex128}  # by NumPy's dtype.kind
+STANDARD = {"i": np.intp, "f": np.float64, "c": np.complex128}  # by NumPy's dtype.kind
 
 
 def called(function, *args, **kwargs):
@@ -40,7 +40,7 @@ def standard(value):
     if array.dtype == object:
         return tuple(map(standard, value)) if isinstance(value, list) else value
     small = array.dtype.kind == "u" and array.itemsize < 8
-    kind = np.int64 if small else STANDARD.get(array.dtype.kind, array.dtype)
+    kind = np.intp if small else STANDARD.get(array.dtype.kind, array.dtype)
     return np.asarray(array, kind, order="C")[()]
 
 

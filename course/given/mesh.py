@@ -62,7 +62,7 @@ def icosphere(face_count):
     i, j, small = _triangle_lattice(n)
     # A lattice point is a sum of corners with whole weights: the same 12 numbers on both sides of
     # a shared edge, so that equal points merge exactly.
-    weights = np.zeros((20, len(i), 12), dtype=np.int64)
+    weights = np.zeros((20, len(i), 12), dtype=np.intp)
     for k, weight in enumerate((n - i - j, i, j)):
         weights[np.arange(20)[:, None], np.arange(len(i)), triangles[:, k, None]] = weight
     faces = np.concatenate([small + k * len(i) for k in range(20)])
@@ -223,7 +223,7 @@ def edges(faces):
     An edge is a pair of vertices, low < high. Edges ascend. face_edges[f, k] is the number of the
     edge opposite to vertex k of face f. ValueError for a face that names a vertex twice.
     """
-    faces = np.asarray(faces, dtype=np.int64)
+    faces = np.asarray(faces, dtype=np.intp)
     start, end = np.roll(faces, -1, axis=1), np.roll(faces, -2, axis=1)
     if (start == end).any():
         face = np.argmax((start == end).any(axis=1))
@@ -277,7 +277,7 @@ def split_longest(vertices, faces, face_count):
     Again and again, edges that are the longest of all their faces are halved with these faces, the
     longest first. On the chord the new vertices would cost nothing, and chance would order them.
     """
-    faces = np.asarray(faces, dtype=np.int64)
+    faces = np.asarray(faces, dtype=np.intp)
     while len(faces) < face_count:
         pairs, face_edges = edges(faces)
         length = np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1)

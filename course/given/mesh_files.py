@@ -74,7 +74,7 @@ def write(path, vertices, faces):
     """
     ending = _ending(path)
     inputs.require_mesh(vertices, faces)
-    vertices, faces = np.asarray(vertices, np.float64), np.asarray(faces, np.int64)
+    vertices, faces = np.asarray(vertices, np.float64), np.asarray(faces, np.intp)
     content = _obj(vertices, faces) if ending == "obj" else _ply(vertices, faces)
     places.write_whole(path, content)
 
@@ -164,7 +164,7 @@ def _read_ply(content):
     polygons = next(tables["face"][name] for name in CORNERS if name in tables["face"])
     triangles = _fans(polygons)
     inputs.require_faces(triangles, elements["vertex"].count)
-    return np.stack(axes, axis=1), triangles.astype(np.int64)
+    return np.stack(axes, axis=1), triangles.astype(np.intp)
 
 
 def _reals(column, type):
