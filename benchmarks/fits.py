@@ -22,7 +22,6 @@ SHOWN = 12  # functions of a step
 
 
 def main():
-    measure.hold_memory()
     facts = measure.begin()
     labs = demo.Labs("reference")
     fits = {"cube, 16 x 16": (1000, lambda steps: fit_cube.fit(labs, 16, 0, steps)),

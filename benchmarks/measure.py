@@ -3,6 +3,8 @@
 Medians of several runs, in milliseconds of processor time, on one core: waiting does not count, but
 what else runs makes caches and memory slower. All calls are measured in turn, round by round, so
 that this falls on all alike, and their ratios say more than a time does on another machine.
+Freed memory stays with the process. Otherwise glibc gives the pages of large arrays back and takes
+them again, which is the largest noise: a script starts itself anew with that switched off.
 """
 import json
 import os
@@ -53,14 +55,14 @@ def sphere(face_count):
 
 
 def machine():
-    """{what: fact} of what the numbers are measured on."""
+    """{what: fact} of what the numbers are measured on, and when."""
     info = Path("/proc/cpuinfo")
     lines = info.read_text().splitlines() if info.exists() else []
     names = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
     return {"machine": platform.machine(), "system": platform.platform(),
             "processor": (names or [platform.processor() or "unknown"])[0],
             "python": platform.python_version(), "numpy": np.__version__,
-            "scipy": scipy.__version__}
+            "scipy": scipy.__version__, "date": time.strftime("%Y-%m-%d")}
 
 
 HELD = {"MALLOC_TRIM_THRESHOLD_": "2000000000", "MALLOC_MMAP_THRESHOLD_": "2000000000",
@@ -68,17 +70,15 @@ HELD = {"MALLOC_TRIM_THRESHOLD_": "2000000000", "MALLOC_MMAP_THRESHOLD_": "20000
 
 
 def hold_memory():
-    """Start this script anew, with one thread in all libraries, and keeping what memory it has had.
-
-    Otherwise glibc gives the pages of freed arrays back and takes them again, now and then.
-    """
+    """Start this script anew, with one thread in all libraries, and keep what memory it has."""
     if any(os.environ.get(name) != value for name, value in HELD.items()):
         os.environ.update(HELD)
         os.execv(sys.executable, [sys.executable, *sys.argv])
 
 
 def begin():
-    """Stay on one core, print the machine -> its facts, for `save`."""
+    """Hold memory, stay on one core, print the machine -> its facts, for `save`."""
+    hold_memory()
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     facts = machine()

@@ -4,9 +4,7 @@ Three works, on icospheres of 1,000 to a million faces and screens of 512 x 512 
 pixels. Milliseconds of processor time on one core. All renderers take turns, in another order each
 round. "x" is our time divided by the peer's: the median of the rounds, each divided by itself.
 
-Freed memory stays with the process here. Otherwise glibc gives the pages of large arrays back and
-takes them again, which is the largest noise: the script starts itself anew with that switched off.
-Writes benchmarks/peers.json and benchmarks/peers.png, which README.md shows.
+Writes benchmarks/results/peers.json and benchmarks/peers.png, which README.md shows.
 """
 import json
 import statistics
@@ -29,7 +27,6 @@ COLOURS = {"ours": plot.BLACK, "DRTK": plot.BLUE, "llvmpipe": plot.ORANGE, "DEOD
 
 
 def main():
-    measure.hold_memory()
     facts = measure.begin()
     peers = renderers.installed()
     scenes = [(count, 512) for count in FACES] + [(10_000, size) for size in SIZES[1:]]
@@ -43,7 +40,7 @@ def main():
     for name, value in growth.items():
         print(f"forward and backward, {name}: {value:.3g}")
     content = json.dumps({**facts, "milliseconds": rows, **growth}, indent=1)
-    places.write_whole(Path(__file__).with_suffix(".json"), content.encode())
+    places.write_whole(Path(__file__).parent / "results" / "peers.json", content.encode())
     draw(by_faces, by_pixels)
 
 

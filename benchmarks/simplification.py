@@ -8,9 +8,7 @@ over both surfaces, and the greatest (Hausdorff's), in 1/10,000 of the diagonal.
 (quadric decimation) and fast-simplification stand beside it where they are installed; so does this
 lab with planes that count once each, however small their faces.
 """
-import json
 import math
-import platform
 import sys
 import time
 from pathlib import Path
@@ -18,7 +16,8 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from course.given import distances, mesh, places
+from benchmarks import measure
+from course.given import distances, mesh
 from reference import collapse_heap, simplification
 
 GROWTH = 1_000, 5_000, 20_000, 50_000
@@ -26,19 +25,17 @@ TARGETS = 994, 532, 248, 64
 
 
 def main():
-    print(f"{platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}")
+    facts = measure.begin()
     bunny = mesh.split_longest(*mesh.bunny(), 5804)
     seconds, (_, left, _) = timed(collapse_heap.simplify, *bunny, 500)
     times = [{"mesh": "bunny", "faces": len(bunny[1]), "left": len(left), "seconds": seconds}]
     times += [growth(count) for count in GROWTH]
     for row in times:
         row["n log n"] = 1e6 * row["seconds"] / (row["faces"] * math.log2(row["faces"]))
-    table(times)
+    measure.show(times)
     near = [distance(name, peer, bunny) for name, peer in peers().items()]
-    table(near)
-    path = places.out("benchmarks", "simplification.json")
-    places.write_whole(path, json.dumps([times, near], indent=1).encode())
-    print(f"written to {path}")
+    measure.show(near)
+    measure.save("simplification", facts, {"times": times, "distances": near})
 
 
 def growth(face_count):
@@ -124,17 +121,6 @@ def vtk():
         return vtk_to_numpy(result.GetPoints().GetData()).astype(float), corners.astype(int)
 
     return simplify
-
-
-def table(rows):
-    """Rows with the keys of the first, printed in columns."""
-    keys = list(rows[0])
-    lines = [keys] + [[f"{value:.3g}" if isinstance(value, float) else str(value)
-                       for value in row.values()] for row in rows]
-    widths = [max(len(line[k]) for line in lines) + 2 for k in range(len(keys))]
-    for line in lines:
-        print("".join(text.rjust(width) for text, width in zip(line, widths, strict=True)))
-    print()
 
 
 if __name__ == "__main__":

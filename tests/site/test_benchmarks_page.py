@@ -1,0 +1,333 @@
+"""The benchmarks' page, and the texts beside it: guide, errata, glossary and bibliography."""
+import ast
+import copy
+import html
+import itertools
+import json
+import os
+import re
+import sys
+
+import pytest
+from serving import ROOT
+
+sys.path.insert(0, str(ROOT / "site"))
+
+from pages import benchmark_plots, benchmarks, instructors, names, texts_links
+
+from course import exercises
+
+RESULTS = {path.stem: json.loads(path.read_text("utf-8"))
+           for path in sorted((ROOT / "benchmarks" / "results").glob("*.json"))}
+BIBLIOGRAPHY = (ROOT / "site" / "texts" / "bibliography.md").read_text("utf-8")
+GLOSSARY = (ROOT / "site" / "texts" / "glossary.md").read_text("utf-8")
+LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
+PAGES = "benchmarks", "instructors", "errata", "glossary", "bibliography"
+NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)?(?:e[-+]\d+)?(?![\w.]*\d)")
+CITED = re.compile(r"([A-Z]\w+)(?:(?:, [A-Z]\w+)*(?:,? and [A-Z]\w+)?| et al\.) ((?:19|20)\d\d)\b")
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """The folder of all five pages, made of what the repository holds."""
+    folder = tmp_path_factory.mktemp("pages")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(benchmarks, "NEW", folder / "nothing new")
+        benchmarks.write(folder, folder / "extra")
+    instructors.write(folder)
+    texts_links.write(folder)
+    return folder
+
+
+def page_of(results):
+    """The benchmarks' page of these results, with the plots' words in place of the plots."""
+    words = {name: plot.words(results[name.partition("-")[0]])
+             for name, plot in benchmark_plots.PLOTS.items()}
+    return benchmarks.page(results, words)
+
+
+def leaves(value):
+    """All numbers in a result."""
+    if isinstance(value, (dict, list)):
+        for part in value.values() if isinstance(value, dict) else value:
+            yield from leaves(part)
+    elif isinstance(value, (int, float)):
+        yield value
+
+
+def lists_of_rows(value):
+    """All lists of rows in a result."""
+    if isinstance(value, list):
+        yield value
+    elif isinstance(value, dict):
+        for part in value.values():
+            yield from lists_of_rows(part)
+
+
+def shown(value):
+    """A number as the page shows it: three digits below ten, one decimal above."""
+    if isinstance(value, int):
+        return f"{value:,}"
+    return f"{value:.3g}" if abs(value) < 10 else f"{value:.1f}"
+
+
+def sections(page):
+    """{name: text} of the results' sections, and of "Questions"."""
+    parts = re.split(r"^###? (\w+)$", page, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+# The benchmarks
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_a_table_shows_every_number_of_its_result_and_no_other(name, written):
+    """A number is typed, lost, rounded twice, or stands in another benchmark's table."""
+    section = sections((written / "benchmarks.md").read_text("utf-8"))[name]
+    cells = [cell.strip() for line in section.splitlines() if line.startswith("| ")
+             for cell in line.strip("| ").split(" | ")]
+    values = {shown(value) for value in leaves(RESULTS[name])}
+    assert values <= set(cells)
+    assert {cell for cell in cells if re.fullmatch(r"[\d,.e+-]*\d[\d,.e+-]*", cell)
+            and not re.fullmatch(r"\d+", cell)} <= values  # 994 is a column's name
+
+
+def test_each_number_of_the_answers_is_a_result_or_a_ratio_of_two_in_a_column(written):
+    """An answer is typed, and stays when the numbers change."""
+    answers = sections((written / "benchmarks.md").read_text("utf-8"))["Questions"]
+    named = [RESULTS[name] for name in ("pipeline", "antialiasing", "peers")]
+    known = {shown(value) for result in named for value in leaves(result)}
+    known |= {f"{round(row['pixels'] ** 0.5):,}" for result in named
+              for rows in lists_of_rows(result) for row in rows}
+    faces, pixels = RESULTS["pipeline"]["medians in ms"].values()
+    known |= {f"{rows[-1][key] / rows[0][key]:.3g}" for rows in (faces, pixels) for key in rows[0]}
+    known |= {f"{row['d render'] / row['render']:.3g}" for row in faces}
+    known |= {"100,000", "10,000", "2048"}  # what was asked for, and the scene of the memory
+    answers = answers.partition("\n## ")[0]
+    words = re.sub(r"<[^>]*>|\(#[^)]*\)|\(antialias[^)]*\)", "", answers)
+    assert set(NUMBER.findall(words)) <= known
+
+
+@pytest.mark.parametrize("name", benchmark_plots.PLOTS)
+def test_each_number_in_a_plots_words_is_a_result_or_a_ratio(name, written):
+    """A title keeps what was found on another machine."""
+    result = RESULTS[name.partition("-")[0]]
+    found = re.search(rf'benchmarks/{name}\.svg" alt="([^"]*)"',
+                      (written / "benchmarks.md").read_text("utf-8"))[1]
+    values = list(leaves(result))
+    known = {shown(value) for value in values}
+    known |= {shown(part["ms"] / part["steps"]) for part in result.values()
+              if isinstance(part, dict) and "steps" in part}
+    known |= {f"{one / other:.3g}" for one, other in itertools.permutations(values, 2) if other}
+    rows = list(itertools.chain(*lists_of_rows(result)))
+    words = html.unescape(found)
+    own = {*result, *itertools.chain(*rows), *itertools.chain(*map(dict.values, rows))}
+    for name in sorted((name for name in own if isinstance(name, str) and name), key=len)[::-1]:
+        words = words.replace(name, " ")  # such as 4x MSAA
+    assert set(NUMBER.findall(words)) <= known
+
+
+def test_the_plot_says_its_finding_and_is_drawn(written):
+    """A plot without a curve, or with another title than the one that is read aloud."""
+    for name, plot in benchmark_plots.PLOTS.items():
+        drawing = (written / "extra" / "benchmarks" / f"{name}.svg").read_text("utf-8")
+        result = RESULTS[name.partition("-")[0]]
+        assert drawing.count("<path") > 20
+        assert plot.words(result).startswith(plot.finding(plot.rows(result)) + ".")
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_a_changed_result_changes_its_section(name):
+    """The page shows numbers that it remembers."""
+    changed = copy.deepcopy(RESULTS)
+    row = next(lists_of_rows(changed[name]))[-1]
+    column = next(key for key, value in row.items() if isinstance(value, float))
+    row[column] = 1234.5
+    before, after = sections(page_of(RESULTS)), sections(page_of(changed))
+    assert "1234.5" in after[name] and "1234.5" not in before[name]
+    assert all(before[other] == after[other] for other in set(RESULTS) - {name})
+
+
+def test_the_answer_about_antialias_backward_is_the_row_of_100_000_faces():
+    """The answer is that of ten thousand faces, or of the forward pass."""
+    changed = copy.deepcopy(RESULTS)
+    row = next(row for row in changed["antialiasing"]["medians in ms"]
+               if row["faces"] > 100_000 and row["pixels"] == 512**2)
+    row["backward"] = 77.7
+    answer = re.search(r"\(antialias-backward-at-100-000-faces\)=\n(.*)", page_of(changed))[1]
+    assert re.match(r"\*\*What does .* cost at 100,000 faces\?\*\* It takes 77\.7 ms", answer)
+
+
+def test_newer_numbers_win_and_the_page_says_so(tmp_path, monkeypatch):
+    """Who runs a benchmark does not find it on the page; or nobody knows whose numbers it shows."""
+    newer = RESULTS["antialiasing"] | {"date": "2031-01-02", "processor": "My own"}
+    new, kept = tmp_path / "antialiasing.json", benchmarks.KEPT / "antialiasing.json"
+    new.write_text(json.dumps(newer))
+    monkeypatch.setattr(benchmarks, "NEW", tmp_path)
+    for later, words in ((10, "My own"), (-10, RESULTS["antialiasing"]["processor"])):
+        os.utime(new, (kept.stat().st_mtime + later,) * 2)
+        section = sections(page_of(benchmarks.results()))["antialiasing"]
+        assert words in section
+        assert ("newer than the repository's" in section) == (later > 0)
+        assert ("2031-01-02" in section) == (later > 0)
+
+
+# Links
+
+
+def anchors(text):
+    """The anchors of a text's headings, as GitHub and MyST make them, and its targets."""
+    headings = re.findall(r"^#{1,3} (.*)$", text, re.MULTILINE)
+    slugs = {re.sub(r"[^\w\- ]", "", title.strip().lower().replace(" ", "-")) for title in headings}
+    return slugs | set(re.findall(r"^\(([\w-]+)\)=$", text, re.MULTILINE))
+
+
+def notebook_text(path):
+    """The Markdown of a lecture."""
+    cells = json.loads(path.read_text("utf-8"))["cells"]
+    return "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+
+
+def dead_link(target, text, folder):
+    """Why a link of a page leads nowhere, or None."""
+    page, _, anchor = target.partition("#")
+    if target.startswith("https://"):
+        return None
+    if not page:
+        return None if anchor in anchors(text) else "no such heading on its page"
+    if page.startswith("/lectures/"):
+        lecture = ROOT / "notebooks" / page.rpartition("/")[2]
+        if not lecture.exists():
+            return "no such lecture"
+        found = not anchor or anchor in anchors(notebook_text(lecture))
+        return None if found else "no such section"
+    known = {f"/{names.page_of_file(path.relative_to(ROOT).as_posix())}.md"
+             for path in [*ROOT.glob("reference/*.py"), *ROOT.glob("course/given/*.py")]}
+    known |= {f"/{name}.md" for name in (*PAGES, "index")}
+    if page in known:
+        return None if not anchor else "an anchor that nobody checks"
+    if match := re.fullmatch(r"reference/(\w+)\.html", page):
+        functions = exercises.top_level_functions(
+            (ROOT / "reference" / f"{match[1]}.py").read_text("utf-8"))
+        right = {f"reference.{match[1]}.{function.name}" for function in functions}
+        return None if anchor in right else "no such function"
+    return None if (folder / "extra" / page).exists() else "no such page or file"
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_link_leads_somewhere(page, written):
+    """A lecture, a section or a function was renamed."""
+    text = (written / f"{page}.md").read_text("utf-8")
+    prose = re.sub(r"```(?!\{).*?```|(?<!`)`[^`\n]+`", "", text, flags=re.DOTALL)
+    targets = re.findall(r"\]\(([^()\s]+)\)", prose) + re.findall(r'(?:href|src)="([^"]+)"', text)
+    assert targets
+    assert [(target, why) for target in targets if (why := dead_link(target, text, written))] == []
+
+
+@pytest.mark.parametrize(("page", "source"), [
+    (page.removesuffix(".md"), source) for page, source in instructors.TEXTS.items()])
+def test_a_mapped_text_differs_from_its_source_in_links_alone(page, source, written):
+    """A sentence is lost, or a link inside code was taken for a link."""
+    def bare(text):
+        return re.sub(r"\[([^\[\]]+)\]\([^()\s]+\)", r"\1", text).replace("`", "")
+
+    text = (ROOT / source).read_text("utf-8")
+    assert bare((written / f"{page}.md").read_text("utf-8")) == bare(text)
+
+
+# The bibliography
+
+
+ENTRIES = [" ".join(entry.split()) for entry in re.findall(
+    r"^- (.*?)(?=^- |^$|\Z)", BIBLIOGRAPHY, re.MULTILINE | re.DOTALL)]
+PAPERS = [entry for entry in ENTRIES if not entry.startswith("**")]
+
+
+def surname(entry):
+    """S. Laine, J. Hellsten, ... -> Laine"""
+    return entry.split(", ")[0].split()[-1]
+
+
+def year(entry):
+    return re.findall(r"\b(?:19|20)\d\d\b", entry.partition("Used in")[0].partition("[")[0])[0]
+
+
+def test_papers_are_sorted_and_stand_there_once():
+    """The same paper under two of its authors."""
+    order = [(surname(entry).lower().replace("æ", "ae").replace("ö", "o"), int(year(entry)))
+             for entry in PAPERS]
+    titles = [re.search(r"\*([^*]+)\*", entry)[1] for entry in PAPERS]
+    assert order == sorted(order)
+    assert len(set(titles)) == len(titles) > 60
+
+
+@pytest.mark.parametrize("topic", exercises.topics())
+def test_every_paper_that_a_module_names_is_there_and_leads_back(topic):
+    """A source of the code that a reader cannot look up."""
+    path = exercises.reference(topic)
+    words = " ".join(ast.get_docstring(ast.parse(exercises.read(path))).split())
+    for name, when in CITED.findall(words):
+        found = [entry for entry in PAPERS if (surname(entry), year(entry)) == (name, when)
+                 or re.search(rf"\b{name}\b.*\b{when}\b", entry.partition("Used in")[0])]
+        assert found, f"{name} {when} is not in the bibliography"
+        assert any(f"(/reference/{topic}.md)" in entry for entry in found), (name, when)
+
+
+@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
+def test_every_title_that_a_lecture_ends_with_is_there_and_leads_back(path):
+    """A paper was added to a lecture, and not here."""
+    sources = notebook_text(path).partition("## Sources and further reading")[2]
+    for line in re.findall(r"^- (?!Lecture notes|Source|Next|To read|\*\*S\d)(.*)$", sources,
+                           re.MULTILINE):
+        title = re.search(r"\*([^*]+)\*", line)
+        if not title:
+            continue
+        beginning = title[1].lower()[:28].rstrip(".:, ")
+        found = [entry for entry in ENTRIES if beginning in entry.lower()]
+        assert found, f"{title[1]} is not in the bibliography"
+        assert any(f"(/lectures/{path.name})" in entry for entry in found), title[1]
+
+
+def test_what_the_bibliography_says_of_lectures_is_true():
+    """An entry leads to a lecture that never names it."""
+    texts = {path.name: notebook_text(path) for path in LECTURES}
+    for entry in PAPERS:
+        for lecture in re.findall(r"/lectures/(\w+\.ipynb)", entry):
+            assert surname(entry) in texts[lecture], (surname(entry), lecture)
+
+
+# The glossary
+
+
+TERMS = re.findall(r"^(\w[^\n]*)\n((?:  [^\n]+\n)+)", GLOSSARY.partition("```{glossary}\n")[2],
+                   re.MULTILINE)
+
+
+def test_each_word_is_explained_once_in_a_sentence_or_a_few_and_leads_to_a_lecture():
+    """A word without an explanation, twice, or without a way on."""
+    words = [word.lower() for word, _ in TERMS]
+    assert len(set(words)) == len(words) > 90 and words == sorted(words)
+    for word, text in TERMS:
+        said = " ".join(text.split()).partition("[Lecture")[0]
+        assert 1 <= len(re.findall(r"[.?](?= |$)", said.strip())) <= 4, word
+        assert len(said.split()) <= 60, word
+        assert "(/lectures/" in text, word
+
+
+def test_every_function_that_a_word_ends_with_has_a_place_in_the_code():
+    """A name that is not there any more, or that two modules have: it would stay without a link."""
+    for word, text in TERMS:
+        ending = " ".join(text.split()).partition("[Lecture")[2]
+        for name in re.findall(r"`([^`]+)`", ending):
+            assert texts_links.named(f"`{name}`").startswith("<a "), (word, name)
+
+
+def test_the_words_of_lecture_0_are_in_the_glossary():
+    """The course's first list of words says more than its glossary."""
+    text = notebook_text(ROOT / "notebooks" / "00_start_here.ipynb")
+    table = text.partition("## Words")[2].partition("\n## ")[0]
+    rows = re.findall(r"^\| ([^|]+) \| [^|]+ \|$", table, re.MULTILINE)
+    asked = {word.strip() for row in rows[1:] for word in row.split(",")} - {"---"}
+    terms = " ".join(word.lower() for word, _ in TERMS)
+    known = {"vertex", "face", "edge", "model", "world"}  # as everywhere
+    assert {word for word in asked - known if word.lower() not in terms} == set()
