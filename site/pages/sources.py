@@ -65,8 +65,7 @@ def page(course, module):
         if block.kind == "section":
             parts.append(section(module, block))
         elif block.kind == "code":
-            parts += [constants(module, block),
-                      as_myst(listing(lines, block.first, block.last))]
+            parts.append(constants(module, block, listing(lines, block.first, block.last)))
         else:
             parts.append(definition(course, module, lines, block))
     return "\n".join(parts)
@@ -106,10 +105,11 @@ def section(module, block):
     return f"## {escape(title)}\n{as_myst(anchors + below)}"
 
 
-def constants(module, block):
-    """The constants of a block have their places in the index, and no text of their own."""
+def constants(module, block, code):
+    """Imports and constants. These have their places in the index, which a container keeps."""
     names = [name for node in block.nodes for name in sources_course.defined(node)]
-    return "\n".join(directive("data", name, options=("no-typesetting",)) for name in names)
+    return "\n".join([*(directive("data", name, options=("no-typesetting",)) for name in names),
+                      f"::::{{container}} constants\n{as_myst(code)}::::\n"])
 
 
 def definition(course, module, lines, block):
