@@ -1,6 +1,7 @@
 """The labs' pages: what each exercise asks, without its answer, and where to read on."""
 import ast
 import functools
+import html
 import re
 
 from docutils.nodes import make_id
@@ -136,8 +137,8 @@ def read_on(course, name):
     lecture = course.lectures[module.lab]
     heading = lecture.announced.get(exercise.number, lecture.title)
     place = f"../lectures/{lecture.page}.html#{make_id(heading)}"
-    items = [("Lecture", f'<a href="{place}">{inline(course, module, heading)}</a>'),
-             ("Answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
+    items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
+             ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
                         f"</code>, line {exercise.line}</a>")]
     called = dict.fromkeys(full for (line, _), full in sorted(course.uses[module.name].items())
                            if node.lineno < line <= node.end_lineno and full != name
@@ -146,8 +147,8 @@ def read_on(course, name):
         items.append(("It calls", ", ".join(
             f'<a href="{asked_address(course, full)}"><code>{full.rpartition(".")[2]}</code></a>'
             for full in called)))
-    return "<dl class=\"read-on\">" + "".join(
-        f"<div><dt>{term}</dt><dd>{text}</dd></div>" for term, text in items) + "</dl>"
+    lines = "".join(f"<li>{words}: {links}</li>" for words, links in items)
+    return f'<ul class="read-on">{lines}</ul>'
 
 
 def is_function(course, full):

@@ -58,9 +58,9 @@ def lab_link(course, module):
 def page(course, module):
     lines = html_lines(course, module)
     parts = [HIDE_CONTENTS, f"# {escape(module.topic)}\n", directive("module", module.name),
-             as_myst(f'<div class="opening">{links(course, module)}'),
+             as_myst(f'<div class="top"><div class="opening">{links(course, module)}'),
              docstring(course, module, ast.get_docstring(module.tree), is_module=True),
-             as_myst(f"</div>{contents(module)}")]
+             as_myst(f"</div>{contents(module)}</div>")]
     for block in blocks(module):
         if block.kind == "section":
             parts.append(section(module, block))

@@ -45,8 +45,8 @@ def docstring(course, module, text, own=(), is_module=False):
 
 
 def is_table(paragraph):
-    """Is it aligned by hand: lines that stand further in, which are no example?"""
-    return bool(re.search(r"^ ", paragraph, re.M)) and not paragraph.startswith(">>> ")
+    """Is it aligned by hand: further in, or with gaps? An example is none of it?"""
+    return bool(re.search(r"^ |\S {3,}\S", paragraph, re.M)) and not paragraph.startswith(">>> ")
 
 
 def paragraphs(text):
@@ -126,7 +126,8 @@ def inline(course, module, text, own=()):
         parts += [html.escape(text[end:match.start()], quote=False),
                   link(course, module, match, own)]
         end = match.end()
-    return "".join(parts) + html.escape(text[end:], quote=False)
+    whole = "".join(parts) + html.escape(text[end:], quote=False)
+    return whole.replace("-&gt;", '<span class="arrow">-&gt;</span>')
 
 
 def link(course, module, match, own):
