@@ -45,7 +45,7 @@ def docstring(course, module, text, own=(), is_module=False):
 
 
 def is_table(paragraph):
-    """Is it aligned by hand: further in, or with gaps? An example is none of it?"""
+    """Is it aligned by hand: further in, or with gaps? An example is not."""
     return bool(re.search(r"^ |\S {3,}\S", paragraph, re.M)) and not paragraph.startswith(">>> ")
 
 
