@@ -7,14 +7,13 @@
 import contextlib
 import functools
 import http.server
-import shutil
 import sys
 import webbrowser
 from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import front, lectures
+from pages import benchmarks, front, instructors, labs, lectures, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from course.given.places import ROOT, out
@@ -26,10 +25,10 @@ EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are
 
 def write_sources():
     """All pages, as Sphinx reads them."""
-    front.write(SOURCE, EXTRA)
-    lectures.write(SOURCE, EXTRA)
-    for path in (SITE / "texts").glob("*.md"):
-        shutil.copy2(path, SOURCE)
+    for part in front, lectures, benchmarks:
+        part.write(SOURCE, EXTRA)
+    for part in labs, sources, instructors, texts_links:
+        part.write(SOURCE)
 
 
 def make():

@@ -25,10 +25,11 @@ html_theme = "furo"
 html_title = "Differentiable rasterization"
 html_math_renderer = "drawn"
 html_static_path = [str(SITE / "static")]
-html_css_files = ["style.css", "players/players.css", "figures/figures.css"]
+html_css_files = ["style.css", "source.css", "players/players.css", "figures/figures.css"]
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]
 html_copy_source = False
+html_domain_indices = False  # reference/index lists the modules
 html_show_sphinx = False
 html_permalinks_icon = "#"
 html_theme_options = {"navigation_with_keys": False}

@@ -154,7 +154,7 @@ def tables(content, title=""):
     alone = {key: value for key, value in content.items()
              if not isinstance(value, (list, dict)) and key not in FACTS}
     if alone:
-        yield title or "one for all", [alone]
+        yield title or "other numbers", [alone]
     for key, value in content.items():
         if isinstance(value, list):
             yield f"{title}, {key}".removeprefix(", "), value
@@ -165,7 +165,8 @@ def tables(content, title=""):
 def table(rows):
     """Rows {column: value} as a Markdown table."""
     columns = list(dict.fromkeys(column for row in rows for column in row))
-    lines = [columns, ["---:" if is_number(rows, column) else "---" for column in columns],
+    lines = [[column or "what" for column in columns],
+             ["---:" if is_number(rows, column) else "---" for column in columns],
              *([number(row.get(column, "")) for column in columns] for row in rows)]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
