@@ -28,7 +28,7 @@ from .sources_text import (
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
          "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
-         "lab 1. Exercises are the core. Extras go further: they are complete until "
+         "lab 1. Exercises are the core. Extras, in italics, go further: they are complete until "
          "`python3 -m course open 1.8` empties one.")
 
 
@@ -85,7 +85,7 @@ def page(course, lab):
     return "\n".join([f"# {lab_title(course, lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
-                      f"Your file: {files(course, asked)}. To check it: "
+                      f"You write in {files(course, asked)}. To check it: "
                       f"`python3 -m course check {lab}`.\n", overview(course, asked),
                       *(question(course, name) for name in asked)])
 
@@ -104,7 +104,7 @@ def overview(course, asked):
              str(exercise.points),
              f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
              question_line(course, name)] for name, exercise in asked.items()]
-    return table(["number", "function", "points", "kind", "question"], rows)
+    return table("overview", ["number", "function", "points", "kind", "question"], rows)
 
 
 def question_line(course, name):

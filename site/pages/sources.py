@@ -46,7 +46,7 @@ def index(course, name, modules):
              *lab_link(course, module)] for module in modules]
     head = ["module", "what it is", "lab"][:len(rows[0])]
     tree = "```{toctree}\n:hidden:\n\n" + "\n".join(module.topic for module in modules) + "\n```"
-    return f"# {title}\n\n{about}\n{table(head, rows)}\n{tree}\n"
+    return f"# {title}\n\n{about}\n{table('modules', head, rows)}\n{tree}\n"
 
 
 def lab_link(course, module):

@@ -93,11 +93,11 @@ def span(kind, value):
     return f'<span class="{name}">{text}</span>' if name not in PLAIN and value.strip() else text
 
 
-def table(head, rows):
-    """head: words. rows: lists of HTML, a cell each."""
+def table(kind, head, rows):
+    """head: words. rows: lists of HTML, a cell each. kind: a class, for its style."""
     body = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
     top = "".join(f"<th>{word}</th>" for word in head)
-    return as_myst('<div class="table-wrapper" tabindex="0"><table class="docutils">'
+    return as_myst(f'<div class="table-wrapper" tabindex="0"><table class="docutils {kind}">'
                    f"<thead><tr>{top}</tr></thead>\n<tbody>\n" + "\n".join(body)
                    + "\n</tbody></table></div>")
 
