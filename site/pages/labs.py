@@ -125,7 +125,7 @@ def question(course, name):
              f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
     return "\n".join([f"({anchor(exercise)})=\n## {exercise.number} `{exercise.name}`\n",
-                      f"```{{index}} exercise {exercise.number}\n```\n",  # the search knows it
+                      f"```{{index}} ! exercise {exercise.number}\n```\n",  # the search knows it
                       as_myst(marks),
                       docstring(course, module, ast.get_docstring(node), own_names(node)),
                       as_myst(read_on(course, name))])

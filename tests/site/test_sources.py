@@ -12,7 +12,7 @@ import sys
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT
+from serving import ROOT, served
 
 sys.path.insert(0, str(ROOT / "site"))
 
@@ -26,17 +26,17 @@ NAME = re.compile(r"`(\w+)`")
 
 
 @functools.cache
-def page(name):
+def built(name):
     return BeautifulSoup((SITE / f"{name}.html").read_text("utf-8"), "html.parser")
 
 
 def source_page(name):
     module = COURSE.modules[name]
-    return page(f"{module.folder}/{module.topic}")
+    return built(f"{module.folder}/{module.topic}")
 
 
 def lab_page(lab):
-    return page(f"labs/{COURSE.lectures[lab].page}")
+    return built(f"labs/{COURSE.lectures[lab].page}")
 
 
 def letters(text):
@@ -132,7 +132,7 @@ def formula(element):
 def lecture_formulas(lab):
     """{number: formula} of a lecture's page."""
     return {int(element["id"].removeprefix("equation-")): formula(element)
-            for element in page(f"lectures/{COURSE.lectures[lab].page}").select(".math[id]")}
+            for element in built(f"lectures/{COURSE.lectures[lab].page}").select(".math[id]")}
 
 
 CHECKS = wrong_functions, wrong_letters, wrong_lines, wrong_equations
@@ -183,7 +183,7 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
     soup, asked = lab_page(lab), labs.of_lab(COURSE, lab)
     shown = {element["id"]: element for element in soup.select('section[id^="exercise-"]')}
     assert list(shown) == [sources_text.anchor(exercise) for exercise in asked.values()]
-    listed = page("labs/index").get_text()
+    listed = built("labs/index").get_text()
     for name, exercise in asked.items():
         module, node = labs.found(COURSE, name)
         element = shown[sources_text.anchor(exercise)]
@@ -206,7 +206,7 @@ def answer_lines(module, node):
 @pytest.mark.parametrize("lab", LABS)
 def test_a_question_leads_to_where_the_lecture_asks_it(lab):
     """The link leads to the section before, or to the top."""
-    lecture = page(f"lectures/{COURSE.lectures[lab].page}")
+    lecture = built(f"lectures/{COURSE.lectures[lab].page}")
     for exercise in labs.of_lab(COURSE, lab).values():
         anchor = sources_text.anchor(exercise)
         links = lab_page(lab).select_one(f"#{anchor}").select('.read-on a[href*="/lectures/"]')
@@ -254,3 +254,17 @@ def test_names_become_links_to_the_right_places():
     assert address("reference.regularization", "remeshing") == "../reference/remeshing.html"
     assert address("course.given.mesh", "radius", ("radius", "tube")) is None
     assert address("reference.antialiasing", "no_such_function") is None
+
+
+@pytest.mark.parametrize(("words", "first"), [
+    ("exercise 8.7", "labs/08_antialiasing.html#"),
+    ("exercise 14.18", "labs/14_shadow_mapping.html#"),
+    ("crossing_backward", "reference/antialiasing.html#reference.antialiasing.crossing_backward"),
+    ("is_top_left", "reference/rasterization.html#reference.rasterization.is_top_left")])
+def test_the_search_finds_an_exercise_and_a_function_first(words, first, page):
+    """Sphinx looks for whole words, and a lecture has more of them."""
+    with served(SITE) as address:
+        page.goto(f"{address}/search.html?q={words}")
+        page.wait_for_selector("ul.search li a")
+        found = page.eval_on_selector_all("ul.search li a", "all => all.map(one => one.href)")
+    assert first in found[0], found[:5]
