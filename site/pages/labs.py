@@ -1,6 +1,7 @@
 """The labs' pages: what each exercise asks, without its answer, and where to read on."""
 import ast
 import functools
+import html
 import re
 
 from docutils.nodes import make_id
@@ -27,7 +28,7 @@ from .sources_text import (
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
          "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
-         "lab 1. Exercises are the core. Extras go further: they are complete until "
+         "lab 1. Exercises are the core. Extras, in italics, go further: they are complete until "
          "`python3 -m course open 1.8` empties one.")
 
 
@@ -84,7 +85,7 @@ def page(course, lab):
     return "\n".join([f"# {lab_title(course, lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
-                      f"Your file: {files(course, asked)}. To check it: "
+                      f"You write in {files(course, asked)}. To check it: "
                       f"`python3 -m course check {lab}`.\n", overview(course, asked),
                       *(question(course, name) for name in asked)])
 
@@ -103,7 +104,7 @@ def overview(course, asked):
              str(exercise.points),
              f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
              question_line(course, name)] for name, exercise in asked.items()]
-    return table(["number", "function", "points", "kind", "question"], rows)
+    return table("overview", ["number", "function", "points", "kind", "question"], rows)
 
 
 def question_line(course, name):
@@ -124,7 +125,7 @@ def question(course, name):
              f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
     return "\n".join([f"({anchor(exercise)})=\n## {exercise.number} `{exercise.name}`\n",
-                      f"```{{index}} exercise {exercise.number}\n```\n",  # the search knows it
+                      f"```{{index}} ! exercise {exercise.number}\n```\n",  # the search knows it
                       as_myst(marks),
                       docstring(course, module, ast.get_docstring(node), own_names(node)),
                       as_myst(read_on(course, name))])
@@ -136,8 +137,8 @@ def read_on(course, name):
     lecture = course.lectures[module.lab]
     heading = lecture.announced.get(exercise.number, lecture.title)
     place = f"../lectures/{lecture.page}.html#{make_id(heading)}"
-    items = [("Lecture", f'<a href="{place}">{inline(course, module, heading)}</a>'),
-             ("Answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
+    items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
+             ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
                         f"</code>, line {exercise.line}</a>")]
     called = dict.fromkeys(full for (line, _), full in sorted(course.uses[module.name].items())
                            if node.lineno < line <= node.end_lineno and full != name
@@ -146,8 +147,8 @@ def read_on(course, name):
         items.append(("It calls", ", ".join(
             f'<a href="{asked_address(course, full)}"><code>{full.rpartition(".")[2]}</code></a>'
             for full in called)))
-    return "<dl class=\"read-on\">" + "".join(
-        f"<div><dt>{term}</dt><dd>{text}</dd></div>" for term, text in items) + "</dl>"
+    lines = "".join(f"<li>{words}: {links}</li>" for words, links in items)
+    return f'<ul class="read-on">{lines}</ul>'
 
 
 def is_function(course, full):

@@ -46,7 +46,7 @@ def index(course, name, modules):
              *lab_link(course, module)] for module in modules]
     head = ["module", "what it is", "lab"][:len(rows[0])]
     tree = "```{toctree}\n:hidden:\n\n" + "\n".join(module.topic for module in modules) + "\n```"
-    return f"# {title}\n\n{about}\n{table(head, rows)}\n{tree}\n"
+    return f"# {title}\n\n{about}\n{table('modules', head, rows)}\n{tree}\n"
 
 
 def lab_link(course, module):
@@ -58,15 +58,14 @@ def lab_link(course, module):
 def page(course, module):
     lines = html_lines(course, module)
     parts = [HIDE_CONTENTS, f"# {escape(module.topic)}\n", directive("module", module.name),
-             as_myst(f'<div class="opening">{links(course, module)}'),
+             as_myst(f'<div class="top"><div class="opening">{links(course, module)}'),
              docstring(course, module, ast.get_docstring(module.tree), is_module=True),
-             as_myst(f"</div>{contents(module)}")]
+             as_myst(f"</div>{contents(module)}</div>")]
     for block in blocks(module):
         if block.kind == "section":
             parts.append(section(module, block))
         elif block.kind == "code":
-            parts += [constants(module, block),
-                      as_myst(listing(lines, block.first, block.last))]
+            parts.append(constants(module, block, listing(lines, block.first, block.last)))
         else:
             parts.append(definition(course, module, lines, block))
     return "\n".join(parts)
@@ -106,10 +105,11 @@ def section(module, block):
     return f"## {escape(title)}\n{as_myst(anchors + below)}"
 
 
-def constants(module, block):
-    """The constants of a block have their places in the index, and no text of their own."""
+def constants(module, block, code):
+    """Imports and constants. These have their places in the index, which a container keeps."""
     names = [name for node in block.nodes for name in sources_course.defined(node)]
-    return "\n".join(directive("data", name, options=("no-typesetting",)) for name in names)
+    return "\n".join([*(directive("data", name, options=("no-typesetting",)) for name in names),
+                      f"::::{{container}} constants\n{as_myst(code)}::::\n"])
 
 
 def definition(course, module, lines, block):

@@ -89,6 +89,8 @@ def read():
     texts |= {f"course.given.{path.stem}": exercises.read(path)
               for path in sorted(given.glob("*.py")) if path.stem != "__init__"}
     modules = {name: read_module(name, text, texts) for name, text in texts.items()}
+    for module in modules.values():
+        module.names.update({short: origin(modules, full) for short, full in module.names.items()})
     asked = {f"reference.{topic}.{exercise.name}": exercise for topic in exercises.TOPICS
              for exercise in exercises.topic_exercises(topic)}
     lectures = {lab: read_lecture(topics[0], [exercise for exercise in asked.values()
@@ -112,6 +114,13 @@ def read_module(name, text, known):
         else:
             names |= {short: f"{name}.{short}" for short in defined(node)}
     return Module(name, text, tree, names)
+
+
+def origin(modules, full):
+    """The full name where a name is defined, which a module may have imported itself."""
+    module, _, name = full.rpartition(".")
+    here = modules[module].names.get(name, full) if module in modules else full
+    return full if here == full else origin(modules, here)
 
 
 def defined(node):

@@ -45,8 +45,8 @@ def docstring(course, module, text, own=(), is_module=False):
 
 
 def is_table(paragraph):
-    """Is it aligned by hand: lines that stand further in, which are no example?"""
-    return bool(re.search(r"^ ", paragraph, re.M)) and not paragraph.startswith(">>> ")
+    """Is it aligned by hand: further in, or with gaps? An example is not."""
+    return bool(re.search(r"^ |\S {3,}\S", paragraph, re.M)) and not paragraph.startswith(">>> ")
 
 
 def paragraphs(text):
@@ -93,11 +93,11 @@ def span(kind, value):
     return f'<span class="{name}">{text}</span>' if name not in PLAIN and value.strip() else text
 
 
-def table(head, rows):
-    """head: words. rows: lists of HTML, a cell each."""
+def table(kind, head, rows):
+    """head: words. rows: lists of HTML, a cell each. kind: a class, for its style."""
     body = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
     top = "".join(f"<th>{word}</th>" for word in head)
-    return as_myst('<div class="table-wrapper" tabindex="0"><table class="docutils">'
+    return as_myst(f'<div class="table-wrapper" tabindex="0"><table class="docutils {kind}">'
                    f"<thead><tr>{top}</tr></thead>\n<tbody>\n" + "\n".join(body)
                    + "\n</tbody></table></div>")
 
@@ -126,7 +126,8 @@ def inline(course, module, text, own=()):
         parts += [html.escape(text[end:match.start()], quote=False),
                   link(course, module, match, own)]
         end = match.end()
-    return "".join(parts) + html.escape(text[end:], quote=False)
+    whole = "".join(parts) + html.escape(text[end:], quote=False)
+    return whole.replace("-&gt;", '<span class="arrow">-&gt;</span>')
 
 
 def link(course, module, match, own):

@@ -12,11 +12,11 @@ import sys
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT
+from serving import ROOT, served
 
 sys.path.insert(0, str(ROOT / "site"))
 
-from pages import labs, sources, sources_course, sources_text  # noqa: E402
+from pages import labs, sources, sources_course, sources_text
 
 SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
@@ -26,17 +26,17 @@ NAME = re.compile(r"`(\w+)`")
 
 
 @functools.cache
-def page(name):
+def built(name):
     return BeautifulSoup((SITE / f"{name}.html").read_text("utf-8"), "html.parser")
 
 
 def source_page(name):
     module = COURSE.modules[name]
-    return page(f"{module.folder}/{module.topic}")
+    return built(f"{module.folder}/{module.topic}")
 
 
 def lab_page(lab):
-    return page(f"labs/{COURSE.lectures[lab].page}")
+    return built(f"labs/{COURSE.lectures[lab].page}")
 
 
 def letters(text):
@@ -63,7 +63,7 @@ def places(module, soup):
     dts = {dt["id"].removeprefix(f"{module.name}."): dt.find_next_sibling("dd")
            for dt in soup.select("dl.py > dt[id]")}
     return {"": soup.select_one(".opening"),
-            **{name: dd.select_one(".said") for name, dd in dts.items() if dd and dd.select(".said")}}
+            **{name: dd.select_one(".said") for name, dd in dts.items()}}
 
 
 def wrong_functions(module, soup):
@@ -86,13 +86,21 @@ def wrong_lines(module, soup):
     lines = module.text.splitlines()
     shown = collections.defaultdict(list)
     for element in soup.select('[id^="line-"]'):
-        heading = element.find_previous("h2")
         shown[int(element["id"].removeprefix("line-"))].append(
-            element.get_text() if element.get("class") else heading.parent.get_text())
+            element.get_text() if element.get("class") else section_text(element))
     expected = {n for n, line in enumerate(lines, 1) if line.strip() and n not in inside}
     strange = {n for n, texts in shown.items() if len(texts) != 1 or n in inside
-               or (texts[0] != lines[n - 1] and lines[n - 1].strip("# -") not in texts[0])}
+               or (texts[0] != lines[n - 1] and plain(lines[n - 1]) not in texts[0])}
     return sorted(expected - set(shown) | strange)
+
+
+def section_text(element):
+    """A heading and what stands below it."""
+    return plain(element.find_previous("h2").get_text() + " " + element.parent.get_text())
+
+
+def plain(text):
+    return re.sub(r"[#.]|--+", "", letters(text))
 
 
 def wrong_equations(module, soup):
@@ -108,7 +116,7 @@ def wrong_equations(module, soup):
             number = equation.select_one(".number")
             found[int(number.get_text().strip("()"))] = (equation, number["href"])
         if set(found) != named & set(known) or not all(
-                formula(equation) == lecture_formula(module, number)
+                formula(equation) == lecture_formulas(module.lab)[number]
                 and href.endswith(f"{COURSE.lectures[module.lab].page}.html#equation-{number}")
                 for number, (equation, href) in found.items()):
             wrong.append(name)
@@ -120,9 +128,11 @@ def formula(element):
     return re.sub(r"^\(\d+\)", "", letters(element.select_one("mjx-assistive-mml").get_text()))
 
 
-def lecture_formula(module, number):
-    lecture = page(f"lectures/{COURSE.lectures[module.lab].page}")
-    return formula(lecture.select_one(f"#equation-{number}"))
+@functools.cache
+def lecture_formulas(lab):
+    """{number: formula} of a lecture's page."""
+    return {int(element["id"].removeprefix("equation-")): formula(element)
+            for element in built(f"lectures/{COURSE.lectures[lab].page}").select(".math[id]")}
 
 
 CHECKS = wrong_functions, wrong_letters, wrong_lines, wrong_equations
@@ -173,7 +183,7 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
     soup, asked = lab_page(lab), labs.of_lab(COURSE, lab)
     shown = {element["id"]: element for element in soup.select('section[id^="exercise-"]')}
     assert list(shown) == [sources_text.anchor(exercise) for exercise in asked.values()]
-    listed = page("labs/index").get_text()
+    listed = built("labs/index").get_text()
     for name, exercise in asked.items():
         module, node = labs.found(COURSE, name)
         element = shown[sources_text.anchor(exercise)]
@@ -196,12 +206,12 @@ def answer_lines(module, node):
 @pytest.mark.parametrize("lab", LABS)
 def test_a_question_leads_to_where_the_lecture_asks_it(lab):
     """The link leads to the section before, or to the top."""
-    lecture = page(f"lectures/{COURSE.lectures[lab].page}")
+    lecture = built(f"lectures/{COURSE.lectures[lab].page}")
     for exercise in labs.of_lab(COURSE, lab).values():
         anchor = sources_text.anchor(exercise)
         links = lab_page(lab).select_one(f"#{anchor}").select('.read-on a[href*="/lectures/"]')
         section = lecture.find(id=links[0]["href"].partition("#")[2])
-        assert section.select(f'a[href$="#{anchor}"]'), exercise.number
+        assert re.search(rf"\b{re.escape(exercise.number)}\b", section.get_text()), exercise.name
 
 
 def test_only_what_changed_is_written(tmp_path):
@@ -244,3 +254,17 @@ def test_names_become_links_to_the_right_places():
     assert address("reference.regularization", "remeshing") == "../reference/remeshing.html"
     assert address("course.given.mesh", "radius", ("radius", "tube")) is None
     assert address("reference.antialiasing", "no_such_function") is None
+
+
+@pytest.mark.parametrize(("words", "first"), [
+    ("exercise 8.7", "labs/08_antialiasing.html#"),
+    ("exercise 14.18", "labs/14_shadow_mapping.html#"),
+    ("crossing_backward", "reference/antialiasing.html#reference.antialiasing.crossing_backward"),
+    ("is_top_left", "reference/rasterization.html#reference.rasterization.is_top_left")])
+def test_the_search_finds_an_exercise_and_a_function_first(words, first, page):
+    """Sphinx looks for whole words, and a lecture has more of them."""
+    with served(SITE) as address:
+        page.goto(f"{address}/search.html?q={words}")
+        page.wait_for_selector("ul.search li a")
+        found = page.eval_on_selector_all("ul.search li a", "all => all.map(one => one.href)")
+    assert first in found[0], found[:5]
