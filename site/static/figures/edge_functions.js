@@ -66,7 +66,7 @@ export function show(place) {
   const numbers = table("The pixel's edge functions",
     ["edge", "<i>e<sub>k</sub></i>", "top-left", "<i>l<sub>k</sub></i>"],
     ["0, shared", "1", "2", "sum"]);
-  const about = html("h4");
+  const about = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
   const shared = html("p");
 
@@ -109,7 +109,10 @@ export function show(place) {
       seen.map((pixel) => sheet.dot(pixel.centre, pixel.onEdge ? 4.5 : 2.5,
                                     `sample ${kind(pixel)}`)),
       triangle.map((vertex) => sheet.line([p, vertex], "ray")),
-      sheet.rectangle(p.map((t) => t - 0.5), 1, 1, "chosen"));
+      sheet.rectangle(p.map((t) => t - 0.5), 1, 1, "chosen"),
+      EDGES.map(([i, j], k) => sheet.text(
+        [0, 1].map((axis) => (triangle[i][axis] + triangle[j][axis]) / 2), `e${SUB[k]}`,
+        "label first", [-8, -5])));
     tell(triangle, seen);
   }
 
@@ -130,6 +133,7 @@ export function show(place) {
   }
 
   place.append(html("div", { class: "figure" },
-    html("p", { class: "task" }, "Drag the vertices. Point at a pixel."), sheet.box,
+    html("p", { class: "task" }, "Drag the vertices. Point at a pixel. ",
+      html("span", {}, "Thick edges are top-left.")), sheet.box,
     html("div", { class: "told" }, about, numbers.element, answer, shared, reset)));
 }

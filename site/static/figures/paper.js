@@ -147,15 +147,20 @@ export class Sheet {
   }
 }
 
-/** A slider with its label and its value. changed(value) is called when it moves. */
+/** A slider with its label and its value. changed(value) is called when it moves. -> set(value) */
 export function slider({ label, min, max, step, value, unit = "", changed }) {
-  const said = html("output", {}, `${number(value)}${unit}`);
-  const input = html("input", { type: "range", min, max, step, value });
-  input.addEventListener("input", () => {
+  const said = html("output");
+  const input = html("input", { type: "range", min, max, step });
+  const set = (to) => {
+    input.value = to;
     said.textContent = `${number(input.valueAsNumber)}${unit}`;
+  };
+  input.addEventListener("input", () => {
+    set(input.value);
     changed(input.valueAsNumber);
   });
-  return html("label", { class: "slider" }, html("span", {}, label), input, said);
+  set(value);
+  return { set, element: html("label", { class: "slider" }, html("span", {}, label), input, said) };
 }
 
 export function button(label, pressed) {
