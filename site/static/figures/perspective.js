@@ -3,11 +3,11 @@ import { barycentricCoordinates, isCovered } from "./edge_functions.js";
 import { button, html, number, slider, table } from "./paper.js";
 import { Picture } from "./picture.js";
 
-const WIDTH = 160, HEIGHT = 128, SQUARES = 8;
+const WIDTH = 160, HEIGHT = 96, SQUARES = 8;
 const UV = [[0, 0], [1, 0], [1, 1], [0, 1]];
 const FACES = [[0, 1, 2], [0, 2, 3]];
-const MARKED = [4, 5];                       // the column and the row of the orange square
-const START = { tilt: 60, distance: 1.6 }, CHOSEN = [88.5, 82.5];
+const MARKED = [5, 2];                       // the column and the row of the orange square
+const START = { tilt: 55, distance: 2 }, CHOSEN = [100.5, 46.5];
 const LIGHT = [0.96, 0.96, 0.94], DARK = [0.16, 0.3, 0.42], ORANGE = [0.9, 0.62, 0];
 const AROUND = [0.8, 0.88, 0.95];
 
@@ -28,7 +28,7 @@ export function project([u, v], { tilt, distance }) {
   const angle = tilt * Math.PI / 180;
   const [x, up] = [2 * u - 1, 2 * v - 1];
   const w = distance + up * Math.sin(angle);
-  const scale = 0.4 * HEIGHT * distance / w;
+  const scale = 0.38 * HEIGHT * distance / w;
   return { point: [WIDTH / 2 + scale * x, HEIGHT / 2 + scale * up * Math.cos(angle)], w };
 }
 
@@ -73,7 +73,7 @@ export function show(place) {
   const sliders = [
     slider({ label: "tilt", min: 0, max: 80, step: 1, value: START.tilt, unit: "°",
              changed: (tilt) => draw({ ...camera, tilt }) }),
-    slider({ label: "distance", min: 1.2, max: 6, step: 0.1, value: START.distance,
+    slider({ label: "distance", min: 1.4, max: 6, step: 0.1, value: START.distance,
              changed: (distance) => draw({ ...camera, distance }) })];
   const reset = button("Reset", () => {
     sliders.forEach((each, k) => each.set(k ? START.distance : START.tilt));
@@ -122,7 +122,6 @@ export function show(place) {
       : "This pixel does not see the square.";
   }
 
-  draw(START);
   place.append(html("div", { class: "figure" },
     html("p", { class: "task" }, "Tilt the board. Point at a pixel. ",
       html("span", {}, "Red: where the orange square truly is. " +
@@ -132,4 +131,5 @@ export function show(place) {
     html("div", { class: "two" }, html("div", { class: "told" },
       ...sliders.map((each) => each.element), answer, reset),
       html("div", { class: "told" }, numbers.element, places.element))));
+  draw(START);
 }
