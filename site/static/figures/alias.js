@@ -26,70 +26,76 @@ const grey = (value) => `fill: rgb(${Array(3).fill(255 * (0.5 + 0.45 * value)).j
 export function show(place) {
   let frequency = START;
   const times = Array.from({ length: RATE }, (_, n) => (n + 0.5) / RATE);
-  const waves = new Sheet([-0.01, 1.01, -0.17, 0.145],
+  const waves = new Sheet([0, 1, -0.075, 0.075],
     "The wave, its samples, and the alias through the same samples", draw);
-  const fold = new Sheet([-0.06, 1.02, -0.055, 0.25],
-    "The frequency that is seen, and what the box filter leaves, against the frequency", draw);
+  const strips = ["sampled", "the mean over each pixel"].map((title) =>
+    ({ title, sheet: new Sheet([0, 1, 0, 0.05], `Twelve pixels: ${title}`, draw) }));
+  const fold = new Sheet([-0.03, 1.02, -0.07, 0.42],
+    "The periods seen, and what the box filter leaves, against the wave's periods", draw);
   const answer = html("p", { class: "verdict", role: "status" });
   const filtered = html("p");
+  const go = (to) => {
+    frequency = to;
+    draw();
+  };
   const control = slider({ label: "periods", min: 0, max: FASTEST, step: 0.5, value: START,
-    changed: (value) => {
-      frequency = value;
-      draw();
-    } });
+                           changed: go });
   const reset = button("Reset", () => {
     control.set(START);
-    frequency = START;
-    draw();
+    go(START);
   });
-
-  function strip(title, values, y) {
-    return [waves.text([0, y], title, "", [0, 5]), values.map((value, n) => {
-      const pixel = waves.rectangle([n / RATE, y - 0.04], 1 / RATE, 0.04, "square");
-      pixel.style.cssText = grey(value);
-      return pixel;
-    })];
-  }
 
   function draw() {
     const alias = aliasFrequency(frequency, RATE);
     const left = boxFactor(frequency, FINE, FINE * RATE);
     const samples = times.map((t) => wave(frequency, t));
-    const curve = (f) => range(720).map((t) => [t, 0.08 + 0.055 * wave(f, t)]);
+    const curve = (f) => range(720).map((t) => [t, 0.055 * wave(f, t)]);
     waves.draw(
       waves.line(curve(frequency), "curve wave"), waves.line(curve(alias), "curve alias"),
-      samples.map((value, n) => waves.dot([times[n], 0.08 + 0.055 * value], 5, "sample point")),
-      strip("sampled", samples, -0.025).flat(2),
-      strip("box filter, then sampled", samples.map((value) => left * value), -0.115).flat(2));
-    const across = (f) => f / FASTEST;
-    const seen = range(FASTEST * 2).map((x) =>
-      [x, 0.4 * Math.abs(aliasFrequency(FASTEST * x, RATE)) / RATE]);
-    const share = range(240).map((x) =>
-      [x, 0.2 * Math.abs(boxFactor(FASTEST * x, FINE, FINE * RATE))]);
-    const ticks = [0, 0.5, 1, 1.5, 2, 2.5].map((k) => k * RATE);
+      samples.map((value, n) => waves.dot([times[n], 0.055 * value], 5, "sample point")));
+    [1, left].forEach((share, k) => strips[k].sheet.draw(samples.map((value, n) => {
+      const pixel = strips[k].sheet.rectangle([n / RATE, 0], 1 / RATE, 0.05, "square");
+      pixel.style.cssText = grey(share * value);
+      return pixel;
+    })));
+    drawFold(Math.abs(alias) / (RATE / 2), Math.abs(left));
+    tell(alias, left);
+  }
+
+  /** Both curves go from 0 to 1, which is drawn 0.36 high. */
+  function drawFold(seen, left) {
+    const at = (f, y) => [f / FASTEST, 0.36 * y];
+    const all = range(300).map((x) => FASTEST * x);
     fold.draw(
-      fold.line([[0, 0.22], [0, 0], [1, 0]], "axis"),
-      fold.line([[across(RATE / 2), 0], [across(RATE / 2), 0.22]], "ray"),
-      ticks.map((f) => fold.text([across(f), 0], number(f), "", [f > 9 ? -9 : -4, -20])),
-      fold.line(share, "curve second"), fold.line(seen, "curve alias"),
-      fold.text([across(RATE / 2), 0.22], "r/2", "", [6, -12]),
-      fold.text([across(13), 0.17], "periods seen", "label alias"),
-      fold.text([across(2), 0.05], "left by the box", "label second", [0, 0]),
-      fold.dot([across(frequency), 0.4 * Math.abs(alias) / RATE], 7, "sample point"),
-      fold.dot([across(frequency), 0.2 * Math.abs(left)], 7, "sample second"));
+      fold.line([at(0, 1.1), at(0, 0), at(FASTEST, 0)], "axis"),
+      fold.line([at(RATE / 2, 0), at(RATE / 2, 1.1)], "ray"),
+      [0, 0.5, 1, 1.5, 2, 2.5].map((k) =>
+        fold.text(at(k * RATE, 0), number(k * RATE), "middle", [0, -18])),
+      fold.line(all.map((f) => at(f, Math.abs(boxFactor(f, FINE, FINE * RATE)))), "curve second"),
+      fold.line(all.map((f) => at(f, Math.abs(aliasFrequency(f, RATE)) / (RATE / 2))),
+                "curve alias"),
+      fold.text(at(RATE / 2, 1), "r/2", "", [6, 2]),
+      fold.text(at(24, 0.85), "seen", "label alias middle"),
+      fold.text(at(18, 0.38), "box filter", "label second middle"),
+      fold.dot(at(frequency, seen), 7, "sample point"),
+      fold.dot(at(frequency, left), 7, "sample second"));
+  }
+
+  function tell(alias, left) {
     answer.textContent = Math.abs(frequency) < RATE / 2
-      ? `Seen correctly: ${number(frequency)} periods.`
-      : `${number(frequency)} periods, but the ${RATE} samples show ${number(Math.abs(alias))}.`;
-    const turns = Math.floor(frequency / RATE + 0.5);
+      ? `${number(frequency)} periods, seen correctly.`
+      : `${number(frequency)} periods, but the samples show ${number(Math.abs(alias))}.`;
     filtered.innerHTML = `alias = <i>f</i> − <i>r m</i> = ${number(frequency)} − ${RATE} · ` +
-      `${turns} = <b>${number(alias)}</b>.<br>The box of one pixel leaves ` +
-      `<b>${number(100 * Math.abs(left), 1)}%</b> of the wave.`;
+      `${Math.floor(frequency / RATE + 0.5)} = <b>${number(alias)}</b>.<br>` +
+      `A box of one pixel leaves <b>${number(100 * Math.abs(left), 1)}%</b> of the wave.`;
   }
 
   place.append(html("div", { class: "figure" },
     html("p", { class: "task" }, "Make the wave faster. ",
-      html("span", {}, `There are always r = ${RATE} samples.`)),
-    html("div", { class: "wide" }, control.element, waves.box),
+      html("span", {}, `There are always ${RATE} samples. `,
+        "Red is the slowest wave through them.")),
+    html("div", { class: "wide told" }, control.element, waves.box,
+      ...strips.flatMap(({ title, sheet }) => [html("p", {}, title), sheet.box])),
     fold.box, html("div", { class: "told" }, answer, filtered, reset)));
   draw();
 }

@@ -93,11 +93,12 @@ export function show(place) {
   const levels = html("input", { type: "checkbox" });
   const pictures = ["Nearest: one texel", "Trilinear: eight texels"].map((title) =>
     ({ title, picture: new Picture(WIDTH, HEIGHT, title, mark) }));
-  const texels = new Sheet([-1, 1, -0.8, 0.8], "The footprint on the texels", mark);
+  const texels = new Sheet([-1, 1, -0.7, 0.7], "The footprint on the texels", mark);
   texels.box.classList.add("light", "cut");
   const numbers = table("J in texels", ["", "by <i>x</i>", "by <i>y</i>"],
                         ["<i>s</i>", "<i>t</i>"]);
   const sums = html("p");
+  const squares = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
   const probes = pictures.map(({ picture }) => picture.probe({
     name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
@@ -148,7 +149,7 @@ export function show(place) {
     const start = uv.map((t) => -wrap(t * SIZE / unit, texel));
     const steps = Array.from({ length: Math.ceil(4 / texel) + 2 }, (_, n) => n * texel);
     const lines = steps.flatMap((step) => [step, -step]).flatMap((step) => [
-      texels.line([[start[0] + step, -0.8], [start[0] + step, 0.8]], "texel"),
+      texels.line([[start[0] + step, -0.7], [start[0] + step, 0.7]], "texel"),
       texels.line([[-1, start[1] + step], [1, start[1] + step]], "texel")]);
     const onTexture = ([dx, dy]) => [(sX * dx + sY * dy) / unit, (tX * dx + tY * dy) / unit];
     const around = Array.from({ length: 61 }, (_, n) => n * Math.PI / 30);
@@ -162,6 +163,7 @@ export function show(place) {
     sums.innerHTML = `<i>A</i> = ${names[0]}, <i>B</i> = ${names[1]}, <i>C</i> = ${names[2]}<br>` +
       `<b>level = ${names[3]}</b>`;
     const [lower, upper, f] = blendLevels(level, TOP);
+    squares.textContent = J ? `The squares are texels of level ${lower}.` : "–";
     answer.textContent = !J ? "The sky has no footprint."
       : f ? `${number(1 - f, 2)} of level ${lower} and ${number(f, 2)} of level ${upper}.`
         : `Level ${lower} alone.`;
@@ -176,6 +178,6 @@ export function show(place) {
     html("div", { class: "two" },
       html("div", { class: "told" }, ...sliders.map((each) => each.element),
         html("label", { class: "check" }, levels, "show the levels"), numbers.element, reset),
-      html("div", { class: "told" }, texels.box, sums, answer))));
+      html("div", { class: "told" }, squares, texels.box, sums, answer))));
   draw(START);
 }

@@ -3,11 +3,11 @@ import { barycentricCoordinates, isCovered } from "./edge_functions.js";
 import { button, html, number, slider, table } from "./paper.js";
 import { Picture } from "./picture.js";
 
-const WIDTH = 160, HEIGHT = 96, SQUARES = 8;
+const WIDTH = 160, HEIGHT = 88, SQUARES = 8;
 const UV = [[0, 0], [1, 0], [1, 1], [0, 1]];
 const FACES = [[0, 1, 2], [0, 2, 3]];
 const MARKED = [5, 2];                       // the column and the row of the orange square
-const START = { tilt: 55, distance: 2 }, CHOSEN = [100.5, 46.5];
+const START = { tilt: 55, distance: 2 }, CHOSEN = [64.5, 39.5];
 const LIGHT = [0.96, 0.96, 0.94], DARK = [0.16, 0.3, 0.42], ORANGE = [0.9, 0.62, 0];
 const AROUND = [0.8, 0.88, 0.95];
 
@@ -28,7 +28,7 @@ export function project([u, v], { tilt, distance }) {
   const angle = tilt * Math.PI / 180;
   const [x, up] = [2 * u - 1, 2 * v - 1];
   const w = distance + up * Math.sin(angle);
-  const scale = 0.38 * HEIGHT * distance / w;
+  const scale = 0.42 * HEIGHT * distance / w;
   return { point: [WIDTH / 2 + scale * x, HEIGHT / 2 + scale * up * Math.cos(angle)], w };
 }
 
