@@ -76,7 +76,7 @@ export function show(place) {
                 "curve alias"),
       fold.text(at(RATE / 2, 1), "r/2", "", [6, 2]),
       fold.text(at(24, 0.85), "seen", "label alias middle"),
-      fold.text(at(18, 0.38), "box filter", "label second middle"),
+      fold.text(at(18, 0.38), "box", "label second middle"),
       fold.dot(at(frequency, seen), 7, "sample point"),
       fold.dot(at(frequency, left), 7, "sample second"));
   }
