@@ -66,7 +66,7 @@ def opened(page, address, name):
 
 def shown(page, label):
     """The numbers of a table -> rows of floats, or of text where it is no number."""
-    rows = page.locator(f"table[aria-label='{label}'] tbody tr").all()
+    rows = page.get_by_role("table", name=label).locator("tbody tr").all()
     return [[number(cell) for cell in row.locator("td").all_inner_texts()] for row in rows]
 
 
@@ -91,7 +91,7 @@ def test_edge_functions_are_those_of_the_reference(call):
     points = np.concatenate([whole, rng.normal(size=(100, 4, 2))])
     cases = [(p, triangle) for p, *triangle in points]
     wanted = [rasterization.edge_function(p, t[0], t[1]) for p, t in cases]
-    assert sum(e == 0 for e in wanted) > 40, "these inputs have hardly any ties"
+    assert sum(e == 0 for e in wanted) > 30, "these inputs have hardly any ties"
     found = call("edge_functions", "edgeFunction", [(p, t[0], t[1]) for p, t in cases])
     np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-9)
     areas = [rasterization.signed_area(np.array(t)) for _, t in cases]
@@ -342,7 +342,7 @@ def test_the_floors_pixel_shows_the_references_level(page, address):
 def test_the_slider_shows_the_alias(page, address):
     """The alias is that of the wave before."""
     opened(page, address, "alias")
-    page.get_by_label("periods").fill("16.5")
+    page.get_by_role("slider", name="periods").fill("16.5")
     assert "the samples show 4.5" in page.inner_text(".verdict")
     assert "= 4.5." in page.inner_text(".figure")
 

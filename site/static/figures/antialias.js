@@ -5,7 +5,7 @@ const START = [[0.2, 0.9], [0.35, -0.75]];
 const OWNER = 0.2, OTHER = 0.9;  // their shades: 0 is blue, 1 is white
 const WINDOW = 1 / 16;
 
-/** Eq. (3): where the edge meets the line y = 0 between the centres, measured from its nearer end. */
+/** Eq. (3): where the edge meets the line y = 0, measured from its nearer end. */
 export function crossing(x0, y0, x1, y1) {
   const [x, y] = Math.abs(y1) < Math.abs(y0) ? [x1, y1] : [x0, y0];
   return x - y * (x1 - x0) / (y1 - y0);
@@ -142,4 +142,5 @@ export function show(place) {
       html("span", {}, "The loss wants the changed pixel bluer (∂L/∂pixel = +1). " +
         "The green arrows show where each end would go.")), sheet.box,
     html("div", { class: "told" }, blended, answer, curves.box, numbers.element, reset)));
+  draw();
 }

@@ -125,15 +125,17 @@ export function show(place) {
       [number(2 * signedArea(triangle), 4), "", number(l[0] + l[1] + l[2])]]);
     answer.textContent = verdict(p, triangle);
     const onEdge = seen.filter((pixel) => pixel.onEdge);
-    const count = (test) => onEdge.filter(test).length;
-    shared.textContent = `${onEdge.length} ${onEdge.length === 1 ? "sample" : "samples"} on the ` +
-      `shared edge: ${count(({ first }) => first)} blue, ${count(({ second }) => second)} orange. ` +
-      `In both: ${seen.filter(({ first, second }) => first && second).length}. ` +
-      `Missed: ${count(({ first, second }) => !first && !second)}.`;
+    const count = (list, test) => list.filter(test).length;
+    shared.textContent = `${onEdge.length} sample${onEdge.length === 1 ? "" : "s"} on the ` +
+      `shared edge: ${count(onEdge, ({ first }) => first)} blue, ` +
+      `${count(onEdge, ({ second }) => second)} orange. ` +
+      `In both: ${count(seen, ({ first, second }) => first && second)}. ` +
+      `Missed: ${count(onEdge, ({ first, second }) => !first && !second)}.`;
   }
 
   place.append(html("div", { class: "figure" },
     html("p", { class: "task" }, "Drag the vertices. Point at a pixel. ",
       html("span", {}, "Thick edges are top-left.")), sheet.box,
     html("div", { class: "told" }, about, numbers.element, answer, shared, reset)));
+  draw();
 }

@@ -95,7 +95,7 @@ export function show(place) {
     ({ title, picture: new Picture(WIDTH, HEIGHT, title, mark) }));
   const texels = new Sheet([-1, 1, -0.7, 0.7], "The footprint on the texels", mark);
   texels.box.classList.add("light", "cut");
-  const numbers = table("J in texels", ["", "by <i>x</i>", "by <i>y</i>"],
+  const numbers = table("J in texels", ["texels", "by <i>x</i>", "by <i>y</i>"],
                         ["<i>s</i>", "<i>t</i>"]);
   const sums = html("p");
   const squares = html("p");
@@ -142,7 +142,7 @@ export function show(place) {
     tell(J, level);
   }
 
-  /** The footprint and its ellipse, in units of 2^level texels, on the texels of the lower level. */
+  /** The footprint and its ellipse, in units of 2^level texels, on the lower level's texels. */
   function drawn(uv, { sX, sY, tX, tY }, level) {
     const unit = 2 ** level;
     const texel = 2 ** blendLevels(level, TOP)[0] / unit;

@@ -179,7 +179,8 @@ export function table(caption, names, rowNames) {
   };
   const element = html("table", { "aria-label": caption },
     html("thead", {}, html("tr", {}, ...names.map((name) => head("col", name)))),
-    html("tbody", {}, ...rowNames.map((name, k) => html("tr", {}, head("row", name), ...cells[k]))));
+    html("tbody", {}, ...rowNames.map((name, k) =>
+      html("tr", {}, head("row", name), ...cells[k]))));
   const write = (rows) => rows.forEach((row, k) =>
     row.forEach((value, j) => { cells[k][j].textContent = value; }));
   return { element, write };

@@ -60,7 +60,7 @@ export function show(place) {
   const numbers = table("The pixel's weights",
     ["corner", "<i>w<sub>k</sub></i>", "screen <i>l<sub>k</sub></i>",
      "face <i>b<sub>k</sub></i>"], ["·", "·", "·"]);
-  const places = table("The pixel's place on the texture", ["", "<i>u</i>", "<i>v</i>"],
+  const places = table("The pixel's place on the texture", ["weights", "<i>u</i>", "<i>v</i>"],
     ["screen", "face"]);
   const answer = html("p", { class: "verdict", role: "status" });
   const probes = sides.map(({ picture }) => picture.probe({
