@@ -1,0 +1,141 @@
+/** Lecture 02: three edge functions decide which pixels a triangle covers. */
+import { button, html, number, Sheet, table } from "./paper.js";
+
+const WIDTH = 12, HEIGHT = 8;
+const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
+const START = [[1.25, 2.25], [8.5, 1.5], [5.5, 7.5], [11.25, 5.25]];
+const CHOSEN = [7.5, 3.5];               // a centre on the edge that both triangles share
+const SUB = "₀₁₂";
+
+/** Eq. (1): positive on the left of the line from a to b, and -edgeFunction(p, b, a) exactly. */
+export function edgeFunction([x, y], [x0, y0], [x1, y1]) {
+  const [fromX, fromY] = x0 <= x1 ? [x0, y0] : [x1, y1];
+  return (y0 - y1) * (x - fromX) + (x1 - x0) * (y - fromY);
+}
+
+export const isTopLeft = (nX, nY) => nX > 0 || (nX === 0 && nY > 0);
+
+export const signedArea = ([a, b, c]) => edgeFunction(c, a, b) / 2;
+
+/** e and whether the edge is top-left, for the three edges of a triangle. */
+function edgesAt(p, triangle) {
+  return EDGES.map(([i, j]) => {
+    const [a, b] = [triangle[i], triangle[j]];
+    return { e: edgeFunction(p, a, b), owns: isTopLeft(a[1] - b[1], b[0] - a[0]) };
+  });
+}
+
+/** Eq. (2), for a counter-clockwise triangle. */
+export const isCovered = (p, triangle) =>
+  edgesAt(p, triangle).every(({ e, owns }) => e > 0 || (e === 0 && owns));
+
+/** Eq. (3). */
+export function barycentricCoordinates(p, triangle) {
+  const e = edgesAt(p, triangle).map((edge) => edge.e);
+  const sum = e[0] + e[1] + e[2];
+  return e.map((value) => value / sum);
+}
+
+/** Why a sample is covered, or is not, in one sentence. */
+function verdict(p, triangle) {
+  const area = signedArea(triangle);
+  if (area === 0) return "Not covered. The triangle has no area.";
+  if (area < 0) return "Not covered. These vertices run clockwise: turn two of them round first.";
+  const edges = edgesAt(p, triangle);
+  const names = (list, join) => list.map((k) => `e${SUB[k]}`).join(join);
+  const which = (test) => [0, 1, 2].filter((k) => test(edges[k]));
+  const [below, on] = [which(({ e }) => e < 0), which(({ e }) => e === 0)];
+  const lost = which(({ e, owns }) => e === 0 && !owns);
+  if (below.length) return `Not covered: ${names(below, ", ")} < 0.`;
+  if (lost.length) return `Not covered: ${names(lost, " = ")} = 0, not on a top-left edge.`;
+  if (on.length) return `Covered: ${names(on, " = ")} = 0 on a top-left edge.`;
+  return "Covered: all three are positive.";
+}
+
+/** Is p on the edge from a to b, between its ends? */
+function isOnEdge(p, a, b) {
+  const along = (p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1]);
+  const whole = (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2;
+  return edgeFunction(p, a, b) === 0 && along > 0 && along < whole;
+}
+
+export function show(place) {
+  let points = START, p = CHOSEN;
+  const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
+    "Two triangles with a shared edge on a grid of 12 by 8 pixels", draw);
+  const numbers = table("The pixel's edge functions",
+    ["edge", "<i>e<sub>k</sub></i>", "top-left", "<i>l<sub>k</sub></i>"],
+    ["0, shared", "1", "2", "sum"]);
+  const about = html("p");
+  const answer = html("p", { class: "verdict", role: "status" });
+  const shared = html("p");
+
+  const handles = points.map((at, k) => sheet.handle({
+    name: k < 3 ? `Vertex ${k}` : "The neighbour's vertex", mark: String(k),
+    style: k < 3 ? "" : "second", step: 0.25, limits: [0, WIDTH, 0, HEIGHT], at,
+    moved: (to) => {
+      points = points.map((point, n) => (n === k ? to : point));
+      draw();
+    } }));
+  const probe = sheet.probe({
+    name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
+    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
+    moved: (to) => {
+      p = to;
+      draw();
+    } });
+  const reset = button("Reset", () => {
+    START.forEach((point, k) => handles[k].set(point));
+    points = START;
+    probe.go(CHOSEN);
+  });
+
+  function draw() {
+    const triangle = points.slice(0, 3);
+    const second = [points[2], points[1], points[3]];
+    const centres = Array.from({ length: WIDTH * HEIGHT }, (_, n) =>
+      [n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5]);
+    const seen = centres.map((centre) => ({
+      centre, first: isCovered(centre, triangle), second: isCovered(centre, second),
+      onEdge: isOnEdge(centre, points[1], points[2]) }));
+    const kind = ({ first, second }) =>
+      (first && second ? "both" : first ? "first" : second ? "second" : "none");
+    sheet.draw(
+      seen.map((pixel) => sheet.rectangle(pixel.centre.map((t) => t - 0.5), 1, 1,
+                                          `pixel ${kind(pixel)}`)),
+      sheet.line([...second, second[0]], "outline second"),
+      EDGES.map(([i, j], k) => sheet.line([triangle[i], triangle[j]],
+        `outline first ${edgesAt(p, triangle)[k].owns ? "thick" : ""}`)),
+      seen.map((pixel) => sheet.dot(pixel.centre, pixel.onEdge ? 4.5 : 2.5,
+                                    `sample ${kind(pixel)}`)),
+      triangle.map((vertex) => sheet.line([p, vertex], "ray")),
+      sheet.rectangle(p.map((t) => t - 0.5), 1, 1, "chosen"),
+      EDGES.map(([i, j], k) => sheet.text(
+        [0, 1].map((axis) => (triangle[i][axis] + triangle[j][axis]) / 2), `e${SUB[k]}`,
+        "label first", [-8, -5])));
+    tell(triangle, seen);
+  }
+
+  function tell(triangle, seen) {
+    const edges = edgesAt(p, triangle);
+    const l = barycentricCoordinates(p, triangle);
+    about.textContent = `Pixel [${Math.floor(p[1])}, ${Math.floor(p[0])}]`;
+    numbers.write([
+      ...edges.map(({ e, owns }, k) => [number(e, 4), owns ? "yes" : "no", number(l[k])]),
+      [number(2 * signedArea(triangle), 4), "", number(l[0] + l[1] + l[2])]]);
+    answer.textContent = verdict(p, triangle);
+    const onEdge = seen.filter((pixel) => pixel.onEdge);
+    const count = (list, test) => list.filter(test).length;
+    shared.textContent = `${onEdge.length} sample${onEdge.length === 1 ? "" : "s"} on the ` +
+      `shared edge: ${count(onEdge, ({ first }) => first)} blue, ` +
+      `${count(onEdge, ({ second }) => second)} orange. ` +
+      `In both: ${count(seen, ({ first, second }) => first && second)}. ` +
+      `Missed: ${count(onEdge, ({ first, second }) => !first && !second)}.`;
+  }
+
+  place.append(html("div", { class: "figure" },
+    html("p", { class: "task" }, "Drag the vertices. Point at a pixel. ",
+      html("span", {}, "Thick edges are top-left.")), sheet.box,
+    html("div", { class: "told" }, about, numbers.element, answer, shared, reset)));
+  draw();
+}

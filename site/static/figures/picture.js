@@ -1,0 +1,32 @@
+/** Pictures that are computed pixel by pixel, row 0 at the bottom. */
+import { Sheet, html } from "./paper.js";
+
+export class Picture extends Sheet {
+  constructor(width, height, label, draw) {
+    super([0, width, 0, height], label, draw);
+    this.canvas = html("canvas", { width, height, "aria-hidden": "true" });
+    this.box.prepend(this.canvas);
+    this.box.classList.add("light");
+  }
+
+  /** colourAt(x, y) -> [red, green, blue] from 0 to 1, at each pixel's centre. */
+  paint(colourAt) {
+    const { width, height } = this.canvas;
+    const context = this.canvas.getContext("2d");
+    const image = context.createImageData(width, height);
+    for (let n = 0; n < width * height; n++) {
+      const [column, row] = [n % width, Math.floor(n / width)];
+      const colour = colourAt(column + 0.5, height - row - 0.5);
+      image.data.set([...colour.map((t) => 255 * t), 255], 4 * n);
+    }
+    context.putImageData(image, 0, 0);
+  }
+
+  /** The pixel that is asked about: a cross in the picture. */
+  cross([x, y]) {
+    const reach = 10 / this.scale;
+    return ["halo", "cross"].flatMap((style) => [
+      this.line([[x - reach, y], [x + reach, y]], style),
+      this.line([[x, y - reach], [x, y + reach]], style)]);
+  }
+}

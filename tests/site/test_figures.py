@@ -1,0 +1,400 @@
+"""The figures of the lectures' pages: their numbers, their points to move, their room."""
+import re
+import shutil
+
+import numpy as np
+import pytest
+
+from reference import antialiasing, interpolation, mipmapping, rasterization, sampling
+from tests.site.conftest import ROOT, served
+
+SOURCE = ROOT / "site" / "static" / "figures"
+MINUS = "\N{MINUS SIGN}"
+NAMES = "edge_functions", "antialias", "perspective", "mip_level", "alias"
+PAGE = """<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>{name}</title>
+<link rel="icon" href="data:,">
+<link rel="stylesheet" href="figures/figures.css">
+<style>
+  body {{ --color-foreground-primary: #000000; --color-foreground-secondary: #5a5c63;
+          margin: 0; font-family: sans-serif; color: var(--color-foreground-primary); }}
+  body[data-theme="dark"] {{ --color-foreground-primary: #cfd0d0; background: #131416;
+                             --color-foreground-secondary: #9ca0a5; }}
+  main {{ max-width: 46em; margin: auto; padding: 1em; }}
+</style>
+<body data-theme="light">
+<main><h1>Above</h1><div class="answers" data-figure="{name}"></div><p>Below</p></main>
+<script type="module" src="figures/begin.js"></script>
+</body>
+</html>
+"""
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory):
+    """A page for each figure, NAME.html."""
+    folder = tmp_path_factory.mktemp("figures")
+    shutil.copytree(SOURCE, folder / "figures")
+    for name in NAMES:
+        (folder / f"{name}.html").write_text(PAGE.format(name=name))
+    with served(folder) as at:
+        yield at
+
+
+@pytest.fixture
+def call(page, address):
+    """call(module, function, inputs): the function's results for many lists of arguments."""
+    page.goto(f"{address}/alias.html")
+
+    def called(module, function, inputs):
+        inputs = [[np.asarray(x).tolist() for x in arguments] for arguments in inputs]
+        return page.evaluate("""async ([module, name, inputs]) => {
+            const functions = await import(`/figures/${module}.js`);
+            return inputs.map((x) => functions[name](...x));
+        }""", [module, function, inputs])
+    return called
+
+
+def opened(page, address, name):
+    page.goto(f"{address}/{name}.html")
+    page.wait_for_selector(".figure")
+    return page
+
+
+def shown(page, label):
+    """The numbers of a table -> rows of floats, or of text where it is no number."""
+    rows = page.get_by_role("table", name=label).locator("tbody tr").all()
+    return [[number(cell) for cell in row.locator("td").all_inner_texts()] for row in rows]
+
+
+def number(text):
+    text = text.replace(MINUS, "-")
+    return float(text) if re.fullmatch(r"-?\d+(\.\d+)?", text) else text
+
+
+def point_of(handle):
+    """Where a handle says that it is."""
+    return [number(t) for t in re.findall(rf"{MINUS}?[\d.]+",
+                                          handle.get_attribute("aria-valuetext"))]
+
+
+# Numbers
+
+def test_edge_functions_are_those_of_the_reference(call):
+    """The edge is walked the other way round, a sample on an edge belongs to both triangles or to
+    none, or the weights belong to other vertices."""
+    rng = np.random.default_rng(2)
+    whole = rng.integers(0, 7, (400, 4, 2)).astype(float)
+    points = np.concatenate([whole, rng.normal(size=(100, 4, 2))])
+    cases = [(p, triangle) for p, *triangle in points]
+    wanted = [rasterization.edge_function(p, t[0], t[1]) for p, t in cases]
+    assert sum(e == 0 for e in wanted) > 30, "these inputs have hardly any ties"
+    found = call("edge_functions", "edgeFunction", [(p, t[0], t[1]) for p, t in cases])
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-9)
+    areas = [rasterization.signed_area(np.array(t)) for _, t in cases]
+    np.testing.assert_allclose(call("edge_functions", "signedArea", [(t,) for _, t in cases]),
+                               areas, rtol=0, atol=1e-9)
+    found = call("edge_functions", "isCovered", cases)
+    assert found == [bool(rasterization.is_covered(p, np.array(t))) for p, t in cases]
+    solid = [case for case, area in zip(cases, areas, strict=True) if area != 0]
+    np.testing.assert_allclose(
+        call("edge_functions", "barycentricCoordinates", solid),
+        [rasterization.barycentric_coordinates(p, np.array(t)) for p, t in solid], atol=1e-9)
+
+
+def test_left_and_lower_edges_are_top_left(call):
+    """A horizontal edge belongs to the wrong side."""
+    normals = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+    wanted = [bool(rasterization.is_top_left(*normal)) for normal in normals]
+    assert call("edge_functions", "isTopLeft", normals) == wanted
+    assert call("edge_functions", "isTopLeft", [(0, 1), (0, -1), (1, -5)]) == [True, False, True]
+
+
+def test_the_blend_and_its_gradient_are_those_of_the_reference(call):
+    """A sign of the gradient is turned, or at the kink the wrong pixel changes."""
+    rng = np.random.default_rng(8)
+    ends = rng.uniform(-1, 2, (200, 4))
+    ends[:, 1], ends[:, 3] = rng.uniform(0.1, 1, 200), rng.uniform(-1, -0.1, 200)
+    c = np.array([antialiasing.crossing(*end) for end in ends])
+    np.testing.assert_allclose(call("antialias", "crossing", ends), c, atol=1e-9)
+    np.testing.assert_allclose(
+        call("antialias", "crossingBackward", [(1.7, *end) for end in ends]),
+        [antialiasing.crossing_backward(np.array(1.7), *end) for end in ends], atol=1e-9)
+    c = np.concatenate([c, [0, 0.5, 1, -0.05, 1.05]])
+    alpha = antialiasing.blend_weight(c)
+    np.testing.assert_allclose(call("antialias", "blendWeight", c[:, None]), alpha, atol=1e-9)
+    np.testing.assert_allclose(call("antialias", "blendWeightBackward", [(3.0, x) for x in c]),
+                               antialiasing.blend_weight_backward(np.full(len(c), 3.0), c))
+    true = np.full(200, True)
+    assert call("antialias", "isBlended", np.column_stack([c[:200], ends])) == list(
+        antialiasing.is_blended(c[:200], true, *ends.T))
+    pair, grad = np.array([[[0.3], [0.8]]]), np.array([[[5.0], [7.0]]])
+    numbers = np.array([0]), np.array([1])
+    np.testing.assert_allclose(
+        call("antialias", "blend", [(0.3, 0.8, a) for a in alpha]),
+        [antialiasing.blend(pair, *numbers, np.array([a])).ravel() for a in alpha], atol=1e-9)
+    wanted = [antialiasing.blend_backward(grad, pair, *numbers, np.array([a])) for a in alpha]
+    np.testing.assert_allclose(
+        call("antialias", "blendBackward", [([5, 7], 0.3, 0.8, a) for a in alpha]),
+        [[*colour.ravel(), *by_alpha] for colour, by_alpha in wanted], atol=1e-9)
+
+
+def test_the_weights_of_the_face_are_those_of_the_reference(call):
+    """The weights are multiplied by w, or not normalised."""
+    rng = np.random.default_rng(5)
+    e, w = rng.uniform(0.1, 1, (2, 200, 3))
+    b = interpolation.corrected_barycentrics(e, w)
+    found = call("perspective", "correctedBarycentrics", list(zip(e, w, strict=True)))
+    np.testing.assert_allclose(found, b, atol=1e-9)
+    faces, seen, corners = np.array([[0, 1, 2]]), np.array([[0]]), rng.normal(size=(3, 2))
+    np.testing.assert_allclose(
+        call("perspective", "interpolate", [(weights, corners) for weights in b]),
+        [interpolation.interpolate_loop(corners, faces, seen, weights[None, None])[0, 0]
+         for weights in b], atol=1e-9)
+
+
+def test_what_a_pixel_sees_in_perspective_is_projected_back_to_it(call):
+    """The w of the corners are those of other corners."""
+    camera = {"tilt": 50, "distance": 1.7}
+    rng = np.random.default_rng(50)
+    pixels = rng.uniform([50, 20], [110, 50], (100, 2)).tolist()
+    seen = call("perspective", "seenAt", [(p, camera) for p in pixels])
+    there = [(p, s) for p, s in zip(pixels, seen, strict=True) if s]
+    assert len(there) > 50
+    back = call("perspective", "project", [(s["right"], camera) for _, s in there])
+    np.testing.assert_allclose([b["point"] for b in back], [p for p, _ in there], atol=1e-9)
+    assert np.abs(np.subtract([s["right"] for _, s in there],
+                              [s["affine"] for _, s in there])).max() > 0.1
+
+
+def test_levels_are_those_of_the_reference(call):
+    """J is transposed or not in texels, or the fraction belongs to the lower level."""
+    rng = np.random.default_rng(6)
+    jacobian = rng.normal(size=(200, 2, 2)) * 2.0 ** rng.integers(-9, 2, (200, 1, 1))
+    level = mipmapping.mip_level(jacobian, 64, 16)
+    np.testing.assert_allclose(call("mip_level", "mipLevel", [(j, 64, 16) for j in jacobian]),
+                               level, atol=1e-9)
+    level = np.concatenate([level, np.arange(8)])
+    np.testing.assert_allclose(call("mip_level", "blendLevels", [(x, 6) for x in level]),
+                               np.transpose(mipmapping.blend_levels(level, 6)), atol=1e-9)
+    image = rng.uniform(size=(8, 8))
+    levels, = call("mip_level", "pyramid", [(image,)])
+    for found, wanted in zip(levels, mipmapping.pyramid(image[..., None]), strict=True):
+        np.testing.assert_allclose(found, wanted[..., 0], atol=1e-9)
+    uv = rng.uniform(-2, 2, (100, 2))
+    np.testing.assert_allclose(call("mip_level", "bilinear", [(image, x) for x in uv]),
+                               mipmapping.texture(image[..., None], uv)[:, 0], atol=1e-9)
+
+
+def test_the_floors_jacobian_is_its_derivative(call):
+    """A term of the quotient rule is missing."""
+    rng, h = np.random.default_rng(60), 1e-4
+    pixels, camera = rng.uniform([0, 0], [168, 70], (50, 2)), {"tilt": 25, "forward": 0.3}
+
+    def uv(at):
+        return np.array([s["uv"] for s in call("mip_level", "floorAt", [(p, camera) for p in at])])
+
+    jacobian = [s["jacobian"] for s in call("mip_level", "floorAt",
+                                            [(p, camera) for p in pixels])]
+    columns = [(uv(pixels + step) - uv(pixels - step)) / (2 * h) for step in h * np.eye(2)]
+    np.testing.assert_allclose(jacobian, np.stack(columns, -1), rtol=1e-5, atol=1e-7)
+
+
+def test_aliases_are_those_of_the_reference(call):
+    """A frequency of half the rate has the wrong sign, or the box is too wide."""
+    frequency = np.concatenate([np.random.default_rng(3).uniform(-40, 40, 200),
+                                np.arange(-24, 25, 6)])
+    np.testing.assert_allclose(call("alias", "aliasFrequency", [(f, 12) for f in frequency]),
+                               sampling.alias_frequency(frequency, 12.0), atol=1e-9)
+    for width, n in ((3, 4), (15, 180), (7, 20)):
+        found, = call("alias", "boxSpectrum", [(width, n)])
+        np.testing.assert_allclose(found, sampling.box_spectrum(width, n), atol=1e-9)
+
+
+# Points to move
+
+def check_edges(page, p):
+    """The table shows the reference's numbers for the pixel at p and the handles' places."""
+    places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
+    triangle, p = np.array(places), np.array(p)
+    e = [rasterization.edge_function(p, triangle[i], triangle[j]) for i, j in rasterization.EDGES]
+    rows = shown(page, "The pixel's edge functions")
+    np.testing.assert_allclose([row[0] for row in rows], [*e, sum(e)], atol=5.1e-5)
+    np.testing.assert_allclose([row[2] for row in rows[:3]], np.array(e) / sum(e), atol=5.1e-4)
+    owns = [rasterization.is_top_left(triangle[i][1] - triangle[j][1],
+                                      triangle[j][0] - triangle[i][0])
+            for i, j in rasterization.EDGES]
+    assert [row[1] for row in rows[:3]] == ["yes" if own else "no" for own in owns]
+    covered = page.locator(".verdict").inner_text().startswith("Covered")
+    assert covered == rasterization.is_covered(p, triangle)
+    return places
+
+
+def middle(locator):
+    box = locator.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def at(sheet, x, y):
+    """The place of (x, y) on a sheet of 12 x 8."""
+    box = sheet.bounding_box()
+    return box["x"] + x * box["width"] / 12, box["y"] + (8 - y) * box["height"] / 8
+
+
+def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
+    """A vertex jumps to the pointer, or stays in the table where it was."""
+    opened(page, address, "edge_functions")
+    sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
+    check_edges(page, [7.5, 3.5])
+    page.mouse.move(*middle(vertex))
+    page.mouse.down()
+    page.mouse.move(*at(sheet, 2.3, 4.2), steps=4)
+    page.mouse.up()
+    assert point_of(vertex) == [2.25, 4.25]
+    page.mouse.move(*at(sheet, 6.4, 3.7))
+    check_edges(page, [6.5, 3.5])
+    page.mouse.move(5, 5)                          # back to the chosen pixel
+    check_edges(page, [7.5, 3.5])
+    page.get_by_role("button", name="Reset").click()
+    assert check_edges(page, [7.5, 3.5])[0] == [1.25, 2.25]
+
+
+def test_a_vertex_follows_the_arrow_keys(page, address):
+    """The keys scroll the page, y points down, or a step is a whole pixel."""
+    opened(page, address, "edge_functions")
+    page.keyboard.press("Tab")
+    for key in ("ArrowRight", "ArrowUp", "ArrowUp", "Shift+ArrowLeft"):
+        page.keyboard.press(key)
+    assert check_edges(page, [7.5, 3.5])[0] == [0.5, 2.75]
+    for _ in range(4):
+        page.keyboard.press("Tab")                 # three vertices, then the pixel
+    page.keyboard.press("ArrowDown")
+    check_edges(page, [7.5, 2.5])
+
+
+def test_a_vertex_follows_a_finger_and_the_page_still_scrolls(browser, address):
+    """The finger scrolls the page instead of moving the vertex, or can no longer scroll it."""
+    context = browser.new_context(has_touch=True, viewport={"width": 375, "height": 800})
+    page = opened(context.new_page(), address, "edge_functions")
+    sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
+    touch = context.new_cdp_session(page)
+
+    def send(kind, *point):
+        points = [{"x": point[0], "y": point[1]}] if point else []
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    send("touchStart", *middle(vertex))
+    for y in (3.0, 4.0, 5.5):
+        send("touchMove", *at(sheet, 3, y))
+    send("touchEnd")
+    assert point_of(vertex) == [3, 5.5]
+    page.touchscreen.tap(*at(sheet, 4.5, 2.5))
+    check_edges(page, [4.5, 2.5])
+    actions = [where.evaluate("e => getComputedStyle(e).touchAction") for where in (sheet, vertex)]
+    assert actions == ["auto", "none"]
+    box = vertex.bounding_box()
+    assert min(box["width"], box["height"]) >= 44
+    context.close()
+
+
+def test_an_edge_that_moves_shows_the_references_gradient(page, address):
+    """The gradient is shown of the edge before it moved, or of the other pixel."""
+    opened(page, address, "antialias")
+    sides = set()
+    for _ in range(12):
+        page.locator(".handle:text-is('0')").press("ArrowRight")
+        rows = shown(page, "The gradient at both ends")
+        ends = np.array([row[:2] for row in rows]).ravel()
+        c = antialiasing.crossing(*ends)
+        sides.add(bool(c < 0.5))
+        grad_c = antialiasing.blend_weight_backward(np.array([0.9 - 0.2]), np.array([c]))[0]
+        wanted = np.reshape(antialiasing.crossing_backward(grad_c, *ends), (2, 2))
+        np.testing.assert_allclose([row[2:] for row in rows], wanted, atol=5.1e-4)
+    assert sides == {True, False}, "the kink is not passed"
+
+
+def test_the_pixel_in_perspective_shows_the_references_weights(page, address):
+    """The weights are those of another pixel than the one pointed at."""
+    opened(page, address, "perspective")
+    page.get_by_label("tilt").press("ArrowRight")
+    rows = np.array(shown(page, "The pixel's weights"))
+    b = interpolation.corrected_barycentrics(rows[:, 1], rows[:, 0])
+    np.testing.assert_allclose(rows[:, 2], b, atol=2e-3)
+    page.locator(".probe").last.press("ArrowRight")
+    assert not np.allclose(shown(page, "The pixel's weights"), rows, atol=1e-3)
+
+
+def test_the_floors_pixel_shows_the_references_level(page, address):
+    """J is shown of one pixel, and the level of another."""
+    opened(page, address, "mip_level")
+    for _ in range(3):
+        page.get_by_label("tilt").press("ArrowRight")
+        page.locator(".probe").first.press("ArrowDown")
+        jacobian = np.array(shown(page, "J in texels")) / 64
+        level = float(re.search(r"level = ([\d.]+)", page.inner_text(".figure"))[1])
+        wanted, = mipmapping.mip_level(jacobian[None], 64, 64)
+        assert abs(level - wanted) < 2e-3
+
+
+def test_the_slider_shows_the_alias(page, address):
+    """The alias is that of the wave before."""
+    opened(page, address, "alias")
+    page.get_by_role("slider", name="periods").fill("16.5")
+    assert "the samples show 4.5" in page.inner_text(".verdict")
+    assert "= 4.5." in page.inner_text(".figure")
+
+
+# Room on the page
+
+@pytest.mark.parametrize("width", [375, 768, 1280])
+@pytest.mark.parametrize("name", NAMES)
+def test_nothing_on_the_page_moves_when_a_figure_starts(page, address, name, width):
+    """The room that is kept for the figure is too small. (It must not be far too large, either.)"""
+    page.set_viewport_size({"width": width, "height": 3000})
+    page.add_init_script("""window.shifts = 0; new PerformanceObserver((list) => {
+        for (const entry of list.getEntries()) window.shifts += entry.value;
+    }).observe({ type: "layout-shift", buffered: true });""")
+    page.route("**/begin.js", lambda route: (page.wait_for_timeout(150), route.continue_()))
+    opened(page, address, name)
+    page.wait_for_timeout(250)
+    assert page.evaluate("window.shifts") == 0
+    room, used, across = page.evaluate("""() => {
+        const place = document.querySelector(".answers");
+        const bottoms = [...place.firstElementChild.children].map(
+            (child) => child.getBoundingClientRect().bottom);
+        return [place.getBoundingClientRect().height,
+                Math.max(...bottoms) - place.getBoundingClientRect().top,
+                document.documentElement.scrollWidth];
+    }""")
+    assert used <= room < used + 70
+    assert across == width
+
+
+def test_without_a_script_a_figure_takes_no_room(browser, address):
+    """An empty box stands in the page."""
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(f"{address}/alias.html")
+    assert page.locator(".answers").bounding_box() is None
+    context.close()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_figure_is_for_all_readers(page, address, name, theme):
+    """A text is too pale, or a handle has no name."""
+    from axe_playwright_python.sync_playwright import Axe
+    opened(page, address, name)
+    page.evaluate("theme => { document.body.dataset.theme = theme }", theme)
+    result = Axe().run(page)
+    assert result.violations_count == 0, result.generate_report()
+
+
+@pytest.mark.parametrize("path", sorted(SOURCE.iterdir()), ids=lambda path: path.name)
+def test_a_file_is_short(path):
+    """A figure has grown until nobody reads it."""
+    lines = path.read_text().splitlines()
+    assert len(lines) < 200 and max(map(len, lines)) <= 100
