@@ -7,13 +7,14 @@
 import contextlib
 import functools
 import http.server
+import shutil
 import sys
 import webbrowser
 from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import benchmarks, front, instructors, labs, lectures, sources, texts_links
+from pages import benchmarks, front, instructors, labs, lectures, put, sources, texts_links
 from sphinx.cmd.build import build_main
 
 from course.given.places import ROOT, out
@@ -23,12 +24,16 @@ SOURCE, TARGET = out("site-source", "pages"), out("site")
 EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are
 
 
-def write_sources():
-    """All pages, as Sphinx reads them."""
-    for part in front, lectures, benchmarks:
-        part.write(SOURCE, EXTRA)
-    for part in labs, sources, instructors, texts_links:
+def write_sources(lite):
+    """All pages, as Sphinx reads them, and the files beside them."""
+    for part in labs, sources, instructors:
         part.write(SOURCE)
+    for part in lectures, benchmarks:
+        part.write(SOURCE, EXTRA)
+    front.write(SOURCE, EXTRA, lite)
+    texts_links.write(SOURCE, lite)
+    three = SITE / "vendor" / "three" / "three.min.js"
+    put(EXTRA / "_static" / "vendor" / three.name, three.read_bytes())
 
 
 def make():
@@ -50,9 +55,13 @@ def serve(port=8000):
 
 
 def main(options):
-    SOURCE.mkdir(parents=True, exist_ok=True)
-    write_sources()
+    for folder in SOURCE.parent, TARGET:
+        shutil.rmtree(folder, ignore_errors=True)
+    write_sources("--lite" in options)
     status = make()
+    if status == 0 and "--lite" in options:
+        from pages import lite  # needs more packages
+        lite.write(TARGET / "lite")
     if status == 0:
         print(f"The site is in {TARGET.relative_to(ROOT)}: open index.html there, or "
               "python3 -m course site --serve")

@@ -1,10 +1,8 @@
 """What writes the pages of the web site, from what the course holds already."""
-from course.given.places import read_whole, write_whole
+from course.given.places import write_whole
 
 
 def put(path, content):
-    """Write a file unless it is there already: Sphinx makes anew only what has changed."""
-    content = content.encode("utf-8") if isinstance(content, str) else content
+    """Write a text, or bytes, and the folders that lead there."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists() or read_whole(path) != content:
-        write_whole(path, content)
+    write_whole(path, content.encode("utf-8") if isinstance(content, str) else content)

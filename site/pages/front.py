@@ -40,12 +40,13 @@ FILM = """\
 LINK = re.compile(r"\[([^]]*)\]\((?!https?:)([^)]+)\)")
 
 
-def write(folder, extra):
-    """Write folder/index.md, and its film to extra."""
+def write(folder, extra, lite):
+    """Write folder/index.md, and its film to extra. lite: the labs in the browser are there."""
     film = read_whole(DATA / "reconstruction.png")
     put(extra / "reconstruction.png", film)
     put(extra / "reconstruction_still.png", poster(film))
-    put(folder / "index.md", page((ROOT / "README.md").read_text("utf-8")))
+    put(folder / "index.md", page((ROOT / "README.md").read_text("utf-8")) +
+        "".join(trees(lite)))
 
 
 def page(readme):
@@ -58,7 +59,7 @@ def page(readme):
     parts = [title, FILM.format(words=words), text, cards(doors),
              "## A picture and its gradient", code,
              *(f"## {name}\n{body}" for name, body in sections.items())]
-    return LINK.sub(_led, "\n\n".join(parts)) + "".join(trees())
+    return LINK.sub(_led, "\n\n".join(parts))
 
 
 def cards(doors):
@@ -76,12 +77,13 @@ def _led(link):
     return f"[{link[1]}](/{page}{'.ipynb' if page.startswith('lectures/') else '.md'})"
 
 
-def trees():
+def trees(lite):
     """What stands in the margin of every page."""
     lectures = [f"lectures/{path.stem}" for path in sorted((ROOT / "notebooks").glob("*.ipynb"))]
     labs = [f"labs/{exercises.lecture(topics[0]).stem}" for topics in exercises.LABS]
     groups = {"Lectures": lectures, "Labs": ["labs/index", *labs],
               "Code": ["reference/index", "given/index", "benchmarks"],
-              "More": ["instructors", "errata", "glossary", "bibliography"]}
+              "More": [*["in_the_browser"][:lite], "instructors", "errata", "glossary",
+                       "bibliography"]}
     for caption, pages in groups.items():
         yield TREE.format(caption=caption, pages="\n".join(pages))

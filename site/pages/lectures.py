@@ -13,17 +13,10 @@ from PIL import Image
 
 from course.given.places import ROOT
 
-from . import put
+from . import inserts, put
 from .names import CODE, exercise_pages, function_page, page_of_file
 from .posters import poster
 
-ANSWERS = {  # the figure that answers: its lecture, and words of the cell or figure above it
-    "edge_functions": ("02_rasterization", "a point p in a triangle and the three smaller"),
-    "alias": ("03_sampling", "a wave with 4 periods in one second and a wave with 1 period"),
-    "perspective": ("05_interpolation", "two pictures of a checkerboard floor of two faces"),
-    "mip_level": ("06_texturing", "left, a pixel with its circle"),
-    "antialias": ("08_antialiasing", "\\tag{7}"),
-}
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)\)")
 ANNOUNCED = re.compile(r"^\*+(?:Exercises?|Extras?) \d.*", re.MULTILINE)
@@ -32,17 +25,22 @@ BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\
 
 
 def write(folder, extra):
-    """Write the lectures to folder/lectures, their pictures to extra/lectures/pictures."""
+    """Write the lectures to folder/lectures, their pictures to extra/lectures/pictures.
+
+    ValueError: the place of what the site adds is not there.
+    """
+    added = Inserts(extra)
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
         notebook, lab = nbformat.read(path, as_version=4), int(path.stem[:2])
-        pictures = Pictures(path.stem, extra / "lectures" / "pictures")
+        pictures = Pictures(path.stem, extra / "lectures" / "pictures", added)
         notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
         for cell in notebook.cells:
             if cell.cell_type == "markdown":
-                cell.source = linked(cell.source, lab) + answers(path.stem, cell.source)
+                cell.source = linked(cell.source, lab) + added.below(path.stem, cell.source)
             for output in cell.get("outputs", []):
                 pictures.extract(output)
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
+    added.require_all()
 
 
 def linked(text, lab):
@@ -52,13 +50,6 @@ def linked(text, lab):
     text = ANNOUNCED.sub(lambda found: NUMBER.sub(_exercise, found[0]), text)
     seen = set()
     return CODE.sub(lambda found: _function(found, lab, seen), text)
-
-
-def answers(lecture, text):
-    """The places of the figures that answer, below this text of a lecture."""
-    return "".join(f'\n\n<div class="answers" data-figure="{figure}"></div>'
-                   for figure, (place, words) in ANSWERS.items()
-                   if place == lecture and words in text)
 
 
 def _led(link):
@@ -83,11 +74,30 @@ def _function(name, lab, seen):
     return f'<a class="function" href="../{address}"><code>{name[1]}</code></a>'
 
 
+class Inserts:
+    """What the site adds to the lectures, each once."""
+
+    def __init__(self, extra):
+        self.left = inserts.write(extra)
+
+    def below(self, lecture, text):
+        """The HTML of what stands below this text of a lecture."""
+        meant = [one for one in self.left if one[0] == lecture and one[1] in text]
+        self.left = [one for one in self.left if one not in meant]
+        return "".join(f"\n\n{shown}" for _, _, shown in meant)
+
+    def require_all(self):
+        if self.left:
+            lecture, words, _ = self.left[0]
+            raise ValueError(f"no figure of {lecture} has the words {words!r}: name others in "
+                             "site/pages")
+
+
 class Pictures:
     """Takes the pictures out of a lecture's outputs, and writes them into files."""
 
-    def __init__(self, lecture, folder):
-        self.lecture, self.folder, self.count = lecture, folder, 0
+    def __init__(self, lecture, folder, inserts):
+        self.lecture, self.folder, self.inserts, self.count = lecture, folder, inserts, 0
 
     def extract(self, output):
         """Put the HTML that shows a picture in its place."""
@@ -107,6 +117,6 @@ class Pictures:
         picture = (f'<img src="pictures/{still}.png" alt="{html.escape(about["alt"])}" {size} '
                    'loading="lazy" decoding="async">')
         kind = f'class="animation" data-file="pictures/{name}.png"' if moves else 'class="drawn"'
-        answer = answers(self.lecture, about["alt"])
-        shown = f"<figure {kind}>{picture}</figure>{answer}"
+        below = self.inserts.below(self.lecture, about["alt"])
+        shown = f"<figure {kind}>{picture}</figure>{below}"
         output.data, output.metadata = nbformat.from_dict([{"text/html": shown}, {}])

@@ -213,10 +213,7 @@ def anchor(exercise):
 
 
 def write_pages(folder, pages):
-    """Write {file name: text}, and remove what else is there."""
-    for path in folder.glob("*"):
-        if path.name not in pages:
-            path.unlink()
+    """Write {file name: text}."""
     for name, text in pages.items():
         put(folder / name, text)
 

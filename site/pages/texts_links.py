@@ -15,10 +15,14 @@ LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(?<!`)`(?:(\w+)\.)?(\w+)`(?![`\w])")
 
 
-def write(folder):
-    """Write the pages of site/texts: what they name of reference/ leads to its place there."""
+def write(folder, lite):
+    """Write the pages of site/texts: what they name of reference/ leads to its place there.
+
+    lite: the labs in the browser are there, and their page.
+    """
     for path in sorted((ROOT / "site" / "texts").glob("*.md")):
-        put(folder / path.name, named(path.read_text("utf-8")))
+        if lite or path.stem != "in_the_browser":
+            put(folder / path.name, named(path.read_text("utf-8")))
 
 
 def named(text):

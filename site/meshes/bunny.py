@@ -1,0 +1,52 @@
+"""Makes bunny.glb and its still of what lab 16 found, after
+
+    python3 -m course demo reconstruct course/given/data/captures/bunny
+
+Lab 12 leaves 10,000 of its faces. A vertex takes the paint of the nearest one that was found.
+"""
+import sys
+from pathlib import Path
+
+import numpy as np
+import trimesh
+from scipy.spatial import KDTree
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT))
+FOUND = ROOT / "out" / "demo" / "reconstruct" / "bunny" / "bunny.glb"
+HERE = Path(__file__).with_suffix(".glb")
+
+
+def main():
+    from course.experiments import drawing, exports, portrait
+    from course.given import image, mesh
+    from reference import collapse_heap, rasterization, scanline
+
+    found = trimesh.load_scene(FOUND).to_geometry()
+    paint = image.to_linear(found.visual.to_color().vertex_colors[:, :3] / 255)
+    whole = trimesh.Trimesh(found.vertices, found.faces, process=False)
+    whole.merge_vertices(merge_tex=True, merge_norm=True)
+    vertices, faces, _ = collapse_heap.simplify(np.array(whole.vertices),
+                                                np.array(whole.faces), 10_000)
+    albedo = paint[KDTree(found.vertices).query(vertices)[1]]
+    vertices = mesh.normalize(vertices)
+    normals = mesh.vertex_normals(vertices, faces)
+    HERE.write_bytes(exports.glb(vertices, faces, normals, albedo))
+
+    clip = drawing.clip_positions(drawing_labs(), vertices, portrait.BUNNY_EYE)
+    face_index, _ = scanline.rasterize(clip, faces, drawing.SIZE, drawing.SIZE)
+    seen = face_index >= 0
+    weights = rasterization.barycentrics(face_index, clip, faces)[seen][..., None]
+    corners = faces[face_index[seen]]
+    light = drawing.lit(weights[..., 0], normals[corners]) / drawing.BRASS
+    colours = image.to_srgb(light * (weights * albedo[corners]).sum(1))
+    image.write(HERE.with_suffix(".png"), drawing.painted(seen, colours))
+
+
+def drawing_labs():
+    from course.experiments.demo import Labs
+    return Labs("reference")
+
+
+if __name__ == "__main__":
+    main()
