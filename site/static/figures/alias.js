@@ -90,7 +90,7 @@ export function show(place) {
       `A box of one pixel leaves <b>${number(100 * Math.abs(left), 1)}%</b> of the wave.`;
   }
 
-  place.append(html("div", { class: "figure" },
+  place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Make the wave faster. ",
       html("span", {}, `There are always ${RATE} samples. `,
         "Red is the slowest wave through them.")),

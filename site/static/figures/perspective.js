@@ -122,7 +122,7 @@ export function show(place) {
       : "This pixel does not see the square.";
   }
 
-  place.append(html("div", { class: "figure" },
+  place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Tilt the board. Point at a pixel. ",
       html("span", {}, "Red: where the orange square truly is. " +
         "The arrow leads to the place whose colour the left pixel shows.")),
