@@ -33,8 +33,7 @@ export function project([u, v], { tilt, distance }) {
 }
 
 /** What the pixel at p sees: the weights of the screen l and of the face b, and their (u, v). */
-export function seenAt(p, camera) {
-  const corners = UV.map((uv) => project(uv, camera));
+export function seenAt(p, camera, corners = UV.map((uv) => project(uv, camera))) {
   for (const face of FACES) {
     const triangle = face.map((k) => corners[k].point);
     if (!isCovered(p, triangle)) continue;
@@ -84,9 +83,10 @@ export function show(place) {
 
   function draw(to) {
     camera = to;
+    const corners = UV.map((uv) => project(uv, camera));
     for (const { name, picture } of sides) {
       picture.paint((x, y) => {
-        const seen = seenAt([x, y], camera);
+        const seen = seenAt([x, y], camera, corners);
         return seen ? checkerboard(seen[name]) : AROUND;
       });
     }
