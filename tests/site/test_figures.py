@@ -60,7 +60,7 @@ def call(page, address):
 
 def opened(page, address, name):
     page.goto(f"{address}/{name}.html")
-    page.wait_for_selector(".figure")
+    page.wait_for_selector(".pane")
     return page
 
 
@@ -249,9 +249,11 @@ def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
     opened(page, address, "edge_functions")
     sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
     check_edges(page, [7.5, 3.5])
-    page.mouse.move(*middle(vertex))
+    off = 9                                        # pressed beside its middle
+    page.mouse.move(middle(vertex)[0] + off, middle(vertex)[1])
     page.mouse.down()
-    page.mouse.move(*at(sheet, 2.3, 4.2), steps=4)
+    target = at(sheet, 2.3, 4.2)
+    page.mouse.move(target[0] + off, target[1], steps=4)
     page.mouse.up()
     assert point_of(vertex) == [2.25, 4.25]
     page.mouse.move(*at(sheet, 6.4, 3.7))
@@ -334,7 +336,7 @@ def test_the_floors_pixel_shows_the_references_level(page, address):
         page.get_by_label("tilt").press("ArrowRight")
         page.locator(".probe").first.press("ArrowDown")
         jacobian = np.array(shown(page, "J in texels")) / 64
-        level = float(re.search(r"level = ([\d.]+)", page.inner_text(".figure"))[1])
+        level = float(re.search(r"level = ([\d.]+)", page.inner_text(".pane"))[1])
         wanted, = mipmapping.mip_level(jacobian[None], 64, 64)
         assert abs(level - wanted) < 2e-3
 
@@ -344,7 +346,9 @@ def test_the_slider_shows_the_alias(page, address):
     opened(page, address, "alias")
     page.get_by_role("slider", name="periods").fill("16.5")
     assert "the samples show 4.5" in page.inner_text(".verdict")
-    assert "= 4.5." in page.inner_text(".figure")
+    assert "= 4.5." in page.inner_text(".pane")
+    page.get_by_role("slider", name="periods").fill("5.5")
+    assert page.inner_text(".verdict") == "5.5 periods, seen correctly."
 
 
 # Room on the page

@@ -82,15 +82,17 @@ export function show(place) {
   }
 
   function tell(alias, left) {
-    answer.textContent = Math.abs(frequency) < RATE / 2
+    answer.textContent = frequency < RATE / 2
       ? `${number(frequency)} periods, seen correctly.`
-      : `${number(frequency)} periods, but the samples show ${number(Math.abs(alias))}.`;
+      : frequency === RATE / 2
+        ? "Two samples a period: what is seen depends on where they lie."
+        : `${number(frequency)} periods, but the samples show ${number(Math.abs(alias))}.`;
     filtered.innerHTML = `alias = <i>f</i> − <i>r m</i> = ${number(frequency)} − ${RATE} · ` +
       `${Math.floor(frequency / RATE + 0.5)} = <b>${number(alias)}</b>.<br>` +
       `A box of one pixel leaves <b>${number(100 * Math.abs(left), 1)}%</b> of the wave.`;
   }
 
-  place.append(html("div", { class: "figure" },
+  place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Make the wave faster. ",
       html("span", {}, `There are always ${RATE} samples. `,
         "Red is the slowest wave through them.")),

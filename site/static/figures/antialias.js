@@ -60,13 +60,17 @@ const shade = (value) =>
   `fill: color-mix(in srgb, #ffffff ${100 * value}%, #0072b2)`;
 
 function why(ends, { c, alpha }) {
-  if (alpha === 0) return "α = 0. Both pixels are right. The kink is here.";
+  if (alpha !== null && Math.abs(alpha) < 1e-9) {
+    return "α = 0. Both pixels are right. The kink is here.";
+  }
   if (alpha !== null) {
     return alpha > 0 ? "The owner changes: it is too blue."
       : "The other pixel changes: it is not blue enough.";
   }
-  if (c > -WINDOW && c < 1 + WINDOW) return "Not steep. A pair above each other blends this edge.";
-  return "Not between the centres. The next pair blends this edge.";
+  if (c > -WINDOW && c < 1 + WINDOW) {
+    return "Not steep. A pair of pixels above each other blends this edge.";
+  }
+  return "Not between the centres. Another pair blends this edge.";
 }
 
 export function show(place) {
@@ -137,7 +141,7 @@ export function show(place) {
     answer.textContent = why(ends, pair);
   }
 
-  place.append(html("div", { class: "figure" },
+  place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Drag the edge. ",
       html("span", {}, "The loss wants the changed pixel bluer (∂L/∂pixel = +1). " +
         "The green arrows show where each end would go.")), sheet.box,

@@ -133,7 +133,7 @@ export function show(place) {
       `Missed: ${count(onEdge, ({ first, second }) => !first && !second)}.`;
   }
 
-  place.append(html("div", { class: "figure" },
+  place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Drag the vertices. Point at a pixel. ",
       html("span", {}, "Thick edges are top-left.")), sheet.box,
     html("div", { class: "told" }, about, numbers.element, answer, shared, reset)));

@@ -169,7 +169,7 @@ export function show(place) {
         : `Level ${lower} alone.`;
   }
 
-  place.append(html("div", { class: "figure" },
+  place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Tilt the camera. Point at a pixel. ",
       html("span", {}, "On the texture, the pixel's circle is an ellipse, ",
         "2", html("sup", {}, "level"), " texels long.")),

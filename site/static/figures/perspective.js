@@ -33,8 +33,7 @@ export function project([u, v], { tilt, distance }) {
 }
 
 /** What the pixel at p sees: the weights of the screen l and of the face b, and their (u, v). */
-export function seenAt(p, camera) {
-  const corners = UV.map((uv) => project(uv, camera));
+export function seenAt(p, camera, corners = UV.map((uv) => project(uv, camera))) {
   for (const face of FACES) {
     const triangle = face.map((k) => corners[k].point);
     if (!isCovered(p, triangle)) continue;
@@ -84,9 +83,10 @@ export function show(place) {
 
   function draw(to) {
     camera = to;
+    const corners = UV.map((uv) => project(uv, camera));
     for (const { name, picture } of sides) {
       picture.paint((x, y) => {
-        const seen = seenAt([x, y], camera);
+        const seen = seenAt([x, y], camera, corners);
         return seen ? checkerboard(seen[name]) : AROUND;
       });
     }
@@ -122,7 +122,7 @@ export function show(place) {
       : "This pixel does not see the square.";
   }
 
-  place.append(html("div", { class: "figure" },
+  place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Tilt the board. Point at a pixel. ",
       html("span", {}, "Red: where the orange square truly is. " +
         "The arrow leads to the place whose colour the left pixel shows.")),

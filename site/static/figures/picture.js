@@ -17,7 +17,8 @@ export class Picture extends Sheet {
     for (let n = 0; n < width * height; n++) {
       const [column, row] = [n % width, Math.floor(n / width)];
       const colour = colourAt(column + 0.5, height - row - 0.5);
-      image.data.set([...colour.map((t) => 255 * t), 255], 4 * n);
+      for (let k = 0; k < 3; k++) image.data[4 * n + k] = 255 * colour[k];
+      image.data[4 * n + 3] = 255;
     }
     context.putImageData(image, 0, 0);
   }
