@@ -63,7 +63,7 @@ def main(options):
         from pages import lite  # needs more packages
         lite.write(TARGET / "lite")
     if status == 0:
-        print(f"The site is in {TARGET.relative_to(ROOT)}: open index.html there, or "
+        print(f"The site is in {TARGET.relative_to(ROOT)}. Its figures need a server: "
               "python3 -m course site --serve")
     if "--serve" in options:
         serve()

@@ -4,3 +4,6 @@ addEventListener("DOMContentLoaded", () => {
     if (place.scrollWidth > place.clientWidth) place.tabIndex = 0;
   }
 });
+
+// Browsers start no modules from files on disk: figures keep no room for theirs.
+if (location.protocol === "file:") document.documentElement.classList.add("from-disk");

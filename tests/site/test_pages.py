@@ -18,6 +18,8 @@ SIX = ("index", "lectures/02_rasterization", "lectures/08_antialiasing", "labs/0
 WIDTHS = 1280, 768, 375
 WEIGHT_LIMIT = 1_500_000  # bytes of a page with all that it loads, before anything is played
 
+PARTS = {"exclude": [["mjx-container"]]}  # drawings of formulas: thousands of elements
+
 SHIFTS = """new Promise(done => {
   let sum = 0;
   const watch = list => list.getEntries().forEach(entry => { sum += entry.value; });
@@ -81,18 +83,23 @@ def test_a_page_opens_without_a_fault(page, site_page):
     assert not opened.evaluate("document.querySelector('merror')")
     assert opened.evaluate(SHIFTS) == 0
     assert sum(weight.values()) < WEIGHT_LIMIT, weight
-    found = Axe().run(opened).response["violations"]
+    found = Axe().run(opened, PARTS).response["violations"]
     assert [(rule["id"], node["html"][:200], node.get("failureSummary", "")[:300])
             for rule in found for node in rule["nodes"]] == []
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_in_the_dark_and_on_a_phone_nothing_is_lost(page, site_page):
-    """Grey on black; or a page that moves sideways because one formula is wide."""
+def test_on_a_phone_a_page_does_not_move_sideways(page, site_page):
+    """One wide formula, and every line of the page is cut."""
     opened, _ = site_page(page, width=375, theme="dark")
-    wide = opened.evaluate("document.documentElement.scrollWidth - innerWidth")
-    found = Axe().run(opened, options={"runOnly": ["color-contrast"]}).response["violations"]
-    assert wide <= 0
+    assert opened.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0
+
+
+@pytest.mark.parametrize("page", SIX)
+def test_in_the_dark_everything_can_be_read(page, site_page):
+    """Grey on black."""
+    opened, _ = site_page(f"{page}.html", theme="dark")
+    found = Axe().run(opened, PARTS, {"runOnly": ["color-contrast"]}).response["violations"]
     assert [(node["html"][:200], node.get("failureSummary", "")[:300])
             for rule in found for node in rule["nodes"]] == []
 
@@ -109,7 +116,7 @@ def test_six_pages_are_there_to_look_at(page, site_page):
 
 @pytest.mark.parametrize(("words", "first"), [
     ("antialias_backward", "reference/outlines.html"),
-    ("exercise 8.4", "labs/08_antialiasing.html"),
+    ("exercise 8.7", "labs/08_antialiasing.html#exercise-8-7"),
     ("top-left rule", "lectures/02_rasterization.html")])
 def test_the_search_finds_the_place_first(words, first, site_page):
     """The words are on forty pages, and the one that says what they mean comes last."""
