@@ -1,11 +1,11 @@
 """A heap for lab 12: the cheapest pair without looking at all of them, and `simplify` itself.
 
-    least error under Q_a + Q_b  >=  least error under Q_a            of any pair          (1)
+    v^T (Q_a + Q_b) v  >=  v^T Q_a v  for all v            quadrics only grow              (9)
 
-Quadrics only grow, so by (1) the least error of a pair never falls. A heap entry that is out of
-date comes to the top too early, never too late. Its cost need not be computed again before it is
-there: a lazy update. If eq. (6) or (7) of lab 12 gave the position, a cost may fall, though seldom.
-Then the order differs from that of `simplify_loop`.
+So the least error of a pair never falls. A heap entry that is out of date comes to the top too
+early, never too late. Its cost need not be computed again before it is there: a lazy update. If
+(6) or (7) of simplification.py gave the position, a cost may fall, though seldom. Then the order
+differs from that of `simplify_loop`.
 
 An open surface is closed first: each boundary edge gets a face to one more vertex, `outside`. Then
 the link condition protects holes and rims as well.

@@ -4,16 +4,18 @@ A pixel at (X, Y) in ndc sees a face with corners (x, y, w) in clip space. Measu
 the corners are q_k = (x - X w, y - Y w, w), the columns of M, and the pixel is a = (0, 0, 1). The
 weights on the face are the same for c = M^-1 a and for e = det(M) c:
 
-    e_k = (q_i x q_j) . a = x_i y_j - y_i x_j,   (i, j) = (1, 2), (2, 0), (0, 1) for k = 0, 1, 2 (1)
-    b = e / d,   s = sum e,   d = s + sign(s) epsilon                                            (2)
-    grad_w - X grad_x - Y grad_y        what q_k's gradient adds to that of its vertex's w       (3)
-    db/dX = (e_X - b sum e_X) / d,      e_X, e_Y: x and y of the q_i x q_j                       (4)
-    depth = z^T M^-1 a,                 z in clip space                                          (5)
+    e_k = (q_i x q_j) . a,   (i, j) = (1, 2), (2, 0), (0, 1) for k = 0, 1, 2                     (7)
+    b = e / d,   db/dX = (e_X - b sum e_X) / d,   s = sum e,   d = s + sign(s) epsilon           (8)
+    e_k = x_i y_j - y_i x_j,    x and y of the q_k: it is (7), as a = (0, 0, 1)                  (9)
+    depth = z^T M^-1 a,         z in clip space                                                 (10)
 
-The q_i x q_j are the rows of det(M) M^-1, so the e_k are lab 2's edge functions. All N pixels are
-done at once: x, y, w (3, N), a row for each corner, and M (3, 3, N). Each pixel has gradients for
-its three corners, and each vertex sums what comes from all pixels that see it. epsilon is 0 here.
-nvdiffrast uses 1e-6, in its backward pass only.
+The q_i x q_j are the rows of det(M) M^-1, so the e_k are lab 2's edge functions, and e_X and e_Y
+are x and y of the q_i x q_j. A vertex's w is in all parts of q_k, so the gradient of w is
+grad_w - X grad_x - Y grad_y.
+
+All N pixels are done at once: x, y, w (3, N), a row for each corner, and M (3, 3, N). Each pixel
+has gradients for its three corners, and each vertex sums what comes from all pixels that see it.
+epsilon is 0 here. nvdiffrast uses 1e-6, in its backward pass only.
 
 Source: nvdiffrast's conventions; Laine et al. 2020.
 """
@@ -31,7 +33,7 @@ def cross(p, q):
 
 
 def edge_functions(corners):  # extra 7.10 (2 points)
-    """Eq. (1): the edge functions of faces, as edges (3, 3, ...): edges[k] is q_i x q_j.
+    """Eq. (7): the edge functions of faces, as edges (3, 3, ...): edges[k] is q_i x q_j.
 
     corners (3, 3, ...): the matrices M, so corners[:, k] is q_k. The result is det(M) M^-1, and
     exists even where det(M) = 0.
@@ -45,7 +47,7 @@ def edge_functions(corners):  # extra 7.10 (2 points)
 
 
 def edge_functions_at_backward(grad_e, x, y):  # exercise 7.11 (3 points)
-    """Backward of eq. (1): grad_e (3, N) -> grad_x, grad_y (3, N).
+    """Backward of eq. (9): grad_e (3, N) -> grad_x, grad_y (3, N).
 
     x, y (3, N), row k of corner k, measured from the pixel. Each corner is in two of the e_k. The
     given `cross` may help.
@@ -77,7 +79,7 @@ def edge_functions_backward(grad_edges, corners):
 
 
 def padded_sum(e, epsilon):
-    """d of eq. (2): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, whatever the sign of s.
+    """d of eq. (8): e (3, N) -> (N,). epsilon >= 0 makes |s| larger, whatever the sign of s.
 
     A face without area has s = 0. Its d is infinity, so that its gradient is 0.
     """
@@ -87,7 +89,7 @@ def padded_sum(e, epsilon):
 
 
 def normalize_derivative_backward(grad_db, dc, b, s):  # extra 7.15 (4 points)
-    """Backward of db/dX in eq. (4), lab 2's `normalize_derivative`: dc stands for e_X, c for e.
+    """Backward of db/dX in eq. (8), lab 2's `normalize_derivative`: dc stands for e_X, c for e.
 
     grad_db, dc, b (3, N), s (N,) -> grad_dc (3, N), grad_c (3, N). Both b = c / s and s = sum c
     depend on c.
@@ -114,7 +116,7 @@ def inverses(corners):
 
 
 def depth_planes(z, corners):  # extra 7.17 (2 points)
-    """Eq. (5) as depth = planes . a: planes (3, F), one for each face.
+    """Eq. (10) as depth = planes . a: planes (3, F), one for each face.
 
     z (3, F) in clip space. corners (3, 3, F), with determinants other than 0. `inverses` is given.
 
@@ -169,7 +171,7 @@ def add_to_vertices(grad_clip, vertex, centre, grad_x, grad_y, grad_w=0.0):
     Lab 2's `scatter` makes a whole array for each chunk. This adds in place.
     """
     X, Y = centre
-    grad_w = grad_w - X * grad_x - Y * grad_y  # eq. (3)
+    grad_w = grad_w - X * grad_x - Y * grad_y  # as q = (x - X w, y - Y w, w)
     for axis, grad in (0, grad_x), (1, grad_y), (3, grad_w):
         np.add.at(grad_clip[axis], vertex.ravel(), grad.ravel())
 
@@ -178,7 +180,7 @@ def barycentrics_backward(grad_barycentric, face_index, clip, faces, epsilon=0.0
     """Backward of lab 2's `barycentrics`: grad_barycentric (H, W, 3) -> grad_clip (V, 4).
 
     face_index (H, W), clip (V, 4), faces (F, 3). The gradient with respect to z is 0. Pixels that
-    see no face are ignored. epsilon of eq. (2): 0 gives the derivative, 1e-6 nvdiffrast's numbers.
+    see no face are ignored. epsilon of eq. (8): 0 gives the derivative, 1e-6 nvdiffrast's numbers.
     """
     grad_clip = np.zeros((4, len(clip)))
     for pixel, vertex, centre, (x, y, _) in faces_from_pixels(face_index, clip, faces):

@@ -1,11 +1,11 @@
 """Scanlines: whole meshes at once, exact on every shared edge, also behind the camera.
 
-Corners are rows of (3, F) arrays, their w of any sign. A face covers a sample p = (x, y) if
+Corners are rows of (3, F) arrays, their w of any sign. A face covers a sample p = (x, y) if every
+e_k / w_k, which is c_k of (5) in rasterization.py, has the sign of 2A or is 0:
 
-    every e_k / (2A w_k) >= 0                                                                (1)
-    <=>  every n_k . (p - from_k) >= 0,   n_k = sign(2A w_k) times the normal of edge k,
-         from_k: one end of edge k; ties by the top-left rule                                (2)
-    depth = z_0 + dz/dx (x - x_0) + dz/dy (y - y_0),   z_k = z / w of the corner             (3)
+    covered  <=>  every n_k . (p - from_k) >= 0,   ties by the top-left rule                 (2)
+                  n_k = sign(2A w_k) times the normal of edge k, from_k: one of its ends
+    depth = z_0 + dz/dx (x - x_0) + dz/dy (y - y_0),   z_k = z / w of the corner             (4)
 
 So a face is an intersection of three half-planes, also where it crosses the camera plane. Nothing
 is clipped, and on a row of pixels it covers one interval: start <= column < end.
@@ -14,7 +14,7 @@ Watertight: the two faces at an edge compute the same e with opposite sign, to t
 is exactly 0 at its ends. Only faces thinner than rounding (1e-15 of their length) can lose or
 double a sample. Hardware avoids this by rounding vertices to 1/256 pixel first.
 
-Sources: Olano and Greer 1997 (1), lecture "Differentiable graphics 1" (3).
+Sources: Olano and Greer 1997, lecture "Differentiable graphics 1" (4).
 """
 from typing import NamedTuple
 
@@ -35,7 +35,7 @@ def twice_area(x, y):
 
 
 def half_planes(x, y, w):  # extra 2.11 (4 points)
-    """Eq. (2): each face as three half-planes, n_x (x - from_x) + n_y (y - from_y) >= 0.
+    """Each c_k / 2A >= 0, c_k of eq. (5), as a half-plane n_x (x - from_x) + n_y (y - from_y) >= 0.
 
     x, y, w (3, F), row k of corner k -> n_x, n_y, from_x, from_y (3, F), row k of the edge
     opposite to it: its normal, times the signs of w_k and of `twice_area`, and one of its ends.
@@ -63,7 +63,7 @@ def half_planes(x, y, w):  # extra 2.11 (4 points)
 
 
 def depth_slopes(x, y, z):  # extra 2.12 (3 points)
-    """Eq. (3): how the depth changes along x and along y.
+    """Eq. (4) as two slopes: how the depth changes along x and along y.
 
     x, y, z (3, F): the faces' corners, z after the divide -> dz_dx, dz_dy (F,).
 
@@ -116,7 +116,7 @@ def farthest_first(corners, w):
 
 
 class Triangles(NamedTuple):
-    """What decides where faces are seen: their `half_planes`, and eq. (3) from corner 0."""
+    """What decides where faces are seen: their `half_planes`, and eq. (4) from corner 0."""
 
     planes: tuple      # n_x, n_y, from_x, from_y, (3, F) each
     x: np.ndarray      # (F,), like the rest

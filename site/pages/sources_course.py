@@ -11,8 +11,6 @@ from typing import NamedTuple
 from course import exercises
 from course.given import places
 
-OWN_NUMBERS = "scanline", "rasterizer_gradients", "collapse_heap"  # equations not the lecture's
-
 
 class Module(NamedTuple):
     """A module of reference/ or course/given/.
@@ -66,8 +64,7 @@ class Course(NamedTuple):
 
     def equations(self, module):
         """{number: LaTeX} of the lecture whose numbers a module uses."""
-        has_them = module.lab and module.topic not in OWN_NUMBERS
-        return self.lectures[module.lab].equations if has_them else {}
+        return self.lectures[module.lab].equations if module.lab else {}
 
     def address(self, name):
         """Where a module, or a function, class or constant of one, has its place on the site."""

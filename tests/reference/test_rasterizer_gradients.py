@@ -99,7 +99,7 @@ def test_all_of_it_is_the_sum(scene):
 
 
 def test_it_is_the_matrix_formula_summed_over_the_pixels(scene):
-    """Eqs. (1) to (3) are not lab 7's eq. (6), or (5) is not its (4): an inverse for each pixel."""
+    """Eqs. (7) to (9) are not eq. (6), or (10) is not (4): an inverse for each pixel."""
     clip, faces, face_index, width, height = scene
     rng = np.random.default_rng(2)
     by_b, by_z = rng.normal(size=(height, width, 3)), rng.normal(size=(height, width))

@@ -122,7 +122,7 @@ def edge_functions_at_backward(grad_e, x, y):
 
 
 def depth_planes(z, corners):
-    """z is divided by w first: depth in ndc at the corners, where eq. (5) has z in clip space
+    """z is divided by w first: depth in ndc at the corners, where eq. (10) has z in clip space
 
     told by: divided by w | z / w | divid & w | ndc | clip space | z & w
     """
