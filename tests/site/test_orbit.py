@@ -14,8 +14,8 @@ from serving import ROOT, served
 SIZE = 320
 PAGE = """<!doctype html><html lang="en"><title>A mesh</title><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<link rel="stylesheet" href="_static/players/orbit.css">
-<body style="margin: 0"><h1>A mesh</h1>
+<link rel="icon" href="data:,"><link rel="stylesheet" href="_static/players/orbit.css">
+<body style="margin: 0"><h1 style="height: 40px; margin: 0">A mesh</h1>
 <figure class="orbit" style="margin: 0" data-shading="flat" {eye} data-meshes="{meshes}">
 <img src="still.png" alt="Two balls" width="{size}" height="{size}"></figure>
 <p style="height: 2000px">Below</p>
@@ -117,9 +117,9 @@ def test_the_canvas_takes_the_stills_box(page, address):
 
 
 def test_colours_of_the_vertices_are_shown(two):
-    """A vertex's colour is lost, and all is brass: then red is above blue everywhere."""
+    """A vertex's colour is lost, and all is brass: red and no blue."""
     red, _, blue = np.moveaxis(picture(two), 2, 0)
-    assert np.mean(red > blue + 40) > 0.05 and np.mean(blue > red + 40) > 0.05
+    assert np.mean(blue > red + 40) > 0.05
 
 
 def test_the_mouse_turns_and_reset_turns_back(two):
