@@ -256,7 +256,8 @@ def test_an_eye_that_is_given_is_the_first_view(page, address):
     assert np.allclose(found, [x.min(), x.max(), y.min(), y.max()], atol=1.5)
 
 
-def test_without_a_slider_where_there_is_one_mesh(page, address):
+def test_one_mesh_has_no_slider(page, address):
+    """A slider that moves nothing."""
     page.goto(f"{address}/box.html")
     page.get_by_role("button", name="Turn it").click()
     page.get_by_text("12 faces").wait_for()
@@ -317,6 +318,7 @@ def test_a_mesh_that_does_not_come_is_told(browser, address):
 
 
 def test_without_scripts_there_is_the_still_alone(browser, address):
+    """A button that does nothing."""
     context = browser.new_context(java_script_enabled=False)
     page = context.new_page()
     page.goto(f"{address}/two.html")

@@ -116,7 +116,7 @@ class View {
       camera.position.set(0.4, 0.4, 1).setLength(away).add(sphere.center);
     }
     Object.assign(camera, { near: away / 100, far: 10 * away });
-    Object.assign(controls, { minDistance: sphere.radius / 2, maxDistance: 5 * away });
+    Object.assign(controls, { minDistance: sphere.radius, maxDistance: 5 * away });
     controls.update();
     controls.saveState();
     this.first = camera.quaternion.clone().invert();
@@ -172,8 +172,9 @@ function toolsOf(view, meshes) {
     view.draw();
   });
   reset.addEventListener("click", () => view.controls.reset());
+  tools.append(label);
   if (meshes.length > 1) tools.append(slider);
-  tools.append(label, edges, reset, make("p", { textContent: HELP }));
+  tools.append(edges, reset, make("p", { textContent: HELP }));
   return tools;
 }
 
