@@ -10,7 +10,7 @@
 const FIELD_OF_VIEW = 48;
 const LIGHT = [-0.4, 0.6, 0.7], BRASS = [0.85, 0.66, 0.48]; // as in the course's pictures
 const STEP = Math.PI / 24, NEARER = 0.9;
-const HELP = "Drag or use the arrow keys to turn. To zoom, use the wheel, two fingers, or + and -.";
+const HELP = "Turn: drag, or arrow keys. Zoom: wheel, two fingers, or + and -.";
 
 export function show(figure) {
   const still = figure.querySelector("img");
