@@ -22,10 +22,12 @@ nb_code_prompt_hide = "How this figure is drawn"
 
 templates_path = ["templates"]
 html_theme = "furo"
+html_favicon = str(SITE / "static" / "icon.svg")
 html_title = "Differentiable rasterization"
 html_math_renderer = "drawn"
 html_static_path = [str(SITE / "static")]
-html_css_files = ["style.css", "source.css", "players/players.css", "figures/figures.css"]
+html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
+                  "figures/figures.css"]
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]
 html_copy_source = False

@@ -43,7 +43,7 @@ export function show(figure) {
 export async function decoded(file) {
   const response = await fetch(file);
   const decoder = new ImageDecoder({ data: await response.arrayBuffer(), type: "image/png" });
-  await decoder.completed;
+  await Promise.all([decoder.tracks.ready, decoder.completed]);
   const frames = [];
   for (let k = 0; k < decoder.tracks.selectedTrack.frameCount; k += 1) {
     const { image } = await decoder.decode({ frameIndex: k });
