@@ -2,6 +2,7 @@
 import re
 
 from course import exercises
+from course.given import image
 from course.given.places import DATA, ROOT, read_whole
 
 from . import put
@@ -34,7 +35,7 @@ TREE = """
 """
 FILM = """\
 <figure class="animation" data-file="reconstruction.png" data-autoplay>
-<img src="reconstruction_still.png" alt="{words}" width="900" height="263">
+<img src="reconstruction_still.png" alt="{words}" width="{width}" height="{height}">
 </figure>
 """
 LINK = re.compile(r"\[([^]]*)\]\((?!https?:)([^)]+)\)")
@@ -56,7 +57,8 @@ def page(readme):
     words = film.removeprefix("![").partition("]")[0]
     sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
     doors = sections.pop("Three doors")
-    parts = [title, FILM.format(words=words), text, cards(doors),
+    width, height = image.size(DATA / "reconstruction.png")
+    parts = [title, FILM.format(words=words, width=width, height=height), text, cards(doors),
              "## A picture and its gradient", code,
              *(f"## {name}\n{body}" for name, body in sections.items())]
     return LINK.sub(_led, "\n\n".join(parts))

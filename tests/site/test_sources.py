@@ -221,21 +221,6 @@ def test_a_question_leads_to_where_the_lecture_asks_it(lab):
         assert re.search(rf"\b{re.escape(exercise.number)}\b", section.get_text()), exercise.name
 
 
-def test_only_what_changed_is_written(tmp_path):
-    """Sphinx makes all pages anew, each time."""
-    sources.write(tmp_path)
-    labs.write(tmp_path)
-    before = {path: path.stat().st_mtime_ns for path in tmp_path.glob("*/*.md")}
-    changed, stale = tmp_path / "reference" / "lights.md", tmp_path / "labs" / "17_more.md"
-    changed.write_text("another text")
-    stale.write_text("of a lab that is gone")
-    sources.write(tmp_path)
-    labs.write(tmp_path)
-    after = {path: path.stat().st_mtime_ns for path in tmp_path.glob("*/*.md")}
-    assert {path for path in after if after[path] != before.get(path)} == {changed}
-    assert set(after) == set(before)
-    assert len(before) == len(MODULES) + len(LABS) + 3
-
 
 @pytest.mark.parametrize("text", [
     "a*b* and x* and *c*", "_a_ __init__ b_", "|n| <b> & &amp; <!-- -->", "(..., 2) -> e (...)",
