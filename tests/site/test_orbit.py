@@ -33,6 +33,14 @@ def ball(level):
     return made.export(file_type="glb")
 
 
+def painted():
+    """A box with a blue texture: a GLB file."""
+    made = trimesh.creation.box()
+    blue = trimesh.visual.material.PBRMaterial(baseColorTexture=Image.new("RGB", (4, 4), "#0000ff"))
+    made.visual = trimesh.visual.TextureVisuals(uv=made.vertices[:, :2], material=blue)
+    return made.export(file_type="glb")
+
+
 def page_of(files, eye=""):
     meshes = [{"file": file, "label": label} for file, label in files.items()]
     return PAGE.format(meshes=html.escape(json.dumps(meshes)), size=SIZE, eye=eye)
@@ -40,7 +48,7 @@ def page_of(files, eye=""):
 
 @pytest.fixture(scope="module")
 def address(tmp_path_factory):
-    """A small site: pages with one mesh, with two, and with one that is not there."""
+    """A small site: pages with one mesh, with two, with paint, with one that is not there."""
     folder = tmp_path_factory.mktemp("orbit")
     shutil.copytree(ROOT / "site" / "static" / "players", folder / "_static" / "players")
     (folder / "_static" / "vendor").mkdir()
@@ -49,6 +57,8 @@ def address(tmp_path_factory):
     (folder / "coarse.glb").write_bytes(ball(0))
     (folder / "fine.glb").write_bytes(ball(3))
     (folder / "box.glb").write_bytes(trimesh.creation.box((1, 2, 3)).export(file_type="glb"))
+    (folder / "painted.glb").write_bytes(painted())
+    (folder / "painted.html").write_text(page_of({"painted.glb": "12 faces"}))
     (folder / "two.html").write_text(page_of({"coarse.glb": "20 faces", "fine.glb": "1,280 faces"}))
     (folder / "box.html").write_text(page_of({"box.glb": "12 faces"}, 'data-eye="3 4 5"'))
     (folder / "missing.html").write_text(page_of({"missing.glb": "none"}))
@@ -120,6 +130,15 @@ def test_colours_of_the_vertices_are_shown(two):
     """A vertex's colour is lost, and all is brass: red and no blue."""
     red, _, blue = np.moveaxis(picture(two), 2, 0)
     assert np.mean(blue > red + 40) > 0.05
+
+
+def test_a_texture_is_shown(page, address):
+    """A texture is lost, or asked for at another address."""
+    page.goto(f"{address}/painted.html")
+    page.get_by_role("button", name="Turn it").click()
+    page.locator("canvas").wait_for()
+    red, _, blue = np.moveaxis(picture(page), 2, 0)
+    assert np.mean(blue > red + 40) > 0.1
 
 
 def test_the_mouse_turns_and_reset_turns_back(two):
@@ -282,8 +301,8 @@ def test_a_finger_scrolls_before_and_turns_after(browser, address):
     x, y = middle(page)
     swipe(((x, y), (x, y - 90)))
     page.wait_for_function("scrollY > 0")
-    page.wait_for_timeout(300)
-    page.evaluate("scrollTo(0, 0)")
+    page.goto("about:blank")  # the scrolling goes on for a while
+    page.goto(f"{address}/two.html")
     page.get_by_role("button", name="Turn it").tap()
     page.locator("canvas").wait_for()
     first = picture(page)
