@@ -1,10 +1,10 @@
 """What the site adds to the lectures: figures that answer, pairs of pictures, meshes to turn.
 
-Each has its place below a figure, or a cell, whose words are named here and in the two modules.
+Each has its place below a cell. Words of it, or of its picture, say which.
 """
 from . import comparisons, meshes
 
-ANSWERS = {  # a figure that answers: its lecture, and words of the figure or cell above it
+ANSWERS = {  # a figure that answers: its lecture, and words of the cell above it
     "edge_functions": ("02_rasterization", "a point p in a triangle and the three smaller"),
     "alias": ("03_sampling", "a wave with 4 periods in one second and a wave with 1 period"),
     "perspective": ("05_interpolation", "two pictures of a checkerboard floor of two faces"),

@@ -32,13 +32,19 @@ def write(folder, extra):
     added = Inserts(extra)
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
         notebook, lab = nbformat.read(path, as_version=4), int(path.stem[:2])
-        pictures = Pictures(path.stem, extra / "lectures" / "pictures", added)
-        notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
-        for cell in notebook.cells:
+        pictures = Pictures(path.stem, extra / "lectures" / "pictures")
+        cells, notebook.cells = notebook.cells, []
+        for cell in cells:
+            if BOARD.fullmatch(cell.source):
+                continue
+            below = added.below(path.stem, words_of(cell))
             if cell.cell_type == "markdown":
-                cell.source = linked(cell.source, lab) + added.below(path.stem, cell.source)
+                cell.source = linked(cell.source, lab)
             for output in cell.get("outputs", []):
                 pictures.extract(output)
+            notebook.cells.append(cell)
+            if below:
+                notebook.cells.append(nbformat.v4.new_markdown_cell(below, id=f"{cell.id}-below"))
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
     added.require_all()
 
@@ -50,6 +56,13 @@ def linked(text, lab):
     text = ANNOUNCED.sub(lambda found: NUMBER.sub(_exercise, found[0]), text)
     seen = set()
     return CODE.sub(lambda found: _function(found, lab, seen), text)
+
+
+def words_of(cell):
+    """The text of a cell, and the words of its pictures."""
+    pictures = [output.metadata["image/png"]["alt"] for output in cell.get("outputs", [])
+                if "image/png" in output.get("data", {})]
+    return "\n".join([cell.source, *pictures])
 
 
 def _led(link):
@@ -84,7 +97,7 @@ class Inserts:
         """The HTML of what stands below this text of a lecture."""
         meant = [one for one in self.left if one[0] == lecture and one[1] in text]
         self.left = [one for one in self.left if one not in meant]
-        return "".join(f"\n\n{shown}" for _, _, shown in meant)
+        return "\n\n".join(shown for _, _, shown in meant)
 
     def require_all(self):
         if self.left:
@@ -96,8 +109,8 @@ class Inserts:
 class Pictures:
     """Takes the pictures out of a lecture's outputs, and writes them into files."""
 
-    def __init__(self, lecture, folder, inserts):
-        self.lecture, self.folder, self.inserts, self.count = lecture, folder, inserts, 0
+    def __init__(self, lecture, folder):
+        self.lecture, self.folder, self.count = lecture, folder, 0
 
     def extract(self, output):
         """Put the HTML that shows a picture in its place."""
@@ -117,6 +130,5 @@ class Pictures:
         picture = (f'<img src="pictures/{still}.png" alt="{html.escape(about["alt"])}" {size} '
                    'loading="lazy" decoding="async">')
         kind = f'class="animation" data-file="pictures/{name}.png"' if moves else 'class="drawn"'
-        below = self.inserts.below(self.lecture, about["alt"])
-        shown = f"<figure {kind}>{picture}</figure>{below}"
+        shown = f"<figure {kind}>{picture}</figure>"
         output.data, output.metadata = nbformat.from_dict([{"text/html": shown}, {}])

@@ -21,11 +21,16 @@ PLACES = {  # the meshes that a reader turns: their lecture, and words of the fi
 WORDS = {"teapot": "the Utah teapot", "loop": "a ring of 64 large faces",
          "simplified": "the Stanford bunny, lit, each face in one shade",
          "found": "a bunny with blue, red and yellow paint, found from 24 pictures"}
+CAPTIONS = {"teapot": "The teapot, for you to turn.",
+            "loop": "Three steps of Loop, each with four times as many faces.",
+            "simplified": "The bunny in ever fewer faces.",
+            "found": "What this search finds from 24 pictures of another object: a painted bunny. "
+                     "Lab 12 left 10,000 of its faces."}
 FACE_COUNTS = 1500, 700, 350, 150, 64
 FOUND = ROOT / "site" / "meshes" / "bunny.glb"
 TEXT = ('<figure class="orbit" data-shading="{shading}" data-meshes="{meshes}">'
         '<img src="../meshes/{name}.png" alt="{words}" width="512" height="512" loading="lazy" '
-        'decoding="async"></figure>')
+        'decoding="async"><figcaption>{caption}</figcaption></figure>')
 
 
 def write(extra):
@@ -53,7 +58,8 @@ def write(extra):
 
 def figure(name, files, shading):
     meshes = html.escape(json.dumps(files))
-    return TEXT.format(name=name, shading=shading, meshes=meshes, words=html.escape(WORDS[name]))
+    return TEXT.format(name=name, shading=shading, meshes=meshes, words=html.escape(WORDS[name]),
+                       caption=CAPTIONS[name])
 
 
 def rings(labs):
