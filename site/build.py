@@ -32,8 +32,8 @@ def write_sources(lite):
         part.write(SOURCE, EXTRA)
     front.write(SOURCE, EXTRA, lite)
     texts_links.write(SOURCE, lite)
-    three = SITE / "vendor" / "three" / "three.min.js"
-    put(EXTRA / "_static" / "vendor" / three.name, three.read_bytes())
+    for name in "three.min.js", "three.LICENSE":
+        put(EXTRA / "_static" / "vendor" / name, (SITE / "vendor" / "three" / name).read_bytes())
 
 
 def make():

@@ -19,7 +19,7 @@ from .posters import poster
 
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)\)")
-ANNOUNCED = re.compile(r"^\*+(?:Exercises?|Extras?) \d.*", re.MULTILINE)
+ANNOUNCED = re.compile(r"\*(?:Exercises?|Extras?) \d.*")
 NUMBER = re.compile(r"\b\d+\.\d+\b")
 BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
 

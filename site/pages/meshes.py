@@ -2,7 +2,6 @@
 import html
 import json
 
-import numpy as np
 import trimesh
 
 from course.experiments import drawing, levels, portrait
@@ -28,7 +27,9 @@ CAPTIONS = {"teapot": "The teapot, for you to turn.",
                      "Lab 12 left 10,000 of its faces."}
 FACE_COUNTS = 1500, 700, 350, 150, 64
 FOUND = ROOT / "site" / "meshes" / "bunny.glb"
-TEXT = ('<figure class="orbit" data-shading="{shading}" data-meshes="{meshes}">'
+EYES = {"teapot": portrait.TEAPOT_EYE, "loop": levels.RING_EYE,
+        "simplified": levels.BUNNY_EYE, "found": portrait.BUNNY_EYE}  # of the stills
+TEXT = ('<figure class="orbit" data-shading="{shading}" data-eye="{eye}" data-meshes="{meshes}">'
         '<img src="../meshes/{name}.png" alt="{words}" width="512" height="512" loading="lazy" '
         'decoding="async"><figcaption>{caption}</figcaption></figure>')
 
@@ -47,7 +48,7 @@ def write(extra):
             files.append({"file": f"../meshes/{name}_{number}.glb",
                           "label": f"{len(faces):,} faces"})
         shading = "smooth" if name == "teapot" else "flat"
-        put_picture(extra / "meshes" / f"{name}.png", still(labs, shading, *steps[0]))
+        put_picture(extra / "meshes" / f"{name}.png", still(labs, shading, EYES[name], *steps[0]))
         figures[name] = figure(name, files, shading)
     put(extra / "meshes" / "found.glb", read_whole(FOUND))
     put(extra / "meshes" / "found.png", read_whole(FOUND.with_suffix(".png")))
@@ -58,7 +59,8 @@ def write(extra):
 
 def figure(name, files, shading):
     meshes = html.escape(json.dumps(files))
-    return TEXT.format(name=name, shading=shading, meshes=meshes, words=html.escape(WORDS[name]),
+    return TEXT.format(name=name, shading=shading, meshes=meshes,
+                       eye=" ".join(map(str, EYES[name])), words=html.escape(WORDS[name]),
                        caption=CAPTIONS[name])
 
 
@@ -89,13 +91,12 @@ def faces_of(path):
     return [part.faces for part in trimesh.load_scene(path).geometry.values()]
 
 
-def still(labs, shading, vertices, faces):
+def still(labs, shading, eye, vertices, faces):
     """A mesh as its lab draws it: a picture (512, 512, 3)."""
     if shading == "smooth":
-        clip = drawing.clip_positions(labs, vertices, portrait.TEAPOT_EYE)
+        clip = drawing.clip_positions(labs, vertices, eye)
         return drawing.smooth(labs, vertices, faces, clip)
-    eye = levels.RING_EYE if len(faces) == 64 else levels.BUNNY_EYE
-    return levels.faceted(labs, vertices, faces, np.asarray(eye))
+    return levels.faceted(labs, vertices, faces, eye)
 
 
 def put_picture(path, picture):

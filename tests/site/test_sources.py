@@ -16,7 +16,7 @@ from serving import ROOT, served
 
 sys.path.insert(0, str(ROOT / "site"))
 
-from pages import labs, sources, sources_course, sources_text
+from pages import labs, sources_course, sources_text
 
 SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
