@@ -2,6 +2,7 @@
 import ast
 import functools
 import html
+import itertools
 import re
 
 from docutils.nodes import make_id
@@ -87,6 +88,7 @@ def page(course, lab):
                       as_myst(f'<p class="belongs">{links}</p>'),
                       f"You write in {files(course, asked)}. To check it: "
                       f"`python3 -m course check {lab}`.\n", overview(course, asked),
+                      given(course, lab, gaps(modules, asked)),
                       *(question(course, name) for name in asked)])
 
 
@@ -105,6 +107,38 @@ def overview(course, asked):
              f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
              question_line(course, name)] for name, exercise in asked.items()]
     return table("overview", ["number", "function", "points", "kind", "question"], rows)
+
+
+def gaps(modules, asked):
+    """{a number without an exercise: the given functions that stand where it would}."""
+    numbers = {name: int(exercise.number.split(".")[1]) for name, exercise in asked.items()}
+    found = {n: [] for n in range(1, max(numbers.values())) if n not in numbers.values()}
+    for module in modules:
+        functions = [f"{module.name}.{name}" for name, node in module.nodes.items()
+                     if isinstance(node, ast.FunctionDef)]
+        waiting, last = [], min((numbers[name] for name in functions if name in numbers),
+                                default=2) - 2
+        for name in functions:
+            if name not in numbers:
+                waiting.append(name)
+                continue
+            found |= {n: waiting for n in range(last + 1, numbers[name]) if n in found}
+            waiting, last = [], numbers[name]
+    return found
+
+
+def given(course, lab, missing):
+    """What became of the numbers that no exercise has."""
+    if not missing:
+        return ""
+    parts = []
+    for names, numbers in itertools.groupby(missing, key=missing.get):
+        code = ", ".join(f'<a href="{course.address(name)}"><code>{name.rpartition(".")[2]}</code>'
+                         "</a>" for name in names)
+        parts.append(", ".join(f'<span id="exercise-{lab}-{number}">{lab}.{number}</span>'
+                               for number in numbers) + f" ({code})" * bool(names))
+    return as_myst(f"<p>Numbers without an exercise stand for code that is given, and nothing is "
+                   f"to be written there: {', '.join(parts)}.</p>")
 
 
 def question_line(course, name):

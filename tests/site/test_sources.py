@@ -151,6 +151,13 @@ def test_many_equations_are_typeset():
     assert sum(shown.values()) > 400
 
 
+def test_a_number_without_an_exercise_says_what_is_given_there():
+    """A reader looks for 8.4, and the page says nothing."""
+    page = labs.page(sources_course.read(), 8)
+    assert ('<span id="exercise-8-4">8.4</span> (<a href="../reference/antialiasing.html'
+            '#reference.antialiasing.owner_and_other">') in page
+
+
 @pytest.mark.parametrize("name", [name for name in MODULES if COURSE.modules[name].lab])
 def test_a_module_has_its_lectures_numbers(name):
     """A module numbers its equations itself, so that its page shows others."""
