@@ -21,7 +21,7 @@ FENCE = "``````"
 EQUATION = r"(?<![\w)])\((\d{1,2})\)"
 RANGE = re.compile(rf"{EQUATION} to {EQUATION}")
 INLINE = re.compile(rf"`(?P<code>[^`]+)`|(?:\b[Ee]q\. )?{EQUATION}|\b(?P<file>\w+)\.py\b|"
-                    r"\b(?P<kind>[Ll]ab|[Ll]ecture) (?P<lab>\d+)\b")
+                    r"(?<!GAMES101 )\b(?P<kind>[Ll]ab|[Ll]ecture) (?P<lab>\d+)\b")
 
 
 def docstring(course, module, text, own=(), is_module=False):
