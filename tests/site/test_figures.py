@@ -4,9 +4,9 @@ import shutil
 
 import numpy as np
 import pytest
+from serving import ROOT, served
 
 from reference import antialiasing, interpolation, mipmapping, rasterization, sampling
-from tests.site.conftest import ROOT, served
 
 SOURCE = ROOT / "site" / "static" / "figures"
 MINUS = "\N{MINUS SIGN}"
