@@ -353,7 +353,7 @@ def make_site(*wishes):
 def test(asked):
     """Check the whole project: lint, then every test, on all cores. Or the web site."""
     if asked.site:
-        return make_site() or run_module("pytest", "-rs", "-n", str(os.cpu_count()), "tests/site")
+        return make_site() or run_module("pytest", "-rfEs", "-n", str(os.cpu_count()), "tests/site")
     # labs/ is not for lint: it is made from reference/, or a student's own.
     lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"),
                       str(ROOT))

@@ -35,7 +35,7 @@ def written(tmp_path_factory):
         patch.setattr(benchmarks, "NEW", folder / "nothing new")
         benchmarks.write(folder, folder / "extra")
     instructors.write(folder)
-    texts_links.write(folder)
+    texts_links.write(folder, lite=False)
     return folder
 
 
