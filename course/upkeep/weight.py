@@ -1,0 +1,72 @@
+"""How much code stands around the code that is taught: at most 8 lines around each taught line.
+
+    python3 -m course.upkeep.weight
+
+What is taught is reference/. Around it stands all other code that git tracks. Not counted are
+labs/, which is made from reference/, and the web site and the benchmarks, which no student needs.
+A line is code if it holds more than a comment or a docstring. A known mistake that is written as a
+change counts, too.
+"""
+import io
+import subprocess
+import tokenize
+from collections import Counter
+
+from ..given import places
+
+MOST = 8
+TAUGHT = "reference"
+NOT_COUNTED = "labs/", "site/", "tests/site/", "benchmarks/"
+CODE = ".py", ".js", ".html", ".css", ".sh", "/run"
+WITHOUT = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT,
+           tokenize.ENCODING, tokenize.ENDMARKER}
+
+
+def code_lines(text: str) -> int:
+    """The lines of a Python text that hold code. Of a text that is no Python: those not blank."""
+    lines, statement = set(), []
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            if token.type not in WITHOUT:
+                statement.append(token)
+            if token.type == tokenize.NEWLINE:
+                if any(part.type != tokenize.STRING for part in statement):
+                    lines.update(*(range(part.start[0], part.end[0] + 1) for part in statement))
+                statement = []
+    except (tokenize.TokenError, SyntaxError):
+        return sum(line.strip() != "" for line in text.splitlines())
+    return len(lines)
+
+
+def lines_of(path: str, text: str) -> int:
+    """How much code a tracked file holds: 0 for data, texts and lectures."""
+    if path.startswith("tests/mistakes/") and path.endswith(".txt"):
+        return sum(line[:1].isdigit() for line in text.splitlines())
+    if path.endswith(".py"):
+        return code_lines(text)
+    return sum(line.strip() != "" for line in text.splitlines()) if path.endswith(CODE) else 0
+
+
+def rooms() -> Counter:
+    """{folder, to its second level: lines of code}, of all that git tracks and that is counted."""
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=places.ROOT, capture_output=True,
+                            check=True, encoding="utf-8").stdout
+    found = Counter()
+    for path in listed.split("\0"):
+        if (places.ROOT / path).is_file() and not path.startswith(NOT_COUNTED):
+            room = "/".join(path.split("/")[:-1][:2]) or path
+            text = (places.ROOT / path).read_bytes().decode("utf-8", "replace")
+            found[room] += lines_of(path, text)
+    return +found
+
+
+def weight(found: Counter) -> float:
+    """Lines of code around one taught line."""
+    return (found.total() - found[TAUGHT]) / found[TAUGHT]
+
+
+if __name__ == "__main__":
+    everything = rooms()
+    for name, lines in everything.most_common():
+        print(f"{lines:7,}  {name}")
+    print(f"{weight(everything):.2f} lines around a taught one; at most {MOST}")
