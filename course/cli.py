@@ -342,7 +342,7 @@ def mutants(asked):
 
 
 def site(asked):
-    """Make the web site in out/site/ from lectures, labs and code. Nothing of them is run."""
+    """Make the web site in out/site/. Lectures are shown as they are saved."""
     return make_site(*(f"--{name}" for name in ("serve", "lite") if getattr(asked, name)))
 
 

@@ -1,6 +1,6 @@
-"""Makes the web site: writes its pages' sources to out/site-source, and lets Sphinx make out/site.
+"""Makes the web site: writes the sources of its pages to out/site-source, then runs Sphinx.
 
-    python3 -m course site            the site, from what the course holds; nothing is run
+    python3 -m course site            the site in out/site; lectures are shown as they are saved
     python3 -m course site --serve    and opens it in the browser
     python3 -m course site --lite     and with JupyterLite: the labs in the browser
 """
@@ -14,10 +14,10 @@ from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).parents[1]))  # after this folder, for the course
 
-from pages import benchmarks, front, instructors, labs, lectures, put, sources, texts_links
+from pages import benchmarks, front, instructors, labs, lectures, sources, texts_links
 from sphinx.cmd.build import build_main
 
-from course.given.places import ROOT, out
+from course.given.places import ROOT, out, shown_path
 
 SITE = ROOT / "site"
 SOURCE, TARGET = out("site-source", "pages"), out("site")
@@ -32,8 +32,6 @@ def write_sources(lite):
         part.write(SOURCE, EXTRA)
     front.write(SOURCE, EXTRA, lite)
     texts_links.write(SOURCE, lite)
-    for name in "three.min.js", "three.LICENSE":
-        put(EXTRA / "_static" / "vendor" / name, (SITE / "vendor" / "three" / name).read_bytes())
 
 
 def make():
@@ -43,10 +41,10 @@ def make():
                        "-D", f"html_extra_path={EXTRA}", str(SOURCE), str(TARGET)])
 
 
-def serve(port=8000):
+def serve():
     """Show the site in the browser, until Ctrl-C."""
     handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=str(TARGET))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", port), handler) as server:
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         address = f"http://127.0.0.1:{server.server_port}"
         print(f"The site is at {address} until you press Ctrl-C.")
         webbrowser.open(address)
@@ -59,15 +57,16 @@ def main(options):
         shutil.rmtree(folder, ignore_errors=True)
     write_sources("--lite" in options)
     status = make()
-    if status == 0 and "--lite" in options:
+    if status:
+        return status
+    if "--lite" in options:
         from pages import lite  # needs more packages
         lite.write(TARGET / "lite")
-    if status == 0:
-        print(f"The site is in {TARGET.relative_to(ROOT)}. Its figures need a server: "
-              "python3 -m course site --serve")
+    print(f"The site is in {shown_path(TARGET)}. Its figures need a server: "
+          "python3 -m course site --serve")
     if "--serve" in options:
         serve()
-    return status
+    return 0
 
 
 if __name__ == "__main__":

@@ -9,7 +9,6 @@ project = "Differentiable rasterization in plain NumPy"
 author = "the authors of the course"
 copyright = "Code: MIT License. Lectures and figures: CC BY 4.0"
 extensions = ["myst_nb", "sphinx_design", "pages.formulas"]
-exclude_patterns = ["static/**"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline",
                           "attrs_block"]

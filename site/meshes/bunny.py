@@ -1,4 +1,4 @@
-"""Makes bunny.glb and its still of what lab 16 found, after
+"""Makes bunny.glb, and a picture of it, from what lab 16 found. Run this first:
 
     python3 -m course demo reconstruct course/given/data/captures/bunny
 
@@ -11,17 +11,19 @@ import numpy as np
 import trimesh
 from scipy.spatial import KDTree
 
-ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT))
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from course.experiments import drawing, exports, portrait
+from course.experiments.demo import Labs
+from course.given import image, mesh
+from course.given.places import ROOT
+from reference import collapse_heap, rasterization, scanline
+
 FOUND = ROOT / "out" / "demo" / "reconstruct" / "bunny" / "bunny.glb"
-HERE = Path(__file__).with_suffix(".glb")
+MADE = Path(__file__).with_suffix(".glb")
 
 
 def main():
-    from course.experiments import drawing, exports, portrait
-    from course.given import image, mesh
-    from reference import collapse_heap, rasterization, scanline
-
     found = trimesh.load_scene(FOUND).to_geometry()
     paint = image.to_linear(found.visual.to_color().vertex_colors[:, :3] / 255)
     whole = trimesh.Trimesh(found.vertices, found.faces, process=False)
@@ -31,21 +33,16 @@ def main():
     albedo = paint[KDTree(found.vertices).query(vertices)[1]]
     vertices = mesh.normalize(vertices)
     normals = mesh.vertex_normals(vertices, faces)
-    HERE.write_bytes(exports.glb(vertices, faces, normals, albedo))
+    MADE.write_bytes(exports.glb(vertices, faces, normals, albedo))
 
-    clip = drawing.clip_positions(drawing_labs(), vertices, portrait.BUNNY_EYE)
+    clip = drawing.clip_positions(Labs("reference"), vertices, portrait.BUNNY_EYE)
     face_index, _ = scanline.rasterize(clip, faces, drawing.SIZE, drawing.SIZE)
     seen = face_index >= 0
     weights = rasterization.barycentrics(face_index, clip, faces)[seen][..., None]
     corners = faces[face_index[seen]]
     light = drawing.lit(weights[..., 0], normals[corners]) / drawing.BRASS
     colours = image.to_srgb(light * (weights * albedo[corners]).sum(1))
-    image.write(HERE.with_suffix(".png"), drawing.painted(seen, colours))
-
-
-def drawing_labs():
-    from course.experiments.demo import Labs
-    return Labs("reference")
+    image.write(MADE.with_suffix(".png"), drawing.painted(seen, colours))
 
 
 if __name__ == "__main__":

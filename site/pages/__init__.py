@@ -1,4 +1,6 @@
 """What writes the pages of the web site, from what the course holds already."""
+import html
+
 from course.given.places import write_whole
 
 
@@ -6,3 +8,9 @@ def put(path, content):
     """Write a text, or bytes, and the folders that lead there."""
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, content.encode("utf-8") if isinstance(content, str) else content)
+
+
+def picture(file, words, width, height, more=""):
+    """An <img>, which is loaded when the reader comes near. more: further attributes."""
+    return (f'<img src="{file}" alt="{html.escape(words)}" width="{width}" height="{height}" '
+            f'loading="lazy" decoding="async"{more}>')

@@ -1,29 +1,27 @@
 """The benchmarks' page: answers first, then the README of benchmarks/, then each result.
 
-A result is benchmarks/results/NAME.json, or out/benchmarks/NAME.json where that one is newer. Each
-number on the page but those of the README is read from there.
+A result is benchmarks/results/NAME.json, or out/benchmarks/NAME.json if its date is not earlier.
+Each number on the page but those of the README is read from there.
 """
 import ast
 import functools
-import html
 import json
 import re
 
 from benchmarks.measure import text as number
-from course.given.places import ROOT
+from course.given.places import ROOT, shown_path
 
-from . import put
+from . import picture, put
 from .benchmark_plots import PLOTS, chosen, growth, ratio, row_at
-from .texts_links import mapped, named
+from .texts_links import with_function_links, with_page_links
 
-SCRIPTS, KEPT, NEW = ROOT / "benchmarks", ROOT / "benchmarks" / "results", "out/benchmarks"
+SCRIPTS, NEW = ROOT / "benchmarks", ROOT / "out" / "benchmarks"
+KEPT = SCRIPTS / "results"
 FACTS = "machine", "system", "processor", "python", "numpy", "scipy", "date"
 PICTURE = re.compile(r"!\[[^]]*\]\(peers\.png\)", re.DOTALL)
 SCRIPT = re.compile(r"\[(\w+)\.py\]\(\1\.py\)")
 FILE = re.compile(r"\[([^]]*)\]\(results(?:/(\w+)\.json)?\)")
 HUNDRED = 100_000
-FIGURE = ('<figure><img src="benchmarks/{name}.svg" alt="{words}" width="{width}" '
-          'height="{height}" loading="lazy" decoding="async"></figure>')
 
 
 def write(folder, extra):
@@ -35,8 +33,9 @@ def write(folder, extra):
     for name, plot in PLOTS.items():
         drawing, width, height = plot.draw(found[name.partition("-")[0]])
         put(extra / "benchmarks" / f"{name}.svg", drawing)
-        words = html.escape(plot.words(found[name.partition("-")[0]]))
-        pictures[name] = FIGURE.format(name=name, words=words, width=width, height=height)
+        words = plot.words(found[name.partition("-")[0]])
+        shown = picture(f"benchmarks/{name}.svg", words, width, height)
+        pictures[name] = f"<figure>{shown}</figure>"
     put(folder / "benchmarks.md", page(found, pictures))
 
 
@@ -47,9 +46,13 @@ def results():
 
 
 def newest(name):
-    """The file that holds the newer numbers of a benchmark."""
-    kept, new = KEPT / f"{name}.json", ROOT / NEW / f"{name}.json"
-    return new if new.exists() and new.stat().st_mtime > kept.stat().st_mtime else kept
+    """The file with the later numbers of a benchmark: the repository's, or this machine's own."""
+    kept, new = KEPT / f"{name}.json", NEW / f"{name}.json"
+    return new if new.exists() and date_of(new) >= date_of(kept) else kept
+
+
+def date_of(path):
+    return json.loads(path.read_text("utf-8")).get("date", "")
 
 
 def page(found, pictures):
@@ -62,8 +65,8 @@ def page(found, pictures):
                        else f"`{script[1]}.py`", about)
     about = FILE.sub(lambda file: f'<a href="benchmarks/{file[2]}.json">{file[1]}</a>'
                      if file[2] else f"`{file[1]}`", about)
-    parts = [title, "## Questions", named(questions(found)), "## About these numbers",
-             mapped(about, "benchmarks").replace("\n## ", "\n### "), "## Results"]
+    parts = [title, "## Questions", with_function_links(questions(found)), "## About these numbers",
+             with_page_links(about, "benchmarks").replace("\n## ", "\n### "), "## Results"]
     for name, content in found.items():
         parts += section(name, content, pictures)
     return "\n\n".join(part.strip() for part in parts) + "\n"
@@ -145,7 +148,7 @@ def measured(name, content):
     facts = (f"Measured on {content['date']}: {content['processor']}, Python {content['python']}, "
              f"NumPy {content['numpy']}, SciPy {content['scipy']}.")
     if newest(name).parent != KEPT:
-        facts += f" This is newer than the repository's: it is {NEW}/{name}.json of this machine."
+        facts += f" These are this machine's own numbers, {shown_path(NEW)}/{name}.json."
     return f'*{facts}* <a href="benchmarks/{name}.json">{name}.json</a>'
 
 

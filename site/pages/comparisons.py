@@ -1,13 +1,12 @@
 """Pairs of pictures by the course's scenes, with a line between them that the reader moves."""
 import html
-
-from PIL import Image
+from unittest import mock
 
 from course.experiments import aliasing, msaa, shadow
 from course.experiments.demo import Labs
-from course.given.places import read_whole
+from course.given import image, places
 
-from . import put
+from . import picture, put
 
 PAIRS = {  # name: lecture, words of the figure above, scene, caption, its two pictures
     "sampled": ("03_sampling", "three small zone plates", aliasing.aliasing,
@@ -25,15 +24,15 @@ PAIRS = {  # name: lecture, words of the figure above, scene, caption, its two p
              ("hard", "a point", "the bunny on the ground, its shadow with a sharp outline"),
              ("soft", "a disc", "the same shadow, sharp at the feet and soft at the ears")),
 }
-PICTURE = ('<img src="../pairs/{file}.png" alt="{words}" data-label="{label}" width="{width}" '
-           'height="{height}" loading="lazy" decoding="async">')
 
 
 def write(extra):
     """Write extra/pairs -> {name: the figure's HTML}."""
     labs = Labs("reference")
-    return {name: figure(extra, name, drawn(scene(labs), [one[0] for one in pair]), caption, pair)
-            for name, (_, _, scene, caption, *pair) in PAIRS.items()}
+    with mock.patch.object(places, "OUT", str(extra.parent)):  # the reader's own out/demo stays
+        return {name: figure(extra, name, drawn(scene(labs), [one[0] for one in pair]), caption,
+                             pair)
+                for name, (_, _, scene, caption, *pair) in PAIRS.items()}
 
 
 def drawn(scene, names):
@@ -51,9 +50,8 @@ def figure(extra, name, paths, caption, pair):
     parts = []
     for path, (_, label, words) in zip(paths, pair, strict=True):
         file = f"{name}_{path.stem}"
-        put(extra / "pairs" / f"{file}.png", read_whole(path))
-        width, height = Image.open(path).size
-        parts.append(PICTURE.format(file=file, label=label, words=html.escape(words), width=width,
-                                    height=height))
+        put(extra / "pairs" / f"{file}.png", places.read_whole(path))
+        parts.append(picture(f"../pairs/{file}.png", words, *image.size(path),
+                             f' data-label="{html.escape(label)}"'))
     return (f'<figure class="before-after">{"".join(parts)}'
             f"<figcaption>{caption}</figcaption></figure>")

@@ -38,7 +38,7 @@ TAG = re.compile(r"\\tag\{(\w+)\}")
 
 @functools.cache
 def mathjax(process):
-    """MathJax, started once in each process."""
+    """MathJax, started once in each process. process: its number, so that a fork has its own."""
     folder = distribution("sphinx-mathjax-offline").locate_file(
         "sphinx-mathjax-offline/static/mathjax")
     files = {f"{part}.js": (folder / f"{part}.js").read_text("utf-8") for part in PARTS}

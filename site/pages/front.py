@@ -1,4 +1,5 @@
 """The front page, from README.md, and the tree of all pages."""
+import html
 import re
 
 from course import exercises
@@ -6,8 +7,9 @@ from course.given import image
 from course.given.places import DATA, ROOT, read_whole
 
 from . import put
-from .names import page_of_file
+from .names import lab_page
 from .posters import poster
+from .texts_links import with_page_links
 
 DOORS = {"Students": "labs/index", "Instructors": "instructors", "Readers": "reference/index"}
 CARDS = """\
@@ -38,7 +40,7 @@ FILM = """\
 <img src="reconstruction_still.png" alt="{words}" width="{width}" height="{height}">
 </figure>
 """
-LINK = re.compile(r"\[([^]]*)\]\((?!https?:)([^)]+)\)")
+LINK = re.compile(r"\[([^]]*)\]\([^)]+\)")
 
 
 def write(folder, extra, lite):
@@ -58,10 +60,11 @@ def page(readme):
     sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
     doors = sections.pop("Three doors")
     width, height = image.size(DATA / "reconstruction.png")
-    parts = [title, FILM.format(words=words, width=width, height=height), text, cards(doors),
+    shown = FILM.format(words=html.escape(words), width=width, height=height)
+    parts = [title, shown, text, cards(doors),
              "## A picture and its gradient", code,
              *(f"## {name}\n{body}" for name, body in sections.items())]
-    return LINK.sub(_led, "\n\n".join(parts))
+    return with_page_links("\n\n".join(parts), ".")
 
 
 def cards(doors):
@@ -72,20 +75,14 @@ def cards(doors):
                     text=LINK.sub(r"\1", text[0].upper() + text[1:])) for title, text in found))
 
 
-def _led(link):
-    page = page_of_file(link[2])
-    if page is None:
-        return link[1]
-    return f"[{link[1]}](/{page}{'.ipynb' if page.startswith('lectures/') else '.md'})"
-
-
 def trees(lite):
     """What stands in the margin of every page."""
     lectures = [f"lectures/{path.stem}" for path in sorted((ROOT / "notebooks").glob("*.ipynb"))]
-    labs = [f"labs/{exercises.lecture(topics[0]).stem}" for topics in exercises.LABS]
+    labs = [lab_page(topics[0]) for topics in exercises.LABS]
     groups = {"Lectures": lectures, "Labs": ["labs/index", *labs],
               "Code": ["reference/index", "given/index", "benchmarks"],
-              "More": [*["in_the_browser"][:lite], "instructors", "errata", "glossary",
-                       "bibliography"]}
+              "More": ["instructors", "errata", "glossary", "bibliography"]}
+    if lite:
+        groups["Labs"].append("in_the_browser")
     for caption, pages in groups.items():
         yield TREE.format(caption=caption, pages="\n".join(pages))

@@ -19,6 +19,6 @@ def write(extra):
     return [
         *((lecture, words, f'<div class="answers" data-figure="{name}"></div>')
           for name, (lecture, words) in ANSWERS.items()),
-        *((*meshes.PLACES[name], shown) for name, shown in turned.items()),
+        *((*meshes.MESHES[name][:2], shown) for name, shown in turned.items()),
         *((*comparisons.PAIRS[name][:2], shown) for name, shown in paired.items()),
     ]

@@ -2,7 +2,7 @@
 from course.given.places import ROOT
 
 from . import put
-from .texts_links import mapped
+from .texts_links import with_page_links
 
 TEXTS = {"instructors.md": "course/grading/README.md", "errata.md": "notebooks/errata.md"}
 
@@ -11,4 +11,4 @@ def write(folder):
     """Write folder/instructors.md and folder/errata.md."""
     for name, source in TEXTS.items():
         place = source.rpartition("/")[0]
-        put(folder / name, mapped((ROOT / source).read_text("utf-8"), place))
+        put(folder / name, with_page_links((ROOT / source).read_text("utf-8"), place))

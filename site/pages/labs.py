@@ -11,8 +11,8 @@ from course import exercises
 from course.given import places
 
 from . import sources_course
+from .names import anchor, exercise_pages
 from .sources_text import (
-    anchor,
     as_myst,
     docstring,
     escape,
@@ -68,9 +68,10 @@ def index(course):
     parts = [f"# Labs\n\n{ABOUT}\n"]
     for lab, lecture in course.lectures.items():
         items = " ".join(f'<li><a class="{kind(exercise)}" href="{lecture.page}.html'
-                         f'#{anchor(exercise)}">{exercise.number} <code>{exercise.name}</code>'
-                         f"</a></li>" for exercise in of_lab(course, lab).values())
-        parts.append(f"## [{lab_title(course, lab)}](/labs/{lecture.page}.md)\n\n"
+                         f'#{anchor(exercise.number)}">{exercise.number} '
+                         f"<code>{exercise.name}</code></a></li>"
+                         for exercise in of_lab(course, lab).values())
+        parts.append(f"## [{lab_title(lab)}](/labs/{lecture.page}.md)\n\n"
                      + summary(course, lab)
                      + as_myst(f'<ul class="exercises">{items}</ul>'))
     return "\n".join(parts)
@@ -83,26 +84,25 @@ def page(course, lab):
     links = " · ".join([f'<a href="../lectures/{lecture.page}.html">Lecture {lab}</a>',
                         *(f'<a href="{course.address(module.name)}">'
                           f"<code>{module.topic}.py</code></a>" for module in modules)])
-    return "\n".join([f"# {lab_title(course, lab)}\n",
+    return "\n".join([f"# {lab_title(lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),
-                      f"You write in {files(course, asked)}. To check it: "
+                      f"You write in {files(asked)}. To check it: "
                       f"`python3 -m course check {lab}`.\n", overview(course, asked),
                       given(course, lab, gaps(modules, asked)),
                       *(question(course, name) for name in asked)])
 
 
-def files(course, asked):
+def files(asked):
     """The files that a student opens, in words."""
-    names = [f"`labs/{name.split('.')[1]}.py`" for name in asked]
-    names = list(dict.fromkeys(names))
-    return " and ".join([*filter(None, [", ".join(names[:-1])]), names[-1]])
+    *others, last = dict.fromkeys(f"`labs/{name.split('.')[1]}.py`" for name in asked)
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def overview(course, asked):
     """The table of a lab's exercises, a line each."""
-    rows = [[f'<a href="#{anchor(exercise)}">{exercise.number}</a>',
-             f'<a href="#{anchor(exercise)}"><code>{exercise.name}</code></a>',
+    rows = [[f'<a href="#{anchor(exercise.number)}">{exercise.number}</a>',
+             f'<a href="#{anchor(exercise.number)}"><code>{exercise.name}</code></a>',
              str(exercise.points),
              f'<span class="badge {kind(exercise)}">{kind(exercise)}</span>',
              question_line(course, name)] for name, exercise in asked.items()]
@@ -116,8 +116,8 @@ def gaps(modules, asked):
     for module in modules:
         functions = [f"{module.name}.{name}" for name, node in module.nodes.items()
                      if isinstance(node, ast.FunctionDef)]
-        waiting, last = [], min((numbers[name] for name in functions if name in numbers),
-                                default=2) - 2
+        first = min((numbers[name] for name in functions if name in numbers), default=0)
+        waiting, last = [], first - 2  # code above the first exercise has the number before it
         for name in functions:
             if name not in numbers:
                 waiting.append(name)
@@ -135,10 +135,10 @@ def given(course, lab, missing):
     for names, numbers in itertools.groupby(missing, key=missing.get):
         code = ", ".join(f'<a href="{course.address(name)}"><code>{name.rpartition(".")[2]}</code>'
                          "</a>" for name in names)
-        parts.append(", ".join(f'<span id="exercise-{lab}-{number}">{lab}.{number}</span>'
+        parts.append(", ".join(f'<span id="{anchor(f"{lab}.{number}")}">{lab}.{number}</span>'
                                for number in numbers) + f" ({code})" * bool(names))
-    return as_myst(f"<p>Numbers without an exercise stand for code that is given, and nothing is "
-                   f"to be written there: {', '.join(parts)}.</p>")
+    return as_myst(f"<p>Numbers without an exercise belong to given code: "
+                   f"{', '.join(parts)}.</p>")
 
 
 def question_line(course, name):
@@ -159,7 +159,7 @@ def question(course, name):
              f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
     return "\n".join([f"```{{index}} ! exercise {exercise.number}\n```\n",  # the search knows it
-                      f"({anchor(exercise)})=\n## {exercise.number} `{exercise.name}`\n",
+                      f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       docstring(course, module, ast.get_docstring(node), own_names(node)),
                       as_myst(read_on(course, name))])
@@ -187,14 +187,12 @@ def read_on(course, name):
 
 def is_function(course, full):
     module, _, name = full.rpartition(".")
-    return isinstance(course.modules.get(module) and course.modules[module].nodes.get(name),
-                      ast.FunctionDef)
+    return module in course.modules and isinstance(course.modules[module].nodes.get(name),
+                                                   ast.FunctionDef)
 
 
 def asked_address(course, full):
     """An exercise's question, or the place of a function that is none."""
     if full not in course.exercises:
         return course.address(full)
-    exercise = course.exercises[full]
-    lab = course.lectures[int(exercise.number.split(".")[0])]
-    return f"{lab.page}.html#{anchor(exercise)}"
+    return f"../{exercise_pages()[course.exercises[full].number]}"

@@ -4,7 +4,6 @@ Pictures become files. What moves waits for the reader, in a player. Below some 
 that answers: without JavaScript its place is empty.
 """
 import base64
-import html
 import io
 import re
 
@@ -13,8 +12,8 @@ from PIL import Image
 
 from course.given.places import ROOT
 
-from . import inserts, put
-from .names import CODE, exercise_pages, function_page, page_of_file
+from . import inserts, picture, put
+from .names import CODE, document, exercise_pages, function_page
 from .posters import poster
 
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
@@ -52,7 +51,7 @@ def write(folder, extra):
 def linked(text, lab):
     """The text of a lab's lecture with its links led to the site's pages, and more links."""
     text = NEIGHBOUR.sub("", text)
-    text = LINK.sub(_led, text)
+    text = LINK.sub(_page_link, text)
     text = ANNOUNCED.sub(lambda found: NUMBER.sub(_exercise, found[0]), text)
     seen = set()
     return CODE.sub(lambda found: _function(found, lab, seen), text)
@@ -65,12 +64,12 @@ def words_of(cell):
     return "\n".join([cell.source, *pictures])
 
 
-def _led(link):
+def _page_link(link):
     path = (ROOT / "notebooks" / link[1]).resolve().relative_to(ROOT).as_posix()
-    page = page_of_file(path)
+    page = document(path)
     if page is None:
         raise ValueError(f"a lecture leads to {link[1]}, which is no page of the site")
-    return f"](/{page}{'.ipynb' if page.startswith('lectures/') else '.md'})"
+    return f"]({page})"
 
 
 def _exercise(number):
@@ -122,13 +121,12 @@ class Pictures:
         self.count += 1
         put(self.folder / f"{name}.png", content)
         about = output.metadata["image/png"]
-        size = f'width="{about["width"]}" height="{about["height"]}"'
         still, moves = name, getattr(Image.open(io.BytesIO(content)), "is_animated", False)
         if moves:
             still = f"{name}_still"
             put(self.folder / f"{still}.png", poster(content))
-        picture = (f'<img src="pictures/{still}.png" alt="{html.escape(about["alt"])}" {size} '
-                   'loading="lazy" decoding="async">')
+        shown = picture(f"pictures/{still}.png", about["alt"], about["width"], about["height"])
         kind = f'class="animation" data-file="pictures/{name}.png"' if moves else 'class="drawn"'
-        shown = f"<figure {kind}>{picture}</figure>"
-        output.data, output.metadata = nbformat.from_dict([{"text/html": shown}, {}])
+        shown = f"<figure {kind}>{shown}</figure>"
+        output.data = nbformat.from_dict({"text/html": shown})
+        output.metadata = nbformat.from_dict({})

@@ -1,6 +1,7 @@
 """The meshes that a reader turns: GLB files and stills of them, made with the course's own code."""
 import html
 import json
+from typing import NamedTuple
 
 import trimesh
 
@@ -9,29 +10,39 @@ from course.experiments.demo import Labs
 from course.given import image, mesh
 from course.given.places import ROOT, read_whole
 
-from . import put
+from . import picture, put
 
-PLACES = {  # the meshes that a reader turns: their lecture, and words of the figure above them
-    "teapot": ("01_transforms", "the teapot, grey around the origin and blue after the product"),
-    "loop": ("11_subdivision", "left, the bunny's head with its own faces"),
-    "simplified": ("12_simplification", "Left, the bunny while its faces become fewer"),
-    "found": ("16_reconstruction", "three rows of two pictures. Top, target 16 and what was found"),
+
+class Turned(NamedTuple):
+    """A mesh that a reader turns: its place in the lectures, and its still."""
+
+    lecture: str
+    above: str     # words of the figure above it
+    words: str     # what is seen
+    caption: str
+    eye: tuple     # where the still's camera stands
+    shading: str = "flat"
+
+
+MESHES = {
+    "teapot": Turned("01_transforms", "the teapot, grey around the origin and blue after",
+                     "the Utah teapot", "The teapot, for you to turn.",
+                     portrait.TEAPOT_EYE, "smooth"),
+    "loop": Turned("11_subdivision", "left, the bunny's head with its own faces",
+                   "a ring of 64 large faces",
+                   "Three steps of Loop, each with four times as many faces.", levels.RING_EYE),
+    "simplified": Turned("12_simplification", "Left, the bunny while its faces become fewer",
+                         "the Stanford bunny, lit, each face in one shade",
+                         "The bunny in ever fewer faces.", levels.BUNNY_EYE),
+    "found": Turned("16_reconstruction", "three rows of two pictures. Top, target 16 and what",
+                    "a bunny with blue, red and yellow paint, found from 24 pictures",
+                    "What this search finds from 24 pictures of another object: a painted bunny. "
+                    "Lab 12 left 10,000 of its faces.", portrait.BUNNY_EYE, "smooth"),
 }
-WORDS = {"teapot": "the Utah teapot", "loop": "a ring of 64 large faces",
-         "simplified": "the Stanford bunny, lit, each face in one shade",
-         "found": "a bunny with blue, red and yellow paint, found from 24 pictures"}
-CAPTIONS = {"teapot": "The teapot, for you to turn.",
-            "loop": "Three steps of Loop, each with four times as many faces.",
-            "simplified": "The bunny in ever fewer faces.",
-            "found": "What this search finds from 24 pictures of another object: a painted bunny. "
-                     "Lab 12 left 10,000 of its faces."}
 FACE_COUNTS = 1500, 700, 350, 150, 64
 FOUND = ROOT / "site" / "meshes" / "bunny.glb"
-EYES = {"teapot": portrait.TEAPOT_EYE, "loop": levels.RING_EYE,
-        "simplified": levels.BUNNY_EYE, "found": portrait.BUNNY_EYE}  # of the stills
 TEXT = ('<figure class="orbit" data-shading="{shading}" data-eye="{eye}" data-meshes="{meshes}">'
-        '<img src="../meshes/{name}.png" alt="{words}" width="512" height="512" loading="lazy" '
-        'decoding="async"><figcaption>{caption}</figcaption></figure>')
+        '{still}<figcaption>{caption}</figcaption></figure>')
 
 
 def write(extra):
@@ -47,21 +58,20 @@ def write(extra):
             put(extra / "meshes" / f"{name}_{number}.glb", glb(vertices, faces))
             files.append({"file": f"../meshes/{name}_{number}.glb",
                           "label": f"{len(faces):,} faces"})
-        shading = "smooth" if name == "teapot" else "flat"
-        put_picture(extra / "meshes" / f"{name}.png", still(labs, shading, EYES[name], *steps[0]))
-        figures[name] = figure(name, files, shading)
+        image.write(extra / "meshes" / f"{name}.png", still(labs, MESHES[name], *steps[0]))
+        figures[name] = figure(name, files)
     put(extra / "meshes" / "found.glb", read_whole(FOUND))
     put(extra / "meshes" / "found.png", read_whole(FOUND.with_suffix(".png")))
     label = f"{sum(map(len, faces_of(FOUND))):,} faces, found from 24 pictures"
     found = [{"file": "../meshes/found.glb", "label": label}]
-    return {**figures, "found": figure("found", found, "smooth")}
+    return {**figures, "found": figure("found", found)}
 
 
-def figure(name, files, shading):
-    meshes = html.escape(json.dumps(files))
-    return TEXT.format(name=name, shading=shading, meshes=meshes,
-                       eye=" ".join(map(str, EYES[name])), words=html.escape(WORDS[name]),
-                       caption=CAPTIONS[name])
+def figure(name, files):
+    turned = MESHES[name]
+    return TEXT.format(shading=turned.shading, eye=" ".join(map(str, turned.eye)),
+                       meshes=html.escape(json.dumps(files)), caption=turned.caption,
+                       still=picture(f"../meshes/{name}.png", turned.words, 512, 512))
 
 
 def rings(labs):
@@ -91,14 +101,9 @@ def faces_of(path):
     return [part.faces for part in trimesh.load_scene(path).geometry.values()]
 
 
-def still(labs, shading, eye, vertices, faces):
+def still(labs, turned, vertices, faces):
     """A mesh as its lab draws it: a picture (512, 512, 3)."""
-    if shading == "smooth":
-        clip = drawing.clip_positions(labs, vertices, eye)
+    if turned.shading == "smooth":
+        clip = drawing.clip_positions(labs, vertices, turned.eye)
         return drawing.smooth(labs, vertices, faces, clip)
-    return levels.faceted(labs, vertices, faces, eye)
-
-
-def put_picture(path, picture):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    image.write(path, picture)
+    return levels.faceted(labs, vertices, faces, turned.eye)

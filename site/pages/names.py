@@ -36,11 +36,22 @@ def function_page(name, lab):
     return f"reference/{meant[0]}.html#reference.{meant[0]}.{name}"
 
 
+def anchor(number):
+    """8.7 -> exercise-8-7."""
+    return f"exercise-{number.replace('.', '-')}"
+
+
 @functools.cache
 def exercise_pages():
     """{number: address} of all exercises and extras."""
-    return {exercise.number: f"{lab_page(topic)}.html#exercise-{exercise.number.replace('.', '-')}"
+    return {exercise.number: f"{lab_page(topic)}.html#{anchor(exercise.number)}"
             for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)}
+
+
+def document(path):
+    """A file of the course -> what Sphinx makes its page of, as a link names it. None: no page."""
+    page = page_of_file(path)
+    return page and f"/{page}{'.ipynb' if page.startswith('lectures/') else '.md'}"
 
 
 def page_of_file(path):

@@ -65,7 +65,7 @@ def page(course, module):
         if block.kind == "section":
             parts.append(section(module, block))
         elif block.kind == "code":
-            parts.append(constants(module, block, listing(lines, block.first, block.last)))
+            parts.append(constants(block, listing(lines, block.first, block.last)))
         else:
             parts.append(definition(course, module, lines, block))
     return "\n".join(parts)
@@ -83,7 +83,7 @@ def links(course, module):
     if module.lab:
         lecture = course.lectures[module.lab]
         parts += [f'<a href="../lectures/{lecture.page}.html">Lecture {module.lab}</a>',
-                  f'<a href="../labs/{lecture.page}.html">{lab_title(course, module.lab)}</a>']
+                  f'<a href="../labs/{lecture.page}.html">{lab_title(module.lab)}</a>']
     return f'<p class="belongs">{" · ".join(parts)}</p>'
 
 
@@ -105,7 +105,7 @@ def section(module, block):
     return f"## {escape(title)}\n{as_myst(anchors + below)}"
 
 
-def constants(module, block, code):
+def constants(block, code):
     """Imports and constants. These have their places in the index, which a container keeps."""
     names = [name for node in block.nodes for name in sources_course.defined(node)]
     return "\n".join([*(directive("data", name, options=("no-typesetting",)) for name in names),
@@ -118,7 +118,7 @@ def definition(course, module, lines, block):
     said = ""
     exercise = course.exercises.get(f"{module.name}.{node.name}")
     if exercise:
-        said += as_myst(f'<p class="marks">{badge(course, exercise)}</p>')
+        said += as_myst(f'<p class="marks">{badge(exercise)}</p>')
     text = ast.get_docstring(node)
     if text:
         said += docstring(course, module, text, own_names(node))

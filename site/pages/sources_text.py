@@ -14,12 +14,14 @@ from pygments import lexers, token
 from course import exercises
 
 from . import put
+from .names import exercise_pages
 
 PYCON = lexers.get_lexer_by_name("pycon")
 PLAIN = "", "n", "p"  # classes without a colour
 FENCE = "``````"
 EQUATION = r"(?<![\w)])\((\d{1,2})\)"
 RANGE = re.compile(rf"{EQUATION} to {EQUATION}")
+# "GAMES101 lecture 6" is of another course.
 INLINE = re.compile(rf"`(?P<code>[^`]+)`|(?:\b[Ee]q\. )?{EQUATION}|\b(?P<file>\w+)\.py\b|"
                     r"(?<!GAMES101 )\b(?P<kind>[Ll]ab|[Ll]ecture) (?P<lab>\d+)\b")
 
@@ -41,7 +43,9 @@ def docstring(course, module, text, own=(), is_module=False):
             seen.update(new)
             for number in sorted(new):
                 parts += equation(course, module, number)
-    return "".join(map(as_myst, parts + ["</details>"] * is_folded))
+    if is_folded:
+        parts.append("</details>")
+    return "".join(map(as_myst, parts))
 
 
 def is_table(paragraph):
@@ -188,10 +192,9 @@ def own_names(node):
     return {part.arg for part in ast.walk(node) if isinstance(part, ast.arg)}
 
 
-def badge(course, exercise):
+def badge(exercise):
     """An exercise's mark, as a link to its question on its lab's page."""
-    lab = course.lectures[int(exercise.number.split(".")[0])]
-    return (f'<a class="badge {kind(exercise)}" href="../labs/{lab.page}.html#{anchor(exercise)}">'
+    return (f'<a class="badge {kind(exercise)}" href="../{exercise_pages()[exercise.number]}">'
             f"{mark(exercise)}</a>")
 
 
@@ -208,16 +211,12 @@ def points(count):
     return f"{count} point{'s' * (count != 1)}"
 
 
-def anchor(exercise):
-    return f"exercise-{exercise.number.replace('.', '-')}"
-
-
 def write_pages(folder, pages):
     """Write {file name: text}."""
     for name, text in pages.items():
         put(folder / name, text)
 
 
-def lab_title(course, lab):
+def lab_title(lab):
     name = exercises.LABS[lab - 1][0].replace("_", " ")
     return f"Lab {lab}: {name}"

@@ -1,15 +1,15 @@
 """Links of the course's own texts, made links of the site.
 
 A text in the repository links to files beside it: `[renderers.py](renderers.py)`. What has a page
-becomes a link to this page. The name of any other file is left, as code.
+becomes a link to this page. Of a link to any other file the label is left, as code.
 """
-import os
+import posixpath
 import re
 
 from course.given.places import ROOT
 
 from . import put
-from .names import function_page, page_of_file
+from .names import document, function_page
 
 LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(?<!`)`(?:(\w+)\.)?(\w+)`(?![`\w])")
@@ -22,27 +22,28 @@ def write(folder, lite):
     """
     for path in sorted((ROOT / "site" / "texts").glob("*.md")):
         if lite or path.stem != "in_the_browser":
-            put(folder / path.name, named(path.read_text("utf-8")))
+            put(folder / path.name, with_function_links(path.read_text("utf-8")))
 
 
-def named(text):
+def with_function_links(text):
     """A text with links from the functions that it names to their places in reference/."""
     return CODE.sub(_function, text)
 
 
-def mapped(text, place):
+def with_page_links(text, place):
     """Markdown of a file in the folder `place` of the repository, with the site's links."""
-    return LINK.sub(lambda link: _led(link, place), text)
+    return LINK.sub(lambda link: _page_link(link, place), text)
 
 
-def _led(link, place):
+def _page_link(link, place):
     label, target = link.groups()
     if "://" in target or target.startswith(("#", "/")):
         return link[0]
-    page = page_of_file(os.path.normpath(f"{place}/{target}").replace(os.sep, "/"))
+    path, mark, section = target.partition("#")
+    page = document(posixpath.normpath(f"{place}/{path}"))
     if page is None:
         return label if "`" in label else f"`{label}`"
-    return f"[{label}](/{page}{'.ipynb' if page.startswith('lectures/') else '.md'})"
+    return f"[{label}]({page}{mark}{section})"
 
 
 def _function(name):

@@ -1,11 +1,7 @@
 """From a folder of pictures to a mesh and a report: the whole command, its options, and Ctrl-C."""
 import json
-import os
-import shutil
-import signal
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -27,10 +23,10 @@ from reference import multi_view_fit
 LABS = demo.Labs("reference")
 
 
-@pytest.fixture
-def folder(tmp_path):
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
     """Nine pictures, 32 x 32, of a grey ball, and their cameras."""
-    x = multi_view_fit.start(8)
+    path, x = tmp_path_factory.mktemp("ball"), multi_view_fit.start(8)
     sides = drawing.directions(np.linspace(0, 1, 9, endpoint=False), np.linspace(0.3, 0.7, 9))
     clip_from_view = LABS.transforms.perspective(np.radians(40), 1.0, 0.5, 10.0)
     views = []
@@ -38,14 +34,14 @@ def folder(tmp_path):
         view = LABS.transforms.look_at(3 * side, np.zeros(3), np.array([0.0, 1.0, 0.0]))
         (picture,) = fit_report.rendered(LABS, found_of(x), [clip_from_view @ view], np.zeros(3),
                                          (32, 32))
-        image.write(tmp_path / f"{k}.png", fit_report.clear(picture))
+        image.write(path / f"{k}.png", fit_report.clear(picture))
         views.append({"picture": f"{k}.png", "world_from_camera": np.linalg.inv(view).tolist()})
     scene = {"fov_y": 40.0, "radius": 1.0, "background": [255, 255, 255], "views": views}
-    (tmp_path / "cameras.json").write_text(json.dumps(scene))
-    return tmp_path
+    (path / "cameras.json").write_text(json.dumps(scene))
+    return path
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def photos(folder):
     return captures.read(LABS, folder, 32)
 
@@ -146,30 +142,44 @@ def test_the_options_are_only_for_a_folder(line, capsys):
     assert "are only for: reconstruct FOLDER" in capsys.readouterr().err
 
 
-def test_ctrl_c_and_resume_in_a_process_of_its_own(folder):
+COARSE = (8, 1, 1, 100, 1.0), (12, 1, 1, 80, 0.5), (16, 1, 2, 120, 0.3)
+STOPPED = """
+import os, signal, sys
+from course import cli
+from course.experiments import searches
+from course.given import places
+from reference import multi_view_fit
+
+def fit(*given, after, whole=multi_view_fit.fit):
+    for step, found in enumerate(whole(*given, after=after)):
+        if step == 25:
+            os.kill(os.getpid(), signal.SIGINT)
+        yield found
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+multi_view_fit.fit, searches.FINE_STAGES, places.OUT = fit, {stages}, {out!r}
+sys.exit(cli.main(sys.argv[1:]))
+"""
+
+
+def test_ctrl_c_and_resume_of_the_whole_command(folder, tmp_path, monkeypatch, capsys):
     """Ctrl-C loses the work, or --resume does not come to its end."""
-    made = places.out("demo", "reconstruct", folder.name, "x").parent
-    command = [sys.executable, "-m", "course", "demo", "reconstruct", str(folder), "--steps", "40",
-               "--size", "32"]
-    first = subprocess.Popen(
-        command, cwd=places.ROOT, stderr=subprocess.PIPE, text=True,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-    try:
-        until = time.monotonic() + 60
-        while not (made / "state.png").exists() and time.monotonic() < until:
-            time.sleep(0.05)
-        os.kill(first.pid, signal.SIGINT)
-        _, told = first.communicate(timeout=60)
-        assert first.returncode == 130 and "the same command with --resume goes on" in told
-        assert (made / f"{folder.name}.glb").read_bytes()[:4] == b"glTF"
-        assert (made / "checkpoint.npz").exists() and not (made / "report.html").exists()
-        second = subprocess.run([*command, "--resume"], cwd=places.ROOT, capture_output=True,
-                                text=True, timeout=200)
-        assert second.returncode == 0 and "report.html" in second.stdout, second.stderr
-        names = {path.name.replace(folder.name, "NAME") for path in made.iterdir()}
-        assert names == {"NAME.glb", "NAME.obj", "NAME.mtl", "NAME.png", "report.html",
-                         "turntable.png", "state.png"}
-        assert "<td>40</td>" in (made / "report.html").read_text()
-    finally:
-        first.kill()
-        shutil.rmtree(made)
+    command = ["demo", "reconstruct", str(folder), "--steps", "40", "--size", "32"]
+    stopped = STOPPED.format(stages=COARSE, out=str(tmp_path))
+    first = subprocess.run([sys.executable, "-c", stopped, *command], cwd=places.ROOT,
+                           stderr=subprocess.PIPE, text=True, timeout=200)
+    assert first.returncode == 130, first.stderr
+    assert "the same command with --resume goes on" in first.stderr
+    made = tmp_path / "demo" / "reconstruct" / folder.name
+    assert {path.name.replace(folder.name, "NAME") for path in made.iterdir()} == {
+        "NAME.glb", "NAME.obj", "checkpoint.npz", "state.png"}
+    assert (made / f"{folder.name}.glb").read_bytes()[:4] == b"glTF"
+
+    monkeypatch.setattr(searches, "FINE_STAGES", COARSE)
+    monkeypatch.setattr(places, "OUT", str(tmp_path))
+    assert cli.main([*command, "--resume"]) == 0
+    assert "report.html" in capsys.readouterr().out
+    assert {path.name.replace(folder.name, "NAME") for path in made.iterdir()} == {
+        "NAME.glb", "NAME.obj", "NAME.mtl", "NAME.png", "report.html", "turntable.png",
+        "state.png"}
+    assert "<td>40</td>" in (made / "report.html").read_text()

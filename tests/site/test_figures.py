@@ -294,6 +294,7 @@ def test_a_vertex_follows_a_finger_and_the_page_still_scrolls(browser, address):
     send("touchEnd")
     assert point_of(vertex) == [3, 5.5]
     page.touchscreen.tap(*at(sheet, 4.5, 2.5))
+    page.get_by_text("Pixel [2, 4]").wait_for()    # a tap becomes a click a little later
     check_edges(page, [4.5, 2.5])
     actions = [where.evaluate("e => getComputedStyle(e).touchAction") for where in (sheet, vertex)]
     assert actions == ["auto", "none"]
@@ -339,6 +340,38 @@ def test_the_floors_pixel_shows_the_references_level(page, address):
         level = float(re.search(r"level = ([\d.]+)", page.inner_text(".pane"))[1])
         wanted, = mipmapping.mip_level(jacobian[None], 64, 64)
         assert abs(level - wanted) < 2e-3
+
+
+@pytest.mark.parametrize("name", ["perspective", "mip_level"])
+def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address, name):
+    """The mouse crosses the other picture on its way, and the chosen pixel is forgotten."""
+    opened(page, address, name)
+    left, right = page.get_by_role("slider", name="Pixel").all()
+    first = left.get_attribute("aria-valuetext")
+    left.focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowLeft")
+    chosen = left.get_attribute("aria-valuetext")
+    assert chosen != first and right.get_attribute("aria-valuetext") == chosen
+    tables = page.locator(".answers table").all_inner_texts()
+    x, y = middle(right)
+    page.mouse.move(x + 20, y + 20)
+    assert page.locator(".answers table").all_inner_texts() != tables
+    page.mouse.move(1, 1)
+    assert page.locator(".answers table").all_inner_texts() == tables
+
+
+def test_only_the_main_button_drags(page, address):
+    """The menu of the right button opens, and the vertex hangs on the mouse."""
+    opened(page, address, "edge_functions")
+    vertex = page.locator(".handle:not(.probe)").first
+    before = point_of(vertex)
+    x, y = middle(vertex)
+    page.mouse.move(x, y)
+    page.mouse.down(button="right")
+    page.mouse.move(x + 60, y - 40, steps=4)
+    page.mouse.up(button="right")
+    assert point_of(vertex) == before
 
 
 def test_the_slider_shows_the_alias(page, address):

@@ -51,8 +51,7 @@ def address(tmp_path_factory):
     """A small site: pages with one mesh, with two, with paint, with one that is not there."""
     folder = tmp_path_factory.mktemp("orbit")
     shutil.copytree(ROOT / "site" / "static" / "players", folder / "_static" / "players")
-    (folder / "_static" / "vendor").mkdir()
-    shutil.copy(ROOT / "site" / "vendor" / "three" / "three.min.js", folder / "_static" / "vendor")
+    shutil.copytree(ROOT / "site" / "static" / "vendor", folder / "_static" / "vendor")
     Image.new("RGB", (SIZE, SIZE), "#edf2f7").save(folder / "still.png")
     (folder / "coarse.glb").write_bytes(ball(0))
     (folder / "fine.glb").write_bytes(ball(3))
@@ -333,6 +332,24 @@ def test_a_mesh_that_does_not_come_is_told(browser, address):
     page.get_by_role("button", name="Turn it").click()
     page.get_by_text("The picture stays still").wait_for()
     assert page.locator("img").is_visible()
+    page.close()
+
+
+def test_a_later_mesh_that_does_not_come_is_told(browser, address):
+    """The old mesh stands below the new one's name, and the next try fails as well."""
+    page, wrong = browser.new_page(), []
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.route("**/fine.glb", lambda route: route.abort(), times=1)
+    page.goto(f"{address}/two.html")
+    page.get_by_role("button", name="Turn it").click()
+    slider = page.get_by_role("slider")
+    slider.press("End")
+    page.get_by_text("1,280 faces: did not load").wait_for()
+    slider.press("Home")
+    page.get_by_text("20 faces", exact=True).wait_for()
+    slider.press("End")
+    page.get_by_text("1,280 faces", exact=True).wait_for()
+    assert wrong == []
     page.close()
 
 

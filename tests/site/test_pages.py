@@ -3,7 +3,6 @@ import collections
 import functools
 import re
 import urllib.parse
-from pathlib import Path
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
@@ -145,7 +144,7 @@ def site_page(browser, address):
         def weigh(response):
             if not response.url.startswith(address):
                 said.append(f"another host: {response.url}")
-            weight[Path(response.url).name] = len(response.body())
+            weight[response.url] = len(response.body())
 
         opened.on("response", weigh)
         opened.on("requestfailed", lambda request: said.append(f"failed: {request.url}"))

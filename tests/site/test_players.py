@@ -107,10 +107,62 @@ def test_a_browser_that_decodes_no_frames_shows_the_file(page, place):
     """In an older browser the button does nothing."""
     page.add_init_script("delete window.ImageDecoder")
     page.goto(place(animation()))
+    assert page.get_by_role("slider").count() == 0
     page.get_by_role("button", name="Play").click()
     assert page.locator("img").get_attribute("src") == "film.png"
     page.get_by_role("button", name="Pause").click()
     assert page.locator("img").get_attribute("src").endswith("still.png")
+
+
+def test_quick_pauses_do_not_make_it_faster(page, place):
+    """Each pause and play adds a timer, and after three the film runs four times as fast."""
+    page.add_init_script("""window.draws = 0;
+      const draw = CanvasRenderingContext2D.prototype.drawImage;
+      CanvasRenderingContext2D.prototype.drawImage = function (...all) {
+        window.draws += 1;
+        return draw.apply(this, all);
+      };""")
+    page.goto(place(animation()))
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_selector("canvas")
+    page.evaluate("for (let k = 0; k < 6; k += 1) document.querySelector('button').click()")
+    page.wait_for_timeout(50)
+    page.evaluate("window.draws = 0")
+    page.wait_for_timeout(1200)  # ten frames of 120 ms
+    assert 3 <= page.evaluate("window.draws") <= 12
+
+
+def test_a_drag_fetches_the_film_once_and_shows_its_place(page, place):
+    """Each step of the first drag fetches the film; its middle shows the end."""
+    asked = []
+    page.on("request", lambda request: asked.append(request.url.rpartition("/")[2]))
+    page.goto(place(animation()))
+    page.get_by_role("slider").wait_for()
+    page.evaluate("""for (const value of [10, 30, 50]) {
+      const slider = document.querySelector("input");
+      slider.value = value;
+      slider.dispatchEvent(new Event("input"));
+    }""")
+    page.wait_for_function("document.querySelector('input').value == 1")
+    assert page.evaluate(SHADE) == FRAMES[1][0, 0].tolist()
+    assert asked.count("film.png") == 1
+
+
+def test_a_film_that_is_not_there_can_be_asked_for_again(browser, place, tmp_path):
+    """The button says Pause for ever, and nothing moves."""
+    page = browser.new_page()
+    wrong = []
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.goto(place(animation()))
+    (tmp_path / "film.png").rename(tmp_path / "away.png")
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_timeout(300)
+    page.get_by_role("button", name="Play").wait_for()
+    (tmp_path / "away.png").rename(tmp_path / "film.png")
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_selector("canvas")
+    assert wrong == []
+    page.close()
 
 
 def pair():
@@ -123,6 +175,7 @@ def test_the_line_between_two_pictures_moves_by_keys(page, place):
     """The line is where the slider is not; or only a mouse moves it."""
     page.goto(place(pair()))
     slider = page.get_by_role("slider", name="From dark to light")
+    slider.wait_for()
     line = "getComputedStyle(document.querySelector('.pair')).getPropertyValue('--line')"
     assert page.evaluate(line) == "50%"
     slider.press("End")
@@ -164,3 +217,12 @@ def test_without_scripts_the_pictures_stand_there(browser, place, body, pictures
     assert page.locator("img:visible").count() == pictures
     assert page.locator("input").count() == 0
     context.close()
+
+
+def test_from_disk_both_pictures_of_a_pair_stand_there(browser, place, tmp_path):
+    """Browsers start no modules from files: the second picture waits for a script for ever."""
+    place(pair() + '<script src="static/scrolling.js"></script>')
+    page = browser.new_page()
+    page.goto((tmp_path / "page.html").as_uri())
+    assert page.locator("img:visible").count() == 2
+    page.close()

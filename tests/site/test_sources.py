@@ -16,7 +16,7 @@ from serving import ROOT, served
 
 sys.path.insert(0, str(ROOT / "site"))
 
-from pages import labs, sources_course, sources_text
+from pages import labs, names, sources_course, sources_text
 
 SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
@@ -196,11 +196,11 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
     """An exercise is not on its page, or its answer is."""
     soup, asked = lab_page(lab), labs.of_lab(COURSE, lab)
     shown = {element["id"]: element for element in soup.select('section[id^="exercise-"]')}
-    assert list(shown) == [sources_text.anchor(exercise) for exercise in asked.values()]
+    assert list(shown) == [names.anchor(exercise.number) for exercise in asked.values()]
     listed = built("labs/index").get_text()
     for name, exercise in asked.items():
         module, node = labs.found(COURSE, name)
-        element = shown[sources_text.anchor(exercise)]
+        element = shown[names.anchor(exercise.number)]
         assert f"{exercise.number} {exercise.name}" in element.h2.get_text()
         assert f"{exercise.number} {exercise.name}" in listed
         assert sources_text.mark(exercise) in element.get_text()
@@ -222,7 +222,7 @@ def test_a_question_leads_to_where_the_lecture_asks_it(lab):
     """The link leads to the section before, or to the top."""
     lecture = built(f"lectures/{COURSE.lectures[lab].page}")
     for exercise in labs.of_lab(COURSE, lab).values():
-        anchor = sources_text.anchor(exercise)
+        anchor = names.anchor(exercise.number)
         links = lab_page(lab).select_one(f"#{anchor}").select('.read-on a[href*="/lectures/"]')
         section = lecture.find(id=links[0]["href"].partition("#")[2])
         assert re.search(rf"\b{re.escape(exercise.number)}\b", section.get_text()), exercise.name

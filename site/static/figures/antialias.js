@@ -83,7 +83,7 @@ export function show(place) {
   sheet.box.classList.add("light");
   const numbers = table("The gradient at both ends",
     ["end", "<i>x</i>", "<i>y</i>", "<i>∂L/∂x</i>", "<i>∂L/∂y</i>"], ["0", "1"]);
-  const blended = html("p", { class: "equations" });
+  const blended = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
   const handles = START.map((at, k) => sheet.handle({
     name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.05, at,

@@ -1,6 +1,6 @@
 /** Lecture 06: the footprint of a pixel tells which level of the pyramid it reads. */
 import { button, clamp, html, number, Sheet, slider, table } from "./paper.js";
-import { Picture } from "./picture.js";
+import { Picture, probeAll } from "./picture.js";
 
 const WIDTH = 168, HEIGHT = 112, SIZE = 64, SQUARE = 8;  // the texture is SIZE x SIZE texels
 const TURN = 0.35, PERIOD = 2;           // how the texture lies on the floor; the eye is 1 high
@@ -100,13 +100,10 @@ export function show(place) {
   const sums = html("p");
   const squares = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const probes = pictures.map(({ picture }) => picture.probe({
-    name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
-    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
-    moved: (to) => {
-      p = to;
-      mark();
-    } }));
+  const choose = probeAll(pictures.map(({ picture }) => picture), CHOSEN, (to) => {
+    p = to;
+    mark();
+  });
   const sliders = [
     slider({ label: "tilt", min: 0, max: 60, step: 1, value: START.tilt, unit: "°",
              changed: (tilt) => draw({ ...camera, tilt }) }),
@@ -114,7 +111,7 @@ export function show(place) {
              changed: (forward) => draw({ ...camera, forward }) })];
   const reset = button("Reset", () => {
     sliders.forEach((each, k) => each.set(k ? START.forward : START.tilt));
-    probes.forEach((probe) => probe.set(CHOSEN));
+    choose(CHOSEN);
     p = CHOSEN;
     levels.checked = false;
     draw(START);

@@ -107,9 +107,10 @@ export class Sheet {
     };
     const go = (to) => {
       set(to);
-      moved(point);
+      moved(point, true); // chosen, not only pointed at
     };
     element.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
       const at = this.pointOf(event);
       grip = [point[0] - at[0], point[1] - at[1]];
       element.setPointerCapture(event.pointerId);

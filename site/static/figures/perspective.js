@@ -1,7 +1,7 @@
 /** Lecture 05: weights on the screen are not weights on the face. */
 import { barycentricCoordinates, isCovered } from "./edge_functions.js";
 import { button, html, number, slider, table } from "./paper.js";
-import { Picture } from "./picture.js";
+import { Picture, probeAll } from "./picture.js";
 
 const WIDTH = 160, HEIGHT = 88, SQUARES = 8;
 const UV = [[0, 0], [1, 0], [1, 1], [0, 1]];
@@ -62,13 +62,10 @@ export function show(place) {
   const places = table("The pixel's place on the texture", ["weights", "<i>u</i>", "<i>v</i>"],
     ["screen", "face"]);
   const answer = html("p", { class: "verdict", role: "status" });
-  const probes = sides.map(({ picture }) => picture.probe({
-    name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
-    limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
-    moved: (to) => {
-      p = to;
-      mark();
-    } }));
+  const choose = probeAll(sides.map(({ picture }) => picture), CHOSEN, (to) => {
+    p = to;
+    mark();
+  });
   const sliders = [
     slider({ label: "tilt", min: 0, max: 80, step: 1, value: START.tilt, unit: "°",
              changed: (tilt) => draw({ ...camera, tilt }) }),
@@ -76,7 +73,7 @@ export function show(place) {
              changed: (distance) => draw({ ...camera, distance }) })];
   const reset = button("Reset", () => {
     sliders.forEach((each, k) => each.set(k ? START.distance : START.tilt));
-    probes.forEach((probe) => probe.set(CHOSEN));
+    choose(CHOSEN);
     p = CHOSEN;
     draw(START);
   });

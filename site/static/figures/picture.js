@@ -1,6 +1,20 @@
 /** Pictures that are computed pixel by pixel, row 0 at the bottom. */
 import { Sheet, html } from "./paper.js";
 
+/** The pixel of several pictures of one size: chosen in one, it is chosen in all. -> set(point) */
+export function probeAll(pictures, at, moved) {
+  const { width, height } = pictures[0].canvas;
+  const set = (to) => probes.forEach((probe) => probe.set(to));
+  const probes = pictures.map((picture) => picture.probe({
+    name: "Pixel", step: 1, from: [0.5, 0.5], at,
+    limits: [0.5, width - 0.5, 0.5, height - 0.5],
+    moved: (to, isChosen) => {
+      if (isChosen) set(to);
+      moved(to);
+    } }));
+  return set;
+}
+
 export class Picture extends Sheet {
   constructor(width, height, label, draw) {
     super([0, width, 0, height], label, draw);

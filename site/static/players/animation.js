@@ -7,41 +7,47 @@
 
 export function show(figure) {
   const still = figure.querySelector("img");
-  const player = { still, playing: false, now: 0, frames: null };
+  const player = { still, playing: false, now: 0 };
   const play = button(figure, "Play");
   const slider = range(figure, "Frame");
+  slider.hidden = !("ImageDecoder" in window);
+  const set = (playing) => {
+    player.playing = playing;
+    label(play, playing ? "Pause" : "Play");
+  };
   player.draw = () => {
     const frame = player.frames[player.now];
     player.canvas.getContext("2d").drawImage(frame.image, 0, 0);
     slider.value = player.now;
     slider.setAttribute("aria-valuetext", `${player.now + 1} of ${player.frames.length}`);
   };
+  const loaded = () => load(figure, player, slider).then(() => true, () => {
+    set(false);
+    return false;
+  });
 
   const go = async () => {
-    if (!("ImageDecoder" in window)) return showFile(figure, player, play);
-    player.playing = !player.playing;
-    label(play, player.playing ? "Pause" : "Play");
-    if (!player.playing) return;
-    if (!player.frames) await load(figure, player, slider);
-    run(player);
+    set(!player.playing);
+    if (slider.hidden) showFile(figure, player);
+    else if (await loaded()) run(player);
   };
   play.addEventListener("click", go);
   slider.addEventListener("input", async () => {
-    const wanted = slider.valueAsNumber;
-    player.playing = false;
-    label(play, "Play");
-    if (!player.frames) await load(figure, player, slider);
-    player.now = Math.min(wanted, player.frames.length - 1);
+    const share = slider.valueAsNumber / slider.max;
+    set(false);
+    if (!(await loaded())) return;
+    player.now = Math.round(share * (player.frames.length - 1));
     player.draw();
   });
 
-  const still_please = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if ("autoplay" in figure.dataset && !still_please) go();
+  const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if ("autoplay" in figure.dataset && !reducedMotion) go();
 }
 
 // All frames of the file, as pictures with their durations in milliseconds.
-export async function decoded(file) {
+async function decoded(file) {
   const response = await fetch(file);
+  if (!response.ok) throw new Error(`there is no ${file}`);
   const decoder = new ImageDecoder({ data: await response.arrayBuffer(), type: "image/png" });
   await Promise.all([decoder.tracks.ready, decoder.completed]);
   const frames = [];
@@ -54,7 +60,13 @@ export async function decoded(file) {
 }
 
 async function load(figure, player, slider) {
-  player.frames ??= await decoded(figure.dataset.file);
+  player.loading ??= decoded(figure.dataset.file);
+  try {
+    player.frames = await player.loading;
+  } catch (error) {
+    player.loading = null; // the next try fetches it again
+    throw error;
+  }
   if (player.canvas) return;
   const { image } = player.frames[0];
   player.canvas = document.createElement("canvas");
@@ -65,18 +77,17 @@ async function load(figure, player, slider) {
 }
 
 function run(player) {
+  clearTimeout(player.timer);
   if (!player.playing) return;
   player.draw();
   const wait = player.frames[player.now].duration;
   player.now = (player.now + 1) % player.frames.length;
-  setTimeout(() => run(player), wait);
+  player.timer = setTimeout(() => run(player), wait);
 }
 
-function showFile(figure, player, play) {
-  player.playing = !player.playing;
+function showFile(figure, player) {
   player.poster ??= player.still.src;
   player.still.src = player.playing ? figure.dataset.file : player.poster;
-  label(play, player.playing ? "Pause" : "Play");
 }
 
 function controls(figure) {

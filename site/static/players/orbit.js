@@ -39,7 +39,7 @@ export function show(figure) {
 
 // The canvas shows the first mesh -> the row of tools below it.
 async function start(figure, canvas, context) {
-  const three = await import("../vendor/three.min.js");
+  const three = await import("../vendor/three/three.min.js");
   const meshes = JSON.parse(figure.dataset.meshes);
   const view = new View(three, canvas, context, figure.dataset.shading === "flat");
   canvas.addEventListener("wheel", (event) => {
@@ -84,7 +84,10 @@ class View {
   }
 
   async load(file) {
-    const { scene } = await new this.three.GLTFLoader().loadAsync(file);
+    const { scene } = await new this.three.GLTFLoader().loadAsync(file).catch((error) => {
+      this.shapes.delete(file); // the next try fetches it again
+      throw error;
+    });
     const parts = [];
     scene.traverse((part) => part.isMesh && parts.push(part));
     for (const part of parts) this.dress(part);
@@ -164,8 +167,9 @@ function toolsOf(view, meshes) {
   Object.assign(slider, { ariaLabel: "Which mesh", ariaValueText: meshes[0].label });
   slider.addEventListener("input", async () => {
     const { file, label: words } = meshes[slider.value];
-    slider.ariaValueText = label.textContent = words;
-    await view.choose(file);
+    const isThere = await view.choose(file).then(() => true, () => false);
+    if (file !== view.chosen) return;
+    slider.ariaValueText = label.textContent = isThere ? words : `${words}: did not load`;
   });
   edges.addEventListener("click", () => {
     edges.ariaPressed = String(view.ink.visible = !view.ink.visible);
