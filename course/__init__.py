@@ -7,5 +7,6 @@
     board         what is done, and what to do next
     upkeep        what makes labs, hints and notebooks
     grading       hand out, grade, report
-    cli           the command line, started by __main__
+    cli           the command line
+    __main__      starts it, in an environment that has what it needs
 """
