@@ -21,9 +21,10 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "experiments": ("given",),  # reference or labs come in by name, when they run
     "exercises": ("given",),
     "checks": ("given",),       # the code under test comes in by name, when they run
-    "board": ("given", "exercises", "checks"),
-    "upkeep": ("given", "exercises", "checks", "board"),
-    "grading": ("given", "exercises", "checks", "board", "upkeep"),
+    "verdicts": ("given", "exercises", "checks"),
+    "board": ("given", "exercises", "checks", "verdicts"),
+    "upkeep": ("given", "exercises", "checks"),
+    "grading": ("given", "exercises", "checks", "verdicts", "board"),
     "cli": ("given", "experiments", "board", "upkeep", "grading"),
     "__main__": ("cli",),
 }
