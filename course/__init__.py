@@ -1,7 +1,7 @@
 """The rooms of the course. Each imports only from those above it (tests/tooling/test_rooms.py).
 
-    given         below reference: meshes, images, plots, gradient check
-    experiments   above reference: scenes and fits
+    given         below reference: meshes, pictures, plots, gradient check
+    experiments   above reference: scenes, fits, and the tool for a folder of pictures
     exercises     what exercises there are
     checks        assertions, hints, the report: the pytest plugin
     verdicts      what became of an exercise: done, failing, blocked by 2.1
