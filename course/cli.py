@@ -239,7 +239,7 @@ def arguments():
 
 def demo(asked):
     """Render the course's scenes and say where the pictures are."""
-    from course.experiments import demo
+    from course.experiments.scenes import demo
     if not asked.list:
         wishes = {name: getattr(asked, name) for name in ("steps", "size", "resume")}
         return demo.run(asked.names, implementation=asked.impl,

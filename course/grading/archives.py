@@ -17,7 +17,6 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from .. import exercises
-from ..upkeep import skeleton
 
 MOST_TEXT = 1 << 18      # bytes of one lab
 MOST_BYTES = 1 << 30     # of an archive; of a tar archive, when it is unzipped
@@ -85,7 +84,7 @@ def digest(texts):
     """The hash of the labs, however they were packed: 64 hexadecimal digits."""
     whole = hashlib.sha256()
     for topic in sorted(texts):
-        whole.update(f"{topic}\0{skeleton.digest(texts[topic])}\n".encode())
+        whole.update(f"{topic}\0{exercises.digest(texts[topic])}\n".encode())
     return whole.hexdigest()
 
 

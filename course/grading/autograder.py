@@ -18,7 +18,7 @@ NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
 
 def gradescope(path, labs=None):
     """Write the zip that Gradescope's "configure autograder" takes -> 0."""
-    topics = grade.topics_of(labs)
+    topics = exercises.topics_of(labs)
     grade.require_whole(topics)
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:

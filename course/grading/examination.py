@@ -16,7 +16,6 @@ from ..checks import Mismatch, loader
 from ..checks.report import is_fine_print
 from ..checks.showing import cut, shown_frames
 from ..given.contract import UNFINISHED
-from ..upkeep.skeleton import skeleton
 from . import sandbox, wire
 
 MESSAGES = {  # what a worker may say, and the types of what follows
@@ -312,7 +311,7 @@ def before_it(topic):
 @functools.cache
 def given_text(topic):
     """A lab's text without answers."""
-    return skeleton(exercises.read(exercises.reference(topic)), extra=True)
+    return exercises.skeleton(exercises.read(exercises.reference(topic)), extra=True)
 
 
 @functools.cache

@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from .. import board, exercises
+from .. import exercises, verdicts
 from ..checks import runner
 from ..given import places
 from . import processes, sandbox
@@ -44,10 +44,10 @@ def examine(job):
                if job.extra or not exercise.is_extra]
     examination = Examination(job, labs)
     found, problems = runner.run_checks(labs, numbers, "labs", job.seed, [examination])
-    entries = [entry._replace(verdict="failing") if entry.exercise.number in examination.spoilt
-               else entry for entry in board.entries(labs, numbers, {}, found)]
+    entries = [entry._replace(verdict="failing") if entry.number in examination.spoilt
+               else entry for entry in verdicts.entries(labs, numbers, {}, found)]
     problems += defects(labs, [check for check in found if examination.ran(check)], job.seed)
-    return {"board": json.loads(board.as_json(entries)), "lost": examination.lost,
+    return {"board": json.loads(verdicts.as_json(entries)), "lost": examination.lost,
             "missing": examination.missing, "asked": examination.asked,
             "problem": examination.problem or "\n".join(problems) or None,
             "seconds": time.monotonic() - started}

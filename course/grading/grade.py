@@ -3,7 +3,6 @@ import contextlib
 import hashlib
 import json
 import os
-import re
 import sys
 import time
 from pathlib import Path
@@ -25,7 +24,7 @@ def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None,
     extra: extras count as well. That is fair where they were handed out open.
     book: what is asked for besides points, a gradebook.Asked.
     """
-    topics = topics_of(labs)
+    topics = exercises.topics_of(labs)
     require_whole(topics)
     limits = limits_of(seconds)
     level, about = level_to_use(isolation)
@@ -71,24 +70,6 @@ def progress(steps, count):
             yield step
             bar.advance(task)
             bar.refresh()
-
-
-def topics_of(labs):
-    """'1-4', '2' or '1,3' -> topics. None: all. ValueError: there is no such lab."""
-    there = {exercises.lab_number(topic) for topic in exercises.topics()}
-    asked = there if labs is None else {
-        number for part in labs.split(",") for number in labs_in(part, there)}
-    return [topic for topic in exercises.topics() if exercises.lab_number(topic) in asked]
-
-
-def labs_in(part, there):
-    """'2' or '1-4' -> the numbers. ValueError unless all of them are there, and one at least."""
-    form = re.fullmatch(r" *(\d{1,3})(?:-(\d{1,3}))? *", part)
-    numbers = range(int(form[1]), int(form[2] or form[1]) + 1) if form else ()
-    if not numbers or not there.issuperset(numbers):
-        raise ValueError(f'there is no lab "{part}"; give labs as in 1-4 or 1,3 '
-                         f"({min(there)} to {max(there)} are there)")
-    return numbers
 
 
 def require_whole(topics):

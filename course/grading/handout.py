@@ -12,12 +12,10 @@ from pathlib import Path
 
 from .. import exercises
 from ..given import places
-from ..upkeep.skeleton import skeleton
-from .grade import topics_of
 
 WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "course/given/data/*.png", "course/given/data/captures/**/*.*",
-         "course/experiments/*.html", "course/experiments/*.js",
+         "course/experiments/folder/*.html", "course/experiments/folder/*.js",
          "course/checks/hints.json", "tests/conftest.py", "tests/golden/*", "notebooks/errata.md",
          "tests/labs/[!t]*.py",  # what checks share
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
@@ -80,7 +78,7 @@ def run(folder, labs=None, solutions=None, extra=False):
     folder = Path(folder)
     if folder.exists() and any(folder.iterdir()):
         raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
-    asked, released = topics_of(labs), topics_of(solutions) if solutions else []
+    asked, released = exercises.topics_of(labs), exercises.topics_of(solutions) if solutions else []
     if other := [topic for topic in released if topic not in asked]:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
@@ -99,7 +97,7 @@ def run(folder, labs=None, solutions=None, extra=False):
 
 def release(labs, path):
     """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
-    content, topics = io.BytesIO(), topics_of(labs)
+    content, topics = io.BytesIO(), exercises.topics_of(labs)
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
         for topic in topics:
             archive.writestr(zipfile.ZipInfo(f"reference/{topic}.py", (2000, 1, 1, 0, 0, 0)),
@@ -119,7 +117,7 @@ def files(asked, given, released, extra):
                 yield name, path.read_bytes()
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        lab = skeleton(text, extra).encode("utf-8")
+        lab = exercises.skeleton(text, extra).encode("utf-8")
         yield f"labs/{topic}.py", lab
         yield exercises.handed_out(topic).relative_to(places.ROOT).as_posix(), lab
         if exercises.topic_exercises(topic):
@@ -184,7 +182,7 @@ def needed(topics, *more):
 
 def uses(path):
     """Yield the files in reference/ and course/experiments/ that a module or a notebook uses."""
-    rooms = places.ROOT / "reference", places.ROOT / "course" / "experiments"
+    rooms = [places.ROOT / "reference", *(places.ROOT / "course" / "experiments").glob("*/")]
     for node in ast.walk(ast.parse(code_of(path))):
         found = []
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":

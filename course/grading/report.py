@@ -4,6 +4,7 @@ The page names nobody, so that it can be given back, and shown, in any way: see 
 """
 import re
 
+from .. import verdicts
 from ..checks.page import (
     Markup,
     bar,
@@ -33,7 +34,8 @@ def page(record, pictures, about):
                   preformatted(why if IMPORT in why else unnamed(why, record))]
     for entry in board["exercises"]:
         if needs_a_part(entry, record):
-            parts += exercise_part(entry, record["lost"].get(entry["number"]), pictures, seed)
+            lost = record["lost"].get(entry["number"])
+            parts += exercise_part(verdicts.entry_of(entry), lost, pictures, seed)
     parts += ["<h2>How this was found</h2>", paragraph(
         f"Isolation {record['level']} ({about}); seed {seed}; {record['seconds']:.1f} s; "
         f"hash of what was handed in {record['digest']}.")]

@@ -13,8 +13,9 @@ from scipy.spatial import KDTree
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from course.experiments import drawing, exports, portrait
-from course.experiments.demo import Labs
+from course.experiments.folder import exports
+from course.experiments.scenes import drawing, portrait
+from course.experiments.scenes.demo import Labs
 from course.given import image, mesh
 from course.given.places import ROOT
 from reference import collapse_heap, rasterization, scanline

@@ -2,8 +2,8 @@
 import html
 from unittest import mock
 
-from course.experiments import aliasing, msaa, shadow
-from course.experiments.demo import Labs
+from course.experiments.scenes import aliasing, msaa, shadow
+from course.experiments.scenes.demo import Labs
 from course.given import image, places
 
 from . import picture, put

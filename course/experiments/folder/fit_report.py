@@ -16,8 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from PIL import Image
 
-from ..given import image, places, plot
-from .drawing import intersection_over_union
+from ...given import image, places, plot
 
 HERE = Path(__file__).parent
 SAMPLES = 2        # squared: how many in a pixel of a rendering
@@ -87,7 +86,7 @@ def compared(name, kept_out, picture, rendering):
     """A View and its numbers. The object's pixels are those that the picture shows it in."""
     return View(name, kept_out, picture, rendering, *(
         decibels(squares([(picture, rendering)], only)) for only in (False, True)),
-        intersection_over_union(picture[..., 3] >= 0.5, rendering[..., 3] >= 0.5))
+        image.intersection_over_union(picture[..., 3] >= 0.5, rendering[..., 3] >= 0.5))
 
 
 def squares(pairs, on_object):

@@ -1,7 +1,7 @@
 """More faces and fewer: a coarse ring made smooth (lab 11), and the bunny made coarse (lab 12)."""
 import numpy as np
 
-from ..given import image, mesh
+from ...given import image, mesh
 from .drawing import BRASS, LIGHT, SIZE, clip_positions, painted, save, told, unit_bunny
 
 RING_EYE = np.array([1.5, 1.75, 2.35])

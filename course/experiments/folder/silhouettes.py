@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from PIL import Image
 
-from ..given import image
+from ...given import image
 from .camera_files import require
 
 DIFFERENT = 20 / 255  # more than this from the background, in a channel, is object; less, JPEG's

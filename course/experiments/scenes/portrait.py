@@ -1,7 +1,7 @@
 """The bunny and the teapot through labs 1 and 2: all that they say about a mesh, as pictures."""
 import numpy as np
 
-from ..given import mesh, plot
+from ...given import mesh, plot
 from .drawing import SIZE, clip_positions, painted, save, shaded, told, wireframe
 
 BUNNY_EYE = np.array([-1.3, 0.7, 2.2])

@@ -3,7 +3,7 @@ import numpy as np
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
-from ..given import places
+from ...given import places
 from . import captures
 
 EVERY = 20          # steps from one mesh on disk to the next

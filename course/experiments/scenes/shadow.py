@@ -1,7 +1,7 @@
 """The bunny's shadow on the ground, hard and soft (lab 14)."""
 import numpy as np
 
-from ..given import image, mesh, plot, ray_casting
+from ...given import image, mesh, plot, ray_casting
 from .drawing import BRASS, SIZE, clip_from_world, painted, save, told, unit_bunny
 
 GROUND = np.array([0.62, 0.66, 0.70])

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..given import places
+from ...given import places
 
 
 class Kept(NamedTuple):

@@ -1,7 +1,7 @@
 """The bunny's silhouette with more and more samples in a pixel (lab 4), and by exact areas."""
 import numpy as np
 
-from ..given import image, mesh
+from ...given import image, mesh
 from .drawing import BACKGROUND, SIZE, clip_positions, enlarged, lit, save, told, unit_bunny
 from .portrait import BUNNY_EYE
 

@@ -13,7 +13,8 @@ from rich import box
 from rich.console import Console
 from rich.table import Table
 
-from ..given import places
+from ...given import places
+from ..folder import command
 from . import (
     ablations,
     aliasing,
@@ -26,7 +27,6 @@ from . import (
     fit_triangle,
     fit_volume,
     flight,
-    folders,
     large_steps,
     levels,
     mirror,
@@ -109,13 +109,13 @@ def run(names, implementation=None, **wishes):
     """Render the named scenes, or all quick ones -> exit status: 1 if a goal was missed, else 0.
 
     Without names, scenes that lack something are left out, and what they lack is said; 1 if all do.
-    ["reconstruct", FOLDER] is what `folders` does, and wishes, as `folders.Wishes` has them,
+    ["reconstruct", FOLDER] is what `folder.command` does, and wishes, as `command.Wishes` has them,
     are for it alone. ValueError: a name that is no scene's, or wishes for another scene. Lacking.
     """
     labs = Labs(implementation)
     if len(names) == 2 and names[0] == "reconstruct" and names[1] not in SCENES:
         with exercises_named():
-            return folders.run(labs, names[1], folders.Wishes(**wishes))
+            return command.run(labs, names[1], command.Wishes(**wishes))
     if wishes:
         raise ValueError("--steps, --size and --resume are only for: reconstruct FOLDER")
     unknown = [name for name in names if name not in SCENES]

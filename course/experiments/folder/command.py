@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..given import image, places
-from . import captures, checkpoints, fit_report, hulls, reconstruct, searches
+from ...given import image, places
+from . import captures, checkpoints, fit_report, hulls, photographs, searches
 
 KEPT_OUT = 8  # every eighth picture is not shown to the search, so that the report can judge it
 STATE_SIZE = 256
@@ -88,7 +88,7 @@ def search(labs, photos, path, stages, resume):
             if len(kept.losses) % searches.EVERY == 0:
                 checkpoints.write(checkpoint, kept, marked)
                 image.write(path.with_name("state.png"),
-                            reconstruct.portrait(labs, kept.x, camera, STATE_SIZE, 2))
+                            photographs.portrait(labs, kept.x, camera, STATE_SIZE, 2))
     except KeyboardInterrupt:
         raise KeyboardInterrupt("stopped; the same command with --resume goes on") from None
     finally:
