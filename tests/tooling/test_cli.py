@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from course import cli
-from course.grading.gradebook import Asked
+from course.grading.gradebook.book import Asked
 
 
 @pytest.fixture
@@ -42,11 +42,11 @@ def stand_in(monkeypatch):
     ("skeleton --check", "upkeep.skeleton.run", (), {"check": True, "force": False}),
     ("skeleton --force", "upkeep.skeleton.run", (), {"check": False, "force": True}),
     ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],), {}),
-    ("pack", "grading.pack.run", ("labs.zip",), {}),
-    ("handout new --labs 1-4 --solutions 1", "grading.handout.run", ("new", "1-4", "1"),
+    ("pack", "grading.handing.pack.run", ("labs.zip",), {}),
+    ("handout new --labs 1-4 --solutions 1", "grading.handing.handout.run", ("new", "1-4", "1"),
      {"extra": False}),
-    ("handout new --extra", "grading.handout.run", ("new", None, None), {"extra": True}),
-    ("solutions 1-2 a.zip", "grading.handout.release", ("1-2", "a.zip"), {}),
+    ("handout new --extra", "grading.handing.handout.run", ("new", None, None), {"extra": True}),
+    ("solutions 1-2 a.zip", "grading.handing.handout.release", ("1-2", "a.zip"), {}),
     ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("autograder github .", "grading.autograder.github", (".",), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "

@@ -11,7 +11,9 @@ from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
 
 from course import exercises
 from course.checks.report import Check
-from course.grading import grade, overview, report, running, sandbox
+from course.grading import grade
+from course.grading.apart import running, sandbox
+from course.grading.pages import overview, report
 from course.upkeep.skeleton import skeleton
 
 FINE_PRINT = '''\

@@ -8,20 +8,20 @@ from types import SimpleNamespace
 import pytest
 
 from course.checks.report import Check
-from course.grading import (
+from course.grading.gradebook import (
     changes,
     earlier,
     lateness,
     marks,
     overrides,
-    report,
     rosters,
     sheets,
     tables,
 )
-from course.grading.gradebook import Asked, Gradebook
+from course.grading.gradebook.book import Asked, Gradebook
+from course.grading.handing.submissions import Submission
+from course.grading.pages import report
 from course.grading.results import Results, Run
-from course.grading.submissions import Submission
 
 ROSTERS = Path(__file__).with_name("rosters")
 DUE = "2026-11-22T23:59+01:00"

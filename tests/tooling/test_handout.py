@@ -8,7 +8,7 @@ import zipfile
 import pytest
 
 from course import exercises
-from course.grading import handout
+from course.grading.handing import handout
 from course.upkeep import skeleton
 
 LEAST = 30  # characters of a line that somebody could copy

@@ -8,7 +8,9 @@ import pytest
 from course.checks import page
 from course.checks.report import Check
 from course.exercises import Exercise
-from course.grading import handback, overview, platforms, report
+from course.grading.gradebook import handback
+from course.grading.handing import platforms
+from course.grading.pages import overview, report
 
 COLUMNS = [Exercise("1.1", "double", 1, 5, ()), Exercise("1.2", "halve", 2, 9, ())]
 ABOUT = "as told"

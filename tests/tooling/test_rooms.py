@@ -98,10 +98,11 @@ def test_imports_go_one_way():
      "course.checks.loader imports reference.msaa"),
     ("course/checks/showing.py", "from .report import claim", "a circle: "),
     ("course/board.py", "from .grading.report import page",
-     "course.board imports course.grading.report"),
-    ("course/grading/wire.py", "def late():\n    import reference.msaa as module",
-     "course.grading.wire imports reference.msaa"),
-    ("course/grading/pack.py", "from .. import cli", "course.grading.pack imports course.cli"),
+     "course.board imports course.grading.pages.report"),
+    ("course/grading/apart/wire.py", "def late():\n    import reference.msaa as module",
+     "course.grading.apart.wire imports reference.msaa"),
+    ("course/grading/handing/pack.py", "from ... import cli",
+     "course.grading.handing.pack imports course.cli"),
 ])
 def test_an_import_that_breaks_a_rule_is_found(tmp_path, file, line, sentence):
     """The test above passes, whatever is imported."""

@@ -9,7 +9,8 @@ import zipfile
 import pytest
 
 from course import exercises
-from course.grading import archives, lateness, submissions
+from course.grading.gradebook import lateness
+from course.grading.handing import archives, submissions
 
 TOPICS = ("transforms", "rasterization")
 MOODLE = "Ada Lovelace_1234_assignsubmission_file"

@@ -10,10 +10,8 @@ import textwrap
 import zipfile
 from pathlib import Path
 
-from .. import exercises
-from ..given import places
-from ..upkeep.skeleton import skeleton
-from .grade import topics_of
+from ... import exercises
+from ...given import places
 
 WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "course/given/data/*.png", "course/given/data/captures/**/*.*",
@@ -22,7 +20,8 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "tests/labs/[!t]*.py",  # what checks share
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
          ".gitignore")
-PACKS = {f"course/grading/{name}.py" for name in ("__init__", "archives", "pack")}
+PACKS = {f"course/grading/{name}.py" for name in (
+    "__init__", "handing/__init__", "handing/archives", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
@@ -80,7 +79,7 @@ def run(folder, labs=None, solutions=None, extra=False):
     folder = Path(folder)
     if folder.exists() and any(folder.iterdir()):
         raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
-    asked, released = topics_of(labs), topics_of(solutions) if solutions else []
+    asked, released = exercises.topics_of(labs), exercises.topics_of(solutions) if solutions else []
     if other := [topic for topic in released if topic not in asked]:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
@@ -99,7 +98,7 @@ def run(folder, labs=None, solutions=None, extra=False):
 
 def release(labs, path):
     """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
-    content, topics = io.BytesIO(), topics_of(labs)
+    content, topics = io.BytesIO(), exercises.topics_of(labs)
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
         for topic in topics:
             archive.writestr(zipfile.ZipInfo(f"reference/{topic}.py", (2000, 1, 1, 0, 0, 0)),
@@ -119,7 +118,7 @@ def files(asked, given, released, extra):
                 yield name, path.read_bytes()
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        lab = skeleton(text, extra).encode("utf-8")
+        lab = exercises.skeleton(text, extra).encode("utf-8")
         yield f"labs/{topic}.py", lab
         yield exercises.handed_out(topic).relative_to(places.ROOT).as_posix(), lab
         if exercises.topic_exercises(topic):
