@@ -48,7 +48,7 @@ def main(count=200):
 
 def one_submission(labs, levels):
     """A row of the table: medians in seconds, of calls in turn."""
-    topics = grade.topics_of(labs)
+    topics = exercises.topics_of(labs)
     reference = {topic: exercises.read(exercises.reference(topic)) for topic in topics}
     other = reference | {topic: other_solution(topic) for topic in topics
                          if topic in exercises.asking_topics()}

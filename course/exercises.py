@@ -10,6 +10,7 @@ Its docstring is the question, its body is the answer. Functions without a mark 
 """
 import ast
 import functools
+import hashlib
 import io
 import itertools
 import re
@@ -70,6 +71,41 @@ def asking_topics():
 def lab_number(topic):
     """The number of the lab that a topic belongs to; the first is 1."""
     return next(number for number, topics in enumerate(LABS, 1) if topic in topics)
+
+
+def topics_of(labs: str | None) -> list[str]:
+    """'1-4', '2' or '1,3' -> topics. None: all. ValueError: there is no such lab."""
+    there = {lab_number(topic) for topic in topics()}
+    asked = there if labs is None else {
+        number for part in labs.split(",") for number in labs_in(part, there)}
+    return [topic for topic in topics() if lab_number(topic) in asked]
+
+
+def labs_in(part, there):
+    """'2' or '1-4' -> the numbers. ValueError unless all of them are there, and one at least."""
+    form = re.fullmatch(r" *(\d{1,3})(?:-(\d{1,3}))? *", part)
+    numbers = range(int(form[1]), int(form[2] or form[1]) + 1) if form else ()
+    if not numbers or not there.issuperset(numbers):
+        raise ValueError(f'there is no lab "{part}"; give labs as in 1-4 or 1,3 '
+                         f"({min(there)} to {max(there)} are there)")
+    return numbers
+
+
+def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]:
+    """A lab (2, rasterization), an exercise (2.3), None for all -> ({topic: its exercises}, the
+    numbers of those that are asked for). ValueError: there is no such thing.
+    """
+    topics = {topic: str(lab_number(topic)) for topic in asking_topics()}
+    labs = {topic: topic_exercises(topic) for topic, lab in topics.items()
+            if target is None or target == topic or target.split(".")[0] == lab}
+    asked = [exercise.number for lab in labs.values() for exercise in lab
+             if target in (None, *labs, exercise.number) or target in topics.values()]
+    if not asked:
+        numbers = list(dict.fromkeys(topics.values()))
+        raise ValueError(f'there is no lab or exercise "{target}"; give a lab '
+                         f"({', '.join(numbers)}), a file of it ({', '.join(topics)}), or an "
+                         "exercise, as in 2.1")
+    return labs, asked
 
 
 def lecture(topic):
@@ -226,3 +262,69 @@ def foreign_imports(text):
 def text_lines(text):
     """The lines as Python counts them, each with its line end."""
     return list(io.StringIO(text, newline=""))
+
+
+# --- the text of a lab ----------------------------------------------------------------------------
+
+
+class Answer(NamedTuple):
+    """An exercise's answer: lines[start:end] of a module's text."""
+
+    exercise: Exercise
+    start: int
+    end: int
+    text: str
+    todo: str  # the line that stands in its place in a lab
+
+
+def skeleton(text: str, extra: bool = False) -> str:
+    """The lab's text, from the reference's. With extra, its extras are opened.
+
+    ValueError: a mark is wrong.
+    """
+    lines = text_lines(text)
+    for answer in reversed(answers(text)):  # upwards: lines above stay put
+        if extra or not answer.exercise.is_extra:
+            put(lines, answer, answer.todo, is_open=True)
+    return "".join(lines)
+
+
+def answers(text: str) -> list[Answer]:
+    """The Answer to each exercise of a module's text. ValueError: a mark is wrong."""
+    lines = text_lines(text)
+    functions = {function.lineno: function for function in top_level_functions(text)}
+
+    def answer(exercise):
+        function = functions[exercise.line]
+        question, end = function.body[0], answer_end(lines, function)
+        indent = lines[question.lineno - 1][:question.col_offset]
+        newline = lines[end - 1].removeprefix(lines[end - 1].rstrip("\r\n"))
+        todo = f'raise NotImplementedError("exercise {exercise.number}: {exercise.name}")'
+        return Answer(exercise, question.end_lineno, end,
+                      "".join(lines[question.end_lineno:end]), f"{indent}{todo}{newline}")
+
+    return [answer(exercise) for exercise in text_exercises(text)]
+
+
+def put(lines, answer, text, is_open):
+    """Put another text in an answer's place; of an extra, let the mark say whether it is open."""
+    lines[answer.start:answer.end] = [text]
+    mark = answer.exercise.line - 1
+    lines[mark] = re.sub(rf"(# extra [^)]*\))(?:{OPEN})?",
+                         rf"\1{OPEN if is_open else ''}", lines[mark])
+
+
+def answer_end(lines, function):
+    """The last line of an answer; an indented comment below the last statement belongs to it."""
+    end = function.end_lineno
+    for number, line in enumerate(lines[end:], end + 1):
+        if re.match(r"[ \t]+#", line):
+            end = number
+        elif line.strip():
+            break
+    return end
+
+
+def digest(text: str) -> str:
+    """The hash of a text, whatever its line ends."""
+    return hashlib.sha256(text.replace("\r\n", "\n").encode("utf-8")).hexdigest()

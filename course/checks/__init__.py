@@ -9,16 +9,16 @@ Its name is the claim, its docstring the mistake that it catches. With fine_prin
 exercise's fine print, which gives no points of the core. impl keeps the contract of all exercises,
 course/given/contract.py: a check gets arrays and numbers, never lists.
 
-    assertions   what a check asserts
-    hints        which common mistake explains a wrong answer
-    retries      which inputs a wrong answer mixes up
     pictures     of a mismatch
     showing      how values, calls and errors are shown
+    assertions   what a check asserts
+    retries      which inputs a wrong answer mixes up
+    hints        which common mistake explains a wrong answer
     loader       the code under test
     report       the verdict on a check, and what a student reads
-    plugin       pytest's hooks and fixtures (impl, rng), loaded by tests/conftest.py
-    runner       runs the checks of some exercises
     page         what failed, as HTML
+    runner       runs the checks of some exercises
+    plugin       pytest's hooks and fixtures (impl, rng), loaded by tests/conftest.py
 """
 import pytest
 

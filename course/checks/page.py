@@ -86,17 +86,19 @@ def bar(part, whole):
 
 
 def exercise_part(entry, lost, pictures, seed):
-    """What is wrong in an exercise: every claim that failed, its message and its picture."""
-    failed = [check for check in entry["checks"] if check["verdict"] != "passed"]
-    parts = [f"<h2>{entry['number']} {html.escape(entry['name'])}: "
-             f"{coloured(entry['told'])}</h2>",
-             paragraph(f"{len(failed)} of {len(entry['checks'])} claims do not hold. "
-                       f"To run them again: {rerun(entry['number'], seed=seed)}")]
+    """What is wrong in an exercise: every claim that failed, its message and its picture.
+
+    entry: as in course/verdicts.py. lost: what became of the process that ran it, or None.
+    """
+    failed = [check for check in entry.checks if check.verdict != "passed"]
+    parts = [f"<h2>{entry.number} {html.escape(entry.name)}: {coloured(entry.told)}</h2>",
+             paragraph(f"{len(failed)} of {len(entry.checks)} claims do not hold. "
+                       f"To run them again: {rerun(entry.number, seed=seed)}")]
     if lost:
         parts.append(paragraph(f"The process that ran this exercise was lost {lost}", ""))
     for check in failed:
-        parts += [paragraph(check["claim"], "claim"), preformatted(check["message"])]
-        name = check["picture"] and Path(check["picture"]).name
+        parts += [paragraph(check.claim, "claim"), preformatted(check.message)]
+        name = check.picture and Path(check.picture).name
         if name in pictures:
             data = base64.b64encode(pictures[name]).decode("ascii")
             parts.append(f'<img alt="the picture" src="data:image/png;base64,{data}">')

@@ -157,3 +157,7 @@ def broken(text):
         indent = line[:len(line) - len(line.lstrip())]
         yield from textwrap.wrap(line, COLUMNS - LABEL, subsequent_indent=indent,
                                  break_long_words=False, break_on_hyphens=False) or [""]
+
+
+def plural(count, word):
+    return f"{count} {word}{'s' * (count != 1)}"

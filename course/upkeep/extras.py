@@ -6,9 +6,8 @@ its solution is released, that is where reference/ has its module.
 """
 import json
 
-from .. import board, exercises
+from .. import exercises
 from ..given import places
-from . import skeleton
 
 
 def open_extras(target):
@@ -52,9 +51,9 @@ def close(target, core=False):
 
 def asked(target):
     """[(topic, Answer)] in labs/ of a lab, a topic or an exercise, the last one of a file first."""
-    labs, numbers = board.asked_for(target)
+    labs, numbers = exercises.asked_for(target)
     return [(topic, answer) for topic in labs
-            for answer in reversed(skeleton.answers(exercises.read(lab_path(topic))))
+            for answer in reversed(exercises.answers(exercises.read(lab_path(topic))))
             if answer.exercise.number in numbers]
 
 
@@ -64,13 +63,13 @@ def known_answer(topic, exercise):
     path = exercises.reference(topic)
     if path.exists():
         known |= {answer.exercise.number: answer.text
-                  for answer in skeleton.answers(exercises.read(path))}
+                  for answer in exercises.answers(exercises.read(path))}
     return known.get(exercise.number)
 
 
 def replace(topic, answer, text, is_open):
     lines = exercises.text_lines(exercises.read(lab_path(topic)))
-    skeleton.put(lines, answer, text, is_open)
+    exercises.put(lines, answer, text, is_open)
     write(lab_path(topic), "".join(lines))
 
 

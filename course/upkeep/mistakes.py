@@ -14,8 +14,9 @@ import json
 import textwrap
 from typing import NamedTuple
 
-from .. import board, exercises
+from .. import exercises
 from ..checks.hints import HINTS, known_mistakes, pattern
+from ..checks.showing import plural
 from ..given import places
 from . import mutants
 
@@ -95,12 +96,12 @@ def run(target=None):
         alive += [mistake for mistake, caught in found if not caught]
         if found:
             numbers = {mistake.exercise.number for mistake, _ in found}
-            print(f"{topic:20} {board.plural(len(found), 'mistake'):>13} "
-                  f"in {board.plural(len(numbers), 'exercise')}")
+            print(f"{topic:20} {plural(len(found), 'mistake'):>13} "
+                  f"in {plural(len(numbers), 'exercise')}")
     for mistake in alive:
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
     text = json.dumps(made, indent=0, sort_keys=True) + "\n"
     places.write_whole(HINTS, text.encode("utf-8"))
-    print(f"{board.plural(sum(map(len, made.values())), 'sentence')} in course/checks/hints.json")
+    print(f"{plural(sum(map(len, made.values())), 'sentence')} in course/checks/hints.json")
     return int(bool(alive))

@@ -36,10 +36,11 @@ from typing import NamedTuple
 import pytest
 from _pytest.runner import runtestprotocol
 
-from .. import board, exercises
+from .. import exercises
 from ..checks import retries
 from ..checks.loader import LAST_RETURN, PACKAGE
 from ..checks.report import Check, is_fine_print
+from ..checks.showing import plural
 from ..given import places
 
 GOAL_EXERCISE, GOAL_COURSE = 0.95, 0.98  # shares of the mutants that are caught
@@ -444,7 +445,7 @@ def run(target=None):
     Prints a table, then every mutant that lives with its line. The same goes to out/mutants/ as
     JSON. -> 0 if 95 % of each exercise's mutants and 98 % of the core's are caught, else 1.
     """
-    labs, asked = board.asked_for(target)
+    labs, asked = exercises.asked_for(target)
     wanted = [(topic, exercise, equivalents(topic))
               for topic, exercises in labs.items() for exercise in exercises
               if exercise.number in asked]
@@ -456,7 +457,7 @@ def run(target=None):
     core, extra = ([s for s in scores if s.exercise.is_extra == kind] for kind in (False, True))
     path = places.out("mutants", f"{target or 'all'}.json")
     places.write_whole(path, as_json(scores).encode("utf-8"))
-    print(*(row(name, board.plural(len(found), "exercise"), all_together(found))
+    print(*(row(name, plural(len(found), "exercise"), all_together(found))
             for name, found in (("core", core), ("extra", extra)) if found),
           *(text for found in scores for text in remarks(found)),
           places.shown_path(path), sep="\n")

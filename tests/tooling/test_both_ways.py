@@ -7,7 +7,7 @@ import json
 import pytest
 
 from course import exercises
-from course.upkeep.skeleton import skeleton
+from course.exercises import skeleton
 
 EXERCISES = {exercise.number: (topic, exercise.name)
              for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)}

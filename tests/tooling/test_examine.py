@@ -18,7 +18,7 @@ LABS = range(1, len(exercises.LABS) + 1)
 def asks(lab):
     """What the lab's exercises ask of each other. ValueError: the reference fails a check."""
     level, _ = sandbox.available()
-    return grade.rehearsed(grade.topics_of(str(lab)), level, sandbox.Limits(), True, 1)
+    return grade.rehearsed(exercises.topics_of(str(lab)), level, sandbox.Limits(), True, 1)
 
 
 def wrong_in(texts, level, asks, seed=0):
@@ -34,10 +34,10 @@ def test_what_is_right_gets_all_points(lab, monkeypatch, tmp_path):
     """A check that a worker cannot serve; a list for one's own function, which passes at home; an
     answer with loops, where all before it are wrong: the reference stops answering too early.
     """
-    for topic in grade.topics_of(str(lab)):
+    for topic in exercises.topics_of(str(lab)):
         assert exercises.foreign_imports(exercises.read(exercises.reference(topic))) == []
     needed = asks(lab)  # of the reference, which gets all points
-    texts = {topic: other_solution(topic) for topic in grade.topics_of(str(lab))
+    texts = {topic: other_solution(topic) for topic in exercises.topics_of(str(lab))
              if topic in exercises.asking_topics()}
     assert wrong_in(texts, sandbox.available()[0], needed, seed=lab) == {}
 

@@ -11,10 +11,10 @@ from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
 
 from course import exercises
 from course.checks.report import Check
+from course.exercises import skeleton
 from course.grading import grade
 from course.grading.apart import running, sandbox
 from course.grading.pages import overview, report
-from course.upkeep.skeleton import skeleton
 
 FINE_PRINT = '''\
 @exercise("1.1", fine_print=True)
@@ -267,10 +267,10 @@ def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
 def test_labs_are_chosen_by_number(labs, topics, monkeypatch):
     """A lab's deeper modules are left out, or an order of one's own; or no lab is graded."""
     monkeypatch.setattr(exercises, "topics", lambda: exercises.TOPICS[:4])
-    assert grade.topics_of(labs) == topics
+    assert exercises.topics_of(labs) == topics
     for wrong in ("4", "0-1", "x", "3-1", "", "1,", "1-", "-1", "1-999999999999", "1--2"):
         with pytest.raises(ValueError, match="there is no lab"):
-            grade.topics_of(wrong)
+            exercises.topics_of(wrong)
 
 
 def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, run_module):

@@ -9,7 +9,6 @@ import pytest
 
 from course import exercises
 from course.grading.handing import handout
-from course.upkeep import skeleton
 
 LEAST = 30  # characters of a line that somebody could copy
 # Lines of answers that students may read elsewhere, as they stand in a check's own oracle, in a
@@ -34,7 +33,7 @@ def tidy(line):
 def solution_lines(topic):
     """The lines of a topic's answers that are in none of its questions."""
     text = exercises.read(exercises.reference(topic))
-    asked = set(map(tidy, skeleton.skeleton(text).splitlines()))
+    asked = set(map(tidy, exercises.skeleton(text).splitlines()))
     lines = set(map(tidy, text.splitlines())) - asked
     return {line for line in lines if len(line) >= LEAST} - ELSEWHERE
 
@@ -49,7 +48,7 @@ def lines_of(path):
 
 def first_exercise(labs):
     """The exercise of the core to begin with."""
-    core = [exercise for topic in handout.topics_of(labs)
+    core = [exercise for topic in exercises.topics_of(labs)
             for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
     return min(core, key=lambda exercise: [int(part) for part in exercise.number.split(".")])
 
@@ -85,7 +84,7 @@ def test_labs_lectures_and_checks_are_there(handed_out):
     assert not (handed_out / "tests" / "project").exists()
     for path in handed_out.glob("labs/*.py"):
         text = exercises.read(exercises.reference(path.stem))
-        assert path.read_text(encoding="utf-8") == skeleton.skeleton(text)
+        assert path.read_text(encoding="utf-8") == exercises.skeleton(text)
 
 
 def test_lectures_import_the_labs(handed_out):
@@ -152,8 +151,8 @@ def test_what_a_lab_needs_comes_along_and_asks_nothing(tmp_path, capsys):
 def test_a_hand_out_of_the_first_labs_gives_nothing_away():
     """A lecture or an experiment of a lab uses a lab that comes later."""
     for lab in range(1, len(exercises.LABS) + 1):
-        needed = handout.needed(handout.topics_of(str(lab)))
-        assert set(needed) <= set(handout.topics_of(f"1-{lab}"))
+        needed = handout.needed(exercises.topics_of(str(lab)))
+        assert set(needed) <= set(exercises.topics_of(f"1-{lab}"))
 
 
 def test_extras_are_handed_out_open(tmp_path):
@@ -162,7 +161,7 @@ def test_extras_are_handed_out_open(tmp_path):
     for topic in exercises.LABS[1]:
         text = exercises.read(exercises.reference(topic))
         lab = exercises.read(tmp_path / "new" / "labs" / f"{topic}.py")
-        assert lab == skeleton.skeleton(text, extra=True) != skeleton.skeleton(text)
+        assert lab == exercises.skeleton(text, extra=True) != exercises.skeleton(text)
 
 
 def test_solutions_of_labs_that_stay_here_are_refused(tmp_path):
@@ -262,11 +261,11 @@ def test_nothing_is_overwritten(tmp_path):
 def with_core(topic, text):
     """A lab with the reference's answers in the place of its core's TODOs; extras stay."""
     lines = exercises.text_lines(text)
-    known = {answer.exercise.number: answer.text for answer in skeleton.answers(
+    known = {answer.exercise.number: answer.text for answer in exercises.answers(
         exercises.read(exercises.reference(topic)))}
-    for answer in reversed(skeleton.answers(text)):
+    for answer in reversed(exercises.answers(text)):
         if not answer.exercise.is_extra:
-            skeleton.put(lines, answer, known[answer.exercise.number], is_open=True)
+            exercises.put(lines, answer, known[answer.exercise.number], is_open=True)
     return "".join(lines)
 
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from course import exercises
-from course.upkeep.skeleton import skeleton
+from course.exercises import skeleton
 from reference import pipeline
 
 

@@ -2,12 +2,12 @@
 import hashlib
 import importlib
 
-from course import board
+from course import exercises, verdicts
 from course.checks import loader, runner
 from course.grading.apart import wire
 
 TABLES = {"15.10": "of four truth values there are 16, and the table of their answers is right"}
-LABS, NUMBERS = board.asked_for(None)
+LABS, NUMBERS = exercises.asked_for(None)
 NAMES = {exercise.number: exercise.name for lab in LABS.values() for exercise in lab}
 
 
@@ -48,7 +48,7 @@ def done_with(table, seed):
     """The numbers of the exercises that are done with the table's answers."""
     found, problems = runner.run_checks(LABS, NUMBERS, "reference", seed, [table])
     assert problems == []
-    return {entry.exercise.number for entry in board.entries(LABS, NUMBERS, {}, found)
+    return {entry.number for entry in verdicts.entries(LABS, NUMBERS, {}, found)
             if entry.verdict == "done"}
 
 

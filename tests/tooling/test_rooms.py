@@ -1,7 +1,12 @@
-"""The rooms of the course: imports go one way, from a room to those below it, never in a circle."""
+"""The rooms of the course: imports go one way, from a room to those below it, never in a circle.
+
+A room is a folder of course/, also one in another folder, or a module that stands in none. The
+docstring of its __init__.py is its sign: each thing in it on a line, below what it imports.
+"""
 import ast
 import graphlib
 import importlib.util
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -9,24 +14,32 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-ROOMS = {  # each room, and the rooms below it that it imports
+ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folder b of a,
+           # and whoever may import a may import every room in it
     "given": (),
     "reference": ("given",),
     "experiments": ("given",),  # reference or labs come in by name, when they run
     "exercises": ("given",),
     "checks": ("given",),       # the code under test comes in by name, when they run
-    "board": ("given", "exercises", "checks"),
-    "upkeep": ("given", "exercises", "checks", "board"),
-    "grading": ("given", "exercises", "checks", "board", "upkeep"),
+    "verdicts": ("given", "exercises", "checks"),
+    "board": ("given", "exercises", "checks", "verdicts"),
+    "upkeep": ("given", "exercises", "checks"),
+    "grading.apart": ("given", "exercises", "checks", "verdicts"),
+    "grading.handing": ("given", "exercises", "board"),
+    "grading.gradebook": ("given", "grading.apart", "grading.handing"),
+    "grading.pages": ("given", "exercises", "checks", "grading.handing", "grading.gradebook"),
+    "grading": ("given", "exercises"),
     "cli": ("given", "experiments", "board", "upkeep", "grading"),
     "__main__": ("cli",),
 }
+UNSIGNED = {"course.experiments", "course.given", "course.upkeep"}  # as yet
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
 def modules_of(root):
     """{full name: path} of the modules of reference and of the course."""
-    paths = [*root.glob("reference/*.py"), *root.glob("course/**/*.py")]
+    paths = [path for folder in ("reference", "course") for path in root.glob(f"{folder}/**/*.py")
+             if (path.parent / "__init__.py").exists()]  # elsewhere are files to hand out
     return {".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__"): path
             for path in paths}
 
@@ -46,22 +59,31 @@ def imports(name, modules):
                 yield whole if whole in modules else source
 
 
-def room(name):
-    """course.checks.report -> checks, reference.msaa -> reference; anything else -> its package."""
-    return name.removeprefix("course.").split(".")[0]
+def room(name, modules):
+    """course.checks.report -> checks, course.board -> board, reference.msaa -> reference."""
+    is_folder = modules[name].name == "__init__.py"
+    folder = name if is_folder else name.rpartition(".")[0]
+    return (name if folder == "course" else folder).removeprefix("course.")
+
+
+def may_import(importer, imported):
+    """Is a room, or a room that it is in, among those that the importer may import?"""
+    return any(f"{imported}.".startswith(f"{allowed}.")
+               for allowed in (importer, *ROOMS.get(importer, ())))
 
 
 def wrong(root):
     """A sentence for each import that breaks a rule, and for each circle."""
     modules = modules_of(root)
     needs = {name: set(imports(name, modules)) for name in modules}
-    for name in modules:
-        allowed = {room(name), *ROOMS.get(room(name), ())}
-        for other in needs[name]:
-            ours = other in modules
-            if ours and room(other) not in allowed:
-                yield f"{name} imports {other}"
-            if not ours and room(name) == "reference" and room(other) not in OUTSIDE:
+    for name, imported in needs.items():
+        here = room(name, modules)
+        for other in imported:
+            if other in modules:
+                allowed = may_import(here, room(other, modules))
+            else:
+                allowed = here != "reference" or other.split(".")[0] in OUTSIDE
+            if not allowed:
                 yield f"{name} imports {other}"
     try:
         graphlib.TopologicalSorter(needs).prepare()
@@ -69,16 +91,44 @@ def wrong(root):
         yield f"a circle: {', '.join(error.args[1])}"
 
 
+def wrong_signs(root):
+    """A sentence for each thing that a room's sign leaves out, invents, or names too early."""
+    modules = modules_of(root)
+    needs = {name: set(imports(name, modules)) for name in modules}
+    folders = {name for name, path in modules.items() if path.name == "__init__.py"}
+    for folder in folders - UNSIGNED - {"reference"}:
+        text = ast.parse(modules[folder].read_text(encoding="utf-8"))
+        sign = ast.get_docstring(text, clean=False) or ""
+        named = re.findall(r"^    (\w+)  ", sign, re.MULTILINE)
+        there = {name_in(folder, name) for name in modules} - {None}
+        for name in {*named} ^ there:
+            yield f"the sign of {folder} {'lacks' if name in there else 'invents'} {name}"
+        for number, name in enumerate(named):
+            used = {name_in(folder, other) for module in modules if name_in(folder, module) == name
+                    for other in needs[module]}
+            for other in used & {*named[number + 1:]}:
+                yield f"the sign of {folder} has {name} above {other}, which it imports"
+
+
+def name_in(folder, module):
+    """What stands in a folder for a module: checks, in course, for course.checks.report."""
+    below = module.removeprefix(f"{folder}.")
+    return None if below == module else below.partition(".")[0]
+
+
 def test_a_room_stands_on_those_before_it():
     """Two rooms may import each other."""
-    for number, below in enumerate(ROOMS.values()):
-        assert set(below) <= set(list(ROOMS)[:number])
+    before = set()
+    for name, below in ROOMS.items():
+        assert set(below) <= before
+        before |= {name, name.partition(".")[0]}
 
 
 def test_imports_go_one_way():
     """A room needs one above it: neither is understood, moved or handed out without the other."""
     assert list(wrong(ROOT)) == []
-    there = {room(name) for name in modules_of(ROOT)} - {"course"}
+    modules = modules_of(ROOT)
+    there = {room(name, modules) for name, path in modules.items() if path.name != "__init__.py"}
     assert there == set(ROOMS), "a room is not listed"
 
 
@@ -112,3 +162,23 @@ def test_an_import_that_breaks_a_rule_is_found(tmp_path, file, line, sentence):
     with open(tmp_path / file, "a", encoding="utf-8") as planted:
         planted.write(f"\n{line}\n")
     assert any(found.startswith(sentence) for found in wrong(tmp_path))
+
+
+def test_every_room_has_its_sign():
+    """Who comes in has to open every module to know what is where, and in which order to read."""
+    assert sorted(wrong_signs(ROOT)) == []
+
+
+@pytest.mark.parametrize(("old", "new", "sentence"), [
+    ("    retries ", "    retrials ", "the sign of course.checks lacks retries"),
+    ("    retries ", "    retrials ", "the sign of course.checks invents retrials"),
+    ("    showing  ", "    report  above\n    showing  ",
+     "the sign of course.checks has report above showing, which it imports"),
+])
+def test_a_wrong_sign_is_found(tmp_path, old, new, sentence):
+    """The test above passes, whatever the signs say."""
+    shutil.copytree(ROOT / "course", tmp_path / "course",
+                    ignore=shutil.ignore_patterns("__pycache__", "data"))
+    sign = tmp_path / "course" / "checks" / "__init__.py"
+    sign.write_text(sign.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
+    assert sentence in wrong_signs(tmp_path)

@@ -120,12 +120,12 @@ def test_what_a_called_exercise_calls_is_its_own_affair():
 @pytest.mark.parametrize("newline", ["\n", "\r\n"], ids=["LF", "CRLF"])
 def test_only_the_answers_are_replaced(newline):
     """Comments, decorators, blank lines, line ends or a last line without an end get lost."""
-    assert skeleton.skeleton(MODULE.replace("\n", newline)) == LAB.replace("\n", newline)
+    assert exercises.skeleton(MODULE.replace("\n", newline)) == LAB.replace("\n", newline)
 
 
 def test_a_lab_is_the_lab_of_itself():
     """The generator cannot read what it has written."""
-    assert skeleton.skeleton(LAB) == LAB
+    assert exercises.skeleton(LAB) == LAB
     assert [found[:4] for found in exercises.text_exercises(LAB)] == [
         ("1.1", "first", 2, 13), ("1.2", "second", 1, 22), ("1.10", "third", 12, 38)]
 
@@ -134,7 +134,7 @@ def test_a_module_without_exercises_stays_as_it_is():
     """Functions without a mark lose their bodies."""
     text = MODULE.replace("# exercise", "# not an exercise")
     assert exercises.text_exercises(text) == []
-    assert skeleton.skeleton(text) == text
+    assert exercises.skeleton(text) == text
 
 
 QUESTION = '    """A question."""\n    return 1\n'
@@ -172,7 +172,7 @@ QUESTION = '    """A question."""\n    return 1\n'
 ])
 def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
     """A mark is overlooked, and its answer stays in the lab."""
-    for read in exercises.text_exercises, skeleton.skeleton:
+    for read in exercises.text_exercises, exercises.skeleton:
         with pytest.raises(ValueError) as error:
             read(text)
         assert str(error.value).startswith(sentence)
@@ -287,8 +287,8 @@ def test_the_record_holds_one_hash_for_each_lab(course):
     """The record keeps what it should not, a time or a path, and changes from run to run."""
     skeleton.run()
     record = json.loads((course / "labs" / ".generated.json").read_text())
-    assert record == {"transforms.py": skeleton.digest(LAB)}
-    assert skeleton.digest(LAB.replace("\n", "\r\n")) == skeleton.digest(LAB)
+    assert record == {"transforms.py": exercises.digest(LAB)}
+    assert exercises.digest(LAB.replace("\n", "\r\n")) == exercises.digest(LAB)
 
 
 def test_the_courses_labs_are_in_step_with_its_reference():
