@@ -306,8 +306,8 @@ def grade(asked):
     """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
     try:
         import course.grading.grade
-        from course.grading.grade import Request
         from course.grading.gradebook.book import Asked
+        from course.grading.request import Request
         book = Asked(*(getattr(asked, name) for name in Asked._fields))
         *options, _ = Request._fields
         return course.grading.grade.run(

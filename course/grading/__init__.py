@@ -7,6 +7,7 @@ a worker, a process in a sandbox that is sent names of functions and arrays and 
     handing      hands out, and takes in what students hand in
     gradebook    from results to grades: lateness, points by hand, the platforms' tables
     pages        what instructors and students read
+    request      what is asked of `grade`
     results      writes all of these, as they come
     grade        a class: what is asked for, and in which order it is done
     autograder   what other graders get: Gradescope, GitHub Actions, Classroom 50. See files/

@@ -5,7 +5,6 @@ import os
 import sys
 import time
 from pathlib import Path
-from typing import NamedTuple
 
 from rich.console import Console
 from rich.progress import Progress
@@ -15,25 +14,10 @@ from ..given import places
 from .apart import running, sandbox, typed_json
 from .apart.jobs import Job
 from .gradebook import earlier, lateness
-from .gradebook.book import Asked, Gradebook
+from .gradebook.book import Gradebook
 from .handing import archives, submissions
+from .request import Request
 from .results import Results, Run
-
-
-class Request(NamedTuple):
-    """The options of `grade`, as they were given."""
-
-    submissions: str
-    out: str
-    labs: str | None = None
-    jobs: int | None = None      # at a time; None: one for each core
-    resume: bool = False
-    seed: int = 0
-    isolation: str | None = None
-    scheduler: str | None = None
-    seconds: float = 10.0        # the most that a call may take
-    extra: bool = False          # extras count as well: fair where they were handed out open
-    book: Asked = Asked()        # what is asked for besides points
 
 
 def run(request: Request) -> int:

@@ -9,8 +9,8 @@ Seen in the sandbox, beside what was handed in. No mark depends on what these fo
 
 Trusted, outside of it:
 
-    levels       how a worker is started at each level: its command, its settings
-    seccomp      the system calls that it may make
+    seccomp      the system calls that a worker may make
+    levels       how it is started at each level: its command, its settings
     cgroups      its counted share of the machine
     processes    what the system tells of processes
     sandbox      starts a worker, keeps its limits from outside, ends it, knows this machine

@@ -80,8 +80,8 @@ class Gradebook:
                              f"{'; '.join(absent.values())}")
             most = rosters.most(self.roster)
             if most not in (None, self.of):
-                lines.append(f"{title!r} is out of {sheets.number_text(most)} points there, and out of "
-                             f"{self.of} here: make it {self.of} there before you import")
+                lines.append(f"{title!r} is out of {sheets.number_text(most)} points there, and "
+                             f"out of {self.of} here: make it {self.of} there before you import")
         return lines + self.said_of_times()
 
     def said_of_times(self):

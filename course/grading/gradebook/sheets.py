@@ -35,8 +35,9 @@ def read(path) -> Sheet:
     if not rows:
         raise ValueError(f"{path} is empty: it should have a row of titles, and rows below it")
     (header, _), *below = rows
+    newline = "\r\n" if "\r\n" in text else "\n"
     return Sheet([title.strip() for title in header], [row for row, _ in below],
-                 [line for _, line in below], delimiter, "\r\n" if "\r\n" in text else "\n", has_bom)
+                 [line for _, line in below], delimiter, newline, has_bom)
 
 
 def decoded(path):

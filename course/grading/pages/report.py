@@ -99,10 +99,9 @@ def gradescope(record: Record, about) -> dict:
 
 def gradescope_test(entry, reached):
     """An exercise as one of Gradescope's tests."""
-    exercise = entry.exercise
     wrong = [f"{check.claim}\n{check.message}" for check in entry.checks
              if check.verdict != "passed"]
-    return {"number": exercise.number, "name": exercise.name,
-            "score": reached[exercise.number], "max_score": exercise.points,
+    return {"number": entry.number, "name": entry.name,
+            "score": reached[entry.number], "max_score": entry.points,
             "status": "passed" if entry.verdict == "done" else "failed", "output_format": "text",
             "output": "\n\n".join([entry.told, *wrong]) if wrong else ""}
