@@ -22,9 +22,10 @@ from submitted import other_solution
 from benchmarks import measure
 from course import exercises
 from course.given import places
-from course.grading import grade, running, sandbox
-from course.grading.examine import Job
-from course.grading.levels import LEVELS
+from course.grading import grade
+from course.grading.apart import running, sandbox
+from course.grading.apart.examine import Job
+from course.grading.apart.levels import LEVELS
 from course.upkeep import mistakes
 
 TOPIC = "rasterization"

@@ -277,21 +277,21 @@ def close(asked):
 
 def pack(asked):
     """Put the labs into one zip, check what is in it, and print its hash."""
-    import course.grading.pack
-    return course.grading.pack.run(asked.file)
+    import course.grading.handing.pack
+    return course.grading.handing.pack.run(asked.file)
 
 
 def handout(asked):
     """Write what students get to a folder: no solutions but those released."""
-    import course.grading.handout
-    return course.grading.handout.run(asked.folder, asked.labs, asked.solutions,
+    import course.grading.handing.handout
+    return course.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
                                        extra=asked.extra)
 
 
 def solutions(asked):
     """Write a zip of solutions, for students to unpack in their copy of the course."""
-    import course.grading.handout
-    return course.grading.handout.release(asked.labs, asked.file)
+    import course.grading.handing.handout
+    return course.grading.handing.handout.release(asked.labs, asked.file)
 
 
 def autograder(asked):
@@ -306,12 +306,12 @@ def grade(asked):
     """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
     try:
         import course.grading.grade
-        from course.grading.gradebook import Asked
+        from course.grading.gradebook.book import Asked
+        from course.grading.request import Request
+        book = Asked(*(getattr(asked, name) for name in Asked._fields))
+        *options, _ = Request._fields
         return course.grading.grade.run(
-            asked.submissions, asked.out, labs=asked.labs, jobs=asked.jobs, resume=asked.resume,
-            seed=asked.seed, isolation=asked.isolation, scheduler=asked.scheduler,
-            seconds=asked.seconds, extra=asked.extra,
-            book=Asked(*(getattr(asked, name) for name in Asked._fields)))
+            Request(*(getattr(asked, name) for name in options), book))
     except KeyboardInterrupt:
         raise KeyboardInterrupt("stopped; what is graded is kept: the same command with --resume "
                                 "goes on") from None

@@ -11,7 +11,7 @@ OUT = "out"  # in ROOT, or the path of another folder
 
 def is_handout():
     """Whether this copy of the course is a student's: one that cannot be handed out again."""
-    return not (ROOT / "course" / "grading" / "handout.py").exists()
+    return not (ROOT / "course" / "grading" / "handing" / "handout.py").exists()
 
 
 def out(*parts):

@@ -3,14 +3,14 @@
 The checks are those of the course. They run here, in a trusted process. What was handed in runs in
 a worker, a process in a sandbox that is sent names of functions and arrays and sends arrays.
 
-    wire         values as bytes, and back with nothing believed
-    worker       the process in the sandbox, alone with NumPy and SciPy
-    sandbox      starts a worker, keeps its limits from outside, ends it, knows this machine
-    examine      one submission: the course's checks with a worker in the place of the labs
-    submissions  what was handed in: folders, archives, names
-    grade        many submissions, and the tables of a class
-    report       the pages
-    handout, pack, autograder   what students get, what they hand in, what other graders get
+    apart        runs a submission, trusts nothing of it, and says what became of each exercise
+    handing      hands out, and takes in what students hand in
+    gradebook    from results to grades: lateness, points by hand, the platforms' tables
+    pages        what instructors and students read
+    request      what is asked of `grade`
+    results      writes all of these, as they come
+    grade        a class: what is asked for, and in which order it is done
+    autograder   what other graders get: Gradescope, GitHub Actions, Classroom 50. See files/
 
 README.md beside this file is for the instructor: a term, and what is not protected.
 """

@@ -7,7 +7,13 @@ from pathlib import Path
 
 from .. import exercises
 from ..given import places
-from . import archives, grade, running, sandbox
+from . import grade
+from .apart import running, sandbox
+from .apart.jobs import Job
+from .gradebook.records import How, Record
+from .handing import archives
+from .handing.submissions import Submission
+from .pages import report
 
 FILES = Path(__file__).with_name("files")
 NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
@@ -16,7 +22,7 @@ NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
           "requirements.txt")
 
 
-def gradescope(path, labs=None):
+def gradescope(path, labs=None) -> int:
     """Write the zip that Gradescope's "configure autograder" takes -> 0."""
     topics = exercises.topics_of(labs)
     grade.require_whole(topics)
@@ -27,7 +33,7 @@ def gradescope(path, labs=None):
         for name in ("setup.sh", "run_autograder"):
             add(archive, name, (FILES / name).read_bytes(), executable=True)
         level, _ = sandbox.available()
-        asks = grade.rehearsed(topics, level, sandbox.Limits(), False, None)
+        asks = grade.rehearsed(topics, Job({}, {}, level))
         add(archive, "settings.json", json.dumps({"topics": topics, "asks": asks}).encode())
     places.write_whole(path, content.getvalue())
     print(f"{path}: upload it in Gradescope as the assignment's autograder ({', '.join(topics)})")
@@ -41,7 +47,7 @@ def add(archive, name, content, executable=False):
     archive.writestr(entry, content)
 
 
-def github(folder):
+def github(folder) -> int:
     """Write a workflow, and autograder.py for it and for Classroom 50, to a repository -> 0."""
     folder = Path(folder)
     for name, place in (("labs.yml", ".github/workflows/labs.yml"),
@@ -54,18 +60,16 @@ def github(folder):
 
 def main(folder, path):
     """Inside Gradescope: grade the one submission in a folder, write results.json."""
-    from . import report
-
     settings = json.loads((places.ROOT / "settings.json").read_bytes())
     level, about = sandbox.available()
     texts, missing, notes = archives.read(folder, settings["topics"])
-    job = grade.Job(texts, missing, level, grade.own_seed(0, texts), asks=settings["asks"])
-    result, _ = running.examine(job._asdict())
-    if result["problem"]:
-        raise SystemExit(f"could not be graded: {result['problem']}")
+    job = Job(texts, missing, level, grade.own_seed(0, texts), asks=settings["asks"])
+    result, _ = running.examine(job)
+    if result.problem:
+        raise SystemExit(f"could not be graded: {result.problem}")
     whole, *_ = archives.read(folder, exercises.topics())
-    record = {"level": level, "digest": archives.digest(whole), "notes": notes, "seed": job.seed,
-              **result}
+    work = Submission("", texts, missing, tuple(notes), digest=archives.digest(whole))
+    record = Record(work, How(level, job.seed, "", ""), result)
     places.write_whole(path, json.dumps(report.gradescope(record, about)).encode())
 
 

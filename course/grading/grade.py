@@ -1,7 +1,6 @@
 """A class's submissions: what is asked for, and in which order it is done."""
 import contextlib
 import hashlib
-import json
 import os
 import sys
 import time
@@ -12,52 +11,67 @@ from rich.progress import Progress
 
 from .. import exercises
 from ..given import places
-from . import archives, earlier, gradebook, lateness, report, running, sandbox, submissions
-from .examine import Job
+from .apart import running, sandbox, typed_json
+from .apart.jobs import Job
+from .gradebook import earlier, lateness
+from .gradebook.book import Gradebook
+from .handing import archives, submissions
+from .request import Request
 from .results import Results, Run
 
 
-def run(folder, out, labs=None, jobs=None, resume=False, seed=0, isolation=None, scheduler=None,
-        seconds=10.0, extra=False, book=None):
-    """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1.
-
-    extra: extras count as well. That is fair where they were handed out open.
-    book: what is asked for besides points, a gradebook.Asked.
-    """
-    topics = exercises.topics_of(labs)
+def run(request: Request) -> int:
+    """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
+    topics = exercises.topics_of(request.labs)
     require_whole(topics)
-    limits = limits_of(seconds)
-    level, about = level_to_use(isolation)
+    limits = limits_of(request.seconds)
+    level, about = level_to_use(request.isolation)
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
-               if extra or not exercise.is_extra]
-    book = book or gradebook.Asked()
-    handed_in, not_understood = submissions.read(folder, topics, lateness.zone(book.due))
-    before = earlier.records(Path(out), handed_in, columns)
-    everybody = [*handed_in, *map(earlier.submission, before)]
-    book = gradebook.Gradebook(book, everybody, columns)
-    results = Results(made(out), book, Run(columns, level, about, seed, running.course_digest(),
-                                           tuple(not_understood)))
-    print(f"isolation: {level} ({about})", *warnings(level), *book.said(),
-          *(f"not understood: {name}: {sentence}" for name, sentence in not_understood), sep="\n")
+               if request.extra or not exercise.is_extra]
+    handed_in, not_understood = submissions.read(
+        request.submissions, topics, lateness.zone(request.book.due))
+    before = earlier.records(Path(request.out), handed_in, columns)
+    book = Gradebook(request.book, [*handed_in, *(record.work for record in before)], columns)
+    results = Results(made(request.out), book, Run(
+        columns, level, about, request.seed, running.course_digest(), not_understood))
+    print(*said_before(results), sep="\n")
+    todo = [(one, Job(one.texts, one.missing, level, own_seed(request.seed, one.texts), limits,
+                      request.extra)) for one in handed_in]
+    return grade_all(request, topics, todo, before, results)
 
-    todo = [(one, Job(one.texts, one.missing, level, own_seed(seed, one.texts), limits, extra))
-            for one in handed_in]
-    if resume:
+
+def said_before(results):
+    """What an instructor reads at the start."""
+    run = results.run
+    yield f"isolation: {run.level} ({run.about})"
+    if run.level == "process":
+        yield ("This level is no protection against malice: what was handed in can read your "
+               "files and use the network.")
+    yield from results.book.said()
+    yield from (f"not understood: {name}: {sentence}" for name, sentence in run.not_understood)
+
+
+def grade_all(request, topics, todo, before, results):
+    """Examine what is to be done, keep the rest, write all results -> the exit status."""
+    students, started = [one.student for one, _ in todo], time.monotonic()
+    if request.resume:
         todo = [(one, job) for one, job in todo if not results.keep(one.student, fingerprint(job))]
     for record in before:
         results.take(record)
-    started = time.monotonic()
-    asks = rehearsed(topics, level, limits, extra, jobs, scheduler) if todo else {}
-    todo = [(one, job._replace(asks=asks)) for one, job in todo]
-    with contextlib.closing(running.examined(todo, jobs or os.cpu_count(), scheduler)) as steps:
+    if todo:
+        asks = rehearsed(topics, todo[0][1], request.jobs, request.scheduler)
+        todo = [(one, job._replace(asks=asks)) for one, job in todo]
+    examined = running.examined(todo, request.jobs or os.cpu_count(), request.scheduler)
+    with contextlib.closing(examined) as steps:
         for one, job, (result, pictures) in progress(steps, len(todo)):
             results.add(one, job.seed, fingerprint(job), result, pictures)
     files = results.close()
-    failed = [one.student for one in handed_in if results.records[one.student]["problem"]]
+    failed = {name: problem for name in students
+              if (problem := results.records[name].result.problem)}
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
-          f"{len(handed_in) - len(todo)} were done before, {len(failed)} could not be graded"
+          f"{len(students) - len(todo)} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
-    print(*(f"{name}: {results.records[name]['problem']}" for name in failed), *files, sep="\n")
+    print(*(f"{name}: {problem}" for name, problem in failed.items()), *files, sep="\n")
     return int(bool(failed))
 
 
@@ -86,7 +100,7 @@ def require_whole(topics):
                              "without it there are no marks: grade in a whole copy")
 
 
-def limits_of(seconds):
+def limits_of(seconds) -> sandbox.Limits:
     """The most seconds of a call -> Limits. An exercise has 12 times that, and a submission more.
 
     ValueError: no call can be made in that time, or a submission's time does not suffice.
@@ -98,7 +112,7 @@ def limits_of(seconds):
     return sandbox.Limits(call=seconds, exercise=12 * seconds)
 
 
-def made(out):
+def made(out) -> Path:
     """The folder for results, made where it is not there. OSError, in one sentence."""
     students = Path(out) / "students"
     try:
@@ -109,7 +123,7 @@ def made(out):
     return students.parent
 
 
-def level_to_use(isolation):
+def level_to_use(isolation) -> tuple[str, str]:
     """-> (level, a sentence on it). ValueError: strict is wanted and cannot be had."""
     if isolation == "process":
         return "process", "as told by --isolation process"
@@ -120,41 +134,42 @@ def level_to_use(isolation):
     return level, about
 
 
-def warnings(level):
-    return ["This level is no protection against malice: what was handed in can read your files "
-            "and use the network."] * (level == "process")
-
-
-def own_seed(seed, texts):
+def own_seed(seed, texts) -> int:
     """The seed of a submission, from the run's seed and its hash: nobody can know it before.
 
     A table of right answers is part of the submission, so it changes the seed that it is for.
     """
-    told = f"{seed} {archives.digest(texts)}"
-    return int.from_bytes(hashlib.sha256(told.encode()).digest()[:4], "big") >> 1
+    text = f"{seed} {archives.digest(texts)}"
+    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4], "big") >> 1
 
 
-def rehearsed(topics, level, limits, extra, jobs, scheduler=None):
+def rehearsed(topics, like, jobs=None, scheduler=None) -> dict:
     """What each exercise of the reference asks of others: Job.asks, found by grading it.
 
+    like: a Job with the same level, limits and extras.
     ValueError: the reference itself does not earn all points here, so nothing else is graded.
     """
     texts = [(topic, exercises.read(exercises.reference(topic))) for topic in topics]
     jobs = jobs or os.cpu_count()
-    todo = [(None, Job(dict(texts[k::jobs]), {}, level, limits=limits, extra=extra))
+    todo = [(None, like._replace(texts=dict(texts[k::jobs]), missing={}, seed=0, asks=None))
             for k in range(min(jobs, len(texts)))]
     asks = {}
     with contextlib.closing(running.examined(todo, jobs, scheduler)) as steps:
         for _, _, (result, _) in steps:
-            if wrong := result["problem"] or report.first_wrong(result["board"]):
+            if wrong := result.problem or first_wrong(result.entries):
                 raise ValueError("nothing was graded, for the reference itself does not pass "
                                  f"here: {wrong}")
-            asks |= result["asked"]
+            asks |= result.asked
     return asks
 
 
-def fingerprint(job):
+def first_wrong(entries):
+    """A sentence on the first check that does not pass, or None."""
+    return next((f"{check.exercise}: {check.claim}: {check.message}"
+                 for entry in entries for check in entry.checks if check.verdict != "passed"), None)
+
+
+def fingerprint(job) -> str:
     """A hash of all that decides a result: what was handed in, the options, the course."""
-    options = json.dumps([job._replace(asks=None)._asdict(), running.course_digest()],
-                         sort_keys=True)
+    options = typed_json.dumps([job._replace(asks=None), running.course_digest()])
     return hashlib.sha256(options.encode()).hexdigest()

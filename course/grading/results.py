@@ -12,7 +12,10 @@ import shutil
 from typing import NamedTuple
 
 from ..given import places
-from . import earlier, handback, overview, report, sheets, side_by_side, tables
+from .apart import typed_json
+from .gradebook import earlier, handback, sheets, tables
+from .gradebook.records import How, Record
+from .pages import overview, report, side_by_side
 
 
 class Run(NamedTuple):
@@ -23,43 +26,42 @@ class Run(NamedTuple):
     about: str      # a sentence on the level
     seed: int
     checks: str     # a hash of the course's own part
-    not_understood: tuple = ()  # (name, sentence) of what is nobody's
+    not_understood: list = ()  # [(name, sentence)] of what is nobody's
 
 
 class Results:
-    """The results of a run. records {student: record}."""
+    """The results of a run. records {student: Record}."""
 
     def __init__(self, out, book, run):
         self.out, self.book, self.run = out, book, run
         self.records = {}
         self.alike = None  # pairs of students, once all are there
 
-    def keep(self, student, mark):
+    def keep(self, student, fingerprint) -> bool:
         """Take over the result of an earlier run, if it is of the same work -> whether it was."""
         record = earlier.read(self.folder(student) / "record.json")
-        if record.get("fingerprint") != mark or record["problem"]:
+        if not record or record.how.fingerprint != fingerprint or record.result.problem:
             return False
         self.take(record)
         return True
 
     def take(self, record):
         """Take over a result. Its pages are written again if its grade is another one."""
-        entered = self.records[record["student"]] = self.book.entered(record)
+        entered = self.records[record.work.student] = self.book.entered(record)
         if entered != record:
-            pictures = self.folder(record["student"]).glob("pictures/*.png")
+            pictures = self.folder(record.work.student).glob("pictures/*.png")
             self.write_student(entered, {path.name: path.read_bytes() for path in pictures})
 
-    def add(self, one, seed, mark, result, pictures):
+    def add(self, one, seed, fingerprint, result, pictures):
         """Write what belongs to one student, and the tables."""
-        record = {"student": one.student, "fingerprint": mark, "level": self.run.level,
-                  "seed": seed, "checks": self.run.checks[:12],
-                  "digest": one.digest, "notes": one.notes, **result}
-        record = self.records[one.student] = self.book.entered(record)
+        how = How(self.run.level, seed, self.run.checks[:12], fingerprint)
+        record = self.book.entered(Record(one, how, result))
         try:
             self.write_pictures(one.student, pictures)
             self.write_student(record, pictures)
         except Exception as error:  # one student's trouble is no other's
-            record["problem"] = f"its results cannot be written: {error}"
+            record = record.failed(f"its results cannot be written: {error}")
+        self.records[one.student] = record
         self.write_tables()
 
     def folder(self, student):
@@ -73,13 +75,13 @@ class Results:
             places.write_whole(folder / name, content)
 
     def write_student(self, record, pictures):
-        folder = self.folder(record["student"])
-        if not record["problem"]:
+        folder = self.folder(record.work.student)
+        if not record.result.problem:
             page = report.page(record, pictures, self.run.about)
             places.write_whole(folder / "report.html", page.encode("utf-8"))
             gradescope = json.dumps(report.gradescope(record, self.run.about), indent=2)
             places.write_whole(folder / "results.json", gradescope.encode("utf-8"))
-        places.write_whole(folder / "record.json", json.dumps(record).encode("utf-8"))
+        places.write_whole(folder / "record.json", typed_json.dumps(record).encode("utf-8"))
 
     def write_tables(self):
         """grades.csv and index.html -> the rows of grades.csv."""

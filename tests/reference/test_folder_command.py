@@ -139,7 +139,7 @@ COARSE = (8, 1, 1, 100, 1.0), (12, 1, 1, 80, 0.5), (16, 1, 2, 120, 0.3)
 STOPPED = """
 import os, signal, sys
 from course import cli
-from course.experiments import searches
+from course.experiments.folder import searches
 from course.given import places
 from reference import multi_view_fit
 

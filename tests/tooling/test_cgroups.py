@@ -3,7 +3,7 @@ import shutil
 
 import pytest
 
-from course.grading import cgroups
+from course.grading.apart import cgroups
 
 
 @pytest.fixture

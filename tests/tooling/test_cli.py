@@ -8,7 +8,8 @@ from types import SimpleNamespace
 import pytest
 
 from course import cli
-from course.grading.gradebook import Asked
+from course.grading.gradebook.book import Asked
+from course.grading.request import Request
 
 
 @pytest.fixture
@@ -42,22 +43,20 @@ def stand_in(monkeypatch):
     ("skeleton --check", "upkeep.skeleton.run", (), {"check": True, "force": False}),
     ("skeleton --force", "upkeep.skeleton.run", (), {"check": False, "force": True}),
     ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],), {}),
-    ("pack", "grading.pack.run", ("labs.zip",), {}),
-    ("handout new --labs 1-4 --solutions 1", "grading.handout.run", ("new", "1-4", "1"),
+    ("pack", "grading.handing.pack.run", ("labs.zip",), {}),
+    ("handout new --labs 1-4 --solutions 1", "grading.handing.handout.run", ("new", "1-4", "1"),
      {"extra": False}),
-    ("handout new --extra", "grading.handout.run", ("new", None, None), {"extra": True}),
-    ("solutions 1-2 a.zip", "grading.handout.release", ("1-2", "a.zip"), {}),
+    ("handout new --extra", "grading.handing.handout.run", ("new", None, None), {"extra": True}),
+    ("solutions 1-2 a.zip", "grading.handing.handout.release", ("1-2", "a.zip"), {}),
     ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("autograder github .", "grading.autograder.github", (".",), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
-     "--scheduler tcp://a --seconds 3 --extra", "grading.grade.run", ("in", "out"),
-     {"labs": "1", "jobs": 2, "resume": True, "seed": 7, "isolation": "process",
-      "scheduler": "tcp://a", "seconds": 3.0, "extra": True, "book": Asked()}),
+     "--scheduler tcp://a --seconds 3 --extra", "grading.grade.run",
+     (Request("in", "out", "1", 2, True, 7, "process", "tcp://a", 3.0, True),), {}),
     ("grade in --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
-     "--overrides o.csv --previous p.csv", "grading.grade.run", ("in", "out"),
-     {"labs": None, "jobs": None, "resume": False, "seed": 0, "isolation": None,
-      "scheduler": None, "seconds": 10.0, "extra": False,
-      "book": Asked("moodle", "a.csv", "A", "D", "L", "G", "o.csv", "p.csv")}),
+     "--overrides o.csv --previous p.csv", "grading.grade.run",
+     (Request("in", "out", book=Asked("moodle", "a.csv", "A", "D", "L", "G", "o.csv", "p.csv")),),
+     {}),
 ])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):

@@ -7,8 +7,9 @@ from submitted import other_solution
 
 from course import exercises
 from course.given import places
-from course.grading import examination, examine, grade, running, sandbox
-from course.grading.examine import Job
+from course.grading import grade
+from course.grading.apart import examination, examine, running, sandbox
+from course.grading.apart.examine import Job
 
 LABS = range(1, len(exercises.LABS) + 1)
 

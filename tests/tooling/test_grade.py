@@ -7,12 +7,15 @@ import sys
 import zipfile
 
 import pytest
+from graded import check, entry, exercise, record, result, submission
 from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
 
 from course import exercises
-from course.checks.report import Check
 from course.exercises import skeleton
-from course.grading import grade, overview, report, running, sandbox
+from course.grading import grade
+from course.grading.apart import running, sandbox
+from course.grading.pages import overview, report
+from course.grading.request import Request
 
 FINE_PRINT = '''\
 @exercise("1.1", fine_print=True)
@@ -186,12 +189,9 @@ def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, 
 def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
     """An error in one submission, or a folder that cannot be written, leaves others ungraded."""
     def examine(job, line):
-        if "boom" in job["texts"].values():
+        if "boom" in job.texts.values():
             raise RuntimeError("boom")
-        entry = {"number": "1.1", "points": 2, "verdict": "done", "told": "done", "name": "f",
-                 "topic": "transforms", "checks": []}
-        return {"board": {"exercises": [entry]}, "lost": {}, "missing": {}, "asked": {},
-                "problem": None, "seconds": 0.0}, {}
+        return result(entry(exercise("1.1", "f", 2), "done", topic="transforms")), {}
 
     monkeypatch.setattr(running, "examine", examine)
     for name, text in {"ada": "x", "bob": "boom", "eve": "x", "zoe": "x"}.items():
@@ -199,7 +199,8 @@ def test_one_student_s_trouble_is_no_other_s(tmp_path, monkeypatch, capsys):
         (tmp_path / "in" / name / "transforms.py").write_text(text)
     (tmp_path / "out" / "students").mkdir(parents=True)
     (tmp_path / "out" / "students" / "eve").write_text("a file where a folder should be")
-    assert grade.run(tmp_path / "in", tmp_path / "out", "1", isolation="process") == 1
+    request = Request(tmp_path / "in", tmp_path / "out", "1", isolation="process")
+    assert grade.run(request) == 1
     table = rows(tmp_path / "out")
     assert [row["total"] for row in table.values()] == ["2", "", "", "2"]
     assert table["bob"]["problem"] == "the examination broke off: RuntimeError: boom"
@@ -219,7 +220,7 @@ def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):
 def test_a_time_in_which_no_mark_is_right_is_refused(seconds, tmp_path):
     """Every call takes too long, and a whole class gets no points."""
     with pytest.raises(ValueError, match="give 1 to 150, not"):
-        grade.run(tmp_path, tmp_path / "out", seconds=seconds)
+        grade.run(Request(tmp_path, tmp_path / "out", seconds=seconds))
     assert not list((tmp_path / "out").glob("*.*"))
     assert grade.limits_of(150) == sandbox.Limits(call=150, exercise=1800)
 
@@ -247,7 +248,7 @@ def test_results_that_cannot_be_written_are_not_worked_for(tmp_path):
     (tmp_path / "in" / "ada_transforms.py").write_text(LAB)
     (tmp_path / "out").write_text("mine")
     with pytest.raises(OSError, match=r"cannot write to .*out \(.*\): name in --out a folder"):
-        grade.run(tmp_path / "in", tmp_path / "out", labs="1", isolation="process")
+        grade.run(Request(tmp_path / "in", tmp_path / "out", "1", isolation="process"))
 
 
 def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
@@ -282,13 +283,10 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
 
 def test_pages_escape_what_students_write():
     """A script in a message runs in the instructor's browser."""
-    check = Check("1.1", "", "Claim", "failed", "<script>", "x/pic.png", 0.0, False)._asdict()
-    entry = {"number": "1.1", "name": "f", "topic": "t", "points": 1, "verdict": "failing",
-             "told": "failing", "extra": False, "checks": [check]}
-    record = {"student": "ada", "level": "strict", "digest": "0", "notes": ["<b>"], "seconds": 1.0,
-              "lost": {"1.1": "in f: <i>"}, "problem": None, "seed": 7,
-              "board": {"points": 0, "of": 1, "exercises": [entry]}}
-    page = report.page(record, {"pic.png": b"png"}, "<u>")
+    wrong = check("1.1", "Claim", "failed", "<script>", picture="x/pic.png")
+    found = result(entry(exercise("1.1", "f", 1), "failing", wrong), lost={"1.1": "in f: <i>"})
+    one = record(submission("ada", notes=["<b>"]), found)
+    page = report.page(one, {"pic.png": b"png"}, "<u>")
     assert not any(tag in page for tag in ("<script>", "<b>", "<i>&", "<u>"))
     assert 'src="data:image/png;base64,cG5n"' in page and "default-src 'none'" in page
 

@@ -3,57 +3,49 @@ import csv
 import io
 from datetime import UTC, datetime, timedelta, timezone
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
+from graded import check, entry, exercise, record, result, submission
 
-from course.checks.report import Check
-from course.grading import (
+from course.grading.gradebook import (
     changes,
     earlier,
     lateness,
-    marks,
     overrides,
-    report,
     rosters,
     sheets,
     tables,
+    worth,
 )
-from course.grading.gradebook import Asked, Gradebook
+from course.grading.gradebook.book import Asked, Gradebook
+from course.grading.pages import report
 from course.grading.results import Results, Run
-from course.grading.submissions import Submission
 
 ROSTERS = Path(__file__).with_name("rosters")
 DUE = "2026-11-22T23:59+01:00"
-EXERCISES = [SimpleNamespace(number=number, name=name, points=points, is_extra=extra)
-             for number, name, points, extra in (("2.1", "edge", 4, False),
-                                                 ("2.2", "cover", 6, False),
-                                                 ("2.9", "fast", 3, True))]
+EXERCISES = [exercise("2.1", "edge", 4), exercise("2.2", "cover", 6),
+             exercise("2.9", "fast", 3, is_extra=True)]
 CORE = EXERCISES[:2]
 
 
-def handed_in(student, platform="", late=False, **told):
-    identity = {"platform": platform, "id": "", "name": "", "email": "", **told}
-    return Submission(student, {}, {}, (), identity, None, late)
+def found(*right):
+    """What became of the first exercises: whether each is right; (True, False): its fine print not.
+    """
+    entries = []
+    for asked, each in zip(EXERCISES, right, strict=False):
+        done, *fine = each if isinstance(each, tuple) else (each,)
+        checks = [check(asked.number, verdict="passed" if one else "failed", fine_print=is_fine)
+                  for is_fine, one in ((False, done), *((True, one) for one in fine))]
+        entries.append(entry(asked, "done" if done else "failing", *checks))
+    return result(*entries)
 
 
-def entry(exercise, done, fine_print=None):
-    """An exercise on the board. fine_print: whether it is right, None where there is none."""
-    checks = [Check(exercise.number, "", "Claim", "passed" if right else "failed", "", None, 0.0,
-                    is_fine) for is_fine, right in ((False, done), (True, fine_print))
-              if right is not None]
-    verdict = "done" if done else "failing"
-    told = f"{verdict}, fine print open" if done and fine_print is False else verdict
-    return {"number": exercise.number, "name": exercise.name, "topic": "rasterization",
-            "points": exercise.points, "verdict": verdict, "told": told,
-            "extra": exercise.is_extra, "checks": [check._asdict() for check in checks]}
+RUN = Run(CORE, "process", "", 0, "c")
+RIGHT, WRONG, BROKEN = found(True, True), found(True, False), result(problem="broke off")
 
 
-def record(student, *entries, **more):
-    entries = entries or (entry(EXERCISES[0], True), entry(EXERCISES[1], True))
-    return {"student": student, "level": "strict", "seconds": 1.0, "seed": 0, "checks": "c",
-            "digest": "d", "notes": [], "lost": {}, "problem": None,
-            "board": {"exercises": list(entries)}, **more}
+def graded(student, what=RIGHT, digest="d", **more):
+    return record(submission(student)._replace(digest=digest), what, **more)
 
 
 def read_back(content):
@@ -68,22 +60,23 @@ def file(folder, name, *lines):
 # --- rosters ----------------------------------------------------------------------------------
 
 CLASSES = {
-    "canvas": ("Lab 2", [handed_in("a", "canvas", id="50101"), handed_in("l", "canvas", id="50104"),
-                         handed_in("x", "canvas", id="999")], {"a": 2, "l": 5}),
-    "moodle": (None, [handed_in("a", "moodle", id="7001"), handed_in("l", "moodle", id="7004"),
-                      handed_in("x", "moodle", id="1")], {"a": 0, "l": 3}),
-    "gradescope": (None, [handed_in("a", "gradescope", id="s1001", email="other@uni.example"),
-                          handed_in("k", "gradescope", email="JUERGEN@uni.example"),
-                          handed_in("x", "gradescope", id="s9", email="x@uni.example")],
+    "canvas": ("Lab 2", [submission("a", "canvas", id="50101"),
+                         submission("l", "canvas", id="50104"),
+                         submission("x", "canvas", id="999")], {"a": 2, "l": 5}),
+    "moodle": (None, [submission("a", "moodle", id="7001"), submission("l", "moodle", id="7004"),
+                      submission("x", "moodle", id="1")], {"a": 0, "l": 3}),
+    "gradescope": (None, [submission("a", "gradescope", id="s1001", email="other@uni.example"),
+                          submission("k", "gradescope", email="JUERGEN@uni.example"),
+                          submission("x", "gradescope", id="s9", email="x@uni.example")],
                    {"a": 0, "k": 1}),
-    "brightspace": ("Lab 2", [handed_in("a", "brightspace", name="Nu\u0301ria  Álvarez"),
-                              handed_in("l", "brightspace", name="Wei Li"),
-                              handed_in("x", "brightspace", name="Ada Byron")], {"a": 0}),
+    "brightspace": ("Lab 2", [submission("a", "brightspace", name="Nu\u0301ria  Álvarez"),
+                              submission("l", "brightspace", name="Wei Li"),
+                              submission("x", "brightspace", name="Ada Byron")], {"a": 0}),
 }
 
 
 @pytest.mark.parametrize("platform", CLASSES)
-def test_points_go_to_the_people_whose_id_was_handed_in(platform):
+def test_points_go_to_the_people_whose_id_was_submission(platform):
     """A namesake gets them, or somebody whose name is alike."""
     assignment, class_, expected = CLASSES[platform]
     roster = rosters.read(ROSTERS / f"{platform}.csv", platform, assignment)
@@ -159,26 +152,26 @@ def test_a_column_is_named_with_or_without_what_the_platform_adds():
 
 def test_who_is_excused_stays_excused():
     """Canvas's EX becomes points."""
-    class_ = [handed_in("l", "canvas", id="50104")]
-    graded = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 1")
-    assert "l keeps the 'EX' that the roster has" in graded.said()
-    table = read_back(rosters.filled(graded.roster, {graded.rows["l"]: "7", 3: "7"}))
+    class_ = [submission("l", "canvas", id="50104")]
+    known = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 1")
+    assert "l keeps the 'EX' that the roster has" in known.said()
+    table = read_back(rosters.filled(known.roster, {known.rows["l"]: "7", 3: "7"}))
     assert [row[6] for row in table[5:8]] == ["7.50", "EX", "N/A"] and table[4][6] == "7"
 
 
 def test_two_submissions_of_one_person_are_both_listed():
     """One of them is chosen, nobody knows why."""
     roster = rosters.read(ROSTERS / "canvas.csv", "canvas", "Lab 2")
-    twins = [handed_in(name, "canvas", id="50101") for name in "ab"]
+    twins = [submission(name, "canvas", id="50101") for name in "ab"]
     rows, unmatched = rosters.match(roster, twins)
     assert rows == {} and set(unmatched) == {"a", "b"}
-    assert rosters.match(roster, [handed_in("ada")])[1] == {
+    assert rosters.match(roster, [submission("ada")])[1] == {
         "ada": "what was handed in tells nothing that the roster has, too"}
 
 
 def test_gradescope_s_submissions_find_their_row_in_the_lms():
     """Work from Gradescope can be graded, and its points must be typed in by hand."""
-    one = handed_in("a", "gradescope", id="s1002", email="juergen@uni.example")
+    one = submission("a", "gradescope", id="s1002", email="juergen@uni.example")
     for platform in ("canvas", "moodle", "brightspace"):
         roster = rosters.read(ROSTERS / f"{platform}.csv", platform,
                               None if platform == "moodle" else "Lab 2")
@@ -216,9 +209,9 @@ def test_each_begun_step_takes_its_share(late, grace, seconds, told, percent):
     policy = lateness.policy(DUE, late, grace)
     when = datetime(2026, 11, 22, 22, 59, tzinfo=UTC).timestamp() + seconds
     judged = lateness.judged(policy, when, None)
-    assert (judged["late by"], judged["percent"]) == (told, percent)
-    assert datetime.fromisoformat(judged["handed in"]).timestamp() == when
-    assert judged["handed in"].endswith("+01:00")
+    assert (judged.late_by, judged.percent) == (told, percent)
+    assert datetime.fromisoformat(judged.handed_in).timestamp() == when
+    assert judged.handed_in.endswith("+01:00")
 
 
 @pytest.mark.parametrize(("options", "sentence"), [
@@ -250,42 +243,42 @@ def book(class_, **asked):
     return Gradebook(Asked(**asked), class_, CORE)
 
 
-def test_moodle_tells_in_its_worksheet_when_something_was_handed_in(tmp_path):
+def test_moodle_tells_in_its_worksheet_when_something_was_submission(tmp_path):
     """Everybody from Moodle is in time, or the file's own time counts."""
-    class_ = [handed_in("a", "moodle", id="7001"), handed_in("k", "moodle", id="7002"),
-              handed_in("l", "moodle", id="7003")]
-    graded = book(class_, csv="moodle", roster=ROSTERS / "moodle.csv", due=DUE, late="10%/day")
-    records = {one.student: graded.entered(record(one.student)) for one in class_}
-    assert [marks.after_lateness(each) for each in records.values()] == [10, 9, 8]
-    graded.write(tmp_path, records, [])
+    class_ = [submission("a", "moodle", id="7001"), submission("k", "moodle", id="7002"),
+              submission("l", "moodle", id="7003")]
+    known = book(class_, csv="moodle", roster=ROSTERS / "moodle.csv", due=DUE, late="10%/day")
+    records = {one.student: known.entered(graded(one.student)) for one in class_}
+    assert [worth.after_lateness(each) for each in records.values()] == [10, 9, 8]
+    known.write(tmp_path, records, [])
     table = read_back((tmp_path / "for-moodle.csv").read_bytes())
     assert [row[5] for row in table] == ["Grade", "10", "9", "8", ""]
 
 
 def test_canvas_says_late_and_not_by_how_much(tmp_path):
     """A guess takes points off. Or a late submission looks like all others."""
-    class_ = [handed_in("a", "canvas", id="50101", late=True), handed_in("b", "canvas", id="50102"),
-              handed_in("c")]
-    graded = book(class_, due=DUE, late="10%/day")
-    cells = {name: tables.line(graded.entered(record(name)), CORE) for name in "abc"}
+    class_ = [submission("a", "canvas", id="50101", late=True),
+              submission("b", "canvas", id="50102"), submission("c")]
+    known = book(class_, due=DUE, late="10%/day")
+    cells = {name: tables.line(known.entered(graded(name)), CORE) for name in "abc"}
     assert [cells[name]["late by"] for name in "abc"] == [lateness.NOT_TOLD, "", lateness.NO_TIME]
     assert {cells[name]["after lateness"] for name in "abc"} == {"10"}
-    assert "a is late, by how much is not told. Nothing is taken off" in "\n".join(graded.said())
+    assert "a is late, by how much is not told. Nothing is taken off" in "\n".join(known.said())
     path = file(tmp_path, "o.csv", "student,exercise,points,reason", "a,late,1.5,came by mail")
     settled = book(class_, due=DUE, late="10%/day", overrides=path)
     assert settled.said() == []
-    assert tables.line(settled.entered(record("a")), CORE)["after lateness"] == "8.5"
+    assert tables.line(settled.entered(graded("a")), CORE)["after lateness"] == "8.5"
 
 
 def test_all_without_a_partner_are_listed(tmp_path):
     """A submission without a row, or a person without a submission, is noticed in the exam."""
-    class_ = [handed_in("a", "canvas", id="50101"), handed_in("x", "canvas", id="9", name="=1+1")]
-    graded = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
-    said = "\n".join(graded.said())
+    class_ = [submission("a", "canvas", id="50101"), submission("x", "canvas", id="9", name="=1+1")]
+    known = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
+    said = "\n".join(known.said())
     assert "1 of 2 submissions are matched" in said
     assert "not matched: x: nobody in the roster with the id 9" in said
     assert "in the roster without a submission (5): Kraus, Jürgen; Li, Wei; Li, Wei" in said
-    graded.write(tmp_path, {"a": record("a"), "x": record("x")}, [])
+    known.write(tmp_path, {"a": graded("a"), "x": graded("x")}, [])
     table = read_back((tmp_path / "unmatched.csv").read_bytes())
     assert table[1] == ["x", "9", "'=1+1", "", "nobody in the roster with the id 9"]
     assert [row[1] for row in table[2:]] == ["50102", "50103", "50104", "50105", "50199"]
@@ -293,16 +286,16 @@ def test_all_without_a_partner_are_listed(tmp_path):
 
 def test_who_could_not_be_graded_keeps_the_cell(tmp_path):
     """A crash of ours is a zero in the gradebook."""
-    class_ = [handed_in("k", "canvas", id="50102")]
-    graded = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
-    graded.write(tmp_path, {"k": record("k", problem="broke off", board=None)}, [])
+    class_ = [submission("k", "canvas", id="50102")]
+    known = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
+    known.write(tmp_path, {"k": graded("k", BROKEN)}, [])
     assert read_back((tmp_path / "for-canvas.csv").read_bytes())[4][7] == "3.00"
 
 
 def test_another_maximum_there_is_told():
     """10 of 13 points are imported as 10 of 10."""
-    graded = Gradebook(Asked("canvas", ROSTERS / "canvas.csv", "Lab 2"), [], EXERCISES)
-    assert "is out of 10 points there, and out of 13 here" in graded.said()[-1]
+    known = Gradebook(Asked("canvas", ROSTERS / "canvas.csv", "Lab 2"), [], EXERCISES)
+    assert "is out of 10 points there, and out of 13 here" in known.said()[-1]
 
 
 @pytest.mark.parametrize("options", [{"csv": "canvas"}, {"roster": "a.csv"},
@@ -338,8 +331,7 @@ def test_points_by_hand_show_with_their_reason(tmp_path):
     path = file(tmp_path, "o.csv", "student;exercise;points;reason",
                 "ada;2.2;5,5;the <b>figure</b> was right", "ada;late;0;was ill")
     given = overrides.read(path, {"ada"}, CORE)["ada"]
-    ada = record("ada", entry(CORE[0], True), entry(CORE[1], False), overrides=given,
-                 lateness={"handed in": "t", "late by": "2:00:00", "percent": 50})
+    ada = graded("ada", WRONG, overrides=given, late=("2:00:00", 50))
     cells = tables.line(ada, CORE)
     assert (cells["2.2 cover"], cells["total"], cells["after lateness"]) == ("5.5", "9.5", "9.5")
     assert cells["by hand"] == ("2.2: 5.5 instead of 0 by hand (the <b>figure</b> was right); "
@@ -353,43 +345,36 @@ def test_points_by_hand_show_with_their_reason(tmp_path):
 
 def test_a_total_by_hand_comes_before_lateness():
     """Lateness is taken off twice, or not at all."""
-    bob = record("bob", overrides={"total": {"points": 8, "reason": "oral"}},
-                 lateness={"late by": "1:00:00", "percent": 10})
-    assert (marks.total(bob), marks.taken_off(bob), marks.after_lateness(bob)) == (8, 0.8, 7.2)
-    ill = record("eve", problem="broke off", board=None, overrides=bob["overrides"])
-    assert marks.is_graded(ill) and marks.after_lateness(ill) == 8
+    bob = graded("bob", overrides={"total": (8, "oral")}, late=("1:00:00", 10))
+    assert (worth.total(bob), worth.taken_off(bob), worth.after_lateness(bob)) == (8, 0.8, 7.2)
+    ill = graded("eve", BROKEN, overrides=bob.overrides)
+    assert worth.is_graded(ill) and worth.after_lateness(ill) == 8
 
 
 def test_a_page_follows_its_override_without_grading_again(tmp_path):
     """--resume keeps a page that says 4 points, beside a table that says 10."""
-    one = handed_in("ada")
-    failed = entry(CORE[1], False)
-    failed["checks"][0]["picture"] = "out/checks/1.png"
-    result = {"board": {"exercises": [entry(CORE[0], True), failed]}, "lost": {}, "problem": None,
-              "seconds": 1.0}
-    run = Run(CORE, "process", "", 0, "c")
-    first = Results(tmp_path, book([one]), run)
-    first.add(one, 0, "mark", result, {"1.png": b"png"})
+    one = submission("ada")
+    drawn = check("2.2", verdict="failed", picture="out/checks/1.png")
+    what = result(WRONG.entries[0], entry(CORE[1], "failing", drawn))
+    Results(tmp_path, book([one]), RUN).add(one, 0, "same", what, {"1.png": b"png"})
     page = tmp_path / "students" / "ada" / "report.html"
     assert "4 of 10 points" in page.read_text("utf-8")
     path = file(tmp_path, "o.csv", "student,exercise,points,reason", "ada,2.2,6,right after all")
-    again = Results(tmp_path, book([one], overrides=path), run)
-    assert not again.keep("ada", "another mark") and again.keep("ada", "mark")
+    again = Results(tmp_path, book([one], overrides=path), RUN)
+    assert not again.keep("ada", "another") and again.keep("ada", "same")
     text = page.read_text("utf-8")
     assert "10 of 10 points" in text and "right after all" in text and "base64,cG5n" in text
 
 
 def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
     """The points of all who were in time are missing beside those who came late."""
-    first, second = (handed_in("a", "canvas", id="50101"), handed_in("k", "canvas", id="50102"))
+    first, second = (submission("a", "canvas", id="50101"), submission("k", "canvas", id="50102"))
     asked = {"csv": "canvas", "roster": ROSTERS / "canvas.csv", "assignment": "Lab 2"}
-    run = Run(CORE, "process", "", 0, "c")
-    result = {name: record("")[name] for name in ("board", "lost", "problem", "seconds")}
-    Results(tmp_path, book([first], **asked), run).add(first, 0, "mark", result, {})
-    before = earlier.records(tmp_path, [second], CORE)
-    later = Results(tmp_path, book([second, *map(earlier.submission, before)], **asked), run)
-    later.take(*before)
-    later.add(second, 0, "mark", result, {})
+    Results(tmp_path, book([first], **asked), RUN).add(first, 0, "", RIGHT, {})
+    before, = earlier.records(tmp_path, [second], CORE)
+    later = Results(tmp_path, book([second, before.work], **asked), RUN)
+    later.take(before)
+    later.add(second, 0, "", RIGHT, {})
     assert tmp_path / "for-canvas.csv" in later.close()
     table = read_back((tmp_path / "for-canvas.csv").read_bytes())
     assert [row[7] for row in table[3:6]] == ["10", "10", ""]
@@ -400,24 +385,21 @@ def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
 
 def test_core_fine_print_and_extras_have_columns_of_their_own():
     """They are in one sum, or nowhere."""
-    ada = record("ada", entry(EXERCISES[0], True, True), entry(EXERCISES[1], True, False),
-                 entry(EXERCISES[2], True))
-    cells = tables.line(ada, EXERCISES)
+    cells = tables.line(graded("ada", found((True, True), (True, False), True)), EXERCISES)
     assert {name: cells[name] for name in ("core", "core of", "extras", "extras of", "total", "of",
                                            "fine print done", "fine print of")} == {
         "core": "10", "core of": 10, "extras": "3", "extras of": 3, "total": "13", "of": 13,
         "fine print done": 1, "fine print of": 2}
-    assert "extras" not in tables.line(ada, CORE)
-    lost = tables.line(record("eve", problem="broke off", board=None), CORE)
-    assert tables.line(record("s1", identity={"name": "Wei Li"}), CORE)["name"] == "Wei Li"
+    assert "extras" not in tables.line(graded("ada"), CORE)
+    lost = tables.line(graded("eve", BROKEN), CORE)
+    assert tables.line(record(submission("s1", name="Wei Li"), RIGHT), CORE)["name"] == "Wei Li"
     assert {lost[name] for name in ("core", "total", "after lateness", "fine print done")} == {""}
 
 
 @pytest.mark.parametrize("begins", list("=+-@\t\r"))
 def test_no_cell_of_ours_is_a_formula(begins):
     """=HYPERLINK(...) in a reason runs in the instructor's spreadsheet."""
-    given = {"total": {"points": 8, "reason": "x"}}
-    odd = record("ada", overrides=given, problem=f"{begins}1", board=None)
+    odd = graded("ada", result(problem=f"{begins}1"), overrides={"total": (8, "x")})
     content = sheets.written(tables.grades([odd], CORE))
     assert not any(cell.startswith(begins) for row in read_back(content) for cell in row)
 
@@ -436,55 +418,47 @@ def changed(old, new):
 
 def test_a_change_is_told_with_its_cause():
     """A mark is another one than last week, and nobody can say why."""
-    bad = (entry(CORE[0], True), entry(CORE[1], False))
-    assert changed(record("ada", *bad), record("ada", digest="e")) == [
+    assert changed(graded("ada", WRONG), graded("ada", digest="e")) == [
         ("2.2", "0", "6", "handed in again"), ("total", "4", "10", "handed in again"),
         ("after lateness", "4", "10", "the total")]
-    assert changed(record("ada", *bad), record("ada", seed=7, checks="b"))[0][-1] == (
+    assert changed(graded("ada", WRONG), graded("ada", seed=7, checks="b"))[0][-1] == (
         "other checks, other random inputs")
-    assert changed(record("ada", *bad), record("ada", seed=7, digest="e"))[0][-1] == (
+    assert changed(graded("ada", WRONG), graded("ada", seed=7, digest="e"))[0][-1] == (
         "handed in again")
-    given = {"2.2": {"points": 5, "reason": "look; 2.1: fine"}}
-    assert changed(record("ada", *bad), record("ada", *bad, overrides=given)) == [
+    by_hand = graded("ada", WRONG, overrides={"2.2": (5, "look; 2.1: fine")})
+    assert changed(graded("ada", WRONG), by_hand) == [
         ("2.2", "0", "5", "5 instead of 0 by hand (look; 2.1: fine)"),
         ("total", "4", "9", "what its exercises give"), ("after lateness", "4", "9", "the total")]
-    assert changed(record("ada", *bad, overrides=given), record("ada", *bad))[0][-1] == (
-        "no longer by hand")
-    assert changed(record("ada", *bad), record("ada"))[0][-1].startswith("the same work and checks")
+    assert changed(by_hand, graded("ada", WRONG))[0][-1] == "no longer by hand"
+    assert changed(graded("ada", WRONG), graded("ada"))[0][-1].startswith(
+        "the same work and checks")
 
 
 def test_lateness_that_changed_is_told():
     """A new deadline changes grades without a word."""
-    late = {"handed in": "t", "late by": "2:00:00", "percent": 10}
-    assert changed(record("ada"), record("ada", lateness=late)) == [
+    late = graded("ada", late=("2:00:00", 10))
+    assert changed(graded("ada"), late) == [
         ("after lateness", "10", "9", "lateness: 2:00:00, before: not late")]
-    dearer = {**late, "percent": 20}
-    excused = {"late": {"points": 0, "reason": "ill"}}
-    assert changed(record("ada", lateness=late), record("ada", lateness=dearer))[0][-1] == (
-        "what lateness costs")
-    assert changed(record("ada", entry(CORE[0], True), lateness=late),
-                   record("ada", lateness=late, overrides=excused))[-1][-1] == (
+    assert changed(late, graded("ada", late=("2:00:00", 20)))[0][-1] == "what lateness costs"
+    excused = graded("ada", late=("2:00:00", 10), overrides={"late": (0, "ill")})
+    assert changed(graded("ada", found(True), late=("2:00:00", 10)), excused)[-1][-1] == (
         "0 taken off by hand (ill), the total")
 
 
 def test_who_is_new_and_who_is_gone_is_told():
     """A student has vanished from the table."""
-    rows = list(changes.changes(by_student(record("ada")), by_student(record("bob"))))
+    rows = list(changes.changes(by_student(graded("ada")), by_student(graded("bob"))))
     assert rows == [("ada", "total", "10", None, "handed in nothing this time"),
                     ("bob", "total", None, "10", "new")]
-    assert list(changes.changes(by_student(record("ada")), by_student(record("ada")))) == []
+    assert list(changes.changes(by_student(graded("ada")), by_student(graded("ada")))) == []
 
 
 def test_what_changed_is_written_and_another_table_is_refused(tmp_path):
     """The earlier table is overwritten before it is read."""
-    one = handed_in("ada")
-    run = Run(CORE, "process", "", 0, "c")
-    result = {"board": {"exercises": [entry(CORE[0], True), entry(CORE[1], False)]}, "lost": {},
-              "problem": None, "seconds": 1.0}
-    first = Results(tmp_path, book([one]), run)
-    first.add(one, 0, "mark", result, {})
-    later = Results(tmp_path, book([one], previous=tmp_path / "grades.csv"), run)
-    later.add(one, 0, "mark", {**result, "board": record("ada")["board"]}, {})
+    one = submission("ada")
+    Results(tmp_path, book([one]), RUN).add(one, 0, "", WRONG, {})
+    later = Results(tmp_path, book([one], previous=tmp_path / "grades.csv"), RUN)
+    later.add(one, 0, "", RIGHT, {})
     assert tmp_path / "changes.csv" in later.close()
     assert read_back((tmp_path / "changes.csv").read_bytes())[1][:4] == ["ada", "2.2", "0", "6"]
     with pytest.raises(ValueError, match=r"is no grades.csv: it has no columns student and total"):

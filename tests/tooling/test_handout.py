@@ -8,7 +8,7 @@ import zipfile
 import pytest
 
 from course import exercises
-from course.grading import handout
+from course.grading.handing import handout
 
 LEAST = 30  # characters of a line that somebody could copy
 # Lines of answers that students may read elsewhere, as they stand in a check's own oracle, in a

@@ -19,7 +19,7 @@ from pathlib import Path
 import pytest
 from small_course import CHECKS, LAB
 
-from course.grading import levels, sandbox
+from course.grading.apart import levels, sandbox
 
 HOSTILE = Path(__file__).parent / "hostile"
 # Of 7 points, 1 for double, 2 for quadruple, 4 for split. Most attack double, so 6 are deserved.

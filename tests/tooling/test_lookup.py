@@ -4,7 +4,7 @@ import importlib
 
 from course import exercises, verdicts
 from course.checks import loader, runner
-from course.grading import wire
+from course.grading.apart import wire
 
 TABLES = {"15.10": "of four truth values there are 16, and the table of their answers is right"}
 LABS, NUMBERS = exercises.asked_for(None)

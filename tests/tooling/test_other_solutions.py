@@ -14,7 +14,7 @@ from other_forms import in_other_forms
 
 from course import exercises
 from course.given import places
-from course.grading import handout
+from course.grading.handing import handout
 
 FOLDER = places.ROOT / "tests" / "other_solutions"
 NUMBERS = [exercise.number for topic in exercises.topics()

@@ -4,34 +4,33 @@ import re
 import zipfile
 
 import pytest
+from graded import check, entry, exercise, record, result, submission
 
 from course.checks import page
-from course.checks.report import Check
-from course.exercises import Exercise
-from course.grading import handback, overview, platforms, report
+from course.grading.gradebook import handback
+from course.grading.handing import platforms
+from course.grading.pages import overview, report
 
-COLUMNS = [Exercise("1.1", "double", 1, 5, ()), Exercise("1.2", "halve", 2, 9, ())]
+COLUMNS = [exercise("1.1", "double", 1), exercise("1.2", "halve", 2)]
+CLAIMS = {"1.1": ("It is twice as much",), "1.2": ("It is half", "Zero stays")}
 ABOUT = "as told"
 
 
-def check(number, claim, verdict="passed", message=""):
-    return Check(number, "", claim, verdict, message, None, 0.0, False)._asdict()
-
-
-def record(student="ada", wrong=(), **more):
-    """A record of grade.run: of lab 1, these claims fail. {claim: message}."""
-    claims = {"1.1": ("It is twice as much",), "1.2": ("It is half", "Zero stays")}
+def found(wrong=(), verdict="failing", **more):
+    """What became of lab 1, where these claims fail. {claim: message}."""
     wrong = dict(wrong)
     entries = []
-    for exercise in COLUMNS:
-        checks = [check(exercise.number, claim, "failed" if claim in wrong else "passed",
-                        wrong.get(claim, "")) for claim in claims[exercise.number]]
-        verdict = "failing" if any(one["verdict"] == "failed" for one in checks) else "done"
-        entries.append({"number": exercise.number, "name": exercise.name, "topic": "transforms",
-                        "points": exercise.points, "verdict": verdict, "told": verdict,
-                        "extra": False, "checks": checks})
-    return {"student": student, "level": "strict", "digest": "0" * 64, "notes": (), "lost": {},
-            "problem": None, "seconds": 1.0, "seed": 4, "board": {"exercises": entries}, **more}
+    for asked in COLUMNS:
+        checks = [check(asked.number, claim, "failed" if claim in wrong else "passed",
+                        wrong.get(claim, "")) for claim in CLAIMS[asked.number]]
+        is_wrong = any(one.verdict == "failed" for one in checks)
+        entries.append(entry(asked, verdict if is_wrong else "done", *checks, topic="transforms"))
+    return result(*entries, **more)
+
+
+def graded(student="ada", wrong=(), work=None, **more):
+    """A record of lab 1, where these claims fail."""
+    return record(work or submission(student), found(wrong, **more))
 
 
 IMPORT = "labs/transforms.py cannot be imported: SyntaxError: invalid syntax"
@@ -40,7 +39,7 @@ BROKEN = dict.fromkeys(("It is twice as much", "It is half", "Zero stays"),
 
 
 def broken(student):
-    return record(student, BROKEN, missing={"transforms": f"{IMPORT}\nlabs/transforms.py:1 in"})
+    return graded(student, BROKEN, missing={"transforms": f"{IMPORT}\nlabs/transforms.py:1 in"})
 
 
 def section(text, title):
@@ -54,12 +53,12 @@ def section(text, title):
 
 def test_the_class_s_page_counts_for_how_many_a_claim_fails():
     """A lab that cannot be imported counts as failing every claim, or who has not begun does."""
-    unstarted = record("dan")
-    for entry in unstarted["board"]["exercises"]:
-        entry["verdict"] = entry["told"] = "not started"
-        entry["checks"] = [{**one, "verdict": "not started"} for one in entry["checks"]]
-    records = [record("ada"), record("bob", {"Zero stays": "no"}), broken("cyd"), unstarted,
-               record("eve", {"Zero stays": "no", "It is half": "no"})]
+    unstarted = record(submission("dan"), result(*(
+        entry(asked, "not started", *(check(asked.number, claim, "not started")
+                                      for claim in CLAIMS[asked.number]), topic="transforms")
+        for asked in COLUMNS)))
+    records = [graded("ada"), graded("bob", {"Zero stays": "no"}), broken("cyd"), unstarted,
+               graded("eve", {"Zero stays": "no", "It is half": "no"})]
     text = overview.overview(records, COLUMNS, "strict", ABOUT)
     assert section(text, "Claims that fail") == (
         "the claim fails for of 1.2 halve Zero stays 2 3 1.2 halve It is half 1 3")
@@ -67,7 +66,7 @@ def test_the_class_s_page_counts_for_how_many_a_claim_fails():
 
 def test_what_is_missing_and_what_is_not_understood_stands_in_the_class_s_page():
     """A file that nobody can have handed in, or a lab that cannot be imported, is never seen."""
-    text = overview.overview([record("ada"), broken("cyd")], COLUMNS, "strict", ABOUT,
+    text = overview.overview([graded("ada"), broken("cyd")], COLUMNS, "strict", ABOUT,
                              [("<img src=x>.rar", "<b>no student can be told from this name")])
     assert section(text, "Not understood") == (
         "&lt;img src=x&gt;.rar &lt;b&gt;no student can be told from this name")
@@ -77,11 +76,12 @@ def test_what_is_missing_and_what_is_not_understood_stands_in_the_class_s_page()
 
 def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
     """LATE is only in the platform's name of a file; nobody sees which marks are by hand."""
-    late = record("bob", seed=77, late=True, handed_in=1e9, identity={}, lateness={
-        "handed in": "2001-09-09T01:46:40+00:00", "late by": "1 day, 0:00:00", "percent": 10})
-    told = record("eve", seed=5, late=True, handed_in=None, lateness={}, overrides={
-        "1.2": {"points": 1, "reason": "as <agreed>"}})
-    text = overview.overview([late, told], COLUMNS, "strict", ABOUT)
+    late = record(submission("bob", late=True, when=1e9), found(), seed=77, late=(
+        "1 day, 0:00:00", 10))
+    late = late._replace(lateness=late.lateness._replace(handed_in="2001-09-09T01:46:40+00:00"))
+    agreed = record(submission("eve", late=True), found(), seed=5, overrides={
+        "1.2": (1, "as <agreed>")})
+    text = overview.overview([late, agreed], COLUMNS, "strict", ABOUT)
     rows = section(text, "Everybody")
     assert rows.startswith("points of 3 handed in late points left by hand seed bob 3")
     assert "2001-09-09 01:46:40+00:00 LATE 1 day, 0:00:00 2.7 77" in rows
@@ -90,13 +90,13 @@ def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
 
 def test_the_class_s_page_says_how_many_are_still_to_be_graded():
     """After Ctrl-C, 3 of 8 rows look like the whole class."""
-    text = overview.overview([record()], COLUMNS, "strict", ABOUT, waiting=2)
+    text = overview.overview([graded()], COLUMNS, "strict", ABOUT, waiting=2)
     assert "1 of 3 submissions graded" in text and "2 are still to be graded" in text
 
 
 def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     """The median of nothing."""
-    nothing = {**record("ada"), "board": None, "problem": "no worker could be started\nno"}
+    nothing = record(submission("ada"), result(problem="no worker could be started\nno"))
     text = overview.overview([nothing], COLUMNS, "strict", ABOUT)
     assert "0 of 1 submissions graded" in text
     assert section(text, "Everybody") == (
@@ -105,23 +105,23 @@ def test_a_class_of_which_nothing_could_be_graded_has_a_page():
 
 def test_a_lab_without_exercises_that_count_is_not_missed():
     """Full marks, and below them: "nothing could be checked"."""
-    one = record("ada", missing={"scanline": "there is no labs/scanline.py"})
+    one = graded("ada", missing={"scanline": "there is no labs/scanline.py"})
     assert "scanline" not in report.page(one, {}, ABOUT)
     assert "scanline" not in overview.overview([one], COLUMNS, "strict", ABOUT)
 
 
 def test_a_platform_s_number_has_a_name_beside_it():
     """Nobody knows who s1001 is."""
-    known = {"platform": "canvas", "name": "lovelaceada"}
-    text = overview.overview([record("s1001", identity={"name": "Ada <b>"}),
-                              record("lovelaceada_7", identity=known)], COLUMNS, "strict", ABOUT)
+    known = [submission("s1001", name="Ada <b>"),
+             submission("lovelaceada_7", "canvas", name="lovelaceada")]
+    text = overview.overview([graded(work=one) for one in known], COLUMNS, "strict", ABOUT)
     rows = section(text, "Everybody")
     assert "s1001 Ada &lt;b&gt; 3" in rows and "lovelaceada_ 7 3 4" in rows
 
 
 def test_the_class_s_page_begins_with_links_to_its_parts():
     """Everybody's row is below three screens of tables."""
-    text = overview.overview([record("ada"), broken("cyd")], COLUMNS, "strict", ABOUT)
+    text = overview.overview([graded("ada"), broken("cyd")], COLUMNS, "strict", ABOUT)
     anchors = re.findall(r'<h2 id="([\w-]+)"', text)
     assert anchors == re.findall(r'href="#([\w-]+)"', text) and "everybody" in anchors
 
@@ -138,26 +138,26 @@ def test_that_a_lab_cannot_be_imported_is_said_once():
 def test_what_fails_besides_is_still_said():
     """A lab is lost after its first exercises; what these got wrong is not told any more."""
     wrong = {**BROKEN, "It is twice as much": "expected 2"}
-    text = report.page(record("cyd", wrong, missing={"transforms": IMPORT}), {}, ABOUT)
+    text = report.page(graded("cyd", wrong, missing={"transforms": IMPORT}), {}, ABOUT)
     assert "expected 2" in text and "1.1 double" in text and text.count("<h2>1.2") == 0
 
 
 def test_a_student_s_page_names_nobody():
     """A page that was shown to others, or marked without names, tells whose it is."""
-    one = record("lovelaceada", identity={"platform": "canvas", "id": "12", "name": "Ada Lovelace",
-                                          "email": "ada@x.org"},
-                 notes=("lovelaceada_12_34_old.zip is older, Ada Lovelace_5.zip not",),
-                 missing={"transforms": "there is no labs/transforms.py (lovelaceada.rar: what?)"})
+    ada = submission("lovelaceada", "canvas", id="12", name="Ada Lovelace", email="ada@x.org",
+                     notes=["lovelaceada_12_34_old.zip is older, Ada Lovelace_5.zip not"])
+    one = graded(work=ada, missing={
+        "transforms": "there is no labs/transforms.py (lovelaceada.rar: what?)"})
     text = report.page(one, {}, ABOUT)
     assert "ovelace" not in text and "..._12_34_old.zip is older" in text
 
 
 @pytest.mark.parametrize("make", [
-    lambda text: report.page(record(wrong={"Zero stays": text}), {}, ABOUT),
-    lambda text: report.page(record(notes=[text]), {}, ABOUT),
-    lambda text: report.page(record(lost={"1.1": text}, wrong={"It is twice as much": ""}), {},
+    lambda text: report.page(graded(wrong={"Zero stays": text}), {}, ABOUT),
+    lambda text: report.page(graded(work=submission("ada", notes=[text])), {}, ABOUT),
+    lambda text: report.page(graded(lost={"1.1": text}, wrong={"It is twice as much": ""}), {},
                              ABOUT),
-    lambda text: overview.overview([record(lost={"1.1": text})], COLUMNS, "strict", ABOUT),
+    lambda text: overview.overview([graded(lost={"1.1": text})], COLUMNS, "strict", ABOUT),
     lambda text: overview.overview([], COLUMNS, "strict", ABOUT, [(text, text)])])
 def test_megabytes_that_a_student_sends_are_cut(make):
     """Five hundred pages that no browser can open."""
@@ -167,7 +167,7 @@ def test_megabytes_that_a_student_sends_are_cut(make):
 
 def test_tables_and_messages_scroll_by_themselves():
     """On a phone the whole page moves sideways."""
-    text = report.page(record(wrong={"Zero stays": "x " * 200}), {}, ABOUT)
+    text = report.page(graded(wrong={"Zero stays": "x " * 200}), {}, ABOUT)
     assert text.count('<div class="wide"><table>') == text.count("<table>") > 0
     assert "width=device-width" in text and "overflow-x: auto" in page.STYLE
     assert page.breakable("a_long_name") == "a_<wbr>long_<wbr>name"
@@ -187,11 +187,11 @@ def test_reports_have_the_names_that_platforms_read(tmp_path):
     """Everybody's feedback is refused: Moodle and Canvas know students by numbers in names."""
     put_reports(tmp_path, "Ada_1200", "lovelaceada", "bob", "cyd")
     handback.write(tmp_path, [
-        record("Ada_1200", identity={"platform": "moodle", "id": "1200", "name": "Ada_B"}),
-        record("lovelaceada", identity={"platform": "canvas", "id": "12",
-                                        "file": "lovelaceada_LATE_12_34_labs.zip"}),
-        record("bob", identity={"platform": "canvas", "id": "13", "file": "bob_13_35_sampling.py"}),
-        record("cyd"), record("dan")])
+        graded(work=one) for one in (
+            submission("Ada_1200", "moodle", id="1200", name="Ada_B"),
+            submission("lovelaceada", "canvas", id="12", file="lovelaceada_LATE_12_34_labs.zip"),
+            submission("bob", "canvas", id="13", file="bob_13_35_sampling.py"),
+            submission("cyd"), submission("dan"))])
     with zipfile.ZipFile(tmp_path / "feedback.zip") as archive:
         there = {name: archive.read(name) for name in archive.namelist()}
     inner = zipfile.ZipFile(io.BytesIO(there.pop("lovelaceada_LATE_12_34_labs.zip")))
@@ -205,11 +205,12 @@ def test_canvas_s_file_names_come_back_as_they_were(tmp_path):
     """The zip has reports for Canvas under names of our own."""
     for name in ("lovelaceada_LATE_12_34_labs-1.zip", "anon_x7Yz_35_labs.zip"):
         sender, = platforms.senders(tmp_path / name, {})
-        assert handback.entry(record(identity=sender.identity), b"")[0] == name
+        assert handback.entry(graded(work=submission("ada")._replace(
+            identity=sender.identity)), b"")[0] == name
 
 
 def test_an_old_report_of_work_that_could_not_be_graded_is_not_given_back(tmp_path):
     """A student reads the report of an earlier run."""
     put_reports(tmp_path, "ada")
-    handback.write(tmp_path, [{**record("ada"), "problem": "no worker could be started"}])
+    handback.write(tmp_path, [graded("ada").failed("no worker could be started")])
     assert zipfile.ZipFile(tmp_path / "feedback.zip").namelist() == []

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from small_course import CHECKS, LAB
 
-from course.grading import running
+from course.grading.apart import running
 
 ENDLESS = LAB.replace("return x / 2, x > 0", "while True: x")
 COLUMNS = ["1.1 double", "1.2 quadruple", "1.3 split", "total", "hash"]

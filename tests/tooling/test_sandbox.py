@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from course.grading import examination, sandbox, wire
-from course.grading.levels import LEVELS
-from course.grading.processes import Use, family
+from course.grading.apart import examination, sandbox, wire
+from course.grading.apart.levels import LEVELS
+from course.grading.apart.processes import Use, family
 
 GREEDY = '''
 import os

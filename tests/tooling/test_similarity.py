@@ -7,7 +7,7 @@ import pytest
 
 from course import exercises
 from course.given import places
-from course.grading import side_by_side, similarity
+from course.grading.pages import side_by_side, similarity
 
 CORE = {topic: [exercise for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
         for topic in exercises.asking_topics()}

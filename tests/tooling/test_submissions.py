@@ -9,7 +9,8 @@ import zipfile
 import pytest
 
 from course import exercises
-from course.grading import archives, lateness, submissions
+from course.grading.gradebook import lateness
+from course.grading.handing import archives, submissions
 
 TOPICS = ("transforms", "rasterization")
 MOODLE = "Ada Lovelace_1234_assignsubmission_file"
@@ -135,8 +136,8 @@ def test_what_the_platform_tells_of_a_student_is_kept(handed_in, name, told):
     """Points that cannot be brought back to the platform, late work that counts as in time."""
     one, = handed_in({name: "x"}).values()
     who = one.identity
-    assert (who["platform"], who["id"], who["name"], one.late) == told
-    assert (one.handed_in is None) == (who["platform"] != "brightspace")
+    assert (who.platform, who.id, who.name, one.late) == told
+    assert (one.handed_in is None) == (who.platform != "brightspace")
 
 
 @pytest.mark.parametrize(("written", "time"), [
@@ -168,8 +169,7 @@ def test_gradescope_s_export_names_all_submitters(read):
         "0077": "later", "78": "later", "bob_x.edu": "b"}
     assert found[0].handed_in == datetime.datetime(
         2026, 1, 2, 10, 0, 0, 418372, datetime.UTC).timestamp()
-    assert found[0].identity == {"platform": "gradescope", "id": "0077", "name": "Ada L",
-                                 "email": "ada@x.edu"}
+    assert found[0].identity == ("gradescope", "0077", "Ada L", "ada@x.edu", "")
     assert found[2].handed_in is None
     (name, sentence), = not_understood
     assert name == "submission_14" and "80's, and it is not there" in sentence
@@ -204,7 +204,7 @@ def test_names_are_safe_wherever_they_are_written(read, tmp_path):
     for one in found:
         (tmp_path / "out" / one.student).mkdir(parents=True)
         assert len(one.student.encode()) <= 100
-        for text in (one.student, *one.notes, *one.missing.values(), *one.identity.values()):
+        for text in (one.student, *one.notes, *one.missing.values(), *one.identity):
             assert text.isprintable(), text
 
 

@@ -4,7 +4,7 @@ import json
 import numpy as np
 import pytest
 
-from course.grading import wire
+from course.grading.apart import wire
 
 
 @pytest.mark.parametrize("value", [

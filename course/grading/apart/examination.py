@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 
-from .. import exercises
-from ..checks import Mismatch, loader
-from ..checks.report import is_fine_print
-from ..checks.showing import cut, shown_frames
-from ..given.contract import UNFINISHED
+from ... import exercises
+from ...checks import Mismatch, loader
+from ...checks.report import is_fine_print
+from ...checks.showing import cut, shown_frames
+from ...given.contract import UNFINISHED
 from . import sandbox, wire
 
 MESSAGES = {  # what a worker may say, and the types of what follows
@@ -38,7 +38,7 @@ class Examination:
 
     def __init__(self, job, labs):
         self.job = job
-        self.limits = sandbox.Limits(*job.limits)
+        self.limits = job.limits
         self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
         self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
                         for found in labs.values() for k, exercise in enumerate(found)}
@@ -330,9 +330,9 @@ def preloaded(topic):
                                for module, name in lines))
 
 
-def frame(told):
+def frame(sent):
     """What a worker tells of a frame -> (file, line, function), always of these types."""
-    file, line, function = told if isinstance(told, tuple) and len(told) == 3 else ("", 0, "")
+    file, line, function = sent if isinstance(sent, tuple) and len(sent) == 3 else ("", 0, "")
     return str(file)[:60], line if isinstance(line, int) else 0, printable(str(function)[:60])
 
 

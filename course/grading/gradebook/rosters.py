@@ -64,7 +64,7 @@ class Roster(NamedTuple):
     column: int
 
 
-def read(path, platform, assignment=None):
+def read(path, platform, assignment=None) -> Roster:
     """A Roster from a platform's export. ValueError: it is none, or the column is unclear."""
     sheet = sheets.read(path)
     kind = PLATFORMS[platform]
@@ -122,13 +122,13 @@ def key(text):
     return re.sub(r"^(participant |#)(?=\w)", "", text)
 
 
-def match(roster, handed_in):
+def match(roster, handed_in) -> tuple[dict, dict]:
     """-> ({student: row}, {student: why there is none}), by what the platform tells of each."""
     keys = PLATFORMS[roster.platform].keys
     index = {titles: indexed(roster, titles) for each in keys.values() for _, titles in each}
     rows, unmatched = {}, {}
     for one in handed_in:
-        row, why = row_of(one.identity, keys.get(one.identity.get("platform"), ()), index)
+        row, why = row_of(one.identity, keys.get(one.identity.platform, ()), index)
         if why:
             unmatched[one.student] = why
         else:
@@ -151,14 +151,15 @@ def indexed(roster, titles):
 
 def row_of(identity, keys, index):
     """-> (row, None), or (None, why there is none)."""
-    told = []
+    without = []
     for what, titles in keys:
-        if wanted := key(identity.get(what, "")):
+        if wanted := key(getattr(identity, what)):
             found = index[titles].get(wanted, ())
             if len(found) == 1:
                 return found[0], None
-            told.append(f"{len(found) or 'nobody'} in the roster with the {what} {identity[what]}")
-    return None, ", ".join(told) or "what was handed in tells nothing that the roster has, too"
+            without.append(f"{len(found) or 'nobody'} in the roster with the {what} "
+                        f"{getattr(identity, what)}")
+    return None, ", ".join(without) or "what was handed in tells nothing that the roster has, too"
 
 
 # --- points -----------------------------------------------------------------------------------
@@ -167,30 +168,30 @@ def row_of(identity, keys, index):
 def most(roster):
     """The most points that the platform has for the assignment. None if its export tells none."""
     title, rows = roster.sheet.header[roster.column], roster.sheet.rows
-    told = re.findall(r"MaxPoints:([\d.]+)", title)
-    told += [cell(roster, row, title) for row in rows if row[0].strip() == "Points Possible"]
-    told += [cell(roster, row, name) for row in rows
+    texts = re.findall(r"MaxPoints:([\d.]+)", title)
+    texts += [cell(roster, row, title) for row in rows if row[0].strip() == "Points Possible"]
+    texts += [cell(roster, row, name) for row in rows
              for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
-    return next((float(text.replace(",", ".")) for text in told if NUMBER.fullmatch(text)), None)
+    return next((float(text.replace(",", ".")) for text in texts if NUMBER.fullmatch(text)), None)
 
 
-def verdict(roster, row):
+def kept_word(roster, row):
     """A word in the place of points, such as Canvas's EX for excused. It is not written over."""
     text = cell(roster, roster.sheet.rows[row], roster.sheet.header[roster.column])
     return "" if text == "-" or NUMBER.fullmatch(text) else text
 
 
-def filled(roster, points):
+def filled(roster, points) -> bytes:
     """The file to import, as bytes. points {row: text}. All other cells are as they came."""
     kept, sheet = PLATFORMS[roster.platform].kept, roster.sheet
     columns = [column for column, title in enumerate(sheet.header)
                if not kept or column == roster.column or re.fullmatch(kept, title)]
     table = [sheet.header, *(list(row) for row in sheet.rows)]
     for row, text in points.items():
-        if verdict(roster, row):
+        if kept_word(roster, row):
             continue
         line = table[row + 1]
         line += [""] * (len(sheet.header) - len(line))
         line[roster.column] = text
     return sheets.written([[line[column] for column in columns if column < len(line)]
-                           for line in table], sheet.delimiter, sheet.newline, sheet.marked)
+                           for line in table], sheet.delimiter, sheet.newline, sheet.has_bom)

@@ -4,9 +4,9 @@ import html
 import io
 import itertools
 
-from .. import exercises
-from ..checks.page import document, escaped, paragraph, rows
-from ..given import places
+from ... import exercises
+from ...checks.page import document, escaped, paragraph, rows
+from ...given import places
 from . import similarity
 
 MOST_PAIRS = 50      # shown side by side; similar.csv has all
@@ -48,8 +48,8 @@ def table(pairs):
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(["student", "other student", "nodes beyond what is forced", "exercises"])
     for pair in pairs:
-        told = [f"{one.number} {one.name}: {one.nodes} of {one.of}" for one in pair.exercises]
-        lines.writerow([pair.first, pair.second, pair.nodes, "; ".join(told)])
+        alike = [f"{one.number} {one.name}: {one.nodes} of {one.of}" for one in pair.exercises]
+        lines.writerow([pair.first, pair.second, pair.nodes, "; ".join(alike)])
     return text.getvalue()
 
 
@@ -66,19 +66,19 @@ def page(pairs, texts):
         for one in pair.exercises[:MOST_EXERCISES]:
             parts.append(paragraph(f"{one.number} {one.name}: {one.nodes} of {one.of}", "claim"))
             sides = (f"<div>{escaped(student)}"
-                     f"<pre>{marked(texts[student][one.topic], one)}</pre></div>"
+                     f"<pre>{highlighted(texts[student][one.topic], one)}</pre></div>"
                      for student in (pair.first, pair.second))
             parts.append(f'<div class="sides">{"".join(sides)}</div>')
     return document("Alike, for a person to judge", *parts, style=STYLE)
 
 
-def marked(text, shared):
+def highlighted(text, shared):
     """The functions of an answer as HTML, without docstrings, what is shared marked."""
     answer, lines = similarity.read_answer(text, shared), exercises.text_lines(text)
-    columns = marked_columns(answer, shared.parts, lines)
+    columns = highlighted_columns(answer, shared.parts, lines)
     shown = [number for function in answer.functions for number in code_lines(function)]
     more = len(shown) - MOST_LINES
-    parts = [marked_line(lines[number - 1].rstrip(), columns.get(number, ()))
+    parts = [highlighted_line(lines[number - 1].rstrip(), columns.get(number, ()))
              for number in shown[:MOST_LINES]]
     return "\n".join([*parts, *[f"(cut here; there are {more} lines more)"] * (more > 0)])
 
@@ -92,7 +92,7 @@ def code_lines(function):
     return [number for number in numbers if not text.lineno <= number <= text.end_lineno]
 
 
-def marked_columns(answer, parts, lines):
+def highlighted_columns(answer, parts, lines):
     """{line: the columns in it that belong to these parts}."""
     bits, columns = similarity.covered(answer.parts, parts), {}
     places = (node for place, (node, _) in enumerate(answer.nodes) if bits >> place & 1)
@@ -113,8 +113,8 @@ def column(line, offset):
     return len(line.encode("utf-8")[:offset].decode("utf-8", "ignore"))
 
 
-def marked_line(line, columns):
+def highlighted_line(line, columns):
     pieces = itertools.groupby(enumerate(line), key=lambda place: place[0] in columns)
-    texts = [(is_marked, html.escape("".join(letter for _, letter in each)))
-             for is_marked, each in pieces]
-    return "".join(f"<mark>{text}</mark>" if is_marked else text for is_marked, text in texts)
+    texts = [(is_shared, html.escape("".join(letter for _, letter in each)))
+             for is_shared, each in pieces]
+    return "".join(f"<mark>{text}</mark>" if is_shared else text for is_shared, text in texts)

@@ -23,8 +23,8 @@ def write(out, records):
     try:
         with zipfile.ZipFile(neighbour, "w", zipfile.ZIP_DEFLATED) as archive:
             for record in records:
-                report = out / "students" / record["student"] / "report.html"
-                if report.exists() and not record["problem"]:
+                report = out / "students" / record.work.student / "report.html"
+                if report.exists() and not record.result.problem:
                     put(archive, *entry(record, report.read_bytes()))
         os.replace(neighbour, path)
     finally:
@@ -33,16 +33,15 @@ def write(out, records):
 
 def entry(record, report):
     """-> (the name that the platform reads, the content)."""
-    identity = record.get("identity") or {}
-    platform, file = identity.get("platform"), identity.get("file") or ""
-    if platform == "moodle" and identity.get("id"):
-        return f"Participant_{identity['id']}_assignsubmission_file_/report.html", report
+    platform, number, _, _, file = record.work.identity
+    if platform == "moodle" and number:
+        return f"Participant_{number}_assignsubmission_file_/report.html", report
     if platform == "canvas" and file.lower().endswith(".zip"):
         content = io.BytesIO()
         with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
             put(archive, "report.html", report)
         return file, content.getvalue()
-    return f"{record['student']}/report.html", report
+    return f"{record.work.student}/report.html", report
 
 
 def put(archive, name, content):

@@ -7,9 +7,9 @@ import csv
 import io
 from typing import NamedTuple
 
-from ..given import places
+from ...given import places
 
-MARKS = {codecs.BOM_UTF8: "utf-8-sig", codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
+BOMS = {codecs.BOM_UTF8: "utf-8-sig", codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
 
 
 class Sheet(NamedTuple):
@@ -20,12 +20,12 @@ class Sheet(NamedTuple):
     lines: list             # of each row, its last line in the file
     delimiter: str = ","
     newline: str = "\n"
-    marked: bool = False    # whether the file begins with a byte order mark
+    has_bom: bool = False   # whether the file begins with a byte order mark
 
 
-def read(path):
+def read(path) -> Sheet:
     """A table from a file, without its empty rows. ValueError: it is no text, or no table."""
-    text, marked = decoded(path)
+    text, has_bom = decoded(path)
     try:
         delimiter = max(",;\t", key=lambda each: len(next(parsed(text, each), ())))
         table = parsed(text, delimiter)
@@ -35,16 +35,17 @@ def read(path):
     if not rows:
         raise ValueError(f"{path} is empty: it should have a row of titles, and rows below it")
     (header, _), *below = rows
+    newline = "\r\n" if "\r\n" in text else "\n"
     return Sheet([title.strip() for title in header], [row for row, _ in below],
-                 [line for _, line in below], delimiter, "\r\n" if "\r\n" in text else "\n", marked)
+                 [line for _, line in below], delimiter, newline, has_bom)
 
 
 def decoded(path):
     """-> (text, whether it began with a byte order mark)."""
     content = places.read_whole(path)
-    mark = next((mark for mark in MARKS if content.startswith(mark)), None)
+    bom = next((bom for bom in BOMS if content.startswith(bom)), None)
     try:
-        return content.decode(MARKS.get(mark, "utf-8")), mark is not None
+        return content.decode(BOMS.get(bom, "utf-8")), bom is not None
     except UnicodeDecodeError as error:
         raise ValueError(f"{path} is not UTF-8 text (byte {error.start}): export it again, or save "
                          "it as \"CSV UTF-8\"") from None
@@ -54,11 +55,11 @@ def parsed(text, delimiter):
     return csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
 
 
-def written(rows, delimiter=",", newline="\n", marked=False):
+def written(rows, delimiter=",", newline="\n", has_bom=False) -> bytes:
     """Rows of cells -> the bytes of a file."""
     text = io.StringIO(newline="")
     csv.writer(text, delimiter=delimiter, lineterminator=newline).writerows(rows)
-    return text.getvalue().encode("utf-8-sig" if marked else "utf-8")
+    return text.getvalue().encode("utf-8-sig" if has_bom else "utf-8")
 
 
 def plain(cell):
@@ -67,6 +68,6 @@ def plain(cell):
     return f"'{cell}" if begins else cell
 
 
-def shown(points):
+def number_text(points) -> str:
     """15.0 -> '15', 15.25 -> '15.25', None -> '': points as they are written."""
     return "" if points is None else f"{points:.2f}".rstrip("0").rstrip(".")

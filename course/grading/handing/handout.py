@@ -10,8 +10,8 @@ import textwrap
 import zipfile
 from pathlib import Path
 
-from .. import exercises
-from ..given import places
+from ... import exercises
+from ...given import places
 
 WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "course/given/data/*.png", "course/given/data/captures/**/*.*",
@@ -20,7 +20,8 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "tests/labs/[!t]*.py",  # what checks share
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
          ".gitignore")
-PACKS = {f"course/grading/{name}.py" for name in ("__init__", "archives", "pack")}
+PACKS = {f"course/grading/{name}.py" for name in (
+    "__init__", "handing/__init__", "handing/archives", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mutants")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs

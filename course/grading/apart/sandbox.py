@@ -17,7 +17,7 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from ..given import places
+from ...given import places
 from . import seccomp, wire
 from .cgroups import Share
 from .levels import environment, given, plain, strict

@@ -204,7 +204,7 @@ def serve(channel, codes):
     try:
         modules = load(channel, codes)
     except BaseException as error:
-        channel.send("raised", *told(error), printed.taken())
+        channel.send("raised", *error_parts(error), printed.taken())
     else:
         channel.send("opened", printed.taken())
     while True:
@@ -230,10 +230,10 @@ def answer(channel, modules, printed, topic, name, args, kwargs):
                         enumerate(zip(inputs, before, strict=True)) if array.tobytes() != old)
         return wire.encode(("returned", returned, changed, printed.taken()))
     except BaseException as error:
-        return wire.encode(("raised", *told(error), printed.taken()))
+        return wire.encode(("raised", *error_parts(error), printed.taken()))
 
 
-def told(error):
+def error_parts(error):
     """An error's type, its text, and its lines (topic, line, function) in the labs."""
     try:
         text = str(error)[:MOST_PRINTED]

@@ -4,8 +4,9 @@ All files that an instructor gives are read before anything is graded, so a mist
 """
 from typing import NamedTuple
 
-from ..given import places
-from . import changes, lateness, marks, overrides, rosters, sheets
+from ...given import places
+from . import changes, lateness, overrides, rosters, sheets, worth
+from .records import Record
 
 
 class Asked(NamedTuple):
@@ -40,15 +41,15 @@ class Gradebook:
             self.rows, self.unmatched = rosters.match(self.roster, handed_in)
         self.handed_in = {one.student: one for one in handed_in}
 
-    def entered(self, record):
-        """The record, with what is known of its student besides the work."""
-        one = self.handed_in[record["student"]]
+    def entered(self, record: Record) -> Record:
+        """The record, with what is known of its student besides the work, and without the texts."""
+        one = self.handed_in[record.work.student]
         when = self.when(one)
-        marked = one.late if one.identity.get("platform") == "canvas" else None
-        return {**record, "digest": one.digest or record["digest"],
-                "identity": one.identity, "handed_in": when, "late": one.late,
-                "lateness": lateness.judged(self.policy, when, marked),
-                "overrides": self.by_hand.get(one.student, {})}
+        is_late = one.late if one.identity.platform == "canvas" else None
+        return record._replace(
+            work=one._replace(texts={}, missing={}, handed_in=when),
+            lateness=lateness.judged(self.policy, when, is_late),
+            overrides=self.by_hand.get(one.student, {}))
 
     def when(self, one):
         """Seconds since 1970. Moodle tells them in its worksheet only."""
@@ -57,14 +58,14 @@ class Gradebook:
 
     def moodle_says(self, one):
         """When it was handed in, as Moodle's worksheet has it, or an empty text."""
-        if one.identity.get("platform") != "moodle" or one.student not in self.rows:
+        if one.identity.platform != "moodle" or one.student not in self.rows:
             return ""
         row = self.roster.sheet.rows[self.rows[one.student]]
         return rosters.cell(self.roster, row, "Last modified (submission)").strip("-")
 
     # --- what an instructor is told, before and after
 
-    def said(self):
+    def said(self) -> list[str]:
         """Sentences on what does not fit together."""
         lines = []
         if self.roster:
@@ -73,14 +74,14 @@ class Gradebook:
                          f"{self.roster.path}; their points go to the column {title!r}")
             lines += [f"not matched: {name}: {why}" for name, why in self.unmatched.items()]
             lines += [f"{name} keeps the {word!r} that the roster has" for name, row in
-                      self.rows.items() if (word := rosters.verdict(self.roster, row))]
+                      self.rows.items() if (word := rosters.kept_word(self.roster, row))]
             if absent := self.absent():
                 lines.append(f"in the roster without a submission ({len(absent)}): "
                              f"{'; '.join(absent.values())}")
             most = rosters.most(self.roster)
             if most not in (None, self.of):
-                lines.append(f"{title!r} is out of {sheets.shown(most)} points there, and out of "
-                             f"{self.of} here: make it {self.of} there before you import")
+                lines.append(f"{title!r} is out of {sheets.number_text(most)} points there, and "
+                             f"out of {self.of} here: make it {self.of} there before you import")
         return lines + self.said_of_times()
 
     def said_of_times(self):
@@ -99,15 +100,15 @@ class Gradebook:
         there = set(self.rows.values())
         return {row: name for row, name in rosters.people(self.roster).items() if row not in there}
 
-    def write(self, out, records, table):
+    def write(self, out, records, table) -> list:
         """Write the platform's file, those without a partner, and what changed -> the paths.
 
         records {student: record}. table: the rows of grades.csv.
         """
         files = {}
         if self.roster:
-            points = {row: sheets.shown(marks.after_lateness(records[student]))
-                      for student, row in self.rows.items() if marks.is_graded(records[student])}
+            points = {row: sheets.number_text(worth.after_lateness(records[student]))
+                      for student, row in self.rows.items() if worth.is_graded(records[student])}
             files[f"for-{self.roster.platform}.csv"] = rosters.filled(self.roster, points)
             files["unmatched.csv"] = sheets.written(self.without_partner())
         if self.before is not None:
@@ -123,9 +124,8 @@ class Gradebook:
         """The rows of unmatched.csv."""
         yield "handed in as", "id", "name", "email", "why"
         for student, why in self.unmatched.items():
-            told = self.handed_in[student].identity
-            yield map(sheets.plain, (student, *(told.get(part, "") for part in
-                                                ("id", "name", "email")), why))
+            who = self.handed_in[student].identity
+            yield map(sheets.plain, (student, who.id, who.name, who.email, why))
         ids = rosters.PLATFORMS[self.roster.platform].ids
         for number, name in self.absent().items():
             row = self.roster.sheet.rows[number]

@@ -6,14 +6,22 @@
     bob,total,15,oral examination
 """
 import math
+from typing import NamedTuple
 
 from . import sheets
 
 COLUMNS = ("student", "exercise", "points", "reason")
 
 
-def read(path, students, exercises):
-    """{student: {exercise: {"points", "reason"}}}. ValueError names the first line that is wrong.
+class Override(NamedTuple):
+    """Points in the place of those that the checks, or lateness, would give."""
+
+    points: float
+    reason: str
+
+
+def read(path, students, exercises) -> dict[str, dict[str, Override]]:
+    """{student: {exercise: Override}}. ValueError names the first line that is wrong.
 
     students: those who handed in something. exercises: those that are graded.
     """
@@ -30,8 +38,7 @@ def read(path, students, exercises):
         given = found.setdefault(student, {})
         if wrong := problem(student, exercise, reason, students, most, given):
             raise ValueError(f"{path}, line {line}: {wrong}")
-        given[exercise] = {"points": number(points, most[exercise], f"{path}, line {line}"),
-                           "reason": reason}
+        given[exercise] = Override(number(points, most[exercise], f"{path}, line {line}"), reason)
     return found
 
 

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from ..exercises import GIVEN
-from ..given import places
+from ...exercises import GIVEN
+from ...given import places
 from . import seccomp
 
 LEVELS = ("strict", "process")
@@ -82,7 +82,7 @@ def strict(folder, limits):
              if os.path.exists(path)}
     there |= {f"/packages/{name}": path for name, path in packages().items()}
     there |= {f"/worker/{name}": WORKER.with_name(name) for name in NEIGHBOURS}
-    seen = [option for place, path in there.items() for option in shown(place, str(path))]
+    seen = [option for place, path in there.items() for option in mounted(place, str(path))]
     hidden = ["--tmpfs", str(places.ROOT)] * any(places.ROOT.is_relative_to(path)
                                                  for path in there.values())
     empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev",
@@ -94,7 +94,7 @@ def strict(folder, limits):
         writable=["/tmp", "/dev/null"])
 
 
-def shown(place, path):
+def mounted(place, path):
     """The options that show a path, read-only, at a place. All may enter the folders above it."""
     for folder in reversed(Path(place).parents[:-1]):
         yield from ("--perms", "0755", "--dir", str(folder))

@@ -5,8 +5,8 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from .. import board, exercises
-from ..given import places
+from ... import board, exercises
+from ...given import places
 from . import archives
 
 

@@ -5,12 +5,12 @@ Names of files and students, and messages, come from students: all of them are e
 import collections
 import re
 
-from ..checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
-from .lateness import iso
-from .marks import after_lateness, is_graded, points, told_by_hand, total
+from ...checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
+from ..gradebook.lateness import iso
+from ..gradebook.sheets import number_text
+from ..gradebook.worth import after_lateness, is_graded, override_sentences, points, total
+from ..handing.submissions import tidy
 from .report import is_of_the_lab, missing
-from .sheets import shown
-from .submissions import tidy
 
 MOST_CLAIMS = 60  # in the table of those that fail
 MOST_PAIRS = 20   # of those that are alike; similar.csv has all
@@ -23,8 +23,8 @@ td:last-child:not(:has(.bar)) { min-width: 14rem; }
 
 
 def overview(records, exercises, level, about, not_understood=(), alike=None,
-             waiting=0):
-    """records: of grade.run. exercises: those that count. not_understood: [(name, sentence)].
+             waiting=0) -> str:
+    """exercises: those that count. not_understood: [(name, sentence)].
 
     alike: what `similarity.pairs` found; None where nobody has looked yet.
     waiting: how many are not graded yet.
@@ -36,11 +36,11 @@ def overview(records, exercises, level, about, not_understood=(), alike=None,
         "Exercises, the hardest first": hardest(graded, exercises),
         "Claims that fail": table(failing_claims(graded), ["", "the claim", "fails for", "of"]),
         "Labs that are not there, or cannot be imported": table([
-            [student_link(record["student"]), topic, first_line(why)]
+            [student_link(record.work.student), topic, first_line(why)]
             for record in records for topic, why in missing(record).items()]),
         "Crashes, time-outs, and worse": table([
-            [student_link(record["student"]), number, sentence]
-            for record in records for number, sentence in record["lost"].items()]),
+            [student_link(record.work.student), number, sentence]
+            for record in records for number, sentence in record.result.lost.items()]),
         "Alike, for a person to judge": alike_part(alike),
         "Everybody": table(*everybody(records, exercises))}
     sections = {title: content for title, content in sections.items() if content}
@@ -87,7 +87,7 @@ def distribution(graded, exercises):
     for reached in totals:
         counts[min(9, int(10 * reached // max(of, 1)))] += 1
     return "\n".join([
-        paragraph(f"median {shown(totals[len(totals) // 2])} of {of} points"),
+        paragraph(f"median {number_text(totals[len(totals) // 2])} of {of} points"),
         rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
               for tenth, count in enumerate(counts)])])
 
@@ -105,13 +105,13 @@ def failing_claims(graded):
     """Rows of the claims that most fail, among those whose lab is there and who began."""
     tried, failed = collections.Counter(), collections.Counter()
     for record in graded:
-        for entry in record["board"]["exercises"] if record["board"] else ():
-            for check in entry["checks"]:
-                claim = f"{entry['number']} {entry['name']}", check["claim"]
-                if check["verdict"] in ("passed", "failed") and not is_of_the_lab(
-                        check, entry["topic"], record):
+        for entry in record.result.entries:
+            for check in entry.checks:
+                claim = f"{entry.number} {entry.name}", check.claim
+                if check.verdict in ("passed", "failed") and not is_of_the_lab(
+                        check, entry.topic, record):
                     tried[claim] += 1
-                    failed[claim] += check["verdict"] == "failed"
+                    failed[claim] += check.verdict == "failed"
     return [[*claim, count, tried[claim], bar(count, tried[claim])]
             for claim, count in failed.most_common(MOST_CLAIMS) if count]
 
@@ -123,17 +123,17 @@ def everybody(records, exercises):
     """(rows, head). A column that would be empty for all is left out."""
     of = sum(exercise.points for exercise in exercises)
     columns = {
-        "": lambda record: student_link(record["student"]),
+        "": lambda record: student_link(record.work.student),
         "name": name_besides,
         "points": lambda record: number(total(record)),
         f"of {of}": lambda record: bar(total(record), of),
         "handed in": handed_in,
         "late": lateness,
         "points left": lambda record: number(after_lateness(record)) if lateness(record) else "",
-        "by hand": lambda record: "; ".join(told_by_hand(record)),
-        "seed": lambda record: str(record.get("seed", "")),
-        "problem": lambda record: first_line(record["problem"] or ""),
-        "notes": lambda record: "; ".join(record["notes"])}
+        "by hand": lambda record: "; ".join(override_sentences(record)),
+        "seed": lambda record: str(record.how.seed),
+        "problem": lambda record: first_line(record.result.problem or ""),
+        "notes": lambda record: "; ".join(record.work.notes)}
     table = {head: [cell(record) for record in records] for head, cell in columns.items()}
     table = {head: cells for head, cells in table.items() if any(cell != "" for cell in cells)}
     return list(zip(*table.values(), strict=True)), list(table)
@@ -141,8 +141,8 @@ def everybody(records, exercises):
 
 def name_besides(record):
     """The student's name, where the row has a number or an address of a platform."""
-    name = (record.get("identity") or {}).get("name", "")
-    return "" if record["student"].startswith(tidy(name)[:20]) else name
+    name = record.work.identity.name
+    return "" if record.work.student.startswith(tidy(name)[:20]) else name
 
 
 def number(reached):
@@ -150,15 +150,14 @@ def number(reached):
 
 
 def handed_in(record):
-    when = record.get("handed_in")
-    told = record.get("lateness", {}).get("handed in") or ("" if when is None else iso(when, None))
-    return told.replace("T", " ")
+    when = record.work.handed_in
+    text = record.lateness.handed_in or ("" if when is None else iso(when, None))
+    return text.replace("T", " ")
 
 
 def lateness(record):
     """LATE where the platform says so, and by how much, where that is known."""
-    by = record.get("lateness", {}).get("late by", "")
-    return " ".join(filter(None, ["LATE" * bool(record.get("late")), by]))
+    return " ".join(filter(None, ["LATE" * record.work.late, record.lateness.late_by]))
 
 
 def alike_part(pairs):

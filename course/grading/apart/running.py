@@ -6,16 +6,16 @@ import concurrent.futures
 import contextlib
 import functools
 import hashlib
-import json
 import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
-from ..given import places
-from . import sandbox
-from .examine import Job
+from ...given import places
+from . import sandbox, typed_json
+from .jobs import Job, Result, failure
 
 DECIDE = ("course/**/*.py", "reference/*.py", "tests/conftest.py", "tests/labs/*.py",
           "tests/golden/*")
@@ -23,7 +23,7 @@ PATIENCE = 30  # seconds for a cluster's scheduler and its first worker to answe
 
 
 @functools.cache
-def course_digest():
+def course_digest() -> str:
     """A hash of the checks, the reference and the grader."""
     whole = hashlib.sha256()
     for pattern in DECIDE:
@@ -32,13 +32,13 @@ def course_digest():
     return whole.hexdigest()
 
 
-def examined(todo, jobs, scheduler):
+def examined(todo, jobs, scheduler) -> Iterator:
     """Yield (submission, job, what `examine` returns), in the order in which they end."""
     if scheduler:
         yield from on_cluster(todo, scheduler)
         return
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool, lifeline() as line:
-        running = {pool.submit(examine, job._asdict(), line): (one, job) for one, job in todo}
+        running = {pool.submit(examine, job, line): (one, job) for one, job in todo}
         try:
             for future in concurrent.futures.as_completed(running):
                 yield *running[future], outcome(future)
@@ -57,25 +57,24 @@ def lifeline():
             os.close(writing)
 
 
-def examine(job, line=None):
-    """A job, as a dict -> (its result, {name: picture}), from a process of its own."""
+def examine(job: Job, line=None) -> tuple[Result, dict]:
+    """A job -> (its result, {name: picture}), from a process of its own."""
     if line is None:
         with lifeline() as line:
             return examine(job, line)
-    limits = sandbox.Limits(*Job(**job).limits)
     with tempfile.TemporaryDirectory(prefix="examine-") as folder:
         folder = Path(folder)
-        (folder / "job.json").write_text(json.dumps(job), "utf-8")
-        command = [sys.executable, "-m", "course.grading.examine", str(folder)]
+        (folder / "job.json").write_text(typed_json.dumps(job), "utf-8")
+        command = [sys.executable, "-m", "course.grading.apart.examine", str(folder)]
         settings = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         try:  # in a session of its own: Ctrl-C reaches this process alone, which ends the line
             done = subprocess.run(command, cwd=places.ROOT, env=settings, capture_output=True,
                                   stdin=line, start_new_session=True,
-                                  timeout=limits.submission + 300)
+                                  timeout=job.limits.submission + 300)
         except subprocess.TimeoutExpired:
             return failure("the checks themselves took too long"), {}
         try:
-            result = json.loads((folder / "result.json").read_bytes())
+            result = typed_json.loads(Result, (folder / "result.json").read_bytes())
         except (OSError, ValueError):
             said = done.stderr.decode("utf-8", "replace").strip().splitlines()
             return failure(f"the checks broke off: {said[-1] if said else done.returncode}"), {}
@@ -88,11 +87,6 @@ def outcome(future):
         return future.result()
     except Exception as error:
         return failure(f"the examination broke off: {type(error).__name__}: {error}"), {}
-
-
-def failure(problem):
-    return {"board": None, "lost": {}, "missing": {}, "asked": {}, "problem": problem,
-            "seconds": 0.0}
 
 
 # --- a cluster --------------------------------------------------------------------------------
@@ -109,7 +103,7 @@ def on_cluster(todo, scheduler):
         there = at_the_worker()
         require_alike(client.run(there, "what_is_here"), todo[0][1].level if todo else None)
         futures = {client.submit(there, "examine_alike", course_digest(),
-                                 json.dumps(job._asdict()), pure=False): (one, job)
+                                 typed_json.dumps(job), pure=False): (one, job)
                    for one, job in todo}
         for future in distributed.as_completed(futures):
             yield *futures[future], outcome(future)
@@ -143,7 +137,7 @@ def at_the_worker():
         if os.getcwd() not in sys.path:
             sys.path.insert(0, os.getcwd())
         try:
-            module = importlib.import_module("course.grading.running")
+            module = importlib.import_module("course.grading.apart.running")
         except ImportError:
             return None
         return getattr(module, name)(*given)
@@ -171,4 +165,4 @@ def examine_alike(digest, job):
     """`examine` a job, as JSON, on a machine that may have come when others were at work."""
     if course_digest() != digest:
         return failure("a machine of the cluster has another course"), {}
-    return examine(json.loads(job))
+    return examine(typed_json.loads(Job, job))

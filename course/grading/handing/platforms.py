@@ -17,7 +17,7 @@ import re
 import unicodedata
 from typing import NamedTuple
 
-from .. import exercises
+from ... import exercises
 from . import archives
 
 METADATA = "submission_metadata.yml"
@@ -32,21 +32,27 @@ BRIGHTSPACE = re.compile(r"(?P<user>\d+)-\d+ - (?P<name>.+?) - (?P<day>[^-]*?\d{
                          r"(?P<hour>\d{1,2}):?(?P<minute>\d\d)(?P<half> [AP]M)?(?: - .+)?", re.S)
 
 
+class Identity(NamedTuple):
+    """What a platform tells of a person. "": it does not tell that."""
+
+    platform: str = ""
+    id: str = ""
+    name: str = ""
+    email: str = ""
+    file: str = ""   # the name that the platform gave to what was handed in
+
+
 class Sender(NamedTuple):
     """Who handed something in."""
 
     student: str     # the same for all that this person hands in, and nobody else's
-    identity: dict   # what the platform tells of the person
+    identity: Identity
     order: float = 0               # the later it was handed in, the greater
     handed_in: float | None = None  # seconds since 1970 UTC
     late: bool = False
 
 
-def identity(platform="", id="", name="", email=""):
-    return {"platform": platform, "id": id, "name": name, "email": email}
-
-
-def senders(path, submitters, zone=None):
+def senders(path, submitters, zone=None) -> list[Sender] | None:
     """Those who handed in what lies at a path. Several: a group. None: the name tells nobody.
 
     submitters: of `gradescope`. zone: of times that name none; None: this machine's.
@@ -59,18 +65,18 @@ def senders(path, submitters, zone=None):
                          (MOODLE, moodle), (ANONYMOUS, canvas), (CANVAS, canvas)):
         if match := form.fullmatch(name):
             found = sender(**match.groupdict())
-            return [found._replace(identity={**found.identity, "file": name})]
+            return [found._replace(identity=found.identity._replace(file=name))]
     person = by_hand(path, whole)
-    return [Sender(person, identity(name=person))] if person else []
+    return [Sender(person, Identity(name=person))] if person else []
 
 
 def canvas(name, late, order, id=""):
-    return Sender(f"{name}_{id}" if id else name, identity("canvas", id, name),
+    return Sender(f"{name}_{id}" if id else name, Identity("canvas", id, name),
                   order=int(order or 0), late=bool(late))
 
 
 def moodle(name, id):
-    return Sender(f"{name}_{id}" if id else name, identity("moodle", id or "", name))
+    return Sender(f"{name}_{id}" if id else name, Identity("moodle", id or "", name))
 
 
 def brightspace(user, name, day, hour, minute, half, zone):
@@ -80,7 +86,7 @@ def brightspace(user, name, day, hour, minute, half, zone):
         form = "%b %d, %Y %I%M %p" if half else "%b %d, %Y %H%M"
         moment = datetime.datetime.strptime(f"{day} {hour:0>2}{minute}{half or ''}", form)
         when = moment.replace(tzinfo=zone).timestamp()
-    return Sender(f"{name}_{user}", identity("brightspace", name=name), when or 0, when)
+    return Sender(f"{name}_{user}", Identity("brightspace", name=name), when or 0, when)
 
 
 def by_hand(path, name):
@@ -96,7 +102,7 @@ def by_hand(path, name):
 # --- Gradescope -------------------------------------------------------------------------------
 
 
-def gradescope(folder):
+def gradescope(folder) -> dict[str, list[Sender]]:
     """{"submission_1234": [a Sender for each of its submitters]} of an export."""
     path = folder / METADATA
     if not path.is_file():
@@ -110,14 +116,14 @@ def gradescope(folder):
         raise ValueError(f"{METADATA} cannot be read without PyYAML: pip install pyyaml") from None
     except (yaml.YAMLError, AttributeError, KeyError, TypeError, ValueError) as error:
         raise ValueError(f"{path} is not as Gradescope exports it "
-                         f"({archives.told(error)}): download it again") from None
+                         f"({archives.reason(error)}): download it again") from None
 
 
 def submitter(about, created):
     id, name, email = (archives.printable(about.get(field) or "")
                        for field in (":sid", ":name", ":email"))
     when = gradescope_time(created)
-    return Sender(id or email or name, identity("gradescope", id, name, email), when or 0, when)
+    return Sender(id or email or name, Identity("gradescope", id, name, email), when or 0, when)
 
 
 def gradescope_time(text):

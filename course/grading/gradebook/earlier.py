@@ -1,13 +1,9 @@
 """What earlier runs left in the same folder: nobody falls out of the tables."""
-import json
-
-from .submissions import Submission
-
-NEEDED = {"student", "identity", "handed_in", "late", "level", "seed", "checks", "digest",
-          "problem", "board", "notes"}
+from ..apart import typed_json
+from .records import Record
 
 
-def records(out, handed_in, columns):
+def records(out, handed_in, columns) -> list[Record]:
     """The records of those who are not graded now.
 
     ValueError: they would not fit into the same table, or a folder is another student's.
@@ -21,33 +17,27 @@ def records(out, handed_in, columns):
                              "another version of the course: name another folder with --out")
         if one is None:
             found.append(record)
-        elif are_two(record.get("identity", one.identity), one.identity):
+        elif record and are_two(record.work.identity, one.identity):
             raise ValueError(f"{path.parent} holds grades of another student, whose name is almost "
                              "the same: name another folder with --out")
     return found
 
 
-def read(path):
-    """What an earlier run wrote, {} where it cannot be read."""
+def read(path) -> Record | None:
+    """What an earlier run wrote. None: there is nothing, or of another version of the course."""
     try:
-        return dict(json.loads(path.read_bytes()))
-    except (OSError, TypeError, ValueError):
-        return {}
+        return typed_json.loads(Record, path.read_bytes())
+    except (OSError, ValueError):
+        return None
 
 
 def fits(record, columns):
     """Whether a record has what the tables show."""
-    numbers = {exercise.number for exercise in columns}
-    return record.keys() >= NEEDED and (not record["board"] or numbers == {
-        entry["number"] for entry in record["board"]["exercises"]})
+    entries = record.result.entries if record else []
+    numbers = {entry.number for entry in entries}
+    return bool(record) and (not entries or numbers == {one.number for one in columns})
 
 
 def are_two(before, now):
     """Whether names that were handed in by hand are of two people."""
-    return before["platform"] == now["platform"] == "" and before["name"] != now["name"]
-
-
-def submission(record):
-    """Who it was, and when. The labs are not there any more."""
-    return Submission(record["student"], {}, {}, tuple(record["notes"]), record["identity"],
-                      record["handed_in"], record["late"])
+    return before.platform == now.platform == "" and before.name != now.name

@@ -10,7 +10,7 @@ import unicodedata
 from pathlib import Path
 from typing import NamedTuple
 
-from .. import exercises
+from ... import exercises
 from . import archives, platforms
 
 LONGEST_NAME = 100  # bytes of a student's name as a folder
@@ -22,12 +22,12 @@ class Submission(NamedTuple):
     """What one student has handed in."""
 
     student: str              # unique in any case, safe as a folder's name
-    texts: dict               # {topic: text}
-    missing: dict             # {topic: sentence}, of those that were expected and cannot be taken
-    notes: tuple              # sentences for the report
-    identity: dict            # of the platform: platform, id, name, email ("": untold), file
-    handed_in: float | None   # seconds since 1970 UTC, as the platform tells it
-    late: bool                # the platform marked it as late
+    texts: dict[str, str]     # {topic: text}
+    missing: dict[str, str]   # {topic: sentence}, of those that were expected and cannot be taken
+    notes: tuple[str, ...]    # sentences for the report
+    identity: platforms.Identity = platforms.Identity()
+    handed_in: float | None = None  # seconds since 1970 UTC, as the platform tells it
+    late: bool = False        # so the platform says
     digest: str = ""          # the hash of all labs, as `pack` prints it; "": not known
 
 
@@ -38,7 +38,7 @@ class Found(NamedTuple):
     path: Path
 
 
-def read(folder, topics, zone=None):
+def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
     """The submissions in a folder, one for each student; [(name, sentence)] of the rest.
 
     zone: of times that name none; None: this machine's.
@@ -71,7 +71,7 @@ def listed(folder, topics, zone):
         found += [Found(sender, path) for sender in senders]
         seen.add(path.stem)
         if not senders:
-            not_understood.append((archives.shown(path.name), NOBODY.format(topic=topics[0])))
+            not_understood.append((archives.quoted(path.name), NOBODY.format(topic=topics[0])))
     for name in submitters.keys() - seen:
         who = ", ".join(sender.student for sender in submitters[name])
         not_understood.append((name, f"{platforms.METADATA} names it as {who}'s, and it is not "
@@ -85,7 +85,7 @@ def distinct(students):
     for student in sorted(students):
         name = tidy(student)
         if name.casefold() in taken:
-            name = marked(name, student)
+            name = cut_name(name, student)
         taken.add(name.casefold())
         names[student] = name
     return names
@@ -96,13 +96,13 @@ def tidy(student):
     kept = (c if c.isalnum() or c in "._-" or unicodedata.category(c)[0] == "M" else " "
             for c in student)
     name = "_".join("".join(kept).split()).strip("._-") or "nameless"
-    return name if len(name.encode()) <= LONGEST_NAME else marked(name, student)
+    return name if len(name.encode()) <= LONGEST_NAME else cut_name(name, student)
 
 
-def marked(name, student):
+def cut_name(name, student):
     """A name that is cut, and nobody else's."""
-    mark = hashlib.sha256(student.encode()).hexdigest()[:6]
-    return f"{name.encode()[:LONGEST_NAME - 7].decode('utf-8', 'ignore')}_{mark}"
+    tail = hashlib.sha256(student.encode()).hexdigest()[:6]
+    return f"{name.encode()[:LONGEST_NAME - 7].decode('utf-8', 'ignore')}_{tail}"
 
 
 def submission(name, found, topics):

@@ -54,7 +54,7 @@ def why(what, old, new):
     differ = {column for column in CAUSES if column in old and old[column] != new[column]}
     if "hash" in differ:
         differ.discard("seed")  # each submission has its own
-    causes = [told for column, told in CAUSES.items() if column in differ]
+    causes = [cause for column, cause in CAUSES.items() if column in differ]
     alone = "what its exercises give" if what == "total" else SAME
     return ", ".join(causes) or alone
 

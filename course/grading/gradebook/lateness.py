@@ -20,7 +20,15 @@ class Policy(NamedTuple):
     step: int = SECONDS["day"]
 
 
-def policy(due=None, late=None, grace=None):
+class Lateness(NamedTuple):
+    """What is told of a submission's time, and the percentage that it takes off the points."""
+
+    handed_in: str = ""
+    late_by: str = ""
+    percent: float = 0
+
+
+def policy(due=None, late=None, grace=None) -> Policy:
     """('2026-11-22T23:59', '10%/day', '1h') -> Policy. ValueError: one of them cannot be read."""
     if due is None and (late or grace):
         raise ValueError("--late and --grace need --due, as in --due 2026-11-22T23:59")
@@ -30,7 +38,7 @@ def policy(due=None, late=None, grace=None):
                   duration(grace) if grace else 0, percent, step)
 
 
-def zone(due):
+def zone(due) -> tzinfo | None:
     """The zone that a due time names, which is that of times which name none. None: it has none."""
     return deadline(due).tzinfo if due else None
 
@@ -64,23 +72,22 @@ def duration(text):
     return int(found[1]) * SECONDS[found[2]]
 
 
-def judged(policy, handed_in, marked):
-    """What is told of a submission, and the percentage that lateness takes off its points.
+def judged(policy, handed_in, is_late) -> Lateness:
+    """The Lateness of a submission.
 
-    handed_in: seconds since 1970, None where that is not told. marked: whether the platform says
-    that it is late, None where it says nothing.
+    handed_in: seconds since 1970, None where that is not told. is_late: whether the platform says
+    so, None where it says nothing.
     """
     if handed_in is None:
-        unknown = NO_TIME if policy.due is not None and marked is None else ""
-        return {"handed in": "", "late by": NOT_TOLD if marked else unknown, "percent": 0}
+        unknown = NO_TIME if policy.due is not None and is_late is None else ""
+        return Lateness(late_by=NOT_TOLD if is_late else unknown)
     late = math.floor(handed_in - policy.due) if policy.due is not None else 0
     steps = math.ceil(late / policy.step) if late > policy.grace else 0
-    return {"handed in": iso(handed_in, policy.zone),
-            "late by": str(timedelta(seconds=late)) if late > 0 else "",
-            "percent": min(100, steps * policy.percent)}
+    return Lateness(iso(handed_in, policy.zone), str(timedelta(seconds=late)) if late > 0 else "",
+                    min(100, steps * policy.percent))
 
 
-def iso(seconds, zone):
+def iso(seconds, zone) -> str:
     return datetime.fromtimestamp(seconds, UTC).astimezone(zone).isoformat(timespec="seconds")
 
 

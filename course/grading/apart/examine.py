@@ -5,38 +5,23 @@ pictures are written.
 """
 import _thread
 import contextlib
-import json
 import os
 import sys
 import threading
 import time
 from pathlib import Path
-from typing import NamedTuple
 
-from .. import exercises, verdicts
-from ..checks import runner
-from ..given import places
-from . import processes, sandbox
+from ... import exercises, verdicts
+from ...checks import runner
+from ...given import places
+from . import processes, typed_json
 from .examination import Examination
+from .jobs import Job, Result
 
 PARENT_MEMORY = 1 << 32  # bytes that this process may take
 
 
-class Job(NamedTuple):
-    """What is to be examined: the labs' texts, and a sentence for each that is not there."""
-
-    texts: dict     # {topic: text}
-    missing: dict   # {topic: sentence}
-    level: str
-    seed: int = 0
-    limits: tuple = sandbox.Limits()
-    extra: bool = False  # whether extras are examined, too
-    asks: dict | None = None  # {exercise: {"topic.name": bytes that the reference asks it for}}.
-    #                           None: find that out
-
-
-def examine(job):
-    """-> {"board", "lost", "missing", "asked", "problem", "seconds"}."""
+def examine(job: Job) -> Result:
     started = time.monotonic()
     labs = {topic: exercises.topic_exercises(topic) for topic in (*job.texts, *job.missing)}
     labs = {topic: labs[topic] for topic in exercises.topics() if topic in labs}
@@ -47,10 +32,9 @@ def examine(job):
     entries = [entry._replace(verdict="failing") if entry.number in examination.spoilt
                else entry for entry in verdicts.entries(labs, numbers, {}, found)]
     problems += defects(labs, [check for check in found if examination.ran(check)], job.seed)
-    return {"board": json.loads(verdicts.as_json(entries)), "lost": examination.lost,
-            "missing": examination.missing, "asked": examination.asked,
-            "problem": examination.problem or "\n".join(problems) or None,
-            "seconds": time.monotonic() - started}
+    problem = examination.problem or "\n".join(problems) or None
+    return Result(entries, examination.lost, examination.missing, examination.asked, problem,
+                  time.monotonic() - started)
 
 
 def defects(labs, found, seed):
@@ -81,8 +65,8 @@ def main(folder):
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (PARENT_MEMORY, PARENT_MEMORY))
-    job = Job(**json.loads((folder / "job.json").read_text("utf-8")))
-    result = json.dumps(examine(job)).replace(f"{folder}/", "out/")  # as a student would see it
+    job = typed_json.loads(Job, (folder / "job.json").read_bytes())
+    result = typed_json.dumps(examine(job)).replace(f"{folder}/", "out/")  # as students see it
     places.write_whole(folder / "result.json", result.encode())
 
 

@@ -19,8 +19,8 @@ import itertools
 import operator
 from typing import NamedTuple
 
-from .. import exercises
-from ..given import places
+from ... import exercises
+from ...given import places
 
 SMALLEST = 8    # nodes of a part
 LARGEST = 300   # nodes of a part: what is larger is found by its parts

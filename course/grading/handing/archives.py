@@ -16,7 +16,7 @@ import zipfile
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
-from .. import exercises
+from ... import exercises
 
 MOST_TEXT = 1 << 18      # bytes of one lab
 MOST_BYTES = 1 << 30     # of an archive; of a tar archive, when it is unzipped
@@ -44,7 +44,7 @@ class Lab(NamedTuple):
 
 
 def read(path, topics):
-    """What one student has handed in -> (texts, missing, notes), all that is told of it.
+    """What one student has handed in -> (texts, missing, notes), and what is to be said of it.
 
     texts {topic: text}, missing {topic: sentence}, notes: sentences.
     """
@@ -94,14 +94,14 @@ def printable(name):
                    c.encode("unicode_escape").decode() for c in name)
 
 
-def shown(name):
+def quoted(name):
     """A name, or what went wrong, as it may stand in a sentence."""
     return printable(str(name))[:120]
 
 
-def told(error):
+def reason(error):
     """What went wrong, without the paths of this machine."""
-    return shown(getattr(error, "strerror", None) or error or type(error).__name__)
+    return quoted(getattr(error, "strerror", None) or error or type(error).__name__)
 
 
 # --- which file is a lab ----------------------------------------------------------------------
@@ -151,7 +151,7 @@ def chosen(entries, name, notes):
     """
     best, there, others = {}, {}, []
     for entry, when, content in entries:
-        place, entry = PurePosixPath(entry.replace("\\", "/")), shown(entry)
+        place, entry = PurePosixPath(entry.replace("\\", "/")), quoted(entry)
         if topic := topic_at(place):
             there.setdefault(topic, []).append(entry)
             order = rank(place, topic, when)
@@ -165,20 +165,20 @@ def chosen(entries, name, notes):
             notes.append(f"{lab.source} was taken, not {few(left)}")
     if not labs:
         what = f"holds no lab, only {few(others)}" if others else "is empty"
-        notes.append(f"{shown(name)} {what}")
+        notes.append(f"{quoted(name)} {what}")
     return labs
 
 
 def newest(found, notes):
     """A list of {topic: Lab} -> {topic: the newest Lab}."""
-    labs, told = {}, {}
+    labs, others = {}, {}
     for topic in dict.fromkeys(itertools.chain(*found)):
         there = [one[topic] for one in found if topic in one]
         labs[topic] = max(there, key=lambda lab: lab.when)
         if older := [lab.source for lab in there if lab is not labs[topic]]:
-            told.setdefault((labs[topic].source, few(older)), []).append(topic)
+            others.setdefault((labs[topic].source, few(older)), []).append(topic)
     notes += [f"{', '.join(topics)}: {source} is the newest; not looked at: {older}"
-              for (source, older), topics in told.items()]
+              for (source, older), topics in others.items()]
     return labs
 
 
@@ -193,7 +193,7 @@ def careful(function):
     except ValueError as error:
         return error
     except Exception as error:  # whatever a broken archive makes the parser stumble over
-        return ValueError(f"cannot be read ({told(error)})")
+        return ValueError(f"cannot be read ({reason(error)})")
 
 
 # --- folders, archives, files -----------------------------------------------------------------
@@ -204,9 +204,9 @@ def labs_in(path, name, notes):
     try:
         return found_in(path, name, notes)
     except ValueError as error:
-        notes.append(f"{shown(name)} {shown(error)}")
+        notes.append(f"{quoted(name)} {quoted(error)}")
     except Exception as error:  # one student's trouble is no other's
-        notes.append(f"{shown(name)} cannot be read ({told(error)}): pack it again as a zip")
+        notes.append(f"{quoted(name)} cannot be read ({reason(error)}): pack it again as a zip")
     return {}
 
 
@@ -215,13 +215,13 @@ def found_in(path, name, notes):
         return labs_in_folder(path, name, notes)
     when = os.lstat(path).st_mtime
     if topic := named_lab(path.name)[1]:
-        return {topic: Lab(when, shown(name), careful(functools.partial(content_of, path)))}
+        return {topic: Lab(when, quoted(name), careful(functools.partial(content_of, path)))}
     with opened(path) as file:
         if not PACKED.fullmatch(path.name):
             raise ValueError("is neither a lab nor an archive: hand in the zip that "
                              "python3 -m course pack makes")
         labs = chosen(entries_of(file, when), name, notes)
-    return {topic: lab._replace(source=shown(name)) for topic, lab in labs.items()}
+    return {topic: lab._replace(source=quoted(name)) for topic, lab in labs.items()}
 
 
 def labs_in_folder(folder, folder_name, notes):

@@ -1,0 +1,14 @@
+"""From results to grades, and to the tables that platforms import.
+
+    sheets       tables as CSV
+    lateness     when something was handed in, and what that costs
+    overrides    points by hand, each with its reason
+    records      what is kept of one student's work
+    worth        the points of a record
+    tables       grades.csv
+    changes      what is different from an earlier grades.csv, and why
+    earlier      the records that earlier runs left
+    rosters      what platforms export and import
+    book         all of this for a class
+    handback     feedback.zip
+"""

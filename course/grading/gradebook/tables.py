@@ -1,0 +1,46 @@
+"""grades.csv: one line for each student, with columns for core, fine print, extras, lateness."""
+from ..apart.jobs import failure
+from ..handing.submissions import Submission
+from . import sheets, worth
+from .records import How, Record
+from .sheets import number_text
+
+NOBODY = Record(Submission("", {}, {}, ()), How("", 0, "", ""), failure(""))
+
+
+def grades(records, exercises) -> list[list]:
+    """The rows of grades.csv, its titles first."""
+    return [list(line(NOBODY, exercises)),
+            *([sheets.plain(cell) for cell in line(record, exercises).values()]
+              for record in records)]
+
+
+def line(record: Record, exercises) -> dict:
+    """{title: cell} of one student."""
+    got = worth.points(record)
+    graded = worth.is_graded(record)
+    done, of = worth.fine_print(record)
+    work, how, result = record.work, record.how, record.result
+    return {
+        "student": work.student, "name": work.identity.name,
+        **{f"{one.number} {one.name}": number_text(got.get(one.number)) for one in exercises},
+        **sums("core", [one for one in exercises if not one.is_extra], got),
+        **sums("extras", [one for one in exercises if one.is_extra], got),
+        "fine print done": done if graded else "", "fine print of": of if graded else "",
+        "total": number_text(worth.total(record) if graded else None),
+        "of": sum(one.points for one in exercises),
+        "handed in": record.lateness.handed_in, "late by": record.lateness.late_by,
+        "after lateness": number_text(worth.after_lateness(record) if graded else None),
+        "by hand": "; ".join(worth.override_sentences(record)),
+        "fine print open": " ".join(worth.open_fine_print(record)),
+        "isolation": how.level, "seconds": f"{result.seconds:.1f}", "seed": how.seed,
+        "checks": how.checks, "hash": work.digest, "problem": result.problem or "",
+        "notes": "; ".join(work.notes)}
+
+
+def sums(title, exercises, got):
+    """Two columns, if there are such exercises: what was reached of them, and the most."""
+    if not exercises:
+        return {}
+    reached = sum(got.get(one.number, 0) for one in exercises) if got else None
+    return {title: number_text(reached), f"{title} of": sum(one.points for one in exercises)}

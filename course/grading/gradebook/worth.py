@@ -1,0 +1,73 @@
+"""What a submission is worth: the checks' points, what was changed by hand, and lateness."""
+from .lateness import NO_TIME, NOT_TOLD
+from .records import Record
+from .sheets import number_text
+
+
+def points(record: Record) -> dict[str, float]:
+    """{exercise: points}, by hand where an override says so. Empty if nothing could be graded."""
+    checked = {} if record.result.problem else by_checks(record)
+    return checked | {what: override.points for what, override in record.overrides.items()
+                      if what not in ("total", "late")}
+
+
+def by_checks(record):
+    """{exercise: points}, as the checks give them."""
+    return {entry.number: entry.points * (entry.verdict == "done")
+            for entry in record.result.entries}
+
+
+def is_graded(record: Record) -> bool:
+    return bool(points(record)) or "total" in record.overrides
+
+
+def total(record: Record) -> float:
+    """The points before lateness."""
+    given = record.overrides.get("total")
+    return given.points if given else sum(points(record).values())
+
+
+def taken_off(record: Record) -> float:
+    """The points that lateness costs."""
+    given = record.overrides.get("late")
+    share = round(total(record) * record.lateness.percent / 100, 2)
+    return min(total(record), given.points if given else share)
+
+
+def after_lateness(record: Record) -> float:
+    """The points that count in the end."""
+    return round(total(record) - taken_off(record), 2)
+
+
+def open_fine_print(record: Record) -> list[str]:
+    """The exercises that are done, but for their fine print."""
+    return [entry.number for entry in record.result.entries
+            if entry.fine_print_open and not record.result.problem]
+
+
+def fine_print(record: Record) -> tuple[int, int]:
+    """-> (exercises whose fine print is right as well, exercises that have any)."""
+    having = [entry for entry in record.result.entries if not record.result.problem
+              and any(check.fine_print for check in entry.checks)]
+    right = [entry for entry in having if entry.verdict == "done" and not entry.fine_print_open]
+    return len(right), len(having)
+
+
+def override_sentences(record: Record) -> list[str]:
+    """A sentence for each override, as tables and pages show it."""
+    before = {number: f" instead of {got}" for number, got in by_checks(record).items()}
+    before["total"] = f" instead of {number_text(sum(points(record).values()))}"
+    before["late"] = " taken off"
+    return [f"{what}: {number_text(override.points)}{before.get(what, '')} by hand "
+            f"({override.reason})" for what, override in record.overrides.items()]
+
+
+def sentences(record: Record) -> list[str]:
+    """For the student: what was changed by hand, and what lateness costs."""
+    late = record.lateness.late_by
+    found = override_sentences(record)
+    if late and late != NO_TIME:
+        found.append(f"handed in {late if late == NOT_TOLD else f'late by {late}'}: "
+                     f"{number_text(taken_off(record))} points are taken off, "
+                     f"{number_text(after_lateness(record))} remain")
+    return found
