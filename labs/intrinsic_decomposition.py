@@ -30,8 +30,8 @@ from . import (
     shadow_mapping,
     soft_shadows,
 )
+from .arrays import scatter
 from .inverse_rendering import adam_step, descend
-from .rasterization import scatter
 
 
 class Appearance(NamedTuple):

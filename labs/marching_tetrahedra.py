@@ -14,7 +14,7 @@ import itertools
 import numpy as np
 import scipy.sparse
 
-from .rasterization import scatter
+from .arrays import scatter
 
 
 def tetrahedral_grid(n):

@@ -21,8 +21,9 @@ Source: nvdiffrast's conventions; Laine et al. 2020.
 """
 import numpy as np
 
+from .arrays import EDGES
 from .interpolation import normalize_backward
-from .rasterization import EDGES, edge_functions_at, normalize_derivative, seen_corners
+from .rasterization import edge_functions_at, normalize_derivative, seen_corners
 
 
 def cross(p, q):

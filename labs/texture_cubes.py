@@ -20,7 +20,7 @@ import numpy as np
 from course.given import inputs
 
 from . import mipmapping, msaa, neural_renderer, pipeline, texturing
-from .rasterization import EDGES, scatter
+from .arrays import EDGES, scatter
 
 
 class Lights(NamedTuple):

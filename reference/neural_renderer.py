@@ -20,8 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import interpolation, scanline, transforms
-from .rasterization import EDGES, edge_function, scatter, signed_area
+from . import interpolation, transforms
+from .arrays import EDGES, chunks, expand, scatter
+from .rasterization import edge_function, signed_area
 
 
 class Maps(NamedTuple):
@@ -221,9 +222,9 @@ def fragments(corners, width, height, near, far):
     screen, z = screen[drawn], z[drawn]
     inverse = face_inverse(screen)
     x0, y0, x1, y1 = pixel_box(screen, width, height)
-    owner, row = scanline.expand(y0, y1 - y0)
-    for part in scanline.chunks((x1 - x0)[owner]):
-        span, j = scanline.expand(x0[owner[part]], (x1 - x0)[owner[part]])
+    owner, row = expand(y0, y1 - y0)
+    for part in chunks((x1 - x0)[owner]):
+        span, j = expand(x0[owner[part]], (x1 - x0)[owner[part]])
         face, i = owner[part][span], row[part][span]
         inside = covers(screen[face], j + 0.5, i + 0.5)
         face, i, j = face[inside], i[inside], j[inside]

@@ -23,7 +23,7 @@ from scipy.spatial import cKDTree
 
 from course.given import mesh
 
-from .rasterization import scatter
+from .arrays import scatter
 
 LEAST_CURVATURE = 1e-6  # of the greatest eigenvalue of A: less is rounding, or flat
 BOUNDARY_WEIGHT = 10    # of a plane through a boundary edge, times the square of its length

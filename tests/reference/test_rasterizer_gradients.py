@@ -7,7 +7,7 @@ import pytest
 from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import rasterization, scanline, transforms, vertex_gradients
+from reference import arrays, rasterization, scanline, transforms, vertex_gradients
 from reference import rasterizer_gradients as gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
@@ -126,7 +126,7 @@ def test_chunks_change_nothing(scene, monkeypatch):
     upstream = [rng.normal(size=(height, width, *shape)) for shape in ((3,), (3, 2), ())]
     whole = gradients.rasterize_backward(*upstream, face_index, clip, faces)
     for size in 1, 7, 50:
-        monkeypatch.setattr(rasterization, "CHUNK", size)
+        monkeypatch.setattr(arrays, "ROWS", size)
         got = gradients.rasterize_backward(*upstream, face_index, clip, faces)
         np.testing.assert_allclose(got, whole, rtol=1e-10, atol=1e-10)
 
