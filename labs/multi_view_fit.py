@@ -223,7 +223,7 @@ def see_backward(grad_pictures, buffers, shape, colours, views):
         gradients = target.renderer.render_backward(grad_fine, seen, shape, covering(colours),
                                                     pipeline.View(*target.view))
         grad_level = carving_backward(1 / len(views), target, len(shape.positions), seen)
-        found.append((gradients.positions, gradients.surface.colours[:, :3], grad_level))
+        found.append((gradients.positions, gradients.material.colours[:, :3], grad_level))
     return tuple(map(sum, zip(*found, strict=True)))
 
 
