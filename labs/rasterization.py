@@ -4,9 +4,9 @@ Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j
 
     e(p) = det [x y 1; a_x a_y 1; b_x b_y 1] = n . (p - a),   n = (a_y - b_y, b_x - a_x)     (1)
     covered  <=>  every e_k > 0, or e_k = 0 where edge k is a top-left edge                  (2)
-    l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
+    l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     screen weights, e_k opposite to vertex k      (3)
     depth = z_0 + l_1 (z_1 - z_0) + l_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
-    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     weights on the face in space         (5)
+    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     barycentric: on the face, in space   (5)
     db_k = (dc_k - b_k ds) / s                                                               (6)
 
 Up to a common factor, c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): the edge
@@ -103,16 +103,16 @@ def is_covered(p, triangle):  # exercise 2.6 (2 points)
     raise NotImplementedError("exercise 2.6: is_covered")
 
 
-def barycentric_coordinates(p, triangle):  # exercise 2.7 (1 point)
-    """Eq. (3): the weights l (..., 3) with l @ triangle = p and sum l = 1.
+def screen_weights(p, triangle):  # exercise 2.7 (1 point)
+    """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
-    >>> barycentric_coordinates(np.array([1.0, 0.0]), triangle)
+    >>> screen_weights(np.array([1.0, 0.0]), triangle)
     array([0.75, 0.25, 0.  ])
     """
-    raise NotImplementedError("exercise 2.7: barycentric_coordinates")
+    raise NotImplementedError("exercise 2.7: screen_weights")
 
 
 def bounding_box(triangle, width, height):  # extra 2.8 (2 points)

@@ -141,7 +141,7 @@ def sample_cubes_backward(grad_colour, textures, face, index, tap):
     return grad_texels.reshape(textures.shape), grad_tap
 
 
-def texel_weights(size):
+def texel_barycentrics(size):
     """Where on a face each texel of its cube lies: barycentrics (T, T, T, 3).
 
     A face only sees the plane i + j + k = T - 1. A texel beside it stands for the nearest point of
@@ -158,7 +158,7 @@ def bake(image, uv, faces, size):
     image (h, w, C), uv (V, 2) of the corners of faces (F, 3). At its border the image goes on with
     its last texels. Two faces agree exactly at their edge if they make a parallelogram in uv.
     """
-    at = texel_weights(size).reshape(-1, 3) @ uv[faces]
+    at = texel_barycentrics(size).reshape(-1, 3) @ uv[faces]
     texels = mipmapping.texture(image, at, boundary="clamp")
     return texels.reshape(len(faces), size, size, size, -1)
 
@@ -227,7 +227,7 @@ def seen_samples(maps, corners, size):
     """The N pixels that see a face: face (N,), and for `cube_taps` weight, depth, z and size."""
     seen = maps.face_index >= 0
     face = maps.face_index[seen]
-    return face, (maps.weight[seen], maps.depth[seen], corners[face, :, 2], size)
+    return face, (maps.screen_weights[seen], maps.depth[seen], corners[face, :, 2], size)
 
 
 def shade_cubes(maps, corners, textures, light, background):
@@ -254,7 +254,7 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
     grad_light = scatter(grad_lit * lit, face, len(corners))
     grad_textures, grad_tap = sample_cubes_backward(grad_lit * light[face], textures, face, index,
                                                     tap)
-    grad_weight, grad_depth = np.zeros(maps.weight.shape), np.zeros(maps.depth.shape)
+    grad_weight, grad_depth = np.zeros(maps.screen_weights.shape), np.zeros(maps.depth.shape)
     grad_weight[seen], grad_depth[seen], grad_z = cube_taps_backward(grad_tap, *samples)
     grad_corners = neural_renderer.rasterize_backward(grad_weight, grad_depth, maps.face_index,
                                                       corners)

@@ -250,8 +250,8 @@ def coloured_backward(grad_colour, buffers, faces, material):
     vertex_count, channels = material.colours.shape
     weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
     grad_colours = weights.T @ grad_colour.reshape(-1, channels)
-    grad_barycentric = interpolation.weights_backward(grad_colour, material.colours, faces,
-                                                      buffers.face_index)
+    grad_barycentric = interpolation.barycentric_gradient(grad_colour, material.colours, faces,
+                                                          buffers.face_index)
     # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0. Corner
     # 0 is taken from the others first, and then from itself.
     for corner in 2, 1, 0:

@@ -28,7 +28,7 @@ def test_a_linear_picture_comes_back_in_perspective():
     faces, uv = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0.0, 0.0], [1, 0], [1, 1], [0, 1]])
     corners = neural_renderer.corners_of(clip, faces)
     for size in 2, 3, 5:
-        textures = texture_cubes.texel_weights(size).reshape(-1, 3) @ uv[faces]
+        textures = texture_cubes.texel_barycentrics(size).reshape(-1, 3) @ uv[faces]
         textures = textures.reshape(2, size, size, size, 2)
         maps = neural_renderer.rasterize(corners, 32, 24)
         got = texture_cubes.shade_cubes(maps, corners, textures, np.ones((2, 2)), np.zeros(2))
