@@ -31,10 +31,10 @@ class Lights(NamedTuple):
     towards: np.ndarray
 
 
-class Scene(NamedTuple):
+class LitMesh(NamedTuple):
     """vertices (V, 3), faces (F, 3), textures (F, T, T, T, C) and Lights.
 
-    A Scene of gradients has None for its faces.
+    A LitMesh of gradients has None for its faces.
     """
 
     vertices: np.ndarray
@@ -43,7 +43,7 @@ class Scene(NamedTuple):
     lights: Lights
 
 
-class Buffers(NamedTuple):
+class CubeBuffers(NamedTuple):
     """What was found on the way to a picture: clip (V, 4), corners (F, 3, 3), light (F, C), the
     Maps, and the colour of each sample (samples H, samples W, C).
     """
@@ -263,7 +263,7 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
 
 
 def render(scene, view, samples=2):
-    """The original's picture (H, W, C) of a Scene in the pipeline's View, and its Buffers.
+    """The original's picture (H, W, C) of a LitMesh in the pipeline's View, and its CubeBuffers.
 
     Its antialiasing is samples = 2: 2 x 2 of them in a pixel, and their mean. ValueError, in one
     sentence, for what does not fit.
@@ -274,11 +274,11 @@ def render(scene, view, samples=2):
     light = face_light(scene.vertices[scene.faces], *scene.lights)
     maps = neural_renderer.rasterize(corners, samples * view.width, samples * view.height)
     colour = shade_cubes(maps, corners, scene.textures, light, view.background)
-    return msaa.box_resolve(colour, samples), Buffers(clip, corners, light, maps, colour)
+    return msaa.box_resolve(colour, samples), CubeBuffers(clip, corners, light, maps, colour)
 
 
 def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
-    """`render` read upwards: grad_picture (H, W, C) -> a Scene of gradients.
+    """`render` read upwards: grad_picture (H, W, C) -> a LitMesh of gradients.
 
     outline(grad_colour, colour, face_index, corners) -> grad_corners (F, 3, 3) is the approximate
     gradient of the edges, such as sweep_gradient.sweep_backward. All else is exact.
@@ -293,4 +293,4 @@ def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
     grad_world, *grad_lights = face_light_backward(grad_light, scene.vertices[scene.faces],
                                                    *scene.lights)
     in_light = scatter(grad_world, scene.faces, len(clip))
-    return Scene(on_screen + in_light, None, grad_textures, Lights(*grad_lights))
+    return LitMesh(on_screen + in_light, None, grad_textures, Lights(*grad_lights))

@@ -1,7 +1,7 @@
 """Arrays: what every lab does with rows of numbers, whatever the numbers are.
 
     gather    x[index]                        each place takes a row
-    scatter   sum[index[n]] += values[n]      each place gives a row: a gather's transpose
+    scatter   sum[index[n]] += values[n]      each place gives a row: the gather's transpose
     expand    ranges, one after the other     a face's rows, a row's columns
     chunks    a part at a time                what is in flight stays in the cache
 
@@ -28,6 +28,18 @@ def scatter(values, index, count):
     columns = values.reshape(index.size, math.prod(shape)).T
     sums = [np.bincount(index.ravel(), column, count) for column in columns]
     return np.stack(sums, -1, dtype=float).reshape(count, *shape)  # floats, also of no index
+
+
+def masked_scatter(rows, mask):
+    """The transpose of the gather x[mask]: rows (N, ...) at the N places where mask (...) is true,
+    0 elsewhere.
+
+    >>> masked_scatter(np.array([5.0, 7.0]), np.array([True, False, True]))
+    array([5., 0., 7.])
+    """
+    values = np.zeros((*mask.shape, *rows.shape[1:]))
+    values[mask] = rows
+    return values
 
 
 def write_rows(array, rows, columns):

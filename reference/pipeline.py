@@ -27,6 +27,7 @@ from . import (
     scanline,
     transforms,
 )
+from .arrays import masked_scatter
 
 
 class Mesh(NamedTuple):
@@ -271,10 +272,8 @@ def footprints(uv, uv_faces, buffers):
 def textured(buffers, material):
     """The texture's colour (H, W, C), filtered for the footprint of each pixel, 0 outside."""
     at, footprint = footprints(material.uv, material.uv_faces, buffers)
-    colour = np.zeros((*buffers.face_index.shape, material.image.shape[2]))
-    colour[buffers.face_index >= 0] = mipmapping.texture(material.image, at, footprint,
-                                                         filter=material.filter)
-    return colour
+    colour = mipmapping.texture(material.image, at, footprint, filter=material.filter)
+    return masked_scatter(colour, buffers.face_index >= 0)
 
 
 def textured_backward(grad_colour, buffers, material):
@@ -288,18 +287,11 @@ def textured_backward(grad_colour, buffers, material):
     # `footprints` gathers the seen pixels: its transpose puts them back, 0 elsewhere.
     uv_at = material.uv, material.uv_faces, buffers.face_index
     by_place, grad_barycentric = interpolation.interpolate_backward(
-        on_screen(grad_at, seen), *uv_at, buffers.barycentric)
+        masked_scatter(grad_at, seen), *uv_at, buffers.barycentric)
     by_change, grad_derivatives = interpolation.interpolate_derivatives_backward(
-        on_screen(grad_footprint, seen), *uv_at, buffers.derivatives)
+        masked_scatter(grad_footprint, seen), *uv_at, buffers.derivatives)
     grad_texture = Texture(by_place + by_change, None, grad_image, None)
     return grad_texture, grad_barycentric, grad_derivatives
-
-
-def on_screen(values, seen):
-    """values (N, ...) of the N pixels that are seen (H, W), 0 elsewhere: (H, W, ...)."""
-    screen = np.zeros((*seen.shape, *values.shape[1:]))
-    screen[seen] = values
-    return screen
 
 
 def require_scene(mesh, material, view):

@@ -214,7 +214,7 @@ def sign_changes_backward(grad_changes, distance, edges):  # extra 16.11 (3 poin
     return grad_changes * slope * np.bincount(np.concatenate([a, b]), minlength=len(distance))
 
 
-def edges_of(faces):
+def closed_mesh_edges(faces):
     """The edges (E, 2) of a closed mesh, each once: it is walked once up and once down."""
     sides = faces[:, EDGES].reshape(-1, 2)
     return sides[sides[:, 0] < sides[:, 1]]
