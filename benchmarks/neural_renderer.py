@@ -33,7 +33,7 @@ def pictures():
     vertices, camera = mesh.normalize(vertices), fit_outlines.teapot_camera(LABS)
     textures = rng.random((len(faces), TEXELS, TEXELS, TEXELS, 3))
     lights = texture_cubes.Lights(np.full(3, 0.5), np.full(3, 0.5), np.array([0.0, 1.0, 0.0]))
-    scene = texture_cubes.Scene(vertices, *texture_cubes.both_sides(faces, textures), lights)
+    scene = texture_cubes.LitMesh(vertices, *texture_cubes.both_sides(faces, textures), lights)
     view = pipeline.View(camera, SIZE, SIZE, np.zeros(3))
     picture, buffers = texture_cubes.render(scene, view, 1)
     grad_picture = rng.normal(size=picture.shape)

@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from reference import rasterization, scanline
+from reference import arrays, rasterization, scanline
 
 
 def main():
@@ -50,8 +50,8 @@ def boxes(clip, faces, width, height):
                    for v, size in ((x, width), (y, height)))
     columns, rows = np.maximum(right - left, 0), np.maximum(high - low, 0)
     face_index, depth = np.full(height * width, -1), np.full(height * width, np.inf)
-    for part in scanline.chunks(columns * rows):
-        face, number = scanline.expand(np.zeros(len(rows[part]), int), (columns * rows)[part])
+    for part in arrays.chunks(columns * rows):
+        face, number = arrays.expand(np.zeros(len(rows[part]), int), (columns * rows)[part])
         row, column = np.divmod(number, columns[part][face])
         row, column, face = row + low[part][face], column + left[part][face], face + part.start
         px, py = column + 0.5, row + 0.5

@@ -35,15 +35,15 @@ def ours(scene):
     """This course: NumPy, float64."""
     faces, clip, attributes, gradient, opposite = scene
     size = len(gradient)
-    surface = pipeline.Colours(attributes)
+    material = pipeline.Colours(attributes)
 
     def interpolated():
         seen = pipeline.visible(clip, faces, size, size)
         return interpolation.interpolate(attributes, faces, seen.face_index, seen.barycentric)
 
     def both_ways():
-        _, buffers = pipeline.draw(clip, faces, opposite, surface, size, size, np.zeros(3))
-        return pipeline.draw_backward(gradient, buffers, faces, surface)
+        _, buffers = pipeline.draw(clip, faces, opposite, material, size, size, np.zeros(3))
+        return pipeline.draw_backward(gradient, buffers, faces, material)
 
     return {"visible": lambda: scanline.rasterize(clip, faces, size, size),
             "interpolated": interpolated, "both ways": both_ways,

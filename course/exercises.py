@@ -22,7 +22,7 @@ from .given import places
 
 LABS = (  # the topics of each lab, one module each: its lecture's own first, then deeper ones
     ("transforms",),
-    ("rasterization", "scanline"),
+    ("rasterization", "scanline", "arrays"),
     ("sampling",),
     ("msaa",),
     ("interpolation",),

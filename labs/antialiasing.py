@@ -22,7 +22,8 @@ import numpy as np
 
 from course.given import mesh
 
-from .rasterization import EDGES, edge_function
+from .arrays import EDGES
+from .rasterization import edge_function
 
 WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer rounds vertices
 

@@ -17,7 +17,7 @@ Sources: lecture "Differentiable graphics 1", Kingma and Ba 2015 (3), Shoemake 1
 """
 import numpy as np
 
-from .rasterization import scatter
+from .arrays import scatter
 
 
 def squared_error(picture, target):

@@ -22,6 +22,7 @@ import numpy as np
 from scipy import ndimage
 
 from . import rasterization, scanline
+from .arrays import scatter
 
 STEPS = {1: 1, 2: 2, 4: 3, 8: 2, 16: 4}  # k of eq. (3) for S samples, none near another
 LUMA = np.array([0.299, 0.587, 0.114])   # how bright red, green and blue look (ITU-R BT.601)
@@ -226,7 +227,7 @@ def resolve(shade, request, background):  # exercise 4.10 (2 points)
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    What `resolve` gathers is scattered. `rasterization.scatter` is given.
+    What `resolve` gathers is scattered. `scatter` is given.
 
     >>> request = np.array([[[0, 0, -1]], [[1, 0, -1]]])
     >>> resolve_backward(np.ones((1, 3, 1)), np.zeros((2, 1)), request, np.zeros(1))

@@ -32,7 +32,8 @@ from .antialiasing import (
     pair_frame_backward,
     silhouette_edges,
 )
-from .rasterization import EDGES, scatter, screen_points
+from .arrays import EDGES, scatter
+from .rasterization import screen_points
 
 
 class Pairs(NamedTuple):

@@ -4,9 +4,9 @@ Screen space: x right, y up. Pixel [row i, column j] is sampled at its centre (j
 
     e(p) = det [x y 1; a_x a_y 1; b_x b_y 1] = n . (p - a),   n = (a_y - b_y, b_x - a_x)     (1)
     covered  <=>  every e_k > 0, or e_k = 0 where edge k is a top-left edge                  (2)
-    l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     e_k is of the edge opposite to vertex k       (3)
+    l_k = e_k / 2A,   2A = e_0 + e_1 + e_2     screen weights, e_k opposite to vertex k      (3)
     depth = z_0 + l_1 (z_1 - z_0) + l_2 (z_2 - z_0),   z_k = z / w; the least is seen        (4)
-    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     weights on the face in space         (5)
+    b_k = c_k / s,   c_k = e_k / w_k,   s = sum c_k     barycentric: on the face, in space   (5)
     db_k = (dc_k - b_k ds) / s                                                               (6)
 
 Up to a common factor, c is M^-1 (x, y, 1), where column k of M is w_k (x_k, y_k, 1): the edge
@@ -16,14 +16,13 @@ meshes, in front of the camera and behind it, is in scanline.py.
 Sources: Pineda 1988 (1), lecture "Differentiable graphics 1" (3) to (6), GAMES101 homework 2 (4).
 """
 import itertools
-import math
 
 import numpy as np
 
-EDGES = (1, 2), (2, 0), (0, 1)  # edge k runs from the first to the second, opposite to vertex k
+from .arrays import EDGES, in_chunks, write_rows
+
 CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
-CHUNK = 1 << 14       # rows of numbers in flight at once: they stay in the cache
 
 
 def edge_function(p, a, b):  # exercise 2.1 (2 points)
@@ -104,16 +103,16 @@ def is_covered(p, triangle):  # exercise 2.6 (2 points)
     raise NotImplementedError("exercise 2.6: is_covered")
 
 
-def barycentric_coordinates(p, triangle):  # exercise 2.7 (1 point)
-    """Eq. (3): the weights l (..., 3) with l @ triangle = p and sum l = 1.
+def screen_weights(p, triangle):  # exercise 2.7 (1 point)
+    """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
     p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
-    >>> barycentric_coordinates(np.array([1.0, 0.0]), triangle)
+    >>> screen_weights(np.array([1.0, 0.0]), triangle)
     array([0.75, 0.25, 0.  ])
     """
-    raise NotImplementedError("exercise 2.7: barycentric_coordinates")
+    raise NotImplementedError("exercise 2.7: screen_weights")
 
 
 def bounding_box(triangle, width, height):  # extra 2.8 (2 points)
@@ -239,26 +238,6 @@ def barycentric_derivatives(px, py, x, y, w):
     return normalize_derivative(dc_dx, c / s, s), normalize_derivative(dc_dy, c / s, s)
 
 
-def in_chunks(items):
-    """The items, at most CHUNK of them at a time: so many rows stay in the cache."""
-    for start in range(0, len(items), CHUNK):
-        yield items[start:start + CHUNK]
-
-
-def scatter(values, index, count):
-    """The transpose of the gather x[index]: row index[n] of the result sums the values[n].
-
-    values (*index.shape, ...), index of integers below count -> (count, ...).
-
-    >>> scatter(np.array([1.0, 10.0, 100.0]), np.array([2, 0, 2]), 3)
-    array([ 10.,   0., 101.])
-    """
-    shape = values.shape[index.ndim:]
-    columns = values.reshape(index.size, math.prod(shape)).T
-    sums = [np.bincount(index.ravel(), column, count) for column in columns]
-    return np.stack(sums, -1, dtype=float).reshape(count, *shape)  # floats, also of no index
-
-
 def seen_corners(face_index, faces):
     """The pixels that see a face, in chunks that stay in the cache.
 
@@ -298,9 +277,3 @@ def barycentrics_derivatives(face_index, clip, faces):
         for axis, by_axis in enumerate(barycentric_derivatives(*sample)):
             write_rows(derivatives[..., axis], pixel, by_axis)
     return derivatives.reshape(*face_index.shape, 3, 2)
-
-
-def write_rows(array, rows, columns):
-    """array[rows] = columns.T, for array (P, K), rows (N,), columns (K, N), in half the time."""
-    for destination, column in zip(array.T, columns, strict=True):
-        destination[rows] = column

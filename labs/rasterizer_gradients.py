@@ -21,8 +21,9 @@ Source: nvdiffrast's conventions; Laine et al. 2020.
 """
 import numpy as np
 
+from .arrays import EDGES
 from .interpolation import normalize_backward
-from .rasterization import EDGES, edge_functions_at, normalize_derivative, seen_corners
+from .rasterization import edge_functions_at, normalize_derivative, seen_corners
 
 
 def cross(p, q):
@@ -32,13 +33,13 @@ def cross(p, q):
                      p[0] * q[1] - p[1] * q[0]])
 
 
-def edge_functions(corners):  # extra 7.10 (2 points)
+def edge_normals(corners):  # extra 7.10 (2 points)
     """Eq. (7): the edge functions of faces, as edges (3, 3, ...): edges[k] is q_i x q_j.
 
     corners (3, 3, ...): the matrices M, so corners[:, k] is q_k. The result is det(M) M^-1, and
     exists even where det(M) = 0.
 
-    >>> edge_functions(np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]]))
+    >>> edge_normals(np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]]))
     array([[-1., -2.,  4.],
            [ 2.,  0.,  0.],
            [ 0.,  2.,  0.]])
@@ -60,12 +61,12 @@ def edge_functions_at_backward(grad_e, x, y):  # exercise 7.11 (3 points)
     raise NotImplementedError("exercise 7.11: edge_functions_at_backward")
 
 
-def edge_functions_backward(grad_edges, corners):
-    """Backward of `edge_functions`: grad_edges (3, 3, ...) -> grad_corners (3, 3, ...).
+def edge_normals_backward(grad_edges, corners):
+    """Backward of `edge_normals`: grad_edges (3, 3, ...) -> grad_corners (3, 3, ...).
 
     >>> corners = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
     >>> grad_edges = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    >>> edge_functions_backward(grad_edges, corners)  # edges[0, 0] = y_1 w_2 - w_1 y_2
+    >>> edge_normals_backward(grad_edges, corners)  # edges[0, 0] = y_1 w_2 - w_1 y_2
     array([[ 0. ,  0. ,  0. ],
            [ 0. ,  1. , -0.5],
            [ 0. , -2. ,  0. ]])
@@ -110,7 +111,7 @@ def normalize_derivative_backward(grad_db, dc, b, s):  # extra 7.15 (4 points)
 
 def inverses(corners):
     """M^-1 of faces: corners (3, 3, F) -> (3, 3, F), 0 for a face without area."""
-    e = edge_functions(corners)
+    e = edge_normals(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     return e / np.where(det == 0, np.inf, det)
 
@@ -200,7 +201,7 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
     grad_clip = np.zeros((4, len(clip)))
     for pixel, vertex, centre, corners in faces_from_pixels(face_index, clip, faces):
         corners = np.stack(corners)
-        edges = edge_functions(corners)  # of each edge e_X, e_Y and, as a = (0, 0, 1), e
+        edges = edge_normals(corners)  # of each edge e_X, e_Y and, as a = (0, 0, 1), e
         d = padded_sum(edges[:, 2], epsilon)
         b = edges[:, 2] / d
         grad_edges = np.zeros(edges.shape)
@@ -209,7 +210,7 @@ def barycentrics_derivatives_backward(grad_derivatives, face_index, clip, faces,
             grad_edges[:, axis], by_e = normalize_derivative_backward(
                 step * grad_b_xy[axis], edges[:, axis], b, d)
             grad_edges[:, 2] += by_e
-        add_to_vertices(grad_clip, vertex, centre, *edge_functions_backward(grad_edges, corners))
+        add_to_vertices(grad_clip, vertex, centre, *edge_normals_backward(grad_edges, corners))
     return grad_clip.T
 
 

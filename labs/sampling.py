@@ -158,7 +158,7 @@ def folded_energy(spectrum, step):  # extra 3.11 (2 points)
     return (np.abs(spectrum[folds]) ** 2).sum() / spectrum.size**2
 
 
-def box(width):
+def box_filter(width):
     """The kernel (width, width) that takes a mean. ValueError if the width is not odd."""
     if width % 2 != 1 or width < 1:
         raise ValueError(f"a box needs an odd width, 1 or more, for its middle pixel, got {width}")
@@ -167,12 +167,12 @@ def box(width):
 
 def filter_then_sample(picture, step):
     """The mean of step x step pixels around every step-th one. step is odd."""
-    return convolve(picture, box(step))[::step, ::step]
+    return convolve(picture, box_filter(step))[::step, ::step]
 
 
 def sample_then_blur(picture, step, width=3):
     """Every step-th pixel, then the mean of width x width of those, width odd: too late."""
-    return convolve(picture[::step, ::step], box(width))
+    return convolve(picture[::step, ::step], box_filter(width))
 
 
 def clip_polygon(polygon, a, b, c):  # exercise 3.12 (4 points)

@@ -22,9 +22,9 @@ import numpy as np
 
 from course.given import inputs
 
-from .rasterization import EDGES, MARGIN, bounding_box, in_chunks, is_top_left, screen_points
+from .arrays import EDGES, chunks, expand, in_chunks
+from .rasterization import MARGIN, bounding_box, is_top_left, screen_points
 
-CHUNK = 1 << 15  # rows, or fragments, in flight at once: they stay in the cache
 TINY = 1e-300  # stands for a slope of 0 in a division
 FINITE = np.uint8(1)  # the last bit of an outcode
 
@@ -212,25 +212,6 @@ def row_interval(planes, face, y, left, right):  # extra 2.15 (3 points)
         start = np.where(opens, np.maximum(start, column), start)
         end = np.where(opens, end, np.minimum(end, column))
     return start, end
-
-
-def expand(start, count):
-    """Ranges, one after the other: start [7, 0, 4], count [2, 0, 3] -> owner [0, 0, 2, 2, 2] and
-    number [7, 8, 4, 5, 6].
-    """
-    owner = np.repeat(np.arange(len(count)), count)
-    return owner, np.arange(len(owner)) + (start - (np.cumsum(count) - count)).take(owner)
-
-
-def chunks(count):
-    """Slices of count, each with a sum of at most CHUNK (or of one element that is larger)."""
-    total = np.cumsum(count)
-    start = 0
-    while start < len(count):
-        done = total[start - 1] if start else 0
-        end = max(start + 1, np.searchsorted(total, done + CHUNK, "right"))
-        yield slice(start, end)
-        start = end
 
 
 def sample_range(position, in_front, size):

@@ -23,7 +23,7 @@ from scipy.spatial import cKDTree
 
 from course.given import mesh
 
-from .rasterization import scatter
+from .arrays import scatter
 
 LEAST_CURVATURE = 1e-6  # of the greatest eigenvalue of A: less is rounding, or flat
 BOUNDARY_WEIGHT = 10    # of a plane through a boundary edge, times the square of its length
@@ -31,7 +31,7 @@ PULL = 1e-10            # to where a vertex is, of the trace of A: it decides wh
 LEAST_COSINE = 0.5**0.5  # of the angle by which a normal may turn in one collapse, 45 degrees
 LEAST_SHAPE = 0.01      # of the shape that a triangle had before a collapse
 LINK, TWINS, FLIP = 1, 2, 3  # the answers of why_refused, in words:
-REASONS = ("the link condition", "a repeated face", "a flipped face")
+REFUSALS = ("the link condition", "a repeated face", "a flipped face")
 
 
 def face_planes(vertices, faces):

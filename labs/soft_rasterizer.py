@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import neural_renderer, scanline
-from .rasterization import EDGES, scatter
+from . import neural_renderer
+from .arrays import EDGES, expand, scatter
 
 LEAST_PROBABILITY = 1e-6  # a face with less than this does not count in a pixel, eq. (9)
 
@@ -40,8 +40,8 @@ def soft_fragments(screen, width, height, sigma):
     reach = np.sqrt(sigma * np.log(1 / LEAST_PROBABILITY - 1))
     bounds = np.stack([screen.min(1) - reach, screen.max(1) + reach], 1)
     x0, y0, x1, y1 = neural_renderer.pixel_box(bounds, width, height)
-    owner, row = scanline.expand(y0, y1 - y0)
-    span, column = scanline.expand(x0[owner], (x1 - x0)[owner])
+    owner, row = expand(y0, y1 - y0)
+    span, column = expand(x0[owner], (x1 - x0)[owner])
     face, row = owner[span], row[span]
     centre = np.stack([column, row], -1) + 0.5
     edge, t, away, sign = nearest_on_border(centre, screen[face])

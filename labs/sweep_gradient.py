@@ -21,8 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import neural_renderer, scanline
-from .rasterization import EDGES, scatter
+from . import neural_renderer
+from .arrays import EDGES, chunks, expand, scatter
 
 
 def edge_crossing(a, b, y):  # exercise 10.12 (1 point)
@@ -167,7 +167,7 @@ def all_edge_lines(a, b, height):
     low, high = np.minimum(a[:, 1], b[:, 1]), np.maximum(a[:, 1], b[:, 1])
     first = np.clip(np.ceil(low - 0.5), 0, height).astype(int)
     last = np.where(low == high, first, np.clip(np.floor(high + 0.5), first, height)).astype(int)
-    edge, row = scanline.expand(first, last - first)
+    edge, row = expand(first, last - first)
     return edge, row, *edge_crossing(a[edge], b[edge], row + 0.5)
 
 
@@ -192,7 +192,7 @@ def pulls(sweep, found, eps):
     """
     width = sweep.colour.shape[1]
     wants = (sweep.grad_colour != 0).any(2)
-    for part in scanline.chunks(np.full(len(found.row), width)):
+    for part in chunks(np.full(len(found.row), width)):
         lines = Crossings(*(values[part] for values in found))
         line, pixel, is_out = pulling_pixels(sweep, wants, lines)
         row, side = lines.row[line], lines.side[line]

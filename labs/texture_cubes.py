@@ -20,7 +20,7 @@ import numpy as np
 from course.given import inputs
 
 from . import mipmapping, msaa, neural_renderer, pipeline, texturing
-from .rasterization import EDGES, scatter
+from .arrays import EDGES, scatter
 
 
 class Lights(NamedTuple):
@@ -31,10 +31,10 @@ class Lights(NamedTuple):
     towards: np.ndarray
 
 
-class Scene(NamedTuple):
+class LitMesh(NamedTuple):
     """vertices (V, 3), faces (F, 3), textures (F, T, T, T, C) and Lights.
 
-    A Scene of gradients has None for its faces.
+    A LitMesh of gradients has None for its faces.
     """
 
     vertices: np.ndarray
@@ -43,7 +43,7 @@ class Scene(NamedTuple):
     lights: Lights
 
 
-class Buffers(NamedTuple):
+class CubeBuffers(NamedTuple):
     """What was found on the way to a picture: clip (V, 4), corners (F, 3, 3), light (F, C), the
     Maps, and the colour of each sample (samples H, samples W, C).
     """
@@ -141,7 +141,7 @@ def sample_cubes_backward(grad_colour, textures, face, index, tap):
     return grad_texels.reshape(textures.shape), grad_tap
 
 
-def texel_weights(size):
+def texel_barycentrics(size):
     """Where on a face each texel of its cube lies: barycentrics (T, T, T, 3).
 
     A face only sees the plane i + j + k = T - 1. A texel beside it stands for the nearest point of
@@ -158,7 +158,7 @@ def bake(image, uv, faces, size):
     image (h, w, C), uv (V, 2) of the corners of faces (F, 3). At its border the image goes on with
     its last texels. Two faces agree exactly at their edge if they make a parallelogram in uv.
     """
-    at = texel_weights(size).reshape(-1, 3) @ uv[faces]
+    at = texel_barycentrics(size).reshape(-1, 3) @ uv[faces]
     texels = mipmapping.texture(image, at, boundary="clamp")
     return texels.reshape(len(faces), size, size, size, -1)
 
@@ -227,7 +227,7 @@ def seen_samples(maps, corners, size):
     """The N pixels that see a face: face (N,), and for `cube_taps` weight, depth, z and size."""
     seen = maps.face_index >= 0
     face = maps.face_index[seen]
-    return face, (maps.weight[seen], maps.depth[seen], corners[face, :, 2], size)
+    return face, (maps.screen_weights[seen], maps.depth[seen], corners[face, :, 2], size)
 
 
 def shade_cubes(maps, corners, textures, light, background):
@@ -254,7 +254,7 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
     grad_light = scatter(grad_lit * lit, face, len(corners))
     grad_textures, grad_tap = sample_cubes_backward(grad_lit * light[face], textures, face, index,
                                                     tap)
-    grad_weight, grad_depth = np.zeros(maps.weight.shape), np.zeros(maps.depth.shape)
+    grad_weight, grad_depth = np.zeros(maps.screen_weights.shape), np.zeros(maps.depth.shape)
     grad_weight[seen], grad_depth[seen], grad_z = cube_taps_backward(grad_tap, *samples)
     grad_corners = neural_renderer.rasterize_backward(grad_weight, grad_depth, maps.face_index,
                                                       corners)
@@ -263,7 +263,7 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
 
 
 def render(scene, view, samples=2):
-    """The original's picture (H, W, C) of a Scene in the pipeline's View, and its Buffers.
+    """The original's picture (H, W, C) of a LitMesh in the pipeline's View, and its CubeBuffers.
 
     Its antialiasing is samples = 2: 2 x 2 of them in a pixel, and their mean. ValueError, in one
     sentence, for what does not fit.
@@ -274,11 +274,11 @@ def render(scene, view, samples=2):
     light = face_light(scene.vertices[scene.faces], *scene.lights)
     maps = neural_renderer.rasterize(corners, samples * view.width, samples * view.height)
     colour = shade_cubes(maps, corners, scene.textures, light, view.background)
-    return msaa.box_resolve(colour, samples), Buffers(clip, corners, light, maps, colour)
+    return msaa.box_resolve(colour, samples), CubeBuffers(clip, corners, light, maps, colour)
 
 
 def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
-    """`render` read upwards: grad_picture (H, W, C) -> a Scene of gradients.
+    """`render` read upwards: grad_picture (H, W, C) -> a LitMesh of gradients.
 
     outline(grad_colour, colour, face_index, corners) -> grad_corners (F, 3, 3) is the approximate
     gradient of the edges, such as sweep_gradient.sweep_backward. All else is exact.
@@ -293,4 +293,4 @@ def render_backward(grad_picture, buffers, scene, view, outline, samples=2):
     grad_world, *grad_lights = face_light_backward(grad_light, scene.vertices[scene.faces],
                                                    *scene.lights)
     in_light = scatter(grad_world, scene.faces, len(clip))
-    return Scene(on_screen + in_light, None, grad_textures, Lights(*grad_lights))
+    return LitMesh(on_screen + in_light, None, grad_textures, Lights(*grad_lights))

@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
-from .rasterization import in_chunks
+from .arrays import in_chunks
 
 BOUNDARIES = "wrap", "clamp", "zero"
 LARGEST = 1e60  # of a jacobian: its fourth power, in texels, is still a number

@@ -22,7 +22,7 @@ import numpy as np
 from course.given import inputs, mesh
 
 from .simplification import (
-    REASONS,
+    REFUSALS,
     mesh_quadrics,
     pair_costs,
     valid_pairs,
@@ -48,7 +48,7 @@ class State(NamedTuple):
     waiting: dict  # vertex -> the refused entries there
 
 
-def start(vertices, faces, quadrics, pairs):
+def initial_state(vertices, faces, quadrics, pairs):
     """The state before the first collapse, with copies of vertices and quadrics."""
     rows, rows_at = incidence(close_boundary(faces, len(vertices)), len(vertices) + 1)
     state = State(vertices.copy(), quadrics.copy(), list(range(len(vertices))),
@@ -181,9 +181,9 @@ def collapse(state, entry):
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # extra 12.16 (4 points)
     """`simplify_loop` by a heap: vertices (V, 3), faces (F', 3), refused (3,), one for each reason.
 
-    Begin with `start`. While more than face_count faces are left and `has_cheapest`, pop the heap's
-    top. `why_refused` asks about its `rows_around`. Either count the reason and let the entry
-    `wait`, or `collapse` it, which says how many faces went. End with `open_faces`.
+    Begin with `initial_state`. While more than face_count faces are left and `has_cheapest`, pop
+    the heap's top. `why_refused` asks about its `rows_around`. Either count the reason and let the
+    entry `wait`, or `collapse` it, which says how many faces went. End with `open_faces`.
 
     >>> vertices, faces = mesh.grid(32)
     >>> q, pairs = mesh_quadrics(vertices, faces), valid_pairs(vertices, faces, 0.0)
@@ -191,7 +191,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):  # extra 12.16 
     >>> vertices[np.unique(faces)].round(9).astype(int).tolist()
     [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
     """
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     count = len(faces)
     refused = np.zeros(3, int)
     while count > face_count and has_cheapest(state):
@@ -225,7 +225,7 @@ def simplify(vertices, faces, face_count, t=0.0):
 
     Pairs nearer than t may become one as well, which closes cracks and joins parts. With t = 0, a
     manifold stays one, with its boundary and topology. If every pair that is left is refused, a
-    warning says so, and the mesh has more faces. refused counts by REASONS.
+    warning says so, and the mesh has more faces. refused counts by REFUSALS.
     ValueError unless this is a mesh, and t and face_count are numbers of at least 0.
     """
     inputs.require_mesh(vertices, faces)
@@ -244,7 +244,7 @@ def simplify(vertices, faces, face_count, t=0.0):
     quadrics = mesh_quadrics(vertices, faces)
     vertices, faces, refused = simplify_heap(vertices, faces, quadrics, pairs, face_count)
     if len(faces) > face_count:
-        counts = ", ".join(f"{n} for {reason}" for n, reason in zip(refused, REASONS, strict=True))
+        counts = ", ".join(f"{n} for {reason}" for n, reason in zip(refused, REFUSALS, strict=True))
         warnings.warn(f"{len(faces)} faces are left, {face_count} were asked for: every other "
                       f"collapse would break the surface (refused: {counts})", stacklevel=2)
     vertices, faces = without_unused(vertices, faces)

@@ -18,6 +18,7 @@ Sources: the OpenGL specification (order and axes of the faces); nvdiffrast (the
 """
 import numpy as np
 
+from .arrays import masked_scatter
 from .mipmapping import (
     Footprint,
     Sampler,
@@ -202,7 +203,7 @@ def four_texels(face, columns, rows, size):
     return np.where(missing, 0, (face * size + row) * size + column), missing
 
 
-def cube_taps(face, uv, level, mipmap, filter):
+def cube_map_taps(face, uv, level, mipmap, filter):
     """The texels that make a colour: index, weight, missing (N, K), as `taps` of mipmapping.py."""
     found = []
     for at, share in mixture(level, filter, len(mipmap.start) - 1):
@@ -211,8 +212,8 @@ def cube_taps(face, uv, level, mipmap, filter):
     return tuple(part.T.copy() for part in map(np.concatenate, zip(*found, strict=True)))
 
 
-def cube_taps_backward(grad_weight, missing, uv, level, mipmap, filter):
-    """Backward of `cube_taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
+def cube_map_taps_backward(grad_weight, missing, uv, level, mipmap, filter):
+    """Backward of `cube_map_taps`: grad_weight (N, K) -> grad_uv (N, 2), grad_level (N,)."""
     # A missing texel's weight went to the other three in thirds, so its gradient is the mean of
     # theirs. After that, all is as on a texture that has no border.
     N, K = grad_weight.shape
@@ -239,12 +240,12 @@ def cube_texture(faces, directions, jacobian=None, bias=0.0, filter="linear", ma
     face, footprint = on_faces(look, seen)
 
     def colours(face, uv, level):
-        index, weight, _ = cube_taps(face, uv, level, mipmap, filter)
+        index, weight, _ = cube_map_taps(face, uv, level, mipmap, filter)
         return look_up(mipmap.texels, index, weight),
 
     level = footprint_level(footprint, mipmap, filter)
     colour, = in_parts(colours, face, footprint.uv, level)
-    return spread(colour, seen)
+    return masked_scatter(colour, seen)
 
 
 def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.0, filter="linear",
@@ -259,10 +260,10 @@ def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.
     face, footprint = on_faces(look, seen)
     level = footprint_level(footprint, mipmap, filter)
     # `cube_texture` read upwards: the look-up, its taps, the level, the pyramid, the direction.
-    index, weight, missing = in_parts(lambda *at: cube_taps(*at, mipmap, filter),
+    index, weight, missing = in_parts(lambda *at: cube_map_taps(*at, mipmap, filter),
                                       face, footprint.uv, level)
     grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
-    grad_uv, grad_level = in_parts(lambda *at: cube_taps_backward(*at, mipmap, filter),
+    grad_uv, grad_level = in_parts(lambda *at: cube_map_taps_backward(*at, mipmap, filter),
                                    grad_weight, missing, footprint.uv, level)
     grad_footprint, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
     stacked = mipmap._replace(height=6 * mipmap.height)
@@ -292,16 +293,9 @@ def on_faces_backward(grad, look, seen):
         by_footprint, grad_jacobian = face_footprint_backward(grad.jacobian, directions,
                                                               look.jacobian[seen])
         grad_directions += by_footprint
-        grad_jacobian = spread(grad_jacobian, seen)
-    grad_bias = spread(grad.bias, seen) if look.bias.ndim else grad.bias
-    return spread(grad_directions, seen), grad_jacobian, grad_bias
-
-
-def spread(rows, seen):
-    """Rows (N, ...) of the pixels that are seen (...) -> (..., ...), 0 for the others."""
-    values = np.zeros((*seen.shape, *rows.shape[1:]))
-    values[seen] = rows
-    return values
+        grad_jacobian = masked_scatter(grad_jacobian, seen)
+    grad_bias = masked_scatter(grad.bias, seen) if look.bias.ndim else grad.bias
+    return masked_scatter(grad_directions, seen), grad_jacobian, grad_bias
 
 
 def require_cube(faces, look, filter, max_level):

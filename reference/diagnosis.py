@@ -15,8 +15,8 @@ parameters are those of `antialias`.
 import numpy as np
 
 from .antialiasing import WINDOW, blend, blend_weight
+from .arrays import EDGES
 from .outlines import blended_pairs, is_dropped, jumping_pairs, seen_silhouettes, vertices_on_screen
-from .rasterization import EDGES
 
 ROUNDING = 1e-9  # of a colour: more than this beyond the range is not rounding
 REASONS = ("not seen: hidden or outside", "no pair", "behind the camera", "no silhouette edge",

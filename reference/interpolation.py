@@ -5,7 +5,7 @@ but A / w and 1 / w are. t and q are fractions of a segment: t on the screen, q 
 
     q = t w_0 / (t w_0 + (1 - t) w_1)                          0 at corner 0, 1 at corner 1  (1)
     A = lerp(A_0/w_0, A_1/w_1, t) / lerp(1/w_0, 1/w_1, t)      which is lerp(A_0, A_1, q)    (2)
-    b_k = n_k / s,   n_k = e_k / w_k,   s = n_0 + n_1 + n_2    corrected barycentrics        (3)
+    b_k = n_k / s,   n_k = e_k / w_k,   s = n_0 + n_1 + n_2    on the face, in space         (3)
     db_k = (dn_k - b_k (dn_0 + dn_1 + dn_2)) / s               their derivatives             (4)
     A = b_0 A_0 + b_1 A_1 + b_2 A_2                            at a pixel that sees a face   (5)
     dA/dx = db_0/dx A_0 + db_1/dx A_1 + db_2/dx A_2            and dA/dy: its footprint      (6)
@@ -22,7 +22,8 @@ Source: lecture "Differentiable graphics 1".
 import numpy as np
 import scipy.sparse
 
-from .rasterization import normalize_derivative, seen_corners, write_rows
+from .arrays import write_rows
+from .rasterization import normalize_derivative, seen_corners
 
 
 def lerp(a, b, t):
@@ -72,12 +73,12 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
-def corrected_barycentrics(e, w):  # exercise 5.5 (1 point)
-    """Eq. (3): a pixel's weights e on the screen -> its weights b on the face in space.
+def barycentric_from_screen(e, w):  # exercise 5.5 (1 point)
+    """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
     e, w and b are (..., 3), with the w of each corner.
 
-    >>> corrected_barycentrics(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
+    >>> barycentric_from_screen(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
     array([0.75, 0.25, 0.  ])
     """
     n = e / w
@@ -100,7 +101,7 @@ def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
     return (grad_b - (grad_b * b).sum(axis, keepdims=True)) / s
 
 
-def corrected_barycentrics_backward(grad_b, e, w):
+def barycentric_from_screen_backward(grad_b, e, w):
     """Backward of eq. (3): grad_b -> grad_e, grad_w, all (..., 3) like e and w."""
     # n = e / w: dn = de / w - n dw / w.
     n = e / w
@@ -109,7 +110,7 @@ def corrected_barycentrics_backward(grad_b, e, w):
     return grad_n / w, -grad_n * n / w
 
 
-def corrected_barycentrics_derivatives(de, e, w):
+def barycentric_from_screen_derivatives(de, e, w):
     """Eq. (4): how b of eq. (3) changes where e changes: de (..., 3, D) -> db (..., 3, D).
 
     de holds D derivatives of e (..., 3), such as those with respect to x and to y. w (..., 3) is
@@ -208,14 +209,14 @@ def interpolate_backward(grad_output, attributes, faces, face_index,  # extra 5.
                          barycentric):
     """Eq. (8): the gradients of `interpolate_backward_loop`, without a loop over pixels.
 
-    The given `weights_backward` makes grad_barycentric.
+    The given `barycentric_gradient` makes grad_barycentric.
     """
     weights = interpolation_matrix(len(attributes), faces, face_index, barycentric)
     grad_attributes = weights.T @ grad_output.reshape(-1, attributes.shape[1])
-    return grad_attributes, weights_backward(grad_output, attributes, faces, face_index)
+    return grad_attributes, barycentric_gradient(grad_output, attributes, faces, face_index)
 
 
-def weights_backward(grad_output, attributes, faces, face_index):
+def barycentric_gradient(grad_output, attributes, faces, face_index):
     """Eq. (8) for the weights: grad_output (H, W, C) -> grad_barycentric (H, W, 3).
 
     attributes (V, C), faces (F, 3), face_index (H, W). It is 0 where no face is seen.

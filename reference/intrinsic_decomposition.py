@@ -30,8 +30,8 @@ from . import (
     shadow_mapping,
     soft_shadows,
 )
+from .arrays import scatter
 from .inverse_rendering import adam_step, descend
-from .rasterization import scatter
 
 
 class Appearance(NamedTuple):
@@ -102,7 +102,7 @@ def seen_colours(surface, targets):
     # |W c - C|^2 is least where W^T W c = W^T C. A weak Laplacian makes it solvable everywhere.
     rows, colours = zip(*(pixel_weights(surface, target) for target in targets), strict=True)
     count = sum(matrix.sum(0) for matrix in rows)
-    edges = reconstruction.edges_of(surface.faces)
+    edges = reconstruction.closed_mesh_edges(surface.faces)
     stiff = regularization.laplacian(edges, np.full(len(edges), STIFF), len(surface.vertices))
     system = sum(matrix.T @ matrix for matrix in rows) + stiff
     told = sum(matrix.T @ colour for matrix, colour in zip(rows, colours, strict=True))
@@ -127,15 +127,15 @@ def lit_share(surface, sun):
     return soft_shadows.percentage_closer(distance_map, *on_map, bias, AROUND, 1.0)
 
 
-def shade(x, normals, lit):
+def shade_with_sun(x, normals, lit):
     """Eq. (11): the colours (V, 3) of an Appearance. normals (V, 3), lit (V,)."""
     share = lit * np.maximum(normals @ x.sun[0], 0)
     return reconstruction.shade(x.albedo, normals, x.light) + x.albedo * np.outer(share, x.sun[1])
 
 
-def shade_backward(grad_colour, x, normals, lit):
-    """Backward of `shade`, the shape and its shadow held: grad_colour (V, 3) -> an Appearance of
-    gradients.
+def shade_with_sun_backward(grad_colour, x, normals, lit):
+    """Backward of `shade_with_sun`, the shape and its shadow held: grad_colour (V, 3) -> an
+    Appearance of gradients.
     """
     # c = a (Y l + f s), f = lit max(n . d, 0), so dc = E da + a (Y dl + f ds + s df), and
     # df = lit n . dd where the surface faces the sun.
@@ -149,7 +149,7 @@ def shade_backward(grad_colour, x, normals, lit):
     return Appearance(grad_albedo + grad_colour * np.outer(share, x.sun[1]), grad_light, grad_sun)
 
 
-def sunrise(x):
+def add_sun(x):
     """An Appearance without a sun -> one where half of the light's first order comes from a sun."""
     # Of a sun in the direction d, eq. (2) makes l_1, l_2, l_3 = A_1 C1 (d_y, d_z, d_x) s.
     y, z, x_axis = x.light[1:4].mean(1)
@@ -201,7 +201,7 @@ def patches_backward(grad_patches, albedo, edges, length):
 # --- the search ---------------------------------------------------------------------------------
 
 
-def bounded(x, share):
+def allowed(x, share):
     """The nearest Appearance that is allowed, with the mean albedo 1/2. share (V,) sums to 1."""
     albedo = np.maximum(x.albedo, DARKEST)
     factor = 0.5 / (share @ albedo).mean()
@@ -213,11 +213,11 @@ def bounded(x, share):
 def loss_and_gradients(x, observed, lit, priors):
     """The loss of an Appearance, and an Appearance of gradients. lit (V,) is held."""
     colours, share, normals, edges, length = observed
-    error = shade(x, normals, lit) - colours
+    error = shade_with_sun(x, normals, lit) - colours
     loss = (share @ error**2).sum() + priors.neutral * neutral(x.light, x.sun)
     loss += priors.patches * patches(x.albedo, edges, length)
 
-    grad = shade_backward(2 * share[:, None] * error, x, normals, lit)
+    grad = shade_with_sun_backward(2 * share[:, None] * error, x, normals, lit)
     by_paint = patches_backward(priors.patches, x.albedo, edges, length)
     by_light, by_sun = neutral_backward(priors.neutral, x.light, x.sun)
     return loss, Appearance(grad.albedo + by_paint, grad.light + by_light, grad.sun + by_sun)
@@ -234,13 +234,13 @@ def observe(surface, targets):
                          "tells its colours: give larger pictures")
     share = count / count.sum()
     exposure = max(2 * (share @ colours).mean(), 1e-9)
-    edges = reconstruction.edges_of(surface.faces)
+    edges = reconstruction.closed_mesh_edges(surface.faces)
     a, b = surface.vertices[edges.T]
     length = np.linalg.norm(a - b, axis=1).mean()
     return Observed(colours / exposure, share, surface.normals, edges, length), exposure
 
 
-def paint_alone(observed):
+def first_guess(observed):
     """The Appearance where the search begins: one colour, in even light, and no sun."""
     light = np.zeros((9, 3))
     light[0] = 1 / reconstruction.C0
@@ -254,17 +254,17 @@ def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     A quarter of the steps knows no sun. Then it rises where the light comes from, and moves.
     """
     observed, exposure = observe(surface, targets)
-    x, lit = paint_alone(observed), np.ones(len(surface.vertices))
+    x, lit = first_guess(observed), np.ones(len(surface.vertices))
 
     def gradient(x):
         return loss_and_gradients(x, observed, lit, priors)
 
-    project = functools.partial(bounded, share=observed.share)
+    project = functools.partial(allowed, share=observed.share)
     no_sun, first = RATES._replace(sun=0.0), steps // 4
     in_the_shade = descend(x, gradient, first * [no_sun], ADAM, project)
     for x, _ in in_the_shade:  # noqa: B007
         pass
-    x, rates = (sunrise(x), RATES) if with_sun else (x, no_sun)
+    x, rates = (add_sun(x), RATES) if with_sun else (x, no_sun)
     falling = [Appearance(*(20**-(step / (steps - first)) * np.array(rates)))
                for step in range(steps - first)]
     in_the_sun = descend(x, gradient, falling, ADAM, project)
@@ -272,10 +272,10 @@ def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     for step, (x, _) in enumerate(in_the_sun, 1):
         if with_sun and step % REFRESH == 0:
             lit = lit_share(surface, x.sun)
-    return within_one(x, exposure)
+    return rescaled(x, exposure)
 
 
-def within_one(x, exposure):
+def rescaled(x, exposure):
     """An Appearance as bright as the pictures are, its albedo at most 1, but for a few vertices
     that are cut off there.
     """
@@ -285,6 +285,6 @@ def within_one(x, exposure):
                       np.stack([x.sun[0], brighter * x.sun[1]]))
 
 
-def appear(surface, x):
+def shaded_colours(surface, x):
     """The colours (V, 3) of a Surface in its Appearance x: eq. (11), with its shadow."""
-    return shade(x, surface.normals, lit_share(surface, x.sun))
+    return shade_with_sun(x, surface.normals, lit_share(surface, x.sun))

@@ -14,7 +14,7 @@ import itertools
 import numpy as np
 import scipy.sparse
 
-from .rasterization import scatter
+from .arrays import scatter
 
 
 def tetrahedral_grid(n):
@@ -94,24 +94,25 @@ def tetrahedron_triangles(inside):  # exercise 15.10 (5 points)
     return np.array(fan, int).reshape(-1, 3, 2)
 
 
-def crossing(p_a, p_b, s_a, s_b):
+def zero_crossing(p_a, p_b, s_a, s_b):
     """Eq. (8): the point between p_a and p_b where the distance is 0, if it is linear.
 
     p_a, p_b (E, 3), s_a, s_b (E,) -> p (E, 3).
 
     >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
-    >>> crossing(p_a, p_b, np.array([-1.0]), np.array([3.0]))
+    >>> zero_crossing(p_a, p_b, np.array([-1.0]), np.array([3.0]))
     array([[1., 0., 6.]])
     """
     return (p_a * s_b[:, None] - p_b * s_a[:, None]) / (s_b - s_a)[:, None]
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
-    """Backward of eq. (8), `crossing`: grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a,
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):  # exercise 15.12 (2 points)
+    """Backward of eq. (8), `zero_crossing`: grad_p (E, 3) -> grad_p_a, grad_p_b (E, 3), grad_s_a,
     grad_s_b (E,).
 
     >>> p_a, p_b = np.array([[0.0, 0.0, 8.0]]), np.array([[4.0, 0.0, 0.0]])
-    >>> crossing_backward(np.array([[16.0, 0, 0]]), p_a, p_b, np.array([-1.0]), np.array([3.0]))
+    >>> s_a, s_b = np.array([-1.0]), np.array([3.0])
+    >>> zero_crossing_backward(np.array([[16.0, 0, 0]]), p_a, p_b, s_a, s_b)
     (array([[12.,  0.,  0.]]), array([[4., 0., 0.]]), array([-12.]), array([-4.]))
     """
     # p = (1 - t) p_a + t p_b with t = s_a / (s_a - s_b): dt/ds_a = -s_b / (s_a - s_b)^2.
@@ -149,7 +150,7 @@ def marching_tetrahedra(points, distance, tetrahedra):  # extra 15.13 (3 points)
     edge = np.concatenate(corners) @ np.array([len(points), 1])
     edge, faces = np.unique(edge, return_inverse=True)
     a, b = np.divmod(edge, len(points))
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
+    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
     return vertices, faces.reshape(-1, 3), np.stack([a, b], -1)
 
 
@@ -160,8 +161,8 @@ def marching_tetrahedra_backward(grad_vertices, ends, points, distance):
     """
     # A vertex gathers what it needs from its two ends, so its gradients are scattered to them.
     a, b = ends.T
-    grad_a, grad_b, *grad_s = crossing_backward(grad_vertices, points[a], points[b],
-                                                distance[a], distance[b])
+    grad_a, grad_b, *grad_s = zero_crossing_backward(grad_vertices, points[a], points[b],
+                                                     distance[a], distance[b])
     both_ends = np.concatenate([a, b])
     grad_points = scatter(np.concatenate([grad_a, grad_b]), both_ends, len(points))
     return grad_points, scatter(np.concatenate(grad_s), both_ends, len(points))

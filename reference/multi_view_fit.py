@@ -157,8 +157,7 @@ def surface(x):
     points = marching_tetrahedra.grid_points(cells(x)) + x.offsets
     near = marching_tetrahedra.tetrahedra_of(np.flatnonzero(crossed_cubes(x.distance)), cells(x))
     vertices, faces, ends = marching_tetrahedra.marching_tetrahedra(points, x.distance, near)
-    a, b = ends.T
-    albedo = marching_tetrahedra.crossing(x.albedo[a], x.albedo[b], x.distance[a], x.distance[b])
+    albedo = marching_tetrahedra.zero_crossing(*x.albedo[ends.T], *x.distance[ends.T])
     return Surface(vertices, faces, ends, mesh.vertex_normals(vertices, faces), albedo)
 
 
@@ -197,7 +196,7 @@ def is_outside(picture):
     return ~np.lib.stride_tricks.sliding_window_view(around, (3, 3)).any((2, 3))
 
 
-def see(shape, colours, views):
+def render_views(shape, colours, views):
     """The pictures (K, H, W, 4) of K views, which are Targets, and Buffers for the way back.
 
     shape is a pipeline.Mesh, colours (V, 3). Coverage, the fourth number, is 1 on the surface.
@@ -210,8 +209,8 @@ def see(shape, colours, views):
     return np.stack(pictures), buffers
 
 
-def see_backward(grad_pictures, buffers, shape, colours, views):
-    """Backward of `see`: grad_pictures (K, H, W, 4) -> grad_vertices, grad_colours (V, 3).
+def render_views_backward(grad_pictures, buffers, shape, colours, views):
+    """Backward of `render_views`: grad_pictures (K, H, W, 4) -> grad_vertices, grad_colours (V, 3).
 
     The third result is carving's grad_level (V,), the mean over the views of eq. (6)'s gradient
     with respect to s at the vertices. The loss does not count it.
@@ -223,7 +222,7 @@ def see_backward(grad_pictures, buffers, shape, colours, views):
         gradients = target.renderer.render_backward(grad_fine, seen, shape, covering(colours),
                                                     pipeline.View(*target.view))
         grad_level = carving_backward(1 / len(views), target, len(shape.positions), seen)
-        found.append((gradients.positions, gradients.surface.colours[:, :3], grad_level))
+        found.append((gradients.positions, gradients.material.colours[:, :3], grad_level))
     return tuple(map(sum, zip(*found, strict=True)))
 
 
@@ -241,19 +240,20 @@ def carving_backward(grad_carving, target, vertex_count, buffers):
     return weights.T @ grad_fine.reshape(-1)
 
 
-def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 16.15 (6 points)
-                   weight):
+def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.15 (6 points)
+                             targets, weight):
     """Eq. (5) of K views and its gradients: the arrows on top of this file, there and back.
 
-    views: K Targets, for `see` and `see_backward`. targets (K, H, W, 4): their pictures. vertices,
-    albedo (V, 3), light (9, 3) -> loss, grad_vertices, grad_albedo, grad_light, grad_level.
+    views: K Targets, for `render_views` and its backward pass. targets (K, H, W, 4): their
+    pictures. vertices, albedo (V, 3), light (9, 3) -> loss, grad_vertices, grad_albedo, grad_light,
+    grad_level.
     To watch: `python3 -m course demo --impl labs reconstruct`.
 
     >>> vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     >>> light, target = np.zeros((9, 3)), np.array([[[0.0, 0.0, 0.0, 1.0]]])
     >>> light[0] = 1 / reconstruction.C0
     >>> view = Target(target, pipeline.View(np.eye(4), 1, 1, np.zeros(4)), 1, np.array([[False]]))
-    >>> loss, _, grad_albedo, _, _ = there_and_back(
+    >>> loss, _, grad_albedo, _, _ = views_loss_and_gradients(
     ...     vertices, np.array([[0, 1, 2]]), np.full((3, 3), 0.5), light, (view,), target[None],
     ...     1.0)
     >>> float(loss), grad_albedo.sum(0).round(6)
@@ -262,12 +262,12 @@ def there_and_back(vertices, faces, albedo, light, views, targets,  # exercise 1
     n = mesh.vertex_normals(vertices, faces)
     colours = reconstruction.shade(albedo, n, light)
     shape = pipeline.make_mesh(vertices, faces)
-    pictures, buffers = see(shape, colours, views)
+    pictures, buffers = render_views(shape, colours, views)
     loss = reconstruction.picture_loss(pictures, targets, weight)
 
     grad_pictures = reconstruction.picture_loss_backward(1.0, pictures, targets, weight)
-    grad_vertices, grad_colours, grad_level = see_backward(grad_pictures, buffers, shape, colours,
-                                                           views)
+    grad_vertices, grad_colours, grad_level = render_views_backward(grad_pictures, buffers, shape,
+                                                                    colours, views)
     grad_albedo, grad_n, grad_light = reconstruction.shade_backward(grad_colours, albedo, n, light)
     by_normals = reconstruction.vertex_normals_backward(grad_n, vertices, faces)
     return loss, grad_vertices + by_normals, grad_albedo, grad_light, grad_level
@@ -285,7 +285,7 @@ def loss_and_gradients(x, targets, weights=WEIGHTS):
     if not len(found.faces):
         raise ValueError("no surface is left, for nothing is inside: are the cameras right?")
     pictures = np.stack([target.picture for target in targets])
-    loss, grad_vertices, grad_albedo, grad_light, grad_level = there_and_back(
+    loss, grad_vertices, grad_albedo, grad_light, grad_level = views_loss_and_gradients(
         found.vertices, found.faces, found.albedo, x.light, targets, pictures, weights.coverage)
     by_bumps, by_changes = regularizers_backward(weights, found, x)
     grad_distance, grad_offsets, grad_field = surface_backward(
@@ -299,7 +299,7 @@ def regularizers_backward(weights, found, x):
     """The gradients of bumps, to vertices (V, 3), and of sign changes (7), to distances (G,)."""
     # Both count in cells, so that a weight means the same on any grid.
     cell = 2 / cells(x)
-    edges = reconstruction.edges_of(found.faces)
+    edges = reconstruction.closed_mesh_edges(found.faces)
     by_bumps = reconstruction.bumps_backward(weights.bumps / cell**2, found.vertices,
                                              found.normals, edges)
     by_changes = reconstruction.sign_changes_backward(

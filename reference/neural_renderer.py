@@ -20,18 +20,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import interpolation, scanline, transforms
-from .rasterization import EDGES, edge_function, scatter, signed_area
+from . import interpolation, transforms
+from .arrays import EDGES, chunks, expand, scatter
+from .rasterization import edge_function, signed_area
 
 
 class Maps(NamedTuple):
-    """What each pixel sees: face_index (H, W), weight (H, W, 3), depth (H, W).
+    """What each pixel sees: face_index (H, W), screen_weights (H, W, 3), depth (H, W).
 
     -1, 0 and np.inf where no face is seen.
     """
 
     face_index: np.ndarray
-    weight: np.ndarray
+    screen_weights: np.ndarray
     depth: np.ndarray
 
 
@@ -109,13 +110,13 @@ def face_inverse_backward(grad_inverse, inverse):
 # --- pass 2: pixels -----------------------------------------------------------------------------
 
 
-def weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
+def screen_weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
     """Eqs. (2) and (3) at points of the screen: weight w (..., 3) and depth z (...).
 
     inverse (..., 3, 3) is M^-1, z (..., 3) are the z_k, x, y (...).
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
-    >>> weights_and_depth(inverse, np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0))
+    >>> screen_weights_and_depth(inverse, np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0))
     (array([0.25, 0.25, 0.5 ]), np.float64(1.6))
     """
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
@@ -125,8 +126,8 @@ def weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
     return weight, 1 / (part[..., 0] + part[..., 1] + part[..., 2])
 
 
-def weights_and_depth_backward(grad_weight, grad_depth,  # extra 10.4 (3 points)
-                               inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth,  # extra 10.4 (3 points)
+                                      inverse, z, x, y):
     """Backward of eqs. (2) and (3): grad_weight (..., 3), grad_depth (...) -> grad_inverse
     (..., 3, 3), grad_z (..., 3).
 
@@ -134,7 +135,7 @@ def weights_and_depth_backward(grad_weight, grad_depth,  # extra 10.4 (3 points)
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
     >>> z, x, y = np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0)
-    >>> weights_and_depth_backward(np.zeros(3), np.array(25.0), inverse, z, x, y)
+    >>> screen_weights_and_depth_backward(np.zeros(3), np.array(25.0), inverse, z, x, y)
     (array([[-24., -24., -24.],
            [-24., -24., -24.],
            [ 24.,  24.,  24.]]), array([16., 16.,  2.]))
@@ -143,7 +144,7 @@ def weights_and_depth_backward(grad_weight, grad_depth,  # extra 10.4 (3 points)
     changed.
     """
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
+    weight, depth = screen_weights_and_depth(inverse, z, x, y)
     # depth = 1 / q with q = sum w_k / z_k: d depth = -depth^2 dq.
     grad_q = (-grad_depth * depth**2)[..., None]
     grad_weight = grad_weight + grad_q / z
@@ -204,7 +205,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             x, y = np.array(j + 0.5), np.array(i + 0.5)
             if covers(screen[f], x, y):
-                w, d = weights_and_depth(inverse, z[f], x, y)
+                w, d = screen_weights_and_depth(inverse, z[f], x, y)
                 if near < d < far and d < depth[i, j]:
                     face_index[i, j], weight[i, j], depth[i, j] = f, w, d
     return face_index, weight, depth
@@ -221,13 +222,13 @@ def fragments(corners, width, height, near, far):
     screen, z = screen[drawn], z[drawn]
     inverse = face_inverse(screen)
     x0, y0, x1, y1 = pixel_box(screen, width, height)
-    owner, row = scanline.expand(y0, y1 - y0)
-    for part in scanline.chunks((x1 - x0)[owner]):
-        span, j = scanline.expand(x0[owner[part]], (x1 - x0)[owner[part]])
+    owner, row = expand(y0, y1 - y0)
+    for part in chunks((x1 - x0)[owner]):
+        span, j = expand(x0[owner[part]], (x1 - x0)[owner[part]])
         face, i = owner[part][span], row[part][span]
         inside = covers(screen[face], j + 0.5, i + 0.5)
         face, i, j = face[inside], i[inside], j[inside]
-        weight, depth = weights_and_depth(inverse[face], z[face], j + 0.5, i + 0.5)
+        weight, depth = screen_weights_and_depth(inverse[face], z[face], j + 0.5, i + 0.5)
         kept = (near < depth) & (depth < far)
         yield (i * width + j)[kept], drawn[face[kept]], weight[kept], depth[kept]
 
@@ -258,8 +259,8 @@ def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     face = face_index[row, column]
     seen, pixel_face = np.unique(face, return_inverse=True)
     inverse = face_inverse(screen[seen])
-    grads = weights_and_depth_backward(grad_weight[row, column], grad_depth[row, column],
-                                       inverse[pixel_face], z[face], column + 0.5, row + 0.5)
+    grads = screen_weights_and_depth_backward(grad_weight[row, column], grad_depth[row, column],
+                                              inverse[pixel_face], z[face], column + 0.5, row + 0.5)
     # Each pixel gathers M^-1 and z of its face, so their gradients are scattered.
     grad_inverse, grad_z = (scatter(grad, pixel_face, len(seen)) for grad in grads)
     grad_screen = face_inverse_backward(grad_inverse, inverse)

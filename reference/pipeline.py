@@ -27,6 +27,7 @@ from . import (
     scanline,
     transforms,
 )
+from .arrays import masked_scatter
 
 
 class Mesh(NamedTuple):
@@ -38,13 +39,13 @@ class Mesh(NamedTuple):
 
 
 class Colours(NamedTuple):
-    """A surface of one colour for each vertex: colours (V, C)."""
+    """A material of one colour for each vertex: colours (V, C)."""
 
     colours: np.ndarray
 
 
 class Texture(NamedTuple):
-    """A surface with a texture, image (h, w, C), seen by one of lab 6's filters.
+    """A material with a texture, image (h, w, C), seen by one of lab 6's filters.
 
     uv (T, 2), uv_faces (F, 3): the (u, v) of each face's corners. Where there is no seam they can
     be one for each vertex, and uv_faces = faces.
@@ -87,11 +88,11 @@ class Buffers(NamedTuple):
 class Gradients(NamedTuple):
     """The gradients of a loss with respect to a scene: positions (V, 3), clip_from_model (4, 4).
 
-    surface is a Colours or a Texture of gradients. In a Texture, uv_faces and filter are None.
+    material is a Colours or a Texture of gradients. In a Texture, uv_faces and filter are None.
     """
 
     positions: np.ndarray
-    surface: Colours | Texture
+    material: Colours | Texture
     clip_from_model: np.ndarray
 
 
@@ -101,19 +102,19 @@ def make_mesh(positions, faces):
     return Mesh(positions, faces, antialiasing.opposite_vertices(faces))
 
 
-def render(mesh, surface, view):
+def render(mesh, material, view):
     """The antialiased picture (H, W, C) of a Mesh with Colours or a Texture, and its Buffers.
 
     ValueError, in one sentence, for what does not fit.
     """
-    require_scene(mesh, surface, view)
+    require_scene(mesh, material, view)
     clip = to_clip(mesh.positions, view.clip_from_model)
-    picture, buffers = draw(clip, mesh.faces, mesh.opposite, surface, view.width, view.height,
+    picture, buffers = draw(clip, mesh.faces, mesh.opposite, material, view.width, view.height,
                             view.background)
     return picture, Buffers(*buffers)
 
 
-def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None):
+def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None):
     """The backward pass of `render`: grad_picture (H, W, C) -> Gradients.
 
     A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
@@ -121,13 +122,14 @@ def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None)
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
-    grad_surface, grad_clip = draw_backward(grad_picture, buffers, mesh.faces, surface, grad_depth)
+    grad_material, grad_clip = draw_backward(grad_picture, buffers, mesh.faces, material,
+                                             grad_depth)
     grad_positions, grad_clip_from_model = to_clip_backward(grad_clip, mesh.positions,
                                                             view.clip_from_model)
-    return Gradients(grad_positions, as_surface(grad_surface), grad_clip_from_model)
+    return Gradients(grad_positions, as_material(grad_material), grad_clip_from_model)
 
 
-def draw(clip, faces, opposite, surface, width, height, background):  # exercise 9.12 (3 points)
+def draw(clip, faces, opposite, material, width, height, background):  # exercise 9.12 (3 points)
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The
@@ -144,16 +146,16 @@ def draw(clip, faces, opposite, surface, width, height, background):  # exercise
     face_index, depth = scanline.rasterize(clip, faces, width, height)                # lab 2
     barycentric = rasterization.barycentrics(face_index, clip, faces)                 # lab 2
     seen = Buffers(clip, face_index, depth, barycentric)
-    buffers = shade(seen, faces, surface, background)                                 # labs 5, 6
+    buffers = shade(seen, faces, material, background)                                # labs 5, 6
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)          # lab 8
     return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
-def draw_backward(grad_picture, buffers, faces, surface,  # exercise 9.13 (3 points)
+def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points)
                   grad_depth=None):
-    """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_surface, grad_clip (V, 4).
+    """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 
-    `blend_pairs_backward` of lab 8, then `surface_backward`, then lab 7's `rasterize_backward`,
+    `blend_pairs_backward` of lab 8, then `shade_backward`, then lab 7's `rasterize_backward`,
     which takes grad_depth. The first and the last give a grad_clip: add them. buffers is a plain
     tuple.
     Watch it: `python3 -m course demo --impl labs fit_bunny`.
@@ -161,17 +163,17 @@ def draw_backward(grad_picture, buffers, faces, surface,  # exercise 9.13 (3 poi
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> faces, colours = np.array([[0, 1, 2]]), Colours(np.ones((3, 1)))
     >>> picture, buffers = draw(clip, faces, np.full((1, 3), -1), colours, 4, 1, np.zeros(1))
-    >>> grad_surface, grad_clip = draw_backward(np.ones((1, 4, 1)), tuple(buffers), faces, colours)
-    >>> grad_surface.colours.sum().round(9), grad_clip[:, 0].round(9)
+    >>> grad_material, grad_clip = draw_backward(np.ones((1, 4, 1)), tuple(buffers), faces, colours)
+    >>> grad_material.colours.sum().round(9), grad_clip[:, 0].round(9)
     (np.float64(1.75), array([1., 1., 0.]))
     """
     # What is decided, the face of each pixel and the blended edges, is taken as given.
     clip, face_index, *_, colour, pairs = buffers
     grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
-    grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)  # 6, 5
+    grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)  # 6, 5
     through_colours = rasterizer_gradients.rasterize_backward(                            # lab 7
         *grad_weights, grad_depth, face_index, clip, faces)
-    return grad_surface, through_edges + through_colours
+    return grad_material, through_edges + through_colours
 
 
 def to_clip(positions, clip_from_model):
@@ -201,55 +203,56 @@ def with_derivatives(seen, faces):
     return seen._replace(derivatives=derivatives)
 
 
-def as_surface(fields):
+def as_material(fields):
     """Colours or a Texture, of a tuple of their fields."""
     return Texture(*fields) if len(fields) > 1 else Colours(*fields)
 
 
-def shade(seen, faces, surface, background):
+def shade(seen, faces, material, background):
     """The Buffers of `visible`, completed by the colour (H, W, C) at each pixel's centre."""
-    seen, surface = Buffers(*seen), as_surface(surface)
-    if isinstance(surface, Texture):
+    seen, material = Buffers(*seen), as_material(material)
+    if isinstance(material, Texture):
         seen = with_derivatives(seen, faces)
-        colour = textured(seen, surface)
+        colour = textured(seen, material)
     else:
         seen = seen._replace(weights=interpolation.weight_rows(faces, seen.face_index,
                                                                seen.barycentric))
-        colours = interpolation.sparse_matrix(len(surface.colours), *seen.weights) @ surface.colours
-        colour = colours.reshape(*seen.face_index.shape, surface.colours.shape[1])
+        weights = interpolation.sparse_matrix(len(material.colours), *seen.weights)
+        colours = weights @ material.colours
+        colour = colours.reshape(*seen.face_index.shape, material.colours.shape[1])
     outside = seen.face_index < 0
     for channel, value in enumerate(background):
         colour[..., channel][outside] = value
     return seen._replace(colour=colour)
 
 
-def surface_backward(grad_colour, buffers, faces, surface):
-    """Backward of `shade`: grad_colour (H, W, C) -> grad_surface, grad_barycentric (H, W, 3),
+def shade_backward(grad_colour, buffers, faces, material):
+    """Backward of `shade`: grad_colour (H, W, C) -> grad_material, grad_barycentric (H, W, 3),
     grad_derivatives (H, W, 3, 2) or None.
     """
-    buffers, surface = Buffers(*buffers), as_surface(surface)
-    if isinstance(surface, Texture):
-        return textured_backward(grad_colour, buffers, surface)
-    return coloured_backward(grad_colour, buffers, faces, surface)
+    buffers, material = Buffers(*buffers), as_material(material)
+    if isinstance(material, Texture):
+        return textured_backward(grad_colour, buffers, material)
+    return coloured_backward(grad_colour, buffers, faces, material)
 
 
-def shade_backward(grad_colour, buffers, faces, surface):
-    """The way back without antialiasing: grad_colour (H, W, C) -> grad_surface, grad_clip."""
-    grad_surface, *grad_weights = surface_backward(grad_colour, buffers, faces, surface)
+def inside_backward(grad_colour, buffers, faces, material):
+    """The way back without antialiasing: grad_colour (H, W, C) -> grad_material, grad_clip."""
+    grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)
     grad_clip = rasterizer_gradients.rasterize_backward(
         *grad_weights, None, buffers.face_index, buffers.clip, faces)
-    return grad_surface, grad_clip
+    return grad_material, grad_clip
 
 
-def coloured_backward(grad_colour, buffers, faces, surface):
+def coloured_backward(grad_colour, buffers, faces, material):
     """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
     corner 0, and None for the derivatives.
     """
-    vertex_count, channels = surface.colours.shape
+    vertex_count, channels = material.colours.shape
     weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
     grad_colours = weights.T @ grad_colour.reshape(-1, channels)
-    grad_barycentric = interpolation.weights_backward(grad_colour, surface.colours, faces,
-                                                      buffers.face_index)
+    grad_barycentric = interpolation.barycentric_gradient(grad_colour, material.colours, faces,
+                                                          buffers.face_index)
     # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0. Corner
     # 0 is taken from the others first, and then from itself.
     for corner in 2, 1, 0:
@@ -266,48 +269,39 @@ def footprints(uv, uv_faces, buffers):
     return at[seen], footprint[seen]
 
 
-def textured(buffers, surface):
+def textured(buffers, material):
     """The texture's colour (H, W, C), filtered for the footprint of each pixel, 0 outside."""
-    at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
-    colour = np.zeros((*buffers.face_index.shape, surface.image.shape[2]))
-    colour[buffers.face_index >= 0] = mipmapping.texture(surface.image, at, footprint,
-                                                         filter=surface.filter)
-    return colour
+    at, footprint = footprints(material.uv, material.uv_faces, buffers)
+    colour = mipmapping.texture(material.image, at, footprint, filter=material.filter)
+    return masked_scatter(colour, buffers.face_index >= 0)
 
 
-def textured_backward(grad_colour, buffers, surface):
+def textured_backward(grad_colour, buffers, material):
     """grad_colour (H, W, C) -> Texture of gradients, grad_barycentric (H, W, 3),
     grad_derivatives (H, W, 3, 2).
     """
     seen = buffers.face_index >= 0
-    at, footprint = footprints(surface.uv, surface.uv_faces, buffers)
+    at, footprint = footprints(material.uv, material.uv_faces, buffers)
     grad_image, grad_at, grad_footprint, _ = mipmapping.texture_backward(
-        grad_colour[seen], surface.image, at, footprint, filter=surface.filter)
+        grad_colour[seen], material.image, at, footprint, filter=material.filter)
     # `footprints` gathers the seen pixels: its transpose puts them back, 0 elsewhere.
-    uv_at = surface.uv, surface.uv_faces, buffers.face_index
+    uv_at = material.uv, material.uv_faces, buffers.face_index
     by_place, grad_barycentric = interpolation.interpolate_backward(
-        on_screen(grad_at, seen), *uv_at, buffers.barycentric)
+        masked_scatter(grad_at, seen), *uv_at, buffers.barycentric)
     by_change, grad_derivatives = interpolation.interpolate_derivatives_backward(
-        on_screen(grad_footprint, seen), *uv_at, buffers.derivatives)
+        masked_scatter(grad_footprint, seen), *uv_at, buffers.derivatives)
     grad_texture = Texture(by_place + by_change, None, grad_image, None)
     return grad_texture, grad_barycentric, grad_derivatives
 
 
-def on_screen(values, seen):
-    """values (N, ...) of the N pixels that are seen (H, W), 0 elsewhere: (H, W, ...)."""
-    screen = np.zeros((*seen.shape, *values.shape[1:]))
-    screen[seen] = values
-    return screen
-
-
-def require_scene(mesh, surface, view):
+def require_scene(mesh, material, view):
     """ValueError, in one sentence, for what `render` cannot take."""
     inputs.require_geometry(mesh.positions, mesh.faces, view.clip_from_model, view.width,
                             view.height, mesh.opposite)
-    if isinstance(surface, Texture):
-        inputs.require_texture(mesh.faces, surface.uv, surface.uv_faces, surface.image,
+    if isinstance(material, Texture):
+        inputs.require_texture(mesh.faces, material.uv, material.uv_faces, material.image,
                                view.background)
     else:
-        inputs.require(isinstance(surface, Colours), "a surface, Colours or a Texture",
-                       f"a {type(surface).__name__}")
-        inputs.require_colours(mesh.positions, surface.colours, view.background)
+        inputs.require(isinstance(material, Colours), "a material, Colours or a Texture",
+                       f"a {type(material).__name__}")
+        inputs.require_colours(mesh.positions, material.colours, view.background)

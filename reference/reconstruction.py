@@ -24,7 +24,7 @@ import scipy.sparse.csgraph
 from course.given import mesh
 
 from . import inverse_rendering
-from .rasterization import EDGES, scatter
+from .arrays import EDGES, scatter
 
 C0, C1, C2, C3, C4 = np.sqrt(np.array([1, 3, 15, 5 / 4, 15 / 4]) / (4 * np.pi))
 A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
@@ -214,7 +214,7 @@ def sign_changes_backward(grad_changes, distance, edges):  # extra 16.11 (3 poin
     return grad_changes * slope * np.bincount(np.concatenate([a, b]), minlength=len(distance))
 
 
-def edges_of(faces):
+def closed_mesh_edges(faces):
     """The edges (E, 2) of a closed mesh, each once: it is walked once up and once down."""
     sides = faces[:, EDGES].reshape(-1, 2)
     return sides[sides[:, 0] < sides[:, 1]]

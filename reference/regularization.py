@@ -21,7 +21,7 @@ from scipy.sparse.linalg import spsolve
 
 from course.given import mesh
 
-from .rasterization import scatter
+from .arrays import scatter
 
 NO_AREA = 1e-12  # twice a face's area over its longest side squared: up to this it has none
 

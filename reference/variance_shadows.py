@@ -38,7 +38,7 @@ class Settings(NamedTuple):
     least_variance: float
 
 
-class Buffers(NamedTuple):
+class ShadowBuffers(NamedTuple):
     """What was found on the way to a variance shadow, which the way back needs.
 
     distance_map (S, S), and blurred (S, S, 2), its moments. For each point q (N, 3), uv (N, 2) on
@@ -215,7 +215,7 @@ def closed_map(vertices, faces, light, size):
 
 
 def variance_shadow(points, vertices, faces, light, settings):
-    """Eqs. (8) and (9): the lit share of points (N, 3) -> (N,), and the Buffers for its backward.
+    """Eqs. (8) and (9): the lit share of points (N, 3) -> (N,), and ShadowBuffers for its backward.
 
     The map of moments is blurred over (2 radius + 1)^2 texels, and read bilinearly. Points outside
     the map are lit. ValueError for what does not fit.
@@ -229,7 +229,7 @@ def variance_shadow(points, vertices, faces, light, settings):
     mean = mipmapping.texture(blurred, uv, boundary="clamp")
     inside = ((uv >= 0) & (uv < 1)).all(1)
     lit = np.where(inside, chebyshev(-q[:, 2], *mean.T, settings.least_variance), 1.0)
-    return lit, Buffers(distance_map, blurred, q, uv, mean, inside)
+    return lit, ShadowBuffers(distance_map, blurred, q, uv, mean, inside)
 
 
 def variance_shadow_backward(grad_lit, buffers, points, light, settings):

@@ -130,26 +130,27 @@ def gauss_newton_step(residuals, jacobian):  # exercise 7.7 (2 points)
     return np.linalg.lstsq(jacobian, -residuals)[0]
 
 
-def weights(m, a):
+def barycentric(m, a):
     """Eq. (5): where on its face, in space, does a pixel lie? -> b (3,), with sum b = 1.
 
     m (3, 3): columns (x, y, w) in clip space, w of any sign. a (3,): the pixel in ndc.
 
     >>> m = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])  # w = 1/2 at vertex 1
-    >>> weights(m, np.array([1.0, 0.0, 1.0]))
+    >>> barycentric(m, np.array([1.0, 0.0, 1.0]))
     array([0.6, 0.4, 0. ])
     """
     c = np.linalg.solve(m, a)
     return c / c.sum()
 
 
-def weights_backward(grad_b, m, a):  # exercise 7.9 (3 points)
-    """Eq. (6), backward of `weights`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
+def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points)
+    """Eq. (6), backward of `barycentric`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
     m (3, 3), a (3,). All of their numbers are variables.
 
     >>> m = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
-    >>> grad_m, grad_a = weights_backward(np.array([0.0, 1.0, 0.0]), m, np.array([1.0, 0.0, 1.0]))
+    >>> grad_b, a = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 1.0])
+    >>> grad_m, grad_a = barycentric_backward(grad_b, m, a)
     >>> grad_m.round(9) + 0.0
     array([[-0.24, -0.16,  0.  ],
            [ 0.  ,  0.  ,  0.  ],

@@ -183,7 +183,7 @@ def test_corrected_weights_on_paper(impl):
     e = np.array([[0.5, 0.5, 0.0], [0.25, 0.25, 0.5], [2.0, 8.0, 25.0], [5.0, 6.0, 16.0]])
     w = np.array([[2.0, 6.0, 3.0], [2.0, 4.0, 8.0], [2.0, 4.0, 5.0], [5.0, 2.0, 4.0]])
     expected = np.array([[6, 2, 0], [4, 2, 2], [1, 2, 5], [1, 3, 4]]) / 8
-    assert_close(impl.corrected_barycentrics(e, w), expected)
+    assert_close(impl.barycentric_from_screen(e, w), expected)
 
 
 @exercise("5.5")
@@ -194,10 +194,10 @@ def test_any_multiple_of_the_weights_gives_the_same(impl, rng):
     e, w = rng.uniform(0.1, 1, (2, 4, 5, 3))
     n = e / w
     expected = n / (n[..., :1] + n[..., 1:2] + n[..., 2:])
-    assert_close(impl.corrected_barycentrics(e, w), expected)
+    assert_close(impl.barycentric_from_screen(e, w), expected)
     for factor in 1e-9, -7.0:
-        got = [impl.corrected_barycentrics(factor * e, w),
-               impl.corrected_barycentrics(e, factor * w)]
+        got = [impl.barycentric_from_screen(factor * e, w),
+               impl.barycentric_from_screen(e, factor * w)]
         assert_close(np.array(got), np.array([expected, expected]))
 
 
@@ -220,7 +220,7 @@ def test_edge_functions_are_the_rows_of_the_inverse(impl, rng):
     """b is not M^-1 (x, y, 1) divided by its sum: the ray through the pixel meets another point."""
     m, sample, e, w = matrix_and_edges(rng, 60)
     c = np.linalg.solve(m, sample[..., None])[..., 0]
-    got = impl.corrected_barycentrics(e, w)
+    got = impl.barycentric_from_screen(e, w)
     assert_close(got, c / c.sum(-1, keepdims=True), rtol=1e-6, atol=1e-6)
 
 

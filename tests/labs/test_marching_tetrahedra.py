@@ -175,7 +175,7 @@ def test_gradients_of_both_points_on_paper(impl):
     """grad_p_a and grad_p_b: the weights of both ends are swapped, the nearer end gets the smaller
     part, t has the wrong sign, or is divided by s_a + s_b, or an end gets all, or a half.
     """
-    got = impl.crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)  # t = 1/4, 3/4, 2/5, 1/5
+    got = impl.zero_crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)  # t = 1/4, 3/4, 2/5, 1/5
     assert_close(got[:2], (np.array([0.75, 0.25, 0.6, 0.8])[:, None] * GRAD_P,
                            np.array([0.25, 0.75, 0.4, 0.2])[:, None] * GRAD_P))
 
@@ -186,7 +186,7 @@ def test_gradients_of_both_distances_on_paper(impl):
     where |s_a| stands for s_a. s_b - s_a is not squared. The denominator's derivative is missing.
     grad_p's three numbers are not summed along p_b - p_a.
     """
-    got = impl.crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)
+    got = impl.zero_crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)
     # grad_p . (p_b - p_a) = 32, 64, -50, 300. By s_a it is that times -s_b / (s_b - s_a)^2, by s_b
     # times s_a / (s_b - s_a)^2.
     expected = np.array([-32 * 3 / 16, -64 * 2 / 64, 50 * 3 / 25, -300 * 8 / 100])
@@ -203,7 +203,7 @@ def test_gradients_of_crossings_are_central_differences(impl, rng):
 
     p_a, p_b = rng.normal(size=(2, 7, 3))
     s_a, s_b = -rng.uniform(0.3, 2, 7), rng.uniform(0.3, 2, 7)
-    gradcheck(forward, impl.crossing_backward, (p_a, p_b, s_a, s_b), name="crossing")
+    gradcheck(forward, impl.zero_crossing_backward, (p_a, p_b, s_a, s_b), name="zero_crossing")
 
 
 @exercise("15.12")
@@ -212,7 +212,8 @@ def test_gradients_where_the_surface_meets_a_point_of_the_grid(impl):
     """
     p_a, p_b, grad_p = np.array([[0.0, 0, 0]]), np.array([[0.0, 8.0, 0]]), np.array([[5.0, 2.0, 0]])
     for unit in 1.0, 1e-6:
-        got = impl.crossing_backward(grad_p, p_a, p_b, np.array([-4.0 * unit]), np.array([0.0]))
+        got = impl.zero_crossing_backward(grad_p, p_a, p_b, np.array([-4.0 * unit]),
+                                          np.array([0.0]))
         assert_close(got[0], 0 * grad_p)
         assert_close(got[1], grad_p)
         assert_close(got[2], np.array([0.0]))

@@ -12,7 +12,7 @@ FROM_THE_SIDE = IN_FRONT @ np.array([[0.6, 0, -0.8, 0], [0, 1, 0, 0.1], [0.8, 0,
 
 
 def view_of(camera, target, outside=False):
-    """What `see` takes: the target, the camera's view, one sample a pixel, and what is outside."""
+    """What `render_views` takes: target, the camera's view, one sample a pixel, what is outside."""
     height, width, _ = target.shape
     view = camera, width, height, np.array([0.3, 0.1, 0.2, 0.0])
     return target, view, 1, np.full((height, width), outside)
@@ -36,7 +36,7 @@ def several_views(rng, cameras=(IN_FRONT, FROM_THE_SIDE)):
 
 def full_picture():
     """A face that fills a picture of 2 x 3 pixels, whose colour is (1.5, 0.75, 1): what
-    `there_and_back` takes. E is (3 + z, 1, 2), and z is 1.
+    `views_loss_and_gradients` takes. E is (3 + z, 1, 2), and z is 1.
     """
     vertices = np.array([[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]])
     light, albedo = np.zeros((9, 3)), np.tile([0.375, 0.75, 0.5], (3, 1))
@@ -51,7 +51,7 @@ def test_five_outputs_have_the_shapes_of_their_inputs(impl):
     """An output is missing, such as the loss, or the outputs are in another order: loss, then the
     gradients of vertices, albedo and light, and grad_level.
     """
-    found = impl.there_and_back(*full_picture())
+    found = impl.views_loss_and_gradients(*full_picture())
     assert_equal(tuple(map(np.shape, found)), ((), (3, 3), (3, 3), (9, 3), (3,)))
 
 
@@ -60,7 +60,7 @@ def test_the_loss_of_a_full_picture_on_paper(impl):
     """The loss: the albedo is rendered as it is, without the light, for shade is left out.
     Coverage's weight is left out, another picture is the target, or a sum stands for a mean.
     """
-    loss = impl.there_and_back(*full_picture())[0]
+    loss = impl.views_loss_and_gradients(*full_picture())[0]
     assert_close(loss, (0.5**2 + 0.25**2 + 0.75**2) / 3 + 5 * 0.4**2)
 
 
@@ -70,7 +70,7 @@ def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
     loss itself is handed to picture_loss_backward as grad_loss, which is 1. Picture and target are
     swapped there. Or their difference alone goes back.
     """
-    grad_albedo = impl.there_and_back(*full_picture())[2]
+    grad_albedo = impl.views_loss_and_gradients(*full_picture())[2]
     grad_colours = 2 / 3 * np.array([0.5, 0.25, 0.75])
     assert_close(np.sum(grad_albedo, 0), grad_colours * [4, 1, 2])
 
@@ -80,18 +80,18 @@ def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
     """grad_light: the albedo is missing in shade_backward, or the shaded colours stand for it. Or
     grad_light and grad_albedo are exchanged.
     """
-    grad_light = impl.there_and_back(*full_picture())[3]
+    grad_light = impl.views_loss_and_gradients(*full_picture())[3]
     grad_irradiance = 2 / 3 * np.array([0.5, 0.25, 0.75]) * [0.375, 0.75, 0.5]
     assert_close(np.array(grad_light)[:3], np.array([[Y0], [0], [Y1]]) * grad_irradiance)
 
 
 @exercise("16.15")
 def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
-    """grad_level: carving's gradient, which `see_backward` gives, is left out, scaled, or added to
-    grad_vertices. Those have none here, where light is even. They are no normals' gradients:
+    """grad_level: carving's gradient, which comes with grad_colours, is left out, scaled, or added
+    to grad_vertices. Those have none here, where light is even. They are no normals' gradients:
     vertex_normals_backward takes those to the vertices.
     """
-    _, grad_vertices, _, _, grad_level = impl.there_and_back(*full_picture())
+    _, grad_vertices, _, _, grad_level = impl.views_loss_and_gradients(*full_picture())
     assert_close(np.sum(grad_level), -1.0)  # every pixel asks the surface to go
     assert_close(np.abs(grad_vertices).max(), 0.0)
 
@@ -105,8 +105,8 @@ def test_three_views_are_the_mean_of_each_alone(impl, rng):
     views, targets = several_views(rng, (IN_FRONT, FROM_THE_SIDE, IN_FRONT @ FROM_BELOW))
 
     def found(chosen):
-        return impl.there_and_back(vertices, faces, albedo, light, views[chosen], targets[chosen],
-                                   0.7)
+        return impl.views_loss_and_gradients(vertices, faces, albedo, light, views[chosen],
+                                             targets[chosen], 0.7)
 
     alone = zip(*(found(slice(k, k + 1)) for k in range(3)), strict=True)
     for got, parts in zip(found(slice(0, 3)), alone, strict=True):
@@ -124,7 +124,7 @@ def check_gradient(impl, rng, of):
         places = [vertices, albedo, light]
         for part, step in zip(of, steps, strict=True):
             places[part] = places[part] + step * directions[part]
-        return impl.there_and_back(places[0], faces, *places[1:], views, targets, 0.7)
+        return impl.views_loss_and_gradients(places[0], faces, *places[1:], views, targets, 0.7)
 
     def backward(grad_loss, steps):
         gradients = moved(steps)[1:4]
@@ -153,7 +153,7 @@ def test_the_gradient_of_the_light_is_central_differences(impl, rng):
 def test_the_gradient_of_the_vertices_is_central_differences(impl, rng):
     """grad_vertices: of its two ways, that through the normals or that through the pictures is
     missing, overwrites the other or has a minus: they are to be added. Coverage's weight is not
-    passed to picture_loss_backward. see_backward gets the albedo for the colours.
+    passed to picture_loss_backward. render_views_backward gets the albedo for the colours.
     """
     check_gradient(impl, rng, [0])
 

@@ -60,7 +60,7 @@ def test_weights_and_depths_on_paper(impl):
     added, M^-1 is transposed, or the point lacks its 1.
     """
     x, y, z = np.array([1.0, 2.0, 1.0, 0.5]), np.array([1.0, 0.5, 0.5, 1.5]), [1.0, 2.0, 4.0]
-    got = impl.weights_and_depth(np.stack([inverse_of(RIGHT)] * 4), np.array([z] * 4), x, y)
+    got = impl.screen_weights_and_depth(np.stack([inverse_of(RIGHT)] * 4), np.array([z] * 4), x, y)
     weight = np.array([[2, 2, 4], [2, 4, 2], [4, 2, 2], [1, 1, 6]]) / 8
     assert_close(got, (weight, np.array([2, 16 / 9, 16 / 11, 8 / 3])))
 
@@ -69,7 +69,7 @@ def test_weights_and_depths_on_paper(impl):
 def test_in_the_middle_all_weights_are_a_third(impl):
     """It is right for many points, and not for a single one, whose x and y have no axes."""
     x, y = SLANTED.mean(0)
-    got = impl.weights_and_depth(inverse_of(SLANTED), np.array([1.0, 2.0, 2.0]), x, y)
+    got = impl.screen_weights_and_depth(inverse_of(SLANTED), np.array([1.0, 2.0, 2.0]), x, y)
     assert_close(got, (np.full(3, 1 / 3), 1.5))
 
 
@@ -77,8 +77,8 @@ def test_in_the_middle_all_weights_are_a_third(impl):
 def test_a_corner_has_its_own_depth(impl):
     """Weights or z of another corner."""
     z = np.array([2.0, 3.0, 5.0])
-    weight, depth = impl.weights_and_depth(np.stack([inverse_of(SLANTED)] * 3), np.stack([z] * 3),
-                                           *SLANTED.T)
+    weight, depth = impl.screen_weights_and_depth(np.stack([inverse_of(SLANTED)] * 3),
+                                                  np.stack([z] * 3), *SLANTED.T)
     assert_close(weight, np.eye(3), atol=1e-9)
     assert_close(depth, z)
 
@@ -94,7 +94,7 @@ def test_depth_is_that_of_the_plane_in_space(impl, rng):
     ones = np.ones((2, 7, 3, 1))
     points = (np.concatenate([screen, ones], -1) * (z * b)[..., None]).sum(-2)
     x, y = points[..., 0] / points[..., 2], points[..., 1] / points[..., 2]
-    weight, depth = impl.weights_and_depth(inverse_of(screen), z, x, y)
+    weight, depth = impl.screen_weights_and_depth(inverse_of(screen), z, x, y)
     assert_close(depth, points[..., 2], rtol=1e-8)
     assert_close(weight * depth[..., None] / z, b, atol=1e-8)
 
@@ -105,13 +105,13 @@ def test_outside_weights_are_clamped_then_divided_by_their_sum(impl):
     are first divided and then clamped. depth has the weights before the clamp.
     """
     inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))  # c = (1 - x - y, x, y)
-    got = impl.weights_and_depth(np.stack([inverse] * 3), np.array([[1.0, 2.0, 4.0]] * 3),
-                                 np.array([1.5, -0.5, 2.0]), np.array([-0.75, 0.25, 3.0]))
+    got = impl.screen_weights_and_depth(np.stack([inverse] * 3), np.array([[1.0, 2.0, 4.0]] * 3),
+                                        np.array([1.5, -0.5, 2.0]), np.array([-0.75, 0.25, 3.0]))
     weight = np.array([[0.2, 0.8, 0.0], [0.8, 0.0, 0.2], [0.0, 0.5, 0.5]])
     assert_close(got, (weight, np.array([1 / 0.6, 1 / 0.85, 8 / 3])))
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     c = np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
     weight = np.clip(c, 0, 1)
     weight = weight / weight.sum(-1, keepdims=True)
@@ -127,8 +127,8 @@ def test_depth_alone_has_a_gradient_by_z(impl):
     """In output 2, grad_z = depth^2 w / z^2: depth^2 is left out, z is not squared, or the sign is
     wrong.
     """
-    returned = impl.weights_and_depth_backward(np.zeros(3), np.array(8.0), inverse_of(RIGHT), Z,
-                                               *AT)
+    returned = impl.screen_weights_and_depth_backward(np.zeros(3), np.array(8.0),
+                                                      inverse_of(RIGHT), Z, *AT)
     _, grad_z = outputs(returned, "grad_inverse", "grad_z")
     assert_close(grad_z, np.array([8.0, 1.0, 2.0]))
 
@@ -138,8 +138,8 @@ def test_depth_depends_on_the_inverse_through_the_weights(impl):
     """The way from depth through the weights is left out of grad_inverse. The sum that they are
     divided by is taken for a constant. (x, y, 1) is in another order.
     """
-    returned = impl.weights_and_depth_backward(np.zeros(3), np.array(8.0), inverse_of(RIGHT), Z,
-                                               *AT)
+    returned = impl.screen_weights_and_depth_backward(np.zeros(3), np.array(8.0),
+                                                      inverse_of(RIGHT), Z, *AT)
     grad_inverse, _ = outputs(returned, "grad_inverse", "grad_z")
     # By w it is -8 depth^2 / z = (-32, -8, -16), less its mean by the weights, -16.
     expected = np.array([[-32.0, -8.0, -16.0], [16.0, 4.0, 8.0], [0.0, 0.0, 0.0]])
@@ -150,8 +150,8 @@ def test_depth_depends_on_the_inverse_through_the_weights(impl):
 def test_the_sum_of_the_weights_cannot_change(impl):
     """The division by the sum is left out of the gradient: the sum is taken for a constant."""
     inverse, one = inverse_of(SLANTED), np.array(3.0)
-    got = impl.weights_and_depth_backward(np.full(3, 7.0), np.array(0.0), inverse,
-                                          np.array([1.0, 2.0, 3.0]), one, one)
+    got = impl.screen_weights_and_depth_backward(np.full(3, 7.0), np.array(0.0), inverse,
+                                                 np.array([1.0, 2.0, 3.0]), one, one)
     assert_close(got, (np.zeros((3, 3)), np.zeros(3)), atol=1e-12)
 
 
@@ -161,8 +161,9 @@ def test_what_is_clamped_has_no_gradient(impl):
     by the sum of the clamped. Or grad_weight is not used.
     """
     inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))
-    got = impl.weights_and_depth_backward(np.array([1.0, 10.0, 100.0]), np.array(0.0), inverse,
-                                          np.ones(3), np.array(-0.5), np.array(0.25))
+    got = impl.screen_weights_and_depth_backward(np.array([1.0, 10.0, 100.0]), np.array(0.0),
+                                                 inverse, np.ones(3), np.array(-0.5),
+                                                 np.array(0.25))
     # c = 1.25, -0.5, 0.25 -> u = 1, 0, 0.25: w = 0.8, 0, 0.2, and grad . w = 20.8
     expected = np.zeros((3, 3))
     expected[2] = np.array([-0.5, 0.25, 1.0]) * 79.2 / 1.25
@@ -183,8 +184,8 @@ def test_gradients_of_weights_and_depth_are_central_differences(impl, rng, reach
         c = np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
         return (c < 0) + 2 * (c > 1)
 
-    gradcheck(lambda inverse, z: weights_and_depth(inverse, z, x, y),
-              lambda grad_weight, grad_depth, inverse, z: impl.weights_and_depth_backward(
+    gradcheck(lambda inverse, z: screen_weights_and_depth(inverse, z, x, y),
+              lambda grad_weight, grad_depth, inverse, z: impl.screen_weights_and_depth_backward(
                   grad_weight, grad_depth, inverse, z, x, y),
               (inverse_of(screen), z), decisions=clamped, name="weights and depth")
 
@@ -194,15 +195,15 @@ def test_only_what_the_clamp_changes_has_no_gradient(impl):
     """A c_k of exactly 0 or 1 counts as clamped, by < for <= or > for >=. It keeps its gradient."""
     inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])).round()
     z, grad_weight = np.ones(3), np.array([1.0, 10.0, 100.0])
-    corner = impl.weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z, np.array(0.0),
-                                             np.array(0.0))
+    corner = impl.screen_weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
+                                                    np.array(0.0), np.array(0.0))
     assert_close(corner[0][:, 2], np.array([0.0, 9.0, 99.0]))
-    outside = impl.weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
-                                              np.array(-0.5), np.array(0.25))
+    outside = impl.screen_weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
+                                                     np.array(-0.5), np.array(0.25))
     # c = 1.25, -0.5, 0.25 -> u = 1, 0, 0.25: w = 0.8, 0, 0.2, and grad . w = 20.8
     assert_close(outside[0][:, 2], np.array([0.0, 0.0, 79.2 / 1.25]))
-    beside = impl.weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
-                                             np.array(0.5), np.array(-0.5))
+    beside = impl.screen_weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
+                                                    np.array(0.5), np.array(-0.5))
     # c = 1, 0.5, -0.5: w = 2 / 3, 1 / 3, 0, and grad . w = 4
     assert_close(beside[0][:, 2], np.array([-3.0, 6.0, 0.0]) / 1.5)
 

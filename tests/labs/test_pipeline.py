@@ -263,13 +263,13 @@ def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
 # --- and back ----------------------------------------------------------------------------------
 
 def gradients(impl, *given):
-    """grad_surface, grad_clip of `draw_backward`, by default with a grad_depth of 0. Mismatch: it
+    """grad_material, grad_clip of `draw_backward`, by default with a grad_depth of 0. Mismatch: it
     returns something else.
     """
     no_depth = [np.zeros(given[0].shape[:2])] if len(given) < 5 else []
     returned = impl.draw_backward(*given, *no_depth)
     if not (isinstance(returned, tuple) and len(returned) == 2 and isinstance(returned[0], tuple)):
-        raise Mismatch(("wrong", "draw_backward must return grad_surface, and then grad_clip"))
+        raise Mismatch(("wrong", "draw_backward must return grad_material, and then grad_clip"))
     return returned
 
 
@@ -287,8 +287,8 @@ def buffers_of_bar(end):
 
 @exercise("9.13")
 def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
-    """The results come in the other order, grad_clip first. grad_surface is not the tuple that
-    surface_backward returns first. Of grad_clip there are two, not their sum.
+    """The results come in the other order, grad_clip first. grad_material is not the tuple that
+    shade_backward returns first. Of grad_clip there are two, not their sum.
     """
     got = impl.draw_backward(np.ones((HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1], ALONE[0],
                              (COLOURS,), np.zeros((HEIGHT, WIDTH)))
@@ -312,7 +312,7 @@ def test_moving_a_bar_changes_what_it_covers(impl, end):
 @exercise("9.13")
 @pytest.mark.parametrize("end", [1.75, 2.25])
 def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, end):
-    """grad_picture goes on to surface_backward: it is grad_colour, after the blend."""
+    """grad_picture goes on to shade_backward: it is grad_colour, after the blend."""
     (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), ALONE[0],
                                    (np.ones((3, 1)),))
     assert_close(grad_colours, 5.0 * 3 * end * np.array([[0.5], [0.3], [0.2]]))
@@ -408,14 +408,14 @@ def test_all_that_a_colour_covers_comes_back_to_its_texture(impl, rng):
     texture = uv, ALONE[0], np.ones((4, 8, 2)), "linear"
     derivatives = np.zeros((HEIGHT, WIDTH, 3, 2))  # the filter "linear" does not look at them
     buffers = *seen, None, derivatives, colour, pairs
-    grad_surface, _ = gradients(impl, grad_picture, buffers, ALONE[0], texture)
-    assert_close(np.asarray(grad_surface[2]).sum((0, 1)),
+    grad_material, _ = gradients(impl, grad_picture, buffers, ALONE[0], texture)
+    assert_close(np.asarray(grad_material[2]).sum((0, 1)),
                  (grad_picture * (picture_of_one - picture_of_zero)).sum((0, 1)))
 
 
 @exercise("9.13")
 def test_a_larger_face_has_a_smaller_footprint(impl):
-    """grad_derivatives is dropped on its way from surface_backward to rasterize_backward: the path
+    """grad_derivatives is dropped on its way from shade_backward to rasterize_backward: the path
     through the footprint of a pixel on its texture.
     """
     width, height = 5, 3

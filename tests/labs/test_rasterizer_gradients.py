@@ -42,9 +42,9 @@ def test_edges_on_paper(impl):
     are columns of M, edges are rows. Edge k is not the one across from vertex k. Edge 1 alone has
     the other sign: it is q_2 x q_0, not q_0 x q_2."""
     expected = np.array([[-7.0, -8.0, 18.0], [-1.0, 7.0, -11.0], [3.0, -2.0, -5.0]])
-    assert_close(impl.edge_functions(PAPER), expected)
+    assert_close(impl.edge_normals(PAPER), expected)
     expected = np.array([[-1.0, -2.0, 4.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
-    assert_close(impl.edge_functions(NEAR), expected)
+    assert_close(impl.edge_normals(NEAR), expected)
 
 
 @exercise("7.10")
@@ -52,7 +52,7 @@ def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
     """Edge k is not the one opposite to vertex k, or runs the other way."""
     x, y = triangle = rng.uniform(0, 9, (2, 3))
     corners = np.stack([*triangle, np.ones(3)])
-    e = impl.edge_functions(corners) @ np.array([4.0, 5.0, 1.0])
+    e = impl.edge_normals(corners) @ np.array([4.0, 5.0, 1.0])
     for k, (i, j) in enumerate([(1, 2), (2, 0), (0, 1)]):
         expected = (y[i] - y[j]) * (4.0 - x[i]) + (x[j] - x[i]) * (5.0 - y[i])
         assert_close(e[k], expected, atol=1e-9)
@@ -64,7 +64,7 @@ def test_they_are_the_inverse_times_the_determinant(impl, rng):
     a row."""
     corners = corners_of(rng, 5)
     expected = [np.linalg.det(m) * np.linalg.inv(m) for m in np.moveaxis(corners, -1, 0)]
-    assert_close(impl.edge_functions(corners), np.stack(expected, -1), atol=1e-9)
+    assert_close(impl.edge_normals(corners), np.stack(expected, -1), atol=1e-9)
 
 
 @exercise("7.10")
@@ -72,7 +72,7 @@ def test_a_face_seen_from_its_side_has_edges(impl):
     """An inverse is taken, and there is none."""
     flat = np.array([[0.0, 2.0, 4.0], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
     expected = np.array([[0.0, 2.0, 0.0], [0.0, -4.0, 0.0], [0.0, 2.0, 0.0]])
-    assert_close(impl.edge_functions(flat), expected)
+    assert_close(impl.edge_normals(flat), expected)
 
 
 @exercise("7.11")

@@ -223,7 +223,7 @@ def test_the_gradients_of_weights_on_paper(impl):
     # c = (1.25, -1, 0.25), s = 1/2, b = (2.5, -2, 0.5), grad_b . b = 9, grad_c = (-10, -16, -14)
     expected = (np.array([[6.875, -5.5, 1.375], [2.5, -2.0, 0.5], [12.5, -10.0, 2.5]]),
                 np.array([-5.5, -2.0, -10.0]))
-    assert_close(impl.weights_backward(grad_b, NEAR, a), expected)
+    assert_close(impl.barycentric_backward(grad_b, NEAR, a), expected)
 
 
 @exercise("7.9")
@@ -233,7 +233,7 @@ def test_the_sum_of_c_may_be_negative(impl):
     # c = (3.5, -6, 0.5), s = -2, grad_b . b = -4.5, grad_c = (-4.25, -2.75, -3.25)
     expected = (np.array([[1.09375, -1.875, 0.15625], [-1.75, 3.0, -0.25], [14.875, -25.5, 2.125]]),
                 np.array([-0.3125, 0.5, -4.25]))
-    assert_close(impl.weights_backward(grad_b, NEAR, a), expected)
+    assert_close(impl.barycentric_backward(grad_b, NEAR, a), expected)
 
 
 @exercise("7.9")
@@ -241,12 +241,12 @@ def test_the_sum_of_c_may_be_negative(impl):
 def test_the_gradients_of_weights_are_central_differences(impl, m, rng):
     """M or its gradient is transposed, or grad_b is taken for all ones or for one of them."""
     m = m * rng.uniform(0.8, 1.25, 3)
-    gradcheck(shares, impl.weights_backward, (m, PIXEL), name="weights")
+    gradcheck(shares, impl.barycentric_backward, (m, PIXEL), name="barycentric")
 
 
 @exercise("7.9")
 @each_matrix
 def test_a_sum_that_is_always_1_has_no_gradient(impl, m):
     """The sum's own share is left out: all weights together seem to change."""
-    got = impl.weights_backward(np.full(3, 2.0), m, PIXEL)
+    got = impl.barycentric_backward(np.full(3, 2.0), m, PIXEL)
     assert_close(got, (np.zeros((3, 3)), np.zeros(3)))

@@ -5,7 +5,7 @@ def fraction_in_space(t, w_0, w_1):
     return t * w_0 / (t * w_0 + (1 - t) * w_1)
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     n = e / w
     s = n[..., 0] + n[..., 1] + n[..., 2]
     return n / s[..., None]

@@ -16,7 +16,7 @@ def tetrahedron_triangles(inside):
     return np.array([])
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     along = (grad_p * (p_a - p_b)).sum(1)
     span = s_b - s_a
     return (grad_p * (s_b / span)[:, None], grad_p * (-s_a / span)[:, None],

@@ -6,7 +6,7 @@ def face_inverse(screen):
     return np.linalg.inv(np.stack([x, y, np.ones(x.shape)], -2))
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     c = np.einsum("...ij,...j->...i", inverse, np.stack([x, y, np.ones(x.shape)], -1))
     u = np.clip(c, 0, 1)
     w = u / u.sum(-1, keepdims=True)
@@ -29,7 +29,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(x0, x1):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    w, d = screen_weights_and_depth(inverse, z[f], x, y)
                     if near < d < far and d < depth[i, j]:
                         face_index[i, j] = f
                         weight[i, j] = w

@@ -1,20 +1,20 @@
 """Lab 9 as printed, where it joins the labs."""
 
 
-def draw(clip, faces, opposite, surface, width, height, background):
+def draw(clip, faces, opposite, material, width, height, background):
     face_index, depth = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
-    buffers = shade((clip, face_index, depth, barycentric), faces, surface, background)
+    buffers = shade((clip, face_index, depth, barycentric), faces, material, background)
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
     picture = outlines.blend_pairs(buffers.colour, pairs)
     return picture, (*buffers[:-1], pairs)
 
 
-def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
+def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     clip, face_index, _, _, _, _, colour, pairs = buffers
     grad_colour, grad_clip = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
-    grad_surface, grad_barycentric, grad_derivatives = surface_backward(grad_colour, buffers, faces,
-                                                                        surface)
+    grad_material, grad_barycentric, grad_derivatives = shade_backward(grad_colour, buffers, faces,
+                                                                       material)
     grad_clip = grad_clip + rasterizer_gradients.rasterize_backward(
         grad_barycentric, grad_derivatives, grad_depth, face_index, clip, faces)
-    return grad_surface, grad_clip
+    return grad_material, grad_clip

@@ -26,7 +26,7 @@ def is_covered(p, triangle):
     return covered
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return e / (e[..., 0] + e[..., 1] + e[..., 2])[..., None]
 
@@ -45,7 +45,7 @@ def rasterize_loop(clip, faces, width, height):
             for j in range(x0, x1):
                 p = np.array([j + 0.5, i + 0.5])
                 if is_covered(p, triangle):
-                    _, l1, l2 = barycentric_coordinates(p, triangle)
+                    _, l1, l2 = screen_weights(p, triangle)
                     d = z[face[0]] + l1 * (z[face[1]] - z[face[0]]) + l2 * (z[face[2]] - z[face[0]])
                     if -1 <= d <= 1 and d < depth[i, j]:
                         face_index[i, j] = f

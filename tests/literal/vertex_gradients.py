@@ -31,7 +31,7 @@ def gauss_newton_step(residuals, jacobian):
     return np.linalg.solve(jacobian.T @ jacobian, -jacobian.T @ residuals)
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     inverse = np.linalg.inv(m)
     c = inverse @ a
     s = c.sum()

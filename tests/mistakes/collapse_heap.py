@@ -4,7 +4,7 @@
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
     """it goes on where there are just as many faces as asked for, by >= instead of >: one collapse
     too many"""
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     count = len(faces)
     refused = np.zeros(3, int)
     while count >= face_count and has_cheapest(state):
@@ -22,7 +22,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
     """a refused entry is thrown away and never tried again; it must `wait`, and comes back when
     something around it has changed"""
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     count = len(faces)
     refused = np.zeros(3, int)
     while count > face_count and has_cheapest(state):
@@ -38,7 +38,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
     """the faces that went are not counted: the number that `collapse` returns is not subtracted"""
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     count = len(faces)
     refused = np.zeros(3, int)
     while count > face_count and has_cheapest(state):
@@ -56,7 +56,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
     """all rows are counted at first, with the faces to `outside`; only the faces of the mesh
     count"""
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     count = len(state.rows)
     refused = np.zeros(3, int)
     while count > face_count and has_cheapest(state):
@@ -73,7 +73,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
     """refused is indexed by the reason, which starts at 1; its place is reason - 1"""
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     count = len(faces)
     refused = np.zeros(3, int)
     while count > face_count and has_cheapest(state):
@@ -90,7 +90,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
     """it ends at the first refused entry; the next cheapest one must be tried"""
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     count = len(faces)
     refused = np.zeros(3, int)
     while count > face_count and has_cheapest(state):

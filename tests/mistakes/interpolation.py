@@ -97,39 +97,39 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):
     return lerp(a_0 / w_0, a_1 / w_1, t) * lerp(w_0, w_1, t)
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """the weights are multiplied by w instead of divided"""
     n = e * w
     return n / n.sum(-1, keepdims=True)
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """w makes no difference: the weights on the screen come back without perspective, only divided
     by their sum. e_k must be divided by w_k"""
     n = e
     return n / n.sum(-1, keepdims=True)
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """the division by the sum s is missing: the weights are not normalised, they do not sum to 1"""
     n = e / w
     return n
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """e is normalised before the division by w instead of after it. So they do not sum to 1: they
     are divided by the sum of e, not by that of n = e / w"""
     return e / e.sum(-1, keepdims=True) / w
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """the sum is over all numbers of the whole array, instead of over the three weights of each
     pixel (the last axis)"""
     n = e / w
     return n / n.sum()
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """the weights are divided by their Euclidean length (the norm) instead of by their sum"""
     n = e / w
     return n / np.linalg.norm(n, axis=-1, keepdims=True)

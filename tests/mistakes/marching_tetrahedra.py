@@ -86,35 +86,35 @@ def tetrahedron_triangles(inside):
     return np.array(fan, int).reshape(-1, 3, 2)
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the weights of both ends are swapped"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
     grad_t = (grad_p * (p_b - p_a)).sum(-1)
     return t * grad_p, (1 - t) * grad_p, -grad_t * s_b / span**2, grad_t * s_a / span**2
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the gradients with respect to both distances have the wrong sign: p_a - p_b for p_b - p_a"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
     grad_t = (grad_p * (p_b - p_a)).sum(-1)
     return (1 - t) * grad_p, t * grad_p, grad_t * s_b / span**2, -grad_t * s_a / span**2
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """it is divided by s_b - s_a once; the derivative of the quotient has its square"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
     grad_t = (grad_p * (p_b - p_a)).sum(-1)
     return (1 - t) * grad_p, t * grad_p, -grad_t * s_b / span, grad_t * s_a / span
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the gradients with respect to s_a and s_b are exchanged: s_b stands in that of s_a"""
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
     grad_t = (grad_p * (p_b - p_a)).sum(-1)
     return (1 - t) * grad_p, t * grad_p, grad_t * s_a / span**2, -grad_t * s_b / span**2
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the denominator s_b - s_a is taken for a constant: the quotient rule's other term is missing
     """
     t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
@@ -122,7 +122,7 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
             (grad_p * p_a).sum(-1) / span)
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the distances get no gradient, as if they did not move the crossing: t depends on them"""
     t = (s_a / (s_a - s_b))[:, None]
     return (1 - t) * grad_p, t * grad_p, np.zeros(len(s_a)), np.zeros(len(s_b))
@@ -141,7 +141,7 @@ def marching_tetrahedra(points, distance, tetrahedra):
     edge = np.concatenate(corners) @ np.array([len(points), 1])
     edge, faces = np.unique(edge, return_inverse=True)
     a, b = ends = np.divmod(edge, len(points))
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
+    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
     return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
 
 
@@ -158,7 +158,7 @@ def marching_tetrahedra(points, distance, tetrahedra):
     edge = np.concatenate(corners) @ np.array([len(points), 1])
     edge, faces = np.unique(edge, return_inverse=True)
     a, b = ends = np.divmod(edge, len(points))
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
+    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
     return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
 
 
@@ -175,7 +175,7 @@ def marching_tetrahedra(points, distance, tetrahedra):
     edge = np.concatenate(corners) @ np.array([len(points), 1])
     edge, faces = np.unique(edge, return_inverse=True)
     a, b = ends = np.divmod(edge, len(points))
-    vertices = crossing(points[a], points[b], -distance[b], -distance[a])
+    vertices = zero_crossing(points[a], points[b], -distance[b], -distance[a])
     return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
 
 
@@ -189,5 +189,5 @@ def marching_tetrahedra(points, distance, tetrahedra):
         corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
     ends = np.concatenate(corners).reshape(-1, 2)
     a, b = ends.T
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
+    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
     return vertices, np.arange(len(ends)).reshape(-1, 3), ends

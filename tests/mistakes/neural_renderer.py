@@ -56,7 +56,7 @@ def face_inverse(screen):
     return np.stack(rows, -2) / double_area[..., None, None]
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """the weights are not clamped to 0 and 1"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = c
@@ -65,7 +65,7 @@ def weights_and_depth(inverse, z, x, y):
     return weight, 1 / (part[..., 0] + part[..., 1] + part[..., 2])
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """the clamped weights are not divided by their sum"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = np.clip(c, 0, 1)
@@ -74,7 +74,7 @@ def weights_and_depth(inverse, z, x, y):
     return weight, 1 / (part[..., 0] + part[..., 1] + part[..., 2])
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """depth is the mean of z by the weights; what is linear on screen is 1 / z"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = np.clip(c, 0, 1)
@@ -82,7 +82,7 @@ def weights_and_depth(inverse, z, x, y):
     return weight, (weight * z).sum(-1)
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """1 / depth is returned for depth: the reciprocal of the sum is missing"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = np.clip(c, 0, 1)
@@ -90,7 +90,7 @@ def weights_and_depth(inverse, z, x, y):
     return weight, (weight / z).sum(-1)
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """the weights are clamped from below alone; above 1 they are cut off, too"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = np.maximum(c, 0)
@@ -98,10 +98,10 @@ def weights_and_depth(inverse, z, x, y):
     return weight, 1 / (weight / z).sum(-1)
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """depth^2 is missing: the derivative of 1 / q is -1 / q^2"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, _ = weights_and_depth(inverse, z, x, y)
+    weight, _ = screen_weights_and_depth(inverse, z, x, y)
     grad_q = -grad_depth[..., None]
     grad_weight = grad_weight + grad_q / z
     grad_z = -grad_q * weight / z**2
@@ -111,10 +111,10 @@ def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     return grad_c[..., None] * np.stack([x, y, np.ones_like(x)], -1)[..., None, :], grad_z
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """depth is not squared: the derivative of 1 / q is -depth^2"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
+    weight, depth = screen_weights_and_depth(inverse, z, x, y)
     grad_q = (-grad_depth * depth)[..., None]
     grad_weight = grad_weight + grad_q / z
     grad_z = -grad_q * weight / z**2
@@ -124,10 +124,10 @@ def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     return grad_c[..., None] * np.stack([x, y, np.ones_like(x)], -1)[..., None, :], grad_z
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """the sum that the weights are divided by is taken for a constant in the quotient rule"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
+    weight, depth = screen_weights_and_depth(inverse, z, x, y)
     grad_q = (-grad_depth * depth**2)[..., None]
     grad_weight = grad_weight + grad_q / z
     grad_z = -grad_q * weight / z**2
@@ -137,10 +137,10 @@ def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     return grad_c[..., None] * np.stack([x, y, np.ones_like(x)], -1)[..., None, :], grad_z
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """the way from depth through the weights to the inverse is left out"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
+    weight, depth = screen_weights_and_depth(inverse, z, x, y)
     grad_q = (-grad_depth * depth**2)[..., None]
     grad_z = -grad_q * weight / z**2
     total = np.clip(c, 0, 1).sum(-1, keepdims=True)
@@ -149,10 +149,10 @@ def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     return grad_c[..., None] * np.stack([x, y, np.ones_like(x)], -1)[..., None, :], grad_z
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """the clamp is forgotten: a c outside of 0 and 1 gets a gradient, too"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
+    weight, depth = screen_weights_and_depth(inverse, z, x, y)
     grad_q = (-grad_depth * depth**2)[..., None]
     grad_weight = grad_weight + grad_q / z
     grad_z = -grad_q * weight / z**2
@@ -161,10 +161,10 @@ def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     return grad_c[..., None] * np.stack([x, y, np.ones_like(x)], -1)[..., None, :], grad_z
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """grad_z is divided by z, not by its square z^2"""
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
-    weight, depth = weights_and_depth(inverse, z, x, y)
+    weight, depth = screen_weights_and_depth(inverse, z, x, y)
     grad_q = (-grad_depth * depth**2)[..., None]
     grad_weight = grad_weight + grad_q / z
     grad_z = -grad_q * weight / z
@@ -186,7 +186,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(x0, x1):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    w, d = screen_weights_and_depth(inverse, z[f], x, y)
                     if near < d < far and d < depth[i, j]:
                         face_index[-1 - i, j], weight[-1 - i, j], depth[i, j] = f, w, d
     return face_index, weight, depth
@@ -204,7 +204,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(x0, x1):
                 x, y = np.array(float(j)), np.array(float(i))
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    w, d = screen_weights_and_depth(inverse, z[f], x, y)
                     if near < d < far and d < depth[i, j]:
                         face_index[i, j], weight[i, j], depth[i, j] = f, w, d
     return face_index, weight, depth
@@ -222,7 +222,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(x0, x1):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    w, d = screen_weights_and_depth(inverse, z[f], x, y)
                     if near < d < far:
                         face_index[i, j], weight[i, j], depth[i, j] = f, w, d
     return face_index, weight, depth
@@ -240,7 +240,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(x0, x1):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    w, d = screen_weights_and_depth(inverse, z[f], x, y)
                     if near < d < far and (face_index[i, j] < 0 or d > depth[i, j]):
                         face_index[i, j], weight[i, j], depth[i, j] = f, w, d
     return face_index, weight, depth
@@ -258,7 +258,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(x0, x1):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    w, d = screen_weights_and_depth(inverse, z[f], x, y)
                     if d < depth[i, j]:
                         face_index[i, j], weight[i, j], depth[i, j] = f, w, d
     return face_index, weight, depth
@@ -276,7 +276,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(x0, x1):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inverse, z[f], x, y)
+                    w, d = screen_weights_and_depth(inverse, z[f], x, y)
                     if near < d < far and d <= depth[i, j]:
                         face_index[i, j], weight[i, j], depth[i, j] = f, w, d
     return face_index, weight, depth

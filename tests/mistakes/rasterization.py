@@ -211,39 +211,39 @@ def is_covered(p, triangle):
     return covered
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """the weights are not divided by 2A, their sum: they must sum to 1"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return e
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """each weight belongs to the next corner, as if the edges were (0, 1), (1, 2), (2, 0): weight k
     is of the edge opposite to corner k"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return np.roll(e / e.sum(-1, keepdims=True), 1, -1)
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """weights are made positive; outside of the triangle, some are negative"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return np.abs(e) / np.abs(e).sum(-1, keepdims=True)
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """they are divided by the area A instead of 2A: the weights are twice as large, and sum to 2"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return 2 * e / e.sum(-1, keepdims=True)
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """they are divided by the absolute value of the area: a clockwise triangle, whose area is
     negative, gets weights of the wrong sign"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
     return e / np.abs(e.sum(-1, keepdims=True))
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """each weight belongs to the corner before, the order is rolled the other way: weight k is of
     the edge opposite to corner k, e_0 of the edge from 1 to 2"""
     e = np.stack([edge_function(p, triangle[i], triangle[j]) for i, j in EDGES], -1)
@@ -320,7 +320,7 @@ def rasterize_loop(clip, faces, width, height):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
                 z0, z1, z2 = clip[corners, 2] / w[corners]
-                _, l1, l2 = barycentric_coordinates(p, triangle)
+                _, l1, l2 = screen_weights(p, triangle)
                 z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z
@@ -342,7 +342,7 @@ def rasterize_loop(clip, faces, width, height):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
                 z0, z1, z2 = clip[corners, 2] / w[corners]
-                _, l1, l2 = barycentric_coordinates(p, triangle)
+                _, l1, l2 = screen_weights(p, triangle)
                 z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1:
                     face_index[i, j], depth[i, j] = f, z
@@ -363,7 +363,7 @@ def rasterize_loop(clip, faces, width, height):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
                 z0, z1, z2 = clip[corners, 2] / w[corners]
-                _, l1, l2 = barycentric_coordinates(p, triangle)
+                _, l1, l2 = screen_weights(p, triangle)
                 z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z
@@ -386,7 +386,7 @@ def rasterize_loop(clip, faces, width, height):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
                 z0, z1, z2 = clip[corners, 2] / w[corners]
-                _, l1, l2 = barycentric_coordinates(p, triangle)
+                _, l1, l2 = screen_weights(p, triangle)
                 z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and (face_index[i, j] < 0 or z > depth[i, j]):
                     face_index[i, j], depth[i, j] = f, z
@@ -408,7 +408,7 @@ def rasterize_loop(clip, faces, width, height):
             p = np.array([float(j), float(i)])
             if is_covered(p, triangle):
                 z0, z1, z2 = clip[corners, 2] / w[corners]
-                _, l1, l2 = barycentric_coordinates(p, triangle)
+                _, l1, l2 = screen_weights(p, triangle)
                 z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z
@@ -430,7 +430,7 @@ def rasterize_loop(clip, faces, width, height):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
                 z0, z1, z2 = clip[corners, 2]
-                _, l1, l2 = barycentric_coordinates(p, triangle)
+                _, l1, l2 = screen_weights(p, triangle)
                 z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < depth[i, j]:
                     face_index[i, j], depth[i, j] = f, z

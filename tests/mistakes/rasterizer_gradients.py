@@ -1,28 +1,28 @@
 """Mistakes of lab 7; each docstring goes on after "this is what comes out when"."""
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     """the cross products are in reverse order, q_j x q_i: all signs are flipped"""
     return np.stack([cross(corners[:, j], corners[:, i]) for i, j in EDGES])
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     """rows and columns are swapped: the corners are the columns of M, corners[:, k], and edge k is
     row k of the result; one of the two is transposed"""
     return np.stack([cross(corners[i], corners[j]) for i, j in EDGES])
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     """edge k starts at vertex k; it is the one opposite to vertex k"""
     return np.stack([cross(corners[:, i], corners[:, j]) for i, j in EDGES[2:] + EDGES[:2]])
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     """it is the inverse M^-1 itself: the factor det(M), the determinant, is missing"""
     return np.linalg.inv(corners)
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     """edge 1 has the other sign, it is q_0 x q_2; in cyclic order it is q_2 x q_0"""
     return np.stack([cross(corners[:, i], corners[:, j]) for i, j in [(1, 2), (0, 2), (0, 1)]])
 
@@ -111,21 +111,21 @@ def normalize_derivative_backward(grad_db, dc, b, s):
 
 def depth_planes(z, corners):
     """the planes are not divided by the determinant"""
-    e = edge_functions(corners)
+    e = edge_normals(corners)
     return (z[:, None] * e).sum(0)
 
 
 def depth_planes(z, corners):
     """M is transposed, it is M^-1 z and not M^-T z: the sum goes over the corners, the first axis
     of M^-1"""
-    e = edge_functions(corners)
+    e = edge_normals(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     return (z * e).sum(1) / det
 
 
 def depth_planes(z, corners):
     """the determinant's sign is lost: that of clockwise faces is negative"""
-    e = edge_functions(corners)
+    e = edge_normals(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     return (z[:, None] * e).sum(0) / np.abs(det)
 
@@ -138,7 +138,7 @@ def depth_planes(z, corners):
 def depth_planes_backward(grad_planes, z, corners):
     """the minus sign of grad_corners is missing: a vertex drags the picture along, against its
     slope"""
-    e = edge_functions(corners)
+    e = edge_normals(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     grad_z = (e * grad_planes).sum(1) / det
     return grad_z, depth_planes(z, corners)[:, None] * grad_z
@@ -147,7 +147,7 @@ def depth_planes_backward(grad_planes, z, corners):
 def depth_planes_backward(grad_planes, z, corners):
     """M is transposed, grad_z sums over the wrong axis of M^-1: it is M^-T grad_planes, and not
     M^-1 grad_planes"""
-    e = edge_functions(corners)
+    e = edge_normals(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     grad_z = (e * grad_planes[:, None]).sum(0) / det
     return grad_z, -depth_planes(z, corners)[:, None] * grad_z
@@ -155,7 +155,7 @@ def depth_planes_backward(grad_planes, z, corners):
 
 def depth_planes_backward(grad_planes, z, corners):
     """the weights grad_z are not divided by the determinant"""
-    e = edge_functions(corners)
+    e = edge_normals(corners)
     grad_z = (e * grad_planes).sum(1)
     return grad_z, -depth_planes(z, corners)[:, None] * grad_z
 

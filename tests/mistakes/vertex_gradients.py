@@ -232,7 +232,7 @@ def gauss_newton_step(residuals, jacobian):
     return -np.linalg.lstsq(jacobian, residuals)[0] / len(residuals)
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """the sum s is taken for a constant, but s depends on c: grad_b . b is left out of grad_c"""
     inverse = np.linalg.inv(m)
     c = inverse @ a
@@ -241,7 +241,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(grad_a, c), grad_a
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """the division by s, the sum, is missing in grad_c: it is (grad_b - grad_b . b) / s"""
     inverse = np.linalg.inv(m)
     c = inverse @ a
@@ -250,7 +250,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(grad_a, c), grad_a
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """grad_b . b is multiplied by b again, the rule for unit vectors (a vector normalised by its
     length); here the numbers are divided by their sum, and grad_b . b goes to all three alike"""
     inverse = np.linalg.inv(m)
@@ -261,7 +261,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(grad_a, c), grad_a
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """grad_m is made with b in place of c: it is -grad_a c^T, c not divided by s"""
     inverse = np.linalg.inv(m)
     c = inverse @ a
@@ -270,7 +270,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(grad_a, c / c.sum()), grad_a
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """the inverse is not transposed for grad_a: it is M^-1 grad_c where M^-T grad_c belongs"""
     inverse = np.linalg.inv(m)
     c = inverse @ a
@@ -279,7 +279,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(grad_a, c), grad_a
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """the minus sign of grad_m is missing: a vertex drags the picture along, against its slope"""
     inverse = np.linalg.inv(m)
     c = inverse @ a

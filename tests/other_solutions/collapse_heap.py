@@ -4,12 +4,12 @@ from collections import Counter
 
 import numpy as np
 
-from reference.collapse_heap import collapse, has_cheapest, rows_around, start, wait
+from reference.collapse_heap import collapse, has_cheapest, initial_state, rows_around, wait
 from reference.simplification import why_refused
 
 
 def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    state, refused, left = start(vertices, faces, quadrics, pairs), Counter(), len(faces)
+    state, refused, left = initial_state(vertices, faces, quadrics, pairs), Counter(), len(faces)
     while left > face_count and has_cheapest(state):
         entry = heapq.heappop(state.heap)
         a, b, place = entry[1], entry[2], np.array(entry[4])

@@ -18,7 +18,7 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):
     return (weights / weights.sum(0)).T @ np.stack([a_0, a_1])
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     n = e * np.roll(w, 1, -1) * np.roll(w, 2, -1)
     return n / np.sum(n, -1)[..., None]
 

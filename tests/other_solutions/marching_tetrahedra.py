@@ -3,7 +3,7 @@ import itertools
 
 import numpy as np
 
-from reference.marching_tetrahedra import crossing
+from reference.marching_tetrahedra import zero_crossing
 
 CORNERS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])  # the last sees the others ccw
 
@@ -20,7 +20,7 @@ def tetrahedron_triangles(inside):
     return np.array(triangles, int).reshape(-1, 3, 2)
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     t = s_a / (s_a - s_b)
     grad_t = np.einsum("ec,ec->e", grad_p, p_b - p_a)
     return ((1 - t)[:, None] * grad_p, t[:, None] * grad_p,
@@ -36,5 +36,5 @@ def marching_tetrahedra(points, distance, tetrahedra):
     faces = [[number[pair] for pair in triangle] for triangle in triangles]
     ends = np.array(ends, int).reshape(-1, 2)
     a, b = ends.T
-    vertices = crossing(points[a], points[b], distance[a], distance[b])
+    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
     return vertices, np.array(faces, int).reshape(-1, 3), ends

@@ -6,13 +6,14 @@ from reference import multi_view_fit, pipeline, reconstruction
 
 
 def one_view(shape, colours, view, target, weight):
-    (picture,), buffers = multi_view_fit.see(shape, colours, [view])
+    (picture,), buffers = multi_view_fit.render_views(shape, colours, [view])
     loss = reconstruction.picture_loss(picture, target, weight)
     grad_picture = reconstruction.picture_loss_backward(1.0, picture, target, weight)
-    return loss, *multi_view_fit.see_backward([grad_picture], buffers, shape, colours, [view])
+    return loss, *multi_view_fit.render_views_backward([grad_picture], buffers, shape, colours,
+                                                       [view])
 
 
-def there_and_back(vertices, faces, albedo, light, views, targets, weight):
+def views_loss_and_gradients(vertices, faces, albedo, light, views, targets, weight):
     normals, shape = mesh.vertex_normals(vertices, faces), pipeline.make_mesh(vertices, faces)
     colours = reconstruction.shade(albedo, normals, light)
     found = [one_view(shape, colours, view, target, weight)

@@ -9,14 +9,14 @@ def face_inverse(screen):
     return np.linalg.solve(np.swapaxes(columns, -1, -2), np.eye(3))
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     u = np.minimum(np.maximum(c, 0), 1)
     # 1 / sum(w / z) with w = u / sum(u).
     return u / u.sum(-1)[..., None], u.sum(-1) / (u / z).sum(-1)
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     grad_inverse, grad_z = np.zeros(np.shape(inverse)), np.zeros(np.shape(z))
     for at in np.ndindex(np.shape(x)):
         point = np.array([x[at], y[at], 1])
@@ -40,7 +40,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
         if x0 >= x1 or y0 >= y1:
             continue
         x, y = np.meshgrid(np.arange(x0, x1) + 0.5, np.arange(y0, y1) + 0.5)
-        w, d = weights_and_depth(face_inverse(screen[f]), z[f], x, y)
+        w, d = screen_weights_and_depth(face_inverse(screen[f]), z[f], x, y)
         box = np.s_[y0:y1, x0:x1]
         seen = covers(screen[f], x, y) & (near < d) & (d < far) & (d < depth[box])
         face_index[box][seen], weight[box][seen], depth[box][seen] = f, w[seen], d[seen]

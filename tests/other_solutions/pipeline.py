@@ -4,10 +4,10 @@ import numpy as np
 from reference import outlines, pipeline, rasterizer_gradients
 
 
-def draw(clip, faces, opposite, surface, width, height, background):
+def draw(clip, faces, opposite, material, width, height, background):
     clip = np.asarray(clip, float)
     seen = pipeline.visible(clip, faces, width, height)
-    buffers = pipeline.shade(seen, faces, surface, background)
+    buffers = pipeline.shade(seen, faces, material, background)
     channels = np.moveaxis(buffers.colour, -1, 0)
     picture = [outlines.antialias(channel[..., None], seen.face_index, seen.depth, clip, faces,
                                   opposite)[..., 0] for channel in channels]
@@ -16,7 +16,7 @@ def draw(clip, faces, opposite, surface, width, height, background):
     return np.stack(picture, -1), (*buffers[:7], backwards)
 
 
-def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
+def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     clip, face_index, depth, *_, colour, pairs = buffers
     pairs = outlines.Pairs(*pairs)
     grad_clip = np.zeros(np.shape(clip))
@@ -26,10 +26,10 @@ def draw_backward(grad_picture, buffers, faces, surface, grad_depth=None):
             grad_picture[..., k:k + 1], colour[..., k:k + 1], pairs, clip)
         grad_colour[..., k:k + 1] = part
         grad_clip += through_edges
-    grad_surface, *grad_weights = pipeline.surface_backward(grad_colour, buffers, faces, surface)
+    grad_material, *grad_weights = pipeline.shade_backward(grad_colour, buffers, faces, material)
     if grad_depth is not None:
         grad_clip += rasterizer_gradients.rasterize_backward(
             np.zeros((*np.shape(depth), 3)), None, grad_depth, face_index, clip, faces)
     grad_clip += rasterizer_gradients.rasterize_backward(*grad_weights, None, face_index, clip,
                                                          faces)
-    return grad_surface, grad_clip
+    return grad_material, grad_clip

@@ -49,7 +49,7 @@ def is_covered(p, triangle):
     return covered
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     system = np.vstack([np.transpose(triangle), np.ones(3)])
     right = np.concatenate([p, np.ones((*np.shape(p)[:-1], 1))], -1)
     return np.linalg.solve(system, right[..., None])[..., 0]
@@ -87,7 +87,7 @@ def rasterize_loop(clip, faces, width, height):
             continue
         covered = is_covered(p, triangle) | is_covered(p, triangle[::-1])
         z = np.asarray(clip)[corners, 2] / w[corners]
-        deep = z[0] + barycentric_coordinates(p, triangle) @ (z - z[0])
+        deep = z[0] + screen_weights(p, triangle) @ (z - z[0])
         nearer = covered & (np.abs(deep) <= 1) & (deep < depth)
         face_index[nearer], depth[nearer] = f, deep[nearer]
     return face_index, depth

@@ -4,7 +4,7 @@ import numpy as np
 from reference.rasterization import EDGES
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     rows = [np.cross(corners[:, i], corners[:, j], axis=0) for i, j in EDGES]
     return np.asfortranarray(rows)
 

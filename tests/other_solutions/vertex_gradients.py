@@ -53,7 +53,7 @@ def gauss_newton_step(residuals, jacobian):
     return -v[used].T @ ((u.T @ residuals)[used] / size[used])
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     inverse = np.linalg.inv(m)
     c = inverse @ a
     s = c.sum()

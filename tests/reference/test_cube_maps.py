@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from course.given.gradcheck import gradcheck
-from reference import cube_maps, mipmapping, rasterization
+from reference import arrays, cube_maps, mipmapping
 
 GOLDEN = np.load("tests/golden/cube_maps.npz")
 CONFIGS = sorted({tuple(key.split("/")[:2]) for key in GOLDEN if key.count("/") == 2})
@@ -235,7 +235,7 @@ def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
     upstream = np.random.default_rng(12).normal(size=(5, 6, 3))
     whole = (cube_maps.cube_texture(faces, directions, jacobian, bias, filter),
              *cube_maps.cube_texture_backward(upstream, faces, directions, jacobian, bias, filter))
-    monkeypatch.setattr(rasterization, "CHUNK", 3)
+    monkeypatch.setattr(arrays, "ROWS", 3)
     line = faces, directions.reshape(-1, 3), jacobian.reshape(-1, 3, 2), bias.reshape(-1), filter
     parts = (cube_maps.cube_texture(*line),
              *cube_maps.cube_texture_backward(upstream.reshape(-1, 3), *line))

@@ -67,7 +67,7 @@ def test_screen_weights_corrected_are_the_rasterizers():
     w = clip[faces[face_index[seen]], 3]
     expected = rasterization.barycentrics(face_index, clip, faces)[seen]
     assert np.abs(on_screen - expected).max() > 0.05
-    got = interpolation.corrected_barycentrics(on_screen, w)
+    got = interpolation.barycentric_from_screen(on_screen, w)
     np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
 
 
@@ -78,7 +78,7 @@ def test_the_derivatives_are_the_rasterizers():
     e = np.stack([(y[i] - y[j]) * (px - x[i]) + (x[j] - x[i]) * (py - y[i])
                   for i, j in rasterization.EDGES], -1)
     de = np.stack([[y[i] - y[j], x[j] - x[i]] for i, j in rasterization.EDGES]).transpose(2, 0, 1)
-    got = interpolation.corrected_barycentrics_derivatives(de, e, w.T)
+    got = interpolation.barycentric_from_screen_derivatives(de, e, w.T)
     expected = np.stack(rasterization.barycentric_derivatives(px, py, x, y, w)).T
     scale = np.abs(expected).max((1, 2), keepdims=True)
     np.testing.assert_allclose(got / scale, expected / scale, rtol=0, atol=1e-12)
@@ -88,8 +88,8 @@ def test_forward_and_backward_derivatives_are_each_others_transpose():
     """grad_b . (J de) and (J^T grad_b) . de differ: eqs. (4) and 5.6 are of different functions."""
     rng = np.random.default_rng(5)
     grad_b, de, (e, w) = *rng.normal(size=(2, 9, 3)), rng.uniform(0.3, 2, (2, 9, 3))
-    db = interpolation.corrected_barycentrics_derivatives(de[..., None], e, w)[..., 0]
-    grad_e, _ = interpolation.corrected_barycentrics_backward(grad_b, e, w)
+    db = interpolation.barycentric_from_screen_derivatives(de[..., None], e, w)[..., 0]
+    grad_e, _ = interpolation.barycentric_from_screen_backward(grad_b, e, w)
     np.testing.assert_allclose((grad_b * db).sum(-1), (grad_e * de).sum(-1), rtol=1e-10, atol=1e-12)
 
 
@@ -170,14 +170,14 @@ def test_gradients_of_corrected_weights_on_paper(impl):
     w is not squared in grad_w, or has the wrong sign.
     """
     e, w = np.array([[0.5, 0.5, 0.0]]), np.array([[1.0, 3.0, 1.0]])
-    got = impl.corrected_barycentrics_backward(np.array([[16.0, 0.0, 0.0]]), e, w)
+    got = impl.barycentric_from_screen_backward(np.array([[16.0, 0.0, 0.0]]), e, w)
     assert_close(got, (np.array([[6.0, -6.0, -18.0]]), np.array([[-3.0, 1.0, 0.0]])))
 
 
 def test_more_of_all_weights_is_nothing(impl, rng):
     """A multiple of e gives the same b, so e . grad_e = 0; likewise w . grad_w = 0."""
     grad_b, (e, w) = rng.normal(size=(5, 3)), rng.uniform(0.5, 2, (2, 5, 3))
-    grad_e, grad_w = impl.corrected_barycentrics_backward(grad_b, e, w)
+    grad_e, grad_w = impl.barycentric_from_screen_backward(grad_b, e, w)
     assert_close((e * grad_e).sum(-1), np.zeros(5), atol=1e-10)
     assert_close((w * grad_w).sum(-1), np.zeros(5), atol=1e-10)
 
@@ -188,9 +188,9 @@ def test_gradients_of_corrected_weights_are_central_differences(impl, rng):
         return np.stack([e[..., k] / w[..., k] / (e / w).sum(-1) for k in range(3)], -1)
 
     inputs = rng.uniform(0.2, 1, (2, 4, 3)), rng.uniform(0.5, 3, (2, 4, 3))
-    gradcheck(forward, impl.corrected_barycentrics_backward, inputs, name="corrected_barycentrics")
+    gradcheck(forward, impl.barycentric_from_screen_backward, inputs, name="barycentric")
     inputs = -inputs[0], inputs[1] * [1, 1, 9]
-    gradcheck(forward, impl.corrected_barycentrics_backward, inputs, name="corrected_barycentrics")
+    gradcheck(forward, impl.barycentric_from_screen_backward, inputs, name="barycentric")
 
 
 def test_derivatives_of_corrected_weights_on_paper(impl):
@@ -200,7 +200,7 @@ def test_derivatives_of_corrected_weights_on_paper(impl):
     e, w = np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0])
     de = np.array([[-4.0, 0.0], [4.0, -3.0], [0.0, 3.0]])
     expected = np.array([[-3.0, -2.25], [3.0, -2.25], [0.0, 4.5]])
-    assert_close(impl.corrected_barycentrics_derivatives(de, e, w), expected)
+    assert_close(impl.barycentric_from_screen_derivatives(de, e, w), expected)
 
 
 def test_of_equal_w_the_derivatives_are_those_of_the_screen(impl, rng):
@@ -208,7 +208,7 @@ def test_of_equal_w_the_derivatives_are_those_of_the_screen(impl, rng):
     de = rng.normal(size=(4, 3, 2))
     de -= de.mean(1, keepdims=True)  # the sum of e is the same everywhere
     e = rng.uniform(0.1, 1, (4, 3))
-    got = impl.corrected_barycentrics_derivatives(de, e, np.full((4, 3), 1.7))
+    got = impl.barycentric_from_screen_derivatives(de, e, np.full((4, 3), 1.7))
     assert_close(got, de / e.sum(-1)[:, None, None])
 
 
@@ -221,5 +221,5 @@ def test_derivatives_of_corrected_weights_are_central_differences(impl, rng):
         return n / n.sum(-2, keepdims=True)
 
     expected = (8 * (moved(1e-3) - moved(-1e-3)) - moved(2e-3) + moved(-2e-3)) / 12e-3
-    got = impl.corrected_barycentrics_derivatives(de, e, w)
+    got = impl.barycentric_from_screen_derivatives(de, e, w)
     assert_close(got, expected, rtol=1e-7, atol=1e-7)

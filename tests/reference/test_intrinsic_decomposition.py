@@ -80,7 +80,7 @@ def test_the_sun_on_paper():
     light[0] = np.array([1.0, 2.0, 3.0]) / reconstruction.C0
     sun = np.array([[0.0, 0.0, 1.0], [10.0, 20.0, 30.0]])
     x = lab.Appearance(np.full((3, 3), 0.5), light, sun)
-    found = lab.shade(x, normals, np.array([1.0, 0.5, 1.0]))
+    found = lab.shade_with_sun(x, normals, np.array([1.0, 0.5, 1.0]))
     np.testing.assert_allclose(found, [[5.5, 11, 16.5], [2.5, 5, 7.5], [0.5, 1, 1.5]])
 
 
@@ -90,8 +90,9 @@ def test_the_gradient_of_the_shading(rng):
     normals = rng.normal(size=(20, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     lit = rng.uniform(0, 1, 20)
-    gradcheck(lambda *parts: lab.shade(lab.Appearance(*parts), normals, lit),
-              lambda grad, *parts: lab.shade_backward(grad, lab.Appearance(*parts), normals, lit),
+    gradcheck(lambda *parts: lab.shade_with_sun(lab.Appearance(*parts), normals, lit),
+              lambda grad, *parts: lab.shade_with_sun_backward(grad, lab.Appearance(*parts),
+                                                               normals, lit),
               tuple(x), name="shade")
 
 
@@ -113,7 +114,7 @@ def test_at_sunrise_a_lamp_is_found():
     """x, y and z are exchanged, or the light becomes brighter."""
     towards = np.array([[0.48, 0.6, 0.64]])
     light = reconstruction.distant_light(towards, np.full((1, 3), 2.0))
-    x = lab.sunrise(lab.Appearance(np.ones((1, 3)), light, NO_SUN))
+    x = lab.add_sun(lab.Appearance(np.ones((1, 3)), light, NO_SUN))
     np.testing.assert_allclose(x.sun, [towards[0], [1, 1, 1]])
     np.testing.assert_allclose(x.light, light / 2, atol=1e-12)
 
@@ -165,7 +166,7 @@ def test_the_gradients_of_the_priors(rng):
 def test_the_gradient_of_the_whole_loss(rng):
     """A part of the loss has no gradient, or another factor."""
     x, (vertices, faces) = looks(rng, 12), mesh.icosphere(20)
-    normals, edges = mesh.vertex_normals(vertices, faces), reconstruction.edges_of(faces)
+    normals, edges = mesh.vertex_normals(vertices, faces), reconstruction.closed_mesh_edges(faces)
     seen = lab.Observed(rng.uniform(0.1, 1, (12, 3)), rng.uniform(0, 0.2, 12), normals, edges, 0.7)
     lit, priors = rng.uniform(0, 1, 12), lab.Priors(0.3, 0.7)
 
@@ -182,10 +183,10 @@ def test_the_mean_albedo_is_one_half_and_the_colours_stay(rng):
     """The factor is taken from the albedo and not given to the light, or only to part of it."""
     x, share = looks(rng, 40), np.full(40, 1 / 40)
     normals = np.tile([[0.6, 0.0, 0.8]], (40, 1))
-    found = lab.bounded(x, share)
+    found = lab.allowed(x, share)
     assert found.albedo.mean() == pytest.approx(0.5)
-    np.testing.assert_allclose(lab.shade(found, normals, np.ones(40)),
-                               lab.shade(x, normals, np.ones(40)))
+    np.testing.assert_allclose(lab.shade_with_sun(found, normals, np.ones(40)),
+                               lab.shade_with_sun(x, normals, np.ones(40)))
 
 
 def test_a_yellow_thing_in_grey_light_is_yellow():
@@ -207,4 +208,4 @@ def test_a_yellow_thing_in_grey_light_is_yellow():
     assert np.abs(scaled - yellow).mean() < 0.02
     assert np.ptp(x.light[0]) < 0.02 * x.light[0].mean()
     seen, _ = lab.seen_colours(surface, targets)
-    assert np.abs(lab.appear(surface, x) - seen).mean() < 0.02
+    assert np.abs(lab.shaded_colours(surface, x) - seen).mean() < 0.02

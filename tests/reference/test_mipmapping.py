@@ -6,7 +6,7 @@ import pytest
 
 from course.checks import assert_close
 from course.given.gradcheck import gradcheck
-from reference import mipmapping, rasterization, texturing
+from reference import arrays, mipmapping, texturing
 
 GOLDEN = np.load("tests/golden/texture.npz")
 CONFIGS = sorted({tuple(key.split("/")[:2]) for key in GOLDEN if key.count("/") == 2})
@@ -106,7 +106,7 @@ def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
     upstream = np.ones((4, 5, 3))
     whole = (mipmapping.texture(image, uv, jacobian, bias, filter),
              *mipmapping.texture_backward(upstream, image, uv, jacobian, bias, filter))
-    monkeypatch.setattr(rasterization, "CHUNK", 3)
+    monkeypatch.setattr(arrays, "ROWS", 3)
     line = image, uv.reshape(-1, 2), jacobian.reshape(-1, 2, 2), bias.reshape(-1), filter
     parts = mipmapping.texture(*line), *mipmapping.texture_backward(upstream.reshape(-1, 3), *line)
     for one, other in zip(whole, parts, strict=True):

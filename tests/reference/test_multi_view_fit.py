@@ -185,7 +185,7 @@ def test_without_edges_outlines_have_no_gradient():
     assert set(np.unique(picture.round(9))) == {0, 1}
     upstream = np.random.default_rng(0).normal(size=picture.shape)
     grads = renderer.render_backward(upstream, buffers, *scene)
-    assert np.abs(grads.positions).max() < 1e-12 and np.abs(grads.surface.colours).max() > 0.1
+    assert np.abs(grads.positions).max() < 1e-12 and np.abs(grads.material.colours).max() > 0.1
 
 
 def test_decibels_on_paper():

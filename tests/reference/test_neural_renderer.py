@@ -6,7 +6,7 @@ from loose_faces import camera, some_corners
 from course.checks import assert_equal
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import neural_renderer, rasterization, scanline, transforms
+from reference import arrays, neural_renderer, rasterization, scanline, transforms
 
 WIDTH, HEIGHT = 23, 17
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
@@ -31,7 +31,7 @@ def test_the_loop_and_whole_meshes_agree_to_the_bit(rng):
 
 def test_many_chunks_agree_with_the_loop(rng, monkeypatch):
     """A chunk that forgets what the ones before it have found."""
-    monkeypatch.setattr(scanline, "CHUNK", 64)
+    monkeypatch.setattr(arrays, "CHUNK", 64)
     test_the_loop_and_whole_meshes_agree_to_the_bit(rng)
 
 

@@ -99,7 +99,7 @@ def whole_gradcheck(name, render, backward, decisions, arrays, rows):
 @pytest.mark.parametrize("name", SCENES)
 def test_the_gradients_of_a_picture_are_central_differences(name):
     """A link is left out on the way back, or one of the two ways to the positions."""
-    shape, surface, view = scene(name)
+    shape, material, view = scene(name)
 
     def given(positions, colours, clip_from_model):
         return (shape._replace(positions=positions), Colours(colours),
@@ -110,12 +110,12 @@ def test_the_gradients_of_a_picture_are_central_differences(name):
 
     def backward(grad_picture, buffers, *arrays):
         grads = pipeline.render_backward(grad_picture, buffers, *given(*arrays))
-        return grads.positions, grads.surface.colours, grads.clip_from_model
+        return grads.positions, grads.material.colours, grads.clip_from_model
 
     def decisions(buffers, *_):
         return decided(buffers, shape)
 
-    arrays = shape.positions, surface.colours, view.clip_from_model
+    arrays = shape.positions, material.colours, view.clip_from_model
     clip, face_index, *_ = render(*arrays)[1]
     vertices = np.unique(shape.faces[face_index[face_index >= 0]])
     behind = vertices[clip[vertices, 3] < 0]
@@ -141,7 +141,7 @@ def test_the_gradients_of_a_textured_picture_are_central_differences(filter):
 
     def backward(grad_picture, buffers, *arrays):
         grads = pipeline.render_backward(grad_picture, buffers, *given(*arrays))
-        return grads.positions, grads.surface.uv, grads.surface.image, grads.clip_from_model
+        return grads.positions, grads.material.uv, grads.material.image, grads.clip_from_model
 
     def decisions(buffers, positions, uv, *_):
         at, footprint = pipeline.footprints(uv, uv_faces, buffers)
@@ -170,13 +170,13 @@ def test_a_texture_of_one_colour_is_a_mesh_of_one_colour():
 @pytest.mark.parametrize("name", SCENES)
 def test_without_antialiasing_a_mesh_of_one_colour_has_exactly_no_gradient(name):
     """Rounding goes for a gradient: nobody can tell any more that the mesh is stuck."""
-    shape, surface, view = scene(name)
-    surface.colours[:] = 0.1, 0.7
-    _, buffers = pipeline.render(shape, surface, view)
+    shape, material, view = scene(name)
+    material.colours[:] = 0.1, 0.7
+    _, buffers = pipeline.render(shape, material, view)
     upstream = np.random.default_rng(0).normal(size=buffers.colour.shape)
-    grad_surface, grad_clip = pipeline.shade_backward(upstream, buffers, shape.faces, surface)
+    grad_material, grad_clip = pipeline.inside_backward(upstream, buffers, shape.faces, material)
     np.testing.assert_array_equal(grad_clip, 0)
-    assert grad_surface.colours.any()
+    assert grad_material.colours.any()
 
 
 def test_a_triangle_finds_its_template_with_antialiasing_alone():
@@ -191,7 +191,7 @@ def test_a_triangle_finds_its_template_with_antialiasing_alone():
         moved = shape._replace(positions=positions)
         picture, buffers = pipeline.render(moved, white, view)
         grad_aliased = inverse_rendering.squared_error_backward(1.0, buffers.colour, target)
-        _, grad_clip = pipeline.shade_backward(grad_aliased, buffers, shape.faces, white)
+        _, grad_clip = pipeline.inside_backward(grad_aliased, buffers, shape.faces, white)
         np.testing.assert_array_equal(grad_clip, 0)
         grad_picture = inverse_rendering.squared_error_backward(1.0, picture, target)
         return (inverse_rendering.squared_error(picture, target),
@@ -205,26 +205,26 @@ def test_a_triangle_finds_its_template_with_antialiasing_alone():
 
 def test_the_two_paths_to_a_position_add_up():
     """A picture of colours inside of one face has one path alone, a silhouette the other."""
-    shape, surface, view = scene("cube")
-    picture, buffers = pipeline.render(shape, surface, view)
+    shape, material, view = scene("cube")
+    picture, buffers = pipeline.render(shape, material, view)
     clip, face_index, depth, *_ = buffers
     inside = np.zeros(picture.shape)
     blended = outlines.blended_pairs(face_index, depth, clip, shape.faces, shape.opposite)[:2]
     untouched = np.setdiff1d(np.flatnonzero(face_index >= 0), np.concatenate(blended))
     assert len(untouched) > 20
     inside.reshape(-1, 2)[untouched] = 1.0
-    got = pipeline.render_backward(inside, buffers, shape, surface, view).positions
-    _, grad_clip = pipeline.shade_backward(inside, buffers, shape.faces, surface)
+    got = pipeline.render_backward(inside, buffers, shape, material, view).positions
+    _, grad_clip = pipeline.inside_backward(inside, buffers, shape.faces, material)
     np.testing.assert_allclose(got, (grad_clip @ view.clip_from_model)[:, :3], rtol=1e-12,
                                atol=1e-12)
 
 
 def test_the_gradient_of_a_depth_is_added():
     """grad_depth is dropped, or takes the place of the picture's gradient."""
-    shape, surface, view = scene("cube")
+    shape, material, view = scene("cube")
 
     def given(positions, clip_from_model):
-        return (shape._replace(positions=positions), surface,
+        return (shape._replace(positions=positions), material,
                 view._replace(clip_from_model=clip_from_model))
 
     def render(*arrays):
@@ -264,10 +264,10 @@ def test_faces_may_be_integers_of_any_kind(dtype):
 
     def there_and_back(faces):
         same = pipeline.make_mesh(shape.positions, faces)._replace(faces=faces)
-        for surface in (colours, Texture(shape.positions[:, :2], faces, image)):
-            picture, buffers = pipeline.render(same, surface, view)
+        for material in (colours, Texture(shape.positions[:, :2], faces, image)):
+            picture, buffers = pipeline.render(same, material, view)
             yield picture
-            yield pipeline.render_backward(picture, buffers, same, surface, view).positions
+            yield pipeline.render_backward(picture, buffers, same, material, view).positions
 
     expected = there_and_back(shape.faces)
     for got, wanted in zip(there_and_back(shape.faces.astype(dtype)), expected, strict=True):
@@ -345,16 +345,16 @@ def test_render_says_what_does_not_fit_a_texture(name, bad, sentence):
 
 def test_a_bare_array_is_no_surface():
     """An AttributeError, where somebody forgot whether the array holds colours or a texture."""
-    shape, surface, view = scene("cube")
-    with pytest.raises(ValueError, match=r"a surface, Colours or a Texture.*got a ndarray"):
-        pipeline.render(shape, surface.colours, view)
+    shape, material, view = scene("cube")
+    with pytest.raises(ValueError, match=r"a material, Colours or a Texture.*got a ndarray"):
+        pipeline.render(shape, material.colours, view)
 
 
 def test_a_gradient_of_another_shape_is_told():
     """A transposed gradient of a picture is taken for what it is not."""
-    shape, surface, view = scene("cube")
-    picture, buffers = pipeline.render(shape, surface, view)
-    given = buffers, shape, surface, view
+    shape, material, view = scene("cube")
+    picture, buffers = pipeline.render(shape, material, view)
+    given = buffers, shape, material, view
     with pytest.raises(ValueError, match=r"grad_picture \(19, 26, 2\).*got \(26, 19, 2\)"):
         pipeline.render_backward(picture.swapaxes(0, 1), *given)
     with pytest.raises(ValueError, match=r"grad_depth \(19, 26\).*got \(26, 19\)"):

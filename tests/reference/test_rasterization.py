@@ -69,17 +69,6 @@ def test_the_derivatives_are_central_differences(rng):
         assert_close(db_dy[:, n], by_y, rtol=1e-5, atol=1e-5 * largest)
 
 
-@pytest.mark.parametrize(("index", "columns"), [((7,), ()), ((4, 3), ()), ((4, 3), (2,)),
-                                                ((0, 3), (2,)), ((5,), (2, 4))])
-def test_a_scatter_is_the_transpose_of_a_gather(rng, index, columns):
-    """A row that several values go to keeps the last one alone; or of no values, integers come."""
-    index = rng.integers(0, 6, index)
-    values, x = (rng.normal(size=(*rows, *columns)) for rows in (index.shape, (6,)))
-    total = rasterization.scatter(values, index, 6)
-    assert total.shape == x.shape and total.dtype == float
-    np.testing.assert_allclose((values * x[index]).sum(), (total * x).sum(), rtol=1e-12, atol=1e-12)
-
-
 def test_half_a_rectangle(impl):
     """Twice the area, or no sign for the winding."""
     triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]])

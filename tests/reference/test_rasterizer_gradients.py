@@ -7,7 +7,7 @@ import pytest
 from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import rasterization, scanline, transforms, vertex_gradients
+from reference import arrays, rasterization, scanline, transforms, vertex_gradients
 from reference import rasterizer_gradients as gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
@@ -109,7 +109,7 @@ def test_it_is_the_matrix_formula_summed_over_the_pixels(scene):
         m, z = clip[corners][:, [0, 1, 3]].T, clip[corners, 2]
         a = np.array([(2 * j + 1) / width - 1, (2 * i + 1) / height - 1, 1.0])
         rows = np.ix_(corners, [0, 1, 3])
-        from_b[rows] += vertex_gradients.weights_backward(by_b[i, j], m, a)[0].T
+        from_b[rows] += vertex_gradients.barycentric_backward(by_b[i, j], m, a)[0].T
         grad_z, grad_m, *_ = vertex_gradients.residual_backward(by_z[i, j], z, m, a, 0.0)
         from_z[rows] += grad_m.T
         from_z[corners, 2] += grad_z
@@ -126,7 +126,7 @@ def test_chunks_change_nothing(scene, monkeypatch):
     upstream = [rng.normal(size=(height, width, *shape)) for shape in ((3,), (3, 2), ())]
     whole = gradients.rasterize_backward(*upstream, face_index, clip, faces)
     for size in 1, 7, 50:
-        monkeypatch.setattr(rasterization, "CHUNK", size)
+        monkeypatch.setattr(arrays, "ROWS", size)
         got = gradients.rasterize_backward(*upstream, face_index, clip, faces)
         np.testing.assert_allclose(got, whole, rtol=1e-10, atol=1e-10)
 
@@ -237,7 +237,7 @@ def test_nine_gradients_on_paper():
     grad_edges = np.array([[1.0, 0.0, 2.0], [3.0, -1.0, 1.0], [-2.0, 1.0, 4.0]])
     # q_1 x g_2 = (2, -20, 6) and g_1 x q_2 = (-8, -7, 17) add up to column 0.
     expected = np.array([[-6.0, 3.0, 1.0], [-27.0, 13.0, 6.0], [23.0, -12.0, -8.0]])
-    assert_close(gradients.edge_functions_backward(grad_edges, PAPER), expected)
+    assert_close(gradients.edge_normals_backward(grad_edges, PAPER), expected)
 
 
 def test_an_element_of_the_edges_on_paper():
@@ -245,10 +245,10 @@ def test_an_element_of_the_edges_on_paper():
     grad = np.zeros((3, 3))
     grad[0, 0] = 1.0
     expected = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, -0.5], [0.0, -2.0, 0.0]])
-    assert_close(gradients.edge_functions_backward(grad, NEAR), expected)
+    assert_close(gradients.edge_normals_backward(grad, NEAR), expected)
     grad[0, 0], grad[1, 2] = 0.0, 3.0
     expected = np.array([[-6.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    assert_close(gradients.edge_functions_backward(grad, NEAR), expected)
+    assert_close(gradients.edge_normals_backward(grad, NEAR), expected)
 
 
 @pytest.mark.parametrize("shape", [(3, 3), (3, 3, 5)], ids=["a face", "5 faces"])
@@ -259,7 +259,7 @@ def test_the_gradients_of_edges_are_central_differences(shape):
                          for i, j in [(1, 2), (2, 0), (0, 1)]])
 
     corners = np.random.default_rng(8).normal(size=shape)
-    gradcheck(forward, gradients.edge_functions_backward, (corners,), name="edges")
+    gradcheck(forward, gradients.edge_normals_backward, (corners,), name="edges")
 
 
 def test_at_a_pixel_the_edges_are_those_of_the_matrix():
@@ -268,7 +268,7 @@ def test_at_a_pixel_the_edges_are_those_of_the_matrix():
     rng = np.random.default_rng(9)
     corners, grad_e = rng.normal(size=(3, 3, 6)), rng.normal(size=(3, 6))
     grad_edges = np.stack([0 * grad_e, 0 * grad_e, grad_e], 1)
-    grad_x, grad_y, grad_w = gradients.edge_functions_backward(grad_edges, corners)
+    grad_x, grad_y, grad_w = gradients.edge_normals_backward(grad_edges, corners)
     assert_close(gradients.edge_functions_at_backward(grad_e, corners[0], corners[1]),
                  (grad_x, grad_y))
     assert_close(grad_w, np.zeros((3, 6)))

@@ -7,7 +7,7 @@ import pytest
 
 from course.checks import assert_close, assert_equal, assert_picture
 from course.given import mesh
-from reference import rasterization, scanline, transforms
+from reference import arrays, rasterization, scanline, transforms
 
 GOLDEN = np.load(Path(__file__).parent.parent / "golden" / "rasterize.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
@@ -190,8 +190,8 @@ def test_chunks_change_nothing(monkeypatch):
     clip = transforms.transform(transforms.to_homogeneous(vertices), projection @ view)
     whole = scanline.rasterize(clip, faces, 90, 70)
     for size in (1, 100, 4000):
-        monkeypatch.setattr(scanline, "CHUNK", size)
-        monkeypatch.setattr(rasterization, "CHUNK", size)
+        monkeypatch.setattr(arrays, "CHUNK", size)
+        monkeypatch.setattr(arrays, "ROWS", size)
         assert bits(scanline.rasterize(clip, faces, 90, 70)) == bits(whole)
 
 

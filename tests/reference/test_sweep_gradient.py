@@ -4,7 +4,7 @@ import pytest
 from loose_faces import some_corners
 
 from course.checks import assert_close, assert_equal
-from reference import neural_renderer, scanline, sweep_gradient
+from reference import arrays, neural_renderer, sweep_gradient
 
 WIDTH, HEIGHT = 23, 17
 
@@ -76,7 +76,7 @@ def test_the_sweep_of_whole_meshes_is_that_of_the_loop(rng, eps):
 
 def test_the_sweep_of_many_chunks_is_that_of_the_loop(rng, monkeypatch):
     """A chunk of lines that begins anew."""
-    monkeypatch.setattr(scanline, "CHUNK", 64)
+    monkeypatch.setattr(arrays, "CHUNK", 64)
     test_the_sweep_of_whole_meshes_is_that_of_the_loop(rng, 1e-4)
 
 

@@ -28,7 +28,7 @@ def test_a_linear_picture_comes_back_in_perspective():
     faces, uv = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0.0, 0.0], [1, 0], [1, 1], [0, 1]])
     corners = neural_renderer.corners_of(clip, faces)
     for size in 2, 3, 5:
-        textures = texture_cubes.texel_weights(size).reshape(-1, 3) @ uv[faces]
+        textures = texture_cubes.texel_barycentrics(size).reshape(-1, 3) @ uv[faces]
         textures = textures.reshape(2, size, size, size, 2)
         maps = neural_renderer.rasterize(corners, 32, 24)
         got = texture_cubes.shade_cubes(maps, corners, textures, np.ones((2, 2)), np.zeros(2))
@@ -116,7 +116,7 @@ def ball(rng):
     """A small ball, and a View of it."""
     vertices, faces = mesh.icosphere(20)
     textures = rng.random((len(faces), 2, 2, 2, 2))
-    return (texture_cubes.Scene(vertices, faces, textures, LIGHTS),
+    return (texture_cubes.LitMesh(vertices, faces, textures, LIGHTS),
             pipeline.View(camera(), 12, 8, BACKGROUND))
 
 
@@ -151,7 +151,7 @@ def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences
     """A missing term of the divide, of the light's normals or of z."""
     vertices = np.array([[-30.0, -20.0, -2.0], [40.0, -25.0, 1.0], [0.5, 45.0, -6.0]])
     faces, textures = np.array([[0, 1, 2]]), rng.random((1, 2, 2, 2, 2))
-    scene = texture_cubes.Scene(vertices, faces, textures, LIGHTS)
+    scene = texture_cubes.LitMesh(vertices, faces, textures, LIGHTS)
     view = pipeline.View(camera((0.0, 0.3, 9.0)), 9, 7, BACKGROUND)
 
     def render(vertices):

@@ -39,14 +39,15 @@ def test_residuals_are_cramers(impl, m, rng):
 
 def test_weights_on_paper(impl):
     """c is not divided by its sum: it has the sum 1 / w there."""
-    assert_close(impl.weights(NEAR, np.array([1.0, 0.0, 1.0])), np.array([0.6, 0.4, 0.0]))
-    assert_close(impl.weights(NEAR, np.array([2.0, 0.5, 1.0])), np.array([0.25, 1.0, 0.25]) / 1.5)
-    assert_close(impl.weights(PAPER, A), np.array([0.25, 0.25, 0.5]))
+    assert_close(impl.barycentric(NEAR, np.array([1.0, 0.0, 1.0])), np.array([0.6, 0.4, 0.0]))
+    assert_close(impl.barycentric(NEAR, np.array([2.0, 0.5, 1.0])),
+                 np.array([0.25, 1.0, 0.25]) / 1.5)
+    assert_close(impl.barycentric(PAPER, A), np.array([0.25, 0.25, 0.5]))
 
 
 @each_matrix
 def test_the_weighted_corners_lie_behind_the_pixel(impl, m):
     """M b does not point along a, or b has another sum."""
-    b = np.asarray(impl.weights(m, PIXEL))
+    b = np.asarray(impl.barycentric(m, PIXEL))
     assert_close(b.sum(), 1.0)
     assert_close(np.cross(m @ b, PIXEL), np.zeros(3), atol=1e-12)

@@ -101,8 +101,8 @@ def test_edge_functions_are_those_of_the_reference(call):
     assert found == [bool(rasterization.is_covered(p, np.array(t))) for p, t in cases]
     solid = [case for case, area in zip(cases, areas, strict=True) if area != 0]
     np.testing.assert_allclose(
-        call("edge_functions", "barycentricCoordinates", solid),
-        [rasterization.barycentric_coordinates(p, np.array(t)) for p, t in solid], atol=1e-9)
+        call("edge_functions", "screenWeights", solid),
+        [rasterization.screen_weights(p, np.array(t)) for p, t in solid], atol=1e-9)
 
 
 def test_left_and_lower_edges_are_top_left(call):
@@ -146,8 +146,8 @@ def test_the_weights_of_the_face_are_those_of_the_reference(call):
     """The weights are multiplied by w, or not normalised."""
     rng = np.random.default_rng(5)
     e, w = rng.uniform(0.1, 1, (2, 200, 3))
-    b = interpolation.corrected_barycentrics(e, w)
-    found = call("perspective", "correctedBarycentrics", list(zip(e, w, strict=True)))
+    b = interpolation.barycentric_from_screen(e, w)
+    found = call("perspective", "barycentricFromScreen", list(zip(e, w, strict=True)))
     np.testing.assert_allclose(found, b, atol=1e-9)
     faces, seen, corners = np.array([[0, 1, 2]]), np.array([[0]]), rng.normal(size=(3, 2))
     np.testing.assert_allclose(
@@ -324,7 +324,7 @@ def test_the_pixel_in_perspective_shows_the_references_weights(page, address):
     opened(page, address, "perspective")
     page.get_by_label("tilt").press("ArrowRight")
     rows = np.array(shown(page, "The pixel's weights"))
-    b = interpolation.corrected_barycentrics(rows[:, 1], rows[:, 0])
+    b = interpolation.barycentric_from_screen(rows[:, 1], rows[:, 0])
     np.testing.assert_allclose(rows[:, 2], b, atol=2e-3)
     page.locator(".probe").last.press("ArrowRight")
     assert not np.allclose(shown(page, "The pixel's weights"), rows, atol=1e-3)

@@ -1,5 +1,6 @@
 """What can be measured of how reference/ reads: modules, functions and docstrings stay short."""
 import ast
+import collections
 from pathlib import Path
 
 import pytest
@@ -79,3 +80,31 @@ def f(a, b, c, *, d, e, f, {g}):
 def test_what_is_too_long_is_found(text, sentences):
     """Comments count as code, or nothing counts."""
     assert list(too_long("x", text)) == sentences
+
+
+TWICE = {  # names that two modules of reference/ define; the list may only become shorter
+    "RATES", "fragments", "loss_and_gradients", "rasterize", "rasterize_backward", "rasterize_loop",
+    "render", "render_backward", "shade", "shade_backward"}
+
+
+def defined(text):
+    """The functions, classes and constants of a module."""
+    for node in ast.parse(text).body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            yield node.name
+        if isinstance(node, ast.Assign):
+            yield from (part.id for target in node.targets for part in ast.walk(target)
+                        if isinstance(part, ast.Name))
+
+
+def test_a_name_means_one_thing_in_the_reference():
+    """Whoever reads `crossing` must ask which one; an exception that is none any more."""
+    found = collections.Counter(name for path in REFERENCE.glob("*.py")
+                                for name in set(defined(path.read_text(encoding="utf-8"))))
+    assert {name for name, count in found.items() if count > 1} == TWICE
+
+
+def test_names_that_are_defined_are_found():
+    """A second name of one line is missed; or a name inside a function counts."""
+    text = "A, (B, C) = D = f(E)\nclass G: H = 1\n\ndef i(j): k = 1\n"
+    assert set(defined(text)) == {*"ABCDGi"}

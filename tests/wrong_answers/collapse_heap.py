@@ -6,7 +6,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 
     told by: two faces | 2 faces | one face | how many faces | boundary & count | count & went | merge & count
     """
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     left = len(faces)
     refused = np.zeros(3, int)
     while left > face_count and has_cheapest(state):
@@ -27,7 +27,7 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
 
     told by: reason - 1 | refused & place | refused & index | begin at 1 | off by one | refused & shifted | refused & reason | out of bounds | from 1
     """
-    state = start(vertices, faces, quadrics, pairs)
+    state = initial_state(vertices, faces, quadrics, pairs)
     left, refused = len(faces), np.zeros(3, int)
     while left > face_count and has_cheapest(state):
         top = heapq.heappop(state.heap)

@@ -50,7 +50,7 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):
     return np.array(rows)
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """multiplied by w instead of divided
 
     told by: multiplied | multiplies | multiply | e * w | times w | divided by w | division by w
@@ -59,7 +59,7 @@ def corrected_barycentrics(e, w):
     return n / np.sum(n, axis=-1, keepdims=True)
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """not normalised: the division by the sum s is missing
 
     told by: normal | sum to 1 | add up to 1 | divided by & sum | division by & sum | divided by s | n / s
@@ -68,7 +68,7 @@ def corrected_barycentrics(e, w):
     return n
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """the sum is over all pixels, not over the three corners of each
 
     told by: all pixels | whole array | axis | other pixels | all the pixels | three corners
@@ -307,7 +307,7 @@ def fraction_in_space_backward(grad_q, t, w_0, w_1):
     return by_t, by_w_0, by_w_1
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """the sum goes over all pixels, not only over the three weights of one pixel
 
     told by: all pixels | whole array | sum & axis | last axis | each pixel & own sum | over everything | without an axis
@@ -316,7 +316,7 @@ def corrected_barycentrics(e, w):
     return over_w / np.sum(over_w)
 
 
-def corrected_barycentrics(e, w):
+def barycentric_from_screen(e, w):
     """the weights are multiplied by w instead of divided
 
     told by: multipl & w | times w | e w & instead | divide & w & instead | e * w | multipl & instead

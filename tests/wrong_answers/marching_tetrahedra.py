@@ -69,7 +69,7 @@ def tetrahedron_triangles(inside):
     return np.sort(np.array(found, int).reshape(-1, 3, 2), axis=-1)
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the distances in the denominator s_b - s_a are held constant
 
     told by: denominator | quotient rule | s_b - s_a & held | s_b - s_a & constant | numerator | division & also depend | also in & s_b - s_a
@@ -80,7 +80,7 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     return to_a, to_b, -(grad_p * p_b).sum(1) / span, (grad_p * p_a).sum(1) / span
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """p_a gets the share t and p_b the share 1 - t: they are exchanged
 
     told by: p_a & p_b & exchang | p_a & p_b & swap | t and 1 - t | share & exchang | share & swap | share & other end | p_a and p_b & mixed up | weights of both ends are swapped
@@ -99,7 +99,7 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     return ga, gb, gsa, gsb
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the gradients of the distances are divided by s_b - s_a once, not by its square
 
     told by: square | (s_b - s_a)^2 | span**2 | divid & twice | divid & once | second power | divid & s_b - s_a
@@ -128,7 +128,7 @@ def marching_tetrahedra(points, distance, tetrahedra):
     rank[order] = np.arange(len(order))
     ends = ends[order]
     a, b = ends.T
-    return crossing(points[a], points[b], distance[a], distance[b]), rank.reshape(-1, 3), ends
+    return zero_crossing(points[a], points[b], distance[a], distance[b]), rank.reshape(-1, 3), ends
 
 
 def tetrahedron_triangles(inside):
@@ -190,7 +190,7 @@ def tetrahedron_triangles(inside):
     return np.array(found, int).reshape(-1, 3, 2)
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the shares of p_a and p_b are exchanged
 
     told by: exchang | swap | mixed up | 1 - t | other end | shares
@@ -200,7 +200,7 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     return t[:, None] * grad_p, (1 - t)[:, None] * grad_p, -slope * s_b, slope * s_a
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the gradients of the distances are divided by s_b - s_a once instead of by its square
 
     told by: squar | ^2 | **2 | denominator | twice & divid | s_b - s_a once
@@ -211,7 +211,7 @@ def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
             -along * s_b / span[:, 0], along * s_a / span[:, 0])
 
 
-def crossing_backward(grad_p, p_a, p_b, s_a, s_b):
+def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """grad_s_b has the opposite sign: s_b moves the point towards p_a as well
 
     told by: sign | minus | opposite | negative | plus

@@ -291,7 +291,7 @@ def resolve_backward(grad_picture, shade, request, background):
     told by: shifted | off by one | one row | by one | last row | first row | entry 0
     """
     part = np.broadcast_to(grad_picture / len(request), request.shape + grad_picture.shape[-1:])
-    both = rasterization.scatter(part, request + 1, len(shade) + 1)
+    both = scatter(part, request + 1, len(shade) + 1)
     return both[:-1], both[-1]
 
 
@@ -492,7 +492,7 @@ def resolve_backward(grad_picture, shade, request, background):
     """
     S = len(request)
     parts = np.broadcast_to(grad_picture / S, (S, *grad_picture.shape))
-    grad_shade = rasterization.scatter(parts, request + 1, len(shade) + 1)[1:]
+    grad_shade = scatter(parts, request + 1, len(shade) + 1)[1:]
     empty = (request < 0).all(0)
     return grad_shade, grad_picture[empty].sum(0)
 

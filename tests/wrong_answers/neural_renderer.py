@@ -40,7 +40,7 @@ def face_inverse(screen):
     return stacked / stacked[..., 2].sum(-1)[..., None, None]
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """the depth is the plain weighted mean of the z_k instead of 1 over the weighted mean of 1 / z_k
 
     told by: perspective | 1 / z | 1/z | reciprocal | harmonic | sum w_k z_k | mean of & z
@@ -52,7 +52,7 @@ def weights_and_depth(inverse, z, x, y):
     return share, (share * z).sum(-1)
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """the weights come back divided by z_k, right in perspective, instead of those on the screen
 
     told by: weight & perspective | weight & z_k | weight & 1 / z | weight & 1/z | weight & divid & depth | weight & on screen | weight & on the screen
@@ -65,7 +65,7 @@ def weights_and_depth(inverse, z, x, y):
     return over / total[..., None], 1 / total
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """after the clamp the weights are not divided by their sum
 
     told by: sum & to 1 | sum u | divid & sum | normali | add up to 1 | sum & not 1 | rescal
@@ -77,14 +77,14 @@ def weights_and_depth(inverse, z, x, y):
     return w, 1 / (w / z).sum(-1)
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """grad_depth reaches z alone: the way from depth through the weights to inverse is left out
 
     told by: depth & through & weight | grad_depth & inverse | depth & missing & weight | depth & grad_inverse | depth & depends on & weight | grad_depth & weight
     """
     point = np.stack([x, y, np.ones_like(x)], -1)
     raw = (inverse * point[..., None, :]).sum(-1)
-    weight, depth = weights_and_depth(inverse, z, x, y)
+    weight, depth = screen_weights_and_depth(inverse, z, x, y)
     total = np.clip(raw, 0, 1).sum(-1, keepdims=True)
     grad_z = (grad_depth * depth**2)[..., None] * weight / z**2
     back = (grad_weight - (grad_weight * weight).sum(-1, keepdims=True)) / total
@@ -109,7 +109,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
                 x, y = np.array(float(col)), np.array(float(row))
                 if not covers(screen[f], x, y):
                     continue
-                w, d = weights_and_depth(m, z[f], x, y)
+                w, d = screen_weights_and_depth(m, z[f], x, y)
                 if near < d < far and d < deep[row, col]:
                     index[row, col] = f
                     weights[row, col] = w
@@ -135,7 +135,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for col in range(x0, x1):
                 x, y = np.array(col + 0.5), np.array(row + 0.5)
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(m, z[f], x, y)
+                    w, d = screen_weights_and_depth(m, z[f], x, y)
                     if near < d < far and d < deep[row, col]:
                         index[row, col], weights[row, col], deep[row, col] = f, w, d
     return index, weights, deep
@@ -156,7 +156,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
         row, col = np.meshgrid(np.arange(y0, y1), np.arange(x0, x1), indexing="ij")
         inside = covers(screen[f], col + 0.5, row + 0.5)
         row, col = row[inside], col[inside]
-        w, d = weights_and_depth(m, z[f], col + 0.5, row + 0.5)
+        w, d = screen_weights_and_depth(m, z[f], col + 0.5, row + 0.5)
         keep = (d > near) & (d < far)
         row, col = row[keep], col[keep]
         index[row, col] = f
@@ -191,7 +191,7 @@ def face_inverse(screen):
     return out
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """the depth is interpolated linearly, sum w z: it is not right in perspective
 
     told by: perspective | 1 / z | linear | reciprocal | harmonic | w z | 1/z | w_k z_k
@@ -202,7 +202,7 @@ def weights_and_depth(inverse, z, x, y):
     return w, (w * z).sum(-1)
 
 
-def weights_and_depth(inverse, z, x, y):
+def screen_weights_and_depth(inverse, z, x, y):
     """half a pixel is added to x and y, but they are points of the screen already
 
     told by: half a pixel | 1/2 | 0.5 | pixel centre | half & pixel | shift | already & centre
@@ -213,7 +213,7 @@ def weights_and_depth(inverse, z, x, y):
     return w, 1 / (w / z).sum(-1)
 
 
-def weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
+def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
     """the depth's gradient goes to z only: its path through the weights is left out
 
     told by: through the weight | through weight | depth & weight | grad_depth & inverse | depth & inverse | second path | both paths | depth & indirect
@@ -248,7 +248,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
             for j in range(width):
                 x, y = np.array(float(j)), np.array(float(i))
                 if covers(screen[f], x, y):
-                    w, d = weights_and_depth(inv, z[f], x, y)
+                    w, d = screen_weights_and_depth(inv, z[f], x, y)
                     if near < d < far and d < zbuffer[i, j]:
                         index[i, j], weights[i, j], zbuffer[i, j] = f, w, d
     return index, weights, zbuffer
@@ -271,7 +271,7 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):
                 x, y = np.array(j + 0.5), np.array(i + 0.5)
                 if not covers(screen[f], x, y):
                     continue
-                w, d = weights_and_depth(inv, z[f], x, y)
+                w, d = screen_weights_and_depth(inv, z[f], x, y)
                 if d > near and d < far:
                     index[i, j], weights[i, j], zbuffer[i, j] = f, w, d
     return index, weights, zbuffer

@@ -139,7 +139,7 @@ def is_covered(p, triangle):
     return inside
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """weight k is of the edge that starts at vertex k, not of the edge opposite to it
 
     told by: opposite | order | permut | wrong vertex | another vertex | other vert | starts at
@@ -149,7 +149,7 @@ def barycentric_coordinates(p, triangle):
     return l / l.sum(-1, keepdims=True)
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """the edge functions are divided by the area A, not by 2A, so the weights sum to 2
 
     told by: 2A | sum to 2 | sum is 2 | twice | half | factor & 2 | doubl
@@ -158,7 +158,7 @@ def barycentric_coordinates(p, triangle):
     return l / signed_area(triangle)
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """2A is taken without its sign, so all weights of a clockwise triangle are negative
 
     told by: clockwise | winding | sum to -1 | sum is -1 | absolute | abs & area | signed
@@ -212,7 +212,7 @@ def rasterize_loop(clip, faces, width, height):
                 centre = np.array([column + 0.5, row + 0.5])
                 if not is_covered(centre, triangle):
                     continue
-                l = barycentric_coordinates(centre, triangle)
+                l = screen_weights(centre, triangle)
                 za, zb, zc = clip[order, 2]
                 z = za + l[1] * (zb - za) + l[2] * (zc - za)
                 if abs(z) <= 1 and z < nearest[row, column]:
@@ -238,7 +238,7 @@ def rasterize_loop(clip, faces, width, height):
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, triangle):
-                _, l1, l2 = barycentric_coordinates(p, triangle)
+                _, l1, l2 = screen_weights(p, triangle)
                 z = z0 + l1 * (z1 - z0) + l2 * (z2 - z0)
                 if -1 <= z <= 1 and z < nearest[i, j]:
                     index[i, j] = f
@@ -265,7 +265,7 @@ def rasterize_loop(clip, faces, width, height):
             for j in range(x0, x1):
                 p = np.array([float(j), float(i)])
                 if is_covered(p, triangle):
-                    l = barycentric_coordinates(p, triangle)
+                    l = screen_weights(p, triangle)
                     z = z0 + l[1] * (z1 - z0) + l[2] * (z2 - z0)
                     if -1 <= z <= 1 and z < nearest[i, j]:
                         index[i, j], nearest[i, j] = f, z
@@ -377,7 +377,7 @@ def is_covered(p, triangle):
     return result
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """the weights are one place on: e of edge (0, 1) is given to vertex 0, though it belongs to the opposite vertex 2
 
     told by: opposite | cyclic | one place | order of the & vert | order of the & weight | vertex & exchanged | vertices & exchanged | vertex & swapped | rotated | permut | shifted | next vertex
@@ -389,7 +389,7 @@ def barycentric_coordinates(p, triangle):
     return e / e.sum(-1, keepdims=True)
 
 
-def barycentric_coordinates(p, triangle):
+def screen_weights(p, triangle):
     """e is divided by the positive area, so a clockwise triangle gets negative weights
 
     told by: clockwise | winding | absolute | abs | negative & weight | positive area | sign of the area
@@ -445,7 +445,7 @@ def rasterize_loop(clip, faces, width, height):
                 p = np.array([j + 0.5, i + 0.5])
                 if not is_covered(p, tri):
                     continue
-                l = barycentric_coordinates(p, tri)
+                l = screen_weights(p, tri)
                 d = z[face[0]] + l[1] * (z[face[1]] - z[face[0]]) + l[2] * (z[face[2]] - z[face[0]])
                 if abs(d) <= 1 and d < depth[i, j]:
                     index[i, j] = f
@@ -471,7 +471,7 @@ def rasterize_loop(clip, faces, width, height):
         for i, j in itertools.product(range(y0, y1), range(x0, x1)):
             p = np.array([j + 0.5, i + 0.5])
             if is_covered(p, tri):
-                l = barycentric_coordinates(p, tri)
+                l = screen_weights(p, tri)
                 d = np.clip(zs[0] + l[1] * (zs[1] - zs[0]) + l[2] * (zs[2] - zs[0]), -1, 1)
                 if d < depth[i, j]:
                     index[i, j], depth[i, j] = f, d

@@ -1,7 +1,7 @@
 """Wrong answers to rasterizer_gradients, written without a look at the checks."""
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     """the cross products are of the rows of m, although its columns are the corners
 
     told by: rows & column | row & column | transpos | corners[i] & corners[:, i] | rows of m | axis
@@ -87,7 +87,7 @@ def depth_planes_backward(grad_planes, z, corners):
     return grad_z, -np.einsum("kf,cf->kcf", grad_z, planes)
 
 
-def edge_functions(corners):
+def edge_normals(corners):
     """the edges are slipped by one: edges[0] is q_0 x q_1, that of vertices k and k + 1
 
     told by: slipped | q_0 x q_1 | cyclic | k and k + 1 | opposite | shifted | next vertex | rotated | edge & order

@@ -174,7 +174,7 @@ def gauss_newton_step(residuals, jacobian):
     return np.linalg.solve(normal, -(jacobian.T @ residuals))
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """the share of the sum s is left out: grad_c is only grad_b / s
 
     told by: the sum & share | sum & depends | grad_b . b | quotient | s & depends | s & constant | normali | second term
@@ -184,7 +184,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(slope, c), slope
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """grad_c is not divided by s
 
     told by: divi & s | 1 / s | / s | divi & sum | factor s | times s
@@ -196,7 +196,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(slope, c), slope
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """grad_m is made with the weights b instead of c
 
     told by: b instead of c | b, not c | b for c | normalized weights | b^T | grad_m & factor s | grad_m & / s | b in place of c
@@ -331,7 +331,7 @@ def gauss_newton_step(residuals, jacobian):
     return step
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """the sum s counts as a constant: grad_c is grad_b / s alone
 
     told by: constant | through s | through the sum | quotient rule | grad_b / s | s & depends | sum & left out | sum & forgot | sum & missing
@@ -343,7 +343,7 @@ def weights_backward(grad_b, m, a):
     return -np.outer(by_a, c), by_a
 
 
-def weights_backward(grad_b, m, a):
+def barycentric_backward(grad_b, m, a):
     """grad_m has b in place of c: the division by s is made once more
 
     told by: b instead of c | b for c | b & in place of c | factor s | divided by s | once more | divided twice

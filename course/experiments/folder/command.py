@@ -121,4 +121,5 @@ def told_apart(labs, kept, capture):
     """Found: the last step, when the shape stays."""
     surface, lab = labs.multi_view_fit.surface(kept.x), labs.intrinsic_decomposition
     look = lab.decompose(surface, labs.multi_view_fit.targets_of(capture, 1, 1))
-    return Found(kept, surface._replace(albedo=look.albedo), look, lab.appear(surface, look))
+    colours = lab.shaded_colours(surface, look)
+    return Found(kept, surface._replace(albedo=look.albedo), look, colours)

@@ -60,7 +60,7 @@ def fit(labs, size, seed, steps=1000):
         picture, *given = seen(labs, shape, x, pose, size)
         grad_picture = lab9.squared_error_backward(1.0, picture, target)
         grads = labs.pipeline.render_backward(grad_picture, *given)
-        return lab9.squared_error(picture, target), Cube(grads.positions, grads.surface.colours)
+        return lab9.squared_error(picture, target), Cube(grads.positions, grads.material.colours)
 
     rates = [1e-2 * max(0.01, 10**(-0.0005 * step)) for step in range(steps)]
     errors, losses = [error(x.positions)], []

@@ -35,14 +35,14 @@ def fit(labs, goal, antialiased, steps=300):
     -> vertices (steps + 1, 3, 2) in pixels, START first, the losses, gradients (steps, 3, 2).
     """
     lab9, gradients = labs.inverse_rendering, []
-    mesh, surface, view = scene(labs)
+    mesh, material, view = scene(labs)
     renderer = labs.pipeline if antialiased else without_edges(labs)
 
     def gradient(x):
         moved = mesh._replace(positions=in_space(x))
-        picture, buffers = renderer.render(moved, surface, view)
+        picture, buffers = renderer.render(moved, material, view)
         grad_picture = lab9.squared_error_backward(1.0, picture, goal)
-        grads = renderer.render_backward(grad_picture, buffers, moved, surface, view)
+        grads = renderer.render_backward(grad_picture, buffers, moved, material, view)
         gradients.append(grads.positions[:, :2])
         return lab9.squared_error(picture, goal), gradients[-1]
 
@@ -61,16 +61,16 @@ def without_edges(labs):
     """The pipeline without antialiasing: a Renderer."""
     pipeline = labs.pipeline
 
-    def render(mesh, surface, view):
-        _, buffers = pipeline.render(mesh, surface, view)
+    def render(mesh, material, view):
+        _, buffers = pipeline.render(mesh, material, view)
         return buffers.colour, buffers
 
-    def render_backward(grad_picture, buffers, mesh, surface, view):
-        grad_surface, grad_clip = pipeline.shade_backward(grad_picture, buffers, mesh.faces,
-                                                          surface)
+    def render_backward(grad_picture, buffers, mesh, material, view):
+        grad_material, grad_clip = pipeline.inside_backward(grad_picture, buffers, mesh.faces,
+                                                            material)
         grad_positions, grad_matrix = pipeline.to_clip_backward(grad_clip, mesh.positions,
                                                                 view.clip_from_model)
-        return pipeline.Gradients(grad_positions, grad_surface, grad_matrix)
+        return pipeline.Gradients(grad_positions, grad_material, grad_matrix)
 
     return Renderer(render, render_backward)
 

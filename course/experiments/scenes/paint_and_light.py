@@ -82,7 +82,7 @@ def as_found(labs, x, surface, name, photos):
 
 def judged(labs, surface, look, name, photos):
     """How near a Surface in an Appearance is to the truth: dB of albedo and views, and a sheet."""
-    colours = labs.intrinsic_decomposition.appear(surface, look)
+    colours = labs.intrinsic_decomposition.shaded_colours(surface, look)
     return compared(seen(labs, surface, colours, look.albedo, photos), unseen(name))
 
 

@@ -30,7 +30,7 @@ export const isCovered = (p, triangle) =>
   edgesAt(p, triangle).every(({ e, owns }) => e > 0 || (e === 0 && owns));
 
 /** Eq. (3). */
-export function barycentricCoordinates(p, triangle) {
+export function screenWeights(p, triangle) {
   const e = edgesAt(p, triangle).map((edge) => edge.e);
   const sum = e[0] + e[1] + e[2];
   return e.map((value) => value / sum);
@@ -118,7 +118,7 @@ export function show(place) {
 
   function tell(triangle, seen) {
     const edges = edgesAt(p, triangle);
-    const l = barycentricCoordinates(p, triangle);
+    const l = screenWeights(p, triangle);
     about.textContent = `Pixel [${Math.floor(p[1])}, ${Math.floor(p[0])}]`;
     numbers.write([
       ...edges.map(({ e, owns }, k) => [number(e, 4), owns ? "yes" : "no", number(l[k])]),

@@ -1,5 +1,5 @@
 /** Lecture 05: weights on the screen are not weights on the face. */
-import { barycentricCoordinates, isCovered } from "./edge_functions.js";
+import { screenWeights, isCovered } from "./edge_functions.js";
 import { button, html, number, slider, table } from "./paper.js";
 import { Picture, probeAll } from "./picture.js";
 
@@ -12,7 +12,7 @@ const LIGHT = [0.96, 0.96, 0.94], DARK = [0.16, 0.3, 0.42], ORANGE = [0.9, 0.62,
 const AROUND = [0.8, 0.88, 0.95];
 
 /** Eq. (3): weights e on the screen -> weights b on the face, with the w of each corner. */
-export function correctedBarycentrics(e, w) {
+export function barycentricFromScreen(e, w) {
   const n = e.map((value, k) => value / w[k]);
   const sum = n[0] + n[1] + n[2];
   return n.map((value) => value / sum);
@@ -38,8 +38,8 @@ export function seenAt(p, camera, corners = UV.map((uv) => project(uv, camera)))
     const triangle = face.map((k) => corners[k].point);
     if (!isCovered(p, triangle)) continue;
     const w = face.map((k) => corners[k].w);
-    const l = barycentricCoordinates(p, triangle);
-    const b = correctedBarycentrics(l, w);
+    const l = screenWeights(p, triangle);
+    const b = barycentricFromScreen(l, w);
     const uv = face.map((k) => UV[k]);
     return { face, w, l, b, affine: interpolate(l, uv), right: interpolate(b, uv) };
   }
