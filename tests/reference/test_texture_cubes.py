@@ -21,6 +21,17 @@ WIDTH, HEIGHT = 23, 17
 BACKGROUND = np.array([0.1, 0.2])
 
 
+@pytest.mark.parametrize("face", [-1, 2])
+def test_a_pixel_that_sees_no_face_has_no_cube(face):
+    """A pixel of the background reads, and writes, beside the cubes."""
+    textures, tap = np.ones((2, 2, 2, 2, 1)), np.full((1, 8), 1 / 8)
+    look = textures, np.array([face]), np.arange(8)[None], tap
+    for call in (lambda: texture_cubes.sample_cubes(*look),
+                 lambda: texture_cubes.sample_cubes_backward(np.ones((1, 1)), *look)):
+        with pytest.raises(IndexError, match="of 16, counted from 0: leave out pixels that see no"):
+            call()
+
+
 def test_a_linear_picture_comes_back_in_perspective():
     """A cube read without z / z_k bends the picture; texels beside the face hold other values."""
     clip = np.array([[-1.0, -1.0, 0, 1.0], [4.0, -3.5, 0, 5.0], [2.0, 2.4, 0, 2.5],
