@@ -108,8 +108,8 @@ def render(mesh, surface, view):
     """
     require_scene(mesh, surface, view)
     clip = to_clip(mesh.positions, view.clip_from_model)
-    picture, buffers = draw(clip, mesh.faces, mesh.opposite, surface, view.width, view.height,
-                            view.background)
+    picture, buffers = draw(clip, mesh.faces, mesh.opposite, surface, int(view.width),
+                            int(view.height), view.background)
     return picture, Buffers(*buffers)
 
 

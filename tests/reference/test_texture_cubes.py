@@ -239,7 +239,15 @@ def test_a_scene_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
         texture_cubes.render(scene._replace(**wrong), view)
 
 
-@pytest.mark.parametrize("wrong", [{"samples": 0}, {"background": np.zeros(3)}])
+def test_a_side_in_pixels_may_be_a_byte(rng):
+    """Its square, or twice as much, overflows."""
+    scene, view = ball(rng)
+    got, _ = texture_cubes.render(scene, view._replace(width=np.int8(70), height=np.int8(40)))
+    expected, _ = texture_cubes.render(scene, view._replace(width=70, height=40))
+    np.testing.assert_array_equal(got, expected)
+
+
+@pytest.mark.parametrize("wrong", [{"samples": 0}, {"samples": True}, {"background": np.zeros(3)}])
 def test_a_view_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
     """No samples were a picture of NaN."""
     scene, view = ball(rng)
