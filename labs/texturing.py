@@ -125,14 +125,25 @@ def look_up_backward(grad_colour, texels, index, weight):  # extra 6.6 (3 points
     # colour = M texels, so grad_texels = M^T grad_colour: what was gathered is scattered. This is
     # `scatter` of lab 2, four times as fast. The derivative of colour[n] with respect to
     # weight[n, k] is texels[index[n, k]].
-    start = np.arange(0, index.size + 1, index.shape[1])
-    matrix = csr_array((weight.ravel(), index.ravel(), start), (len(index), len(texels)))
+    matrix = look_up_matrix(len(texels), index, weight)
 
     def by_weight(grad, texel):
         return (texels.take(texel, 0) @ grad[..., None])[..., 0],
 
     grad_weight, = in_parts(by_weight, grad_colour, index)
     return matrix.T @ grad_colour, grad_weight
+
+
+def look_up_matrix(texel_count, index, weight):
+    """M, sparse (N, T), of T = texel_count texels: index, weight (N, K) as `look_up` has them.
+
+    IndexError if an index names no texel. SciPy would read, and write, beside the texture.
+    """
+    if index.size and not 0 <= index.min() <= index.max() < texel_count:
+        raise IndexError(f"look-ups name texels {index.min()} to {index.max()} of {texel_count}, "
+                         "counted from 0: leave out pixels that see no face")
+    start = np.arange(0, index.size + 1, index.shape[1])  # of each row's entries
+    return csr_array((weight.ravel(), index.ravel(), start), (len(index), texel_count))
 
 
 def in_parts(function, *arrays):

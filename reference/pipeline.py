@@ -109,8 +109,8 @@ def render(mesh, material, view):
     """
     require_scene(mesh, material, view)
     clip = to_clip(mesh.positions, view.clip_from_model)
-    picture, buffers = draw(clip, mesh.faces, mesh.opposite, material, view.width, view.height,
-                            view.background)
+    picture, buffers = draw(clip, mesh.faces, mesh.opposite, material, int(view.width),
+                            int(view.height), view.background)
     return picture, Buffers(*buffers)
 
 

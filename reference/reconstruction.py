@@ -118,14 +118,15 @@ def vertex_normals_backward(grad_normals, vertices, faces):  # exercise 16.6 (5 
     Fine print. Where m is 0 (a vertex has no face, or its faces cancel), the normal is 0 and hands
     nothing back. One nan would spread over the whole surface.
     """
-    a, b, c = vertices[faces.T]
-    m = scatter(np.repeat(np.cross(b - a, c - a)[:, None], 3, 1), faces, len(vertices))
+    area = mesh.area_vectors(vertices, faces)  # exactly 0 for a face whose area is only rounding
+    m = scatter(np.repeat(area[:, None], 3, 1), faces, len(vertices))
     length = np.linalg.norm(m, axis=1, keepdims=True)
     length = np.where(length > 0, length, np.inf)
     n = m / length
     # dn = (dm - n (n . dm)) / |m|: what lies along n only makes m longer.
     grad_m = (grad_normals - (grad_normals * n).sum(1, keepdims=True) * n) / length
     # (b - a) x (c - a) = b x c + c x a + a x b, so g . that is a . (b x g - c x g) + ...
+    a, b, c = vertices[faces.T]
     g = grad_m[faces.T].sum(0)
     corners = np.stack([np.cross(b - c, g), np.cross(c - a, g), np.cross(a - b, g)], 1)
     return scatter(corners, faces, len(vertices))

@@ -276,7 +276,8 @@ def render(scene, view, samples=2):
     clip = pipeline.to_clip(scene.vertices, view.clip_from_model)
     corners = neural_renderer.corners_of(clip, scene.faces)
     light = face_light(scene.vertices[scene.faces], *scene.lights)
-    maps = neural_renderer.rasterize(corners, samples * view.width, samples * view.height)
+    width, height = int(samples) * int(view.width), int(samples) * int(view.height)
+    maps = neural_renderer.rasterize(corners, width, height)
     colour = shade_cubes(maps, corners, scene.textures, light, view.background)
     return msaa.box_resolve(colour, samples), CubeBuffers(clip, corners, light, maps, colour)
 

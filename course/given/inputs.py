@@ -47,6 +47,14 @@ def require_faces(faces, vertex_count):
                          "counted from 0; mend that face, or give all vertices")
 
 
+def require_count(name, count, least):
+    """An integer, such as a side in pixels, of Python or NumPy. Multiply int(count), because those
+    of NumPy may be narrow, and overflow.
+    """
+    is_integer = isinstance(count, numbers.Integral) and not isinstance(count, bool)
+    require(is_integer and count >= least, f"{name}, an integer of {least} or more", repr(count))
+
+
 def require_geometry(positions, faces, clip_from_model, width, height, opposite):
     """What every picture needs: a mesh, a camera, and a screen."""
     require_reals("positions", positions, "V", 3, hint=" (a fit that diverges wants a smaller "
@@ -55,9 +63,8 @@ def require_geometry(positions, faces, clip_from_model, width, height, opposite)
     require_indices("opposite", opposite, *faces.shape, first=-1, count=len(positions), of="-1 for "
                     "none", hint=", made by antialiasing.opposite_vertices(faces)")
     require_reals("clip_from_model", clip_from_model, 4, 4)
-    for name, length in ("width", width), ("height", height):
-        require(isinstance(length, numbers.Integral) and length >= 0, f"{name}, an integer that "
-                "counts pixels", repr(length))
+    require_count("width", width, 0)
+    require_count("height", height, 0)
 
 
 def require_colours(positions, colours, background):
@@ -92,8 +99,7 @@ def require_cubes(scene, view, samples):
     require_reals("clip_from_model", view.clip_from_model, 4, 4)
     require_reals("background", view.background, channels)
     for name, count in ("width", view.width), ("height", view.height), ("samples", samples):
-        require(isinstance(count, numbers.Integral) and count >= 1, f"{name}, an integer of 1 or "
-                "more", repr(count))
+        require_count(name, count, 1)
 
 
 def require_gradient(name, gradient, shape):

@@ -185,7 +185,7 @@ def face_normals(vertices, faces):
 
     Zero for a degenerate face.
     """
-    return unit(_area_vectors(vertices, faces))
+    return unit(area_vectors(vertices, faces))
 
 
 def vertex_normals(vertices, faces):
@@ -194,11 +194,11 @@ def vertex_normals(vertices, faces):
     Zero for a vertex of no face.
     """
     corner = faces.ravel()
-    columns = _area_vectors(vertices, faces).repeat(3, 0).T  # each face's, at its three corners
+    columns = area_vectors(vertices, faces).repeat(3, 0).T  # each face's, at its three corners
     return unit(np.stack([np.bincount(corner, column, len(vertices)) for column in columns], -1))
 
 
-def _area_vectors(vertices, faces):
+def area_vectors(vertices, faces):
     """-> (F, 3) normals whose length is twice the face's area. A degenerate face has exactly 0."""
     a, b, c = vertices[faces.T]
     area = np.cross(b - a, c - a)

@@ -1,5 +1,6 @@
 """What lab 16's search writes: GLB, OBJ, and the last good mesh."""
 import io
+import json
 
 import numpy as np
 import pytest
@@ -38,6 +39,31 @@ def test_glb_and_obj_hold_the_mesh_and_its_colours(tmp_path):
     np.testing.assert_array_equal(again[1], faces)
     first = (tmp_path / "found.obj").read_text().splitlines()[0].split()
     np.testing.assert_allclose(np.array(first[4:], float), image.to_srgb(albedo[0]), atol=0.003)
+
+
+@pytest.mark.parametrize("size", [1e-12, 1e-4, 1e7])
+def test_an_obj_keeps_the_digits_of_a_mesh_of_any_size(tmp_path, size):
+    """A fixed number of decimals: a mesh of millionths of a unit comes back as a few steps."""
+    x = painted_ball()
+    exports.save(LABS, x, tmp_path / "found.glb", np.diag([size, size, size, 1.0]))
+    exports.save_textured(LABS, multi_view_fit.surface(x), tmp_path / "textured.glb",
+                          np.diag([size, size, size, 1.0]))
+    expected = size * multi_view_fit.surface(x).vertices
+    np.testing.assert_allclose(mesh_files.read(tmp_path / "found.obj")[0], expected, 0,
+                               1e-15 * size)
+    textured = mesh_files.read(tmp_path / "textured.obj")[0]
+    apart = np.abs(textured[:, None] - expected).max(-1).min(1)
+    assert apart.max() <= 1e-15 * size
+
+
+def test_a_glb_with_a_vertex_without_normal_is_json(tmp_path):
+    """0 / 0 is NaN, which the header's JSON does not know: no viewer opens the file."""
+    vertices, faces, _, normals, albedo = multi_view_fit.surface(painted_ball())
+    normals[3] = 0
+    vertices, normals = exports.in_world(vertices, normals, np.eye(4))
+    content = exports.glb(vertices, faces, normals, albedo)
+    header = content[20:20 + int.from_bytes(content[12:16], "little")]
+    json.loads(header, parse_constant=pytest.fail)
 
 
 def test_after_ctrl_c_the_last_good_mesh_is_on_disk(tmp_path):

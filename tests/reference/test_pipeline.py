@@ -299,6 +299,7 @@ BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
        ("width", 5.0, "width, an integer.*got 5.0"),
        ("height", -3, "height, an integer.*got -3"),
        ("height", None, "height, an integer.*got None"),
+       ("width", True, "width, an integer.*got True"),
        ("opposite", np.full((1, 3), -1.0), "opposite.*integers.*got float64"),
        ("opposite", np.full((1, 3), 99), "opposite.*from -1 to 2.*got 99 to 99"),
        ("opposite", np.full((2, 3), -1), r"opposite \(1, 3\).*opposite_vertices.*got \(2, 3\)")]
@@ -373,3 +374,14 @@ def test_a_good_scene_is_rendered():
     assert picture.shape == (4, 0, 2)
     face_index, _ = scanline.rasterize(np.zeros((3, 4)), GOOD["faces"], 5, 4)
     assert (face_index == -1).all()
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.uint8, np.int16, np.uint16, np.int64])
+def test_a_side_in_pixels_may_be_of_any_integers(kind):
+    """100 times 100 overflows where a byte holds each of them."""
+    size = min(np.iinfo(kind).max // 2, 300)
+    given = {**GOOD, "positions": np.array([[-1.0, -1, 0], [1, -1, 0], [-1, 1, 0]]),
+             "colours": np.ones((3, 2))}
+    expected, _ = rendered({**given, "width": size, "height": size})
+    got, _ = rendered({**given, "width": kind(size), "height": kind(size)})
+    np.testing.assert_array_equal(got, expected)

@@ -16,6 +16,15 @@ def test_bumps_are_central_differences_where_normals_are_held():
               (vertices,), name="bumps")
 
 
+def test_a_face_on_a_line_hands_no_gradient_back():
+    """Its area is rounding, and its normal 0: the gradient is 1e17."""
+    line, faces = np.array([[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.3, 0.6, 0.9]]), np.arange(3)[None]
+    assert np.cross(line[1] - line[0], line[2] - line[0]).any()
+    assert not mesh.vertex_normals(line, faces).any()
+    got = reconstruction.vertex_normals_backward(np.ones((3, 3)), line, faces)
+    np.testing.assert_array_equal(got, 0)
+
+
 def test_vertices_that_lie_unevenly_in_a_plane_are_no_bumps():
     """A penalty that pulls vertices about within the surface."""
     vertices, faces = mesh.grid(50)

@@ -21,6 +21,17 @@ WIDTH, HEIGHT = 23, 17
 BACKGROUND = np.array([0.1, 0.2])
 
 
+@pytest.mark.parametrize("face", [-1, 2])
+def test_a_pixel_that_sees_no_face_has_no_cube(face):
+    """A pixel of the background reads, and writes, beside the cubes."""
+    textures, tap = np.ones((2, 2, 2, 2, 1)), np.full((1, 8), 1 / 8)
+    look = textures, np.array([face]), np.arange(8)[None], tap
+    for call in (lambda: texture_cubes.sample_cubes(*look),
+                 lambda: texture_cubes.sample_cubes_backward(np.ones((1, 1)), *look)):
+        with pytest.raises(IndexError, match="of 16, counted from 0: leave out pixels that see no"):
+            call()
+
+
 def test_a_linear_picture_comes_back_in_perspective():
     """A cube read without z / z_k bends the picture; texels beside the face hold other values."""
     clip = np.array([[-1.0, -1.0, 0, 1.0], [4.0, -3.5, 0, 5.0], [2.0, 2.4, 0, 2.5],
@@ -228,7 +239,15 @@ def test_a_scene_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
         texture_cubes.render(scene._replace(**wrong), view)
 
 
-@pytest.mark.parametrize("wrong", [{"samples": 0}, {"background": np.zeros(3)}])
+def test_a_side_in_pixels_may_be_a_byte(rng):
+    """Its square, or twice as much, overflows."""
+    scene, view = ball(rng)
+    got, _ = texture_cubes.render(scene, view._replace(width=np.int8(70), height=np.int8(40)))
+    expected, _ = texture_cubes.render(scene, view._replace(width=70, height=40))
+    np.testing.assert_array_equal(got, expected)
+
+
+@pytest.mark.parametrize("wrong", [{"samples": 0}, {"samples": True}, {"background": np.zeros(3)}])
 def test_a_view_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
     """No samples were a picture of NaN."""
     scene, view = ball(rng)

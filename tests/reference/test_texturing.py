@@ -52,6 +52,18 @@ def test_the_mean_of_a_footprint_of_whole_texels_is_exact():
     np.testing.assert_allclose(got, image[0:3, 3:5].mean((0, 1))[None], rtol=1e-12)
 
 
+@pytest.mark.parametrize("row", [-1, 4, 10**8])
+def test_a_look_up_that_names_no_texel_is_told(row):
+    """SciPy trusts the column numbers: garbage from beside the array, or the end of the process."""
+    texels, index, weight = np.ones((4, 2)), np.array([[0, 3], [2, row]]), np.ones((2, 2))
+    for call in (lambda index: texturing.look_up(texels, index, weight),
+                 lambda index: texturing.look_up_backward(np.ones((2, 2)), texels, index, weight)):
+        with pytest.raises(IndexError, match="of 4, counted from 0: leave out"):
+            call(index)
+        call(np.clip(index, 0, 3))
+        call(np.clip(index, 0, 3).astype(np.uint8))
+
+
 def test_four_texels_lie_between_0_and_1(impl):
     """The index is rounded, or truncated toward 0: below 0 it is one too high."""
     x = np.array([0.0, 0.1, 0.3, 0.6, 0.99, -0.01, -0.3, 1.1])

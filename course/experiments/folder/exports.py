@@ -4,13 +4,14 @@ While the search goes on, `save` writes colours at the vertices, for that is qui
 `save_textured` writes a texture: see textures.py.
 """
 import io
+import math
 import re
 
 import numpy as np
 import trimesh
 from PIL import Image
 
-from ...given import image, places
+from ...given import image, mesh, places
 from . import textures
 
 
@@ -23,18 +24,28 @@ def save(labs, x, path, world_from_grid):
 
 
 def in_world(vertices, normals, world_from_grid):
-    """Vertices and normals (V, 3) of the grid, moved and turned into the world."""
+    """Vertices and normals (V, 3) of the grid, moved and turned into the world. Some normals are 0.
+    """
     turn = world_from_grid[:3, :3]
-    normals = normals @ np.linalg.inv(turn)
     return (vertices @ turn.T + world_from_grid[:3, 3],
-            normals / np.linalg.norm(normals, axis=1, keepdims=True))
+            mesh.unit(normals @ np.linalg.inv(turn)))
+
+
+def decimals(vertices):
+    """How many decimals an OBJ file needs: trimesh writes no exponents.
+
+    The largest coordinate has 17 digits, which are all that a float has. Normals, colours and
+    (u, v) have 9 decimals or more.
+    """
+    largest = np.abs(vertices).max(initial=1e-300)
+    return max(17 - math.ceil(math.log10(largest)), 9)
 
 
 def obj(vertices, faces, albedo):
     """An OBJ file's bytes. Colours, in sRGB, follow a vertex's position: most viewers read that."""
     coloured = trimesh.Trimesh(vertices, faces, vertex_colors=eight_bits(image.to_srgb(albedo)),
                                process=False)
-    return coloured.export(file_type="obj", digits=7, header=None).encode()
+    return coloured.export(file_type="obj", digits=decimals(vertices), header=None).encode()
 
 
 def glb(vertices, faces, normals, albedo):
@@ -95,8 +106,8 @@ def textured_obj(shape, uv, picture, name):
         ambient=[0, 0, 0, 255])
     shape.visual = trimesh.visual.TextureVisuals(uv=uv, material=dull)
     text, others = trimesh.exchange.obj.export_obj(
-        shape, include_normals=True, include_texture=True, return_texture=True, digits=7,
-        header=None, mtl_name=f"{name}.mtl")
+        shape, include_normals=True, include_texture=True, return_texture=True,
+        digits=decimals(shape.vertices), header=None, mtl_name=f"{name}.mtl")
     material = re.sub(r"(?m)^map_Kd .*", f"map_Kd {name}.png", others[f"{name}.mtl"].decode())
     content = io.BytesIO()
     picture.save(content, "PNG", optimize=True)
