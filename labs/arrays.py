@@ -30,6 +30,19 @@ def scatter(values, index, count):
     return np.stack(sums, -1, dtype=float).reshape(count, *shape)  # floats, also of no index
 
 
+def scatter_first(values, index, count):
+    """Each place keeps the first value that comes to it, -1 where none comes.
+
+    values, index (...) integers, index below count -> (count,).
+
+    >>> scatter_first(np.array([7, 8, 9]), np.array([2, 0, 2]), 4)
+    array([ 8, -1,  7, -1])
+    """
+    first = np.full(count, -1)
+    first[index.ravel()[::-1]] = values.ravel()[::-1]  # the last one that is written stays
+    return first
+
+
 def masked_scatter(rows, mask):
     """The transpose of the gather x[mask]: rows (N, ...) at the N places where mask (...) is true,
     0 elsewhere.

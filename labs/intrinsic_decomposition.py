@@ -16,6 +16,7 @@ is one factor. We choose the mean albedo 1/2.
 Sources: Munkberg et al. 2022 (12), Barron and Malik 2015 (13), Williams 1978 (lit).
 """
 import functools
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -248,30 +249,48 @@ def first_guess(observed):
     return Appearance(albedo, light, np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]))
 
 
+def gradient_in_shadow(surface, observed, priors):
+    """-> gradient(x), as lab 9's `descend` takes it. Every REFRESH steps it casts a new shadow."""
+    lit = np.empty(len(surface.vertices))
+    step = itertools.count()
+
+    def gradient(x):
+        if next(step) % REFRESH == 0:
+            lit[:] = lit_share(surface, x.sun)
+        return loss_and_gradients(x, observed, lit, priors)
+    return gradient
+
+
+def falling(rates, steps):
+    """A schedule for `descend`: an Appearance of learning rates for each step, down to 1/20."""
+    return [Appearance(*(20**-(step / steps) * np.array(rates))) for step in range(steps)]
+
+
+def search(x, gradient, schedule, observed):
+    """The Appearance to which lab 9's `descend` comes from x."""
+    project = functools.partial(allowed, share=observed.share)
+    for found, _ in descend(x, gradient, schedule, ADAM, project):
+        x = found
+    return x
+
+
 def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     """The Appearance of a Surface in Targets, in the least loss that `steps` steps find.
 
     A quarter of the steps knows no sun. Then it rises where the light comes from, and moves.
     """
     observed, exposure = observe(surface, targets)
-    x, lit = first_guess(observed), np.ones(len(surface.vertices))
-
-    def gradient(x):
-        return loss_and_gradients(x, observed, lit, priors)
-
-    project = functools.partial(allowed, share=observed.share)
-    no_sun, first = RATES._replace(sun=0.0), steps // 4
-    in_the_shade = descend(x, gradient, first * [no_sun], ADAM, project)
-    for x, _ in in_the_shade:  # noqa: B007
-        pass
-    x, rates = (add_sun(x), RATES) if with_sun else (x, no_sun)
-    falling = [Appearance(*(20**-(step / (steps - first)) * np.array(rates)))
-               for step in range(steps - first)]
-    in_the_sun = descend(x, gradient, falling, ADAM, project)
-    lit = lit_share(surface, x.sun)
-    for step, (x, _) in enumerate(in_the_sun, 1):
-        if with_sun and step % REFRESH == 0:
-            lit = lit_share(surface, x.sun)
+    no_sun = RATES._replace(sun=0.0)
+    first = steps // 4
+    rest = steps - first
+    even = functools.partial(loss_and_gradients, observed=observed,
+                             lit=np.ones(len(surface.vertices)), priors=priors)
+    x = search(first_guess(observed), even, first * [no_sun], observed)
+    if with_sun:
+        shadowed = gradient_in_shadow(surface, observed, priors)
+        x = search(add_sun(x), shadowed, falling(RATES, rest), observed)
+    else:
+        x = search(x, even, falling(no_sun, rest), observed)
     return rescaled(x, exposure)
 
 

@@ -195,7 +195,8 @@ def fragments(corners, width, height, near, far):
     pixel (N,) is row * width + column. face (N,), weight (N, 3), depth (N,). The last face comes
     first, so that the first of equally deep faces is written last.
     """
-    screen, z = on_screen(corners, width, height), corners[..., 2]
+    screen = on_screen(corners, width, height)
+    z = corners[..., 2]
     drawn = np.flatnonzero(front_faces(screen, z))[::-1]
     screen, z = screen[drawn], z[drawn]
     inverse = face_inverse(screen)
@@ -232,7 +233,8 @@ def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     original has such a gradient for the depth alone.)
     """
     height, width = face_index.shape
-    screen, z = on_screen(corners, width, height), corners[..., 2]
+    screen = on_screen(corners, width, height)
+    z = corners[..., 2]
     row, column = np.nonzero(face_index >= 0)
     face = face_index[row, column]
     seen, pixel_face = np.unique(face, return_inverse=True)

@@ -211,7 +211,8 @@ def pulling_pixels(sweep, wants, lines):
     """
     sees = sweep.face_index[lines.row] == lines.face[:, None]
     inner_sees = sweep.face_index[lines.row, lines.inner] == lines.face
-    pixel, inner = np.arange(sees.shape[1]), lines.inner[:, None]
+    pixel = np.arange(sees.shape[1])
+    inner = lines.inner[:, None]
     is_out = np.where(lines.side[:, None] > 0, pixel > inner, pixel < inner)
     counts = np.where(is_out, inner_sees[:, None], sees)
     line, pixel = np.nonzero(counts & wants[lines.row])

@@ -250,7 +250,8 @@ def shade_cubes_backward(grad_colour, maps, corners, textures, light):
     index, tap = cube_taps(*samples)
     # colour = sample * light: the product rule. Each pixel gathers its face's light and z, so
     # their gradients are scattered.
-    grad_lit, lit = grad_colour[seen], sample_cubes(textures, face, index, tap)
+    grad_lit = grad_colour[seen]
+    lit = sample_cubes(textures, face, index, tap)
     grad_light = scatter(grad_lit * lit, face, len(corners))
     grad_textures, grad_tap = sample_cubes_backward(grad_lit * light[face], textures, face, index,
                                                     tap)

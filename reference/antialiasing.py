@@ -14,7 +14,8 @@ owns the edge.
 The frame has the owner's centre (X, Y) at x = 0, and the other's at x = 1: s = -1 if the other
 pixel comes before the owner, else +1. For two pixels above each other, screen_x and screen_y, X
 and Y change places. (5) reads the colours from before any blend, and all changes of a pixel add up.
-`last_crossing`, `is_blended` and the clip of `blend_weight` are refinements by nvdiffrast.
+`last_crossing`, `is_blended` and the clip of `blend_weight` are refinements by nvdiffrast. With
+these steps outlines.py finds the pairs of a picture, which `blend_pairs` blends.
 
 Sources: lecture "Differentiable graphics 1", Laine et al. 2020 (nvdiffrast), section 3.6.
 """
@@ -22,8 +23,9 @@ import numpy as np
 
 from course.given import mesh
 
-from .arrays import EDGES
-from .rasterization import edge_function
+from . import transforms
+from .arrays import EDGES, scatter, scatter_first
+from .rasterization import edge_function, screen_points
 
 WINDOW = 1 / 16  # pixels: what an edge may be off where nvdiffrast's rasterizer rounds vertices
 
@@ -42,19 +44,14 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points)
     twice gets -1. Where three faces meet, list their third vertices, each once, in the order of the
     faces. The first two answer each other. Other faces get -1.
     """
-    def first_of(thirds, edges):
-        first = np.full(len(pairs), -1)
-        first[edges[::-1]] = thirds[::-1]  # from last to first: what is written last, stays
-        return first
-
     sound = (faces != faces[:, [1, 2, 0]]).all(1)
     third = faces[sound]
-    pairs, edge = mesh.edges(third)
-    p = first_of(third.ravel(), edge.ravel())[edge]
-    is_p = third == p
-    q = first_of(third[~is_p], edge[~is_p])[edge]
+    edges, edge = mesh.edges(third)
+    p = scatter_first(third, edge, len(edges))[edge]  # across each edge, the first vertex
+    rest = third != p
+    q = scatter_first(third[rest], edge[rest], len(edges))[edge]  # and the first other one
     opposite = np.full(faces.shape, -1)
-    opposite[sound] = np.where(is_p, q, np.where(third == q, p, -1))
+    opposite[sound] = np.where(third == p, q, np.where(third == q, p, -1))
     return opposite
 
 
@@ -303,3 +300,41 @@ def blend_backward(grad_output, colour, owner, other, alpha):  # exercise 8.14 (
     np.add.at(grad_colour, owner, -alpha[:, None] * grad_changed)
     np.add.at(grad_colour, other, alpha[:, None] * grad_changed)
     return grad_colour.reshape(colour.shape), grad_alpha
+
+
+def blend_pairs(colour, pairs):
+    """Eqs. (4) and (5) for the Pairs of outlines.py: colour (H, W, C) -> output (H, W, C)."""
+    return blend(colour, pairs.owner, pairs.other, blend_weight(pairs.c))
+
+
+def screen_points_backward(grad_x, grad_y, clip, width, height):
+    """Backward of `screen_points` for x and y: grad_x, grad_y (V,) -> grad_clip (V, 4)."""
+    # Lab 1's viewport and divide, read upwards. The w is the one that the forward divides by.
+    *_, w = screen_points(clip, width, height)
+    grad_screen = np.stack([grad_x, grad_y, 0 * grad_x], -1)
+    grad_ndc = transforms.to_screen_backward(grad_screen, width, height)
+    return transforms.perspective_divide_backward(grad_ndc, np.column_stack([clip[:, :3], w]))
+
+
+def blend_pairs_backward(grad_output, colour, pairs, clip, epsilon=0.0):
+    """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
+
+    pairs of `blended_pairs`, clip (V, 4). epsilon: of `crossing_backward`, in pixels.
+
+    Fine print. Near the camera plane digits are lost: where w is a millionth of x or y, six digits
+    of the gradient with respect to w are right.
+    """
+    # (5), (4), (3) and (2), as far as the edges' ends. Then each vertex sums the gradients of all
+    # edges that end there, and only such vertices go back to clip space.
+    height, width, _ = colour.shape
+    owner, other, c, ends, x, y, *_ = pairs
+    grad_colour, grad_alpha = blend_backward(grad_output, colour, owner, other, blend_weight(c))
+    grad_c = blend_weight_backward(grad_alpha, c)
+    grad_x0, grad_y0, grad_x1, grad_y1 = crossing_backward(grad_c, x[0], y[0], x[1], y[1], epsilon)
+    grad_x, grad_y = np.stack([grad_x0, grad_x1]), np.stack([grad_y0, grad_y1])
+    grad_ends = np.stack(pair_frame_backward(grad_x, grad_y, owner, other, width), -1)
+    vertex, end = np.unique(ends, return_inverse=True)
+    grad_x, grad_y = scatter(grad_ends, end.reshape(ends.shape), len(vertex)).T
+    grad_clip = np.zeros(clip.shape)
+    grad_clip[vertex] = screen_points_backward(grad_x, grad_y, clip[vertex], width, height)
+    return grad_colour, grad_clip

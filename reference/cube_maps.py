@@ -288,7 +288,8 @@ def on_faces_backward(grad, look, seen):
     """Backward of `on_faces`: grad of the Footprint -> grad_directions, grad_jacobian, grad_bias.
     """
     directions = look.uv[seen]
-    grad_directions, grad_jacobian = on_face_backward(grad.uv, directions), None
+    grad_directions = on_face_backward(grad.uv, directions)
+    grad_jacobian = None
     if look.jacobian is not None:
         by_footprint, grad_jacobian = face_footprint_backward(grad.jacobian, directions,
                                                               look.jacobian[seen])

@@ -198,7 +198,8 @@ def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.
     face_index = np.full((height, width), -1)
     weight = np.zeros((height, width, 3))
     depth = np.full((height, width), np.inf)
-    screen, z = on_screen(corners, width, height), corners[..., 2]
+    screen = on_screen(corners, width, height)
+    z = corners[..., 2]
     for f in np.flatnonzero(front_faces(screen, z)):
         inverse = face_inverse(screen[f])
         x0, y0, x1, y1 = pixel_box(screen[f], width, height)
@@ -217,7 +218,8 @@ def fragments(corners, width, height, near, far):
     pixel (N,) is row * width + column. face (N,), weight (N, 3), depth (N,). The last face comes
     first, so that the first of equally deep faces is written last.
     """
-    screen, z = on_screen(corners, width, height), corners[..., 2]
+    screen = on_screen(corners, width, height)
+    z = corners[..., 2]
     drawn = np.flatnonzero(front_faces(screen, z))[::-1]
     screen, z = screen[drawn], z[drawn]
     inverse = face_inverse(screen)
@@ -254,7 +256,8 @@ def rasterize_backward(grad_weight, grad_depth, face_index, corners):
     original has such a gradient for the depth alone.)
     """
     height, width = face_index.shape
-    screen, z = on_screen(corners, width, height), corners[..., 2]
+    screen = on_screen(corners, width, height)
+    z = corners[..., 2]
     row, column = np.nonzero(face_index >= 0)
     face = face_index[row, column]
     seen, pixel_face = np.unique(face, return_inverse=True)

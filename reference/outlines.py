@@ -1,15 +1,17 @@
-"""Outlines: lab 8's blend for whole pictures, and its gradient from the picture to clip space.
+"""Outlines: in which pairs of pixels of a picture does an edge run, and which edge is it?
 
-The steps are lab 8's, with the numbers of its equations. `blend_pairs_backward` takes them upwards.
+The steps are those of antialiasing.py, with the numbers of its equations.
 
     screen points   ->  silhouette edges of the faces that are seen     (1)   seen_silhouettes
     pictures        ->  pairs of pixels in which an edge may run        (2)   jumping_pairs
     pairs           ->  the edge that the pair's line crosses last      (3)   jumping_pairs
-    edges           ->  the pairs that are blended, and alpha           (4)   blended_pairs
-    pairs, colours  ->  picture                                         (5)   blend_pairs
+    edges           ->  the pairs that are blended                            blended_pairs
 
-face_index and depth (H, W) are those of `rasterize`: -1 and np.inf where no face is seen. clip
-(V, 4) and faces (F, 3) are the mesh, opposite (F, 3) is made once for it by `opposite_vertices`.
+All of them decide, and decisions have no gradient. Where the edges cross has one: (4), (5) and the
+way back to clip space are `blend_pairs` and its backward pass in antialiasing.py. `antialias` joins
+both. face_index and depth (H, W) are those of `rasterize`: -1 and np.inf where no face is seen.
+clip (V, 4) and faces (F, 3) are the mesh, opposite (F, 3) is made once for it by
+`opposite_vertices`.
 
 Source: Laine et al. 2020 (nvdiffrast), section 3.6.
 """
@@ -17,22 +19,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import transforms
 from .antialiasing import (
-    blend,
-    blend_backward,
-    blend_weight,
-    blend_weight_backward,
-    crossing_backward,
+    blend_pairs,
+    blend_pairs_backward,
     is_blended,
     last_crossing,
     neighbour_pairs,
     owner_and_other,
     pair_frame,
-    pair_frame_backward,
     silhouette_edges,
 )
-from .arrays import EDGES, scatter
+from .arrays import EDGES
 from .rasterization import screen_points
 
 
@@ -57,15 +54,6 @@ def vertices_on_screen(clip, width, height):
         return screen_points(clip, width, height)
 
 
-def vertices_on_screen_backward(grad_x, grad_y, clip, width, height):
-    """Backward of `vertices_on_screen` for x and y: grad_x, grad_y (V,) -> grad_clip (V, 4)."""
-    # Lab 1's viewport and divide, read upwards. The w is the one that the forward divides by.
-    *_, w = vertices_on_screen(clip, width, height)
-    grad_screen = np.stack([grad_x, grad_y, 0 * grad_x], -1)
-    grad_ndc = transforms.to_screen_backward(grad_screen, width, height)
-    return transforms.perspective_divide_backward(grad_ndc, np.column_stack([clip[:, :3], w]))
-
-
 def seen_silhouettes(face_index, screen, faces, opposite):
     """Eq. (1) for the faces that the picture shows: bool (F + 1, 3).
 
@@ -76,8 +64,7 @@ def seen_silhouettes(face_index, screen, faces, opposite):
     is_seen[face_index.ravel()] = True
     seen = np.flatnonzero(is_seen[:-1])
     silhouette = np.zeros((len(faces) + 1, 3), bool, order="F")  # one edge after the other
-    silhouette[seen] = silhouette_edges(*screen, faces.take(seen, 0),
-                                         opposite.take(seen, 0))
+    silhouette[seen] = silhouette_edges(*screen, faces.take(seen, 0), opposite.take(seen, 0))
     return silhouette
 
 
@@ -134,32 +121,3 @@ def antialias_backward(grad_output, colour, face_index, depth, clip, faces, oppo
     """
     pairs = blended_pairs(face_index, depth, clip, faces, opposite)
     return blend_pairs_backward(grad_output, colour, pairs, clip, epsilon)
-
-
-def blend_pairs(colour, pairs):
-    """Eqs. (4) and (5) for the Pairs that are blended: colour (H, W, C) -> output (H, W, C)."""
-    return blend(colour, pairs.owner, pairs.other, blend_weight(pairs.c))
-
-
-def blend_pairs_backward(grad_output, colour, pairs, clip, epsilon=0.0):
-    """Backward of `blend_pairs`: grad_output (H, W, C) -> grad_colour (H, W, C), grad_clip (V, 4).
-
-    pairs of `blended_pairs`, clip (V, 4). epsilon: of `crossing_backward`, in pixels.
-
-    Fine print. Near the camera plane digits are lost: where w is a millionth of x or y, six digits
-    of the gradient with respect to w are right.
-    """
-    # The steps of `antialias` upwards, as far as the edges' ends. Then each vertex sums the
-    # gradients of all edges that end there, and only such vertices go back to clip space.
-    height, width, _ = colour.shape
-    owner, other, c, ends, x, y, *_ = pairs
-    grad_colour, grad_alpha = blend_backward(grad_output, colour, owner, other, blend_weight(c))
-    grad_c = blend_weight_backward(grad_alpha, c)
-    grad_x0, grad_y0, grad_x1, grad_y1 = crossing_backward(grad_c, x[0], y[0], x[1], y[1], epsilon)
-    grad_x, grad_y = np.stack([grad_x0, grad_x1]), np.stack([grad_y0, grad_y1])
-    grad_ends = np.stack(pair_frame_backward(grad_x, grad_y, owner, other, width), -1)
-    vertex, end = np.unique(ends, return_inverse=True)
-    grad_x, grad_y = scatter(grad_ends, end.reshape(ends.shape), len(vertex)).T
-    grad_clip = np.zeros(clip.shape)
-    grad_clip[vertex] = vertices_on_screen_backward(grad_x, grad_y, clip[vertex], width, height)
-    return grad_colour, grad_clip

@@ -148,7 +148,7 @@ def draw(clip, faces, opposite, material, width, height, background):  # exercis
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, material, background)                                # labs 5, 6
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)          # lab 8
-    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
+    return antialiasing.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points)
@@ -169,7 +169,8 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 po
     """
     # What is decided, the face of each pixel and the blended edges, is taken as given.
     clip, face_index, *_, colour, pairs = buffers
-    grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    grad_colour, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs,
+                                                                   clip)
     grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)  # 6, 5
     through_colours = rasterizer_gradients.rasterize_backward(                            # lab 7
         *grad_weights, grad_depth, face_index, clip, faces)

@@ -23,7 +23,7 @@ import numpy as np
 from course.given import inputs
 
 from .arrays import EDGES, chunks, expand, in_chunks
-from .rasterization import MARGIN, bounding_box, is_top_left, screen_points
+from .rasterization import MARGIN, is_top_left, screen_points
 
 TINY = 1e-300  # stands for a slope of 0 in a division
 FINITE = np.uint8(1)  # the last bit of an outcode
@@ -133,34 +133,6 @@ def triangle_setup(x, y, z, w, corners):
     corners = farthest_first(corners, w)
     x, y, z, w = (values.take(corners) for values in (x, y, z, w))
     return Triangles(half_planes(x, y, w), x[0], y[0], z[0], *depth_slopes(x, y, z))
-
-
-def half_plane_loop(clip, faces, width, height):
-    """Eq. (2), face by face, with all pixels at once and a z-buffer. Slow and obvious.
-
-    clip (V, 4), faces (F, 3) -> face_index, depth (height, width), as `rasterize` gives them. A
-    face in front of the camera covers only pixels of its `bounding_box`.
-    """
-    face_index = np.full((height, width), -1)
-    depth = np.full((height, width), np.inf)
-    px = np.arange(width) + 0.5
-    py = np.arange(height)[:, None] + 0.5
-    x, y, w = screen_points(clip, width, height)
-    points = np.stack([x, y], -1)
-    setup = triangle_setup(x, y, clip[:, 2] / w, w, faces.T)
-    for f in np.flatnonzero(can_be_seen(outcodes(clip, x, y), faces.T)):
-        x0, y0, x1, y1 = 0, 0, width, height
-        if (w[faces[f]] > 0).all():
-            x0, y0, x1, y1 = bounding_box(points[faces[f]], width, height)
-        covered = np.zeros((height, width), bool)
-        covered[y0:y1, x0:x1] = True
-        for n_x, n_y, from_x, from_y in np.stack(setup.planes)[:, :, f].T:
-            e = n_x * (px - from_x) + n_y * (py - from_y)
-            covered &= (e > 0) | ((e == 0) & is_top_left(n_x, n_y))
-        z = setup.dz_dx[f] * (px - setup.x[f]) + (setup.dz_dy[f] * (py - setup.y[f]) + setup.z[f])
-        nearer = covered & (np.abs(z) <= 1) & (z < depth)
-        face_index[nearer], depth[nearer] = f, z[nearer]
-    return face_index, depth
 
 
 def first_column(slope, from_x, offset):  # extra 2.14 (3 points)
@@ -307,7 +279,7 @@ def fragments(clip, faces, width, height):
 
 
 def rasterize(clip, faces, width, height):
-    """What each pixel sees: the picture of `half_plane_loop`, bit for bit, for whole meshes.
+    """What each pixel sees: `rasterize_loop` for whole meshes, also behind the camera.
 
     clip (V, 4), faces (F, 3) integers from 0 to V - 1 -> face_index (height, width), -1 where no
     face is seen; depth (height, width), z/w from -1 to 1, np.inf there. Both sides of a face are

@@ -6,13 +6,13 @@ def draw(clip, faces, opposite, material, width, height, background):
     barycentric = rasterization.barycentrics(face_index, clip, faces)
     buffers = shade((clip, face_index, depth, barycentric), faces, material, background)
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
-    picture = outlines.blend_pairs(buffers.colour, pairs)
+    picture = antialiasing.blend_pairs(buffers.colour, pairs)
     return picture, (*buffers[:-1], pairs)
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     clip, face_index, _, _, _, _, colour, pairs = buffers
-    grad_colour, grad_clip = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    grad_colour, grad_clip = antialiasing.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_material, grad_barycentric, grad_derivatives = shade_backward(grad_colour, buffers, faces,
                                                                        material)
     grad_clip = grad_clip + rasterizer_gradients.rasterize_backward(

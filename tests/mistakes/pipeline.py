@@ -18,7 +18,7 @@ def draw(clip, faces, opposite, material, width, height, background):
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, material, background)
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
-    picture = outlines.blend_pairs(buffers.colour, pairs)
+    picture = antialiasing.blend_pairs(buffers.colour, pairs)
     return picture, buffers._replace(colour=picture, pairs=pairs)
 
 
@@ -29,14 +29,14 @@ def draw(clip, faces, opposite, material, width, height, background):
     seen = Buffers(clip, face_index, depth, barycentric)
     buffers = shade(seen, faces, material, background)
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
-    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
+    return antialiasing.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw(clip, faces, opposite, material, width, height, background):
     """the background is painted over after antialiasing; it must blend with the outline"""
     buffers = shade(visible(clip, faces, width, height), faces, material, background)
     pairs = outlines.blended_pairs(buffers.face_index, buffers.depth, clip, faces, opposite)
-    picture = outlines.blend_pairs(buffers.colour, pairs)
+    picture = antialiasing.blend_pairs(buffers.colour, pairs)
     picture[buffers.face_index < 0] = background
     return picture, buffers._replace(pairs=pairs)
 
@@ -46,20 +46,20 @@ def draw(clip, faces, opposite, material, width, height, background):
     buffers = shade(visible(clip, faces, width, height), faces, material, background)
     pairs = outlines.blended_pairs(buffers.face_index, buffers.depth, clip, faces,
                                    np.full(faces.shape, -1))
-    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
+    return antialiasing.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw(clip, faces, opposite, material, width, height, background):
     """the background is not passed on to shade: it is black"""
     buffers = shade(visible(clip, faces, width, height), faces, material, 0 * background)
     pairs = outlines.blended_pairs(buffers.face_index, buffers.depth, clip, faces, opposite)
-    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
+    return antialiasing.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """the path through the edges is left out of grad_clip"""
     clip, face_index, *_, colour, pairs = buffers
-    grad_colour, _ = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    grad_colour, _ = antialiasing.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)
     through_colours = rasterizer_gradients.rasterize_backward(
         *grad_weights, grad_depth, face_index, clip, faces)
@@ -69,7 +69,8 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """the path through the colours is left out of grad_clip"""
     clip, *_, colour, pairs = buffers
-    grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    grad_colour, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs,
+                                                                   clip)
     grad_material, *_ = shade_backward(grad_colour, buffers, faces, material)
     return grad_material, through_edges
 
@@ -77,7 +78,7 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """grad_picture goes on to shade_backward, not the grad_colour of blend_pairs_backward"""
     clip, face_index, *_, colour, pairs = buffers
-    _, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    _, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_material, *grad_weights = shade_backward(grad_picture, buffers, faces, material)
     through_colours = rasterizer_gradients.rasterize_backward(
         *grad_weights, grad_depth, face_index, clip, faces)
@@ -87,7 +88,8 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """grad_depth is left out: it is not passed on to rasterize_backward"""
     clip, face_index, *_, colour, pairs = buffers
-    grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    grad_colour, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs,
+                                                                   clip)
     grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)
     through_colours = rasterizer_gradients.rasterize_backward(
         *grad_weights, None, face_index, clip, faces)
@@ -97,7 +99,8 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """grad_derivatives is left out: a texture's footprint has no gradient"""
     clip, face_index, *_, colour, pairs = buffers
-    grad_colour, through_edges = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    grad_colour, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs,
+                                                                   clip)
     grad_material, grad_barycentric, _ = shade_backward(grad_colour, buffers, faces, material)
     through_colours = rasterizer_gradients.rasterize_backward(
         grad_barycentric, None, grad_depth, face_index, clip, faces)

@@ -1,7 +1,7 @@
 """Lab 9's joined labs once more: a sum over the channels, and each path of the way back alone."""
 import numpy as np
 
-from reference import outlines, pipeline, rasterizer_gradients
+from reference import antialiasing, outlines, pipeline, rasterizer_gradients
 
 
 def draw(clip, faces, opposite, material, width, height, background):
@@ -22,7 +22,7 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     grad_clip = np.zeros(np.shape(clip))
     grad_colour = np.empty(np.shape(colour))
     for k in range(grad_colour.shape[2]):  # the way back is linear: channel by channel
-        part, through_edges = outlines.blend_pairs_backward(
+        part, through_edges = antialiasing.blend_pairs_backward(
             grad_picture[..., k:k + 1], colour[..., k:k + 1], pairs, clip)
         grad_colour[..., k:k + 1] = part
         grad_clip += through_edges

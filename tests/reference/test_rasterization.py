@@ -3,9 +3,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from half_planes import half_plane_loop
 
 from course.checks import assert_close, assert_equal
-from reference import rasterization, scanline
+from reference import rasterization
 
 GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
 
@@ -31,7 +32,7 @@ def test_in_front_of_the_camera_the_textbook_is_exact(seed):
         clip[:, :2] = np.round(clip[:, :2] * 8) / 8
         clip[:, 3] = 1
     with np.errstate(all="ignore"):
-        exact = scanline.half_plane_loop(clip, faces, 12, 10)
+        exact = half_plane_loop(clip, faces, 12, 10)
     face_index, depth = rasterization.rasterize_loop(clip, faces, 12, 10)
     assert (face_index >= 0).sum() > 60
     np.testing.assert_array_equal(face_index, exact[0])

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from half_planes import half_plane_loop
 
 from course.checks import assert_close, assert_equal, assert_picture
 from course.given import mesh
@@ -49,7 +50,7 @@ def test_whole_meshes_and_the_loop_agree_to_the_bit(seed):
         clip[:, 3] = 1 if seed < 4 else clip[:, 3]
         faces[40:] = faces[:40, ::-1]
     with np.errstate(all="ignore"):
-        loop = scanline.half_plane_loop(clip, faces, 16, 24)
+        loop = half_plane_loop(clip, faces, 16, 24)
     assert (loop[0] >= 0).sum() > 100
     assert bits(scanline.rasterize(clip, faces, 16, 24)) == bits(loop)
 
@@ -115,7 +116,7 @@ def test_hostile_faces_agree_with_the_loop_to_the_bit(make):
     for seed in range(60):
         clip = make(np.random.default_rng(seed))
         with np.errstate(all="ignore"):
-            loop = scanline.half_plane_loop(clip, faces, 8, 8)
+            loop = half_plane_loop(clip, faces, 8, 8)
         assert bits(scanline.rasterize(clip, faces, 8, 8)) == bits(loop), f"seed {seed}"
         seen += (loop[0] >= 0).sum()
     assert seen > 100
@@ -343,9 +344,9 @@ def centres(width, height):
     return np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), -1)
 
 
-@pytest.fixture(params=["half_plane_loop", "rasterize"])
+@pytest.fixture(params=[half_plane_loop, scanline.rasterize])
 def rasterize(request):
-    return getattr(scanline, request.param)
+    return request.param
 
 
 # --- pictures ----------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ def draw(clip, faces, opposite, material, width, height, background):
     """
     buffers = shade(visible(clip, faces, width, height), faces, material, background)
     pairs = outlines.blended_pairs(buffers.face_index, buffers.depth, clip, faces, opposite)
-    picture = outlines.blend_pairs(buffers.colour, pairs)
+    picture = antialiasing.blend_pairs(buffers.colour, pairs)
     return picture, buffers._replace(colour=picture, pairs=pairs)
 
 
@@ -20,7 +20,7 @@ def draw(clip, faces, opposite, material, width, height, background):
     seen = visible(clip, faces, width, height)
     buffers = shade(seen, faces, material, background)
     pairs = outlines.blended_pairs(seen.face_index, seen.depth, clip, faces, opposite)
-    outlines.blend_pairs(buffers.colour, pairs)
+    antialiasing.blend_pairs(buffers.colour, pairs)
     return buffers.colour.copy(), buffers._replace(pairs=pairs)
 
 
@@ -33,7 +33,7 @@ def draw(clip, faces, opposite, material, width, height, background):
     buffers = shade(seen, faces, material, background)
     _, face_index, depth, *_ = buffers
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
-    return outlines.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
+    return antialiasing.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
@@ -42,7 +42,7 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     told by: through & edges | edges & path | edges & miss | outline | antialias & grad_clip | antialias & add | only & colours | first & grad_clip | silhouette
     """
     clip, face_index, depth, barycentric, weights, derivatives, colour, pairs = buffers
-    grad_colour, _ = outlines.blend_pairs_backward(grad_picture, colour, pairs, clip)
+    grad_colour, _ = antialiasing.blend_pairs_backward(grad_picture, colour, pairs, clip)
     grad_material, grad_barycentric, grad_derivatives = shade_backward(grad_colour, buffers,
                                                                        faces, material)
     grad_clip = rasterizer_gradients.rasterize_backward(
@@ -56,8 +56,8 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     told by: grad_picture & shade | grad_picture & instead | grad_colour & antialias | grad_colour & outline | before antialias | material & antialias | blend & material | skip & antialias | unblended
     """
     whole = Buffers(*buffers)
-    grad_clip = outlines.blend_pairs_backward(grad_picture, whole.colour, whole.pairs,
-                                              whole.clip)[1]
+    grad_clip = antialiasing.blend_pairs_backward(grad_picture, whole.colour, whole.pairs,
+                                                  whole.clip)[1]
     grad_material, by_weights, by_changes = shade_backward(grad_picture, buffers, faces, material)
     grad_clip = grad_clip + rasterizer_gradients.rasterize_backward(
         by_weights, by_changes, grad_depth, whole.face_index, whole.clip, faces)
@@ -70,7 +70,7 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     told by: grad_depth | depth & ignor | depth & lost | depth & path | depth & miss | depth & pass
     """
     b = Buffers(*buffers)
-    grad_colour, grad_clip = outlines.blend_pairs_backward(grad_picture, b.colour, b.pairs, b.clip)
+    grad_colour, grad_clip = antialiasing.blend_pairs_backward(grad_picture, b.colour, b.pairs, b.clip)
     grad_material, *rest = shade_backward(grad_colour, b, faces, material)
     grad_clip += rasterizer_gradients.rasterize_backward(*rest, None, b.face_index, b.clip, faces)
     return grad_material, grad_clip
@@ -83,7 +83,7 @@ def draw(clip, faces, opposite, material, width, height, background):
     """
     full = shade(visible(clip, faces, width, height), faces, material, background)
     found = outlines.blended_pairs(full.face_index, full.depth, clip, faces, opposite)
-    full = full._replace(colour=outlines.blend_pairs(full.colour, found), pairs=found)
+    full = full._replace(colour=antialiasing.blend_pairs(full.colour, found), pairs=found)
     return full.colour, full
 
 
@@ -94,7 +94,7 @@ def draw(clip, faces, opposite, material, width, height, background):
     """
     buf = shade(visible(clip, faces, height, width), faces, material, background)
     pairs = outlines.blended_pairs(buf.face_index, buf.depth, clip, faces, opposite)
-    return outlines.blend_pairs(buf.colour, pairs), buf._replace(pairs=pairs)
+    return antialiasing.blend_pairs(buf.colour, pairs), buf._replace(pairs=pairs)
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
@@ -103,7 +103,7 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     told by: grad_picture & shade | grad_colour | through antialias | back through & antialias | antialias & material | antialias & colours | antialias & skip | blend & colour
     """
     b = Buffers(*buffers)
-    _, outline_clip = outlines.blend_pairs_backward(grad_picture, b.colour, b.pairs, b.clip)
+    _, outline_clip = antialiasing.blend_pairs_backward(grad_picture, b.colour, b.pairs, b.clip)
     grad_material, grad_bary, grad_deriv = shade_backward(grad_picture, b, faces, material)
     inner_clip = rasterizer_gradients.rasterize_backward(grad_bary, grad_deriv, grad_depth,
                                                          b.face_index, b.clip, faces)
@@ -116,8 +116,8 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     told by: grad_depth | depth & ignored | depth & left out | depth & lost | depth & no gradient | depth & passed | loss & depth
     """
     b = Buffers(*buffers)
-    grad_colour, outline_clip = outlines.blend_pairs_backward(grad_picture, b.colour, b.pairs,
-                                                              b.clip)
+    grad_colour, outline_clip = antialiasing.blend_pairs_backward(grad_picture, b.colour, b.pairs,
+                                                                  b.clip)
     grad_material, grad_bary, grad_deriv = shade_backward(grad_colour, b, faces, material)
     inner_clip = rasterizer_gradients.rasterize_backward(grad_bary, grad_deriv, None,
                                                          b.face_index, b.clip, faces)
