@@ -44,17 +44,10 @@ def ray_weights(x, y, w, px, py):
     return c / c.sum()
 
 
-def test_without_perspective_the_weights_change_at_one_rate():
-    """db/dx and db/dy are swapped, or are given per picture instead of per pixel."""
-    # The triangle (0, 0), (4, 0), (0, 2): b_1 = x / 4, b_2 = y / 2.
-    x, y, w = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])[..., None]
-    db_dx, db_dy = rasterization.barycentric_derivatives(np.array([1.0]), np.array([0.5]), x, y, w)
-    assert_close(db_dx, np.array([[-0.25], [0.25], [0.0]]))
-    assert_close(db_dy, np.array([[-0.5], [0.0], [0.5]]))
-
-
 def test_the_derivatives_are_central_differences(rng):
-    """The quotient rule's second term, - b ds, is missing: right only without perspective."""
+    """The quotient rule's second term, - b ds, is missing: right only without perspective. db/dx
+    and db/dy are swapped, or are given per picture instead of per pixel.
+    """
     h = 1e-5
     x, y = rng.uniform(-1, 1, (2, 3, 20)) + [[[0], [8], [2]], [[0], [1], [7]]]  # none is thin
     w = rng.uniform(0.5, 2, (3, 20)) * np.where(np.arange(20) < 10, 1, [[1], [1], [-3]])
@@ -80,16 +73,10 @@ def test_a_scatter_is_the_transpose_of_a_gather(rng, index, columns):
     np.testing.assert_allclose((values * x[index]).sum(), (total * x).sum(), rtol=1e-12, atol=1e-12)
 
 
-def test_half_a_rectangle(impl):
-    """Twice the area, or no sign for the winding."""
-    triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]])
-    assert_close(impl.signed_area(triangle), 1.0)
-    assert_close(impl.signed_area(triangle[::-1]), -1.0)
-
-
-
 def test_areas_are_those_of_the_shoelace_formula(impl, rng):
-    """Right only for triangles with a vertex at the origin, or for one triangle alone."""
+    """Twice the area, or no sign for the winding. Right only for triangles with a vertex at the
+    origin, or for one triangle alone.
+    """
     triangles = rng.normal(size=(4, 5, 3, 2))
     x, y = np.moveaxis(triangles, -1, 0)
     shoelace = (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
