@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
-from simplification_meshes import LEAST_CURVATURE, bumpy, edges_of, planes_of
+from simplification_meshes import LEAST_CURVATURE, bumpy, edges_of, euler, planes_of
 
 from course.checks import assert_close, assert_equal
 from course.given import distances, mesh
@@ -13,10 +13,6 @@ from reference import collapse_heap, simplification
 # Mean distances of the bunny in 5,804 faces, both ways, in 1/10,000 of its diagonal: the less of
 # libigl's qslim and VTK's quadric decimation. From benchmarks/simplification.py.
 OTHERS = {994: 7.34, 532: 12.98, 248: 27.14, 64: 103.0}
-
-
-def euler(faces):
-    return len(np.unique(faces)) - len(mesh.edges(faces)[0]) + len(faces)
 
 
 def is_manifold(faces):
@@ -259,15 +255,10 @@ def test_the_longest_edges_are_halved_and_rounded():
 
 # --- what is given ------------------------------------------------------------------------------
 
-def test_a_plane_on_paper():
-    """The normal is not of length 1, points to the back, or d has the other sign."""
-    vertices = np.array([[4.0, 0.0, 1.0], [4.0, 0.0, 7.0], [0.0, 3.0, 1.0]])
-    expected = np.array([[-0.6, -0.8, 0.0, 2.4], [0.6, 0.8, 0.0, -2.4]])
-    assert_close(simplification.face_planes(vertices, np.array([[0, 1, 2], [2, 1, 0]])), expected)
-
-
 def test_corners_lie_in_their_plane_and_other_points_at_their_distance(rng):
-    """d is measured from the wrong vertex, or faces are taken for vertices."""
+    """The normal is not of length 1, or points to the back. d has the other sign, or is measured
+    from the wrong vertex. Faces are taken for vertices.
+    """
     vertices = rng.normal(size=(9, 3))
     faces = np.array([[0, 5, 2], [8, 1, 4], [3, 7, 6], [2, 0, 8]])
     p = np.asarray(simplification.face_planes(vertices, faces))
@@ -408,23 +399,17 @@ def test_the_least_eigenvalue_decides():
             assert_close(simplification.best_position(q, a, b), expected, rtol=1e-6)
 
 
-def test_twins_have_the_same_vertices_in_any_order():
-    """Rows are compared as they stand, or faces that share two vertices count."""
-    assert_equal(simplification.has_twins(np.array([[1, 5, 9], [9, 7, 1], [1, 9, 3]])), False)
-    assert_equal(simplification.has_twins(np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1]])), False)
-    for twin in itertools.permutations((1, 7, 9)):
-        faces = np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1], twin])
-        assert_equal(simplification.has_twins(faces), True)
-
-
-def test_a_twin_may_begin_with_another_vertex():
-    """Right for faces that are wound the other way, but rows are compared as they stand."""
-    for k in 1, 2:
-        faces = np.array([[5, 8, 6], np.roll([5, 8, 6], k), [5, 6, 7]])
-        assert_equal(simplification.has_twins(faces), True)
-
-
-def test_faces_of_equal_sums_are_no_twins():
-    """A number is made of each face that others have, too."""
-    assert_equal(simplification.has_twins(np.array([[0, 5, 7], [1, 4, 7], [2, 4, 6]])), False)
-    assert_equal(simplification.has_twins(np.array([[1, 6, 6 + 6], [2, 3, 12], [1, 8, 9]])), False)
+@pytest.mark.parametrize(("faces", "expected"), [
+    ([[1, 5, 9], [9, 7, 1], [1, 9, 3]], False),
+    ([[4, 7, 9], [1, 7, 9], [4, 7, 1]], False),
+    *(([[4, 7, 9], [1, 7, 9], [4, 7, 1], twin], True)
+      for twin in itertools.permutations((1, 7, 9))),
+    *(([[5, 8, 6], np.roll([5, 8, 6], k), [5, 6, 7]], True) for k in (1, 2)),
+    ([[0, 5, 7], [1, 4, 7], [2, 4, 6]], False),  # of equal sums
+    ([[1, 6, 6 + 6], [2, 3, 12], [1, 8, 9]], False),
+])
+def test_twins_have_the_same_vertices_in_any_order(faces, expected):
+    """Rows are compared as they stand, or faces that share two vertices count. A number is made of
+    each face that others have, too.
+    """
+    assert_equal(simplification.has_twins(np.array(faces)), expected)
