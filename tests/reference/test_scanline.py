@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from screen_scenes import on_screen
 
 from course.given import mesh
 from reference import rasterization, scanline, transforms
@@ -203,12 +204,6 @@ def test_chunks_change_nothing(monkeypatch):
         monkeypatch.setattr(scanline, "CHUNK", size)
         monkeypatch.setattr(rasterization, "CHUNK", size)
         assert bits(scanline.rasterize(clip, faces, 90, 70)) == bits(whole)
-
-
-def on_screen(x, y, width, height):
-    """Clip positions of screen points, w = 1."""
-    ones = np.ones_like(x)
-    return np.stack([2 * x / width - 1, 2 * y / height - 1, 0 * ones, ones], -1)
 
 
 def coverage(clip, faces, width, height):
