@@ -189,25 +189,13 @@ def each_square(picture, radius, of):
                       for j in range(width)] for i in range(height)])
 
 
-def test_sums_on_paper():
-    """Rows alone, or columns alone; the border is wrapped or left out."""
-    picture = np.array([[1.0, 2.0, 3.0], [10.0, 20.0, 30.0]])[..., None]
-    sums = variance_shadows.window_sums(picture, 1)[..., 0]
-    np.testing.assert_allclose(sums, [[33.0, 66.0, 55.0]] * 2)
-    np.testing.assert_allclose(variance_shadows.window_sums(picture, 0), picture)
-
-
-@pytest.mark.parametrize("radius", [1, 2, 3, 9])
-def test_sums_are_those_of_every_square(radius):
-    """A square is one pixel too wide; channels are mixed; a square larger than the picture."""
-    picture = np.random.default_rng(radius).normal(size=(5, 8, 2))
-    expected = each_square(picture, radius, lambda part: part.sum((0, 1)))
-    np.testing.assert_allclose(variance_shadows.window_sums(picture, radius), expected)
-
-
-@pytest.mark.parametrize("radius", [0, 1, 2, 9])
-def test_a_blur_is_the_mean_of_every_square(radius):
-    """At the border, the sum is divided by the number of pixels of a whole square."""
+@pytest.mark.parametrize("radius", [0, 1, 2, 3, 9])
+@pytest.mark.parametrize(("windows", "of"), [(variance_shadows.window_sums, np.sum),
+                                             (variance_shadows.box_blur, np.mean)])
+def test_sums_and_blurs_are_those_of_every_square(windows, of, radius):
+    """Rows alone, or columns alone. A square is one pixel too wide, or larger than the picture. The
+    border is wrapped, or its sum is divided by the pixels of a whole square. Channels are mixed.
+    """
     picture = np.random.default_rng(radius).normal(size=(5, 8, 3))
-    expected = each_square(picture, radius, lambda part: part.mean((0, 1)))
-    np.testing.assert_allclose(variance_shadows.box_blur(picture, radius), expected)
+    expected = each_square(picture, radius, lambda part: of(part, (0, 1)))
+    np.testing.assert_allclose(windows(picture, radius), expected)
