@@ -243,14 +243,12 @@ def test_memory_does_not_grow_with_the_filter():
 
 
 def test_a_clamped_level_has_no_gradient(impl):
-    """The clamp is forgotten: levels outside of the pyramid pull."""
+    """The clamp is forgotten: levels outside of the pyramid pull. >= stands for >, a level that is
+    whole has no gradient, or the top is always 3.
+    """
     level = np.array([-np.inf, -0.5, 0.25, 1.0, 2.75, 3.5, np.inf])
     got = impl.blend_levels_backward(np.arange(1.0, 8.0), level, 3)
     assert_close(got, np.array([0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0]))
-
-
-def test_both_ends_count_as_clamped(impl):
-    """>= for >, or a level that is whole has no gradient; or the top is always 3."""
     level = np.array([0.0, 1.0, 2.0, 4.0, 5.0])
     assert_close(impl.blend_levels_backward(np.ones(5), level, 5), np.array([0.0, 1, 1, 1, 0]))
     assert_close(impl.blend_levels_backward(np.ones(5), level, 0), np.zeros(5))
