@@ -3,43 +3,22 @@ import tracemalloc
 
 import numpy as np
 import pytest
+from look_up_goldens import configs, require_look_ups
 
 from course.checks import assert_close
 from course.given.gradcheck import gradcheck
 from reference import mipmapping, rasterization, texturing
 
 GOLDEN = np.load("tests/golden/texture.npz")
-CONFIGS = sorted({tuple(key.split("/")[:2]) for key in GOLDEN if key.count("/") == 2})
-TOLERANCE = {"colour": 3e-6, "grad_image": 6e-6, "grad_uv": 1.5e-4, "grad_jacobian": 1e-4,
-             "grad_bias": 4e-6}
 
 
-def golden(scene, config):
-    """The arguments of `texture`, the upstream gradient, and {output: what nvdiffrast gives}."""
-    filter, inputs, max_level = config.split("|")
-    inputs = dict.fromkeys(inputs.split("+")) if inputs else {}
-    image, uv, grad_colour, *given = (GOLDEN[f"{scene}/{key}"].astype(float) for key in
-                                      ("image", "uv", "grad_colour", *inputs))
-    given = dict(zip((key.removesuffix("_alone") for key in inputs), given, strict=True))
-    arguments = {"image": image, "uv": uv, **given, "filter": filter,
-                 "boundary": str(GOLDEN[f"{scene}/boundary"]),
-                 "max_level": int(max_level) if max_level else None}
-    prefix = f"{scene}/{config}/"
-    return arguments, grad_colour, {key.removeprefix(prefix): GOLDEN[key] for key in GOLDEN
-                                    if key.startswith(prefix)}
-
-
-@pytest.mark.parametrize(("scene", "config"), CONFIGS)
+@pytest.mark.parametrize(("scene", "config"), configs(GOLDEN))
 def test_look_ups_and_gradients_are_those_of_nvdiffrast(scene, config):
-    """Another colour or gradient than nvdiffrast's kernels give; tolerances are those measured
-    between its kernels in 32 and 64 bits (tests/golden/README.md)."""
-    arguments, grad_colour, expected = golden(scene, config)
-    gradients = mipmapping.texture_backward(grad_colour, **arguments)
-    got = dict(zip(("grad_image", "grad_uv", "grad_jacobian", "grad_bias"), gradients, strict=True))
-    got["colour"] = mipmapping.texture(**arguments)
-    for name, values in expected.items():
-        atol = 0 if name == "colour" and "nearest|" in config[:8] else TOLERANCE[name]
-        np.testing.assert_allclose(got[name], values, rtol=0, atol=atol, err_msg=name)
+    """Another colour or gradient than nvdiffrast's kernels give. Tolerances are those measured
+    between its kernels in 32 and 64 bits.
+    """
+    require_look_ups(mipmapping.texture, mipmapping.texture_backward, ("image", "uv"), GOLDEN,
+                     scene, config, boundary=str(GOLDEN[f"{scene}/boundary"]))
 
 
 def scene(rng, filter, pixels=(4, 5)):
