@@ -84,15 +84,6 @@ def test_the_derivatives_are_the_rasterizers():
     np.testing.assert_allclose(got / scale, expected / scale, rtol=0, atol=1e-12)
 
 
-def test_forward_and_backward_derivatives_are_each_others_transpose():
-    """grad_b . (J de) and (J^T grad_b) . de differ: eqs. (4) and 5.6 are of different functions."""
-    rng = np.random.default_rng(5)
-    grad_b, de, (e, w) = *rng.normal(size=(2, 9, 3)), rng.uniform(0.3, 2, (2, 9, 3))
-    db = interpolation.corrected_barycentrics_derivatives(de[..., None], e, w)[..., 0]
-    grad_e, _ = interpolation.corrected_barycentrics_backward(grad_b, e, w)
-    np.testing.assert_allclose((grad_b * db).sum(-1), (grad_e * de).sum(-1), rtol=1e-10, atol=1e-12)
-
-
 def bunny(width, height):
     """Vertices, faces, face_index and barycentrics of the bunny."""
     vertices, faces = mesh.bunny()
@@ -146,12 +137,6 @@ def test_a_face_that_names_no_vertex_is_told(row):
         call(np.minimum(face_index, 0))  # a face that nobody sees does no harm
 
 
-def test_a_quarter_of_the_way(impl):
-    """a and b are swapped, or t is clamped to 0 ... 1."""
-    t = np.array([0.0, 0.25, 0.5, 1.0, 2.0, -1.0])
-    assert_close(impl.lerp(2.0, 4.0, t), np.array([2.0, 2.5, 3.0, 4.0, 6.0, 0.0]))
-
-
 def test_the_ends_are_met_to_the_bit(impl):
     """a + t (b - a) misses b: b - a has been rounded."""
     a, b = np.array([1e16, 0.1, -7.3]), np.array([1.0, -0.7, 1e-9])
@@ -160,9 +145,10 @@ def test_the_ends_are_met_to_the_bit(impl):
 
 
 def test_ends_and_fractions_broadcast(impl):
-    """Numbers only, or one t for each end."""
-    t, a, b = np.array([[0.0], [0.5]]), np.array([1.0, 2.0, 3.0]), np.array([3.0, 2.0, -3.0])
-    assert_close(impl.lerp(a, b, t), np.array([[1.0, 2.0, 3.0], [2.0, 2.0, 0.0]]))
+    """a and b are swapped, or t is clamped to 0 ... 1. Numbers only, or one t for each end."""
+    t, a, b = np.array([[-1.0], [0.25]]), np.array([1.0, 2.0, 3.0]), np.array([3.0, 2.0, -5.0])
+    assert_close(impl.lerp(a, b, t), np.array([[-1.0, 2.0, 11.0], [1.5, 2.0, 1.0]]))
+    assert_close(impl.lerp(2.0, 4.0, 2.0), 6.0)
 
 
 def test_gradients_of_corrected_weights_are_central_differences(impl, rng):
