@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import scipy.ndimage
 import trimesh
+from found_objects import painted_ball
 
 from course.experiments import demo, exports, textures
 from course.given import image
@@ -19,12 +20,6 @@ VALIDATE = """
 const validator = require("gltf-validator"), bytes = require("fs").readFileSync(process.argv[1]);
 validator.validateBytes(new Uint8Array(bytes)).then(r => console.log(JSON.stringify(r.issues)));
 """
-
-
-def painted_ball():
-    """A Scene of 5^3 cells, every point of the grid of another colour."""
-    x = multi_view_fit.start(5)
-    return x._replace(albedo=np.random.default_rng(0).uniform(0.2, 0.8, x.albedo.shape))
 
 
 @pytest.fixture(scope="module")
