@@ -7,7 +7,7 @@ from reference import lights, transforms
 
 
 def scene(load=mesh.bunny, lift=0.0):
-    """A mesh over a square ground: vertices, faces; the last two faces are the ground."""
+    """A mesh over a square ground: vertices and faces. The last two faces are the ground."""
     vertices, faces = load()
     vertices = 0.7 * mesh.normalize(vertices)
     vertices = vertices + [0, lift - vertices[:, 1].min(), 0]

@@ -18,7 +18,7 @@ each_polygon_mesh = pytest.mark.parametrize("vertices, corners, counts", POLYGON
 
 @each_polygon_mesh
 def test_catmull_clarks_matrix_agrees_with_the_slow_version(vertices, corners, counts):
-    """Two versions of one scheme that differ at a hole; and a second step, of quads only."""
+    """Two versions of one scheme that differ at a hole. And a second step, of quads only."""
     for _ in range(2):
         slow = catmull_clark.catmull_clark_slow(vertices, corners, counts)
         vertices, corners, counts = catmull_clark.catmull_clark(vertices, corners, counts)
@@ -82,7 +82,7 @@ def test_a_cube_stays_symmetric():
 
 @each_polygon_mesh
 def test_catmull_clarks_boundary_is_the_same_curve(vertices, corners, counts):
-    """A face point pulls at the curve; or corners are held."""
+    """A face point pulls at the curve, or corners are held."""
     S = catmull_clark.catmull_clark_matrix(corners, counts, len(vertices))
     rows, at_boundary = rows_on_the_boundary(S, corners, counts, len(vertices))
     assert rows[:, ~at_boundary].nnz == 0
@@ -116,7 +116,7 @@ def test_a_step_does_not_change_catmull_clarks_limit(vertices, corners, counts):
 # --- gradients -----------------------------------------------------------------------------------
 
 def test_catmull_clark_has_a_gradient():
-    """S for its transpose; colours, two to a vertex, ride along."""
+    """S for its transpose. Colours, two to a vertex, ride along."""
     vertices, corners, counts = POLYGONS["house, open"]
     colours = np.random.default_rng(3).random((len(vertices), 2))
     gradcheck(lambda x: catmull_clark.catmull_clark(x, corners, counts)[0],
@@ -127,7 +127,7 @@ def test_catmull_clark_has_a_gradient():
 # --- broken input --------------------------------------------------------------------------------
 
 def test_counts_that_do_not_fit_are_refused():
-    """A face of two corners; corners that belong to no face; floats; a limit of triangles."""
+    """A face of two corners, corners that belong to no face, floats, a limit of triangles."""
     vertices, corners = np.zeros((4, 3)), np.array([0, 1, 2, 3])
     for counts in [2, 2], [3], [4, 4]:
         with pytest.raises(ValueError, match="counts must be at least 3 for each face and add up"):

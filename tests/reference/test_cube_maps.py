@@ -214,7 +214,7 @@ def test_the_pyramid_is_that_of_each_face():
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)
 def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
-    """A pixel is lost where one chunk ends; or (H, W) pixels differ from a list of H W."""
+    """A pixel is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     faces, directions, jacobian, bias = scene(np.random.default_rng(11))
     directions[2, 3] = 0
     upstream = np.random.default_rng(12).normal(size=(5, 6, 3))

@@ -40,7 +40,7 @@ def test_with_loops_own_weights_the_published_cube_comes_out_and_with_warrens_it
 
 
 def test_the_two_weights_are_equal_at_valences_3_and_6_only():
-    """Libraries are split between them; on regular meshes nobody sees it."""
+    """Libraries are split between them. On regular meshes nobody sees it."""
     n = np.arange(3, 30)
     warren, loop = (weight(n) for weight in WEIGHTS)
     equal = np.isclose(warren, loop, rtol=1e-12)
@@ -49,7 +49,7 @@ def test_the_two_weights_are_equal_at_valences_3_and_6_only():
 
 @each_mesh
 def test_loop_is_that_of_libigl(vertices, faces):
-    """Another scheme than libigl's at a boundary or an odd valence; it must be installed for this.
+    """Another scheme than libigl's at a boundary or an odd valence. It must be installed.
 
     Faces must be wound alike for it, and vertices of no face are left out, as it forgets them.
     """

@@ -54,7 +54,7 @@ def test_every_gradient_is_a_central_difference(filter, boundary):
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)
 def test_gradients_that_do_not_matter_are_zero(filter):
-    """None or another shape, where the argument has no say; or a number's gradient is an array."""
+    """None or another shape, where the argument has no say. Or a number's gradient is an array."""
     image, uv, jacobian, bias = scene(np.random.default_rng(6), filter)
     for given, number in ((jacobian, 0.25), (jacobian, bias), (None, bias), (None, 1.25)):
         gradients = mipmapping.texture_backward(np.ones((4, 5, 3)), image, uv, given, number,
@@ -80,7 +80,7 @@ def test_a_scalar_bias_collects_all_pixels():
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)
 def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
-    """A point is lost where one chunk ends; or (H, W) pixels differ from a list of H W."""
+    """A point is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     image, uv, jacobian, bias = scene(np.random.default_rng(9), filter)
     upstream = np.ones((4, 5, 3))
     whole = (mipmapping.texture(image, uv, jacobian, bias, filter),

@@ -78,7 +78,7 @@ def test_a_picture_needs_a_sample():
 
 @pytest.mark.parametrize(("width", "height"), [(0, 0), (12, 0), (0, 8)])
 def test_a_picture_without_pixels_is_empty(width, height):
-    """One pixel of a picture 0 wide is 2 / 0 of ndc; or NumPy cannot guess the channels."""
+    """One pixel of a picture 0 wide is 2 / 0 of ndc, or NumPy cannot guess the channels."""
     clip, faces = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
     shade, background = flat(np.ones((1, 3))), np.zeros(3)
     with np.errstate(all="raise"):
@@ -148,7 +148,7 @@ QUAD = np.array([[0, 1, 2], [0, 2, 3]])  # two faces that share the edge from 0 
 
 
 def quad(width, height):
-    """A quadrilateral that fills the picture; its diagonal runs through it."""
+    """A quadrilateral that fills the picture. Its diagonal runs through it."""
     return on_screen([[-3, -2], [width + 5, -1], [width + 2, height + 3], [-4, height + 2]],
                      width, height)
 

@@ -19,7 +19,7 @@ def teapot_clip():
 
 
 def test_the_loop_and_whole_meshes_agree_to_the_bit(rng):
-    """A fragment that one of the two finds, or other rounding; ties of equal depth."""
+    """A fragment that one of the two finds, other rounding, or ties of equal depth."""
     for _ in range(3):
         corners = some_corners(rng)
         corners[7] = corners[6]
@@ -92,7 +92,7 @@ def test_gradients_of_weights_and_depth_are_central_differences(rng):
 
 
 def test_gradients_of_corners_are_central_differences(rng):
-    """w without its part in x / w, or z; a vertex of several faces that keeps one of them."""
+    """w without its part in x / w, or z. Or a vertex of several faces that keeps one of them."""
     clip, faces = rng.uniform(1, 2, (5, 4)), np.array([[0, 1, 2], [2, 1, 3], [3, 0, 2]])
     gradcheck(lambda clip: neural_renderer.corners_of(clip, faces),
               lambda grad, clip: (neural_renderer.corners_backward(grad, clip, faces),), (clip,),

@@ -89,7 +89,7 @@ def antialias_by_hand(colour, face_index, depth, clip, faces):
 
 def last_crossing(corners, width, height, owner, other):
     """Where the line through two pixels leaves a face: edge and distance from owner to other."""
-    axis = 0 if owner[1] == other[1] else 1  # of row, column; the line is along this one
+    axis = 0 if owner[1] == other[1] else 1  # row or column: that along the line
     side = other[axis] - owner[axis]
     best = None, -np.inf
     for k, (i, j) in enumerate(EDGES):
@@ -116,7 +116,7 @@ def in_front(p, q, least=1e-4):
 
 
 def is_silhouette(points, faces, face, k):
-    """Of a mesh in which no three faces with different third vertices meet at an edge; points
+    """Of a mesh in which no three faces with different third vertices meet at an edge. The points
     (V, 3) are x, y, w of clip space, where the sign of a determinant tells the side, whatever w.
     """
     a, b = (face[i] for i in EDGES[k])
@@ -204,7 +204,7 @@ def test_pictures_without_faces_or_with_hostile_vertices():
 
 @pytest.mark.parametrize("kind", [np.uint8, np.int8, np.uint32, np.uint64])
 def test_faces_may_be_integers_of_any_kind(kind):
-    """-1 is written into faces that know none; or uint64 beside int64 becomes float64."""
+    """-1 is written into faces that know none, or uint64 beside int64 becomes float64."""
     rng = np.random.default_rng(2)
     clip, faces = soup(rng)
     opposite = antialiasing.opposite_vertices(faces)

@@ -1,4 +1,4 @@
-"""Whole pictures of lab 2: the textbook's rasterizer beside the exact one; place on the face."""
+"""Whole pictures of lab 2: the textbook's rasterizer beside the exact one. Place on the face."""
 from pathlib import Path
 
 import numpy as np
@@ -65,7 +65,7 @@ def test_the_derivatives_are_central_differences(rng):
 @pytest.mark.parametrize(("index", "columns"), [((7,), ()), ((4, 3), ()), ((4, 3), (2,)),
                                                 ((0, 3), (2,)), ((5,), (2, 4))])
 def test_a_scatter_is_the_transpose_of_a_gather(rng, index, columns):
-    """A row that several values go to keeps the last one alone; or of no values, integers come."""
+    """A row that several values go to keeps the last one alone, or no values give integers."""
     index = rng.integers(0, 6, index)
     values, x = (rng.normal(size=(*rows, *columns)) for rows in (index.shape, (6,)))
     total = rasterization.scatter(values, index, 6)
@@ -95,7 +95,7 @@ def test_vertices_on_screen_on_paper(impl):
 
 
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
-    """A division by zero; or a least w that does not go with the unit of clip space."""
+    """A division by zero, or a least w that does not go with the unit of clip space."""
     clip = np.array([[1.0, -1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 1e-12], [1.0, -0.2, 0.0, -1e-12],
                      [-1.0, 0.3, 0.0, 0.0]])
     for unit in 1e-13, 1.0, 1e5:

@@ -23,7 +23,7 @@ def golden(scene):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_pictures_are_those_of_nvdiffrast(scene):
-    """Another face, depth, weight or derivative than nvdiffrast's kernels give; tolerances are
+    """Another face, depth, weight or derivative than nvdiffrast's kernels give. Tolerances are
     those measured between its kernels in 32 and 64 bits (tests/golden/README.md)."""
     clip, faces, expected, uv, depth, derivatives = golden(scene)
     clip, faces = clip.astype(float), faces.astype(int)

@@ -42,7 +42,7 @@ def test_errors_are_counted_by_kind():
 
 
 def test_places_fill_the_disc_evenly():
-    """More places to an area in the middle than at the rim; or they lean to one side."""
+    """More places to an area in the middle than at the rim, or they lean to one side."""
     offsets = ray_casting.disc_offsets(400)
     from_middle = np.sort(np.hypot(*offsets.T))
     np.testing.assert_allclose(from_middle, np.sqrt((np.arange(400) + 0.5) / 400))
@@ -84,7 +84,7 @@ def test_hard_shadows_come_near_ray_casting(light):
 
 
 def test_without_bias_a_surface_shadows_itself():
-    """Acne is not shown; or the slope's bias does not cure it."""
+    """Acne is not shown, or the slope's bias does not cure it."""
     vertices, faces = scene()
     light = LIGHTS["point"](vertices)
     face_index, points, normals = shadow_mapping.visible_points(vertices, faces, camera(), 96, 80)
@@ -227,7 +227,7 @@ def test_a_texel_is_found_by_its_square():
 
 
 def test_outside_the_map_nothing_is_stored():
-    """A negative index reads the other side of the map; or the border belongs to the map."""
+    """A negative index reads the other side of the map, or the border belongs to the map."""
     x = np.array([-0.01, 4.0, 1.0, 1.0, -0.5, 99.0, 3.5, 4.0 - 1e-9])
     y = np.array([0.5, 1.0, -1e-9, 3.0, -0.5, 1.0, 1.5, 3.0 - 1e-9])
     expected = np.array([np.inf] * 7 + [12.0])

@@ -1,4 +1,4 @@
-"""`simplify` of lab 12: whole meshes, real and broken ones; and what its modules give."""
+"""`simplify` of lab 12: whole meshes, real and broken ones, and what its modules give."""
 import itertools
 import warnings
 
@@ -44,7 +44,7 @@ def bunny():
 
 @pytest.mark.parametrize("face_count", OTHERS)
 def test_the_lectures_picture(bunny, face_count):
-    """5,804 faces at 994, 532, 248 and 64: a hole, a handle, a face too many; or it is farther from
+    """5,804 faces at 994, 532, 248 and 64: a hole, a handle, a face too many. Or it is farther from
     the bunny than what others make of it."""
     vertices, faces, _ = collapse_heap.simplify(*bunny, face_count)
     assert len(faces) == face_count and is_manifold(faces) and euler(faces) == 2
@@ -161,7 +161,7 @@ def test_no_face_of_a_terrain_turns_over(seed):
 
 @pytest.mark.parametrize("face_count", [500, 60, 0])
 def test_genus_and_boundary_stay(face_count):
-    """A torus loses its hole; a torus with a window loses the window."""
+    """A torus loses its hole, or a torus with a window loses the window."""
     vertices, faces = mesh.torus(900)
     rng = np.random.default_rng(2)
     vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
@@ -317,7 +317,7 @@ def test_without_a_distance_the_pairs_are_the_edges():
 
 
 def test_near_vertices_are_pairs_too():
-    """<= for <; long edges are left out; vertices of no face, here 0, come in, or are skipped when
+    """<= for <. Long edges are left out. Vertices of no face, here 0, come in, or are skipped when
     the others are numbered."""
     x = np.array([10.25, 0.0, 10.0, 10.5, 20.0, 30.0, 40.0])
     vertices = np.stack([x, np.array([1.0, 0, 1, 1, 0, 1, 0]), 0 * x], 1)
@@ -360,7 +360,7 @@ def test_of_equal_errors_the_first_counts():
 
 
 def test_on_a_crease_and_on_a_plane_it_stays_with_the_pair():
-    """A solution far away, by rounding; or the three cases in another order."""
+    """A solution far away, by rounding, or the three cases in another order."""
     crease, plane = planes_of([1, 0, 0, -1], [0, 1, 0, -2]), planes_of([0, 0, 1, -3])
     corner = planes_of([1, 0, 0, -1], [0, 1, 0, -2], [0, 0, 1, 4])
     q = np.concatenate([crease, plane, corner])

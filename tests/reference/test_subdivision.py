@@ -85,7 +85,7 @@ def test_a_flat_mesh_stays_flat(vertices, S):
 # --- broken input --------------------------------------------------------------------------------
 
 def test_duplicate_vertices_degenerate_faces_and_isolated_vertices_are_no_error():
-    """A crash or nan where faces have no area; an isolated vertex moves."""
+    """A crash or nan where faces have no area, or an isolated vertex moves."""
     vertices, faces = mesh.icosphere(80)
     vertices = np.concatenate([vertices, [[5.0, 6.0, 7.0]]])
     vertices[faces[0]] = vertices[faces[0, 0]]
@@ -157,7 +157,7 @@ def test_integers_of_any_type_give_the_same_mesh(integer):
 # --- meshes that need a cure ---------------------------------------------------------------------
 
 def test_split_fans_parts_what_touches_in_a_point():
-    """A fan that keeps its neighbour's vertex; faces or their order change; a new gap elsewhere."""
+    """A fan that keeps its neighbour's vertex. Faces or their order change. A new gap elsewhere."""
     cones = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [5, 0, 6], [7, 6, 0], [7, 0, 5]])
     corners, origin = subdivision.split_fans(*subdivision.triangles(cones))
     np.testing.assert_array_equal(origin[corners].reshape(-1, 3), cones)

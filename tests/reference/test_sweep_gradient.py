@@ -14,7 +14,7 @@ INSIDE = [[0.8, 0.8, 1.0], [-0.5, -0.8, 1.0], [0.8, -0.8, 1.0]]
 
 
 def sweep_of_one_pixel(sweep, corners, row_from_top, column, gradient):
-    """A white triangle on black, 64 x 64; the loss asks one pixel alone."""
+    """A white triangle on black, 64 x 64. The loss asks one pixel alone."""
     corners, grad_colour = np.array([corners]), np.zeros((64, 64, 3))
     face_index, *_ = neural_renderer.rasterize(corners, 64, 64)
     colour = np.repeat((face_index >= 0)[..., None] * 1.0, 3, -1)
@@ -28,9 +28,9 @@ SWEEPS = pytest.mark.parametrize("sweep", [sweep_gradient.sweep_backward_loop,
 
 @SWEEPS
 def test_a_pixel_outside_by_hand_and_as_in_the_original(sweep):
-    """Row 25 from the top, column 35; the original's test allows 1e-2 of its own figures."""
+    """Row 25 from the top, column 35. The original's test allows 1e-2 of its own figures."""
     got = sweep_of_one_pixel(sweep, OUTSIDE, 25, 35, -1.0)
-    # On screen (57.6, 57.6), (32, 16), (38.4, 19.2); the pixel's centre is (35.5, 38.5).
+    # On screen (57.6, 57.6), (32, 16), (38.4, 19.2). The pixel's centre is (35.5, 38.5).
     # By x: on row y = 38.5 edge 0-1 is at u = 22.5 / 41.6 of its height. By y: on column x = 35.5
     # at v = 3.5 / 25.6 of its width, and no other edge has the pixel on its outer side.
     u, v = 22.5 / 41.6, 3.5 / 25.6
@@ -44,9 +44,9 @@ def test_a_pixel_outside_by_hand_and_as_in_the_original(sweep):
 
 @SWEEPS
 def test_a_pixel_inside_by_hand_and_as_in_the_original(sweep):
-    """Row 40 from the top, column 50; all three edges could leave it behind."""
+    """Row 40 from the top, column 50. All three edges could leave it behind."""
     got = sweep_of_one_pixel(sweep, INSIDE, 40, 50, 1.0)
-    # On screen (57.6, 57.6), (16, 6.4), (57.6, 6.4); the pixel's centre is (50.5, 23.5).
+    # On screen (57.6, 57.6), (16, 6.4), (57.6, 6.4). The pixel's centre is (50.5, 23.5).
     # By x: edge 0-1 at u of its height, and the upright edge 2-0. By y: edge 0-1 at v of its width,
     # and the flat edge 1-2.
     u, v = 17.1 / 51.2, 34.5 / 41.6
@@ -64,7 +64,7 @@ def test_a_pixel_inside_by_hand_and_as_in_the_original(sweep):
 
 @pytest.mark.parametrize("eps", [0.0, 1e-4, 0.1])
 def test_the_sweep_of_whole_meshes_is_that_of_the_loop(rng, eps):
-    """A line, an end or a chunk that is lost; the sign of columns; width for height."""
+    """A line, an end or a chunk that is lost, the sign of columns, width for height."""
     corners = some_corners(rng)
     face_index, *_ = neural_renderer.rasterize(corners, WIDTH, HEIGHT)
     colour, grad_colour = rng.random((HEIGHT, WIDTH, 2)), rng.normal(size=(HEIGHT, WIDTH, 2))
@@ -117,7 +117,7 @@ def test_an_edge_along_a_row_crosses_none(impl):
 
 
 def line(width, first, last, colour=1.0):
-    """A row: colour 1 from pixel first to last, which see the face; (W, 1), bool (W,)."""
+    """A row: colour 1 from pixel first to last, which see the face: (W, 1), bool (W,)."""
     sees = (np.arange(width) >= first) & (np.arange(width) <= last)
     return sees[:, None] * colour, sees
 

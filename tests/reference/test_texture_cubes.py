@@ -22,7 +22,7 @@ BACKGROUND = np.array([0.1, 0.2])
 
 
 def test_a_linear_picture_comes_back_in_perspective():
-    """A cube read without z / z_k bends the picture; texels beside the face hold other values."""
+    """A cube read without z / z_k bends the picture. Texels beside the face hold other values."""
     clip = np.array([[-1.0, -1.0, 0, 1.0], [4.0, -3.5, 0, 5.0], [2.0, 2.4, 0, 2.5],
                      [-1.2, 2.0, 0, 3.0]])
     faces, uv = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0.0, 0.0], [1, 0], [1, 1], [0, 1]])

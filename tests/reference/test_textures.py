@@ -106,7 +106,7 @@ def test_the_glb_s_texture_has_the_albedo_at_the_vertices(saved):
 
 
 def test_the_obj_s_texture_has_the_albedo_at_the_vertices(saved):
-    """v points up in OBJ; the material does not name its picture; indices begin at 1."""
+    """v points up in OBJ. The material does not name its picture. Indices begin at 1."""
     lines = [line.split() for line in saved.with_suffix(".obj").read_text().splitlines()]
     rows = {kind: np.array([line[1:] for line in lines if line and line[0] == kind], float)
             for kind in ("v", "vt", "vn")}

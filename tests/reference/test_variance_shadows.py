@@ -134,7 +134,7 @@ def test_the_fit_of_a_low_light_stays_where_a_cone_sees_the_scene(off):
 
 
 def test_a_light_goes_its_whole_way_or_a_half_of_it():
-    """A move that is fine is shortened; one into the scene is refused, or not taken at all."""
+    """A move that is fine is shortened. One into the scene is refused, or not taken at all."""
     vertices, _ = scene()
     light, move = LIGHTS["point"](vertices), np.array([0.3, 0.2, -0.1])
     moved = variance_shadows.moved_light(light, move, vertices)
