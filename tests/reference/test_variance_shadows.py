@@ -1,7 +1,7 @@
 """Whole variance shadows of lab 14, and their gradient, against ray casting and differences."""
 import numpy as np
 import pytest
-from shadow_scenes import LIGHTS, PLACE, camera, scene
+from shadow_scenes import LIGHTS, PLACE, camera, scene, small_scene
 
 from course.given import mesh, ray_casting
 from course.given.gradcheck import gradcheck
@@ -147,9 +147,8 @@ def test_a_light_goes_its_whole_way_or_a_half_of_it():
 
 def test_what_does_not_fit_a_variance_shadow_is_one_sentence():
     """A map without texels, a blur by half a texel, no point: NaN, or an error from inside."""
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    vertices, faces, points, _ = small_scene()
     light = LIGHTS["point"](vertices)
-    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
 
     def refused(match, size=8, radius=1, least_variance=1e-3, points=points, faces=faces,
                 target=None):
@@ -174,8 +173,7 @@ def test_what_does_not_fit_a_variance_shadow_is_one_sentence():
 
 def test_a_fit_of_no_steps_stays():
     """An empty schedule: an error from inside."""
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
-    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
+    vertices, faces, points, _ = small_scene()
     path = variance_shadows.fit_position(np.ones(len(points)), points, vertices, faces, PLACE,
                                          variance_shadows.Settings(8, 1, 1e-3), [])
     np.testing.assert_array_equal(path, [PLACE])
