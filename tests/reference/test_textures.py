@@ -38,6 +38,13 @@ def loaded(path):
     return found
 
 
+def parts(path):
+    """A GLB file's JSON and its binary part."""
+    content = path.read_bytes()
+    length = int.from_bytes(content[12:16], "little")
+    return json.loads(content[20:20 + length]), content[28 + length:]
+
+
 def originals(vertices):
     """Which vertex of the ball each vertex of a file is."""
     ball = multi_view_fit.surface(painted_ball())
@@ -68,8 +75,7 @@ def test_the_glb_has_the_shape_and_the_normals(saved):
 
 def test_the_material_is_dull_and_of_one_side(saved):
     """It glitters, or its inside is seen."""
-    content = saved.read_bytes()
-    gltf = json.loads(content[20:20 + int.from_bytes(content[12:16], "little")])
+    gltf, _ = parts(saved)
     (material,) = gltf["materials"]
     assert not material.get("doubleSided", False)
     assert material["pbrMetallicRoughness"]["metallicFactor"] == 0
@@ -82,9 +88,7 @@ def test_the_glb_s_texture_has_the_albedo_at_the_vertices(saved):
     """v points down in glTF: a texture that is turned over shows other colours. So do colours that
     are not in sRGB.
     """
-    content = saved.read_bytes()
-    length = int.from_bytes(content[12:16], "little")
-    gltf, binary = json.loads(content[20:20 + length]), content[28 + length:]
+    gltf, binary = parts(saved)
 
     def viewed(view):
         start = gltf["bufferViews"][view].get("byteOffset", 0)
