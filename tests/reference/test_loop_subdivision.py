@@ -12,8 +12,6 @@ from reference import loop_subdivision, subdivision
 
 WEIGHTS = loop_subdivision.warren_weight, loop_subdivision.loop_weight
 each_weight = pytest.mark.parametrize("weight", WEIGHTS, ids=lambda weight: weight.__name__)
-
-
 each_mesh = pytest.mark.parametrize("vertices, faces", MESHES.values(), ids=MESHES)
 
 

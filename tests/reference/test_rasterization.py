@@ -83,7 +83,6 @@ def test_areas_are_those_of_the_shoelace_formula(impl, rng):
     assert_close(impl.signed_area(triangles), shoelace)
 
 
-
 def test_vertices_on_screen_on_paper(impl):
     """y is flipped, width and height are swapped, or |w| stands for w."""
     clip = np.array([[0.0, 2.0, 9.0, 2.0], [-1.0, -1.0, 9.0, 1.0], [3.0, 0.5, 9.0, -1.0]])
@@ -91,7 +90,6 @@ def test_vertices_on_screen_on_paper(impl):
     assert_close(x, np.array([4.5, 0.0, -9.0]))
     assert_close(y, np.array([5.0, 0.0, 1.25]))
     assert_close(w, np.array([2.0, 1.0, -1.0]))
-
 
 
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
@@ -104,7 +102,6 @@ def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
                      given=f"clip scaled by {unit}")
         assert_close(x, np.array([4e10, 2e10, -4e10, -4e10]), rtol=1e-6)
         assert_close(y, np.array([-2e10, -2e10, 4e9, 6e9]), rtol=1e-6)
-
 
 
 def test_a_small_w_is_not_yet_the_camera_plane(impl):
