@@ -7,6 +7,12 @@ from reference import intrinsic_decomposition, multi_view_fit, reconstruction
 NO_SUN = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
 
 
+def painted_ball():
+    """A Scene of 5^3 cells, every point of the grid of another colour."""
+    x = multi_view_fit.start(5)
+    return x._replace(albedo=np.random.default_rng(0).uniform(0.2, 0.8, x.albedo.shape))
+
+
 def found_of(x, losses=(1.0,), seconds=0.0):
     """Found: the surface of a Scene with its own albedo, in its own light."""
     surface = multi_view_fit.surface(x)

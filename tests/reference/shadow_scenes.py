@@ -3,11 +3,11 @@ import numpy as np
 import pytest
 
 from course.given import mesh
-from reference import lights, transforms
+from reference import lights, shadow_mapping, transforms
 
 
 def scene(load=mesh.bunny, lift=0.0):
-    """A mesh over a square ground: vertices, faces; the last two faces are the ground."""
+    """A mesh over a square ground: vertices and faces. The last two faces are the ground."""
     vertices, faces = load()
     vertices = 0.7 * mesh.normalize(vertices)
     vertices = vertices + [0, lift - vertices[:, 1].min(), 0]
@@ -19,6 +19,13 @@ def scene(load=mesh.bunny, lift=0.0):
 def camera(eye=(0.2, 2.4, 2.6)):
     view = transforms.look_at(np.array(eye), np.array([0.2, 0.1, -0.1]), np.array([0.0, 1.0, 0.0]))
     return transforms.perspective(np.radians(50), 1.0, 0.1, 20.0) @ view
+
+
+def small_scene():
+    """A ball over the ground: vertices, faces, and the points and normals of a small picture."""
+    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    _, points, normals = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
+    return vertices, faces, points, normals
 
 
 PLACE = np.array([-1.2, 3.2, 0.5])

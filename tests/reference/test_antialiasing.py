@@ -5,7 +5,7 @@ from course.checks import assert_close, assert_equal
 
 
 def test_the_nearer_face_owns_the_edge(impl):
-    """The farther one does, or always the first; or the depth of the wrong pixels is read."""
+    """The farther one does, or always the first. Or the depth of the wrong pixels is read."""
     depth = np.array([[0.1, 0.7, 0.3], [-0.5, np.inf, 0.2]])
     first, second = np.array([0, 1, 0, 4, 2]), np.array([1, 2, 3, 5, 5])
     owner, other = impl.owner_and_other(first, second, depth)
@@ -26,7 +26,7 @@ def test_of_equally_deep_faces_the_second_is_the_owner(impl):
 
 
 def test_a_saturated_weight_has_no_gradient(impl):
-    """The gradient goes on where the weight does not; or its sign is lost."""
+    """The gradient goes on where the weight does not, or its sign is lost."""
     c = np.array([-0.06, 0.0, 1e-9, 0.125, 0.5, 0.75, 1 - 1e-9, 1.0, 1.05])
     grad_alpha = np.arange(1.0, 10.0)
     expected = np.array([0.0, 0.0, -3.0, -4.0, -5.0, -6.0, -7.0, 0.0, 0.0])

@@ -196,9 +196,7 @@ def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
     lay_down(turned / "1.png")
     assert image.size(turned / "1.png") == (32, 48)
     expected, found = (captures.read(ring.LABS, folder) for folder in (straight, turned))
-    np.testing.assert_array_equal(found.pictures, expected.pictures)
-    np.testing.assert_array_equal(found.cameras, expected.cameras)
-    assert found.assumed == expected.assumed
+    require_same(found, expected)
 
 
 def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
@@ -209,9 +207,7 @@ def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
     for k in range(6):
         tag(folder / f"{k}.png", 6 if k else 3)
     found = captures.read(ring.LABS, folder)
-    np.testing.assert_array_equal(found.pictures, expected.pictures)
-    np.testing.assert_array_equal(found.cameras, expected.cameras)
-    assert found.assumed == expected.assumed
+    require_same(found, expected)
 
 
 def test_a_stated_size_decides_between_shown_and_stored(tmp_path):
@@ -230,6 +226,13 @@ def test_a_stated_size_decides_between_shown_and_stored(tmp_path):
     found = captures.read(ring.LABS, ring.colmap(tmp_path))
     np.testing.assert_array_equal(found.pictures, expected.pictures)
     assert "describes the picture as it is shown, and so it is read" in found.assumed[0]
+
+
+def require_same(found, expected):
+    """What was read is the same: pictures, cameras, and what is said about them."""
+    np.testing.assert_array_equal(found.pictures, expected.pictures)
+    np.testing.assert_array_equal(found.cameras, expected.cameras)
+    assert found.assumed == expected.assumed
 
 
 def told(folder):

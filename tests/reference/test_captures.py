@@ -47,7 +47,7 @@ def test_three_formats_of_one_capture_give_the_same_cameras(tmp_path):
 
 
 def test_a_camera_sees_the_object_where_its_picture_shows_it(tmp_path):
-    """The silhouette is upside down or mirrored beside the camera; the principal point is not
+    """The silhouette is upside down or mirrored beside the camera, or the principal point is not
     where it is said to be.
     """
     pictures = [ring.picture(k, left=3.0, down=-2.0) for k in range(6)]
@@ -124,7 +124,7 @@ def test_a_ball_that_is_elsewhere_is_told_in_one_sentence(folder, changes, sente
 
 
 def test_the_command_takes_a_folder(folder, capsys):
-    """A folder's name is taken for a scene's, or a scene's for a folder's; or a traceback."""
+    """A folder's name is taken for a scene's, or a scene's for a folder's. Or a traceback."""
     (folder / "cameras.json").write_text("{}")
     assert cli.main(["demo", "reconstruct", str(folder)]) == 2
     assert capsys.readouterr().err.startswith("course: cameras.json must be ")

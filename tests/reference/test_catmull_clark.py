@@ -4,6 +4,7 @@ import itertools
 import numpy as np
 import pytest
 from subdivision_meshes import CUBE_VERTICES, PUBLISHED, farthest, polygon_meshes
+from triangle_meshes import rows_on_the_boundary, valence_and_boundary
 
 from course.given.gradcheck import gradcheck
 from reference import catmull_clark, subdivision
@@ -13,17 +14,11 @@ each_polygon_mesh = pytest.mark.parametrize("vertices, corners, counts", POLYGON
                                             ids=POLYGONS)
 
 
-def valence_and_boundary(corners, counts, vertex_count):
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    return subdivision.valences(edges, vertex_count), at_boundary
-
-
 # --- both versions, and others' ------------------------------------------------------------------
 
 @each_polygon_mesh
 def test_catmull_clarks_matrix_agrees_with_the_slow_version(vertices, corners, counts):
-    """Two versions of one scheme that differ at a hole; and a second step, of quads only."""
+    """Two versions of one scheme that differ at a hole. And a second step, of quads only."""
     for _ in range(2):
         slow = catmull_clark.catmull_clark_slow(vertices, corners, counts)
         vertices, corners, counts = catmull_clark.catmull_clark(vertices, corners, counts)
@@ -49,34 +44,6 @@ def test_a_cube_after_a_step_of_catmull_clark():
 
 
 # --- what a step keeps ---------------------------------------------------------------------------
-
-def every_matrix():
-    for name, (vertices, corners, counts) in POLYGONS.items():
-        yield f"{name}, Catmull-Clark", vertices, catmull_clark.catmull_clark_matrix(
-            corners, counts, len(vertices))
-        quads = catmull_clark.catmull_clark(vertices, corners, counts)
-        yield f"{name}, limit of quads", quads[0], catmull_clark.catmull_clark_limit_matrix(
-            *quads[1:], len(quads[0]))
-
-
-MATRICES = list(every_matrix())
-each_matrix = pytest.mark.parametrize("vertices, S", [case[1:] for case in MATRICES],
-                                      ids=[case[0] for case in MATRICES])
-
-
-@each_matrix
-def test_rows_sum_to_one(vertices, S):
-    """A mesh that moves when the origin does."""
-    np.testing.assert_allclose(S.sum(1), 1, rtol=0, atol=1e-14)
-
-
-@each_matrix
-def test_a_flat_mesh_stays_flat(vertices, S):
-    """A weight that is not affine."""
-    normal, height = np.array([0.48, -0.6, 0.64]), 0.7
-    flat = vertices - np.outer(vertices @ normal - height, normal)
-    np.testing.assert_allclose(S @ flat @ normal, height, rtol=0, atol=1e-14)
-
 
 @each_polygon_mesh
 def test_catmull_clark_keeps_the_topology(vertices, corners, counts):
@@ -113,17 +80,9 @@ def test_a_cube_stays_symmetric():
 
 # --- boundaries and limits -----------------------------------------------------------------------
 
-def rows_on_the_boundary(S, corners, counts, vertex_count):
-    """The rows of S for vertices and edges on the boundary, and who is on it: (V,) bool."""
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    rows = np.concatenate([at_boundary, is_boundary])
-    return S[:len(rows)][rows], at_boundary
-
-
 @each_polygon_mesh
 def test_catmull_clarks_boundary_is_the_same_curve(vertices, corners, counts):
-    """A face point pulls at the curve; or corners are held."""
+    """A face point pulls at the curve, or corners are held."""
     S = catmull_clark.catmull_clark_matrix(corners, counts, len(vertices))
     rows, at_boundary = rows_on_the_boundary(S, corners, counts, len(vertices))
     assert rows[:, ~at_boundary].nnz == 0
@@ -157,7 +116,7 @@ def test_a_step_does_not_change_catmull_clarks_limit(vertices, corners, counts):
 # --- gradients -----------------------------------------------------------------------------------
 
 def test_catmull_clark_has_a_gradient():
-    """S for its transpose; colours, two to a vertex, ride along."""
+    """S for its transpose. Colours, two to a vertex, ride along."""
     vertices, corners, counts = POLYGONS["house, open"]
     colours = np.random.default_rng(3).random((len(vertices), 2))
     gradcheck(lambda x: catmull_clark.catmull_clark(x, corners, counts)[0],
@@ -168,7 +127,7 @@ def test_catmull_clark_has_a_gradient():
 # --- broken input --------------------------------------------------------------------------------
 
 def test_counts_that_do_not_fit_are_refused():
-    """A face of two corners; corners that belong to no face; floats; a limit of triangles."""
+    """A face of two corners, corners that belong to no face, floats, a limit of triangles."""
     vertices, corners = np.zeros((4, 3)), np.array([0, 1, 2, 3])
     for counts in [2, 2], [3], [4, 4]:
         with pytest.raises(ValueError, match="counts must be at least 3 for each face and add up"):

@@ -3,36 +3,21 @@ import itertools
 
 import numpy as np
 import pytest
+from look_up_goldens import configs, require_look_ups
 
 from course.given.gradcheck import gradcheck
 from reference import arrays, cube_maps, mipmapping
 
 GOLDEN = np.load("tests/golden/cube_maps.npz")
-CONFIGS = sorted({tuple(key.split("/")[:2]) for key in GOLDEN if key.count("/") == 2})
-TOLERANCE = {"colour": 3e-6, "grad_faces": 6e-6, "grad_directions": 1.5e-4, "grad_jacobian": 1e-4,
-             "grad_bias": 4e-6}
 CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
 EDGES = [(a, b) for a, b in itertools.combinations(CORNERS, 2) if (a != b).sum() == 1]
 
 
-@pytest.mark.parametrize(("scene", "config"), CONFIGS)
+@pytest.mark.parametrize(("scene", "config"), configs(GOLDEN))
 def test_look_ups_and_gradients_are_those_of_nvdiffrast(scene, config):
-    """Another face, texel, corner or gradient than nvdiffrast's (tests/golden/README.md)."""
-    filter, names, max_level = config.split("|")
-    names = names.split("+") if names else []
-    faces, directions, grad_colour, *given = (GOLDEN[f"{scene}/{key}"] for key in
-                                              ("faces", "directions", "grad_colour", *names))
-    given = dict(zip((name.removesuffix("_alone") for name in names), given, strict=True))
-    given |= {"filter": filter, "max_level": int(max_level) if max_level else None}
-    gradients = cube_maps.cube_texture_backward(grad_colour, faces, directions, **given)
-    got = dict(zip(("grad_faces", "grad_directions", "grad_jacobian", "grad_bias"), gradients,
-                   strict=True))
-    got["colour"] = cube_maps.cube_texture(faces, directions, **given)
-    prefix = f"{scene}/{config}/"
-    for key in (key for key in GOLDEN if key.startswith(prefix)):
-        name = key.removeprefix(prefix)
-        atol = 0 if name == "colour" and filter == "nearest" else TOLERANCE[name]
-        np.testing.assert_allclose(got[name], GOLDEN[key], rtol=0, atol=atol, err_msg=name)
+    """Another face, texel, corner or gradient than nvdiffrast's kernels give."""
+    require_look_ups(cube_maps.cube_texture, cube_maps.cube_texture_backward,
+                     ("faces", "directions"), GOLDEN, scene, config)
 
 
 def numbered(size):
@@ -229,7 +214,7 @@ def test_the_pyramid_is_that_of_each_face():
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)
 def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
-    """A pixel is lost where one chunk ends; or (H, W) pixels differ from a list of H W."""
+    """A pixel is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     faces, directions, jacobian, bias = scene(np.random.default_rng(11))
     directions[2, 3] = 0
     upstream = np.random.default_rng(12).normal(size=(5, 6, 3))

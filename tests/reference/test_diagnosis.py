@@ -1,23 +1,16 @@
 """What lab 8 says of zero gradients, and of pixels with too many edges."""
 import numpy as np
 import pytest
+from screen_scenes import on_screen, soup
 
 from reference import antialiasing, diagnosis, outlines, scanline
-
-
-def on_screen(x, y, width, height, z=0.0):
-    """Clip positions of screen points, w = 1."""
-    x, y, z = np.broadcast_arrays(np.asarray(x, float), y, z)
-    return np.stack([2 * x / width - 1, 2 * y / height - 1, z, np.ones(x.shape)], -1)
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_why_zero_names_exactly_what_has_no_gradient(seed):
     """A vertex or pixel with a gradient is said to have none, or the other way round."""
     rng = np.random.default_rng(seed)
-    clip = rng.uniform([-2, -2, -1.0, 1.0], [2, 2, 1.0, 2.0], (24, 4))
-    clip[:4, 3] *= -0.5  # behind the camera
-    faces = rng.integers(0, 24, (30, 3))
+    clip, faces = soup(rng, behind=True)
     face_index, depth = scanline.rasterize(clip, faces, 30, 22)
     colour = rng.normal(size=(22, 30, 2))
     arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)

@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 import trimesh
+from found_objects import painted_ball
 
 from course.experiments.folder import exports, searches
 from course.experiments.scenes import demo
@@ -12,11 +13,6 @@ from course.given import image, mesh_files
 from reference import multi_view_fit
 
 LABS = demo.Labs("reference")
-
-def painted_ball():
-    """A Scene of 5^3 cells, every point of the grid of another colour."""
-    x = multi_view_fit.start(5)
-    return x._replace(albedo=np.random.default_rng(0).uniform(0.2, 0.8, x.albedo.shape))
 
 
 def test_glb_and_obj_hold_the_mesh_and_its_colours(tmp_path):

@@ -76,7 +76,7 @@ def test_a_hull_on_paper():
 
 
 def test_the_ball_is_found_and_it_is_said(folder):
-    """The ball crops the object, or is so large that the grid is wasted; nobody hears of it."""
+    """The ball crops the object, or is so large that the grid is wasted. Nobody hears of it."""
     photos = captures.read(ring.LABS, folder)
     (radius, *_), centre = photos.world_from_grid[0, :3], photos.world_from_grid[:3, 3]
     assert 0.75 < radius < 0.85  # the ring's radius is 0.5 + 0.25

@@ -1,6 +1,7 @@
 """Albedo and light told apart: equations (10) to (13), their gradients, and what they find."""
 import numpy as np
 import pytest
+from found_objects import NO_SUN
 
 from course.experiments.scenes import demo, drawing, reconstruct
 from course.given import mesh
@@ -9,7 +10,6 @@ from reference import intrinsic_decomposition as lab
 from reference import multi_view_fit, reconstruction
 
 LABS = demo.Labs("reference")
-NO_SUN = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
 
 
 def surface_of(vertices, faces, albedo=None):

@@ -127,7 +127,7 @@ def test_the_error_of_four_numbers_on_paper(impl):
 
 
 def test_the_mean_is_over_rows_columns_and_channels(impl, rng):
-    """The mean is over pixels, and the channels are summed; or a root is drawn."""
+    """The mean is over pixels, and the channels are summed. Or a root is drawn."""
     picture, target = rng.random((3, 5, 2)), rng.random((3, 5, 2))
     expected = sum((picture[p] - target[p])**2 for p in np.ndindex(3, 5, 2)) / 30
     assert_close(impl.squared_error(picture, target), expected)

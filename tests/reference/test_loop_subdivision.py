@@ -3,8 +3,8 @@ import itertools
 
 import numpy as np
 import pytest
-import scipy.spatial
 from subdivision_meshes import MOEBIUS, PUBLISHED, farthest
+from triangle_meshes import MESHES, rows_on_the_boundary, valence_and_boundary
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
@@ -12,48 +12,7 @@ from reference import loop_subdivision, subdivision
 
 WEIGHTS = loop_subdivision.warren_weight, loop_subdivision.loop_weight
 each_weight = pytest.mark.parametrize("weight", WEIGHTS, ids=lambda weight: weight.__name__)
-
-
-def triangle_meshes():
-    rng = np.random.default_rng(0)
-    return {
-        "sphere": mesh.icosphere(80), "torus": mesh.torus(100), "sheet": mesh.plane(32),
-        "sphere with holes": with_holes(*mesh.icosphere(180), rng),
-        "torus with holes": with_holes(*mesh.torus(144), rng),
-        "band with a twist": (rng.normal(size=(10, 3)), MOEBIUS),
-        "cube and a sheet": together(mesh.cube(12), mesh.plane(8)),
-        "irregular, open": irregular(60, rng),
-    }
-
-
-def with_holes(vertices, faces, rng):
-    """Without the faces at two far vertices: two holes, and two vertices of no face."""
-    removed = [0, np.linalg.norm(vertices - vertices[0], axis=1).argmax()]
-    return vertices, rng.permutation(faces[~np.isin(faces, removed).any(1)])
-
-
-def irregular(count, rng):
-    """Points in a square and their Delaunay triangles, those in the middle away."""
-    points = rng.random((count, 2))
-    faces = scipy.spatial.Delaunay(points).simplices.astype(np.int64)
-    kept = np.linalg.norm(points[faces].mean(1) - 0.5, axis=1) > 0.2
-    corners, origin = subdivision.split_fans(*subdivision.triangles(faces[kept]))
-    return np.stack([*points[origin].T, rng.random(len(origin))], axis=1), corners.reshape(-1, 3)
-
-
-def together(one, other):
-    return (np.concatenate([one[0], other[0] + 5.0]),
-            np.concatenate([one[1], other[1] + len(one[0])]))
-
-
-MESHES = triangle_meshes()
 each_mesh = pytest.mark.parametrize("vertices, faces", MESHES.values(), ids=MESHES)
-
-
-def valence_and_boundary(corners, counts, vertex_count):
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    return subdivision.valences(edges, vertex_count), at_boundary
 
 
 # --- both versions, and others' ------------------------------------------------------------------
@@ -79,7 +38,7 @@ def test_with_loops_own_weights_the_published_cube_comes_out_and_with_warrens_it
 
 
 def test_the_two_weights_are_equal_at_valences_3_and_6_only():
-    """Libraries are split between them; on regular meshes nobody sees it."""
+    """Libraries are split between them. On regular meshes nobody sees it."""
     n = np.arange(3, 30)
     warren, loop = (weight(n) for weight in WEIGHTS)
     equal = np.isclose(warren, loop, rtol=1e-12)
@@ -88,7 +47,7 @@ def test_the_two_weights_are_equal_at_valences_3_and_6_only():
 
 @each_mesh
 def test_loop_is_that_of_libigl(vertices, faces):
-    """Another scheme than libigl's at a boundary or an odd valence; it must be installed for this.
+    """Another scheme than libigl's at a boundary or an odd valence. It must be installed.
 
     Faces must be wound alike for it, and vertices of no face are left out, as it forgets them.
     """
@@ -106,34 +65,6 @@ def test_loop_is_that_of_libigl(vertices, faces):
 
 
 # --- what a step keeps ---------------------------------------------------------------------------
-
-def every_matrix():
-    for name, (vertices, faces) in MESHES.items():
-        for weight in WEIGHTS:
-            yield f"{name}, {weight.__name__}", vertices, loop_subdivision.loop_matrix(
-                faces, len(vertices), weight)
-            yield f"{name}, limit", vertices, loop_subdivision.loop_limit_matrix(
-                faces, len(vertices), weight)
-
-
-MATRICES = list(every_matrix())
-each_matrix = pytest.mark.parametrize("vertices, S", [case[1:] for case in MATRICES],
-                                      ids=[case[0] for case in MATRICES])
-
-
-@each_matrix
-def test_rows_sum_to_one(vertices, S):
-    """A mesh that moves when the origin does."""
-    np.testing.assert_allclose(S.sum(1), 1, rtol=0, atol=1e-14)
-
-
-@each_matrix
-def test_a_flat_mesh_stays_flat(vertices, S):
-    """A weight that is not affine."""
-    normal, height = np.array([0.48, -0.6, 0.64]), 0.7
-    flat = vertices - np.outer(vertices @ normal - height, normal)
-    np.testing.assert_allclose(S @ flat @ normal, height, rtol=0, atol=1e-14)
-
 
 @each_mesh
 def test_loop_keeps_the_topology(vertices, faces):
@@ -202,14 +133,6 @@ def test_the_teapots_patches_are_open_and_the_bunny_is_closed():
 
 
 # --- boundaries and limits -----------------------------------------------------------------------
-
-def rows_on_the_boundary(S, corners, counts, vertex_count):
-    """The rows of S for vertices and edges on the boundary, and who is on it: (V,) bool."""
-    edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
-    at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
-    rows = np.concatenate([at_boundary, is_boundary])
-    return S[:len(rows)][rows], at_boundary
-
 
 @each_mesh
 def test_loops_boundary_depends_on_the_boundary_alone(vertices, faces):

@@ -130,7 +130,7 @@ def test_the_wheel_has_five_holes():
 
 
 def test_gradients_of_whole_meshes_are_central_differences():
-    """A grid point that many edges share gets the gradient of one; or ends are swapped."""
+    """A grid point that many edges share gets the gradient of one, or ends are swapped."""
     n, rng = 2, np.random.default_rng(6)
     points, tetrahedra = marching_tetrahedra.tetrahedral_grid(n)
     points = points + rng.uniform(-0.1, 0.1, points.shape)
@@ -182,29 +182,11 @@ def test_a_ball_opens_to_a_ring():
 
 
 def test_a_crossing_on_paper():
-    """The nearer end is the one of less distance; the signs; or the two weights are swapped."""
+    """The nearer end is the one of less distance, the signs or the two weights are swapped, a guard
+    is added to s_b - s_a, or small distances are cut off.
+    """
     p_a, p_b = np.array([[1.0, 2.0, 3.0]] * 3), np.array([[5.0, -2.0, 3.0]] * 3)
     s_a, s_b = np.array([-1.0, -3.0, -2.0]), np.array([3.0, 1.0, 0.0])
-    got = marching_tetrahedra.zero_crossing(p_a, p_b, s_a, s_b)
-    np.testing.assert_allclose(got, [[2.0, 1.0, 3.0], [4.0, -1.0, 3.0], [5.0, -2.0, 3.0]])
-
-
-def test_there_the_distance_is_0():
-    """Right for s_b - s_a = 1 alone."""
-    rng = np.random.default_rng(0)
-    p_a, p_b, normal = rng.normal(size=(3, 30, 3))
-    level = (p_a * normal).sum(-1) + rng.uniform(0.1, 1, 30)
-    flip = np.sign((p_b * normal).sum(-1) - level)[:, None]
-    keep = flip[:, 0] > 0
-    s_a, s_b = ((p * normal).sum(-1) - level for p in (p_a, p_b))
-    p = marching_tetrahedra.zero_crossing(p_a[keep], p_b[keep], s_a[keep], s_b[keep])
-    np.testing.assert_allclose((p * normal[keep]).sum(-1), level[keep], atol=1e-12)
-
-
-def test_the_unit_of_distance_is_free():
-    """A guard is added to s_b - s_a, or small distances are cut off."""
-    p_a, p_b = np.array([[1.0, 2.0, 3.0]]), np.array([[5.0, -2.0, 3.0]])
-    for unit in 1e-9, 1e-3, 1e6:
-        s_a, s_b = np.array([-1.0 * unit]), np.array([3.0 * unit])
-        got = marching_tetrahedra.zero_crossing(p_a, p_b, s_a, s_b)
-        np.testing.assert_allclose(got, [[2.0, 1.0, 3.0]])
+    for unit in 1e-9, 1e-3, 1.0, 1e6:
+        got = marching_tetrahedra.zero_crossing(p_a, p_b, unit * s_a, unit * s_b)
+        np.testing.assert_allclose(got, [[2.0, 1.0, 3.0], [4.0, -1.0, 3.0], [5.0, -2.0, 3.0]])

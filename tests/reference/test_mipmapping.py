@@ -3,43 +3,22 @@ import tracemalloc
 
 import numpy as np
 import pytest
+from look_up_goldens import configs, require_look_ups
 
 from course.checks import assert_close
 from course.given.gradcheck import gradcheck
 from reference import arrays, mipmapping, texturing
 
 GOLDEN = np.load("tests/golden/texture.npz")
-CONFIGS = sorted({tuple(key.split("/")[:2]) for key in GOLDEN if key.count("/") == 2})
-TOLERANCE = {"colour": 3e-6, "grad_image": 6e-6, "grad_uv": 1.5e-4, "grad_jacobian": 1e-4,
-             "grad_bias": 4e-6}
 
 
-def golden(scene, config):
-    """The arguments of `texture`, the upstream gradient, and {output: what nvdiffrast gives}."""
-    filter, inputs, max_level = config.split("|")
-    inputs = dict.fromkeys(inputs.split("+")) if inputs else {}
-    image, uv, grad_colour, *given = (GOLDEN[f"{scene}/{key}"].astype(float) for key in
-                                      ("image", "uv", "grad_colour", *inputs))
-    given = dict(zip((key.removesuffix("_alone") for key in inputs), given, strict=True))
-    arguments = {"image": image, "uv": uv, **given, "filter": filter,
-                 "boundary": str(GOLDEN[f"{scene}/boundary"]),
-                 "max_level": int(max_level) if max_level else None}
-    prefix = f"{scene}/{config}/"
-    return arguments, grad_colour, {key.removeprefix(prefix): GOLDEN[key] for key in GOLDEN
-                                    if key.startswith(prefix)}
-
-
-@pytest.mark.parametrize(("scene", "config"), CONFIGS)
+@pytest.mark.parametrize(("scene", "config"), configs(GOLDEN))
 def test_look_ups_and_gradients_are_those_of_nvdiffrast(scene, config):
-    """Another colour or gradient than nvdiffrast's kernels give; tolerances are those measured
-    between its kernels in 32 and 64 bits (tests/golden/README.md)."""
-    arguments, grad_colour, expected = golden(scene, config)
-    gradients = mipmapping.texture_backward(grad_colour, **arguments)
-    got = dict(zip(("grad_image", "grad_uv", "grad_jacobian", "grad_bias"), gradients, strict=True))
-    got["colour"] = mipmapping.texture(**arguments)
-    for name, values in expected.items():
-        atol = 0 if name == "colour" and "nearest|" in config[:8] else TOLERANCE[name]
-        np.testing.assert_allclose(got[name], values, rtol=0, atol=atol, err_msg=name)
+    """Another colour or gradient than nvdiffrast's kernels give. Tolerances are those measured
+    between its kernels in 32 and 64 bits.
+    """
+    require_look_ups(mipmapping.texture, mipmapping.texture_backward, ("image", "uv"), GOLDEN,
+                     scene, config, boundary=str(GOLDEN[f"{scene}/boundary"]))
 
 
 def scene(rng, filter, pixels=(4, 5)):
@@ -75,7 +54,7 @@ def test_every_gradient_is_a_central_difference(filter, boundary):
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)
 def test_gradients_that_do_not_matter_are_zero(filter):
-    """None or another shape, where the argument has no say; or a number's gradient is an array."""
+    """None or another shape, where the argument has no say. Or a number's gradient is an array."""
     image, uv, jacobian, bias = scene(np.random.default_rng(6), filter)
     for given, number in ((jacobian, 0.25), (jacobian, bias), (None, bias), (None, 1.25)):
         gradients = mipmapping.texture_backward(np.ones((4, 5, 3)), image, uv, given, number,
@@ -101,7 +80,7 @@ def test_a_scalar_bias_collects_all_pixels():
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)
 def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
-    """A point is lost where one chunk ends; or (H, W) pixels differ from a list of H W."""
+    """A point is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     image, uv, jacobian, bias = scene(np.random.default_rng(9), filter)
     upstream = np.ones((4, 5, 3))
     whole = (mipmapping.texture(image, uv, jacobian, bias, filter),
@@ -243,14 +222,12 @@ def test_memory_does_not_grow_with_the_filter():
 
 
 def test_a_clamped_level_has_no_gradient(impl):
-    """The clamp is forgotten: levels outside of the pyramid pull."""
+    """The clamp is forgotten: levels outside of the pyramid pull. >= stands for >, a level that is
+    whole has no gradient, or the top is always 3.
+    """
     level = np.array([-np.inf, -0.5, 0.25, 1.0, 2.75, 3.5, np.inf])
     got = impl.blend_levels_backward(np.arange(1.0, 8.0), level, 3)
     assert_close(got, np.array([0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0]))
-
-
-def test_both_ends_count_as_clamped(impl):
-    """>= for >, or a level that is whole has no gradient; or the top is always 3."""
     level = np.array([0.0, 1.0, 2.0, 4.0, 5.0])
     assert_close(impl.blend_levels_backward(np.ones(5), level, 5), np.array([0.0, 1, 1, 1, 0]))
     assert_close(impl.blend_levels_backward(np.ones(5), level, 0), np.zeros(5))

@@ -45,7 +45,7 @@ def weights(**chosen):
 def test_gradients_follow_the_loss(which, h, samples):
     """A way back is missing: through outlines, normals, shading, or the colours that go along.
 
-    The loss is a square in albedo and light; but of shape, it jumps where a pixel changes its face.
+    In albedo and light the loss is a square. In shape it jumps, where a pixel changes its face.
     """
     x = unknowns(5)
     targets = multi_view_fit.targets_of(capture(), 1, samples)

@@ -19,7 +19,7 @@ def teapot_clip():
 
 
 def test_the_loop_and_whole_meshes_agree_to_the_bit(rng):
-    """A fragment that one of the two finds, or other rounding; ties of equal depth."""
+    """A fragment that one of the two finds, other rounding, or ties of equal depth."""
     for _ in range(3):
         corners = some_corners(rng)
         corners[7] = corners[6]
@@ -92,7 +92,7 @@ def test_gradients_of_weights_and_depth_are_central_differences(rng):
 
 
 def test_gradients_of_corners_are_central_differences(rng):
-    """w without its part in x / w, or z; a vertex of several faces that keeps one of them."""
+    """w without its part in x / w, or z. Or a vertex of several faces that keeps one of them."""
     clip, faces = rng.uniform(1, 2, (5, 4)), np.array([[0, 1, 2], [2, 1, 3], [3, 0, 2]])
     gradcheck(lambda clip: neural_renderer.corners_of(clip, faces),
               lambda grad, clip: (neural_renderer.corners_backward(grad, clip, faces),), (clip,),
@@ -115,13 +115,6 @@ def test_a_vertex_in_the_camera_plane_is_not_seen_and_has_no_gradient(rng):
     np.testing.assert_array_equal(grad_clip[3], 0)
 
 
-def test_a_counterclockwise_face_is_drawn(impl):
-    """Clockwise faces are drawn instead, or x and y are swapped."""
-    z = np.ones((2, 3))
-    assert_equal(impl.front_faces(np.stack([SLANTED, SLANTED[::-1]]), z), np.array([True, False]))
-    assert_equal(impl.front_faces(np.stack([SLANTED[::-1], SLANTED]), z), np.array([False, True]))
-
-
 @pytest.mark.parametrize("turn", [0, 1, 2])
 def test_it_does_not_matter_with_which_corner_a_face_begins(impl, turn):
     """Only one corner's angle is looked at, or one z."""
@@ -139,7 +132,9 @@ def test_a_face_without_area_is_not_drawn(impl):
 
 
 def test_many_faces_are_told_by_their_turn(impl, rng):
-    """Coordinates of different faces are mixed, or a small face is taken for one without area."""
+    """Clockwise faces are drawn instead, x and y are swapped, coordinates of different faces are
+    mixed, or a small face is taken for one without area.
+    """
     angle = rng.uniform(0, 2, (9, 1)) + rng.uniform(0, 1, (9, 3)) + [0.0, 2.0, 4.0]
     screen = 3 * np.stack([np.cos(angle), np.sin(angle)], -1) + rng.uniform(-3, 9, (9, 1, 2))
     screen[4:] *= 1e-3

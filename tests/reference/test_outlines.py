@@ -1,6 +1,7 @@
 """The reference's whole pictures of lab 8: antialias and its gradient."""
 import numpy as np
 import pytest
+from screen_scenes import on_screen, soup
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
@@ -48,25 +49,11 @@ def test_gradients_are_those_of_nvdiffrast(scene):
 
 # --- scenes ------------------------------------------------------------------------------------
 
-def on_screen(x, y, width, height, z=0.0):
-    """Clip positions of screen points, w = 1."""
-    x, y, z = np.broadcast_arrays(np.asarray(x, float), y, z)
-    return np.stack([2 * x / width - 1, 2 * y / height - 1, z, np.ones(x.shape)], -1)
-
-
 def turned(vertices, angle, distance=3.0, fov_y=0.9, aspect=1.0):
     view = transforms.translate(np.array([0.0, 0.0, -distance]))
     view = view @ transforms.rotate(np.array([0.4, 1.0, 0.2]), angle)
     clip_from_world = transforms.perspective(fov_y, aspect, 0.1, 20.0) @ view
     return transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
-
-
-def soup(rng, behind=False):
-    """Faces that pass through each other, some with shared vertices, some behind the camera."""
-    clip = rng.uniform([-2, -2, -1.0, 1.0], [2, 2, 1.0, 2.0], (24, 4))
-    if behind:
-        clip[:4, 3] *= -0.5
-    return clip, rng.integers(0, 24, (30, 3))
 
 
 def drawn(clip, faces, width, height, rng):
@@ -102,7 +89,7 @@ def antialias_by_hand(colour, face_index, depth, clip, faces):
 
 def last_crossing(corners, width, height, owner, other):
     """Where the line through two pixels leaves a face: edge and distance from owner to other."""
-    axis = 0 if owner[1] == other[1] else 1  # of row, column; the line is along this one
+    axis = 0 if owner[1] == other[1] else 1  # row or column: that along the line
     side = other[axis] - owner[axis]
     best = None, -np.inf
     for k, (i, j) in enumerate(EDGES):
@@ -129,7 +116,7 @@ def in_front(p, q, least=1e-4):
 
 
 def is_silhouette(points, faces, face, k):
-    """Of a mesh in which no three faces with different third vertices meet at an edge; points
+    """Of a mesh in which no three faces with different third vertices meet at an edge. The points
     (V, 3) are x, y, w of clip space, where the sign of a determinant tells the side, whatever w.
     """
     a, b = (face[i] for i in EDGES[k])
@@ -157,32 +144,31 @@ def manifold(faces):
     return np.array(kept)
 
 
+def require_one_pair_after_the_other(clip, faces, width, height, rng, atol=1e-9):
+    """A picture is that of `antialias_by_hand` -> how many pairs are blended."""
+    colour, face_index, depth = drawn(clip, faces, width, height, rng)
+    expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
+    opposite = antialiasing.opposite_vertices(faces)
+    got = outlines.antialias(colour, face_index, depth, clip, faces, opposite)
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+    return count
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_pictures_are_those_of_one_pair_after_the_other(seed):
-    """A pair is lost between the stages; or a face at the camera plane gets a wrong edge."""
+    """A pair is lost between the stages, or a face at the camera plane gets a wrong edge."""
     rng = np.random.default_rng(seed)
     clip, faces = soup(rng, behind=seed % 2 == 1)
-    faces = manifold(faces)
-    colour, face_index, depth = drawn(clip, faces, 30, 22, rng)
-    expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
-    opposite = antialiasing.opposite_vertices(faces)
-    assert count > 15
-    got = outlines.antialias(colour, face_index, depth, clip, faces, opposite)
-    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-9)
+    assert require_one_pair_after_the_other(clip, manifold(faces), 30, 22, rng) > 15
 
 
-@pytest.mark.parametrize("shape", ["cube", "torus"])
-def test_meshes_are_those_of_one_pair_after_the_other(shape):
+@pytest.mark.parametrize("vertices, faces", [mesh.cube(12), mesh.torus(150)],
+                         ids=["cube", "torus"])
+def test_meshes_are_those_of_one_pair_after_the_other(vertices, faces):
     """Edges inside a closed surface, and folds where it hides itself."""
-    rng = np.random.default_rng(3)
-    vertices, faces = mesh.cube(12) if shape == "cube" else mesh.torus(150)
     clip = turned(vertices, 0.8, 4.5)
-    colour, face_index, depth = drawn(clip, faces, 40, 31, rng)
-    expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
-    opposite = antialiasing.opposite_vertices(faces)
-    assert count > 30
-    got = outlines.antialias(colour, face_index, depth, clip, faces, opposite)
-    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-9)
+    rng = np.random.default_rng(3)
+    assert require_one_pair_after_the_other(clip, faces, 40, 31, rng) > 30
 
 
 @pytest.mark.parametrize("width, height", [(1, 9), (9, 1), (1, 1)])
@@ -192,11 +178,8 @@ def test_pictures_of_one_row_or_column(width, height):
     along, across = np.array([-50.0, 5.3, 5.7]), np.array([0.0, -30.0, 30.0])
     clip = on_screen(*((along, across) if width > height else (across, along)), width, height)
     faces = np.array([[0, 1, 2]])
-    colour, face_index, depth = drawn(clip, faces, width, height, rng)
-    expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
+    count = require_one_pair_after_the_other(clip, faces, width, height, rng, atol=1e-12)
     assert count == (width * height > 1)
-    got = outlines.antialias(colour, face_index, depth, clip, faces, np.full((1, 3), -1))
-    np.testing.assert_allclose(got, expected, rtol=0, atol=1e-12)
 
 
 def test_pictures_without_faces_or_with_hostile_vertices():
@@ -221,7 +204,7 @@ def test_pictures_without_faces_or_with_hostile_vertices():
 
 @pytest.mark.parametrize("kind", [np.uint8, np.int8, np.uint32, np.uint64])
 def test_faces_may_be_integers_of_any_kind(kind):
-    """-1 is written into faces that know none; or uint64 beside int64 becomes float64."""
+    """-1 is written into faces that know none, or uint64 beside int64 becomes float64."""
     rng = np.random.default_rng(2)
     clip, faces = soup(rng)
     opposite = antialiasing.opposite_vertices(faces)

@@ -74,7 +74,7 @@ def few(arrays, rows):
 def whole_gradcheck(name, render, backward, decisions, arrays, rows):
     """gradcheck by some rows of arrays, and by all of the last one, the matrix.
 
-    render(*arrays) -> picture, buffers; backward(grad_picture, buffers, *arrays);
+    render(*arrays) -> picture, buffers, backward(grad_picture, buffers, *arrays),
     decisions(buffers, *arrays). Each scene is rendered once for forward and decisions.
     """
     put, some = few(arrays, [*rows, slice(None)])
@@ -180,7 +180,7 @@ def test_without_antialiasing_a_mesh_of_one_colour_has_exactly_no_gradient(name)
 
 
 def test_a_triangle_finds_its_template_with_antialiasing_alone():
-    """The gradient leads away, or ends too early; or the picture without it had one all along."""
+    """The gradient leads away, or ends too early. Or the picture without it had one all along."""
     template = np.array([[-0.6, -0.55, 0.0], [0.7, -0.3, 0.0], [-0.1, 0.65, 0.0]])
     start = np.array([[-0.4, -0.3, 0.0], [0.45, -0.45, 0.0], [0.15, 0.45, 0.0]])
     shape, white = pipeline.make_mesh(start, np.array([[0, 1, 2]])), Colours(np.ones((3, 1)))

@@ -1,4 +1,4 @@
-"""Whole pictures of lab 2: the textbook's rasterizer beside the exact one; place on the face."""
+"""Whole pictures of lab 2: the textbook's rasterizer beside the exact one. Place on the face."""
 from pathlib import Path
 
 import numpy as np
@@ -6,7 +6,7 @@ import pytest
 from half_planes import half_plane_loop
 
 from course.checks import assert_close, assert_equal
-from reference import rasterization
+from reference import arrays, rasterization
 
 GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
 
@@ -45,17 +45,10 @@ def ray_weights(x, y, w, px, py):
     return c / c.sum()
 
 
-def test_without_perspective_the_weights_change_at_one_rate():
-    """db/dx and db/dy are swapped, or are given per picture instead of per pixel."""
-    # The triangle (0, 0), (4, 0), (0, 2): b_1 = x / 4, b_2 = y / 2.
-    x, y, w = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])[..., None]
-    db_dx, db_dy = rasterization.barycentric_derivatives(np.array([1.0]), np.array([0.5]), x, y, w)
-    assert_close(db_dx, np.array([[-0.25], [0.25], [0.0]]))
-    assert_close(db_dy, np.array([[-0.5], [0.0], [0.5]]))
-
-
 def test_the_derivatives_are_central_differences(rng):
-    """The quotient rule's second term, - b ds, is missing: right only without perspective."""
+    """The quotient rule's second term, - b ds, is missing: right only without perspective. db/dx
+    and db/dy are swapped, or are given per picture instead of per pixel.
+    """
     h = 1e-5
     x, y = rng.uniform(-1, 1, (2, 3, 20)) + [[[0], [8], [2]], [[0], [1], [7]]]  # none is thin
     w = rng.uniform(0.5, 2, (3, 20)) * np.where(np.arange(20) < 10, 1, [[1], [1], [-3]])
@@ -70,21 +63,25 @@ def test_the_derivatives_are_central_differences(rng):
         assert_close(db_dy[:, n], by_y, rtol=1e-5, atol=1e-5 * largest)
 
 
-def test_half_a_rectangle(impl):
-    """Twice the area, or no sign for the winding."""
-    triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]])
-    assert_close(impl.signed_area(triangle), 1.0)
-    assert_close(impl.signed_area(triangle[::-1]), -1.0)
-
+@pytest.mark.parametrize(("index", "columns"), [((7,), ()), ((4, 3), ()), ((4, 3), (2,)),
+                                                ((0, 3), (2,)), ((5,), (2, 4))])
+def test_a_scatter_is_the_transpose_of_a_gather(rng, index, columns):
+    """A row that several values go to keeps the last one alone, or no values give integers."""
+    index = rng.integers(0, 6, index)
+    values, x = (rng.normal(size=(*rows, *columns)) for rows in (index.shape, (6,)))
+    total = arrays.scatter(values, index, 6)
+    assert total.shape == x.shape and total.dtype == float
+    np.testing.assert_allclose((values * x[index]).sum(), (total * x).sum(), rtol=1e-12, atol=1e-12)
 
 
 def test_areas_are_those_of_the_shoelace_formula(impl, rng):
-    """Right only for triangles with a vertex at the origin, or for one triangle alone."""
+    """Twice the area, or no sign for the winding. Right only for triangles with a vertex at the
+    origin, or for one triangle alone.
+    """
     triangles = rng.normal(size=(4, 5, 3, 2))
     x, y = np.moveaxis(triangles, -1, 0)
     shoelace = (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
     assert_close(impl.signed_area(triangles), shoelace)
-
 
 
 def test_vertices_on_screen_on_paper(impl):
@@ -96,9 +93,8 @@ def test_vertices_on_screen_on_paper(impl):
     assert_close(w, np.array([2.0, 1.0, -1.0]))
 
 
-
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
-    """A division by zero; or a least w that does not go with the unit of clip space."""
+    """A division by zero, or a least w that does not go with the unit of clip space."""
     clip = np.array([[1.0, -1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 1e-12], [1.0, -0.2, 0.0, -1e-12],
                      [-1.0, 0.3, 0.0, 0.0]])
     for unit in 1e-13, 1.0, 1e5:
@@ -107,7 +103,6 @@ def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
                      given=f"clip scaled by {unit}")
         assert_close(x, np.array([4e10, 2e10, -4e10, -4e10]), rtol=1e-6)
         assert_close(y, np.array([-2e10, -2e10, 4e9, 6e9]), rtol=1e-6)
-
 
 
 def test_a_small_w_is_not_yet_the_camera_plane(impl):

@@ -53,7 +53,7 @@ def test_a_plane_keeps_its_linear_functions():
 
 
 def test_areas_are_shared_and_sum_to_the_surface():
-    """A vertex has all of its faces' areas, or one of no face has some; or a wrong gradient."""
+    """A vertex has all of its faces' areas, or one of no face has some. Or a wrong gradient."""
     given = np.array([[[0.0, 0, 0], [3, 0, 0], [0, 0, 2]], [[0, 1, 0], [0, 1, 6], [2, 1, 0]]])
     faces = np.array([[0, 3, 1], [5, 3, 0]])
     np.testing.assert_allclose(regularization.vertex_areas(given, faces, 7), [3, 1, 0, 3, 0, 2, 0])
@@ -130,14 +130,14 @@ def test_smoothing_shrinks_and_taubins_does_not():
 
 
 def test_a_gradient_is_spread_and_keeps_its_sum():
-    """L itself is applied, not the inverse; or the I is left out."""
+    """L itself is applied instead of the inverse, or the I is left out."""
     x, edges = np.array([[0.0], [3.0]]), np.array([[0, 1]])
     got = regularization.precondition(x, edges, np.ones(1), 1.0)
     np.testing.assert_allclose(got, [[1.0], [2.0]])
 
 
 def test_all_elements_go_the_way_of_the_gradient():
-    """Each element has its own root, as in Adam; 0/0 without a gradient."""
+    """Each element has its own root, as in Adam. 0/0 without a gradient."""
     x, grad_x, zero = np.zeros(2), np.array([4.0, -100.0]), np.zeros(2)
     x, mean, square = regularization.uniform_adam_step(x, grad_x, zero, zero, 1, 0.25)
     np.testing.assert_allclose(x, [-0.01, 0.25])
@@ -181,7 +181,7 @@ def test_weights_on_paper(impl):
 
 
 def test_an_edge_may_have_three_faces_or_none(impl):
-    """Two faces are expected at each edge; or the last edges are lost."""
+    """Two faces are expected at each edge, or the last edges are lost."""
     given = np.array([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-4.0, 0.0, 6.0]])
     face_edges = np.array([[3, 0, 1], [3, 0, 1], [3, 2, 4]])
     expected = np.array([0.0, 0.0, 0.0, -0.5, 3.0, 0.0, 0.0])

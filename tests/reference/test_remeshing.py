@@ -28,7 +28,7 @@ def test_both_faces_of_a_flipped_edge_stay_counter_clockwise():
 
 
 def test_a_flip_takes_an_edge_from_two_vertices_and_gives_it_to_two_others():
-    """After less before; squares instead of sums; or 6 for all."""
+    """After less before, squares instead of sums, or 6 for all."""
     valence = np.array([[7, 7, 5, 5], [6, 6, 6, 6], [7, 6, 6, 5], [5, 5, 7, 7], [9, 6, 5, 6]])
     target = np.array([[6, 6, 6, 6], [6, 6, 4, 6], [6, 6, 6, 6], [6, 6, 6, 6], [6, 6, 6, 6]])
     got = remeshing.valence_gain(valence, target)
@@ -103,7 +103,7 @@ def test_a_bad_real_mesh_becomes_round_and_stays_where_it_is():
 @pytest.mark.parametrize("name, fraction, steps", [("bunny", 0.001, 0), ("bunny", 0.0, 1),
                                                    ("teapot", 0.002, 1)])
 def test_no_surface_moves_by_more_than_twice_the_tolerance(name, fraction, steps):
-    """Flips of bent quads, which moved the bunny by 3.4 tolerances and both without any; or slides
+    """Flips of bent quads, which moved the bunny by 3.4 tolerances and both without any. Or slides
     that are measured from the last surface, not from the first.
     """
     vertices, faces = relaxation.closed_seams(*getattr(mesh, name)())
@@ -115,7 +115,7 @@ def test_no_surface_moves_by_more_than_twice_the_tolerance(name, fraction, steps
 
 
 def test_what_may_leave_a_surface_is_found():
-    """Corners are looked at, and not what lies between them; or the wrong side of the bound."""
+    """Corners are looked at, and not what lies between them. Or the wrong side of the bound."""
     vertices = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [3, 0, 2], [3, 1, 2]])
     faces = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]])   # a floor and a slope up
     across = np.array([[0.0, 0.5, 0.0], [3.0, 0.25, 2.0], [3.0, 0.75, 2.0]])

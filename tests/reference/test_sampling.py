@@ -15,75 +15,41 @@ def exact_area(polygon):
     return float(sum(p[0] * q[1] - q[0] * p[1] for p, q in pairs) / 2)
 
 
-def wave(n, k):
-    """n samples of a cosine with k periods."""
-    return np.cos(2 * np.pi * k * np.arange(n) / n)
-
-
-def test_the_spectrum_of_four_pixels(impl):
-    """One axis is left out, or the numbers are divided by their count."""
-    expected = np.array([[10.0, -2.0], [-4.0, 0.0]])
-    assert_close(impl.spectrum_of(np.array([[1.0, 2.0], [3.0, 4.0]])) + 0j, expected + 0j)
-
-
-def test_stripes_are_two_peaks_on_the_axis_of_their_frequency(impl):
-    """k_x comes first: vertical stripes have a spectrum along y."""
-    spectrum = impl.spectrum_of(np.tile(wave(8, 3), (4, 1)))
-    expected = np.zeros((4, 8), complex)
-    expected[0, 3] = expected[0, 5] = 16
-    assert_close(spectrum, expected)
-
-
-def test_pictures_need_not_be_square(impl, rng):
-    """The matrix of the width acts on the columns; or the picture is conjugated on one side."""
-    for shape in (5, 8), (6, 3), (1, 7):
+def test_a_spectrum_is_that_of_numpy(impl, rng):
+    """One axis is left out, or k_x comes first. The numbers are divided by their count. The matrix
+    of the width acts on the columns, or the picture is conjugated on one side.
+    """
+    for shape in (2, 2), (5, 8), (6, 3), (1, 7):
         picture = rng.normal(size=shape)
         assert_close(impl.spectrum_of(picture), np.fft.fft2(picture), atol=1e-12)
 
 
-def test_one_entry_is_one_wave(impl):
-    """The sign of the exponent: waves run the other way; or the factor 1 / (H W) is missing."""
-    spectrum = np.zeros((4, 6), complex)
-    spectrum[1, 2] = 24.0
-    y, x = np.indices((4, 6))
-    assert_close(impl.picture_of(spectrum), np.cos(2 * np.pi * (y / 4 + x / 3)))
-    spectrum[1, 2] = -24.0j
-    assert_close(impl.picture_of(spectrum), np.sin(2 * np.pi * (y / 4 + x / 3)))
-
-
 def test_a_picture_comes_back_from_its_spectrum(impl, rng):
-    """An inverse of square pictures only, or of the absolute values; or the result is complex."""
+    """An inverse of square pictures only, or of the absolute values. The result is complex, waves
+    run the other way, or the factor 1 / (H W) is missing.
+    """
     for shape in (5, 8), (6, 3), (1, 7):
         picture = rng.normal(size=shape)
         assert_close(impl.picture_of(np.fft.fft2(picture)), picture)
 
 
-def test_frequencies_on_paper(impl):
-    """The upper half stays above 1/2, or 1/2 itself counts as positive."""
-    assert_close(impl.frequencies(4), np.array([0.0, 0.25, -0.5, -0.25]))
-    assert_close(impl.frequencies(5), np.array([0.0, 0.2, 0.4, -0.4, -0.2]))
-    assert_close(impl.frequencies(1), np.array([0.0]))
-
-
-def test_they_are_those_of_numpy(impl):
-    """The middle of an odd number is one too low."""
-    for n in (2, 3, 8, 9, 100):
+def test_frequencies_are_those_of_numpy(impl):
+    """The upper half stays above 1/2, or 1/2 itself counts as positive. The middle of an odd number
+    is one too low.
+    """
+    for n in 1, 2, 3, 4, 5, 8, 9, 100:
         assert_close(impl.frequencies(n), np.fft.fftfreq(n))
 
 
-def test_areas_on_paper(impl):
-    """Twice the area, or no sign."""
-    assert_close(impl.polygon_area(SQUARE), 16.0)
-    assert_close(impl.polygon_area(SQUARE[::-1].copy()), -16.0)
-    assert_close(impl.polygon_area(SQUARE[:3]), 8.0)
-    assert_close(impl.polygon_area(np.zeros((0, 2))), 0.0)
-
-
 def test_many_polygons_at_once(impl, rng):
-    """The code works for one polygon alone, or for polygons around the origin."""
+    """Twice the area, or no sign. The code works for one polygon alone, or for polygons around
+    the origin. A polygon without vertices is an error.
+    """
     polygons = rng.normal(size=(2, 3, 7, 2)) + 2
     expected = [[exact_area(polygon) for polygon in row] for row in polygons]
     assert_close(impl.polygon_area(polygons), np.array(expected))
+    assert_close(impl.polygon_area(SQUARE[::-1].copy()), -16.0)
+    assert_close(impl.polygon_area(np.zeros((0, 2))), 0.0)
 
 
 def test_a_small_polygon_far_out_keeps_its_digits(impl):

@@ -3,7 +3,7 @@ import doctest
 
 import numpy as np
 import pytest
-from shadow_scenes import LIGHTS, PLACE, camera, each_light, scene, toward_light
+from shadow_scenes import LIGHTS, PLACE, camera, each_light, scene, small_scene, toward_light
 
 from course.given import mesh, ray_casting
 from reference import lights, shadow_mapping
@@ -42,7 +42,7 @@ def test_errors_are_counted_by_kind():
 
 
 def test_places_fill_the_disc_evenly():
-    """More places to an area in the middle than at the rim; or they lean to one side."""
+    """More places to an area in the middle than at the rim, or they lean to one side."""
     offsets = ray_casting.disc_offsets(400)
     from_middle = np.sort(np.hypot(*offsets.T))
     np.testing.assert_allclose(from_middle, np.sqrt((np.arange(400) + 0.5) / 400))
@@ -84,7 +84,7 @@ def test_hard_shadows_come_near_ray_casting(light):
 
 
 def test_without_bias_a_surface_shadows_itself():
-    """Acne is not shown; or the slope's bias does not cure it."""
+    """Acne is not shown, or the slope's bias does not cure it."""
     vertices, faces = scene()
     light = LIGHTS["point"](vertices)
     face_index, points, normals = shadow_mapping.visible_points(vertices, faces, camera(), 96, 80)
@@ -144,9 +144,8 @@ def test_what_cannot_be_done_is_one_sentence():
 def test_what_does_not_fit_a_shadow_is_one_sentence():
     """Lists, NaN, a face of no vertex, the sun as a lamp: wrong shadows, or an error from inside.
     """
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    vertices, faces, points, normals = small_scene()
     light, sun = (make(vertices) for make in LIGHTS.values())
-    _, points, normals = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
     lost, outside, distance_map = np.full((1, 3), np.nan), faces + 1, np.full((8, 8), 3.0)
     offsets = ray_casting.disc_offsets(4)
 
@@ -187,9 +186,8 @@ def test_the_examples_of_ray_casting_are_true():
 @pytest.mark.parametrize("size", [0, -1, 2.5])
 def test_a_map_without_texels_is_one_sentence(size):
     """A division by zero, a shape that NumPy refuses, or a map of -1 texels."""
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    vertices, faces, points, normals = small_scene()
     light = LIGHTS["point"](vertices)
-    _, points, normals = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
     with pytest.raises(ValueError, match=f"depth_map expects a whole number .* 1, got {size}"):
         shadow_mapping.depth_map(vertices, faces, light, size)
     with pytest.raises(ValueError, match=f"receivers expects a whole number .* 1, got {size}"):
@@ -199,8 +197,7 @@ def test_a_map_without_texels_is_one_sentence(size):
 @pytest.mark.parametrize("shape", [(0, 0), (8, 0), (4, 8), (8,)])
 def test_a_shadow_wants_a_square_map(shape):
     """A map of another shape is read as if it were square, or a division by zero."""
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
-    _, points, normals = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
+    vertices, _, points, normals = small_scene()
     with pytest.raises(ValueError, match="square map of at least one texel"):
         shadow_mapping.hard_shadow(points, normals, LIGHTS["point"](vertices), np.zeros(shape),
                                    1e-3)
@@ -227,7 +224,7 @@ def test_a_texel_is_found_by_its_square():
 
 
 def test_outside_the_map_nothing_is_stored():
-    """A negative index reads the other side of the map; or the border belongs to the map."""
+    """A negative index reads the other side of the map, or the border belongs to the map."""
     x = np.array([-0.01, 4.0, 1.0, 1.0, -0.5, 99.0, 3.5, 4.0 - 1e-9])
     y = np.array([0.5, 1.0, -1e-9, 3.0, -0.5, 1.0, 1.5, 3.0 - 1e-9])
     expected = np.array([np.inf] * 7 + [12.0])

@@ -74,7 +74,7 @@ def test_opaque_pictures_have_silhouettes_by_their_background(folder):
 
 @pytest.mark.parametrize("ending", ["png", "jpg"])
 def test_a_background_that_is_not_given_is_that_of_the_borders(folder, ending):
-    """White is taken, or JPEG's noise for the object; or nobody hears of it."""
+    """White is taken, or JPEG's noise for the object. Or nobody hears of it."""
     opaque(folder, [0.2, 0.4, 0.8], ending)
     views = [{"picture": f"{k}.{ending}", "world_from_camera": pose.tolist()}
              for k, pose in enumerate(ring.POSES)]
@@ -89,7 +89,7 @@ def test_a_background_that_is_not_given_is_that_of_the_borders(folder, ending):
 
 @pytest.mark.parametrize("name", ["{}.png", "{}.png.png"])
 def test_masks_lie_beside_pictures_of_any_background(folder, name):
-    """A mask is not found, or is black for the object; the room behind the object stays."""
+    """A mask is not found, or is black for the object. The room behind the object stays."""
     opaque(folder, np.random.default_rng(0).uniform(size=(32, 48, 3)))
     masks(folder, name)
     photos = captures.read(ring.LABS, folder)
@@ -98,7 +98,7 @@ def test_masks_lie_beside_pictures_of_any_background(folder, name):
 
 
 def test_masks_of_pictures_in_folders_may_lie_in_folders(tmp_path):
-    """Two pictures of one name in two folders get one mask; or COLMAP's own names are not known."""
+    """Two pictures of one name in two folders get one mask, or COLMAP's own names are not known."""
     shots = [camera_files.Shot(name, None, 2, 2, 2.0, 2.0, 1.0, 1.0, np.eye(4))
              for name in ("left/a.jpg", "right/a.jpg", "images/b.jpg")]
     assert silhouettes.mask_of(tmp_path, shots[0]) is None
@@ -111,7 +111,7 @@ def test_masks_of_pictures_in_folders_may_lie_in_folders(tmp_path):
 
 
 def test_alpha_goes_before_a_mask_and_an_alpha_of_1_says_nothing(folder):
-    """A mask of something else cuts what alpha has cut; or an opaque RGBA is all object."""
+    """A mask of something else cuts what alpha has cut, or an opaque RGBA is all object."""
     expected = coverage(captures.read(ring.LABS, folder))
     image.write(folder / "3.png", np.dstack([image.read(folder / "3.png")[..., :3],
                                              np.ones((32, 48))]))

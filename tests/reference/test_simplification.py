@@ -1,10 +1,10 @@
-"""`simplify` of lab 12: whole meshes, real and broken ones; and what its modules give."""
+"""`simplify` of lab 12: whole meshes, real and broken ones, and what its modules give."""
 import itertools
 import warnings
 
 import numpy as np
 import pytest
-from simplification_meshes import LEAST_CURVATURE, bumpy, edges_of, planes_of
+from simplification_meshes import LEAST_CURVATURE, bumpy, edges_of, euler, planes_of
 
 from course.checks import assert_close, assert_equal
 from course.given import distances, mesh
@@ -13,10 +13,6 @@ from reference import collapse_heap, simplification
 # Mean distances of the bunny in 5,804 faces, both ways, in 1/10,000 of its diagonal: the less of
 # libigl's qslim and VTK's quadric decimation. From benchmarks/simplification.py.
 OTHERS = {994: 7.34, 532: 12.98, 248: 27.14, 64: 103.0}
-
-
-def euler(faces):
-    return len(np.unique(faces)) - len(mesh.edges(faces)[0]) + len(faces)
 
 
 def is_manifold(faces):
@@ -48,7 +44,7 @@ def bunny():
 
 @pytest.mark.parametrize("face_count", OTHERS)
 def test_the_lectures_picture(bunny, face_count):
-    """5,804 faces at 994, 532, 248 and 64: a hole, a handle, a face too many; or it is farther from
+    """5,804 faces at 994, 532, 248 and 64: a hole, a handle, a face too many. Or it is farther from
     the bunny than what others make of it."""
     vertices, faces, _ = collapse_heap.simplify(*bunny, face_count)
     assert len(faces) == face_count and is_manifold(faces) and euler(faces) == 2
@@ -165,7 +161,7 @@ def test_no_face_of_a_terrain_turns_over(seed):
 
 @pytest.mark.parametrize("face_count", [500, 60, 0])
 def test_genus_and_boundary_stay(face_count):
-    """A torus loses its hole; a torus with a window loses the window."""
+    """A torus loses its hole, or a torus with a window loses the window."""
     vertices, faces = mesh.torus(900)
     rng = np.random.default_rng(2)
     vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
@@ -259,15 +255,10 @@ def test_the_longest_edges_are_halved_and_rounded():
 
 # --- what is given ------------------------------------------------------------------------------
 
-def test_a_plane_on_paper():
-    """The normal is not of length 1, points to the back, or d has the other sign."""
-    vertices = np.array([[4.0, 0.0, 1.0], [4.0, 0.0, 7.0], [0.0, 3.0, 1.0]])
-    expected = np.array([[-0.6, -0.8, 0.0, 2.4], [0.6, 0.8, 0.0, -2.4]])
-    assert_close(simplification.face_planes(vertices, np.array([[0, 1, 2], [2, 1, 0]])), expected)
-
-
 def test_corners_lie_in_their_plane_and_other_points_at_their_distance(rng):
-    """d is measured from the wrong vertex, or faces are taken for vertices."""
+    """The normal is not of length 1, or points to the back. d has the other sign, or is measured
+    from the wrong vertex. Faces are taken for vertices.
+    """
     vertices = rng.normal(size=(9, 3))
     faces = np.array([[0, 5, 2], [8, 1, 4], [3, 7, 6], [2, 0, 8]])
     p = np.asarray(simplification.face_planes(vertices, faces))
@@ -326,7 +317,7 @@ def test_without_a_distance_the_pairs_are_the_edges():
 
 
 def test_near_vertices_are_pairs_too():
-    """<= for <; long edges are left out; vertices of no face, here 0, come in, or are skipped when
+    """<= for <. Long edges are left out. Vertices of no face, here 0, come in, or are skipped when
     the others are numbered."""
     x = np.array([10.25, 0.0, 10.0, 10.5, 20.0, 30.0, 40.0])
     vertices = np.stack([x, np.array([1.0, 0, 1, 1, 0, 1, 0]), 0 * x], 1)
@@ -369,7 +360,7 @@ def test_of_equal_errors_the_first_counts():
 
 
 def test_on_a_crease_and_on_a_plane_it_stays_with_the_pair():
-    """A solution far away, by rounding; or the three cases in another order."""
+    """A solution far away, by rounding, or the three cases in another order."""
     crease, plane = planes_of([1, 0, 0, -1], [0, 1, 0, -2]), planes_of([0, 0, 1, -3])
     corner = planes_of([1, 0, 0, -1], [0, 1, 0, -2], [0, 0, 1, 4])
     q = np.concatenate([crease, plane, corner])
@@ -408,23 +399,17 @@ def test_the_least_eigenvalue_decides():
             assert_close(simplification.best_position(q, a, b), expected, rtol=1e-6)
 
 
-def test_twins_have_the_same_vertices_in_any_order():
-    """Rows are compared as they stand, or faces that share two vertices count."""
-    assert_equal(simplification.has_twins(np.array([[1, 5, 9], [9, 7, 1], [1, 9, 3]])), False)
-    assert_equal(simplification.has_twins(np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1]])), False)
-    for twin in itertools.permutations((1, 7, 9)):
-        faces = np.array([[4, 7, 9], [1, 7, 9], [4, 7, 1], twin])
-        assert_equal(simplification.has_twins(faces), True)
-
-
-def test_a_twin_may_begin_with_another_vertex():
-    """Right for faces that are wound the other way, but rows are compared as they stand."""
-    for k in 1, 2:
-        faces = np.array([[5, 8, 6], np.roll([5, 8, 6], k), [5, 6, 7]])
-        assert_equal(simplification.has_twins(faces), True)
-
-
-def test_faces_of_equal_sums_are_no_twins():
-    """A number is made of each face that others have, too."""
-    assert_equal(simplification.has_twins(np.array([[0, 5, 7], [1, 4, 7], [2, 4, 6]])), False)
-    assert_equal(simplification.has_twins(np.array([[1, 6, 6 + 6], [2, 3, 12], [1, 8, 9]])), False)
+@pytest.mark.parametrize(("faces", "expected"), [
+    ([[1, 5, 9], [9, 7, 1], [1, 9, 3]], False),
+    ([[4, 7, 9], [1, 7, 9], [4, 7, 1]], False),
+    *(([[4, 7, 9], [1, 7, 9], [4, 7, 1], twin], True)
+      for twin in itertools.permutations((1, 7, 9))),
+    *(([[5, 8, 6], np.roll([5, 8, 6], k), [5, 6, 7]], True) for k in (1, 2)),
+    ([[0, 5, 7], [1, 4, 7], [2, 4, 6]], False),  # of equal sums
+    ([[1, 6, 6 + 6], [2, 3, 12], [1, 8, 9]], False),
+])
+def test_twins_have_the_same_vertices_in_any_order(faces, expected):
+    """Rows are compared as they stand, or faces that share two vertices count. A number is made of
+    each face that others have, too.
+    """
+    assert_equal(simplification.has_twins(np.array(faces)), expected)

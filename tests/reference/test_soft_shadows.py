@@ -1,7 +1,7 @@
 """Whole soft shadows of lab 14, against many point lights."""
 import numpy as np
 import pytest
-from shadow_scenes import LIGHTS, camera, scene
+from shadow_scenes import LIGHTS, camera, scene, small_scene
 
 from course.given import mesh, ray_casting
 from reference import lights, shadow_mapping, soft_shadows
@@ -43,9 +43,8 @@ def test_a_flat_blocker_has_the_border_of_its_disc():
 
 def test_what_does_not_fit_a_soft_shadow_is_one_sentence():
     """The sun as a lamp, a disc without places, or a map without texels: NaN, or wrong shadows."""
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    vertices, _, *seen = small_scene()
     light, sun = (make(vertices) for make in LIGHTS.values())
-    seen = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)[1:]
     distance_map, offsets = np.full((8, 8), 3.0), ray_casting.disc_offsets(4)
 
     def refused(match, *given):

@@ -3,6 +3,7 @@ import numpy as np
 import pytest
 from subdivision_meshes import MOEBIUS, TETRAHEDRON, TRIANGLES, flat, polygon_meshes
 from subdivision_meshes import POLYGONS as FLAT_POLYGONS
+from triangle_meshes import MESHES
 
 from course.given import mesh
 from reference import catmull_clark, loop_subdivision, subdivision
@@ -45,10 +46,46 @@ def test_euler_characteristic_of_polygons(name, expected):
     assert subdivision.euler_characteristic(*flat(FLAT_POLYGONS[name][1])) == expected
 
 
+# --- what a step keeps ---------------------------------------------------------------------------
+
+def every_matrix():
+    """Steps and limits of both schemes: a name, vertices, and S."""
+    for name, (vertices, faces) in MESHES.items():
+        for weight in loop_subdivision.warren_weight, loop_subdivision.loop_weight:
+            for S in loop_subdivision.loop_matrix, loop_subdivision.loop_limit_matrix:
+                yield (f"{name}, {S.__name__}, {weight.__name__}", vertices,
+                       S(faces, len(vertices), weight))
+    for name, (vertices, corners, counts) in POLYGONS.items():
+        yield f"{name}, Catmull-Clark", vertices, catmull_clark.catmull_clark_matrix(
+            corners, counts, len(vertices))
+        quads = catmull_clark.catmull_clark(vertices, corners, counts)
+        yield f"{name}, limit of quads", quads[0], catmull_clark.catmull_clark_limit_matrix(
+            *quads[1:], len(quads[0]))
+
+
+MATRICES = list(every_matrix())
+each_matrix = pytest.mark.parametrize("vertices, S", [case[1:] for case in MATRICES],
+                                      ids=[case[0] for case in MATRICES])
+
+
+@each_matrix
+def test_rows_sum_to_one(vertices, S):
+    """A mesh that moves when the origin does."""
+    np.testing.assert_allclose(S.sum(1), 1, rtol=0, atol=1e-14)
+
+
+@each_matrix
+def test_a_flat_mesh_stays_flat(vertices, S):
+    """A weight that is not affine."""
+    normal, height = np.array([0.48, -0.6, 0.64]), 0.7
+    flat = vertices - np.outer(vertices @ normal - height, normal)
+    np.testing.assert_allclose(S @ flat @ normal, height, rtol=0, atol=1e-14)
+
+
 # --- broken input --------------------------------------------------------------------------------
 
 def test_duplicate_vertices_degenerate_faces_and_isolated_vertices_are_no_error():
-    """A crash or nan where faces have no area; an isolated vertex moves."""
+    """A crash or nan where faces have no area, or an isolated vertex moves."""
     vertices, faces = mesh.icosphere(80)
     vertices = np.concatenate([vertices, [[5.0, 6.0, 7.0]]])
     vertices[faces[0]] = vertices[faces[0, 0]]
@@ -120,7 +157,7 @@ def test_integers_of_any_type_give_the_same_mesh(integer):
 # --- meshes that need a cure ---------------------------------------------------------------------
 
 def test_split_fans_parts_what_touches_in_a_point():
-    """A fan that keeps its neighbour's vertex; faces or their order change; a new gap elsewhere."""
+    """A fan that keeps its neighbour's vertex. Faces or their order change. A new gap elsewhere."""
     cones = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [5, 0, 6], [7, 6, 0], [7, 0, 5]])
     corners, origin = subdivision.split_fans(*subdivision.triangles(cones))
     np.testing.assert_array_equal(origin[corners].reshape(-1, 3), cones)

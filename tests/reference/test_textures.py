@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import scipy.ndimage
 import trimesh
+from found_objects import painted_ball
 
 from course.experiments.folder import exports, textures
 from course.experiments.scenes import demo
@@ -20,12 +21,6 @@ VALIDATE = """
 const validator = require("gltf-validator"), bytes = require("fs").readFileSync(process.argv[1]);
 validator.validateBytes(new Uint8Array(bytes)).then(r => console.log(JSON.stringify(r.issues)));
 """
-
-
-def painted_ball():
-    """A Scene of 5^3 cells, every point of the grid of another colour."""
-    x = multi_view_fit.start(5)
-    return x._replace(albedo=np.random.default_rng(0).uniform(0.2, 0.8, x.albedo.shape))
 
 
 @pytest.fixture(scope="module")
@@ -42,6 +37,13 @@ def loaded(path):
     scene = trimesh.load(io.BytesIO(path.read_bytes()), file_type="glb", process=False)
     (found,) = scene.geometry.values()
     return found
+
+
+def parts(path):
+    """A GLB file's JSON and its binary part."""
+    content = path.read_bytes()
+    length = int.from_bytes(content[12:16], "little")
+    return json.loads(content[20:20 + length]), content[28 + length:]
 
 
 def originals(vertices):
@@ -74,8 +76,7 @@ def test_the_glb_has_the_shape_and_the_normals(saved):
 
 def test_the_material_is_dull_and_of_one_side(saved):
     """It glitters, or its inside is seen."""
-    content = saved.read_bytes()
-    gltf = json.loads(content[20:20 + int.from_bytes(content[12:16], "little")])
+    gltf, _ = parts(saved)
     (material,) = gltf["materials"]
     assert not material.get("doubleSided", False)
     assert material["pbrMetallicRoughness"]["metallicFactor"] == 0
@@ -88,9 +89,7 @@ def test_the_glb_s_texture_has_the_albedo_at_the_vertices(saved):
     """v points down in glTF: a texture that is turned over shows other colours. So do colours that
     are not in sRGB.
     """
-    content = saved.read_bytes()
-    length = int.from_bytes(content[12:16], "little")
-    gltf, binary = json.loads(content[20:20 + length]), content[28 + length:]
+    gltf, binary = parts(saved)
 
     def viewed(view):
         start = gltf["bufferViews"][view].get("byteOffset", 0)
@@ -112,7 +111,7 @@ def test_the_glb_s_texture_has_the_albedo_at_the_vertices(saved):
 
 
 def test_the_obj_s_texture_has_the_albedo_at_the_vertices(saved):
-    """v points up in OBJ; the material does not name its picture; indices begin at 1."""
+    """v points up in OBJ. The material does not name its picture. Indices begin at 1."""
     lines = [line.split() for line in saved.with_suffix(".obj").read_text().splitlines()]
     rows = {kind: np.array([line[1:] for line in lines if line and line[0] == kind], float)
             for kind in ("v", "vt", "vn")}

@@ -28,14 +28,8 @@ def test_its_gradients_are_central_differences():
               (rng.normal(size=(5, 3)), matrix), name="project")
 
 
-def test_a_point_gets_a_one_at_its_end(impl):
-    """The 1 stands in front, or a 0 (a direction's) was appended."""
-    assert_close(impl.to_homogeneous(np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])),
-                 np.array([[1.0, 2.0, 3.0, 1.0], [4.0, 5.0, 6.0, 1.0]]))
-
-
 def test_points_may_have_any_leading_axes(impl, rng):
-    """The code works for an array (N, 3) alone."""
+    """The 1 stands in front, a 0 is appended, or the code works for an array (N, 3) alone."""
     for shape in (3,), (0, 3), (2, 5, 3):
         points = rng.normal(size=shape)
         expected = np.ones((*shape[:-1], 4))

@@ -1,7 +1,7 @@
 """Whole variance shadows of lab 14, and their gradient, against ray casting and differences."""
 import numpy as np
 import pytest
-from shadow_scenes import LIGHTS, PLACE, camera, scene
+from shadow_scenes import LIGHTS, PLACE, camera, scene, small_scene
 
 from course.given import mesh, ray_casting
 from course.given.gradcheck import gradcheck
@@ -134,7 +134,7 @@ def test_the_fit_of_a_low_light_stays_where_a_cone_sees_the_scene(off):
 
 
 def test_a_light_goes_its_whole_way_or_a_half_of_it():
-    """A move that is fine is shortened; one into the scene is refused, or not taken at all."""
+    """A move that is fine is shortened. One into the scene is refused, or not taken at all."""
     vertices, _ = scene()
     light, move = LIGHTS["point"](vertices), np.array([0.3, 0.2, -0.1])
     moved = variance_shadows.moved_light(light, move, vertices)
@@ -147,9 +147,8 @@ def test_a_light_goes_its_whole_way_or_a_half_of_it():
 
 def test_what_does_not_fit_a_variance_shadow_is_one_sentence():
     """A map without texels, a blur by half a texel, no point: NaN, or an error from inside."""
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
+    vertices, faces, points, _ = small_scene()
     light = LIGHTS["point"](vertices)
-    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
 
     def refused(match, size=8, radius=1, least_variance=1e-3, points=points, faces=faces,
                 target=None):
@@ -174,8 +173,7 @@ def test_what_does_not_fit_a_variance_shadow_is_one_sentence():
 
 def test_a_fit_of_no_steps_stays():
     """An empty schedule: an error from inside."""
-    vertices, faces = scene(lambda: mesh.icosphere(20), lift=0.3)
-    _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 8, 8)
+    vertices, faces, points, _ = small_scene()
     path = variance_shadows.fit_position(np.ones(len(points)), points, vertices, faces, PLACE,
                                          variance_shadows.Settings(8, 1, 1e-3), [])
     np.testing.assert_array_equal(path, [PLACE])
@@ -189,25 +187,13 @@ def each_square(picture, radius, of):
                       for j in range(width)] for i in range(height)])
 
 
-def test_sums_on_paper():
-    """Rows alone, or columns alone; the border is wrapped or left out."""
-    picture = np.array([[1.0, 2.0, 3.0], [10.0, 20.0, 30.0]])[..., None]
-    sums = variance_shadows.window_sums(picture, 1)[..., 0]
-    np.testing.assert_allclose(sums, [[33.0, 66.0, 55.0]] * 2)
-    np.testing.assert_allclose(variance_shadows.window_sums(picture, 0), picture)
-
-
-@pytest.mark.parametrize("radius", [1, 2, 3, 9])
-def test_sums_are_those_of_every_square(radius):
-    """A square is one pixel too wide; channels are mixed; a square larger than the picture."""
-    picture = np.random.default_rng(radius).normal(size=(5, 8, 2))
-    expected = each_square(picture, radius, lambda part: part.sum((0, 1)))
-    np.testing.assert_allclose(variance_shadows.window_sums(picture, radius), expected)
-
-
-@pytest.mark.parametrize("radius", [0, 1, 2, 9])
-def test_a_blur_is_the_mean_of_every_square(radius):
-    """At the border, the sum is divided by the number of pixels of a whole square."""
+@pytest.mark.parametrize("radius", [0, 1, 2, 3, 9])
+@pytest.mark.parametrize(("windows", "of"), [(variance_shadows.window_sums, np.sum),
+                                             (variance_shadows.box_blur, np.mean)])
+def test_sums_and_blurs_are_those_of_every_square(windows, of, radius):
+    """Rows alone, or columns alone. A square is one pixel too wide, or larger than the picture. The
+    border is wrapped, or its sum is divided by the pixels of a whole square. Channels are mixed.
+    """
     picture = np.random.default_rng(radius).normal(size=(5, 8, 3))
-    expected = each_square(picture, radius, lambda part: part.mean((0, 1)))
-    np.testing.assert_allclose(variance_shadows.box_blur(picture, radius), expected)
+    expected = each_square(picture, radius, lambda part: of(part, (0, 1)))
+    np.testing.assert_allclose(windows(picture, radius), expected)
