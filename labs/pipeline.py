@@ -97,6 +97,7 @@ class Gradients(NamedTuple):
 
 def make_mesh(positions, faces):
     """A Mesh of positions (V, 3) and faces (F, 3). When it moves, `_replace` its positions."""
+    inputs.require_faces(faces, len(positions))
     faces = faces.astype(np.intp)
     return Mesh(positions, faces, antialiasing.opposite_vertices(faces))
 

@@ -274,6 +274,16 @@ def test_faces_may_be_integers_of_any_kind(dtype):
         np.testing.assert_array_equal(got, wanted)
 
 
+@pytest.mark.parametrize(("faces", "sentence"), [
+    (np.array([[0.9, 1.9, 2.9]]), "integers from 0 to 2.*of float64"),
+    ([[0, 1, 2]], "got a list: give an array"),
+    (np.array([[0, 1, 3]]), "face 0 names vertex 3")])
+def test_a_mesh_is_made_of_integers(faces, sentence):
+    """Floats are cut off to integers, and nobody sees it any more."""
+    with pytest.raises(ValueError, match=sentence):
+        pipeline.make_mesh(np.zeros((3, 3)), faces)
+
+
 GOOD = {"positions": np.zeros((3, 3)), "faces": np.array([[0, 1, 2]]), "colours": np.zeros((3, 2)),
         "clip_from_model": np.eye(4), "background": np.zeros(2), "opposite": np.full((1, 3), -1),
         "width": 5, "height": 4}
