@@ -119,6 +119,8 @@ def render_backward(grad_picture, buffers, mesh, surface, view, grad_depth=None)
 
     A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
     """
+    inputs.require((buffers.weights is None) == isinstance(surface, Texture), "the Buffers of this "
+                   "surface's picture", "those of a picture with another kind of surface")
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)

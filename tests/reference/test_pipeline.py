@@ -401,6 +401,16 @@ def test_a_gradient_of_another_shape_is_told():
         pipeline.render_backward(picture[..., 0], buffers, shape, texture, view)
 
 
+def test_buffers_of_another_surface_are_told():
+    """A TypeError, as there is nothing to unpack."""
+    shape, surface, view = scene("cube")
+    texture = Texture(np.zeros((len(shape.positions), 2)), shape.faces, np.zeros((4, 4, 2)))
+    for one, other in (surface, texture), (texture, surface):
+        picture, buffers = pipeline.render(shape, one, view)
+        with pytest.raises(ValueError, match="Buffers of this surface's picture; it got those of"):
+            pipeline.render_backward(picture, buffers, shape, other, view)
+
+
 def test_a_good_scene_is_rendered():
     """The checks refuse what fits."""
     picture, _ = rendered(GOOD)
