@@ -56,7 +56,8 @@ def corner_angles(triangles):  # extra 13.1 (2 points)
     array([1.570796, 0.785398, 0.785398])
 
     Fine print. The angle is 0 at a corner that coincides with another one. Every angle is right to
-    1e-14, and a tiny one between two long sides to a relative 1e-9. `twice_areas` has these digits.
+    1e-14, and the tip of a needle, across from a short side, to a relative 1e-9. `twice_areas` has
+    these digits.
     """
     p, q = sides(triangles)
     return np.arctan2(twice_areas(triangles)[..., None], (p * q).sum(-1))
