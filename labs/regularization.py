@@ -164,6 +164,7 @@ def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
 
 def laplacian(edges, weights, vertex_count):
     """The Laplacian of eq. (2) as a sparse matrix (V, V). It is symmetric, its rows sum to 0."""
+    weights = np.asarray(weights, float)  # of unsigned integers, -1 is a large one
     rows, columns, values = laplacian_entries(edges, weights, vertex_count)
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
 
