@@ -179,6 +179,8 @@ def silhouette_loss(coverage, target):  # exercise 9.8 (1 point)
 
     >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])).round(9)
     np.float64(0.5)
+
+    Fine print. Two empty silhouettes are the same: the loss is 0.
     """
     raise NotImplementedError("exercise 9.8: silhouette_loss")
 
@@ -189,6 +191,8 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 po
     >>> coverage, target = np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])
     >>> silhouette_loss_backward(18.0, coverage, target)
     array([ 3., -6., -6.,  3.])
+
+    Fine print. Two empty silhouettes have the gradient 0.
     """
     raise NotImplementedError("exercise 9.9: silhouette_loss_backward")
 

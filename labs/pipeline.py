@@ -98,6 +98,7 @@ class Gradients(NamedTuple):
 
 def make_mesh(positions, faces):
     """A Mesh of positions (V, 3) and faces (F, 3). When it moves, `_replace` its positions."""
+    inputs.require_faces(faces, len(positions))
     faces = faces.astype(np.intp)
     return Mesh(positions, faces, antialiasing.opposite_vertices(faces))
 
@@ -119,6 +120,8 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
     A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
     """
+    inputs.require((buffers.weights is None) == isinstance(surface, Texture), "the Buffers of this "
+                   "surface's picture", "those of a picture with another kind of surface")
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)

@@ -110,7 +110,10 @@ def normalize_derivative_backward(grad_db, dc, b, s):  # extra 7.15 (4 points)
 
 
 def inverses(corners):
-    """M^-1 of faces: corners (3, 3, F) -> (3, 3, F), 0 for a face without area."""
+    """M^-1 of faces: corners (3, 3, F) -> (3, 3, F), 0 for a face without area.
+
+    A determinant is a product of three numbers: corners may have sizes from 1e-100 to 1e100.
+    """
     e = edge_normals(corners)
     det = (e[0] * corners[:, 0]).sum(0)
     return e / np.where(det == 0, np.inf, det)

@@ -52,6 +52,7 @@ FRAMES = np.array([  # right, down, out
     [[1, 0, 0], [0, -1, 0], [0, 0, 1]],     # 4: +z
     [[-1, 0, 0], [0, -1, 0], [0, 0, -1]],   # 5: -z
 ], float)
+SHORTEST = 1e-150  # of a direction: one over its square is still a number
 
 
 # --- directions and faces ------------------------------------------------------------------------
@@ -230,13 +231,14 @@ def cube_texture(faces, directions, jacobian=None, bias=0.0, filter="linear", ma
 
     faces (6, n, n, C), in the order +x, -x, +y, -y, +z, -z, directions (..., 3) -> colour (..., C).
     filter, bias and max_level are those of `texture` in mipmapping.py; jacobian (..., 3, 2) is
-    d(direction)/d(x, y). A direction of 0, as where no face is seen, has colour 0 and no gradient.
+    d(direction)/d(x, y). A direction of 0, as where no face is seen, or shorter than SHORTEST, has
+    colour 0 and no gradient.
 
     All arrays are read as float64. ValueError for what does not fit.
     """
     image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter, max_level)
     mipmap = cube_mipmap(image, filter, max_level)
-    seen = look.uv.any(-1)
+    seen = (np.abs(look.uv) > SHORTEST).any(-1)
     face, footprint = on_faces(look, seen)
 
     def colours(face, uv, level):
@@ -254,7 +256,7 @@ def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.
     grad_jacobian, grad_bias, each of its argument's shape (None for a jacobian that is None).
     """
     image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter, max_level)
-    seen = look.uv.any(-1)
+    seen = (np.abs(look.uv) > SHORTEST).any(-1)
     grad_colour = require_gradient(grad_colour, image, look)[seen.ravel()]
     mipmap = cube_mipmap(image, filter, max_level)
     face, footprint = on_faces(look, seen)

@@ -244,7 +244,8 @@ def camera_rays(clip_from_world, width, height):
 
     -> origins (R, 3) on the near plane, directions (R, 3) of unit length, world space.
     """
-    y, x = (np.indices((height, width)).reshape(2, -1) + 0.5) * [[2 / height], [2 / width]] - 1
+    sides = np.maximum([[height], [width]], 1.0)  # 1 where there are no pixels
+    y, x = (np.indices((height, width)).reshape(2, -1) + 0.5) * (2 / sides) - 1
     ends = np.array([[x, y, 0 * x + depth, 1 + 0 * x] for depth in (-1, 1)]).swapaxes(1, 2)
     near, far = (end[:, :3] / end[:, 3:] for end in ends @ np.linalg.inv(clip_from_world).T)
     return near, unit(far - near)

@@ -189,8 +189,14 @@ def silhouette_loss(coverage, target):  # exercise 9.8 (1 point)
 
     >>> silhouette_loss(np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])).round(9)
     np.float64(0.5)
+
+    Fine print. Two empty silhouettes are the same: the loss is 0.
     """
-    return 1 - (coverage * target).sum() / (coverage + target - coverage * target).sum()
+    both = (coverage * target).sum()
+    either = (coverage + target - coverage * target).sum()
+    if either == 0:
+        return 0.0
+    return 1 - both / either
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 points)
@@ -199,10 +205,14 @@ def silhouette_loss_backward(grad_loss, coverage, target):  # exercise 9.9 (2 po
     >>> coverage, target = np.array([1.0, 1.0, 0.5, 0.0]), np.array([0.0, 1.0, 1.0, 0.0])
     >>> silhouette_loss_backward(18.0, coverage, target)
     array([ 3., -6., -6.,  3.])
+
+    Fine print. Two empty silhouettes have the gradient 0.
     """
     # L = 1 - A / U: dL = -dA / U + A dU / U^2, with dA = t dc and dU = (1 - t) dc in each pixel.
     both = (coverage * target).sum()
     either = (coverage + target - coverage * target).sum()
+    if either == 0:
+        return np.zeros(coverage.shape)
     return grad_loss * (both / either * (1 - target) - target) / either
 
 

@@ -54,12 +54,13 @@ def is_odd(order):
 def grid_weights(points, n):
     """Trilinear look-ups in a grid of (n + 1)^3 numbers over [-1, 1]^3, as a sparse matrix.
 
-    points (P, 3) -> W (P, (n + 1)^3): W @ grid are the numbers at the points, 0 beyond the grid,
-    and W.T @ grad is the backward pass. The grid's order is that of `tetrahedral_grid`.
+    points (P, 3) -> W (P, (n + 1)^3): W @ grid are the numbers at the points, 0 beyond the grid
+    and at NaN, and W.T @ grad is the backward pass. The grid's order is that of `tetrahedral_grid`.
     """
     place = (points + 1) * (n / 2)
     inside = ((place >= 0) & (place <= n)).all(-1)
-    low = np.clip(np.floor(place), 0, n - 1).astype(int)
+    place = np.where(inside[:, None], place, 0)
+    low = np.minimum(np.floor(place), n - 1).astype(int)
     part = place - low
     x, y, z = np.stack([1 - part, part], -1).swapaxes(0, 1)  # (P, 2): of the lower, of the upper
     weights = np.einsum("p,pi,pj,pk->pijk", inside, x, y, z)

@@ -56,7 +56,8 @@ def corner_angles(triangles):  # extra 13.1 (2 points)
     array([1.570796, 0.785398, 0.785398])
 
     Fine print. The angle is 0 at a corner that coincides with another one. Every angle is right to
-    1e-14, and a tiny one between two long sides to a relative 1e-9. `twice_areas` has these digits.
+    1e-14, and the tip of a needle, across from a short side, to a relative 1e-9. `twice_areas` has
+    these digits.
     """
     p, q = sides(triangles)
     return np.arctan2(twice_areas(triangles)[..., None], (p * q).sum(-1))
@@ -168,6 +169,7 @@ def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
 
 def laplacian(edges, weights, vertex_count):
     """The Laplacian of eq. (2) as a sparse matrix (V, V). It is symmetric, its rows sum to 0."""
+    weights = np.asarray(weights, float)  # of unsigned integers, -1 is a large one
     rows, columns, values = laplacian_entries(edges, weights, vertex_count)
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
 
@@ -180,8 +182,8 @@ def cotangent_laplacian(vertices, faces):
 
 
 def per_mass(x, mass):
-    """M^-1 x, but 0 where a mass is 0: x (V, C), mass (V,) >= 0, both float -> (V, C)."""
-    return np.divide(x, mass[:, None], out=np.zeros_like(x), where=mass[:, None] > 0)
+    """M^-1 x, but 0 where a mass is 0: x (V, C), mass (V,) >= 0 -> (V, C)."""
+    return x / np.where(mass > 0, mass, np.inf)[:, None]
 
 
 def laplacian_energy(x, edges, weights, mass):  # extra 13.7 (1 point)

@@ -85,7 +85,7 @@ def outcodes(clip, x, y):
 
     clip (V, 4); x, y (V,) of `screen_points` -> uint8 (V,).
     """
-    clip_x, clip_y, z, w = clip.T.copy()  # contiguous rows: faster
+    clip_x, clip_y, z, w = np.array(clip.T, float, order="C")  # contiguous rows: faster
     beyond = clip_x < -w, clip_x > w, clip_y < -w, clip_y > w, z < -w, z > w, w <= 0
     outcode = FINITE * np.isfinite(x + y + z + w)
     for bit, is_beyond in enumerate(beyond, 1):

@@ -150,6 +150,7 @@ def map_motion(distance_map, clip_from_light):  # extra 14.19 (3 points)
 
 def moments_of(distance_map):
     """Eq. (8) before the blur: distance_map (H, W) -> the distance and its square (H, W, 2)."""
+    distance_map = np.asarray(distance_map, float)
     return np.stack([distance_map, distance_map**2], -1)
 
 

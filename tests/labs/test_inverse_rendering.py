@@ -396,6 +396,12 @@ def test_sums_are_over_all_pixels_at_once(impl, rng):
     assert_close(impl.silhouette_loss(coverage, target), pixel_by_pixel(coverage, target))
 
 
+@exercise("9.8", fine_print=True)
+def test_two_empty_silhouettes_are_the_same(impl):
+    """0 / 0: one view in which nothing is seen, and nothing should be, makes a fit's loss NaN."""
+    assert_close(impl.silhouette_loss(np.zeros((2, 3)), np.zeros((2, 3))), 0.0)
+
+
 @exercise("9.9")
 def test_silhouette_gradients_on_paper(impl):
     """grad_loss is missing. The sign is the overlap's, or one in the quotient rule is wrong. U or A
@@ -407,6 +413,13 @@ def test_silhouette_gradients_on_paper(impl):
     got = impl.silhouette_loss_backward(-81.0, coverage, target)
     # A = 2, U = 4.5: (A (1 - t) - U t) / U^2 = (8 - 26 t) / 81.
     assert_close(got, np.array([[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]]))
+
+
+@exercise("9.9", fine_print=True)
+def test_two_empty_silhouettes_have_no_gradient(impl):
+    """0 / 0: one view in which nothing is seen, and nothing should be, ends a fit."""
+    got = impl.silhouette_loss_backward(3.0, np.zeros((2, 3)), np.zeros((2, 3)))
+    assert_close(got, np.zeros((2, 3)))
 
 
 @exercise("9.9")

@@ -68,11 +68,13 @@ def sums(coverage, target):
 
 def silhouette_loss(coverage, target):
     shared, either = sums(coverage, target)
-    return (either - shared) / either
+    return (either - shared) / either if either > 0 else 0
 
 
 def silhouette_loss_backward(grad_loss, coverage, target):
     shared, either = sums(coverage, target)
+    if not either:
+        return 0 * coverage
     return grad_loss * ((1 - target) * shared / either - target) / either
 
 

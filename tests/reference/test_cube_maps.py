@@ -42,6 +42,18 @@ def test_each_texel_is_seen_in_its_own_direction():
             np.testing.assert_allclose(got, numbered(size), atol=1e-9)
 
 
+def test_a_direction_too_short_to_divide_by_sees_nothing():
+    """1 / m is infinite, and 0 times that is NaN, in the gradient of a fit's whole texture."""
+    directions = np.array([[0.0, 0, 0], [1e-320, 2e-320, 0], [3e-200, 0, 0], [1e-140, 3e-141, 0]])
+    jacobian = np.ones((4, 3, 2)) * np.abs(directions).max(-1)[:, None, None]
+    look = numbered(4) + 1.0, directions, jacobian
+    given = {"filter": "linear-mipmap-linear"}
+    np.testing.assert_array_equal(cube_maps.cube_texture(*look, **given)[:, 0] > 0, [0, 0, 0, 1])
+    _, *grads = cube_maps.cube_texture_backward(np.ones((4, 1)), *look, **given)
+    for grad in grads[:2]:
+        assert np.isfinite(grad).all() and not grad[:3].any() and grad[3].any()
+
+
 def texel_corners(face, column, row, size):
     """The points at a texel's four corners, in units of 1/size, also beyond its face's edge."""
     uv = np.array([[column + j, row + i] for i in (0, 1) for j in (0, 1)]) / size

@@ -41,6 +41,16 @@ def test_trilinear_weights_give_linear_functions_back():
     assert abs(beyond).sum() == 0
 
 
+@pytest.mark.parametrize("nowhere", [np.inf, -np.inf, np.nan, 1e300])
+def test_nothing_is_looked_up_nowhere(nowhere):
+    """0 times infinity is NaN, and NaN as an index is an address outside of the grid."""
+    points = np.zeros((3, 3))
+    points[1, 2] = nowhere
+    weights = marching_tetrahedra.grid_weights(points, 2)
+    assert (weights.indices >= 0).all() and (weights.indices < 27).all()
+    np.testing.assert_array_equal(weights @ np.ones(27), [1, 0, 1])
+
+
 @pytest.mark.parametrize("n", [1, 2, 5])
 def test_the_grid_fills_the_cube_with_tetrahedra_that_fit(n):
     """Some are turned over, overlap, or meet along crossing diagonals."""

@@ -274,6 +274,41 @@ def test_faces_may_be_integers_of_any_kind(dtype):
         np.testing.assert_array_equal(got, wanted)
 
 
+@pytest.mark.parametrize(("faces", "sentence"), [
+    (np.array([[0.9, 1.9, 2.9]]), "integers from 0 to 2.*of float64"),
+    ([[0, 1, 2]], "got a list: give an array"),
+    (np.array([[0, 1, 3]]), "face 0 names vertex 3")])
+def test_a_mesh_is_made_of_integers(faces, sentence):
+    """Floats are cut off to integers, and nobody sees it any more."""
+    with pytest.raises(ValueError, match=sentence):
+        pipeline.make_mesh(np.zeros((3, 3)), faces)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_outline_belongs_to_these_faces_in_this_order(name):
+    """Faces are sorted, or their corners turned, and opposite is still that of before."""
+    shape, surface, view = scene(name)
+    order = np.random.default_rng(0).permutation(len(shape.faces))
+    swapped = np.arange(len(order))
+    swapped[[0, -1]] = swapped[[-1, 0]]
+    for faces in (shape.faces[order], shape.faces[::-1], shape.faces[:, [1, 2, 0]],
+                  shape.faces[swapped]):
+        with pytest.raises(ValueError, match="of these faces in this order; make_mesh does that"):
+            pipeline.render(shape._replace(faces=faces), surface, view)
+        pipeline.render(pipeline.make_mesh(shape.positions, faces), surface, view)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_every_mesh_that_is_made_is_rendered(seed):
+    """Faces upon each other, edges of many faces and vertices named twice count as a mistake."""
+    rng = np.random.default_rng(seed)
+    faces = rng.integers(0, 5, (seed, 3))
+    faces = np.concatenate([faces, faces[:, ::-1], faces[:4]]).astype(rng.choice(["u1", "i8"]))
+    shape = pipeline.make_mesh(rng.normal(size=(5, 3)), faces)
+    view = View(camera(), WIDTH, HEIGHT, np.zeros(1))
+    pipeline.render(shape._replace(faces=faces), Colours(np.ones((5, 1))), view)
+
+
 GOOD = {"positions": np.zeros((3, 3)), "faces": np.array([[0, 1, 2]]), "colours": np.zeros((3, 2)),
         "clip_from_model": np.eye(4), "background": np.zeros(2), "opposite": np.full((1, 3), -1),
         "width": 5, "height": 4}
@@ -364,6 +399,16 @@ def test_a_gradient_of_another_shape_is_told():
     picture, buffers = pipeline.render(shape, texture, view)
     with pytest.raises(ValueError, match=r"grad_picture \(19, 26, 2\).*got \(19, 26\)"):
         pipeline.render_backward(picture[..., 0], buffers, shape, texture, view)
+
+
+def test_buffers_of_another_surface_are_told():
+    """A TypeError, as there is nothing to unpack."""
+    shape, surface, view = scene("cube")
+    texture = Texture(np.zeros((len(shape.positions), 2)), shape.faces, np.zeros((4, 4, 2)))
+    for one, other in (surface, texture), (texture, surface):
+        picture, buffers = pipeline.render(shape, one, view)
+        with pytest.raises(ValueError, match="Buffers of this surface's picture; it got those of"):
+            pipeline.render_backward(picture, buffers, shape, other, view)
 
 
 def test_a_good_scene_is_rendered():

@@ -92,6 +92,17 @@ def test_the_energy_of_lab_9_is_the_one_for_uniform_weights_and_squared_valences
     np.testing.assert_allclose(got, expected, atol=1e-12)
 
 
+def test_an_energy_of_integers_is_that_of_floats():
+    """A share of a mass does not fit into an array of integers, and -1 not into a byte."""
+    x, edges, mass = np.array([[1], [2], [4]]), np.array([[0, 1], [1, 2]]), np.array([1, 0, 4])
+    given = x, edges, np.ones(2, np.uint8), mass
+    assert regularization.laplacian_energy(*given) == 2.0  # L x is -1, -1, 2
+    grads = regularization.laplacian_energy_backward(1, *given)
+    for got, expected in zip(grads, regularization.laplacian_energy_backward(
+            1.0, x.astype(float), edges, np.ones(2), mass.astype(float)), strict=True):
+        np.testing.assert_array_equal(got, expected)
+
+
 def test_the_bending_energy_has_a_gradient():
     """Its weights and its areas depend on the vertices, too."""
     vertices, faces = mesh.icosphere(20)

@@ -331,6 +331,15 @@ def test_faces_may_be_unsigned():
         scanline.rasterize(clip, np.array([[0, 1, 2]]), 9, 8))
 
 
+@pytest.mark.parametrize("kind", [np.uint8, np.uint64, np.int8])
+def test_vertices_may_be_integers(kind):
+    """-w wraps around where it is unsigned, and every face lies beyond the picture."""
+    clip, faces = np.array([[0, 0, 0, 1], [1, 0, 0, 1], [0, 1, 0, 1]]), np.array([[0, 1, 2]])
+    expected = scanline.rasterize(clip.astype(float), faces, 8, 8)
+    assert (expected[0] == 0).sum() == 6
+    assert bits(scanline.rasterize(clip.astype(kind), faces, 8, 8)) == bits(expected)
+
+
 def test_memory_does_not_grow_with_overdraw():
     """All fragments are held at once: 100 faces, each as large as the picture, are 6.5 million."""
     triangle = np.array([[-1.0, -1, 0, 1], [3, -1, 0, 1], [-1, 3, 0, 1]])

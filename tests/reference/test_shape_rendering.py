@@ -1,5 +1,6 @@
 """The reference's pictures of one object as distance, as volume and as mesh (lab 15)."""
 import numpy as np
+import pytest
 
 from course.experiments.scenes import representations
 from reference import pipeline, shape_rendering, transforms
@@ -24,3 +25,14 @@ def test_three_representations_are_one_object():
         assert np.median(difference[evaluations > 8]) < limit
     assert np.abs(traced - traced[:, ::-1]).mean() > 0.03  # so that a mirrored one would be told
     assert np.abs(traced - traced[::-1]).mean() > 0.03
+
+
+@pytest.mark.parametrize("sides", [(0, 0), (0, 4), (5, 0)])
+def test_a_picture_may_be_without_pixels(sides):
+    """Division by no pixels at all."""
+    view = pipeline.View(transforms.perspective(1.0, 1.0, 0.1, 10.0), *sides, np.zeros(3))
+    scene = representations.WHEEL, view, LIGHTING
+    shape = (*sides[::-1], 3)
+    assert shape_rendering.render_distance(*scene)[0].shape == shape
+    assert shape_rendering.render_volume(*scene, 1.5, 4.0).shape == shape
+    assert shape_rendering.render_mesh(*scene, n=8).shape == shape

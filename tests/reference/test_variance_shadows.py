@@ -69,6 +69,18 @@ def test_the_place_of_parallel_light_has_no_gradient(monkeypatch):
     assert np.linalg.norm(whole) < 0.03 * np.linalg.norm(backward())
 
 
+def test_a_map_of_integers_moves_like_one_of_floats():
+    """Half a step does not fit into an array of integers, and 200^2 not into a byte."""
+    rng = np.random.default_rng(0)
+    distance_map, motion = rng.integers(1, 200, (4, 5)), rng.integers(-3, 4, (4, 5, 2, 3))
+    move = np.array([1, 2, -1])
+    expected = variance_shadows.moved_moments(distance_map.astype(float), motion.astype(float),
+                                              move.astype(float))
+    for kind in np.uint8, np.int64:
+        got = variance_shadows.moved_moments(distance_map.astype(kind), motion, move)
+        np.testing.assert_allclose(got, expected, rtol=1e-12)
+
+
 def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
     """A part of the way from the position to the shadow is missing, or has another sign."""
     vertices, faces = scene(slab, lift=0.35)
