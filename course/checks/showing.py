@@ -26,8 +26,16 @@ def shown(value, digits=8):
     if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
         return shown_array(np.asarray(value), "", digits)
     if isinstance(value, tuple):
-        return f"({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
+        return in_brackets(value, map(shown, value))
     return cut(repr(value.item() if isinstance(value, np.generic) else value))
+
+
+def in_brackets(value, parts):
+    """A tuple, given the texts of its parts: (1, 2), or with its names, Colours(colours=1)."""
+    if not hasattr(value, "_fields"):
+        return f"({', '.join(parts)}{',' * (len(value) == 1)})"
+    named = map("=".join, zip(value._fields, parts, strict=True))
+    return f"{type(value).__name__}({', '.join(named)})"
 
 
 def is_large(array):
@@ -47,7 +55,7 @@ def shown_array(array, before, digits=8):
 def typed(value, before=""):
     """A value as one types it, to be pasted, but for large arrays."""
     if isinstance(value, tuple):
-        return f"{before}({', '.join(map(typed, value))}{',' * (len(value) == 1)})"
+        return before + in_brackets(value, map(typed, value))
     if not isinstance(value, np.ndarray):
         return before + shown(value)
     if value.dtype == object or is_large(value):
@@ -71,8 +79,9 @@ def shown_call(function, args, kwargs):
 def large_arrays(name, value):
     """Yield (name, array) if a value is an array too large to be shown, or holds such arrays."""
     if isinstance(value, tuple):
-        for number, part in enumerate(value):
-            yield from large_arrays(f"{name}_{number}", part)
+        names = getattr(value, "_fields", range(len(value)))
+        for place, part in zip(names, value, strict=True):
+            yield from large_arrays(f"{name}_{place}", part)
     elif isinstance(value, np.ndarray) and is_large(value):
         yield name, value
 
