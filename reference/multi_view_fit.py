@@ -14,7 +14,6 @@ Sources: lecture "Differentiable graphics 1" (its last part), Shen et al. 2021, 
 2022.
 """
 import functools
-import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -331,13 +330,13 @@ def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=None, aft
     """Reconstruction, from coarse to fine: yields x, a Scene, after each step, and the loss before
     it, eq. (5) of the views drawn.
 
-    capture is a Capture, stages are tuples like Stage. Each step looks at per_step of the views,
-    drawn by the seed. renderer: what takes the place of the pipeline, see Target. after: a Scene
-    that was found, in how many steps. The search goes on from there.
+    capture is a Capture, stages are Stages. Each step looks at per_step of the views, drawn by the
+    seed. renderer: what takes the place of the pipeline, see Target. after: a Scene that was found,
+    in how many steps. The search goes on from there.
     """
     rng = np.random.default_rng(seed)
     x, done = after
-    for stage in itertools.starmap(Stage, stages):
+    for stage in stages:
         past, done = min(done, stage.steps), max(done - stage.steps, 0)
         for _ in range(past):
             rng.permutation(len(capture.pictures))  # as those steps drew

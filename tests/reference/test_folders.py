@@ -50,7 +50,7 @@ def photos(folder):
     return captures.read(LABS, folder, 32)
 
 
-STAGES = (4, 2, 1, 3, 1.0), (6, 1, 1, 3, 0.5)
+STAGES = multi_view_fit.Stage(4, 2, 1, 3, 1.0), multi_view_fit.Stage(6, 1, 1, 3, 0.5)
 
 
 def stop_after(monkeypatch, count):
@@ -107,11 +107,12 @@ def test_another_search_is_not_gone_on_with(photos, tmp_path):
 
 def test_steps_are_shared_out_among_the_stages():
     """A stage without a step, or another sum than was asked for."""
+    stages = searches.fine_stages(LABS)
     for steps in (3, 4, 7, 30, 299, 300, 1000):
-        found = folders.scaled(searches.FINE_STAGES, steps)
-        assert sum(stage[3] for stage in found) == steps and min(s[3] for s in found) >= 1
-    assert folders.scaled(searches.FINE_STAGES, 300) == searches.FINE_STAGES
-    assert [stage[3] for stage in folders.scaled(searches.FINE_STAGES, 30)] == [10, 8, 12]
+        found = [stage.steps for stage in folders.scaled(stages, steps)]
+        assert sum(found) == steps and min(found) >= 1
+    assert folders.scaled(stages, 300) == stages
+    assert [stage.steps for stage in folders.scaled(stages, 30)] == [10, 8, 12]
 
 
 def test_every_eighth_picture_is_kept_out(photos, tmp_path, monkeypatch):
