@@ -155,8 +155,8 @@ def draw_backward(grad_picture, buffers, faces, surface,  # exercise 9.13 (3 poi
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_surface, grad_clip (V, 4).
 
     `blend_pairs_backward` of lab 8, then `surface_backward`, then lab 7's `rasterize_backward`,
-    which takes grad_depth. The first and the last give a grad_clip: add them. buffers are the
-    Buffers of `draw`, such as buffers.clip.
+    which takes grad_depth. The first and the last give a grad_clip: add them. buffers are those
+    that `draw` returned, with their names, such as buffers.clip.
     Watch it: `python3 -m course demo --impl labs fit_bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
