@@ -25,17 +25,11 @@ def shown(value, digits=8):
     """A value as one reads it. A large array is shortened."""
     if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
         return shown_array(np.asarray(value), "", digits)
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        return typed(value)
     if isinstance(value, tuple):
-        return in_brackets(value, map(shown, value))
+        return f"({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
     return cut(repr(value.item() if isinstance(value, np.generic) else value))
-
-
-def in_brackets(value, parts):
-    """A tuple, given the texts of its parts: (1, 2), or with its names, Colours(colours=1)."""
-    if not hasattr(value, "_fields"):
-        return f"({', '.join(parts)}{',' * (len(value) == 1)})"
-    named = map("=".join, zip(value._fields, parts, strict=True))
-    return f"{type(value).__name__}({', '.join(named)})"
 
 
 def is_large(array):
@@ -54,8 +48,10 @@ def shown_array(array, before, digits=8):
 
 def typed(value, before=""):
     """A value as one types it, to be pasted, but for large arrays."""
+    if isinstance(value, tuple) and hasattr(value, "_fields"):  # as the call that makes it
+        return before + shown_call(type(value), value, {})
     if isinstance(value, tuple):
-        return before + in_brackets(value, map(typed, value))
+        return f"{before}({', '.join(map(typed, value))}{',' * (len(value) == 1)})"
     if not isinstance(value, np.ndarray):
         return before + shown(value)
     if value.dtype == object or is_large(value):
