@@ -94,6 +94,12 @@ def bar(width, height, end):
     return np.array([[ndc, -30.0, 0.25, 1.0], [ndc, 30.0, 0.25, 1.0], [-30.0, 0.0, 0.25, 1.0]])
 
 
+@pytest.fixture
+def white(impl):
+    """The Colours of a bar."""
+    return impl.Colours(np.ones((3, 1)))
+
+
 def form(value):
     """"4x6x1": the shape of what was returned. Of a tuple, those of its parts in brackets."""
     if isinstance(value, tuple):
@@ -145,23 +151,22 @@ def test_the_picture_comes_first_and_then_the_buffers(impl):
 @exercise("9.12")
 @pytest.mark.parametrize("end, row", [(1.75, [1.0, 0.75, 0.0, 0.0]), (2.25, [1.0, 1.0, 0.25, 0.0])],
                          ids=["1.75", "2.25"])
-def test_the_edge_of_a_bar_is_antialiased(impl, end, row):
+def test_the_edge_of_a_bar_is_antialiased(impl, white, end, row):
     """The picture is not antialiased, or is twice. The background is painted over it after
     antialiasing, so that it never blends with the outline. Width and height are swapped.
     """
-    white = impl.Colours(np.ones((3, 1)))
     picture, _ = drawn(impl, bar(4, 3, end), *ALONE, white, 4, 3, np.zeros(1))
     assert_picture(picture, np.tile(np.array(row)[:, None], (3, 1, 1)), atol=1e-9)
 
 
 @exercise("9.12")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, end):
+def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, white, end):
     """The buffer colour is antialiased, too: the way back needs the colour of before. Or the
     buffers come in another order.
     """
-    _, (_, face_index, depth, *_, colour, _) = drawn(
-        impl, bar(4, 3, end), *ALONE, impl.Colours(np.ones((3, 1))), 4, 3, np.zeros(1))
+    _, buffers = drawn(impl, bar(4, 3, end), *ALONE, white, 4, 3, np.zeros(1))
+    _, face_index, depth, *_, colour, _ = buffers
     seen = np.tile(np.array([True, True, False, False]), (3, 1))
     assert_picture(colour, np.where(seen, 1.0, 0.0)[..., None], atol=1e-9)
     assert_picture(face_index, np.where(seen, 0, -1))
@@ -170,11 +175,10 @@ def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, end):
 
 @exercise("9.12")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, end):
+def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, white, end):
     """The pairs are left out of the buffers, as those of `shade` are returned. Or they are not the
     blended ones.
     """
-    white = impl.Colours(np.ones((3, 1)))
     found = drawn_pairs(impl, bar(4, 3, end), *ALONE, white, 4, 3, np.zeros(1))
     # In each row pixel 1 sees the bar, and pixel 2 does not. Edge 2 runs between vertices 0 and 1.
     assert_close(found[:3], (np.array([1, 5, 9]), np.array([2, 6, 10]), np.full(3, end - 1.5)))
@@ -303,12 +307,12 @@ def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
 
 @exercise("9.13")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_moving_a_bar_changes_what_it_covers(impl, end):
+def test_moving_a_bar_changes_what_it_covers(impl, white, end):
     """grad_clip lacks the path through the edges: a face of one colour has no other gradient. Or it
     is subtracted, not added.
     """
     _, grad_clip = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(impl, end), ALONE[0],
-                             impl.Colours(np.ones((3, 1))))
+                             white)
     # Each of the 3 rows covers as much more as the edge moves, and a pixel is 1/2 in clip. Each end
     # moves it by half. x / w falls by x as w grows from 1.
     x = 2 * end / 4 - 1
@@ -317,10 +321,10 @@ def test_moving_a_bar_changes_what_it_covers(impl, end):
 
 @exercise("9.13")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, end):
+def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, white, end):
     """grad_picture goes on to surface_backward: it is grad_colour, after the blend."""
     (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(impl, end),
-                                   ALONE[0], impl.Colours(np.ones((3, 1))))
+                                   ALONE[0], white)
     assert_close(grad_colours, 5.0 * 3 * end * np.array([[0.5], [0.3], [0.2]]))
 
 
