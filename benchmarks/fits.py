@@ -41,7 +41,7 @@ def main():
 
 def ring(labs, steps):
     """Steps of the reconstruction's middle stage, and its start."""
-    found = reconstruct.fit(labs, "ring", [(24, 2, 1, steps, 0.5)])
+    found = reconstruct.fit(labs, "ring", [labs.multi_view_fit.Stage(24, 2, 1, steps, 0.5)])
     return list(itertools.islice(found, steps))
 
 

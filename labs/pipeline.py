@@ -106,7 +106,8 @@ def make_mesh(positions, faces):
 def render(mesh, material, view):
     """The antialiased picture (H, W, C) of a Mesh with Colours or a Texture, and its Buffers.
 
-    ValueError, in one sentence, for what does not fit.
+    Your `draw` may return a plain tuple: here it gets its names, and nowhere else. ValueError, in
+    one sentence, for what does not fit.
     """
     require_scene(mesh, material, view)
     clip = to_clip(mesh.positions, view.clip_from_model)
@@ -120,8 +121,8 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
     A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
     """
-    inputs.require((buffers.weights is None) == isinstance(surface, Texture), "the Buffers of this "
-                   "surface's picture", "those of a picture with another kind of surface")
+    inputs.require((buffers.weights is None) == isinstance(material, Texture), "the Buffers of a "
+                   "picture with this material", "those of a picture with another kind of material")
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
@@ -129,7 +130,7 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
                                              grad_depth)
     grad_positions, grad_clip_from_model = to_clip_backward(grad_clip, mesh.positions,
                                                             view.clip_from_model)
-    return Gradients(grad_positions, as_material(grad_material), grad_clip_from_model)
+    return Gradients(grad_positions, grad_material, grad_clip_from_model)
 
 
 def draw(clip, faces, opposite, material, width, height, background):  # exercise 9.12 (3 points)
@@ -154,14 +155,14 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 po
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 
     `blend_pairs_backward` of lab 8, then `shade_backward`, then lab 7's `rasterize_backward`,
-    which takes grad_depth. The first and the last give a grad_clip: add them. buffers is a plain
-    tuple.
+    which takes grad_depth. The first and the last give a grad_clip: add them. buffers are those
+    that `draw` returned, with their names, such as buffers.clip.
     Watch it: `python3 -m course demo --impl labs fit_bunny`.
 
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> faces, colours = np.array([[0, 1, 2]]), Colours(np.ones((3, 1)))
     >>> picture, buffers = draw(clip, faces, np.full((1, 3), -1), colours, 4, 1, np.zeros(1))
-    >>> grad_material, grad_clip = draw_backward(np.ones((1, 4, 1)), tuple(buffers), faces, colours)
+    >>> grad_material, grad_clip = draw_backward(np.ones((1, 4, 1)), buffers, faces, colours)
     >>> grad_material.colours.sum().round(9), grad_clip[:, 0].round(9)
     (np.float64(1.75), array([1., 1., 0.]))
     """
@@ -195,14 +196,8 @@ def with_derivatives(seen, faces):
     return seen._replace(derivatives=derivatives)
 
 
-def as_material(fields):
-    """Colours or a Texture, of a tuple of their fields."""
-    return Texture(*fields) if len(fields) > 1 else Colours(*fields)
-
-
 def shade(seen, faces, material, background):
     """The Buffers of `visible`, completed by the colour (H, W, C) at each pixel's centre."""
-    seen, material = Buffers(*seen), as_material(material)
     if isinstance(material, Texture):
         seen = with_derivatives(seen, faces)
         colour = textured(seen, material)
@@ -222,7 +217,6 @@ def shade_backward(grad_colour, buffers, faces, material):
     """Backward of `shade`: grad_colour (H, W, C) -> grad_material, grad_barycentric (H, W, 3),
     grad_derivatives (H, W, 3, 2) or None.
     """
-    buffers, material = Buffers(*buffers), as_material(material)
     if isinstance(material, Texture):
         return textured_backward(grad_colour, buffers, material)
     return coloured_backward(grad_colour, buffers, faces, material)

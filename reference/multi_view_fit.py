@@ -14,7 +14,6 @@ Sources: lecture "Differentiable graphics 1" (its last part), Shen et al. 2021, 
 2022.
 """
 import functools
-import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -72,15 +71,15 @@ class Capture(NamedTuple):
 
 class Target(NamedTuple):
     """A picture (H, W, 4) to be matched, and the View that renders it, samples times as wide and
-    high. outside (H, W): the pixels that are certain to show nothing of the object. renderer has a
-    `render` and a `render_backward` like the pipeline's.
+    high. outside (H, W): the pixels that are certain to show nothing of the object. renderer: what
+    takes the place of the pipeline, with a `render` and a `render_backward` like it.
     """
 
     picture: np.ndarray
     view: pipeline.View
     samples: int
     outside: np.ndarray
-    renderer: object = pipeline
+    renderer: object = None
 
 
 class Stage(NamedTuple):
@@ -178,7 +177,7 @@ def surface_backward(grad_vertices, grad_albedo, ends, x):
 # --- from the surface to the pictures, and back -------------------------------------------------
 
 
-def targets_of(capture, shrink, samples, renderer=pipeline):
+def targets_of(capture, shrink, samples, renderer=None):
     """The Targets of a Capture: pictures shrink times smaller, rendered with samples^2 a pixel."""
     background = np.append(capture.background, 0.0)
     found = []
@@ -202,8 +201,9 @@ def render_views(shape, colours, views):
     shape is a pipeline.Mesh, colours (V, 3). Coverage, the fourth number, is 1 on the surface.
     """
     pictures, buffers = [], []
-    for target in itertools.starmap(Target, views):
-        fine, seen = target.renderer.render(shape, covering(colours), pipeline.View(*target.view))
+    for target in views:
+        renderer = target.renderer or pipeline
+        fine, seen = renderer.render(shape, covering(colours), target.view)
         pictures.append(msaa.box_resolve(fine, target.samples))
         buffers.append(seen)
     return np.stack(pictures), buffers
@@ -216,11 +216,10 @@ def render_views_backward(grad_pictures, buffers, shape, colours, views):
     with respect to s at the vertices. The loss does not count it.
     """
     found = []
-    for grad_picture, seen, target in zip(grad_pictures, buffers, itertools.starmap(Target, views),
-                                          strict=True):
+    for grad_picture, seen, target in zip(grad_pictures, buffers, views, strict=True):
         grad_fine = msaa.box_resolve_backward(grad_picture, seen.colour, target.samples)
-        gradients = target.renderer.render_backward(grad_fine, seen, shape, covering(colours),
-                                                    pipeline.View(*target.view))
+        renderer = target.renderer or pipeline
+        gradients = renderer.render_backward(grad_fine, seen, shape, covering(colours), target.view)
         grad_level = carving_backward(1 / len(views), target, len(shape.positions), seen)
         found.append((gradients.positions, gradients.material.colours[:, :3], grad_level))
     return tuple(map(sum, zip(*found, strict=True)))
@@ -327,17 +326,17 @@ def stochastic_gradient(targets, per_step, rng, weights):
     return gradient
 
 
-def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=pipeline, after=(None, 0)):
+def fit(capture, stages, seed=0, weights=WEIGHTS, per_step=4, renderer=None, after=(None, 0)):
     """Reconstruction, from coarse to fine: yields x, a Scene, after each step, and the loss before
     it, eq. (5) of the views drawn.
 
-    capture is a Capture, stages are tuples like Stage. Each step looks at per_step of the views,
-    drawn by the seed. renderer has a `render` and a `render_backward` like the pipeline's. after: a
-    Scene that was found, in how many steps. The search goes on from there.
+    capture is a Capture, stages are Stages. Each step looks at per_step of the views, drawn by the
+    seed. renderer: what takes the place of the pipeline, see Target. after: a Scene that was found,
+    in how many steps. The search goes on from there.
     """
     rng = np.random.default_rng(seed)
     x, done = after
-    for stage in itertools.starmap(Stage, stages):
+    for stage in stages:
         past, done = min(done, stage.steps), max(done - stage.steps, 0)
         for _ in range(past):
             rng.permutation(len(capture.pictures))  # as those steps drew

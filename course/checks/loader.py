@@ -24,12 +24,15 @@ FIND = pytest.StashKey()         # of the run: finds functions that run in anoth
 class Implementation:
     """The code under test: impl.edge_function(p, a, b) calls the function of that name.
 
+    impl.Buffers is its NamedTuple of that name, and impl.outlines.Pairs that of another topic.
+
     Every call keeps to course/given/contract.py. So a check gets arrays and numbers in their
     standard form, whatever the function returned them as, and no warning reaches it. A call fails
     that returns None or changes its inputs.
 
     find(name) -> the function, or what stands for it where it runs in another process: all that
-    is done with it is to call it. stash keeps the last call, for the report.
+    is done with it is to call it. Or a class, or a module for its classes. stash keeps the last
+    call, for the report.
     """
 
     def __init__(self, find, stash):
@@ -40,6 +43,10 @@ class Implementation:
         if name.startswith("_"):
             raise AttributeError(name)
         function = self._find(name)
+        if isinstance(function, type):
+            return function
+        if isinstance(function, types.ModuleType):
+            return classes(function)
 
         @functools.wraps(function)
         def call(*args, **kwargs):
@@ -53,6 +60,12 @@ class Implementation:
 
         vars(self)[name] = call
         return call
+
+
+def classes(module):
+    """A module's classes alone: what it does is checked in its own topic."""
+    return types.SimpleNamespace(**{name: found for name, found in vars(module).items()
+                                    if isinstance(found, type)})
 
 
 def require_returned(name, returned):
@@ -104,7 +117,10 @@ def load_topic(path):
 
 
 def finder(code):
-    """(topic, name) -> the function in the code under test. Mismatch: there is none."""
+    """(topic, name) -> the function, class or module of that name in the code under test.
+
+    Mismatch: there is none.
+    """
     package = types.ModuleType(PACKAGE)
     package.__path__ = [str(code)]  # so `from . import x` works there
     for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
@@ -122,11 +138,14 @@ def finder(code):
         module = module_or_mismatch(topic)
         if isinstance(module, Mismatch):
             raise Mismatch(*module.rows)
-        if not callable(getattr(module, name, None)):
+        found = getattr(module, name, None)
+        if isinstance(found, type | types.ModuleType):
+            return found
+        if not callable(found):
             path = places.shown_path(module.__file__)
             raise Mismatch(("wrong", f"{path} has no function {name}; "
                                      "keep the names that the skeleton gives"))
-        return limited(getattr(module, name))
+        return limited(found)
 
     return find
 

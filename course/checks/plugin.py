@@ -44,7 +44,7 @@ def pytest_runtest_makereport(item, call):
 
 @pytest.fixture(scope="session")
 def find_function(pytestconfig):
-    """(topic, name) -> the function in the code under test. Mismatch: there is none."""
+    """(topic, name) -> what has that name in the code under test, see loader.finder."""
     if loader.FIND in pytestconfig.stash:
         return pytestconfig.stash[loader.FIND]
     return loader.finder(loader.folder(pytestconfig.option.impl))

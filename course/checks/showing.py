@@ -25,6 +25,8 @@ def shown(value, digits=8):
     """A value as one reads it. A large array is shortened."""
     if isinstance(value, np.ndarray | list) and as_array(value).dtype != object:
         return shown_array(np.asarray(value), "", digits)
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        return typed(value)
     if isinstance(value, tuple):
         return f"({', '.join(map(shown, value))}{',' * (len(value) == 1)})"
     return cut(repr(value.item() if isinstance(value, np.generic) else value))
@@ -46,6 +48,8 @@ def shown_array(array, before, digits=8):
 
 def typed(value, before=""):
     """A value as one types it, to be pasted, but for large arrays."""
+    if isinstance(value, tuple) and hasattr(value, "_fields"):  # as the call that makes it
+        return before + shown_call(type(value), value, {})
     if isinstance(value, tuple):
         return f"{before}({', '.join(map(typed, value))}{',' * (len(value) == 1)})"
     if not isinstance(value, np.ndarray):
@@ -71,8 +75,9 @@ def shown_call(function, args, kwargs):
 def large_arrays(name, value):
     """Yield (name, array) if a value is an array too large to be shown, or holds such arrays."""
     if isinstance(value, tuple):
-        for number, part in enumerate(value):
-            yield from large_arrays(f"{name}_{number}", part)
+        names = getattr(value, "_fields", range(len(value)))
+        for place, part in zip(names, value, strict=True):
+            yield from large_arrays(f"{name}_{place}", part)
     elif isinstance(value, np.ndarray) and is_large(value):
         yield name, value
 

@@ -1,11 +1,12 @@
 """The contract of all exercises: what goes in, what may come out. `called` makes checks keep it.
 
     Given     arrays of floats (float64), integers, booleans or complex numbers, single numbers,
-              strings, and tuples of all these, with None for a part that is not there. An exercise
-              leaves them as they are.
+              strings, and tuples of all these, with None for a part that is not there. The
+              NamedTuples of given code are such tuples, and their names may be used. An exercise
+              leaves what it is given as it is.
     Returned  the right numbers, in any form: a list in place of an array, an array of the shape ()
               in place of a number, any memory order, any type that holds the numbers exactly.
-              Several outputs are a tuple.
+              Several outputs are a tuple. In place of a NamedTuple a plain tuple will do.
     Warnings  do not count.
     To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.
 
@@ -29,11 +30,11 @@ def called(function, *args, **kwargs):
 def standard(value):
     """An array in C order, of float64, int64, complex128 or booleans, or one NumPy number.
 
-    A tuple becomes a tuple of these, and so does a list whose rows differ in length. What is
-    neither a number nor an array of numbers stays as it is.
+    A tuple becomes a tuple of these, and so does a list whose rows differ in length. A NamedTuple
+    stays one. What is neither a number nor an array of numbers stays as it is.
     """
     if isinstance(value, tuple):
-        return tuple(map(standard, value))
+        return mapped(standard, value)
     if not isinstance(value, np.ndarray | np.generic | bool | int | float | complex | list | range):
         return value
     array = as_array(value)
@@ -42,6 +43,12 @@ def standard(value):
     small = array.dtype.kind == "u" and array.itemsize < 8
     kind = np.intp if small else STANDARD.get(array.dtype.kind, array.dtype)
     return np.asarray(array, kind, order="C")[()]
+
+
+def mapped(function, value):
+    """A tuple of what a function makes of the parts of a tuple. A NamedTuple stays one."""
+    parts = map(function, value)
+    return type(value)._make(parts) if hasattr(value, "_fields") else tuple(parts)
 
 
 def as_array(value):

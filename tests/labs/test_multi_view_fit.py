@@ -11,11 +11,11 @@ FROM_THE_SIDE = IN_FRONT @ np.array([[0.6, 0, -0.8, 0], [0, 1, 0, 0.1], [0.8, 0,
                                      [0, 0, 0, 1]])
 
 
-def view_of(camera, target, outside=False):
-    """What `render_views` takes: target, the camera's view, one sample a pixel, what is outside."""
+def view_of(impl, camera, target):
+    """What `see` takes, a Target: one sample a pixel, and all of its pixels outside."""
     height, width, _ = target.shape
-    view = camera, width, height, np.array([0.3, 0.1, 0.2, 0.0])
-    return target, view, 1, np.full((height, width), outside)
+    view = impl.pipeline.View(camera, width, height, np.array([0.3, 0.1, 0.2, 0.0]))
+    return impl.Target(target, view, 1, np.full((height, width), True))
 
 
 def solid(rng):
@@ -27,14 +27,14 @@ def solid(rng):
     return vertices, faces, rng.uniform(0.2, 0.8, (4, 3)), light
 
 
-def several_views(rng, cameras=(IN_FRONT, FROM_THE_SIDE)):
+def several_views(impl, rng, cameras=(IN_FRONT, FROM_THE_SIDE)):
     targets = rng.uniform(0, 1, (len(cameras), 7, 8, 4))
-    views = tuple(view_of(camera, target, outside=True) for camera, target in
+    views = tuple(view_of(impl, camera, target) for camera, target in
                   zip(cameras, targets, strict=True))
     return views, targets
 
 
-def full_picture():
+def full_picture(impl):
     """A face that fills a picture of 2 x 3 pixels, whose colour is (1.5, 0.75, 1): what
     `views_loss_and_gradients` takes. E is (3 + z, 1, 2), and z is 1.
     """
@@ -42,7 +42,7 @@ def full_picture():
     light, albedo = np.zeros((9, 3)), np.tile([0.375, 0.75, 0.5], (3, 1))
     light[0], light[2, 0] = np.array([3, 1, 2]) / Y0, 1 / Y1
     target = np.tile([1.0, 0.5, 0.25, 0.6], (2, 3, 1))
-    views = (view_of(np.eye(4), target, outside=True),)
+    views = (view_of(impl, np.eye(4), target),)
     return vertices, np.array([[0, 1, 2]]), albedo, light, views, target[None], 5.0
 
 
@@ -51,7 +51,7 @@ def test_five_outputs_have_the_shapes_of_their_inputs(impl):
     """An output is missing, such as the loss, or the outputs are in another order: loss, then the
     gradients of vertices, albedo and light, and grad_level.
     """
-    found = impl.views_loss_and_gradients(*full_picture())
+    found = impl.views_loss_and_gradients(*full_picture(impl))
     assert_equal(tuple(map(np.shape, found)), ((), (3, 3), (3, 3), (9, 3), (3,)))
 
 
@@ -60,7 +60,7 @@ def test_the_loss_of_a_full_picture_on_paper(impl):
     """The loss: the albedo is rendered as it is, without the light, for shade is left out.
     Coverage's weight is left out, another picture is the target, or a sum stands for a mean.
     """
-    loss = impl.views_loss_and_gradients(*full_picture())[0]
+    loss = impl.views_loss_and_gradients(*full_picture(impl))[0]
     assert_close(loss, (0.5**2 + 0.25**2 + 0.75**2) / 3 + 5 * 0.4**2)
 
 
@@ -70,7 +70,7 @@ def test_the_gradient_of_the_albedo_of_a_full_picture_on_paper(impl):
     loss itself is handed to picture_loss_backward as grad_loss, which is 1. Picture and target are
     swapped there. Or their difference alone goes back.
     """
-    grad_albedo = impl.views_loss_and_gradients(*full_picture())[2]
+    grad_albedo = impl.views_loss_and_gradients(*full_picture(impl))[2]
     grad_colours = 2 / 3 * np.array([0.5, 0.25, 0.75])
     assert_close(np.sum(grad_albedo, 0), grad_colours * [4, 1, 2])
 
@@ -80,7 +80,7 @@ def test_the_gradient_of_the_light_of_a_full_picture_on_paper(impl):
     """grad_light: the albedo is missing in shade_backward, or the shaded colours stand for it. Or
     grad_light and grad_albedo are exchanged.
     """
-    grad_light = impl.views_loss_and_gradients(*full_picture())[3]
+    grad_light = impl.views_loss_and_gradients(*full_picture(impl))[3]
     grad_irradiance = 2 / 3 * np.array([0.5, 0.25, 0.75]) * [0.375, 0.75, 0.5]
     assert_close(np.array(grad_light)[:3], np.array([[Y0], [0], [Y1]]) * grad_irradiance)
 
@@ -91,7 +91,7 @@ def test_the_level_and_vertices_of_a_full_picture_on_paper(impl):
     to grad_vertices. Those have none here, where light is even. They are no normals' gradients:
     vertex_normals_backward takes those to the vertices.
     """
-    _, grad_vertices, _, _, grad_level = impl.views_loss_and_gradients(*full_picture())
+    _, grad_vertices, _, _, grad_level = impl.views_loss_and_gradients(*full_picture(impl))
     assert_close(np.sum(grad_level), -1.0)  # every pixel asks the surface to go
     assert_close(np.abs(grad_vertices).max(), 0.0)
 
@@ -102,7 +102,7 @@ def test_three_views_are_the_mean_of_each_alone(impl, rng):
     divided by their number once more, or one is compared with the other's target.
     """
     vertices, faces, albedo, light = solid(rng)
-    views, targets = several_views(rng, (IN_FRONT, FROM_THE_SIDE, IN_FRONT @ FROM_BELOW))
+    views, targets = several_views(impl, rng, (IN_FRONT, FROM_THE_SIDE, IN_FRONT @ FROM_BELOW))
 
     def found(chosen):
         return impl.views_loss_and_gradients(vertices, faces, albedo, light, views[chosen],
@@ -117,7 +117,8 @@ def check_gradient(impl, rng, of):
     """Gradcheck the loss along a random direction of vertices (0), albedo (1), light (2), or of
     several together.
     """
-    (vertices, faces, albedo, light), (views, targets) = solid(rng), several_views(rng)
+    vertices, faces, albedo, light = solid(rng)
+    views, targets = several_views(impl, rng)
     directions = [rng.normal(size=part.shape) for part in (vertices, albedo, light)]
 
     def moved(steps):

@@ -15,10 +15,10 @@ CLIP = np.array([[-0.9, -0.75, 0.2, 1.0], [1.35, -0.8, -0.3, 1.6], [0.1, 0.9, 0.
 COLOURS = np.array([[0.2, 1.0], [0.9, 0.1], [0.4, 0.7]])
 
 
-def by_hand(clip, colours):
+def by_hand(impl, clip, colours):
     """One triangle on BACKGROUND, by a linear system and then pair by pair.
 
-    -> picture, Buffers as a tuple, and what was decided.
+    -> picture, Buffers, and what was decided.
     """
     x, y = np.arange(WIDTH) + 0.5, np.arange(HEIGHT)[:, None] + 0.5
     rays = np.stack(np.broadcast_arrays(2 * x / WIDTH - 1, 2 * y / HEIGHT - 1, 1.0), -1)
@@ -29,12 +29,12 @@ def by_hand(clip, colours):
                      np.inf)
     colour = np.where(covered[..., None], barycentric @ colours, BACKGROUND)
     corners = (clip[:, :2] / clip[:, 3:] + 1) / 2 * [WIDTH, HEIGHT]
-    pairs, decided = pairs_by_hand(covered, corners)
+    pairs, decided = pairs_by_hand(impl, covered, corners)
     picture, flat = colour.reshape(-1, 2).copy(), colour.reshape(-1, 2)
     for owner, other, c in zip(*pairs[:3], strict=True):
         picture[owner if c < 0.5 else other] += (0.5 - c) * (flat[other] - flat[owner])
     rows = weight_rows(ALONE[0], covered - 1, barycentric)
-    buffers = clip, covered - 1, depth, barycentric, rows, None, colour, pairs
+    buffers = impl.Buffers(clip, covered - 1, depth, barycentric, rows, None, colour, pairs)
     return picture.reshape(colour.shape), buffers, decided
 
 
@@ -46,10 +46,10 @@ def weight_rows(faces, face_index, barycentric):
     return start, vertex, barycentric.reshape(-1, 3)[seen].ravel()
 
 
-def pairs_by_hand(covered, corners):
-    """The pairs of one triangle that are blended, and what was decided, for each pixel and turn.
+def pairs_by_hand(impl, covered, corners):
+    """The Pairs of one triangle that are blended, and what was decided, for each pixel and turn.
 
-    covered (HEIGHT, WIDTH), corners (3, 2) on screen -> pairs as lab 8's are, as a tuple.
+    covered (HEIGHT, WIDTH), corners (3, 2) on screen.
     """
     found, decided = [], np.zeros((HEIGHT, WIDTH, 4), int)
     for i, j in np.argwhere(covered):
@@ -65,17 +65,17 @@ def pairs_by_hand(covered, corners):
                     decided[i, j, turn] = 1 + 2 * edge + (c > 0.5)
                     found.append((i * WIDTH + j, k * WIDTH + m, c, EDGES[edge], ends[edge][:, 0],
                                   ends[edge][:, 1], 0, edge))
-    return pairs_of(found), decided
+    return pairs_of(impl, found), decided
 
 
-def pairs_of(found):
-    """Lab 8's Pairs as a tuple: owner, other, c, ends (2, N), x (2, N), y (2, N), face, edge."""
+def pairs_of(impl, found):
+    """Lab 8's Pairs, of one tuple for each: owner, other, c, ends, x, y, face, edge."""
     kinds = int, int, float, int, float, float, int, int
     if not found:
-        return tuple(np.zeros((2, 0) if k in (3, 4, 5) else 0, kind)
-                     for k, kind in enumerate(kinds))
-    return tuple(np.array(values, kind).T
-                 for values, kind in zip(zip(*found, strict=True), kinds, strict=True))
+        return impl.outlines.Pairs(*(np.zeros((2, 0) if k in (3, 4, 5) else 0, kind)
+                                     for k, kind in enumerate(kinds)))
+    return impl.outlines.Pairs(*(np.array(values, kind).T for values, kind in
+                                 zip(zip(*found, strict=True), kinds, strict=True)))
 
 
 def crossing(one, other):
@@ -92,6 +92,12 @@ def bar(width, height, end):
     """A half plane that ends at x = end, in pixels: clip (3, 4)."""
     ndc = 2 * end / width - 1
     return np.array([[ndc, -30.0, 0.25, 1.0], [ndc, 30.0, 0.25, 1.0], [-30.0, 0.0, 0.25, 1.0]])
+
+
+@pytest.fixture
+def white(impl):
+    """The Colours of a bar."""
+    return impl.Colours(np.ones((3, 1)))
 
 
 def form(value):
@@ -134,7 +140,8 @@ def test_the_picture_comes_first_and_then_the_buffers(impl):
     picture comes, without the buffers. They are those of `visible`, without the colour that `shade`
     adds.
     """
-    texture = np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]]), ALONE[0], np.ones((4, 8, 2)), "linear"
+    uv = np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
+    texture = impl.Texture(uv, ALONE[0], np.ones((4, 8, 2)), "linear")
     got = impl.draw(bar(6, 5, 2.5), *ALONE, texture, 6, 5, np.zeros(2))
     if isinstance(got, tuple) and len(got) == 2 and isinstance(got[1], tuple):
         got = got[0], got[1][:7]  # without the pairs
@@ -144,22 +151,22 @@ def test_the_picture_comes_first_and_then_the_buffers(impl):
 @exercise("9.12")
 @pytest.mark.parametrize("end, row", [(1.75, [1.0, 0.75, 0.0, 0.0]), (2.25, [1.0, 1.0, 0.25, 0.0])],
                          ids=["1.75", "2.25"])
-def test_the_edge_of_a_bar_is_antialiased(impl, end, row):
+def test_the_edge_of_a_bar_is_antialiased(impl, white, end, row):
     """The picture is not antialiased, or is twice. The background is painted over it after
     antialiasing, so that it never blends with the outline. Width and height are swapped.
     """
-    picture, _ = drawn(impl, bar(4, 3, end), *ALONE, (np.ones((3, 1)),), 4, 3, np.zeros(1))
+    picture, _ = drawn(impl, bar(4, 3, end), *ALONE, white, 4, 3, np.zeros(1))
     assert_picture(picture, np.tile(np.array(row)[:, None], (3, 1, 1)), atol=1e-9)
 
 
 @exercise("9.12")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, end):
+def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, white, end):
     """The buffer colour is antialiased, too: the way back needs the colour of before. Or the
     buffers come in another order.
     """
-    _, (_, face_index, depth, *_, colour, _) = drawn(impl, bar(4, 3, end), *ALONE,
-                                                     (np.ones((3, 1)),), 4, 3, np.zeros(1))
+    _, buffers = drawn(impl, bar(4, 3, end), *ALONE, white, 4, 3, np.zeros(1))
+    _, face_index, depth, *_, colour, _ = buffers
     seen = np.tile(np.array([True, True, False, False]), (3, 1))
     assert_picture(colour, np.where(seen, 1.0, 0.0)[..., None], atol=1e-9)
     assert_picture(face_index, np.where(seen, 0, -1))
@@ -168,11 +175,11 @@ def test_the_buffers_of_a_bar_are_those_before_antialiasing(impl, end):
 
 @exercise("9.12")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, end):
+def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, white, end):
     """The pairs are left out of the buffers, as those of `shade` are returned. Or they are not the
     blended ones.
     """
-    found = drawn_pairs(impl, bar(4, 3, end), *ALONE, (np.ones((3, 1)),), 4, 3, np.zeros(1))
+    found = drawn_pairs(impl, bar(4, 3, end), *ALONE, white, 4, 3, np.zeros(1))
     # In each row pixel 1 sees the bar, and pixel 2 does not. Edge 2 runs between vertices 0 and 1.
     assert_close(found[:3], (np.array([1, 5, 9]), np.array([2, 6, 10]), np.full(3, end - 1.5)))
     assert_equal((np.sort(found[3], 0), *found[4:]), (np.repeat([[0], [1]], 3, 1), np.zeros(3, int),
@@ -196,7 +203,8 @@ def centres():
 @exercise("9.12")
 def test_inside_of_a_mesh_nothing_is_blended(impl):
     """Each edge is taken for an outline: opposite is not passed on to blended_pairs, or all -1."""
-    picture, _ = drawn(impl, QUAD, *QUAD_MESH, (QUAD_COLOURS,), WIDTH, HEIGHT, BACKGROUND)
+    colours = impl.Colours(QUAD_COLOURS)
+    picture, _ = drawn(impl, QUAD, *QUAD_MESH, colours, WIDTH, HEIGHT, BACKGROUND)
     assert_picture(picture, centres() @ SHADES, atol=1e-9)
 
 
@@ -204,8 +212,8 @@ def test_inside_of_a_mesh_nothing_is_blended(impl):
 def test_a_triangle_is_that_of_a_search(impl, rng):
     """Perspective is left out, or the background is another one."""
     colours = rng.uniform(size=(3, 2))
-    picture, _ = drawn(impl, CLIP, *ALONE, (colours,), WIDTH, HEIGHT, BACKGROUND)
-    assert_picture(picture, by_hand(CLIP, colours)[0], atol=1e-9)
+    picture, _ = drawn(impl, CLIP, *ALONE, impl.Colours(colours), WIDTH, HEIGHT, BACKGROUND)
+    assert_picture(picture, by_hand(impl, CLIP, colours)[0], atol=1e-9)
 
 
 @exercise("9.12")
@@ -213,8 +221,8 @@ def test_a_triangle_is_that_of_a_search(impl, rng):
                          ids=["clip", "face_index", "depth", "barycentric", "colour"])
 def test_each_buffer_of_a_triangle_is_that_of_a_search(impl, number):
     """This buffer holds something else, or the buffers come in another order."""
-    _, buffers = drawn(impl, CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
-    assert_close(buffers[number], by_hand(CLIP, COLOURS)[1][number])
+    _, buffers = drawn(impl, CLIP, *ALONE, impl.Colours(COLOURS), WIDTH, HEIGHT, BACKGROUND)
+    assert_close(buffers[number], by_hand(impl, CLIP, COLOURS)[1][number])
 
 
 @exercise("9.12")
@@ -222,11 +230,12 @@ def test_the_pairs_of_a_triangle_are_those_of_a_search(impl):
     """They are all neighbours that see different faces, not those that are blended. Or an edge
     inside of a mesh has pairs: opposite is left out.
     """
-    found = drawn_pairs(impl, CLIP, *ALONE, (COLOURS,), WIDTH, HEIGHT, BACKGROUND)
-    expected = by_pixel(by_hand(CLIP, COLOURS)[1][7])
+    found = drawn_pairs(impl, CLIP, *ALONE, impl.Colours(COLOURS), WIDTH, HEIGHT, BACKGROUND)
+    expected = by_pixel(by_hand(impl, CLIP, COLOURS)[1].pairs)
     assert_equal((*found[:2], *found[4:]), (*expected[:2], *expected[4:]))
     assert_close(found[2], expected[2])
-    inside = drawn_pairs(impl, QUAD, *QUAD_MESH, (QUAD_COLOURS,), WIDTH, HEIGHT, BACKGROUND)
+    colours = impl.Colours(QUAD_COLOURS)
+    inside = drawn_pairs(impl, QUAD, *QUAD_MESH, colours, WIDTH, HEIGHT, BACKGROUND)
     assert_equal(len(inside[0]), 0)
 
 
@@ -234,9 +243,9 @@ def test_the_pairs_of_a_triangle_are_those_of_a_search(impl):
 def test_a_texture_of_one_colour_gives_the_picture_of_that_colour(impl):
     """Colours are taken for granted: a texture, or its derivatives, is not drawn."""
     shade, uv = np.array([0.2, 0.9]), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
-    texture = uv, ALONE[0], np.tile(shade, (4, 8, 1)), "linear"
+    texture = impl.Texture(uv, ALONE[0], np.tile(shade, (4, 8, 1)), "linear")
     picture, buffers = drawn(impl, CLIP, *ALONE, texture, WIDTH, HEIGHT, BACKGROUND)
-    assert_picture(picture, by_hand(CLIP, np.tile(shade, (3, 1)))[0], atol=1e-9)
+    assert_picture(picture, by_hand(impl, CLIP, np.tile(shade, (3, 1)))[0], atol=1e-9)
     assert_equal(np.shape(buffers[5]), (HEIGHT, WIDTH, 3, 2))
 
 
@@ -250,8 +259,8 @@ def test_the_buffers_of_a_cube_are_those_of_nvdiffrast(impl):
     colours = np.array([[0, 1, 2], [3, 5, 4], [6, 1, 9], [2, 8, 0], [5, 5, 1], [7, 0, 3], [1, 4, 4],
                         [9, 2, 6]]) / 9
     # No vertex across: all edges are outlines, and what is inside of a face stays as it is.
-    _, buffers = drawn(impl, clip, faces, np.full(faces.shape, -1), (colours,), 64, 64,
-                       np.zeros(3))
+    no_opposite = np.full(faces.shape, -1)
+    _, buffers = drawn(impl, clip, faces, no_opposite, impl.Colours(colours), 64, 64, np.zeros(3))
     face_index, depth, barycentric, colour = (np.asarray(buffers[k]) for k in (1, 2, 3, 6))
     assert_picture(face_index, golden["cube_64x64/face_index"].astype(int))
     assert_close(depth[seen], golden["cube_64x64/depth"][seen], rtol=0, atol=2e-5)
@@ -273,16 +282,17 @@ def gradients(impl, *given):
     return returned
 
 
-def buffers_of_bar(end):
+def buffers_of_bar(impl, end):
     """`draw`'s buffers of a bar of 4 x 3 pixels, with barycentrics that are easy to add up."""
     seen = np.tile(np.array([True, True, False, False]), (3, 1))
     barycentric = np.where(seen[..., None], [0.5, 0.3, 0.2], 0.0)
     face_index, colour = np.where(seen, 0, -1), np.where(seen, 1.0, 0.0)[..., None]
     # In each row edge 2, from vertex 0 to 1, is end - 1.5 to the right of pixel 1's centre.
-    pairs = pairs_of([(4 * row + 1, 4 * row + 2, end - 1.5, (0, 1), (end - 1.5, end - 1.5),
-                       (-43.5 - row - 0.5, 46.5 - row - 0.5), 0, 2) for row in range(3)])
-    return (bar(4, 3, end), face_index, np.where(seen, 0.25, np.inf), barycentric,
-            weight_rows(ALONE[0], face_index, barycentric), None, colour, pairs)
+    pairs = pairs_of(impl, [
+        (4 * row + 1, 4 * row + 2, end - 1.5, (0, 1), (end - 1.5, end - 1.5),
+         (-43.5 - row - 0.5, 46.5 - row - 0.5), 0, 2) for row in range(3)])
+    return impl.Buffers(bar(4, 3, end), face_index, np.where(seen, 0.25, np.inf), barycentric,
+                        weight_rows(ALONE[0], face_index, barycentric), None, colour, pairs)
 
 
 @exercise("9.13")
@@ -290,19 +300,19 @@ def test_the_surfaces_gradient_comes_first_and_then_that_of_clip(impl):
     """The results come in the other order, grad_clip first. grad_material is not the tuple that
     shade_backward returns first. Of grad_clip there are two, not their sum.
     """
-    got = impl.draw_backward(np.ones((HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1], ALONE[0],
-                             (COLOURS,), np.zeros((HEIGHT, WIDTH)))
+    got = impl.draw_backward(np.ones((HEIGHT, WIDTH, 2)), by_hand(impl, CLIP, COLOURS)[1],
+                             ALONE[0], impl.Colours(COLOURS), np.zeros((HEIGHT, WIDTH)))
     assert_equal(form(got), "((3x2), 3x4)")
 
 
 @exercise("9.13")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_moving_a_bar_changes_what_it_covers(impl, end):
+def test_moving_a_bar_changes_what_it_covers(impl, white, end):
     """grad_clip lacks the path through the edges: a face of one colour has no other gradient. Or it
     is subtracted, not added.
     """
-    _, grad_clip = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), ALONE[0],
-                             (np.ones((3, 1)),))
+    _, grad_clip = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(impl, end), ALONE[0],
+                             white)
     # Each of the 3 rows covers as much more as the edge moves, and a pixel is 1/2 in clip. Each end
     # moves it by half. x / w falls by x as w grows from 1.
     x = 2 * end / 4 - 1
@@ -311,10 +321,10 @@ def test_moving_a_bar_changes_what_it_covers(impl, end):
 
 @exercise("9.13")
 @pytest.mark.parametrize("end", [1.75, 2.25])
-def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, end):
+def test_a_bar__s_colours_pull_by_how_much_they_cover(impl, white, end):
     """grad_picture goes on to shade_backward: it is grad_colour, after the blend."""
-    (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(end), ALONE[0],
-                                   (np.ones((3, 1)),))
+    (grad_colours,), _ = gradients(impl, np.full((3, 4, 1), 5.0), buffers_of_bar(impl, end),
+                                   ALONE[0], white)
     assert_close(grad_colours, 5.0 * 3 * end * np.array([[0.5], [0.3], [0.2]]))
 
 
@@ -332,10 +342,10 @@ def test_moving_a_wall_moves_the_colours_on_it(impl, rng):
     """grad_clip lacks the path through the colours: that of rasterize_backward. No edge is seen
     here.
     """
-    grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(WALL, COLOURS)[1]
-    _, grad_clip = gradients(impl, grad_picture, buffers, ALONE[0], (COLOURS,))
+    grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(impl, WALL, COLOURS)[1]
+    _, grad_clip = gradients(impl, grad_picture, buffers, ALONE[0], impl.Colours(COLOURS))
     # Where a corner goes, each point goes by its share, and it was there less by the slope.
-    pulls = np.einsum("hwc,hwk->kc", grad_picture, buffers[3])
+    pulls = np.einsum("hwc,hwk->kc", grad_picture, buffers.barycentric)
     assert_close(grad_clip[:, :2], -pulls @ slopes(COLOURS))
 
 
@@ -349,9 +359,10 @@ def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
     weights = ndc @ np.linalg.inv(QUAD[faces][..., [3, 0, 1]])[:, None]  # of both faces
     face_index = (weights[1] > 0).all(-1).astype(int)
     barycentric = np.where(face_index[..., None], weights[1], weights[0])
-    buffers = (QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric,
-               weight_rows(faces, face_index, barycentric), None, ndc @ SHADES, pairs_of([]))
-    _, grad_clip = gradients(impl, grad_picture, buffers, faces, (QUAD_COLOURS,))
+    buffers = impl.Buffers(
+        QUAD, face_index, np.full((HEIGHT, WIDTH), 0.2), barycentric,
+        weight_rows(faces, face_index, barycentric), None, ndc @ SHADES, pairs_of(impl, []))
+    _, grad_clip = gradients(impl, grad_picture, buffers, faces, impl.Colours(QUAD_COLOURS))
     pulls = np.zeros((4, 2))
     np.add.at(pulls, faces[face_index], barycentric[..., None] * grad_picture[..., None, :])
     assert_close(grad_clip[:, :2], -pulls @ SHADES[1:].T)
@@ -360,10 +371,10 @@ def test_inside_of_a_mesh_edges_do_not_pull(impl, rng):
 @exercise("9.13")
 def test_the_depth__s_gradient_reaches_the_vertices(impl, rng):
     """grad_depth is left out, or is not passed on to rasterize_backward."""
-    grad_depth, buffers = rng.normal(size=(HEIGHT, WIDTH)), by_hand(WALL, COLOURS)[1]
-    _, grad_clip = gradients(impl, np.zeros((HEIGHT, WIDTH, 2)), buffers, ALONE[0], (COLOURS,),
-                             grad_depth)
-    pulls = np.einsum("hw,hwk->k", grad_depth, buffers[3])[:, None]
+    grad_depth, buffers = rng.normal(size=(HEIGHT, WIDTH)), by_hand(impl, WALL, COLOURS)[1]
+    _, grad_clip = gradients(impl, np.zeros((HEIGHT, WIDTH, 2)), buffers, ALONE[0],
+                             impl.Colours(COLOURS), grad_depth)
+    pulls = np.einsum("hw,hwk->k", grad_depth, buffers.barycentric)[:, None]
     assert_close(grad_clip[:, :3], np.hstack([-pulls @ slopes(WALL[:, 2:3]), pulls]))
 
 
@@ -372,17 +383,17 @@ def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl):
     """One of the two paths is left out, or counts twice. They meet where outlines cut colours.
     """
     def forward(clip, colours):
-        picture, buffers, _ = by_hand(clip, colours)
-        return picture, np.where(buffers[1] == 0, buffers[2], 0.0)
+        picture, buffers, _ = by_hand(impl, clip, colours)
+        return picture, np.where(buffers.face_index == 0, buffers.depth, 0.0)
 
     def backward(grad_picture, grad_depth, clip, colours):
-        (grad_colours,), grad_clip = gradients(impl, grad_picture, by_hand(clip, colours)[1],
-                                               ALONE[0], (colours,), grad_depth)
+        (grad_colours,), grad_clip = gradients(impl, grad_picture, by_hand(impl, clip, colours)[1],
+                                               ALONE[0], impl.Colours(colours), grad_depth)
         return grad_clip, grad_colours
 
     def decisions(clip, colours):
-        _, buffers, decided = by_hand(clip, colours)
-        return buffers[1], decided
+        _, buffers, decided = by_hand(impl, clip, colours)
+        return buffers.face_index, decided
 
     gradcheck(forward, backward, (CLIP, COLOURS), decisions=decisions, name="draw")
 
@@ -390,8 +401,8 @@ def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl):
 @exercise("9.13")
 def test_without_a_depth_there_is_its_gradient_of_0(impl, rng):
     """A grad_depth of None, the default, is not allowed for, or counts as another one than 0."""
-    grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(CLIP, COLOURS)[1]
-    given = grad_picture, buffers, ALONE[0], (COLOURS,)
+    grad_picture, buffers = rng.normal(size=(HEIGHT, WIDTH, 2)), by_hand(impl, CLIP, COLOURS)[1]
+    given = grad_picture, buffers, ALONE[0], impl.Colours(COLOURS)
     _, expected = gradients(impl, *given, np.zeros((HEIGHT, WIDTH)))
     _, grad_clip = impl.draw_backward(*given)
     assert_close(grad_clip, expected)
@@ -401,13 +412,12 @@ def test_without_a_depth_there_is_its_gradient_of_0(impl, rng):
 def test_all_that_a_colour_covers_comes_back_to_its_texture(impl, rng):
     """Colours are taken for granted: a texture has no way back."""
     ones, uv = np.ones((3, 2)), np.array([[0.1, 0.2], [0.8, 0.3], [0.4, 0.9]])
-    _, (*seen, _, _, colour, pairs), _ = by_hand(CLIP, ones)
-    picture_of_one = by_hand(CLIP, ones)[0]
-    picture_of_zero = by_hand(CLIP, 0 * ones)[0]
+    picture_of_one, buffers, _ = by_hand(impl, CLIP, ones)
+    picture_of_zero = by_hand(impl, CLIP, 0 * ones)[0]
     grad_picture = rng.normal(size=(HEIGHT, WIDTH, 2))
-    texture = uv, ALONE[0], np.ones((4, 8, 2)), "linear"
+    texture = impl.Texture(uv, ALONE[0], np.ones((4, 8, 2)), "linear")
     derivatives = np.zeros((HEIGHT, WIDTH, 3, 2))  # the filter "linear" does not look at them
-    buffers = *seen, None, derivatives, colour, pairs
+    buffers = buffers._replace(weights=None, derivatives=derivatives)
     grad_material, _ = gradients(impl, grad_picture, buffers, ALONE[0], texture)
     assert_close(np.asarray(grad_material[2]).sum((0, 1)),
                  (grad_picture * (picture_of_one - picture_of_zero)).sum((0, 1)))
@@ -426,11 +436,11 @@ def test_a_larger_face_has_a_smaller_footprint(impl):
     derivatives = np.tile((inverse[:2] * [[2 / width], [2 / height]]).T, (height, width, 1, 1))
     # A pixel is 0.3 x 0.2 of 4 x 4 texels: 1.2 texels wide. The middle one sees the first texel.
     uv = WALL[:, :2] * [0.3 * width / 2, 0.2 * height / 2] + 1 / 8
-    texture = uv, ALONE[0], np.tile(image, (2, 2))[..., None], "linear-mipmap-linear"
+    texture = impl.Texture(uv, ALONE[0], np.tile(image, (2, 2))[..., None], "linear-mipmap-linear")
     level = np.log2(1.2)
     colour = np.full((height, width, 1), 1 - level * 3 / 4)  # right in the middle
-    buffers = (WALL, np.zeros((height, width), int), barycentric @ WALL[:, 2], barycentric,
-               None, derivatives, colour, pairs_of([]))
+    buffers = impl.Buffers(WALL, np.zeros((height, width), int), barycentric @ WALL[:, 2],
+                           barycentric, None, derivatives, colour, pairs_of(impl, []))
     grad_picture = np.zeros((height, width, 1))
     grad_picture[1, 2] = 8.0
     _, grad_clip = gradients(impl, grad_picture, buffers, ALONE[0], texture)

@@ -4,7 +4,8 @@
 def draw(clip, faces, opposite, material, width, height, background):
     face_index, depth = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
-    buffers = shade((clip, face_index, depth, barycentric), faces, material, background)
+    seen = Buffers(clip, face_index, depth, barycentric)
+    buffers = shade(seen, faces, material, background)
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
     picture = antialiasing.blend_pairs(buffers.colour, pairs)
     return picture, (*buffers[:-1], pairs)

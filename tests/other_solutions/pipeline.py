@@ -2,6 +2,7 @@
 import numpy as np
 
 from reference import antialiasing, outlines, pipeline, rasterizer_gradients
+from reference.pipeline import Buffers, Colours, Texture  # noqa: F401, for the checks
 
 
 def draw(clip, faces, opposite, material, width, height, background):
@@ -18,7 +19,6 @@ def draw(clip, faces, opposite, material, width, height, background):
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     clip, face_index, depth, *_, colour, pairs = buffers
-    pairs = outlines.Pairs(*pairs)
     grad_clip = np.zeros(np.shape(clip))
     grad_colour = np.empty(np.shape(colour))
     for k in range(grad_colour.shape[2]):  # the way back is linear: channel by channel

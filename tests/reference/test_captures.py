@@ -107,7 +107,7 @@ def test_a_search_reads_its_capture_from_photos(folder):
     photos = captures.read(ring.LABS, folder)
     lab = ring.LABS.multi_view_fit
     capture = lab.Capture(photos.pictures, photos.cameras, photos.background)
-    losses = [loss for _, loss in lab.fit(capture, [(8, 2, 1, 12, 1.0)])]
+    losses = [loss for _, loss in lab.fit(capture, [lab.Stage(8, 2, 1, 12, 1.0)])]
     assert losses[-1] < 0.75 * losses[0]
 
 

@@ -39,7 +39,7 @@ def photos(folder):
     return captures.read(LABS, folder, 32)
 
 
-STAGES = (4, 2, 1, 3, 1.0), (6, 1, 1, 3, 0.5)
+STAGES = multi_view_fit.Stage(4, 2, 1, 3, 1.0), multi_view_fit.Stage(6, 1, 1, 3, 0.5)
 
 
 def stop_after(monkeypatch, count):
@@ -96,11 +96,12 @@ def test_another_search_is_not_gone_on_with(photos, tmp_path):
 
 def test_steps_are_shared_out_among_the_stages():
     """A stage without a step, or another sum than was asked for."""
+    stages = searches.fine_stages(LABS)
     for steps in (3, 4, 7, 30, 299, 300, 1000):
-        found = command.scaled(searches.FINE_STAGES, steps)
-        assert sum(stage[3] for stage in found) == steps and min(s[3] for s in found) >= 1
-    assert command.scaled(searches.FINE_STAGES, 300) == searches.FINE_STAGES
-    assert [stage[3] for stage in command.scaled(searches.FINE_STAGES, 30)] == [10, 8, 12]
+        found = [stage.steps for stage in command.scaled(stages, steps)]
+        assert sum(found) == steps and min(found) >= 1
+    assert command.scaled(stages, 300) == stages
+    assert [stage.steps for stage in command.scaled(stages, 30)] == [10, 8, 12]
 
 
 def test_every_eighth_picture_is_kept_out(photos, tmp_path, monkeypatch):
@@ -150,7 +151,8 @@ def fit(*given, after, whole=multi_view_fit.fit):
         yield found
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
-multi_view_fit.fit, searches.FINE_STAGES, places.OUT = fit, {stages}, {out!r}
+multi_view_fit.fit, places.OUT = fit, {out!r}
+searches.fine_stages = lambda labs: [multi_view_fit.Stage(*stage) for stage in {stages}]
 sys.exit(cli.main(sys.argv[1:]))
 """
 
@@ -168,7 +170,8 @@ def test_ctrl_c_and_resume_of_the_whole_command(folder, tmp_path, monkeypatch, c
         "NAME.glb", "NAME.obj", "checkpoint.npz", "state.png"}
     assert (made / f"{folder.name}.glb").read_bytes()[:4] == b"glTF"
 
-    monkeypatch.setattr(searches, "FINE_STAGES", COARSE)
+    stages = [LABS.multi_view_fit.Stage(*stage) for stage in COARSE]
+    monkeypatch.setattr(searches, "fine_stages", lambda labs: stages)
     monkeypatch.setattr(places, "OUT", str(tmp_path))
     assert cli.main([*command, "--resume"]) == 0
     assert "report.html" in capsys.readouterr().out

@@ -155,7 +155,7 @@ def test_a_run_is_reproducible_from_its_seed():
     given = capture(5)
 
     def run(seed):
-        stages = (4, 2, 1, 2, 1.0), (6, 1, 2, 2, 0.5)
+        stages = multi_view_fit.Stage(4, 2, 1, 2, 1.0), multi_view_fit.Stage(6, 1, 2, 2, 0.5)
         return list(multi_view_fit.fit(given, stages, seed, per_step=2))
 
     first, again, other = run(1), run(1), run(2)
@@ -167,7 +167,7 @@ def test_a_run_is_reproducible_from_its_seed():
 
 def test_a_hole_opens():
     """The search finds no topology: a ring stays a ball."""
-    stages = (12, 1, 1, 50, 1.0), (16, 1, 1, 15, 0.5)
+    stages = multi_view_fit.Stage(12, 1, 1, 50, 1.0), multi_view_fit.Stage(16, 1, 1, 15, 0.5)
     course = list(reconstruct.fit(LABS, "ring", stages, size=48, count=10))
     x, loss = course[-1]
     assert reconstruction.genus(multi_view_fit.surface(x).faces) == (1, 1)

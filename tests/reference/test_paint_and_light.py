@@ -42,7 +42,7 @@ def test_paint_is_nearer_to_the_truth_once_it_is_told_from_light(name):
     """The light takes the paint's colour, or a shadow is taken for paint. The search is short."""
     photos = captures.read(LABS, paint_and_light.folder(name))
     capture = LABS.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
-    search = LABS.multi_view_fit.fit(capture, ((24, 2, 1, 60, 1.0),),
+    search = LABS.multi_view_fit.fit(capture, [LABS.multi_view_fit.Stage(24, 2, 1, 60, 1.0)],
                                      after=(hulls.start(LABS, capture, 24), 0))
     for x, _ in search:  # noqa: B007
         pass

@@ -4,6 +4,7 @@ import math
 import re
 import sys
 import warnings
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -13,7 +14,13 @@ from course.checks import Mismatch, assert_close, assert_equal, assert_picture
 from course.checks.loader import Implementation
 from course.checks.pictures import GAP
 from course.checks.showing import layout, shown, shown_call, typed
-from course.given import places
+from course.given import contract, places
+
+
+class Paint(NamedTuple):
+    colours: np.ndarray
+    name: str
+
 
 # --- assertions -------------------------------------------------------------------------------
 
@@ -183,6 +190,7 @@ def test_a_picture_is_compared_within_atol_and_infinity_with_infinity():
     (np.eye(2), "[[1., 0.],\n [0., 1.]]"), (np.float64(0.1), "0.1"), ((1, "a"), "(1, 'a')"),
     ((1,), "(1,)"), ([1, 2], "[1, 2]"), (np.zeros((0, 3)), "float64 (0, 3): []"),
     (np.arange(100).reshape(4, 25), "int64 (4, 25): [ 0,  1,  2, ..., 97, 98, 99]"),
+    ((Paint([0.5], "red"), 1), "(Paint(colours=[0.5], name='red'), 1)"),
 ], ids=repr)
 def test_values_are_shown_as_one_would_type_them(value, text):
     """np.float64(0.1), or a thousand numbers."""
@@ -249,6 +257,7 @@ def test_a_changed_input_is_told_by_its_name():
     (["a", "b"], np.array(["a", "b"])),
     ([[1.0, 2.0], [3.0]], (np.array([1.0, 2.0]), np.array([3.0]))),
     ((1, ([2.0], "a")), (np.int64(1), (np.array([2.0]), "a"))),
+    ((1, Paint([2.0], "a")), (np.int64(1), Paint(np.array([2.0]), "a"))),
 ], ids=repr)
 def test_numbers_come_in_their_standard_form(returned, expected):
     """A check that adds, slices or asks for a shape refuses right numbers for their form."""
@@ -279,6 +288,24 @@ def test_no_warning_counts():
 
     with np.errstate(all="raise"):
         assert implementation(f).f(np.zeros(1)) == np.inf
+
+
+def test_classes_of_given_code_come_as_they_are():
+    """A check makes a NamedTuple, and the report takes that for the last call. Or it calls another
+    lab's function, and nothing looks at what that changes.
+    """
+    assert implementation(Paint).Paint is Paint
+    assert vars(implementation(sys.modules[__name__]).test_checks)["Paint"] is Paint
+    assert not hasattr(implementation(sys.modules[__name__]).test_checks, "implementation")
+
+
+@pytest.mark.parametrize("got", [([0.5], "red"), Paint([0.5], "red"), [[0.5], "red"]], ids=repr)
+@pytest.mark.parametrize("expected", [([0.5], "red"), Paint([0.5], "red")], ids=repr)
+def test_a_named_tuple_is_compared_by_place(got, expected):
+    """A plain tuple with the right numbers is refused, or a name hides a wrong number."""
+    assert_equal(contract.standard(got), expected)
+    with pytest.raises(Mismatch):
+        assert_equal(contract.standard(got), Paint([0.25], "red"))
 
 
 def test_a_call_keeps_the_functions_signature():
@@ -567,10 +594,10 @@ def test_a_result_of_another_form_is_told_in_words(output):
 
 @pytest.mark.parametrize("value", [
     np.array([0.5, 2.0]), np.zeros((0, 3), int), (np.array([[1, -1]]), None, 2.0), "clamp",
-    np.array([[True], [False]])], ids=str)
+    np.array([[True], [False]]), (Paint(np.ones(1), "red"),)], ids=str)
 def test_an_input_can_be_pasted(value):
     """[0.5 2.0] is no Python, and [0.5, 2.0] no array."""
-    pasted = eval(typed(value), {"np": np})
+    pasted = eval(typed(value), {"np": np, "Paint": Paint})
     assert repr(pasted) == repr(value)
 
 

@@ -8,7 +8,7 @@ from submitted import other_solution
 from course import exercises
 from course.given import places
 from course.grading import grade
-from course.grading.apart import examination, examine, running, sandbox
+from course.grading.apart import examination, examine, running, sandbox, wire
 from course.grading.apart.examine import Job
 
 LABS = range(1, len(exercises.LABS) + 1)
@@ -46,6 +46,35 @@ def test_what_is_right_gets_all_points(lab, monkeypatch, tmp_path):
     job = Job(texts, {}, "process", asks=needed)
     assert [entry["number"] for entry in examine.examine(job)["board"]["exercises"]
             if entry["told"] != "done"] == []
+
+
+OTHER_FIELDS = '''
+
+class Buffers(NamedTuple):
+    clip: np.ndarray
+    face_number: np.ndarray
+'''
+
+
+@pytest.mark.parametrize(("text", "wrong"), [
+    (exercises.read(exercises.reference("pipeline")), set()), (other_solution("pipeline"), set()),
+    (exercises.read(exercises.reference("pipeline")) + OTHER_FIELDS, {"9.12", "9.13"}),
+], ids=["by names", "by position", "of other fields"])
+def test_what_is_given_by_names_arrives_by_names(text, wrong):
+    """buffers.clip works at home, and in grading Buffers are a plain tuple. Or a lab whose own
+    Buffers have other fields makes the grader stumble.
+    """
+    assert wrong_in({"pipeline": text}, sandbox.available()[0], None).keys() == wrong
+
+
+def test_all_named_tuples_of_given_code_can_be_sent():
+    """One of them comes without its names."""
+    table = examination.named_tuples()
+    assert {"pipeline.Buffers", "multi_view_fit.Target", "texture_cubes.Buffers"} <= table.keys()
+    for known in table.values():
+        value = known(*range(len(known._fields)))
+        came = wire.decode(wire.encode(value), table)
+        assert type(came) is known and came == value
 
 
 @pytest.mark.parametrize("topic", ["rasterization", "mipmapping", "implicit_surfaces"])

@@ -23,18 +23,28 @@ def test_a_missing_lab_blocks_what_joins_it(tmp_path, run_module, pytestconfig):
         "9.12": "blocked by 8.2", "9.13": "blocked by 8.11"}
 
 
+MESH = pipeline.make_mesh(np.eye(3), np.array([[0, 1, 2]]))
+SCENE = MESH, pipeline.Colours(np.eye(3)), pipeline.View(np.eye(4), 4, 3, np.zeros(3))
+
+
 def test_render_is_made_by_the_exercises(monkeypatch):
     """A fit shows pictures and gradients that the student's own code has not made."""
-    mesh = pipeline.make_mesh(np.eye(3), np.array([[0, 1, 2]]))
-    given = mesh, pipeline.Colours(np.eye(3)), pipeline.View(np.eye(4), 4, 3, np.zeros(3))
-    picture, buffers = pipeline.render(*given)
+    picture, buffers = pipeline.render(*SCENE)
 
     def not_written(*_):
         raise NotImplementedError
 
     monkeypatch.setattr(pipeline, "draw_backward", not_written)
     with pytest.raises(NotImplementedError):
-        pipeline.render_backward(picture, buffers, *given)
+        pipeline.render_backward(picture, buffers, *SCENE)
     monkeypatch.setattr(pipeline, "draw", not_written)
     with pytest.raises(NotImplementedError):
-        pipeline.render(*given)
+        pipeline.render(*SCENE)
+
+
+def test_a_picture__s_buffers_have_names_whatever_draw_returned(monkeypatch):
+    """A draw that returns a plain tuple passes its checks, and no fit runs on it."""
+    expected, buffers = pipeline.render(*SCENE)
+    monkeypatch.setattr(pipeline, "draw", lambda *_: (expected, tuple(buffers)))
+    picture, named = pipeline.render(*SCENE)
+    assert pipeline.render_backward(picture, named, *SCENE).clip_from_model.any()

@@ -1,6 +1,7 @@
 """A table of right answers earns nothing: questions and answers vary with the seed."""
 import hashlib
 import importlib
+import types
 
 from course import exercises, verdicts
 from course.checks import loader, runner
@@ -30,6 +31,8 @@ class Table:
 
     def find(self, topic, name):
         right = getattr(importlib.import_module(f"reference.{topic}"), name)
+        if isinstance(right, type | types.ModuleType):
+            return right
 
         def call(*args, **kwargs):
             if NAMES[self.number] != name:

@@ -24,7 +24,7 @@ def mark(photos, stages):
     content = hashlib.sha256()
     for array in (*photos.pictures, photos.cameras, photos.background, photos.world_from_grid):
         content.update(np.ascontiguousarray(array).tobytes())
-    return {"size": max(height, width), "steps": sum(stage[3] for stage in stages),
+    return {"size": max(height, width), "steps": sum(stage.steps for stage in stages),
             "stages": [list(stage) for stage in stages], "pictures": content.hexdigest()}
 
 

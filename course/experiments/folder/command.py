@@ -41,14 +41,14 @@ def run(labs, folder, wishes):
     for sentence in photos.assumed:
         print(sentence, flush=True)
     path = out(folder)
-    stages = scaled(searches.FINE_STAGES, wishes.steps)
+    stages = scaled(searches.fine_stages(labs), wishes.steps)
     kept = search(labs, photos, path, stages, wishes.resume)
     print("telling paint from light ...", flush=True)
     found = told_apart(labs, kept, seen(labs, photos))
     print("cutting the surface into charts, and writing the report ...", flush=True)
     from . import exports  # its packages are not there in a browser, where lectures import scenes
     exports.save_textured(labs, found.surface, path, photos.world_from_grid)
-    judged = fit_report.judged(labs, found, photos, [stage[3] for stage in stages],
+    judged = fit_report.judged(labs, found, photos, [stage.steps for stage in stages],
                                kept_out(photos))
     fit_report.write(labs, judged, photos, path)
     path.with_name("checkpoint.npz").unlink(missing_ok=True)
@@ -66,9 +66,9 @@ def scaled(stages, steps):
     """Stages that take so many steps in all, each its share, and at least one."""
     if steps is None:
         return stages
-    ends = np.cumsum([stage[3] for stage in stages])
+    ends = np.cumsum([stage.steps for stage in stages])
     shares = np.diff(np.rint(steps * ends / ends[-1]).astype(int), prepend=0)
-    return tuple((*stage[:3], max(1, int(share)), stage[4])
+    return tuple(stage._replace(steps=max(1, int(share)))
                  for stage, share in zip(stages, shares, strict=True))
 
 
@@ -101,7 +101,7 @@ def steps(labs, photos, path, stages, kept):
     """Yield Kept after each step that is left, under a bar."""
     done, start = len(kept.losses), time.monotonic() - kept.seconds
     capture = seen(labs, photos)
-    x = kept.x if done else hulls.start(labs, capture, stages[0][0])
+    x = kept.x if done else hulls.start(labs, capture, stages[0].cells)
     fit = labs.multi_view_fit.fit(capture, stages, after=(x, done))
     losses = list(kept.losses)
     for x, loss in searches.watched(labs, fit, searches.steps_of(stages), path,

@@ -7,10 +7,14 @@ from ...given import places
 from . import captures
 
 EVERY = 20          # steps from one mesh on disk to the next
-FINE_STAGES = (24, 1, 1, 100, 1.0), (32, 1, 1, 80, 0.5), (48, 1, 2, 120, 0.3)  # see lab 16's `fit`
-
 COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
            TextColumn("{task.fields[told]}"))
+
+
+def fine_stages(labs):
+    """Lab 16's Stages of the searches that are to be seen from near."""
+    stage = labs.multi_view_fit.Stage
+    return stage(24, 1, 1, 100, 1.0), stage(32, 1, 1, 80, 0.5), stage(48, 1, 2, 120, 0.3)
 
 
 def watched(labs, fit, steps, path, world_from_grid=np.eye(4), done=0):  # noqa: B008
@@ -56,4 +60,4 @@ def told(labs, loss, x):
 
 def steps_of(stages):
     """How many steps lab 16's `fit` takes."""
-    return sum(steps for _, _, _, steps, _ in stages)
+    return sum(stage.steps for stage in stages)

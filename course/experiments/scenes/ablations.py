@@ -1,5 +1,5 @@
 """What lab 16's search finds without one of its parts."""
-from ..folder.searches import FINE_STAGES
+from ..folder.searches import fine_stages
 from .drawing import save
 from .fit_triangle import without_edges
 from .reconstruct import fit, judged, new_cameras, portrait
@@ -7,7 +7,7 @@ from .reconstruct import fit, judged, new_cameras, portrait
 
 def ablations(labs):
     """What lab 16's search is without one of its parts."""
-    stages, camera = FINE_STAGES[:2], new_cameras(labs)[5]
+    stages, camera = fine_stages(labs)[:2], new_cameras(labs)[5]
     weights = labs.multi_view_fit.WEIGHTS._replace(sign_changes=0.0, bumps=0.0)
     for name, settings in (("all of it", {}),
                            ("no antialiasing", {"renderer": without_edges(labs)}),

@@ -62,8 +62,9 @@ def found(labs, name):
     """Lab 16's search in a capture: its Photos, the Scene, its Surface, and the seconds."""
     photos, start = captures.read(labs, folder(name)), time.process_time()
     capture = labs.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
-    begin = hulls.start(labs, capture, searches.FINE_STAGES[0][0])
-    search = labs.multi_view_fit.fit(capture, searches.FINE_STAGES, after=(begin, 0))
+    stages = searches.fine_stages(labs)
+    begin = hulls.start(labs, capture, stages[0].cells)
+    search = labs.multi_view_fit.fit(capture, stages, after=(begin, 0))
     for x, _ in search:  # noqa: B007
         pass
     return photos, x, labs.multi_view_fit.surface(x), time.process_time() - start

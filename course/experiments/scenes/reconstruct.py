@@ -19,7 +19,6 @@ from ..folder.photographs import (
 )
 from .drawing import WHITE, cameras_around, save, unit_bunny
 
-BALL_STAGES = (16, 2, 1, 80, 1.0), (24, 2, 1, 60, 0.5), (32, 1, 1, 60, 0.3)  # see lab 16's `fit`
 TWO_RINGS = ("smooth union", 0.1, *(("moved", np.array([x, 0.0, 0.0]), ("torus", 0.34, 0.15))
                                     for x in (-0.4, 0.4)))
 BUNNY_SIZE = 0.85
@@ -27,9 +26,11 @@ BUNNY_SIZE = 0.85
 
 def reconstruct(labs):
     """Shape, albedo and light from 24 pictures, or from FOLDER (lab 16)."""
+    stage = labs.multi_view_fit.Stage
+    rings = stage(16, 2, 1, 80, 1.0), stage(24, 2, 1, 60, 0.5), stage(32, 1, 1, 60, 0.3)
     for name, stages, seconds, genus, percent in (
-            ("ring", BALL_STAGES, 180, 1, 1.0), ("two rings", BALL_STAGES, 180, 2, 1.0),
-            ("bunny", searches.FINE_STAGES, 360, 0, 1.2)):
+            ("ring", rings, 180, 1, 1.0), ("two rings", rings, 180, 2, 1.0),
+            ("bunny", searches.fine_stages(labs), 360, 0, 1.2)):
         path = places.out("demo", "reconstruct", f"{name.replace(' ', '_')}.glb")
         camera, frames = new_cameras(labs)[5], []
         start, steps = time.process_time(), searches.steps_of(stages)

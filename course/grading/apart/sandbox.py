@@ -92,9 +92,10 @@ class Worker:
         """Send a message -> the one that comes back, in at most these seconds."""
         return self.decoded(self.relay(seconds, wire.encode(message)))
 
-    def decoded(self, payload):
+    def decoded(self, payload, named=None):
+        """The message in a payload. named: the table of NamedTuples that it may hold."""
         try:
-            message = wire.decode(payload, wire.MOST_ANSWER)
+            message = wire.decode(payload, named, wire.MOST_ANSWER)
         except wire.Garbled as error:
             self.lose(f"what it sent cannot be read: {error}")
         if not (isinstance(message, tuple) and message and isinstance(message[0], str)):

@@ -2,10 +2,13 @@
 
 A frame is the payload's length in 8 bytes, then the payload: the header's length in 4 bytes, the
 header in JSON, then the arrays' numbers one after another, little-endian. Nothing is pickled, and
-`decode` believes nothing: whatever the bytes are, it returns plain values or raises Garbled.
+`decode` believes nothing: whatever the bytes are, it returns plain values or raises Garbled. A
+NamedTuple is made anew from `named_tuples`, the table of those that the receiver itself has, where
+name and fields are the same. Else it comes as a plain tuple.
 
     None, True, 1, 0.5, "a", [...]      as in JSON
     (...)                               {"tuple": [...]}
+    pipeline.Colours(colours=...)       {"named": ["pipeline.Colours", {"colours": ...}]}
     {"a": 1}                            {"dict": {"a": 1}}
     1j                                  {"complex": [0.0, 1.0]}
     array (2, 3) of float64             {"array": ["<f8", [2, 3]]}
@@ -35,6 +38,18 @@ class Other:
 
     def __repr__(self):
         return f"<{type(self).__name__}>"
+
+
+def named_tuples(modules):
+    """{"pipeline.Colours": the class}: the NamedTuples that are defined in these modules."""
+    return {name_of(found): found for module in modules for found in vars(module).values()
+            if isinstance(found, type) and issubclass(found, tuple) and hasattr(found, "_fields")
+            and found.__module__ == module.__name__}
+
+
+def name_of(named_tuple):
+    """reference.pipeline.Colours, or that of labs -> "pipeline.Colours"."""
+    return f"{named_tuple.__module__.rpartition('.')[2]}.{named_tuple.__name__}"
 
 
 def framed(payload):
@@ -74,6 +89,9 @@ def described(value, arrays):
         return str(value)
     if isinstance(value, complex):
         return {"complex": [value.real, value.imag]}
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        parts = [described(part, arrays) for part in value]
+        return {"named": [name_of(type(value)), dict(zip(value._fields, parts, strict=True))]}
     if isinstance(value, tuple):
         return {"tuple": [described(part, arrays) for part in value]}
     if isinstance(value, list | range):
@@ -100,14 +118,17 @@ def size(payload):
     return 8 + len(payload) - 4 - header + max(0, header - USUAL)
 
 
-def decode(payload, most_header=MOST_HEADER):
-    """A payload -> the value, its arrays' numbers copied. Garbled: it is not one."""
+def decode(payload, named=None, most_header=MOST_HEADER):
+    """A payload -> the value, its arrays' numbers copied. Garbled: it is not one.
+
+    named: the table of `named_tuples`. Without one, all tuples are plain.
+    """
     try:
         start = 4 + int.from_bytes(payload[:4], "big")
         if start > 4 + most_header:
             raise Garbled(f"a header of {start} bytes")
         header, rest = json.loads(payload[4:start]), [memoryview(payload)[start:]]
-        value = built(header, rest)
+        value = built(header, rest, named or {})
     except (ValueError, TypeError, AttributeError, RecursionError, MemoryError,
             OverflowError) as error:
         raise Garbled(f"{type(error).__name__}: {error}") from None
@@ -116,19 +137,22 @@ def decode(payload, most_header=MOST_HEADER):
     return value
 
 
-def built(header, rest):
+def built(header, rest, named):
     """The value that a header describes. Its numbers are taken from the front of rest[0]."""
     if isinstance(header, str):
         return header.encode("utf-8", "replace").decode("utf-8")  # no lone surrogates
     if isinstance(header, list):
-        return [built(part, rest) for part in header]
+        return [built(part, rest, named) for part in header]
     if not isinstance(header, dict):
         return header
     (kind, content), = header.items()
     if kind == "tuple":
-        return tuple(built(list(content), rest))
+        return tuple(built(list(content), rest, named))
+    if kind == "named":
+        return built_named(*content, rest, named)
     if kind == "dict":
-        return {built(key, rest): built(part, rest) for key, part in content.items()}
+        return {built(key, rest, named): built(part, rest, named)
+                for key, part in content.items()}
     if kind == "complex":
         return complex(*map(float, content))
     if kind == "other":
@@ -138,6 +162,13 @@ def built(header, rest):
         raise Garbled(f"the unknown kind {kind:.20}")
     array = built_array(*content, rest)
     return array if kind == "array" else array[()]
+
+
+def built_named(name, fields, rest, named):
+    """One of the table, if it has that name and these fields. Else a plain tuple."""
+    parts = built(list(fields.values()), rest, named)
+    known = named.get(name)
+    return known(*parts) if known and known._fields == tuple(fields) else tuple(parts)
 
 
 def built_array(name, shape, rest):

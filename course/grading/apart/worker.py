@@ -91,18 +91,22 @@ class Printed(io.TextIOBase):
 
 
 class Channel:
-    """To the grader and back. Values go in the standard form of course/given/contract.py."""
+    """To the grader and back. Values go in the standard form of course/given/contract.py.
+
+    named: the table of the NamedTuples that loaded modules define. What is received has these.
+    """
 
     def __init__(self, wire, stream):
         self.wire = wire
         self.stream = stream
-        self.standard = None
+        self.contract = None
+        self.named = {}
 
     def send(self, *message):
         self.write(self.wire.encode(message))
 
     def receive(self):
-        return self.wire.decode(self.read())
+        return self.wire.decode(self.read(), self.named)
 
     def write(self, payload):
         self.stream.write(self.wire.framed(payload))
@@ -131,7 +135,7 @@ def main():
     with contextlib.suppress(EOFError):
         _, settings, given = channel.receive()
         sys.meta_path.append(Given(given))
-        channel.standard = importlib.import_module("course.given.contract").standard
+        channel.contract = importlib.import_module("course.given.contract")
         channel.send("ready", confine.give_up(**settings))
         while True:
             _, modules, preloaded = channel.receive()
@@ -225,7 +229,7 @@ def answer(channel, modules, printed, topic, name, args, kwargs):
     inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
     before = [array.tobytes() for array in inputs]
     try:
-        returned = channel.standard(function(*args, **kwargs))
+        returned = channel.contract.standard(function(*args, **kwargs))
         changed = tuple((k, array) for k, (array, old) in
                         enumerate(zip(inputs, before, strict=True)) if array.tobytes() != old)
         return wire.encode(("returned", returned, changed, printed.taken()))
@@ -269,6 +273,7 @@ def load(channel, codes):
         for name in stand_ins:
             own = getattr(module, name, None)
             setattr(module, name, functools.partial(ask, topic, name, own))
+        channel.named |= channel.wire.named_tuples([module])
     return modules
 
 
@@ -287,7 +292,7 @@ class Asking:
     def __call__(self, topic, name, own, *args, **kwargs):
         if (topic, name) in self.left:
             return own(*args, **kwargs)
-        standard = self.channel.standard
+        standard = self.channel.contract.standard
         args = tuple(map(standard, args))
         kwargs = {key: standard(value) for key, value in kwargs.items()}
         question = topic, name, identity(args), identity(tuple(kwargs.items()))
@@ -299,7 +304,7 @@ class Asking:
                 self.known[question] = self.channel.receive()
             kind, *answer = self.known[question]
         if kind == "returned":
-            return copied(answer[0])
+            return self.copied(answer[0])
         if kind == "own":
             self.left.add((topic, name))
             return own(*args, **kwargs)
@@ -309,6 +314,12 @@ class Asking:
         known = isinstance(error, type) and issubclass(error, Exception)
         raise (error if known else RuntimeError)(answer[1])
 
+    def copied(self, value):
+        """A copy, so that nobody changes what is kept."""
+        if isinstance(value, tuple):
+            return self.channel.contract.mapped(self.copied, value)
+        return value.copy() if hasattr(value, "copy") else value
+
 
 def identity(value):
     """A key that two values share only if they are the same to the bit."""
@@ -317,13 +328,6 @@ def identity(value):
     if isinstance(value, tuple | list):
         return type(value), *map(identity, value)
     return type(value), repr(value)
-
-
-def copied(value):
-    """A copy, so that nobody changes what is kept."""
-    if isinstance(value, tuple):
-        return tuple(map(copied, value))
-    return value.copy() if hasattr(value, "copy") else value
 
 
 if __name__ == "__main__":
