@@ -2,7 +2,9 @@
 
 An author edits a notebook in Jupyter and then runs `python3 -m course notebooks 02`. What is
 written holds no times, addresses, widgets or settings of the author. Pictures and last digits
-depend on the versions listed under "written_with". Where these agree, so do the bytes.
+depend on the versions listed under "written_with". Where these agree, so do the bytes. What the
+kernel had loaded of the course stands under "made_from". While none of it changes, the lecture
+need not run again.
 
 A lecture begins with these lines, which work in Jupyter and in the command alike:
 
@@ -19,6 +21,7 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
     # figure: a triangle over a pixel grid; the seven pixels whose centres
     # lie inside are blue
 """
+import ast
 import asyncio
 import contextlib
 import functools
@@ -45,7 +48,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from course.given.places import ROOT, is_handout, read_whole, write_whole
-from course.upkeep import errata, pictures
+from course.upkeep import errata, origins, pictures
 
 FOLDER = ROOT / "notebooks"
 AT_A_TIME = 2
@@ -76,12 +79,15 @@ UNWANTED = [
 
 # The command
 
-def run(names):
+def run(names, everything=False):
     """Execute notebooks and write them back -> exit status. names, ValueError: those of `find`.
 
-    0: all are written. 1: at least one was refused, with a sentence, and stays as it was.
+    Without names only those that are stale, or everything. 0: all are written. 1: at least one was
+    refused, with a sentence, and stays as it was.
     """
     paths, console = find(names), Console(soft_wrap=True, highlight=False)
+    if not names and not everything:
+        paths = [path for path in paths if origins.stale(path)]
     columns = (TextColumn("{task.description}"), BarColumn(20), MofNCompleteColumn(),
                TextColumn("cells"), TimeElapsedColumn(), TextColumn("{task.fields[verdict]}"))
     with Progress(*columns, console=console) as progress:
@@ -169,6 +175,8 @@ async def execute(path, progress=lambda **cells: None):
             _join_streams(cell)
             pictures.finish(cell)
             progress(completed=number)
+        loaded = await _loaded(client)
+    notebook.metadata["made_from"] = origins.made_from(_text(notebook), loaded)
     return _content(notebook, path)
 
 
@@ -192,6 +200,7 @@ def _read(path):
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
         "written_with": _written_with(),
+        "made_from": {},
     })
     return notebook
 
@@ -203,7 +212,8 @@ def _written_with():
     """
     versions = {name: version(name) for name in ("numpy", "scipy", "matplotlib", "pillow")}
     numbers = np.random.default_rng(0).normal(size=(40, 40))
-    results = numbers @ numbers, np.linalg.inv(numbers), np.exp(numbers), np.fft.fft2(numbers)
+    results = (numbers @ numbers, np.linalg.inv(numbers), np.fft.fft2(numbers), numbers.sum(0),
+               *(function(numbers) for function in (np.exp, np.sin, np.arctan, np.cbrt)))
     return {**versions, "platform": f"{platform.system()} {platform.machine()}",
             "rounding": f"{zlib.crc32(b''.join(result.tobytes() for result in results)):08x}"}
 
@@ -256,6 +266,15 @@ async def _run_cell(client, cell, index):
         return "ended the kernel: look for too much memory, or an exit()"
 
 
+async def _loaded(client):
+    """The files of all modules that a kernel has loaded."""
+    files = "[getattr(one, '__file__', None) or '' for one in [*sys.modules.values()]]"
+    reply = await client.kc.execute_interactive(
+        "import sys", silent=True, user_expressions={"files": f"'\\n'.join({files})"})
+    shown = reply["content"]["user_expressions"]["files"]["data"]["text/plain"]
+    return ast.literal_eval(shown).split("\n")
+
+
 def _join_streams(cell):
     """Printed text arrives in pieces, by chance: make neighbouring pieces one output."""
     outputs = []
@@ -296,8 +315,12 @@ def _contents(output):
     return {kind: "".join(content) for kind, content in contents.items()}
 
 
+def _text(notebook):
+    return nbformat.writes(nbformat.from_dict(notebook)) + "\n"
+
+
 def _content(notebook, path):
-    content = (nbformat.writes(notebook) + "\n").encode()
+    content = _text(notebook).encode()
     if len(content) > SIZE_LIMIT:
         sizes = [len(json.dumps(cell.get("outputs", []))) for cell in notebook.cells]
         largest = notebook.cells[np.argmax(sizes)]
@@ -325,13 +348,14 @@ def compare(path):
         return [str(error)]
     committed = path.read_text(encoding="utf-8")   # with "\n", however git has checked it out
     was, now = json.loads(committed), json.loads(content)
-    here = was["metadata"].get("written_with") == now["metadata"].pop("written_with")
-    was["metadata"].pop("written_with", None)
+    here = was["metadata"].get("written_with") == now["metadata"]["written_with"]
+    for notebook, name in itertools.product((was, now), ("written_with", "made_from")):
+        notebook["metadata"].pop(name, None)
     differences = [difference for pair in zip(was.pop("cells"), now.pop("cells"), strict=True)
                    for difference in _cell_differences(*pair, here)]
     if was != now:
         differences.append("the notebook's metadata are not those that the command writes")
-    if committed != nbformat.writes(nbformat.from_dict(json.loads(committed))) + "\n":
+    if committed != _text(json.loads(committed)):
         differences.append("the file's layout is not the one that the command writes")
     return [f"{path.name}: {difference}" for difference in differences]
 

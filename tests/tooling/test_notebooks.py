@@ -12,16 +12,24 @@ import pytest
 from PIL import Image
 
 from course.given.places import ROOT
-from course.upkeep import notebooks, pictures
+from course.upkeep import notebooks, origins, pictures
 
 LECTURES = sorted(notebooks.FOLDER.glob("*.ipynb"))
 FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
 
 
-@pytest.mark.notebook
 @pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
-def test_a_lecture_is_what_its_code_draws_and_prints(path):
+def test_a_lecture_was_made_from_this_code(path):
     """Figures and numbers of an older version of the code; an edit that was not executed."""
+    assert origins.stale(path) is None
+
+
+# The first one runs always: it shows the board, which starts in a process of its own.
+@pytest.mark.parametrize("path", [LECTURES[0], *[
+    pytest.param(path, marks=pytest.mark.weekly) for path in LECTURES[1:]
+]], ids=lambda path: path.stem)
+def test_a_lecture_is_what_its_code_draws_and_prints(path):
+    """Numbers that another NumPy or another processor changes; a random number without a seed."""
     assert notebooks.compare(path) == []
 
 
@@ -100,6 +108,7 @@ def test_names_counts_and_metadata_depend_on_the_order_of_cells_only(written, ce
     assert [cell["metadata"] for cell in cells] == [{}, {}, {}, {}, folded, {}]
     metadata = json.loads(written.read_text(encoding="utf-8"))["metadata"]
     assert metadata.pop("written_with")["numpy"] == np.__version__
+    assert "course/given/plot.py" in metadata.pop("made_from")
     assert metadata == {
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"}}
@@ -364,6 +373,43 @@ def test_another_layout_is_a_difference_and_other_line_ends_are_not(written, tmp
         "copy.ipynb: the file's layout is not the one that the command writes"]
     assert edited(written, tmp_path, monkeypatch, nothing,
                   lambda text: text.replace("\n", "\r\n")) == []
+
+
+@pytest.mark.parametrize("edit, changed", [
+    (lambda notebook: None, None),
+    (set_count, "this notebook"),
+    (set_text, "this notebook"),
+    (lambda notebook: notebook.metadata.made_from.update({"course/given/plot.py": "0"}),
+     "course/given/plot.py"),
+    (lambda notebook: notebook.metadata.made_from.update({"reference/gone.py": "0"}),
+     "reference/gone.py"),
+    (lambda notebook: notebook.metadata.made_from.update({"course/given/data": "0"}),
+     "course/given/data"),
+    (lambda notebook: notebook.metadata.pop("made_from"), "this notebook"),
+])
+def test_what_changed_since_a_lecture_ran_is_named(written, tmp_path, edit, changed):
+    """A lecture that shows the pictures of older code; one that runs again for nothing."""
+    notebook = nbformat.read(written, as_version=4)
+    edit(notebook)
+    path = tmp_path / "07_copy.ipynb"
+    path.write_text(notebooks._text(notebook), encoding="utf-8")
+    said = f"{path} was made before a change ({changed}): run python3 -m course notebooks 07"
+    assert origins.stale(path) == (said if changed else None)
+
+
+CODE = 'import os\n\ndef f(x):\n    """Twice x."""\n    return 2 * x  # doubled\n'
+
+
+@pytest.mark.parametrize("text, same", [
+    ("import os  # why\ndef f(x):\n    return 2 * x\n", True),
+    (CODE.replace("x.", "x,\n\n    or so."), True),
+    (CODE.replace("2 *", "3 *"), False),
+    (CODE.replace("f(x)", "f(x=None)"), False),
+    (CODE.replace("import os\n", ""), False),
+])
+def test_comments_and_docstrings_make_no_lecture_stale(text, same):
+    """Seventeen lectures run again for a comma; or none for a number."""
+    assert (origins._digest_of_module(text) == origins._digest_of_module(CODE)) == same
 
 
 SAME = [("off by 3e-15 at most", "off by  2e-14 at most"), ("0.25 px", "0.26 px"),
