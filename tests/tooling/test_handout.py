@@ -138,7 +138,7 @@ def test_what_a_lab_needs_comes_along_and_asks_nothing(tmp_path, capsys):
     given = ["transforms", "rasterization", "scanline", "sampling"]
     for topic in given:
         text = exercises.read(tmp_path / "new" / "labs" / f"{topic}.py")
-        assert exercises.text_exercises(text) == []
+        assert exercises.text_exercises(text) == ()
         assert ast.dump(ast.parse(text)) == ast.dump(ast.parse(exercises.read(
             exercises.reference(topic))))
     assert sorted(path.stem for path in tmp_path.glob("new/labs/*.py")) == sorted(

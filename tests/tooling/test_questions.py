@@ -3,7 +3,6 @@ import ast
 import re
 
 import numpy as np
-import pytest
 
 from course import exercises
 from course.given import places
