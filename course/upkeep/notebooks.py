@@ -24,7 +24,6 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
 import ast
 import asyncio
 import contextlib
-import functools
 import itertools
 import json
 import os
@@ -44,8 +43,6 @@ from jupyter_client import AsyncKernelManager
 from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from course.given.places import ROOT, is_handout, read_whole, write_whole
 from course.upkeep import errata, origins, pictures
@@ -82,18 +79,15 @@ UNWANTED = [
 def run(names, everything=False):
     """Execute notebooks and write them back -> exit status. names, ValueError: those of `find`.
 
-    Without names only those that are stale, or everything. 0: all are written. 1: at least one was
+    Without names: those that are stale, or everything. 0: all are written. 1: at least one was
     refused, with a sentence, and stays as it was.
     """
-    paths, console = find(names), Console(soft_wrap=True, highlight=False)
+    paths = find(names)
     if not names and not everything:
         paths = [path for path in paths if origins.stale(path)]
-    columns = (TextColumn("{task.description}"), BarColumn(20), MofNCompleteColumn(),
-               TextColumn("cells"), TimeElapsedColumn(), TextColumn("{task.fields[verdict]}"))
-    with Progress(*columns, console=console) as progress:
-        refusals = _wait_for(_run_all(paths, progress))
+    refusals = _wait_for(_run_all(paths))
     for refusal in refusals:
-        console.print(refusal, markup=False)
+        print(refusal)
     if not is_handout():
         errata.write()
     return 1 if refusals else 0
@@ -119,31 +113,26 @@ def _find(name, lectures):
                      f"there are {known}")
 
 
-async def _run_all(paths, progress):
+async def _run_all(paths):
     free = asyncio.Semaphore(AT_A_TIME)
-    refusals = await asyncio.gather(*[_run_one(path, progress, free) for path in paths])
+    refusals = await asyncio.gather(*[_run_one(path, free) for path in paths])
     return [refusal for refusal in refusals if refusal]
 
 
-async def _run_one(path, progress, free):
+async def _run_one(path, free):
     """Execute and write one notebook -> None, or the sentence that says why it was refused."""
-    task = progress.add_task(path.stem, start=False, total=None, verdict="")
     async with free:
-        progress.start_task(task)
         try:
             before = read_whole(path)
-            content = await execute(path, functools.partial(progress.update, task))
+            content = await execute(path)
             if read_whole(path) != before:
                 raise ValueError(f"{path.name} was saved while it ran: run the command again")
             if content != before:
                 write_whole(path, content)
         except (ValueError, OSError) as error:
-            progress.update(task, verdict="refused")
             return str(error)
-        finally:
-            progress.stop_task(task)
-    size = f"{len(content) / 1000:.0f} kB"
-    progress.update(task, verdict=("unchanged, " if content == before else "written, ") + size)
+    state = "unchanged" if content == before else "written"
+    print(f"{path.stem}: {state}, {len(content) / 1000:.0f} kB", flush=True)
 
 
 def _wait_for(work):
@@ -154,15 +143,14 @@ def _wait_for(work):
 
 # From a notebook to its bytes
 
-async def execute(path, progress=lambda **cells: None):
+async def execute(path):
     """The notebook, run from a clean kernel in the course's folder -> the bytes to write.
 
-    `progress` is called with total= and completed=, in cells. ValueError where a cell fails or
-    leaves something that a lecture must not show, OSError where the file cannot be read.
+    ValueError where a cell fails or leaves something that a lecture must not show, OSError where
+    the file cannot be read.
     """
     notebook = _read(path)
     cells = [(index, cell) for index, cell in enumerate(notebook.cells) if _is_run(cell)]
-    progress(completed=0, total=len(cells))
     for number, (_, cell) in enumerate(cells, start=1):
         if long := [line for line in cell.source.splitlines() if len(line) > LINE_LIMIT]:
             raise ValueError(f"{path.name}, code cell [{number}] has a line of more than "
@@ -174,7 +162,6 @@ async def execute(path, progress=lambda **cells: None):
                 raise ValueError(f"{path.name}, code cell [{number}] {objection}")
             _join_streams(cell)
             pictures.finish(cell)
-            progress(completed=number)
         loaded = await _loaded(client)
     notebook.metadata["made_from"] = origins.made_from(_text(notebook), loaded)
     return _content(notebook, path)
