@@ -22,7 +22,7 @@ to work on the course
   feedback [TARGET]     how often reports name what is wrong, on wrong answers as students write
   mutants [TARGET]      how many small mistakes, made by machine, the checks catch
   site                  make the web site in out/site/ of all this
-  test                  check everything: lint, code, labs, notebooks; with --site the web site
+  test                  check the project: lint, then every test; with --site the web site
 
 examples
   python3 -m course demo                     all scenes that take seconds
@@ -148,7 +148,9 @@ def arguments():
            help="reconstruct FOLDER: go on with the search that Ctrl-C stopped")
 
     option = add(notebooks)
-    option("names", nargs="*", metavar="NAME", help="a topic or a number; without, all of them")
+    option("names", nargs="*", metavar="NAME",
+           help="a topic or a number; without, those whose code or text has changed")
+    option("--all", action="store_true", help="all of them")
 
     option = add(check)
     option("target", nargs="?", metavar="TARGET",
@@ -229,7 +231,7 @@ def arguments():
     option("--lite", action="store_true", help="and with JupyterLite, the labs in the browser")
 
     option = add(test)
-    option("--quick", action="store_true", help="leave the notebooks out")
+    option("--all", action="store_true", help="run every lecture, too: twice as long")
     option("--site", action="store_true",
            help="check the web site instead: make it, and open every page in Chromium")
     for name in withheld():
@@ -252,7 +254,7 @@ def demo(asked):
 def notebooks(asked):
     """Run notebooks from a clean kernel and save them with their figures."""
     import course.upkeep.notebooks
-    return course.upkeep.notebooks.run(asked.names)
+    return course.upkeep.notebooks.run(asked.names, everything=asked.all)
 
 
 def check(asked):
@@ -357,7 +359,7 @@ def test(asked):
     # labs/ is not for lint: it is made from reference/, or a student's own.
     lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"),
                       str(ROOT))
-    left_out = ("-m", "not notebook") if asked.quick else ()
+    left_out = () if asked.all else ("-m", "not weekly")
     tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
     if lint:
         print("course: ruff found what it prints above the tests", file=sys.stderr)

@@ -160,6 +160,7 @@ def closed_extras(lab, text):
     return {number for number, mark in marks.items() if mark and not mark[1]}
 
 
+@functools.cache
 def text_exercises(text):
     """The exercises of a module's text, from top to bottom. ValueError: a mark is wrong."""
     lines = text_lines(text)
@@ -178,7 +179,7 @@ def text_exercises(text):
         require_question_and_answer(lines, functions[line], number)
         found[number] = Exercise(number, functions[line].name, points, line, (), *kind)
     needs = calls(text, [exercise.name for exercise in found.values()])
-    return [exercise._replace(calls=needs[exercise.name]) for exercise in found.values()]
+    return tuple(exercise._replace(calls=needs[exercise.name]) for exercise in found.values())
 
 
 @functools.cache

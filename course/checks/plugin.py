@@ -23,7 +23,6 @@ def pytest_addoption(parser):
 def pytest_configure(config):
     config.addinivalue_line("markers", "exercise(number, fine_print=False): this test is a check "
                             "of that exercise's question, or of its fine print")
-    config.addinivalue_line("markers", "notebook: executes a notebook; left out by test --quick")
     try:
         loader.folder(config.option.impl)
     except ValueError as error:

@@ -2,7 +2,9 @@
 
 An author edits a notebook in Jupyter and then runs `python3 -m course notebooks 02`. What is
 written holds no times, addresses, widgets or settings of the author. Pictures and last digits
-depend on the versions listed under "written_with". Where these agree, so do the bytes.
+depend on the versions listed under "written_with". Where these agree, so do the bytes. What the
+kernel had loaded of the course stands under "made_from". While none of it changes, the lecture
+need not run again.
 
 A lecture begins with these lines, which work in Jupyter and in the command alike:
 
@@ -19,9 +21,9 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
     # figure: a triangle over a pixel grid; the seven pixels whose centres
     # lie inside are blue
 """
+import ast
 import asyncio
 import contextlib
-import functools
 import itertools
 import json
 import os
@@ -41,11 +43,9 @@ from jupyter_client import AsyncKernelManager
 from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from course.given.places import ROOT, is_handout, read_whole, write_whole
-from course.upkeep import errata, pictures
+from course.upkeep import errata, origins, pictures
 
 FOLDER = ROOT / "notebooks"
 AT_A_TIME = 2
@@ -76,18 +76,18 @@ UNWANTED = [
 
 # The command
 
-def run(names):
+def run(names, everything=False):
     """Execute notebooks and write them back -> exit status. names, ValueError: those of `find`.
 
-    0: all are written. 1: at least one was refused, with a sentence, and stays as it was.
+    Without names: those that are stale, or everything. 0: all are written. 1: at least one was
+    refused, with a sentence, and stays as it was.
     """
-    paths, console = find(names), Console(soft_wrap=True, highlight=False)
-    columns = (TextColumn("{task.description}"), BarColumn(20), MofNCompleteColumn(),
-               TextColumn("cells"), TimeElapsedColumn(), TextColumn("{task.fields[verdict]}"))
-    with Progress(*columns, console=console) as progress:
-        refusals = _wait_for(_run_all(paths, progress))
+    paths = find(names)
+    if not names and not everything:
+        paths = [path for path in paths if origins.stale(path)]
+    refusals = _wait_for(_run_all(paths))
     for refusal in refusals:
-        console.print(refusal, markup=False)
+        print(refusal)
     if not is_handout():
         errata.write()
     return 1 if refusals else 0
@@ -113,31 +113,26 @@ def _find(name, lectures):
                      f"there are {known}")
 
 
-async def _run_all(paths, progress):
+async def _run_all(paths):
     free = asyncio.Semaphore(AT_A_TIME)
-    refusals = await asyncio.gather(*[_run_one(path, progress, free) for path in paths])
+    refusals = await asyncio.gather(*[_run_one(path, free) for path in paths])
     return [refusal for refusal in refusals if refusal]
 
 
-async def _run_one(path, progress, free):
+async def _run_one(path, free):
     """Execute and write one notebook -> None, or the sentence that says why it was refused."""
-    task = progress.add_task(path.stem, start=False, total=None, verdict="")
     async with free:
-        progress.start_task(task)
         try:
             before = read_whole(path)
-            content = await execute(path, functools.partial(progress.update, task))
+            content = await execute(path)
             if read_whole(path) != before:
                 raise ValueError(f"{path.name} was saved while it ran: run the command again")
             if content != before:
                 write_whole(path, content)
         except (ValueError, OSError) as error:
-            progress.update(task, verdict="refused")
             return str(error)
-        finally:
-            progress.stop_task(task)
-    size = f"{len(content) / 1000:.0f} kB"
-    progress.update(task, verdict=("unchanged, " if content == before else "written, ") + size)
+    state = "unchanged" if content == before else "written"
+    print(f"{path.stem}: {state}, {len(content) / 1000:.0f} kB", flush=True)
 
 
 def _wait_for(work):
@@ -148,15 +143,14 @@ def _wait_for(work):
 
 # From a notebook to its bytes
 
-async def execute(path, progress=lambda **cells: None):
+async def execute(path):
     """The notebook, run from a clean kernel in the course's folder -> the bytes to write.
 
-    `progress` is called with total= and completed=, in cells. ValueError where a cell fails or
-    leaves something that a lecture must not show, OSError where the file cannot be read.
+    ValueError where a cell fails or leaves something that a lecture must not show, OSError where
+    the file cannot be read.
     """
     notebook = _read(path)
     cells = [(index, cell) for index, cell in enumerate(notebook.cells) if _is_run(cell)]
-    progress(completed=0, total=len(cells))
     for number, (_, cell) in enumerate(cells, start=1):
         if long := [line for line in cell.source.splitlines() if len(line) > LINE_LIMIT]:
             raise ValueError(f"{path.name}, code cell [{number}] has a line of more than "
@@ -168,7 +162,8 @@ async def execute(path, progress=lambda **cells: None):
                 raise ValueError(f"{path.name}, code cell [{number}] {objection}")
             _join_streams(cell)
             pictures.finish(cell)
-            progress(completed=number)
+        loaded = await _loaded(client)
+    notebook.metadata["made_from"] = origins.made_from(_text(notebook), loaded)
     return _content(notebook, path)
 
 
@@ -192,6 +187,7 @@ def _read(path):
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
         "written_with": _written_with(),
+        "made_from": {},
     })
     return notebook
 
@@ -203,7 +199,8 @@ def _written_with():
     """
     versions = {name: version(name) for name in ("numpy", "scipy", "matplotlib", "pillow")}
     numbers = np.random.default_rng(0).normal(size=(40, 40))
-    results = numbers @ numbers, np.linalg.inv(numbers), np.exp(numbers), np.fft.fft2(numbers)
+    results = (numbers @ numbers, np.linalg.inv(numbers), np.fft.fft2(numbers), numbers.sum(0),
+               *(function(numbers) for function in (np.exp, np.sin, np.arctan, np.cbrt)))
     return {**versions, "platform": f"{platform.system()} {platform.machine()}",
             "rounding": f"{zlib.crc32(b''.join(result.tobytes() for result in results)):08x}"}
 
@@ -256,6 +253,15 @@ async def _run_cell(client, cell, index):
         return "ended the kernel: look for too much memory, or an exit()"
 
 
+async def _loaded(client):
+    """The files of all modules that a kernel has loaded."""
+    files = "[getattr(one, '__file__', None) or '' for one in [*sys.modules.values()]]"
+    reply = await client.kc.execute_interactive(
+        "import sys", silent=True, user_expressions={"files": f"'\\n'.join({files})"})
+    shown = reply["content"]["user_expressions"]["files"]["data"]["text/plain"]
+    return ast.literal_eval(shown).split("\n")
+
+
 def _join_streams(cell):
     """Printed text arrives in pieces, by chance: make neighbouring pieces one output."""
     outputs = []
@@ -296,8 +302,12 @@ def _contents(output):
     return {kind: "".join(content) for kind, content in contents.items()}
 
 
+def _text(notebook):
+    return nbformat.writes(notebook) + "\n"
+
+
 def _content(notebook, path):
-    content = (nbformat.writes(notebook) + "\n").encode()
+    content = _text(notebook).encode()
     if len(content) > SIZE_LIMIT:
         sizes = [len(json.dumps(cell.get("outputs", []))) for cell in notebook.cells]
         largest = notebook.cells[np.argmax(sizes)]
@@ -308,32 +318,23 @@ def _content(notebook, path):
     return content
 
 
-# Is a committed notebook what the command would write?
+# Does a run give what the file has?
 
 def compare(path):
     """Run the notebook again and hold it against the file -> list of differences, in sentences.
 
-    Sources and structure must be equal. Text and pictures must be equal byte for byte where the
-    file was written with the versions and the rounding of this environment. Elsewhere fonts and
-    roundings differ a little: there a number may be off by NUMBER_LIMIT of itself or by one in its
-    last digit, and below ROUNDING all numbers are the same. For pictures see `pictures.difference`.
+    Text and pictures must be equal byte for byte where the file was written with the versions and
+    the rounding of this environment. Elsewhere fonts and roundings differ a little: there a number
+    may be off by NUMBER_LIMIT of itself or by one in its last digit, and below ROUNDING all numbers
+    are the same. For pictures see `pictures.difference`.
     """
-    path = Path(path)
     try:
-        content = _wait_for(execute(path)).decode()
+        was, now = json.loads(read_whole(path)), json.loads(_wait_for(execute(path)))
     except (ValueError, OSError) as error:
         return [str(error)]
-    committed = path.read_text(encoding="utf-8")   # with "\n", however git has checked it out
-    was, now = json.loads(committed), json.loads(content)
-    here = was["metadata"].get("written_with") == now["metadata"].pop("written_with")
-    was["metadata"].pop("written_with", None)
-    differences = [difference for pair in zip(was.pop("cells"), now.pop("cells"), strict=True)
-                   for difference in _cell_differences(*pair, here)]
-    if was != now:
-        differences.append("the notebook's metadata are not those that the command writes")
-    if committed != nbformat.writes(nbformat.from_dict(json.loads(committed))) + "\n":
-        differences.append("the file's layout is not the one that the command writes")
-    return [f"{path.name}: {difference}" for difference in differences]
+    here = was["metadata"].get("written_with") == now["metadata"]["written_with"]
+    return [f"{path.name}: {difference}" for pair in zip(was["cells"], now["cells"], strict=True)
+            for difference in _cell_differences(*pair, here)]
 
 
 def _cell_differences(was, now, here):

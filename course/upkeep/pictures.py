@@ -82,7 +82,7 @@ def _with_palette(pictures):
     sheet = np.stack(pictures).astype(np.uint32)
     code = sheet[..., 0] << 16 | sheet[..., 1] << 8 | sheet[..., 2]
     count = np.bincount(code.ravel(), minlength=1 << 24)
-    used = np.flatnonzero(count)
+    used = np.flatnonzero(count > 0)
     colours = np.stack([used >> 16, used >> 8 & 255, used & 255], axis=-1)
     rows = np.concatenate(pictures)
     rows = Image.fromarray(rows[::-(-rows[..., 0].size // SAMPLE)])

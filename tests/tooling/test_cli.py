@@ -42,7 +42,9 @@ def stand_in(monkeypatch):
     ("skeleton", "upkeep.skeleton.run", (), {"check": False, "force": False}),
     ("skeleton --check", "upkeep.skeleton.run", (), {"check": True, "force": False}),
     ("skeleton --force", "upkeep.skeleton.run", (), {"check": False, "force": True}),
-    ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],), {}),
+    ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],),
+     {"everything": False}),
+    ("notebooks --all", "upkeep.notebooks.run", ([],), {"everything": True}),
     ("pack", "grading.handing.pack.run", ("labs.zip",), {}),
     ("handout new --labs 1-4 --solutions 1", "grading.handing.handout.run", ("new", "1-4", "1"),
      {"extra": False}),
@@ -180,9 +182,9 @@ def test_the_test_command_fails_with_either_lint_or_tests(monkeypatch, lint, tes
     monkeypatch.setattr(cli, "run_module", lambda module, *arguments: ran.update(
         {module: arguments}) or {"ruff": lint, "pytest": tests}[module])
     assert cli.main(["test"]) == status
-    assert list(ran) == ["ruff", "pytest"] and "not notebook" not in ran["pytest"]
-    assert cli.main(["test", "--quick"]) == status
-    assert ran["pytest"][-2:] == ("-m", "not notebook")
+    assert list(ran) == ["ruff", "pytest"] and ran["pytest"][-2:] == ("-m", "not weekly")
+    assert cli.main(["test", "--all"]) == status
+    assert "not weekly" not in ran["pytest"]
 
 
 def test_nobody_s_own_settings_for_pytest_take_part(monkeypatch):

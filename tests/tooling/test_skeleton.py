@@ -133,7 +133,7 @@ def test_a_lab_is_the_lab_of_itself():
 def test_a_module_without_exercises_stays_as_it_is():
     """Functions without a mark lose their bodies."""
     text = MODULE.replace("# exercise", "# not an exercise")
-    assert exercises.text_exercises(text) == []
+    assert exercises.text_exercises(text) == ()
     assert exercises.skeleton(text) == text
 
 
@@ -181,7 +181,7 @@ def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
 
 def test_what_only_looks_like_a_mark_in_a_string_is_none():
     """Marks are looked for in the text, not among the comments."""
-    assert exercises.text_exercises('x = """\ndef f():  # exercise 1.1 (2 points)\n"""\n') == []
+    assert exercises.text_exercises('x = """\ndef f():  # exercise 1.1 (2 points)\n"""\n') == ()
 
 
 @pytest.fixture
