@@ -17,6 +17,7 @@ from ...checks.report import is_fine_print
 from ...checks.showing import cut, shown_frames
 from ...given.contract import UNFINISHED
 from . import sandbox, wire
+from .labs import before_it, exercise_numbers, given_text, preloaded
 
 MESSAGES = {  # what a worker may say, and the types of what follows
     "opened": (str,), "missing": (str,), "returned": (object, tuple, str),
@@ -301,33 +302,6 @@ class Examination:
 
 def number_of(item):
     return item.get_closest_marker("exercise").args[0]
-
-
-def before_it(topic):
-    """The topics before this one: those that it may import."""
-    return exercises.topics()[:exercises.topics().index(topic)]
-
-
-@functools.cache
-def given_text(topic):
-    """A lab's text without answers."""
-    return exercises.skeleton(exercises.read(exercises.reference(topic)), extra=True)
-
-
-@functools.cache
-def exercise_numbers(topic):
-    """{name: number} of a topic's exercises."""
-    return {exercise.name: exercise.number for exercise in exercises.topic_exercises(topic)}
-
-
-@functools.cache
-def preloaded(topic):
-    """The modules of SciPy and the course that a topic, or one before it, imports."""
-    texts = [exercises.read(exercises.reference(each)) for each in (*before_it(topic), topic)]
-    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?",
-                       "\n".join(texts), re.M)
-    return tuple(dict.fromkeys(f"{module}.{name}" if module in ("scipy", "course.given") else module
-                               for module, name in lines))
 
 
 def frame(sent):

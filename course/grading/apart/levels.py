@@ -53,7 +53,7 @@ def python(worker, packages):
     return [interpreter(), "-I", "-S", "-B", str(worker), str(packages)]
 
 
-def settings(limits, **more):
+def settings(limits, **more) -> dict:
     """What a worker does to itself before it loads what was handed in: see confine.give_up."""
     program, keyctl = "", None
     if sys.platform == "linux" and seccomp.is_there():

@@ -111,11 +111,25 @@ def release(labs, path):
 
 def files(asked, given, released, extra):
     """Yield (name, bytes) of all that is handed out."""
-    for pattern in WHOLE:
-        for path in sorted(places.ROOT.glob(pattern)):
-            name = path.relative_to(places.ROOT).as_posix()
-            if not is_for_teachers(name):
-                yield name, path.read_bytes()
+    whole = [path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))]
+    for path in [*whole, places.ROOT / "notebooks" / "00_start_here.ipynb"]:
+        name = path.relative_to(places.ROOT).as_posix()
+        if not is_for_teachers(name):
+            yield name, path.read_bytes()
+    yield from labs_of(asked, released, extra)
+    for topic in given:
+        text = exercises.read(exercises.reference(topic))
+        yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
+    for path in lectures(asked):
+        text = exercises.read(path)
+        if not released or not set(needed([], path)) <= set(released):
+            text = switched(text)
+        yield f"notebooks/{path.name}", text.encode()
+    yield "README.md", readme(asked, given, released).encode()
+
+
+def labs_of(asked, released, extra):
+    """Yield (name, bytes) of what belongs to each topic that is asked for."""
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
         lab = exercises.skeleton(text, extra).encode("utf-8")
@@ -126,17 +140,6 @@ def files(asked, given, released, extra):
             yield check, (places.ROOT / check).read_bytes()
         if topic in released:
             yield f"reference/{topic}.py", text.encode("utf-8")
-    for topic in given:
-        text = exercises.read(exercises.reference(topic))
-        yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
-    yield "notebooks/00_start_here.ipynb", (
-        places.ROOT / "notebooks" / "00_start_here.ipynb").read_bytes()
-    for path in lectures(asked):
-        text = exercises.read(path)
-        if not released or not set(needed([], path)) <= set(released):
-            text = switched(text)
-        yield f"notebooks/{path.name}", text.encode()
-    yield "README.md", readme(asked, given, released).encode()
 
 
 def is_for_teachers(name):
