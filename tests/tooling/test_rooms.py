@@ -26,7 +26,8 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "board": ("given", "exercises", "checks", "verdicts"),
     "upkeep": ("given", "exercises", "checks"),
     "grading": ("given", "exercises", "checks", "verdicts", "board"),
-    "cli": ("given", "experiments", "board", "upkeep", "grading"),
+    "commands": ("given", "experiments", "board", "upkeep", "grading"),
+    "cli": ("given", "commands"),
     "__main__": ("cli",),
 }
 UNSIGNED = {"course.grading"}  # as yet
