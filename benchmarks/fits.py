@@ -14,7 +14,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments import demo, fit_bunny, fit_cube, reconstruct
+from course.experiments.scenes import demo, fit_bunny, fit_cube, reconstruct
 
 COURSE = Path(__file__).resolve().parent.parent
 OURS = tuple(f"{COURSE / package}/" for package in ("reference", "course"))

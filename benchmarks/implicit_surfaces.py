@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments import demo, representations
+from course.experiments.scenes import demo, representations
 from reference import implicit_surfaces, marching_tetrahedra
 
 CELLS = 16, 32, 64, 96

@@ -11,7 +11,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure
-from course.experiments import demo, fit_outlines
+from course.experiments.scenes import demo, fit_outlines
 from course.given import mesh
 from reference import neural_renderer, pipeline, sweep_gradient, texture_cubes
 

@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 mitsuba.set_variant("scalar_rgb")
 
-from course.experiments import demo, drawing, reconstruct  # noqa: E402
+from course.experiments.scenes import demo, drawing, reconstruct  # noqa: E402
 from course.given import image, mesh, places  # noqa: E402
 
 LABS = demo.Labs("reference")

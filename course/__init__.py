@@ -1,13 +1,14 @@
 """The rooms of the course. Each imports only from those above it (tests/tooling/test_rooms.py).
 
-    given         below reference: meshes, images, plots, gradient check
-    experiments   above reference: scenes and fits
+    given         below reference: meshes, pictures, plots, gradient check
+    experiments   above reference: scenes, fits, and the tool for a folder of pictures
     exercises     what exercises there are
     checks        assertions, hints, the report: the pytest plugin
     verdicts      what became of an exercise: done, failing, blocked by 2.1
     board         a screen: what is done, and what to do next
     upkeep        what makes labs, hints and notebooks
     grading       hand out, grade, report
-    cli           the command line
+    commands      what each command takes, and what it starts
+    cli           the command line: its help, its errors
     __main__      starts it, in an environment that has what it needs
 """

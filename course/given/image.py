@@ -132,3 +132,8 @@ def to_linear(encoded):
     encoded = np.asarray(encoded, dtype=np.float64)
     curve = ((np.maximum(encoded, 12.92 * SRGB_JOIN) + 0.055) / 1.055) ** 2.4
     return np.where(encoded <= 12.92 * SRGB_JOIN, encoded / 12.92, curve)
+
+
+def intersection_over_union(a, b):
+    """The share of two masks (H, W): 1 for equal ones, 0 for two that do not meet."""
+    return (a & b).sum() / (a | b).sum()

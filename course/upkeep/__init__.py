@@ -1,0 +1,12 @@
+"""What keeps the course in step with itself. Nothing stands on it but the command line.
+
+    skeleton   makes labs/ from reference/
+    extras     opens extras in labs/, and closes them
+    errata     the page of what the lectures correct in their sources
+    pictures   the pictures of a lecture: packed, described, compared
+    notebooks  runs the lectures, and writes them back
+    hours      how long a lab takes
+    mutants    small mistakes made by machine: do the checks catch them?
+    mistakes   mistakes that people make: are they caught, and what hints do they give?
+    feedback   how often a report names what is wrong
+"""

@@ -6,7 +6,7 @@ A box is a quotation in a lecture whose first line begins with `> **Erratum`.
 import json
 import re
 
-from course.given.places import ROOT, write_whole
+from ..given.places import ROOT, write_whole
 
 FOLDER = ROOT / "notebooks"
 BOX = re.compile(r"^> \*\*Erratum.*(?:\n>.*)*", re.MULTILINE)

@@ -18,7 +18,8 @@ HERE = Path(__file__).with_suffix(".glb")
 
 
 def main():
-    from course.experiments import drawing, exports, portrait
+    from course.experiments.folder import exports
+    from course.experiments.scenes import drawing, portrait
     from course.given import image, mesh
     from reference import collapse_heap, rasterization, scanline
 
@@ -44,7 +45,7 @@ def main():
 
 
 def drawing_labs():
-    from course.experiments.demo import Labs
+    from course.experiments.scenes.demo import Labs
     return Labs("reference")
 
 

@@ -3,8 +3,8 @@ import html
 
 from PIL import Image
 
-from course.experiments import aliasing, msaa, shadow
-from course.experiments.demo import Labs
+from course.experiments.scenes import aliasing, msaa, shadow
+from course.experiments.scenes.demo import Labs
 from course.given.places import read_whole
 
 from . import put

@@ -17,7 +17,7 @@ from course.given.places import ROOT
 CONTENTS = (
     "notebooks/*.ipynb", "notebooks/errata.md", "labs/*.py",
     "reference/*.py", "course/*.py", "course/given/**/*.py", "course/given/data/**/*.*",
-    "course/experiments/*.*", "course/checks/*.*", "course/upkeep/__init__.py",
+    "course/experiments/**/*.*", "course/checks/*.*", "course/upkeep/__init__.py",
     "course/upkeep/extras.py", "tests/conftest.py",
     "tests/labs/*.py", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
 GUIDE = Path(__file__).parents[1] / "texts" / "in_the_browser.ipynb"

@@ -4,8 +4,8 @@ import json
 
 import trimesh
 
-from course.experiments import drawing, levels, portrait
-from course.experiments.demo import Labs
+from course.experiments.scenes import drawing, levels, portrait
+from course.experiments.scenes.demo import Labs
 from course.given import image, mesh
 from course.given.places import ROOT, read_whole
 

@@ -1,7 +1,7 @@
 """What tests of files and reports begin with: a Scene as the object that was found."""
 import numpy as np
 
-from course.experiments import checkpoints, folders
+from course.experiments.folder import checkpoints, command
 from reference import intrinsic_decomposition, multi_view_fit, reconstruction
 
 NO_SUN = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
@@ -12,4 +12,4 @@ def found_of(x, losses=(1.0,), seconds=0.0):
     surface = multi_view_fit.surface(x)
     look = intrinsic_decomposition.Appearance(surface.albedo, x.light, NO_SUN)
     colours = reconstruction.shade(surface.albedo, surface.normals, x.light)
-    return folders.Found(checkpoints.Kept(x, losses, seconds), surface, look, colours)
+    return command.Found(checkpoints.Kept(x, losses, seconds), surface, look, colours)

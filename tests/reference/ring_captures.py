@@ -5,7 +5,7 @@ import json
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from course.experiments import demo
+from course.experiments.scenes import demo
 from course.given import image, mesh
 
 LABS = demo.Labs("reference")

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 import ring_captures as ring
 
-from course.experiments import camera_files, captures
+from course.experiments.folder import camera_files, captures
 from course.given import image
 
 

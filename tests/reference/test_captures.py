@@ -4,7 +4,7 @@ import pytest
 import ring_captures as ring
 
 from course import cli
-from course.experiments import camera_files, captures
+from course.experiments.folder import camera_files, captures
 from course.given import image, mesh
 
 

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from course.experiments import demo, exports, searches
+from course.experiments.folder import exports, searches
+from course.experiments.scenes import demo
 from course.given import image, mesh_files
 from reference import multi_view_fit
 

@@ -15,7 +15,8 @@ import pytest
 from found_objects import found_of
 from PIL import Image
 
-from course.experiments import captures, demo, drawing, exports, fit_report, folders
+from course.experiments.folder import captures, command, exports, fit_report
+from course.experiments.scenes import demo, drawing
 from reference import multi_view_fit, reconstruction
 
 LABS = demo.Labs("reference")
@@ -70,7 +71,7 @@ def page(made, tmp_path_factory):
     path = tmp_path_factory.mktemp("report") / "ball.glb"
     found = found_of(painted(), tuple(np.geomspace(1, 0.1, 30)), 83.0)
     exports.save_textured(LABS, found.surface, path, made.world_from_grid)
-    judged = fit_report.judged(LABS, found, made, [10, 10, 10], folders.kept_out(made))
+    judged = fit_report.judged(LABS, found, made, [10, 10, 10], command.kept_out(made))
     fit_report.write(LABS, judged, made, path)
     return path.with_name("report.html")
 

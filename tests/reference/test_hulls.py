@@ -4,7 +4,8 @@ import pytest
 import ring_captures as ring
 from scipy.spatial.transform import Rotation
 
-from course.experiments import camera_files, captures, drawing, hulls, silhouettes
+from course.experiments.folder import camera_files, captures, hulls, silhouettes
+from course.experiments.scenes import drawing
 from course.given import distances, image, mesh
 
 

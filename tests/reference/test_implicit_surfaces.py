@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.experiments import demo, drawing, fit_volume, representations
+from course.experiments.scenes import demo, drawing, fit_volume, representations
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, transforms
 

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.experiments import demo, drawing, reconstruct
+from course.experiments.scenes import demo, drawing, reconstruct
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import intrinsic_decomposition as lab

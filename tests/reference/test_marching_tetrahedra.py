@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import scipy.sparse
 
-from course.experiments import representations
+from course.experiments.scenes import representations
 from course.given import inputs, mesh
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, marching_tetrahedra

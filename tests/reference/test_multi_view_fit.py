@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.experiments import demo, drawing, fit_triangle, reconstruct
+from course.experiments.scenes import demo, drawing, fit_triangle, reconstruct
 from course.given import image, mesh
 from course.given.gradcheck import gradcheck
 from reference import marching_tetrahedra, multi_view_fit, reconstruction

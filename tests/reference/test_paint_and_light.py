@@ -2,7 +2,9 @@
 import numpy as np
 import pytest
 
-from course.experiments import captures, demo, drawing, hulls, paint_and_light, reconstruct
+from course.experiments.folder import captures, hulls
+from course.experiments.scenes import demo, drawing, paint_and_light, reconstruct
+from course.given import image
 
 LABS = demo.Labs("reference")
 
@@ -20,7 +22,7 @@ def test_a_capture_shows_its_object_from_all_sides(name):
     for camera, coverage in zip(reconstruct.new_cameras(LABS), truth.coverage, strict=True):
         seen = drawing.seen_mask(LABS, found.vertices, found.faces, camera @ photos.world_from_grid,
                                  len(coverage))
-        assert drawing.intersection_over_union(seen > 0.5, coverage > 0.5) > 0.7  # it is shrunk
+        assert image.intersection_over_union(seen > 0.5, coverage > 0.5) > 0.7  # it is shrunk
 
 
 def test_albedo_is_judged_up_to_one_factor():

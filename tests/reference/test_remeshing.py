@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 import scipy.spatial
 
-from course.experiments import relaxation
+from course.experiments.scenes import relaxation
 from course.given import distances, mesh
 from reference import regularization, remeshing
 

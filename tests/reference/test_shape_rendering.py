@@ -1,7 +1,7 @@
 """The reference's pictures of one object as distance, as volume and as mesh (lab 15)."""
 import numpy as np
 
-from course.experiments import representations
+from course.experiments.scenes import representations
 from reference import pipeline, shape_rendering, transforms
 
 LIGHTING = shape_rendering.Lighting(np.array([-0.5, 0.8, 0.6]), np.array([0.8, 0.6, 0.4]))

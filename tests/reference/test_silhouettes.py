@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 import ring_captures as ring
 
-from course.experiments import camera_files, captures, silhouettes
+from course.experiments.folder import camera_files, captures, silhouettes
 from course.given import image
 
 GREY = 51 / 255  # a background's colour, which a file with 8 bits holds exactly

@@ -10,7 +10,8 @@ import pytest
 import scipy.ndimage
 import trimesh
 
-from course.experiments import demo, exports, textures
+from course.experiments.folder import exports, textures
+from course.experiments.scenes import demo
 from course.given import image
 from reference import multi_view_fit
 

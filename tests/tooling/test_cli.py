@@ -7,14 +7,14 @@ from types import SimpleNamespace
 
 import pytest
 
-from course import cli
+from course import cli, commands
 from course.grading.gradebook.book import Asked
 from course.grading.request import Request
 
 
 @pytest.fixture
 def stand_in(monkeypatch):
-    """stand_in("experiments.demo", run=function) puts it in that module's place."""
+    """stand_in("experiments.scenes.demo", run=function) puts it in that module's place."""
     def put(module, **functions):
         monkeypatch.setitem(sys.modules, f"course.{module}", SimpleNamespace(**functions))
         monkeypatch.setattr(f"course.{module}", sys.modules[f"course.{module}"], raising=False)
@@ -22,8 +22,8 @@ def stand_in(monkeypatch):
 
 
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
-    ("demo", "experiments.demo.run", ([],), {"implementation": None}),
-    ("demo bunny teapot --impl labs", "experiments.demo.run", (["bunny", "teapot"],),
+    ("demo", "experiments.scenes.demo.run", ([],), {"implementation": None}),
+    ("demo bunny teapot --impl labs", "experiments.scenes.demo.run", (["bunny", "teapot"],),
      {"implementation": "labs"}),
     ("check", "board.check", (None, "labs"),
      {"json_file": None, "seed": 0, "pictures": False, "extra": False}),
@@ -70,7 +70,7 @@ def test_a_command_calls_its_function_and_passes_its_status_on(
 
 def test_the_list_of_scenes_is_printed(stand_in, capsys):
     """--list renders everything, or shows nothing."""
-    stand_in("experiments.demo", scenes=lambda: {"cow": "A cow.", "moon": "The moon."})
+    stand_in("experiments.scenes.demo", scenes=lambda: {"cow": "A cow.", "moon": "The moon."})
     assert cli.main(["demo", "--list"]) == 0
     assert [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()] == [
         ["cow", "A cow."], ["moon", "The moon."]]
@@ -112,7 +112,7 @@ def demo_runs(stand_in, monkeypatch, tmp_path):
         path = tmp_path / folder / "part.py"
         path.write_text(text)
         monkeypatch.setattr(cli, "ROOT", tmp_path.resolve())
-        stand_in("experiments.demo", run=lambda *_, **__: runpy.run_path(str(path)))
+        stand_in("experiments.scenes.demo", run=lambda *_, **__: runpy.run_path(str(path)))
     return put
 
 
@@ -165,7 +165,7 @@ def test_ctrl_c_while_grading_says_how_to_go_on(stand_in, capsys):
 
 def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):
     """A Windows console of old crashes on the first tick."""
-    stand_in("experiments.demo", scenes=lambda: {"cow": "50 \u2713 faces"})
+    stand_in("experiments.scenes.demo", scenes=lambda: {"cow": "50 \u2713 faces"})
     console = io.TextIOWrapper(io.BytesIO(), encoding="cp1252")
     monkeypatch.setattr(sys, "stdout", console)
     assert cli.main(["demo", "--list"]) == 0
@@ -177,7 +177,7 @@ def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):
 def test_the_test_command_fails_with_either_lint_or_tests(monkeypatch, lint, tests, status):
     """One of the two statuses is forgotten; or after bad lint no test is run."""
     ran = {}
-    monkeypatch.setattr(cli, "run_module", lambda module, *arguments: ran.update(
+    monkeypatch.setattr(commands, "run_module", lambda module, *arguments: ran.update(
         {module: arguments}) or {"ruff": lint, "pytest": tests}[module])
     assert cli.main(["test"]) == status
     assert list(ran) == ["ruff", "pytest"] and "not notebook" not in ran["pytest"]
@@ -188,5 +188,5 @@ def test_the_test_command_fails_with_either_lint_or_tests(monkeypatch, lint, tes
 def test_nobody_s_own_settings_for_pytest_take_part(monkeypatch):
     """A PYTEST_ADDOPTS in the user's shell leaves tests out."""
     monkeypatch.setenv("PYTEST_ADDOPTS", "--no-such-option")
-    monkeypatch.setattr(cli.signal, "signal", lambda *_: None)  # this process keeps its own
-    assert cli.run_module("pytest", "--markers") == 0
+    monkeypatch.setattr(commands.signal, "signal", lambda *_: None)  # this process keeps its own
+    assert commands.run_module("pytest", "--markers") == 0

@@ -4,7 +4,7 @@ import functools
 import numpy as np
 import pytest
 
-from course.experiments import (
+from course.experiments.scenes import (
     demo,
     drawing,
     fit_bunny,

@@ -73,7 +73,7 @@ def test_no_solution_is_handed_out_but_those_released(handed_out):
 def test_labs_lectures_and_checks_are_there(handed_out):
     """A lab without its checks, lectures of labs that come later, or no licence."""
     assert "MIT License" in (handed_out / "LICENSE").read_text(encoding="utf-8")
-    assert {path.name for path in handed_out.glob("course/experiments/fit_report.*")} == {
+    assert {path.name for path in handed_out.glob("course/experiments/folder/fit_report.*")} == {
         "fit_report.py", "fit_report.html", "fit_report.js"}
     names = ["transforms", "rasterization", "scanline", "sampling", "msaa"]
     assert sorted(path.stem for path in handed_out.glob("labs/*.py")) == sorted(names)
@@ -193,7 +193,7 @@ import matplotlib
 
 matplotlib.use("agg")
 from course import cli
-from course.experiments import demo
+from course.experiments.scenes import demo
 
 
 def first_steps(scene):
@@ -286,7 +286,7 @@ def test_with_the_core_of_labs_1_to_9_everything_runs_on_the_students_code(tmp_p
 
 
 FIT = """
-from course.experiments import demo, fit_bunny
+from course.experiments.scenes import demo, fit_bunny
 
 labs = demo.Labs()
 path, _ = fit_bunny.fit(labs, 0.02, steps=3, size=32)

@@ -15,7 +15,7 @@ from ...given import places
 
 WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "course/given/data/*.png", "course/given/data/captures/**/*.*",
-         "course/experiments/*.html", "course/experiments/*.js",
+         "course/experiments/folder/*.html", "course/experiments/folder/*.js",
          "course/checks/hints.json", "tests/conftest.py", "tests/golden/*", "notebooks/errata.md",
          "tests/labs/[!t]*.py",  # what checks share
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
@@ -186,7 +186,7 @@ def needed(topics, *more):
 
 def uses(path):
     """Yield the files in reference/ and course/experiments/ that a module or a notebook uses."""
-    rooms = places.ROOT / "reference", places.ROOT / "course" / "experiments"
+    rooms = [places.ROOT / "reference", *(places.ROOT / "course" / "experiments").glob("*/")]
     for node in ast.walk(ast.parse(code_of(path))):
         found = []
         if isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == "labs":

@@ -3,11 +3,10 @@ import time
 
 import numpy as np
 
-from ..given import mesh
+from ...given import image, mesh
 from .drawing import (
     cameras_around,
     clip_positions,
-    intersection_over_union,
     on_black,
     random_cameras,
     save,
@@ -86,9 +85,8 @@ def silhouette(labs, white, clip_from_world, size):
 
 def shared_silhouettes(labs, shape, other, cameras, size=256):
     """Intersection over union of two meshes' silhouettes, for each of the cameras (N,)."""
-    return np.array([intersection_over_union(seen_mask(labs, *shape, camera, size),
-                                             seen_mask(labs, *other, camera, size))
-                     for camera in cameras])
+    return np.array([image.intersection_over_union(*(
+        seen_mask(labs, *each, camera, size) for each in (shape, other))) for camera in cameras])
 
 
 def new_views(labs, vertices):

@@ -8,13 +8,12 @@ import time
 
 import numpy as np
 
-from ..given import mesh
+from ...given import image, mesh
 from . import fit_triangle
 from .drawing import (
     SIZE,
     clip_from_world,
     enlarged,
-    intersection_over_union,
     save,
     seen_mask,
 )
@@ -152,5 +151,5 @@ def teapot_mask(labs, size):
 
 def teapot_iou(labs, vertices, faces, size=256):
     """Intersection over union of a mesh's silhouette and the teapot's, in fine pictures."""
-    return intersection_over_union(seen_mask(labs, vertices, faces, teapot_camera(labs), size),
-                                   teapot_mask(labs, size))
+    seen = seen_mask(labs, vertices, faces, teapot_camera(labs), size)
+    return image.intersection_over_union(seen, teapot_mask(labs, size))

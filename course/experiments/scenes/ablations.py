@@ -1,8 +1,8 @@
 """What lab 16's search finds without one of its parts."""
+from ..folder.searches import FINE_STAGES
 from .drawing import save
 from .fit_triangle import without_edges
 from .reconstruct import fit, judged, new_cameras, portrait
-from .searches import FINE_STAGES
 
 
 def ablations(labs):

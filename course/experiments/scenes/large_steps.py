@@ -3,7 +3,7 @@ import time
 
 import numpy as np
 
-from ..given import mesh
+from ...given import mesh
 from .drawing import save
 from .fit_bunny import ball, carve, new_views, seen_anew, stages
 

@@ -10,7 +10,7 @@ import numpy as np
 import trimesh
 from PIL import Image
 
-from ..given import image, places
+from ...given import image, places
 from . import textures
 
 

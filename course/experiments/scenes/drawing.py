@@ -1,7 +1,7 @@
 """What the experiments share: cameras, smooth shading, and pictures on disk."""
 import numpy as np
 
-from ..given import image, mesh, places
+from ...given import image, mesh, places
 
 SIZE = 512
 LIGHT = np.array([-0.4, 0.6, 0.7])  # direction towards the light, in world space
@@ -70,7 +70,7 @@ def unit_bunny():
     return mesh.normalize(vertices), faces
 
 
-def told(vertices, faces):
+def size_in_words(vertices, faces):
     """The size of a mesh that was read, in words."""
     return f"read {len(vertices):,} vertices, {len(faces):,} faces"
 
@@ -89,11 +89,6 @@ def seen_mask(labs, vertices, faces, camera, size):
     """Where a mesh is seen at the pixels' centres: bool (size, size)."""
     clip = labs.pipeline.to_clip(vertices, camera)
     return labs.scanline.rasterize(clip, faces, size, size)[0] >= 0
-
-
-def intersection_over_union(a, b):
-    """The share of two masks (H, W): 1 for equal ones, 0 for two that do not meet."""
-    return (a & b).sum() / (a | b).sum()
 
 
 def smooth(labs, vertices, faces, clip, size=SIZE):

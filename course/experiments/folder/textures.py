@@ -6,7 +6,7 @@ import scipy.ndimage
 import scipy.sparse
 import xatlas
 
-from ..given import mesh
+from ...given import mesh
 
 RESOLUTION = 1024  # texels along a side
 GUTTER = 6         # from chart to chart, so that they do not mix in the first mip levels

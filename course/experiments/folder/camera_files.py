@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..given import image, places
+from ...given import image, places
 
 LEAST = 4  # views
 COLMAP_PLACES = "cameras.txt", "sparse/0/cameras.txt", "sparse/cameras.txt"
@@ -81,7 +81,7 @@ def nothing_found(folder):
         return (f"{folder} has COLMAP's binary model only: `colmap model_converter --output_type "
                 "TXT` writes it as text")
     return (f"there is no file cameras.json, transforms.json or cameras.txt (COLMAP's) in {folder}:"
-            " course/experiments/captures.py says what must be in it")
+            " course/experiments/folder/captures.py says what must be in it")
 
 
 # --- our own ------------------------------------------------------------------------------------
@@ -109,7 +109,7 @@ def described(path, key, expected):
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path} is no JSON: {error}") from None
     require(isinstance(scene, dict) and isinstance(scene.get(key), list),
-            f"{path.name} must be {expected}; course/experiments/captures.py shows it all")
+            f"{path.name} must be {expected}; course/experiments/folder/captures.py shows it all")
     return scene
 
 

@@ -2,7 +2,7 @@
 import numpy as np
 from rich.progress import track
 
-from ..given import image, places
+from ...given import image, places
 from .drawing import SIZE, clip_positions, smooth, unit_bunny
 
 

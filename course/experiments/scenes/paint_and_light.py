@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..given import image, places
-from . import captures, hulls, reconstruct, searches
+from ...given import image, places
+from ..folder import captures, hulls, searches
+from . import reconstruct
 from .drawing import save
 
 NAMES = "duck", "bunny", "rings"

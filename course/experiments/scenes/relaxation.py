@@ -1,7 +1,7 @@
 """The teapot's thin triangles made rounder, its surface kept (lab 13)."""
 import numpy as np
 
-from ..given import mesh
+from ...given import mesh
 from .drawing import SIZE, clip_positions, save, wireframe
 from .portrait import TEAPOT_EYE
 

@@ -12,15 +12,8 @@ import pytest
 from found_objects import found_of
 
 from course import cli
-from course.experiments import (
-    captures,
-    checkpoints,
-    demo,
-    drawing,
-    fit_report,
-    folders,
-    searches,
-)
+from course.experiments.folder import captures, checkpoints, command, fit_report, searches
+from course.experiments.scenes import demo, drawing
 from course.given import image, places
 from reference import multi_view_fit
 
@@ -71,17 +64,17 @@ def test_a_search_goes_on_from_where_it_was_stopped(photos, tmp_path, monkeypatc
     """Steps are lost or taken twice, or the next stage begins from a ball. Adam's averages are not
     kept, so later steps differ from those of a search in one go.
     """
-    whole = folders.search(LABS, photos, tmp_path / "whole.glb", STAGES, False)
+    whole = command.search(LABS, photos, tmp_path / "whole.glb", STAGES, False)
     path = tmp_path / "part.glb"
     with monkeypatch.context() as patch:
         stop_after(patch, count)
         with pytest.raises(KeyboardInterrupt, match="--resume goes on"):
-            folders.search(LABS, photos, path, STAGES, False)
+            command.search(LABS, photos, path, STAGES, False)
     assert path.exists()
-    marked = checkpoints.mark(photos, STAGES)
+    marked = checkpoints.identity_of(photos, STAGES)
     kept = checkpoints.read(tmp_path / "checkpoint.npz", marked, multi_view_fit.Scene)
     assert kept.losses == whole.losses[:count]
-    found = folders.search(LABS, photos, path, STAGES, True)
+    found = command.search(LABS, photos, path, STAGES, True)
     assert len(found.losses) == 6 and found.losses[:count] == kept.losses
     assert multi_view_fit.cells(found.x) == 6
     assert found.losses[count] == whole.losses[count]  # the same surface, seen by the same views
@@ -90,16 +83,16 @@ def test_a_search_goes_on_from_where_it_was_stopped(photos, tmp_path, monkeypatc
 def test_another_search_is_not_gone_on_with(photos, tmp_path):
     """The mesh of one folder goes on with the pictures of another."""
     path, scene = tmp_path / "checkpoint.npz", multi_view_fit.Scene
-    marked = checkpoints.mark(photos, STAGES)
+    marked = checkpoints.identity_of(photos, STAGES)
     with pytest.raises(ValueError, match="nothing to go on from: there is no "):
         checkpoints.read(path, marked, scene)
     checkpoints.write(path, checkpoints.Kept(multi_view_fit.start(4), (0.5,), 1.0), marked)
     assert checkpoints.read(path, marked, scene).losses == (0.5,)
     brighter = photos._replace(pictures=[1.01 * picture for picture in photos.pictures])
     with pytest.raises(ValueError, match="had other pictures or cameras"):
-        checkpoints.read(path, checkpoints.mark(brighter, STAGES), scene)
+        checkpoints.read(path, checkpoints.identity_of(brighter, STAGES), scene)
     with pytest.raises(ValueError, match="had --steps 6 --size 32: give these"):
-        checkpoints.read(path, checkpoints.mark(photos, folders.scaled(STAGES, 8)), scene)
+        checkpoints.read(path, checkpoints.identity_of(photos, command.scaled(STAGES, 8)), scene)
     path.write_bytes(path.read_bytes()[:99])
     with pytest.raises(ValueError, match="is broken: start again"):
         checkpoints.read(path, marked, scene)
@@ -108,10 +101,10 @@ def test_another_search_is_not_gone_on_with(photos, tmp_path):
 def test_steps_are_shared_out_among_the_stages():
     """A stage without a step, or another sum than was asked for."""
     for steps in (3, 4, 7, 30, 299, 300, 1000):
-        found = folders.scaled(searches.FINE_STAGES, steps)
+        found = command.scaled(searches.FINE_STAGES, steps)
         assert sum(stage[3] for stage in found) == steps and min(s[3] for s in found) >= 1
-    assert folders.scaled(searches.FINE_STAGES, 300) == searches.FINE_STAGES
-    assert [stage[3] for stage in folders.scaled(searches.FINE_STAGES, 30)] == [10, 8, 12]
+    assert command.scaled(searches.FINE_STAGES, 300) == searches.FINE_STAGES
+    assert [stage[3] for stage in command.scaled(searches.FINE_STAGES, 30)] == [10, 8, 12]
 
 
 def test_every_eighth_picture_is_kept_out(photos, tmp_path, monkeypatch):
@@ -123,7 +116,7 @@ def test_every_eighth_picture_is_kept_out(photos, tmp_path, monkeypatch):
         yield multi_view_fit.start(4), 0.5
 
     monkeypatch.setattr(multi_view_fit, "fit", fit)
-    list(folders.steps(LABS, photos, tmp_path / "x.glb", STAGES, checkpoints.Kept()))
+    list(command.steps(LABS, photos, tmp_path / "x.glb", STAGES, checkpoints.Kept()))
     assert len(given[0].pictures) == len(given[0].cameras) == 8
     assert all(picture is not photos.pictures[7] for picture in given[0].pictures)
     assert not (given[0].cameras == photos.cameras[7]).all((1, 2)).any()

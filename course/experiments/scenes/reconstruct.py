@@ -1,29 +1,28 @@
 """Shape, albedo and light of objects that the code has never seen, from 24 pictures (lab 16).
 
-For a folder of your own pictures, see captures.py.
+For a folder of your own pictures, see folder/captures.py.
 """
 import itertools
 import time
-from typing import NamedTuple
 
 import numpy as np
 
-from ..given import distances, image, mesh, places
-from . import searches
+from ...given import distances, image, mesh, places
+from ..folder import searches
+from ..folder.photographs import (
+    Painted,
+    daylight,
+    found_object,
+    lamps,
+    photographs,
+    portrait,
+)
 from .drawing import WHITE, cameras_around, save, unit_bunny
 
 BALL_STAGES = (16, 2, 1, 80, 1.0), (24, 2, 1, 60, 0.5), (32, 1, 1, 60, 0.3)  # see lab 16's `fit`
 TWO_RINGS = ("smooth union", 0.1, *(("moved", np.array([x, 0.0, 0.0]), ("torus", 0.34, 0.15))
                                     for x in (-0.4, 0.4)))
 BUNNY_SIZE = 0.85
-
-
-class Painted(NamedTuple):
-    """An object that can be photographed: vertices (V, 3), faces (F, 3), albedo (V, 3)."""
-
-    vertices: np.ndarray
-    faces: np.ndarray
-    albedo: np.ndarray
 
 
 def reconstruct(labs):
@@ -103,55 +102,10 @@ def paint(points):
     return (1 - spot) * (band * cream + (1 - band) * teal) + spot * coral
 
 
-def daylight(labs):
-    """Sun, sky, and some light from the ground (9, 3)."""
-    towards = np.array([[0.5, 0.7, 0.5], [-0.8, 0.3, 0.3], [0.0, -1.0, 0.0], [0.0, 0.4, -0.9]])
-    return lamps(labs, towards, [[0.97, 0.88, 0.75], [0.2, 0.3, 0.45], [0.2, 0.12, 0.1],
-                                 [0.25, 0.3, 0.4]], 0.12)
-
-
 def evening(labs):
     """A red sun from the other side, and a blue lamp (9, 3)."""
     towards = np.array([[-0.8, 0.3, -0.5], [0.9, 0.1, 0.4]])
     return lamps(labs, towards, [[1.0, 0.6, 0.35], [0.25, 0.4, 0.75]], 0.15)
-
-
-def lamps(labs, towards, strength, even):
-    """The light (9, 3) of lamps in these directions (N, 3), and of an even sky."""
-    lab16 = labs.reconstruction
-    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
-    light = lab16.distant_light(towards, np.array(strength))
-    light[0] += even / lab16.C0
-    return light
-
-
-def photographs(labs, painted, light, cameras, size, samples=4):
-    """Pictures (size, size, 4) of a Painted on white: colour and coverage, samples^2 to a
-    pixel.
-    """
-    normals = mesh.vertex_normals(painted.vertices, painted.faces)
-    colours = labs.reconstruction.shade(painted.albedo, normals, light)
-    given = (labs.pipeline.make_mesh(painted.vertices, painted.faces),
-             labs.pipeline.Colours(np.hstack([colours, np.ones((len(colours), 1))])))
-    views = [labs.pipeline.View(camera, samples * size, samples * size, np.append(WHITE, 0))
-             for camera in cameras]
-    return [labs.msaa.box_resolve(labs.pipeline.render(*given, view)[0], samples)
-            for view in views]
-
-
-def portrait(labs, x, camera, size, samples=2):
-    """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
-    painted = found_object(labs, x)
-    clay = painted._replace(albedo=np.full(painted.albedo.shape, 0.8))
-    seen = [photographs(labs, each, lamp, [camera], size, samples)[0][..., :3]
-            for each, lamp in ((painted, x.light), (clay, daylight(labs)))]
-    return image.to_srgb(np.clip(np.hstack(seen), 0, 1))
-
-
-def found_object(labs, x):
-    """The surface of x as a Painted."""
-    found = labs.multi_view_fit.surface(x)
-    return Painted(found.vertices, found.faces, found.albedo)
 
 
 # --- how good it is -----------------------------------------------------------------------------

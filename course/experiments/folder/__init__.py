@@ -1,0 +1,14 @@
+"""Lab 16 on pictures of your own: `python3 -m course demo reconstruct FOLDER`.
+
+    camera_files   what the three kinds of camera files say
+    silhouettes    which pixels show the object
+    hulls          where the object is, and the surface to begin with
+    captures       a folder's pictures, with the cameras that took them
+    textures       a surface cut into charts, and its colours painted onto them
+    exports        the mesh as GLB and OBJ
+    searches       lab 16's search under a progress bar, with the mesh so far on disk
+    checkpoints    a search that was stopped
+    photographs    painted objects, and so what was found, in any light
+    fit_report     how good the mesh is, on one page
+    command        all of it, in the order in which it runs
+"""

@@ -1,0 +1,61 @@
+"""Photographs of painted objects, and so of what a search has found, in any light."""
+from typing import NamedTuple
+
+import numpy as np
+
+from ...given import image, mesh
+
+ON_WHITE = np.array([1.0, 1.0, 1.0, 0.0])  # a white background, which covers nothing
+
+
+class Painted(NamedTuple):
+    """An object that can be photographed: vertices (V, 3), faces (F, 3), albedo (V, 3)."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    albedo: np.ndarray
+
+
+def photographs(labs, painted, light, cameras, size, samples=4):
+    """Pictures (size, size, 4) of a Painted on white: colour and coverage, samples^2 to a
+    pixel.
+    """
+    normals = mesh.vertex_normals(painted.vertices, painted.faces)
+    colours = labs.reconstruction.shade(painted.albedo, normals, light)
+    given = (labs.pipeline.make_mesh(painted.vertices, painted.faces),
+             labs.pipeline.Colours(np.hstack([colours, np.ones((len(colours), 1))])))
+    views = [labs.pipeline.View(camera, samples * size, samples * size, ON_WHITE)
+             for camera in cameras]
+    return [labs.msaa.box_resolve(labs.pipeline.render(*given, view)[0], samples)
+            for view in views]
+
+
+def portrait(labs, x, camera, size, samples=2):
+    """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
+    painted = found_object(labs, x)
+    clay = painted._replace(albedo=np.full(painted.albedo.shape, 0.8))
+    seen = [photographs(labs, each, lamp, [camera], size, samples)[0][..., :3]
+            for each, lamp in ((painted, x.light), (clay, daylight(labs)))]
+    return image.to_srgb(np.clip(np.hstack(seen), 0, 1))
+
+
+def found_object(labs, x):
+    """The surface of x as a Painted."""
+    found = labs.multi_view_fit.surface(x)
+    return Painted(found.vertices, found.faces, found.albedo)
+
+
+def lamps(labs, towards, strength, even):
+    """The light (9, 3) of lamps in these directions (N, 3), and of an even sky."""
+    lab16 = labs.reconstruction
+    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+    light = lab16.distant_light(towards, np.array(strength))
+    light[0] += even / lab16.C0
+    return light
+
+
+def daylight(labs):
+    """Sun, sky, and some light from the ground (9, 3)."""
+    towards = np.array([[0.5, 0.7, 0.5], [-0.8, 0.3, 0.3], [0.0, -1.0, 0.0], [0.0, 0.4, -0.9]])
+    return lamps(labs, towards, [[0.97, 0.88, 0.75], [0.2, 0.3, 0.45], [0.2, 0.12, 0.1],
+                                 [0.25, 0.3, 0.4]], 0.12)

@@ -1,0 +1,27 @@
+"""The scenes of `python3 -m course demo`, in the order of the labs, and what they share.
+
+    drawing            cameras, smooth shading, and pictures on disk
+    portrait           the bunny and the teapot, as pictures
+    flight             a camera flies into the bunny
+    aliasing           a zone plate made smaller in three ways
+    msaa               a silhouette with more and more samples in a pixel
+    reflections        what a mirror shows: directions, footprints, surroundings
+    mirror             a teapot that reflects its surroundings
+    fit_triangle       a triangle finds its template by its edges alone
+    fit_cube           a cube's shape and colours, from tiny pictures
+    fit_pose           how a known cube is turned
+    fit_texture        a globe's texture, with and without mipmaps
+    fit_mirror         the surroundings of a mirror
+    fit_bunny          a ball becomes the bunny
+    fit_outlines       one silhouette, three gradients
+    levels             a coarse ring made smooth, the bunny made coarse
+    relaxation         thin triangles made rounder
+    large_steps        a ball becomes the bunny by large steps
+    shadow             the bunny's shadow on the ground, hard and soft
+    representations    one shape as a formula, in a grid and as triangles
+    fit_volume         density and colour in a grid
+    reconstruct        shape, albedo and light of objects never seen
+    ablations          the same search without one of its parts
+    paint_and_light    albedo and light told apart, on pictures of a path tracer
+    demo               which scenes there are, and what runs them
+"""
