@@ -23,6 +23,25 @@ def folder_for_pictures(monkeypatch, tmp_path):
     monkeypatch.setattr(places, "OUT", tmp_path)
 
 
+@pytest.fixture(scope="module", autouse=True)
+def one_reference():
+    """One worker answers for the reference in all examinations here: it loads for half a second."""
+    start, workers, closes = examination.Examination.start_reference, {}, []
+
+    def shared(self):
+        if self.job.level not in workers:
+            worker = workers[self.job.level] = start(self)
+            closes.append(worker.close)
+            worker.close = lambda: None
+        return workers[self.job.level]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(examination.Examination, "start_reference", shared)
+        yield
+    for close in closes:
+        close()
+
+
 def all_right(job):
     """What a job asks of the reference. It gets all points, or this is red."""
     result = examine(job)

@@ -253,11 +253,7 @@ class Examination:
 
         Question and answer are passed on as they came: only the two workers look inside.
         """
-        if self.reference is None:
-            self.reference = self.start()
-            modules = tuple((each, exercises.read(exercises.reference(each)), ())
-                            for each in exercises.topics())
-            self.reference.exchange(("open", modules, ()), 60)
+        self.reference = self.reference or self.start_reference()
         try:
             return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
         except sandbox.Lost as lost:
@@ -273,6 +269,14 @@ class Examination:
         except (sandbox.Lost, OSError) as error:
             self.problem = f"no worker could be started: {error}"
             raise pytest.exit.Exception(self.problem) from None
+
+    def start_reference(self):
+        """A worker that answers for the reference. It serves all exercises, in one process."""
+        worker = self.start()
+        modules = tuple((topic, exercises.read(exercises.reference(topic)), ())
+                        for topic in exercises.topics())
+        worker.exchange(("open", modules, ()), 60)
+        return worker
 
     def finish(self):
         """Let the worker end the exercise that it serves, and be ready for the next one."""

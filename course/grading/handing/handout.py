@@ -23,52 +23,7 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mutants")}
-README = """\
-# Differentiable rasterization in plain NumPy: the labs
-
-Nothing needs to be installed first but Python 3.11 or newer (on Windows, write `py` for `python3`).
-The first start of `python3 -m course` installs what the course needs into the folder `.venv`. It
-needs a network and about a minute. Run all commands from here.
-
-Begin with the lecture `notebooks/00_start_here.ipynb`. To open it,
-
-    python3 -m course
-    .venv/bin/jupyter lab notebooks/00_start_here.ipynb
-
-On Windows, the second line is `.venv\\Scripts\\jupyter lab notebooks\\00_start_here.ipynb`. If
-there is no `.venv` after the first line, your own Python has all that is needed: write
-`jupyter lab`. An editor that opens notebooks does as well: choose the Python in `.venv` as kernel.
-
-Each lab has a lecture in `notebooks/`. Read it first, then open the lab, such as
-`labs/{first}.py`. A function marked `# exercise` is yours: its docstring is the question, and you
-write its body. One marked `# extra` is complete. See what is right and what is next:
-
-    python3 -m course check                  all labs
-    python3 -m course check {lab:17}one lab
-    python3 -m course check {number:17}one exercise
-    python3 -m course demo                   pictures, with your code
-    python3 -m course open {lab:18}empties a lab's extras, to write them yourself
-
-The questions of the core give the points. What stands below `Fine print.` and the extras are worth
-your while, and give none unless your teacher says so. Numbers have gaps where code is given.
-
-{labs}
-
-Stuck? `check` with an exercise's number shows the first claim that fails, and the call that fails
-it. It says where to read on: the question, and the section of the lecture. Then ask your teacher.
-Solutions that have been released are in `reference/`, a file for each topic. At first,
-{released}. When your teacher sends a zip of solutions, unpack it in this folder. A solution that is
-there is put into an exercise for which you have written nothing by
-
-    python3 -m course close {number} --core
-
-When you are done,
-
-    python3 -m course pack
-
-makes labs.zip, checks what is in it, and prints its hash: hand in that file. Labs are graded with
-NumPy, SciPy, Python's own library, and what a lab imports already: import nothing else in them.
-"""
+README = Path(__file__).parents[1] / "files" / "handout.md"
 
 
 def run(folder, labs=None, solutions=None, extra=False):
@@ -161,8 +116,9 @@ def readme(asked, given, released):
     if given:
         about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
-    text = README.format(first=asked[0], lab=str(exercises.lab_number(asked[0])),
-                         number=first.number, labs=about, released=now)
+    text = exercises.read(README).format(
+        first=asked[0], lab=str(exercises.lab_number(asked[0])), number=first.number, labs=about,
+        released=now)
     return "\n\n".join(part if part.startswith((" ", "#")) else textwrap.fill(
         part, 100, break_on_hyphens=False) for part in text.split("\n\n")) + "\n"
 
