@@ -288,7 +288,7 @@ def files_of(pids):
 # --- what this machine can do -------------------------------------------------------------------
 
 
-def available():
+def available() -> tuple[str, str]:
     """-> (the strictest level that was seen to work, a sentence on it)."""
     if sys.platform != "linux":
         return "process", "strict needs Linux"

@@ -37,11 +37,11 @@ class Other:
         return f"<{type(self).__name__}>"
 
 
-def framed(payload):
+def framed(payload) -> bytes:
     return len(payload).to_bytes(8, "big") + payload
 
 
-def complete(buffer):
+def complete(buffer) -> int:
     """The length of the frame that a buffer begins with, or 0 where it is not all there yet."""
     length = 8 + int.from_bytes(buffer[:8], "big")
     if len(buffer) >= 8 and length > MOST_BYTES:
@@ -49,7 +49,7 @@ def complete(buffer):
     return length if 8 <= length <= len(buffer) else 0
 
 
-def encode(value):
+def encode(value) -> bytes:
     """A value -> its payload. ValueError: it is too large."""
     arrays = []
     header = json.dumps(described(value, arrays)).encode("ascii")
@@ -94,7 +94,7 @@ def described_array(value, arrays):
     return {"array" if isinstance(value, np.ndarray) else "number": [name, array.shape]}
 
 
-def size(payload):
+def size(payload) -> int:
     """The bytes of the numbers in a payload, and 8 for itself. Numbers in its header count, too."""
     header = min(int.from_bytes(payload[:4], "big"), len(payload) - 4)
     return 8 + len(payload) - 4 - header + max(0, header - USUAL)

@@ -26,7 +26,7 @@ TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mut
 README = Path(__file__).parents[1] / "files" / "handout.md"
 
 
-def run(folder, labs=None, solutions=None, extra=False):
+def run(folder, labs=None, solutions=None, extra=False) -> int:
     """Write the hand-out to a folder that is new or empty -> 0. extra: with the extras open.
 
     ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
@@ -51,7 +51,7 @@ def run(folder, labs=None, solutions=None, extra=False):
     return 0
 
 
-def release(labs, path):
+def release(labs, path) -> int:
     """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
     content, topics = io.BytesIO(), exercises.topics_of(labs)
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -129,7 +129,7 @@ def lectures(topics):
     return [path for path in paths if path.exists()]
 
 
-def needed(topics, *more):
+def needed(topics, *more) -> list[str]:
     """The topics that these topics, their lectures and more files need, in the course's order."""
     ends = [*map(exercises.reference, topics), *lectures(topics), *more]
     seen = set(ends)
