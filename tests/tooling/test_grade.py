@@ -29,8 +29,9 @@ def test_nothing(impl):
 
 @pytest.fixture(scope="module")
 def course(house):
-    return house({**first_lab(), "reference/rasterization.py": SECOND,
-                  "labs/rasterization.py": SECOND, "tests/labs/test_rasterization.py": SECOND_CHECKS})
+    second = {"reference/rasterization.py": SECOND, "labs/rasterization.py": SECOND,
+              "tests/labs/test_rasterization.py": SECOND_CHECKS}
+    return house(first_lab() | second)
 
 
 @pytest.fixture(scope="module")

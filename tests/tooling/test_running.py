@@ -188,4 +188,4 @@ def test_a_cluster_with_another_course_is_refused():
 def test_a_machine_that_comes_late_with_another_course_gives_no_marks():
     """Those that were there at first are alike, and the next one has last year's checks."""
     result, _ = running.examine_alike("another digest", "{}")
-    assert result["problem"] == "a machine of the cluster has another course"
+    assert result.problem == "a machine of the cluster has another course"
