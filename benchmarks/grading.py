@@ -24,7 +24,7 @@ from course import exercises
 from course.given import places
 from course.grading import grade
 from course.grading.apart import running, sandbox
-from course.grading.apart.examine import Job
+from course.grading.apart.jobs import Job
 from course.grading.apart.levels import LEVELS
 from course.upkeep import mistakes
 
@@ -52,11 +52,11 @@ def one_submission(labs, levels):
     reference = {topic: exercises.read(exercises.reference(topic)) for topic in topics}
     other = reference | {topic: other_solution(topic) for topic in topics
                          if topic in exercises.asking_topics()}
-    asks = grade.rehearsed(topics, levels[0], sandbox.Limits(), False, 1)
+    asks = grade.rehearsed(topics, Job({}, {}, levels[0]), 1)
     calls = {"plain check": lambda: plain(reference)}
     for (name, texts), level in itertools.product(
             {"reference": reference, "others": other}.items(), levels):
-        job = Job(texts, {}, level, asks=asks)._asdict()
+        job = Job(texts, {}, level, asks=asks)
         calls[f"{name}, {level}"] = lambda job=job: complete(running.examine(job))
     took = {name: [] for name in calls}
     for name, call in itertools.chain(*[calls.items()] * RUNS):
@@ -76,8 +76,8 @@ def plain(texts):
 def complete(examined):
     """RuntimeError unless all exercises are done."""
     result, _ = examined
-    if result["problem"] or {e["verdict"] for e in result["board"]["exercises"]} != {"done"}:
-        raise RuntimeError(f"not all points: {result['problem']}")
+    if result.problem or {entry.verdict for entry in result.entries} != {"done"}:
+        raise RuntimeError(f"not all points: {result.problem}")
 
 
 def a_class(count, level):

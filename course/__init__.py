@@ -8,6 +8,7 @@
     board         a screen: what is done, and what to do next
     upkeep        what makes labs, hints and notebooks
     grading       hand out, grade, report
-    cli           the command line
+    commands      what each command takes, and what it starts
+    cli           the command line: its help, its errors
     __main__      starts it, in an environment that has what it needs
 """

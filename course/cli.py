@@ -35,34 +35,27 @@ examples
   python3 -m course COMMAND --help           more about one command
 """
 import argparse
+import dis
 import os
 import re
-import signal
-import subprocess
 import sys
-import traceback
 from pathlib import Path
 
+from course.commands import COMMANDS
 from course.given.places import ROOT, is_handout
 
-FOR_TEACHERS = [part for part in __doc__.split("\n\n") if part.startswith(("to teach", "to work"))]
+FOR_TEACHERS = ("handout", "solutions", "grade", "autograder", "skeleton", "mistakes", "feedback",
+                "mutants", "site", "test")  # commands that a copy for students withholds
 
 
 def main(argv=None):
     """Run one command -> its exit status: 0 well, 1 something failed, 2 cannot be done, 130 Ctrl-C.
 
-    What the user can mend is told in one line. Everything else is a defect: traceback.
+    What the user can mend is said in one line. Everything else is a defect: traceback.
     """
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="replace")  # for consoles that lack a character
-    argv = sys.argv[1:] if argv is None else argv
-    parser = arguments()
-    if argv and argv[0] in withheld():
-        parser.error(f"{argv[0]} is for teachers, and this is a copy for students")
-    asked = parser.parse_args(argv)
-    if asked.command is None:
-        parser.print_help()
-        return 0
+    asked = arguments(sys.argv[1:] if argv is None else argv)
     try:
         return asked.command(asked)
     except KeyboardInterrupt as stopped:
@@ -81,26 +74,32 @@ def main(argv=None):
 
 
 def can_be_mended(error):
-    """Can the user mend it? Yes for a file that fails, or a raise statement in course/ or labs/."""
-    cause = traceback.extract_tb(error.__traceback__)[-1]
-    file = Path(cause.filename).resolve()
-    ours = file.is_relative_to(ROOT / "course") or file.is_relative_to(ROOT / "labs")
-    return isinstance(error, OSError) or (ours and cause.line.startswith("raise "))
+    """Can the user mend it? Yes: a file that fails, or what course/ or labs/ raise themselves.
+
+    What Python or a library raises in between is a defect of the code that called it.
+    """
+    cause = error.__traceback__
+    while cause.tb_next:
+        cause = cause.tb_next
+    code = cause.tb_frame.f_code
+    ours = any(Path(code.co_filename).resolve().is_relative_to(ROOT / folder)
+               for folder in ("course", "labs"))
+    raised = code.co_code[cause.tb_lasti] == dis.opmap["RAISE_VARARGS"]
+    return isinstance(error, OSError) or (ours and raised)
 
 
 def withheld():
     """The names of teachers' commands, in a copy for students."""
-    if not is_handout():
-        return []
-    return re.findall(r"^  (\w+)", "\n".join(FOR_TEACHERS), re.MULTILINE)
+    return FOR_TEACHERS if is_handout() else ()
 
 
 def page():
-    """This module's docstring; in a copy for students, what is for students."""
-    shown = __doc__
-    for part in FOR_TEACHERS if withheld() else ():
-        shown = re.sub(r".*--impl reference.*\n", "", shown.replace(f"{part}\n\n", ""))
-    return shown
+    """This module's docstring. In a copy for students, what is for students."""
+    if not is_handout():
+        return __doc__
+    parts = [part for part in __doc__.split("\n\n")
+             if not any(f"\n  {name} " in part for name in FOR_TEACHERS)]
+    return re.sub(r".*--impl reference.*\n", "", "\n\n".join(parts))
 
 
 class Parser(argparse.ArgumentParser):
@@ -110,273 +109,23 @@ class Parser(argparse.ArgumentParser):
         self.exit(2, f"course: {message}; {self.prog} --help says more\n")
 
 
-def whole_number(least, most=None):
-    """-> the function that reads an option's whole number, from the least one on."""
-    def read(text):
-        if not text.isdecimal() or int(text) < least or (most and int(text) > most):
-            limits = f"from {least} to {most}" if most else f"from {least} on"
-            raise argparse.ArgumentTypeError(f"give a whole number {limits}, not {text}")
-        return int(text)
-
-    return read
-
-
-def arguments():
+def arguments(argv):
+    """What was asked for, out of the commands that this copy has. Without a command, the page."""
     parser = Parser(prog="python3 -m course", usage="%(prog)s COMMAND ...", description=page(),
                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.set_defaults(command=None)
+
+    def show_help(_):
+        parser.print_help()
+        return 0
+
+    parser.set_defaults(command=show_help)
     commands = parser.add_subparsers(prog=parser.prog, metavar="COMMAND", help=argparse.SUPPRESS)
-
-    def add(command):
-        name = command.__name__.removesuffix("_extras")
-        made = commands.add_parser(name, description=command.__doc__)
-        made.set_defaults(command=command)
-        return made.add_argument
-
-    option = add(demo)
-    option("names", nargs="*", metavar="NAME",
-           help="a scene, or: reconstruct FOLDER; without a name, all quick scenes")
-    option("--list", action="store_true", help="say which scenes there are")
-    option("--impl", choices=("reference", "labs"),
-           help="whose code renders: the reference's, or yours in labs/; without, the reference's "
-                "if it is all there")
-    option("--steps", type=whole_number(3), metavar="N",
-           help="reconstruct FOLDER: so many steps in all; without, 300")
-    option("--size", type=whole_number(32, 512), metavar="N",
-           help="reconstruct FOLDER: pixels of a picture's longest side, 32 to 512; without, 128")
-    option("--resume", action="store_true",
-           help="reconstruct FOLDER: go on with the search that Ctrl-C stopped")
-
-    option = add(notebooks)
-    option("names", nargs="*", metavar="NAME",
-           help="a topic or a number; without, those whose code or text has changed")
-    option("--all", action="store_true", help="all of them")
-
-    option = add(check)
-    option("target", nargs="?", metavar="TARGET",
-           help="a topic (rasterization), a lab (2) or an exercise (2.3); without, everything")
-    option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check")
-    option("--watch", action="store_true", help="check again whenever a file is saved")
-    option("--pictures", action="store_true", help="open a page with all that failed, and pictures")
-    option("--json", metavar="FILE", help="write the board to this file as well")
-    option("--seed", type=whole_number(0), default=0, metavar="N",
-           help="other random numbers in the checks")
-    option("--extra", action="store_true", help="check extras that are not open as well")
-
-    for command in open_extras, close:
-        option = add(command)
-        option("target", metavar="TARGET",
-               help="an exercise (2.14), a lab (2) or a topic (scanline)")
-    option("--core", action="store_true", help="put released solutions into the core, too")
-
-    option = add(pack)
-    option("file", nargs="?", default="labs.zip", metavar="FILE", help="the zip's name")
-
-    option = add(handout)
-    option("folder", metavar="DIR", help="a new folder")
-    option("--labs", metavar="1-4", help="hand out these labs; without, all of them")
-    option("--solutions", metavar="1-2", help="and the reference of these")
-    option("--extra", action="store_true", help="with the extras open, too")
-
-    option = add(solutions)
-    option("labs", metavar="LABS", help="of these labs, as in 1-2")
-    option("file", metavar="FILE", help="the zip's name")
-
-    option = add(autograder)
-    option("kind", choices=("gradescope", "github"))
-    option("path", metavar="PATH", help="the zip for Gradescope, or the repository for GitHub")
-    option("--labs", metavar="1-4", help="grade these labs; without, all of them")
-
-    option = add(grade)
-    option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files")
-    option("--out", required=True, metavar="DIR", help="where reports and tables are written")
-    option("--labs", metavar="1-4", help="grade these labs; without, all of them")
-    option("--jobs", type=whole_number(1), metavar="N",
-           help="how many at a time; without, one for each core")
-    option("--resume", action="store_true", help="keep results of the same work and checks")
-    option("--seed", type=whole_number(0), default=0, metavar="N",
-           help="other random numbers in the checks")
-    option("--isolation", choices=("strict", "process"),
-           help="strict needs Linux with bubblewrap; process is for work that you trust")
-    option("--scheduler", metavar="tcp://...", help="run on this Dask cluster")
-    option("--seconds", type=float, default=10.0, metavar="S", help="the most that a call may take")
-    option("--extra", action="store_true", help="extras count, too: they were handed out open")
-    option("--csv", choices=("canvas", "moodle", "gradescope", "brightspace"),
-           help="write this platform's import file, from its own export")
-    option("--roster", metavar="FILE", help="that export, as CSV")
-    option("--assignment", metavar="NAME", help="which of its columns takes the points")
-    option("--due", metavar="TIME", help="as in 2026-11-22T23:59, in this machine's time zone, or "
-                                         "2026-11-22T23:59+01:00")
-    option("--late", metavar="10%/day", help="what lateness takes off, for each day or hour begun")
-    option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d")
-    option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason")
-    option("--previous", metavar="FILE", help="an earlier grades.csv: tell what changed, and why")
-
-    option = add(skeleton)
-    option("--check", action="store_true", help="write nothing; fail if labs/ is out of step")
-    option("--force", action="store_true", help="start afresh the labs that were worked on, too")
-
-    option = add(mistakes)
-    option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
-
-    option = add(feedback)
-    option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
-
-    option = add(mutants)
-    option("target", nargs="?", metavar="TARGET",
-           help="a topic, a lab or an exercise, as for check; without, everything: an hour")
-
-    option = add(site)
-    option("--serve", action="store_true", help="show it in the browser, until Ctrl-C")
-    option("--lite", action="store_true", help="and with JupyterLite, the labs in the browser")
-
-    option = add(test)
-    option("--all", action="store_true", help="run every lecture, too: twice as long")
-    option("--site", action="store_true",
-           help="check the web site instead: make it, and open every page in Chromium")
-    for name in withheld():
-        del commands.choices[name]
-    return parser
-
-
-def demo(asked):
-    """Render the course's scenes and say where the pictures are."""
-    from course.experiments.scenes import demo
-    if not asked.list:
-        wishes = {name: getattr(asked, name) for name in ("steps", "size", "resume")}
-        return demo.run(asked.names, implementation=asked.impl,
-                        **{name: wish for name, wish in wishes.items() if wish})
-    for name, title in demo.scenes().items():
-        print(f"{name:12} {title}")
-    return 0
-
-
-def notebooks(asked):
-    """Run notebooks from a clean kernel and save them with their figures."""
-    import course.upkeep.notebooks
-    return course.upkeep.notebooks.run(asked.names, everything=asked.all)
-
-
-def check(asked):
-    """Check the labs and show the board. Status 0 only if all that was asked for passes."""
-    import course.board
-    run = course.board.watch if asked.watch else course.board.check
-    return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
-               pictures=asked.pictures, extra=asked.extra)
-
-
-def open_extras(asked):
-    """Empty an extra of labs/, or all extras of a lab, to write them yourself."""
-    import course.upkeep.extras
-    return course.upkeep.extras.open_extras(asked.target)
-
-
-def close(asked):
-    """Put the answers back into extras that are open and untouched."""
-    import course.upkeep.extras
-    return course.upkeep.extras.close(asked.target, core=asked.core)
-
-
-def pack(asked):
-    """Put the labs into one zip, check what is in it, and print its hash."""
-    import course.grading.handing.pack
-    return course.grading.handing.pack.run(asked.file)
-
-
-def handout(asked):
-    """Write what students get to a folder: no solutions but those released."""
-    import course.grading.handing.handout
-    return course.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
-                                       extra=asked.extra)
-
-
-def solutions(asked):
-    """Write a zip of solutions, for students to unpack in their copy of the course."""
-    import course.grading.handing.handout
-    return course.grading.handing.handout.release(asked.labs, asked.file)
-
-
-def autograder(asked):
-    """Write a zip for Gradescope, or a workflow and Classroom 50's autograder for a repository."""
-    import course.grading.autograder
-    if asked.kind == "github":
-        return course.grading.autograder.github(asked.path)
-    return course.grading.autograder.gradescope(asked.path, asked.labs)
-
-
-def grade(asked):
-    """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
-    try:
-        import course.grading.grade
-        from course.grading.gradebook.book import Asked
-        from course.grading.request import Request
-        book = Asked(*(getattr(asked, name) for name in Asked._fields))
-        *options, _ = Request._fields
-        return course.grading.grade.run(
-            Request(*(getattr(asked, name) for name in options), book))
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt("stopped; what is graded is kept: the same command with --resume "
-                                "goes on") from None
-
-
-def skeleton(asked):
-    """Make labs/ from reference/, each exercise's answer taken out."""
-    import course.upkeep.skeleton
-    return course.upkeep.skeleton.run(check=asked.check, force=asked.force)
-
-
-def mistakes(asked):
-    """Try the mistakes in tests/mistakes/: each must be caught. Makes course/checks/hints.json."""
-    import course.upkeep.mistakes
-    return course.upkeep.mistakes.run(asked.target)
-
-
-def feedback(asked):
-    """Try the wrong answers in tests/wrong_answers/: how often does the report name the cause?"""
-    import course.upkeep.feedback
-    return course.upkeep.feedback.run(asked.target)
-
-
-def mutants(asked):
-    """Put small mistakes into the reference's exercises, and count those that the checks catch."""
-    import course.upkeep.mutants
-    return course.upkeep.mutants.run(asked.target)
-
-
-def site(asked):
-    """Make the web site in out/site/. Lectures are shown as they are saved."""
-    return make_site(*(f"--{name}" for name in ("serve", "lite") if getattr(asked, name)))
-
-
-def make_site(*wishes):
-    return run_python(str(ROOT / "site" / "build.py"), *wishes)
-
-
-def test(asked):
-    """Check the whole project: lint, then every test, on all cores. Or the web site."""
-    if asked.site:
-        return make_site() or run_module("pytest", "-rfEs", "-n", str(os.cpu_count()), "tests/site")
-    # labs/ is not for lint: it is made from reference/, or a student's own.
-    lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"),
-                      str(ROOT))
-    left_out = () if asked.all else ("-m", "not weekly")
-    tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
-    if lint:
-        print("course: ruff found what it prints above the tests", file=sys.stderr)
-    return tests or lint
-
-
-def run_module(*command):
-    return run_python("-m", *command)
-
-
-def run_python(*command):
-    """python command, in the course's folder, without anybody's own settings for pytest."""
-    settings = {**os.environ, "PYTEST_ADDOPTS": "", "OMP_NUM_THREADS": "1"}  # one core, one worker
-    with subprocess.Popen([sys.executable, *command], cwd=ROOT, env=settings) as child:
-        signal.signal(signal.SIGTERM, lambda *_: child.terminate())
-        try:
-            return child.wait()
-        except KeyboardInterrupt:
-            child.wait()  # Ctrl-C reaches it, too: let it end in order
-            raise
+    for name, (function, options) in COMMANDS.items():
+        if name not in withheld():
+            made = commands.add_parser(name, description=function.__doc__)
+            made.set_defaults(command=function)
+            for names, settings in options:
+                made.add_argument(*names, **settings)
+    if argv and argv[0] in withheld():
+        parser.error(f"{argv[0]} is for teachers, and this is a copy for students")
+    return parser.parse_args(argv)

@@ -21,8 +21,8 @@ from typing import NamedTuple
 from .given import places
 
 LABS = (  # the topics of each lab, one module each: its lecture's own first, then deeper ones
-    ("transforms",),
-    ("rasterization", "scanline", "arrays"),
+    ("transforms", "arrays"),
+    ("rasterization", "scanline"),
     ("sampling",),
     ("msaa",),
     ("interpolation",),

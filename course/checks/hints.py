@@ -20,7 +20,7 @@ from .showing import arguments, shape_name
 
 HINTS = Path(__file__).with_name("hints.json")
 WHOLE = "whole"
-OTHER = "other"         # the mark of a check with other random inputs than the known mistakes had
+OTHER = "other"         # the fingerprint where inputs are not those of the known mistakes
 MOST = 1 << 18          # numbers that a fingerprint is taken of
 NOTHING = Suspicion("", False)  # explains it: no suspicion
 
@@ -112,7 +112,7 @@ def known_mistake(exercise, found):
 def agree(known, found):
     """Do both fail the same checks, with the same numbers where these can be compared?"""
     return known.keys() == found.keys() and all(
-        mark in (known[check], OTHER) for check, mark in found.items())
+        came in (known[check], OTHER) for check, came in found.items())
 
 
 def hint(exercise, checks):
@@ -153,7 +153,7 @@ def short(nodeid):
     return nodeid.rpartition("/")[2]
 
 
-def mark(nodeid, returned, compared=None):
+def fingerprint_and_count(nodeid, returned, compared=None):
     """(fingerprint, `count`) of what a check was returned; (None, 0) if nothing was, or too much.
 
     Or of an array that it made of what was returned: then the rest does not matter, as an order.

@@ -12,7 +12,7 @@ import pytest
 
 from ..given import contract, places
 from .assertions import Mismatch
-from .showing import arguments, told
+from .showing import arguments, error_text
 
 SECONDS = 20.0  # that a call may take
 PACKAGE = "implementation"  # the code under test is imported as a package of this name
@@ -111,9 +111,18 @@ def load_topic(path):
         return importlib.import_module(f"{PACKAGE}.{path.stem}")
     except (Exception, SystemExit) as error:
         raise Mismatch(("wrong", f"{places.shown_path(path)} cannot be imported: "
-                                 f"{told(error, path.parent)}")) from None
+                                 f"{error_text(error, path.parent)}")) from None
     finally:
         sys.dont_write_bytecode = writes
+
+
+def make_package(code):
+    """A package of the code under test, so that `from . import x` works there."""
+    package = types.ModuleType(PACKAGE)
+    package.__path__ = [str(code)]
+    for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
+        del sys.modules[name]  # what an earlier run in this process has left
+    sys.modules[PACKAGE] = package
 
 
 def finder(code):
@@ -121,11 +130,7 @@ def finder(code):
 
     Mismatch: there is none.
     """
-    package = types.ModuleType(PACKAGE)
-    package.__path__ = [str(code)]  # so `from . import x` works there
-    for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
-        del sys.modules[name]  # what an earlier run in this process has left
-    sys.modules[PACKAGE] = package
+    make_package(code)
 
     @functools.cache
     def module_or_mismatch(topic):

@@ -66,8 +66,8 @@ def rows(lines, head=None):
     def cell(content, tag):
         text = str(content)
         kind = "number" if isinstance(content, int | float) else "short" * (len(text) <= SHORT)
-        shown = content if isinstance(content, Markup) else breakable(text)
-        return f'<{tag} class="{kind}">{shown}</{tag}>'
+        inside = content if isinstance(content, Markup) else breakable(text)
+        return f'<{tag} class="{kind}">{inside}</{tag}>'
 
     table = [[*(cell(content, "td") for content in line)] for line in lines]
     if head:

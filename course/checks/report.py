@@ -19,7 +19,7 @@ from ..given.suspicions import Suspicion
 from . import hints
 from .assertions import Mismatch
 from .loader import LAST_CALL, LAST_RETURN, folder
-from .showing import MOST_LINES, arguments, large_arrays, layout, shown, shown_call, told
+from .showing import MOST_LINES, arguments, error_text, large_arrays, layout, shown, shown_call
 
 
 class Check(NamedTuple):
@@ -44,23 +44,14 @@ def judge(item, error, report, mark):
     mark: the check's. It names the exercise.
     """
     number = mark.args[0]
-    if report.skipped or hasattr(report, "wasxfail") or (report.failed and error is None):
-        vars(report).pop("wasxfail", None)  # else pytest goes on to count it as expected
-        verdict = report.outcome = "failed"
-        rows = [("wrong", "a check has to run and pass; this one is skipped or expected to fail")]
-    elif report.passed:
-        verdict, rows = "passed", []
-    else:
-        verdict = verdict_of(error, number)
-        rows = [("verdict", f"{verdict} ({error})")]
-        if verdict == "failed":
-            rows = explained(error, item)
+    verdict, rows = verdict_and_rows(item, error, report, number)
     lines = report.capstdout.splitlines()[-MOST_LINES:]
     printed = [("printed", "\n".join(lines))] if lines and rows else []
     returned = item.stash.get(LAST_RETURN, None) if verdict == "failed" else None
     suspected, compared = None, getattr(error, "compared", None)
     as_known = item.config.option.seed == 0 or "rng" not in item.fixturenames
-    known = hints.mark(item.nodeid, returned, compared) if as_known else (hints.OTHER, 0)
+    known = (hints.fingerprint_and_count(item.nodeid, returned, compared) if as_known
+             else (hints.OTHER, 0))
     with contextlib.suppress(Exception):  # a report without a hint is better than none
         suspected = hints.suspected(compared, item.stash.get(LAST_CALL, None), returned)
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
@@ -71,6 +62,20 @@ def judge(item, error, report, mark):
         hint = [("hint", str(Suspicion(*suspected)))] if suspected and suspected[0] else []
         report.longrepr = layout([("claim", claim(item)), *rows, *hint,
                                   ("again", "\n".join(commands(item, number)))])
+
+
+def verdict_and_rows(item, error, report, number):
+    """The verdict on a check, and the rows that say why. One that did not run has failed."""
+    if report.skipped or hasattr(report, "wasxfail") or (report.failed and error is None):
+        vars(report).pop("wasxfail", None)  # else pytest goes on to count it as expected
+        report.outcome = "failed"
+        return "failed", [("wrong", "a check has to run and pass; this one is skipped or expected "
+                                    "to fail")]
+    if report.passed:
+        return "passed", []
+    verdict = verdict_of(error, number)
+    rows = explained(error, item) if verdict == "failed" else [("verdict", f"{verdict} ({error})")]
+    return verdict, rows
 
 
 def is_fine_print(mark):
@@ -120,7 +125,7 @@ def output_row(compared, returned):
 
 def said(error, item):
     """An error in words: where it came from, in the code under test or in the check."""
-    text = told(error, folder(item.config.option.impl))
+    text = error_text(error, folder(item.config.option.impl))
     last = traceback.extract_tb(error.__traceback__)[-1]
     returned = item.stash.get(LAST_RETURN, None)
     of_form = TypeError, ValueError, IndexError, AttributeError

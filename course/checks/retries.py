@@ -55,16 +55,7 @@ def mistakes(inputs):
 
 def with_an_array(name, array):
     """Yield (a mistake with an array, the array that makes up for it)."""
-    for axis, length in enumerate(array.shape):
-        for i, j in itertools.combinations(range(length), 2) if length <= 4 else ():
-            order = [{i: j, j: i}.get(k, k) for k in range(length)]
-            yield (f"{i} and {j} are exchanged along axis {axis} of {name}",
-                   np.take(array, order, axis))
-        if length == 3:
-            yield f"axis {axis} of {name} is moved on by one", np.roll(array, 1, axis)
-            yield f"axis {axis} of {name} is moved back by one", np.roll(array, -1, axis)
-        if length > 3:
-            yield f"axis {axis} of {name} is reversed", np.flip(array, axis)
+    yield from with_its_axes(name, array)
     if array.ndim >= 2:
         yield f"{name} is transposed", array.swapaxes(-1, -2)
     if array.dtype.kind == "b":
@@ -77,3 +68,17 @@ def with_an_array(name, array):
         if array.shape[-1] in (2, 3) and lengths.all():
             yield f"{name} is not scaled to length 1", array / lengths
         yield f"the sign of {name} is flipped", -array
+
+
+def with_its_axes(name, array):
+    """Yield (a mistake with an axis of an array, the array that makes up for it)."""
+    for axis, length in enumerate(array.shape):
+        for i, j in itertools.combinations(range(length), 2) if length <= 4 else ():
+            order = [{i: j, j: i}.get(k, k) for k in range(length)]
+            yield (f"{i} and {j} are exchanged along axis {axis} of {name}",
+                   np.take(array, order, axis))
+        if length == 3:
+            yield f"axis {axis} of {name} is moved on by one", np.roll(array, 1, axis)
+            yield f"axis {axis} of {name} is moved back by one", np.roll(array, -1, axis)
+        if length > 3:
+            yield f"axis {axis} of {name} is reversed", np.flip(array, axis)

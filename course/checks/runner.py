@@ -2,6 +2,7 @@
 import contextlib
 import io
 import sys
+from collections.abc import Iterable
 
 import pytest
 from rich.console import Console
@@ -11,10 +12,11 @@ from ..given import places
 from .hints import guess, hint
 from .loader import Stopped, folder
 from .report import Check, claim, is_fine_print
-from .showing import layout, told
+from .showing import error_text, layout
 
 
-def run_checks(labs, numbers, implementation, seed, plugins=()):
+def run_checks(labs: dict, numbers: Iterable[str], implementation: str, seed: int,
+               plugins: Iterable = ()) -> tuple[list[Check], list[str]]:
     """Run the checks of these exercises in this process -> ([Check], [problem]).
 
     labs {topic: its exercises}. numbers: those whose checks run. plugins: more of pytest's.
@@ -30,18 +32,28 @@ def run_checks(labs, numbers, implementation, seed, plugins=()):
                "--capture=sys",  # of prints; a browser cannot capture files
                f"--impl={implementation}", f"--seed={seed}"]
     said = io.StringIO()
-    with (Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
-                   redirect_stdout=False, redirect_stderr=False,
-                   disable=not sys.stderr.isatty()) as progress,
-          pytest.MonkeyPatch.context() as environment, contextlib.redirect_stdout(said)):
-        environment.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # they only cost time
-        environment.delenv("PYTEST_ADDOPTS", raising=False)
+    with progress_bar() as progress, undisturbed(said):
         collector = Collector(numbers, labs, folder(implementation), progress)
         status = pytest.main([*map(str, options), *map(str, tests)], plugins=[collector, *plugins])
     if status in (pytest.ExitCode.INTERNAL_ERROR, pytest.ExitCode.USAGE_ERROR):
         collector.problems.append(f"pytest broke off\n{said.getvalue()}".rstrip())
     found = list((collector.planned | collector.found).values())
     return [*explained(found)], collector.problems
+
+
+def progress_bar():
+    """A bar on a terminal. Elsewhere there is none."""
+    return Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
+                    redirect_stdout=False, redirect_stderr=False, disable=not sys.stderr.isatty())
+
+
+@contextlib.contextmanager
+def undisturbed(said):
+    """pytest says what it says to a file, and nobody's own settings for it take part."""
+    with pytest.MonkeyPatch.context() as environment, contextlib.redirect_stdout(said):
+        environment.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # they only cost time
+        environment.delenv("PYTEST_ADDOPTS", raising=False)
+        yield
 
 
 def explained(found):
@@ -52,8 +64,8 @@ def explained(found):
             failing.setdefault(check.exercise, []).append(check)
     hints = {exercise: hint(exercise, checks) for exercise, checks in failing.items()}
     for check in found:
-        told = check.verdict == "failed" and (hints[check.exercise] or guess(check))
-        row = f"\n{layout([('hint', told)])}" if told else ""
+        said = check.verdict == "failed" and (hints[check.exercise] or guess(check))
+        row = f"\n{layout([('hint', said)])}" if said else ""
         yield check._replace(message=check.message + row)
 
 
@@ -110,7 +122,7 @@ class Collector:
     def pytest_keyboard_interrupt(self, excinfo):
         """Say in which line the code under test was: there may be a loop without an end."""
         self.problems.append("It was stopped; not all checks have run.")
-        where = layout([("wrong", told(excinfo.value, self.code))])
+        where = layout([("wrong", error_text(excinfo.value, self.code))])
         if self.running in self.planned:
             self.planned[self.running] = self.planned[self.running]._replace(
                 verdict="failed", message=where)

@@ -106,7 +106,7 @@ def index_name(index):
 # --- errors -----------------------------------------------------------------------------------
 
 
-def told(error, code):
+def error_text(error, code):
     """An error, and the lines in the folder with the code under test that led to it."""
     frames = [frame for frame in traceback.extract_tb(error.__traceback__)
               if Path(frame.filename).resolve().is_relative_to(code)]

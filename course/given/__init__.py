@@ -9,9 +9,11 @@
     distances          how far points are from a mesh, and meshes from each other
     ray_casting        exact shadows, without a map
     suspicions         common mistakes that show in the numbers alone
+    sweeps             numeric derivatives, and how near they are
     gradcheck_picture  the picture of a gradient check that failed
     gradcheck          is a backward pass the derivative of its forward pass?
-    plot               figures: pictures, triangles, curves, films
+    plot               figures: pictures, meshes, curves, films
+    plot_triangle      figures: a triangle's samples and edge functions
     plot_3d            figures: meshes and cameras in space
     sketch             figures: labelled drawings
     lecture            how a lecture begins, and cells that wait for what is not written

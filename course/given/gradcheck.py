@@ -2,17 +2,8 @@
 
 The loss is L = sum(upstream * forward(...)), so backward(upstream, ...) must return its gradients.
 The upstream gradient is random: with all ones, a backward that averages or misplaces its
-grad_output would pass. Along a direction d, with steps h,
-
-    D(h) = (L(x + h d) - L(x - h d)) / 2h = L' + O(h^2)        central difference         (1)
-    E(h) = (16 D(h) - D(4h)) / 15         = L' + O(h^4)        Richardson extrapolation   (2)
-
-A large h suffers from the powers of h that are left out, a small one from rounding, which grows as
-1/h. Between them lies a plateau. So the steps are swept, each a quarter of the last, and the
-numeric derivative is E where two successive E agree best. The analytic gradient has no say in this
-choice.
-
-    error = |analytic - numeric| / max(|analytic|, |numeric|, floor)                      (3)
+grad_output would pass. How the numeric derivatives are measured, and what an error is, says
+sweeps.py.
 """
 import copy
 import inspect
@@ -25,13 +16,16 @@ from . import places
 from .contract import called, unchanged
 from .gradcheck_picture import draw
 from .suspicions import suspicion
+from .sweeps import (
+    RTOL,
+    STEPS,
+    direction_part,
+    element_part,
+    relative_error,
+    sweep,
+)
 
-STEPS = 4.0 ** -np.arange(3, 12)  # 1.6e-2 to 2.4e-7 of `magnitude`; smaller ones are all rounding
-SETTLED = 1e-9                    # two successive E as close as this end the sweep
-FLOOR = 1e-3                      # of the largest number, see `relative_error`
-ELEMENTS = 60                     # of each input are looked at one by one, all if it has no more
-DIRECTIONS = 3                    # random ones: for each input alone, then for all together
-LEFT_OUT_LIMIT = 0.10             # a check that leaves out a larger share says too little
+LEFT_OUT_LIMIT = 0.10  # a check that leaves out a larger share says too little
 
 
 class GradReport(NamedTuple):
@@ -61,32 +55,7 @@ class Case(NamedTuple):
     name: str
 
 
-class Part(NamedTuple):
-    """Numbers that are judged together: an input's elements, or slopes along random directions."""
-
-    title: str
-    analytic: np.ndarray
-    numeric: np.ndarray  # of the same shape; NaN where left out or not looked at
-    probes: dict         # index of each number looked at -> (moves, scale), see `sweep`
-
-    def measure(self, slope):
-        for index, (moves, scale) in self.probes.items():
-            self.numeric[index] = sweep(slope, moves, scale)[0]
-
-    def left_out(self):
-        return sum(bool(np.isnan(self.numeric[index])) for index in self.probes)
-
-    def error(self):
-        return relative_error(self.analytic, self.numeric)
-
-    def is_off(self, rtol):
-        return (self.error() > rtol).any()
-
-    def worst(self):
-        return np.unravel_index(np.nanargmax(self.error()), self.numeric.shape)
-
-
-def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisions=None, rtol=1e-6,
+def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisions=None,
               name="gradcheck"):
     """Compare the gradients that backward returns with central differences of forward, in float64.
 
@@ -98,7 +67,6 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     decisions(*inputs) -> an array, or a tuple of arrays: what the forward pass decides (which
         face, which texel). The loss may jump or bend where a decision changes, so a step that
         changes one is not used. What has no three usable steps in a row is left out and counted.
-    rtol: the largest error (3) that passes.
     name: what is checked. It opens every message, and outside of pytest it names the picture.
 
     -> GradReport. Raises GradientMismatch where a gradient is wrong, zero everywhere, not
@@ -110,6 +78,26 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     case = Case(forward, backward, decisions, inputs, titles, name)
     rng = np.random.default_rng(seed)
     upstream = [rng.standard_normal(y.shape) for y in call(forward, inputs, f"{name}: forward")]
+    elements, directions = measured(case, upstream, rng)
+    parts = elements + directions
+    looked_at = sum(len(part.probes) for part in parts)
+    left_out = sum(part.left_out() for part in parts)
+    summary = f"(seed {seed}, {left_out} of {looked_at} numbers left out)"
+    wrong = [part for part in elements if part.off().any()]
+    wrong = wrong or [part for part in directions if part.off().any()]  # no single element tells
+    if wrong:
+        lines = [f"{name}: wrong gradient {summary}", *complaints(case, wrong, upstream),
+                 *parts_of_outputs(case, upstream, rng)]
+        gradients_of(case, upstream)  # so that the last call, which reports show, is that of all
+        raise GradientMismatch(*evidence(lines, wrong[0], slope_of_loss(case, upstream), name))
+    require_enough(elements, name, summary)
+    worst = max(np.nanmax(part.error(), initial=0.0) for part in parts)
+    return GradReport(looked_at - left_out, left_out, float(worst))
+
+
+def measured(case, upstream, rng):
+    """-> the Parts of each input's elements, and those along random directions, measured."""
+    titles, inputs = case.titles, case.inputs
     gradients = gradients_of(case, upstream)
     elements = [element_part(titles[k], k, inputs[k], gradients[k], rng) for k in titles]
     directions = [direction_part(titles[k], {k: gradients[k]}, inputs, rng) for k in titles]
@@ -118,20 +106,7 @@ def gradcheck(forward, backward, inputs, *, seed=0, differentiable=None, decisio
     slope = slope_of_loss(case, upstream)
     for part in elements + directions:
         part.measure(slope)
-
-    looked_at = sum(len(part.probes) for part in elements + directions)
-    left_out = sum(part.left_out() for part in elements + directions)
-    summary = f"(seed {seed}, {left_out} of {looked_at} numbers left out)"
-    wrong = [part for part in elements if part.is_off(rtol)]
-    wrong = wrong or [part for part in directions if part.is_off(rtol)]  # no single element tells
-    if wrong:
-        lines = [f"{name}: wrong gradient {summary}", *complaints(case, wrong, upstream, rtol),
-                 *parts_of_outputs(case, upstream, rng, rtol)]
-        gradients_of(case, upstream)  # so that the last call, which reports show, is that of all
-        raise GradientMismatch(*evidence(lines, wrong[0], slope, rtol, name))
-    require_enough(elements, name, summary)
-    worst = max(np.nanmax(part.error(), initial=0.0) for part in elements + directions)
-    return GradReport(looked_at - left_out, left_out, float(worst))
+    return elements, directions
 
 
 # --- what comes in, what comes back -----------------------------------------------------------
@@ -206,47 +181,6 @@ def call(function, arguments, who):
     return result
 
 
-# --- the numbers to measure, and their measurement ---------------------------------------------
-
-
-def magnitude(x):
-    """x (...) -> (...): an element's own size or the median size, the larger, as a power of two.
-
-    The steps are powers of two as well, so x + h and x - h are exact.
-    """
-    sizes = np.abs(x)
-    typical = np.median(sizes[sizes > 0]) if sizes.any() else 1.0
-    return np.ldexp(1.0, np.frexp(np.maximum(sizes, typical))[1])
-
-
-def element_part(title, position, x, gradient, rng):
-    """An input's elements, one by one.
-
-    A random choice of a large input is looked at. Half of it has a gradient other than zero,
-    because a picture touches few texels of its texture.
-    """
-    order = rng.permutation(x.size)
-    touched = order[gradient.flat[order] != 0][:ELEMENTS // 2]
-    chosen = list(dict.fromkeys([*touched, *order[:ELEMENTS]]))[:ELEMENTS]
-    scale, probes = magnitude(x), {}
-    for index in (np.unravel_index(k, x.shape) for k in sorted(chosen)):
-        direction = np.zeros(x.shape)
-        direction[index] = 1.0
-        probes[index] = {position: direction}, scale[index]
-    return Part(title, gradient, np.full(x.shape, np.nan), probes)
-
-
-def direction_part(title, gradients, inputs, rng):
-    """Slopes along random directions, in which all elements of some inputs move at once."""
-    slopes, probes = np.zeros(DIRECTIONS), {}
-    for n in range(DIRECTIONS):
-        moves = {k: rng.standard_normal(gradient.shape) * magnitude(inputs[k])
-                 for k, gradient in gradients.items()}
-        slopes[n] = sum(np.vdot(gradients[k], moves[k]) for k in moves)
-        probes[(n,)] = moves, 1.0
-    return Part(f"{title}, random direction", slopes, np.full(DIRECTIONS, np.nan), probes)
-
-
 def slope_of_loss(case, upstream):
     """-> the function slope(moves, h), which is D(h), or NaN where a decision changes.
 
@@ -270,36 +204,6 @@ def slope_of_loss(case, upstream):
     return slope
 
 
-@np.errstate(all="ignore")  # a large step may leave forward's domain; the sweep goes on
-def sweep(slope, moves, scale, settled=SETTLED):
-    """-> the numeric derivative, D (S,) at the S steps scale * STEPS, how much E changes (S - 2,).
-
-    D is NaN where a step is not usable or was not needed. The derivative is NaN, left out, where no
-    two successive E are finite.
-    """
-    D = np.full(len(STEPS), np.nan)
-    for k, step in enumerate(STEPS):
-        D[k] = slope(moves, scale * step)
-        E = (16 * D[1:] - D[:-1]) / 15
-        change = np.abs(np.diff(E))
-        if k >= 2 and change[k - 2] <= settled * abs(E[k - 1]):
-            break
-    numeric = E[np.nanargmin(change) + 1] if np.isfinite(change).any() else np.nan
-    return numeric, D, change
-
-
-def relative_error(analytic, numeric):
-    """Eq. (3), with the floor at FLOOR times the largest number of both arrays.
-
-    Rounding disturbs all numeric derivatives with respect to one input about equally, by some
-    1e-12 of the largest. In a tiny element it may be all there is to see. So no element is judged
-    more finely than rtol * FLOOR of the largest, which is 1e-9 at the default rtol.
-    """
-    size = np.fmax(np.abs(analytic), np.abs(numeric))
-    floor = max(FLOOR * np.max(size, initial=0.0), np.finfo(float).tiny)
-    return np.abs(analytic - numeric) / np.maximum(size, floor)
-
-
 # --- the verdict, and what a failure tells ----------------------------------------------------
 
 
@@ -316,49 +220,49 @@ def require_enough(elements, name, summary):
                 "choose inputs on which the output depends, or name the others in differentiable=")
 
 
-def complaints(case, wrong, upstream, rtol):
+def complaints(case, wrong, upstream):
     """Of each part that is wrong, how many numbers are off, what explains them, and the worst."""
     inputs = [*((f"upstream gradient {k}", u) for k, u in enumerate(upstream)),
               *((title, case.inputs[k]) for k, title in case.titles.items())]
     for part in wrong:
         error, worst = part.error(), part.worst()
         place = f"at {list(map(int, worst))}: " if worst else ""
-        yield (f"with respect to {part.title}: {(error > rtol).sum()} of {len(part.probes)} looked "
-               f"at are off{explanation(part, inputs, rtol)}\n    {place}"
+        yield (f"with respect to {part.title}: {part.off().sum()} of {len(part.probes)} looked "
+               f"at are off{explanation(part, inputs)}\n    {place}"
                f"analytic {part.analytic[worst] + 0.0:.10g}, numeric {part.numeric[worst]:.10g}, "
-               f"relative error {error[worst]:.2g} (at most {rtol:g})")
+               f"relative error {error[worst]:.2g} (at most {RTOL:g})")
 
 
-def explanation(part, inputs, rtol):
+def explanation(part, inputs):
     """The mistake that alone explains every number, after a semicolon, else ''."""
     unseen = np.isnan(part.numeric)
 
     def agrees(analytic, numeric):
-        return unseen | (relative_error(analytic, numeric) <= rtol)
+        return unseen | (relative_error(analytic, numeric) <= RTOL)
 
     found = suspicion(part.analytic, part.numeric, agrees, inputs)
     return f"; {found}" if found else ""
 
 
-def parts_of_outputs(case, upstream, rng, rtol):
+def parts_of_outputs(case, upstream, rng):
     """Lines: is the gradient right that comes from each of several outputs alone?"""
     for output in range(len(upstream)) if len(upstream) > 1 else ():
         alone = [u if k == output else 0 * u for k, u in enumerate(upstream)]
         part = direction_part("", gradients_of(case, alone), case.inputs, rng)
         part.measure(slope_of_loss(case, alone))
-        how = "right" if not part.is_off(rtol) else "wrong" if part.analytic.any() else "missing"
+        how = "right" if not part.off().any() else "wrong" if part.analytic.any() else "missing"
         yield f"what comes from output {output} is {how}"
 
 
-def evidence(lines, part, slope, rtol, name):
+def evidence(lines, part, slope, name):
     """Sweep the worst number to the end, draw the part -> the whole message, the picture's path."""
     worst = part.worst()
     moves, scale = part.probes[worst]
     _, D, change = sweep(slope, moves, scale, settled=-1.0)
-    if np.nanmin(change) > rtol * max(abs(part.analytic[worst]), abs(part.numeric[worst])):
+    if np.nanmin(change) > RTOL * max(abs(part.analytic[worst]), abs(part.numeric[worst])):
         lines += ["  no two steps agree there: forward jumps, bends or is noisy; see decisions="]
     try:
-        picture = draw(part, rtol, name, scale * STEPS, D, change)
+        picture = draw(part, name, scale * STEPS, D, change)
         lines += [f"picture: {places.shown_path(picture)}"]
     except OSError as error:  # must not hide the mismatch
         picture, lines = None, [*lines, f"no picture: {error}"]

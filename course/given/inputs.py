@@ -10,7 +10,7 @@ import numpy as np
 def require(fits, expected, came):
     """ValueError, in one sentence, unless what came fits."""
     if not fits:
-        raise ValueError(f"render expects {expected}; it got {came}")
+        raise ValueError(f"expected {expected}; got {came}")
 
 
 def require_reals(name, array, *shape, hint=""):

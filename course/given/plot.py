@@ -193,11 +193,11 @@ def image(axes, picture, title=""):
     axes.imshow(picture, origin="lower", extent=(0, width, 0, height), cmap="gray", vmin=0, vmax=1,
                 interpolation="nearest" if is_sharp else "antialiased")
     if axes.bbox.width >= 16 * width:              # pixels that are looked at one by one
-        _pixel_borders(axes, width, height)
+        pixel_borders(axes, width, height)
     screen(axes, width, height, title)
 
 
-def _pixel_borders(axes, width, height):
+def pixel_borders(axes, width, height):
     axes.hlines(np.arange(1, height), 0, width, color="#cccccc", linewidth=0.5, zorder=0.5)
     axes.vlines(np.arange(1, width), 0, height, color="#cccccc", linewidth=0.5, zorder=0.5)
 
@@ -277,7 +277,7 @@ def _scale(axes, colours, low, high):
                   fontsize=9, color="#444444")
 
 
-# Triangles on the screen
+# Meshes on the screen
 
 def wireframe(axes, vertices, faces, color=BLACK):
     """The edges of faces (F, 3) between screen positions (V, 2), each once, over a picture or not.
@@ -295,60 +295,6 @@ def wireframe(axes, vertices, faces, color=BLACK):
     collection.set_linewidth(width)
     if width > 0.8:                                # few lines: to be seen on dark pixels, too
         collection.set_path_effects([withStroke(linewidth=width + 1.6, foreground="white")])
-
-
-def triangle_pixels(axes, triangle, width, height, covered=None, title=""):
-    """One triangle (3, 2) in screen coordinates on a grid of width x height pixels.
-
-    The dots are the samples, at the pixels' centres: filled where covered (H, W) is true.
-    """
-    covered = np.zeros((height, width), bool) if covered is None else covered
-    screen(axes, width, height, title)
-    _pixel_borders(axes, width, height)
-    axes.imshow(np.where(covered[..., None], mpl.colors.to_rgba(SKY, 0.35), 0),
-                origin="lower", extent=(0, width, 0, height), interpolation="nearest")
-    row, column = np.indices(covered.shape)
-    pixel = axes.bbox.width / width * 72 / axes.figure.dpi
-    axes.scatter(column + 0.5, row + 0.5, s=np.clip(0.22 * pixel, 1.5, 6) ** 2, linewidths=0.8,
-                 facecolors=np.where(covered.ravel(), BLUE, "white"), edgecolors=BLUE, zorder=2)
-    _outline(axes, triangle)
-    if width <= 16:
-        axes.set(xticks=range(width + 1), yticks=range(height + 1))
-
-
-def _outline(axes, triangle):
-    axes.fill(*np.transpose(triangle), fill=False, edgecolor=RED, linewidth=1.5, zorder=3)
-    axes.plot(*np.transpose(triangle), "o", color=RED, markersize=4, zorder=3)
-    outward = triangle - np.mean(triangle, axis=0)
-    outward = outward / np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-12)
-    for index, (corner, direction) in enumerate(zip(triangle, outward, strict=True)):
-        axes.annotate(str(index), corner, 11 * direction, textcoords="offset points", color=RED,
-                      weight="bold", ha="center", va="center", path_effects=HALO, zorder=4)
-
-
-def edge_function(axes, values, a, b, title=""):
-    """An edge function's values (H, W) at the pixel centres, red outside and blue inside.
-
-    The line through a (2,) and b (2,) is where it should be zero. The arrow from a to b is the
-    edge, the other one its normal n = (a_y - b_y, b_x - a_x), which should point into the blue.
-    """
-    signed(axes, values, title)
-    a, b = np.asarray(a, float), np.asarray(b, float)
-    axes.axline(a, b, color=BLACK, linewidth=0.8, linestyle=(0, (4, 3)))
-    normal = np.array([a[1] - b[1], b[0] - a[0]]) / np.linalg.norm(b - a)
-    middle, length = (a + b) / 2, 0.14 * np.ptp(axes.get_xlim())
-    _arrow(axes, a, b, BLACK)
-    _arrow(axes, middle, middle + length * normal, GREEN)
-    for point, name, color in ((a, "a", BLACK), (b, "b", BLACK),
-                               (middle + length * normal, "n", GREEN)):
-        axes.annotate(name, point, -9 * normal if name != "n" else 7 * normal,
-                      textcoords="offset points", color=color, weight="bold",
-                      ha="center", va="center", path_effects=HALO)
-
-
-def _arrow(axes, start, end, color):
-    axes.annotate("", end, start, arrowprops={
-        "arrowstyle": "-|>", "color": color, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 0})
 
 
 # Gradients

@@ -22,12 +22,9 @@ def ray_cast(points, vertices, faces, light, cells=128):
     """
     inputs.require_mesh(vertices, faces)
     vertices, faces, points = np.asarray(vertices), np.asarray(faces), np.asarray(points)
-    if not np.isfinite(points).all():
-        raise ValueError("ray_cast expects finite points, got some that are not; give the points "
-                         "of pixels that see a face")
-    if cells < 1:
-        raise ValueError(f"ray_cast expects at least one cell a side, got {cells}; ask for 1 or "
-                         "more")
+    inputs.require(np.isfinite(points).all(), "finite points, as of pixels that see a face",
+                   "some that are not")
+    inputs.require(cells >= 1, "at least one cell a side", cells)
     corners, corner_distance, x, y = seen_from(light, vertices, cells)
     face, start = faces_in_cells(x[faces.T], y[faces.T], cells)
     planes, face_distance = edge_planes(*corners[faces.T])[face], corner_distance[faces][face]
@@ -38,12 +35,18 @@ def ray_cast(points, vertices, faces, light, cells=128):
     borders = np.flatnonzero(np.diff(np.cumsum(count) // AT_ONCE)) + 1
     for part in np.split(np.arange(len(rays)), borders):
         ray, entry = ranges(first[part], count[part])
-        c = np.einsum("nki,ni->nk", planes[entry], rays[part][ray])
-        met = np.flatnonzero((c >= 0).all(1) & (c.sum(1) > 0))
-        ray, entry, c = part[ray[met]], entry[met], c[met]
-        at_face = (c * face_distance[entry]).sum(1) / c.sum(1)
+        met, at_face = meetings(rays[part][ray], planes[entry], face_distance[entry])
+        ray = part[ray[met]]
         lit[ray[at_face < distance[ray] * (1 - SELF_HIT)]] = False
     return lit
+
+
+def meetings(rays, planes, face_distance):
+    """Which of N pairs of a ray and a face meet, and how far away: indices (M,), distance (M,)."""
+    c = np.einsum("nki,ni->nk", planes, rays)
+    met = np.flatnonzero((c >= 0).all(1) & (c.sum(1) > 0))
+    c = c[met]
+    return met, (c * face_distance[met]).sum(1) / c.sum(1)
 
 
 def seen_from(light, points, cells):

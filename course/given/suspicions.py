@@ -45,13 +45,13 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
     speaking = evidence(got, expected, agrees)
-    told = [*whole_numbers(got, expected),
+    found = [*whole_numbers(got, expected),
             *["it is zero everywhere"] * (not got.any()), *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
             *in_a_part(got, expected, wrong, agrees), *by_index(wrong, inputs)]
-    sure = told and not told[0].endswith("?") and speaking >= ENOUGH
-    return Suspicion(told[0], sure) if told else None
+    sure = found and not found[0].endswith("?") and speaking >= ENOUGH
+    return Suspicion(found[0], sure) if found else None
 
 
 def evidence(got, expected, agrees):
@@ -232,18 +232,16 @@ def imprecise(got, expected):
 
 def in_a_part(got, expected, wrong, agrees):
     """Yield what is wrong in some of the numbers alone, and where."""
-    if wrong.all() or not wrong.any():
-        return
-    place = where(wrong)
     part, right = got[wrong], expected[wrong]
+    if wrong.all() or not wrong.any() or not np.isfinite([part, right]).all():
+        return
 
     def holds(mistaken):
         full = got.astype(np.result_type(got, mistaken))
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    if not np.isfinite(part).all() or not np.isfinite(right).all():
-        return
+    place = where(wrong)
     several = place or len(set(np.abs(right))) > 1  # else any number is a multiple
     if place and holds(0 * right):
         yield f"it is zero{place}"

@@ -95,7 +95,7 @@ class Results:
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
         return table
 
-    def close(self):
+    def close(self) -> list:
         """Write what needs all results -> the paths of all tables."""
         files = self.book.write(self.out, self.records, self.write_tables())
         texts = {name: one.texts for name, one in self.book.handed_in.items()}

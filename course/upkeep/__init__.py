@@ -4,8 +4,10 @@
     extras     opens extras in labs/, and closes them
     errata     the page of what the lectures correct in their sources
     pictures   the pictures of a lecture: packed, described, compared
+    origins    what a lecture was made from: must it run again?
     notebooks  runs the lectures, and writes them back
     hours      how long a lab takes
+    weight     how much code stands around the code that is taught
     mutants    small mistakes made by machine: do the checks catch them?
     mistakes   mistakes that people make: are they caught, and what hints do they give?
     feedback   how often a report names what is wrong

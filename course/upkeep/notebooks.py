@@ -183,13 +183,17 @@ def _read(path):
         raise ValueError(f"{path} is not a notebook of format 4: open it in Jupyter and save it, "
                          "or get it again") from None
     notebook.nbformat_minor = 5                    # the first one whose cells have names
-    notebook.metadata = nbformat.from_dict({
+    notebook.metadata = _metadata()
+    return notebook
+
+
+def _metadata():
+    return nbformat.from_dict({
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
         "written_with": _written_with(),
         "made_from": {},
     })
-    return notebook
 
 
 def _written_with():

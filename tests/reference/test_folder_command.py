@@ -67,7 +67,7 @@ def test_a_search_goes_on_from_where_it_was_stopped(photos, tmp_path, monkeypatc
         with pytest.raises(KeyboardInterrupt, match="--resume goes on"):
             command.search(LABS, photos, path, STAGES, False)
     assert path.exists()
-    marked = checkpoints.mark(photos, STAGES)
+    marked = checkpoints.identity_of(photos, STAGES)
     kept = checkpoints.read(tmp_path / "checkpoint.npz", marked, multi_view_fit.Scene)
     assert kept.losses == whole.losses[:count]
     found = command.search(LABS, photos, path, STAGES, True)
@@ -79,16 +79,16 @@ def test_a_search_goes_on_from_where_it_was_stopped(photos, tmp_path, monkeypatc
 def test_another_search_is_not_gone_on_with(photos, tmp_path):
     """The mesh of one folder goes on with the pictures of another."""
     path, scene = tmp_path / "checkpoint.npz", multi_view_fit.Scene
-    marked = checkpoints.mark(photos, STAGES)
+    marked = checkpoints.identity_of(photos, STAGES)
     with pytest.raises(ValueError, match="nothing to go on from: there is no "):
         checkpoints.read(path, marked, scene)
     checkpoints.write(path, checkpoints.Kept(multi_view_fit.start(4), (0.5,), 1.0), marked)
     assert checkpoints.read(path, marked, scene).losses == (0.5,)
     brighter = photos._replace(pictures=[1.01 * picture for picture in photos.pictures])
     with pytest.raises(ValueError, match="had other pictures or cameras"):
-        checkpoints.read(path, checkpoints.mark(brighter, STAGES), scene)
+        checkpoints.read(path, checkpoints.identity_of(brighter, STAGES), scene)
     with pytest.raises(ValueError, match="had --steps 6 --size 32: give these"):
-        checkpoints.read(path, checkpoints.mark(photos, command.scaled(STAGES, 8)), scene)
+        checkpoints.read(path, checkpoints.identity_of(photos, command.scaled(STAGES, 8)), scene)
     path.write_bytes(path.read_bytes()[:99])
     with pytest.raises(ValueError, match="is broken: start again"):
         checkpoints.read(path, marked, scene)

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from course import cli
+from course import cli, commands
 from course.grading.gradebook.book import Asked
 from course.grading.request import Request
 
@@ -179,7 +179,7 @@ def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):
 def test_the_test_command_fails_with_either_lint_or_tests(monkeypatch, lint, tests, status):
     """One of the two statuses is forgotten; or after bad lint no test is run."""
     ran = {}
-    monkeypatch.setattr(cli, "run_module", lambda module, *arguments: ran.update(
+    monkeypatch.setattr(commands, "run_module", lambda module, *arguments: ran.update(
         {module: arguments}) or {"ruff": lint, "pytest": tests}[module])
     assert cli.main(["test"]) == status
     assert list(ran) == ["ruff", "pytest"] and ran["pytest"][-2:] == ("-m", "not weekly")
@@ -190,5 +190,5 @@ def test_the_test_command_fails_with_either_lint_or_tests(monkeypatch, lint, tes
 def test_nobody_s_own_settings_for_pytest_take_part(monkeypatch):
     """A PYTEST_ADDOPTS in the user's shell leaves tests out."""
     monkeypatch.setenv("PYTEST_ADDOPTS", "--no-such-option")
-    monkeypatch.setattr(cli.signal, "signal", lambda *_: None)  # this process keeps its own
-    assert cli.run_module("pytest", "--markers") == 0
+    monkeypatch.setattr(commands.signal, "signal", lambda *_: None)  # this process keeps its own
+    assert commands.run_module("pytest", "--markers") == 0

@@ -1,4 +1,7 @@
-"""The course's own labs, graded: whatever is right gets all points, at every level."""
+"""The course's own labs, graded: whatever is right gets all points, whoever answers for the rest.
+
+They are examined in this process. That `grade` starts one for each is tested on a small course.
+"""
 import functools
 
 import pytest
@@ -7,45 +10,68 @@ from submitted import other_solution
 
 from course import exercises
 from course.given import places
-from course.grading import grade
-from course.grading.apart import examination, examine, running, sandbox, wire
-from course.grading.apart.examine import Job
+from course.grading.apart import examination, sandbox, wire
+from course.grading.apart.examine import examine
+from course.grading.apart.jobs import Job
 
 LABS = range(1, len(exercises.LABS) + 1)
+LEVEL, _ = sandbox.available()
+LIMITS = sandbox.Limits(call=100, exercise=1200)  # of 40,000 short calls on a busy machine
+
+
+@pytest.fixture(autouse=True)
+def folder_for_pictures(monkeypatch, tmp_path):
+    monkeypatch.setattr(places, "OUT", tmp_path)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_reference():
+    """One worker answers for the reference in all examinations here: it loads for half a second."""
+    start, workers, closes = examination.Examination.start_reference, {}, []
+
+    def shared(self):
+        if self.job.level not in workers:
+            worker = workers[self.job.level] = start(self)
+            closes.append(worker.close)
+            worker.close = lambda: None
+        return workers[self.job.level]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(examination.Examination, "start_reference", shared)
+        yield
+    for close in closes:
+        close()
+
+
+def all_right(job):
+    """What a job asks of the reference. It gets all points, or this is red."""
+    result = examine(job._replace(limits=LIMITS))
+    assert (result.problem, result.lost, result.missing) == (None, {}, {})
+    assert {entry.number: entry.checks for entry in result.entries if entry.told != "done"} == {}
+    return result.asked
 
 
 @functools.cache
 def asks(lab):
-    """What the lab's exercises ask of each other. ValueError: the reference fails a check."""
-    level, _ = sandbox.available()
-    return grade.rehearsed(exercises.topics_of(str(lab)), level, sandbox.Limits(), True, 1)
-
-
-def wrong_in(texts, level, asks, seed=0):
-    """What takes points from these labs: {exercise: its checks}, and worse."""
-    result, _ = running.examine(Job(texts, {}, level, seed, extra=True, asks=asks)._asdict())
-    assert (result["problem"], result["lost"], result["missing"]) == (None, {}, {})
-    return {entry["number"]: entry["checks"] for entry in result["board"]["exercises"]
-            if entry["told"] != "done"}
+    """What the lab's exercises ask of each other, in the reference."""
+    texts = {topic: exercises.read(exercises.reference(topic))
+             for topic in exercises.topics_of(str(lab))}
+    assert [exercises.foreign_imports(text) for text in texts.values()] == [[]] * len(texts)
+    return all_right(Job(texts, {}, LEVEL, extra=True))
 
 
 @pytest.mark.parametrize("lab", LABS)
-def test_what_is_right_gets_all_points(lab, monkeypatch, tmp_path):
+def test_what_is_right_gets_all_points(lab, monkeypatch):
     """A check that a worker cannot serve; a list for one's own function, which passes at home; an
     answer with loops, where all before it are wrong: the reference stops answering too early.
     """
-    for topic in exercises.topics_of(str(lab)):
-        assert exercises.foreign_imports(exercises.read(exercises.reference(topic))) == []
-    needed = asks(lab)  # of the reference, which gets all points
-    texts = {topic: other_solution(topic) for topic in exercises.topics_of(str(lab))
+    topics = exercises.topics_of(str(lab))
+    texts = {topic: other_solution(topic) for topic in topics
              if topic in exercises.asking_topics()}
-    assert wrong_in(texts, sandbox.available()[0], needed, seed=lab) == {}
+    all_right(Job(texts, {}, LEVEL, lab, extra=True, asks=asks(lab)))
 
     monkeypatch.setattr(examination.Examination, "is_sound", lambda self, number: False)
-    monkeypatch.setattr(places, "OUT", tmp_path)
-    job = Job(texts, {}, "process", asks=needed)
-    assert [entry["number"] for entry in examine.examine(job)["board"]["exercises"]
-            if entry["told"] != "done"] == []
+    all_right(Job(texts, {}, "process", asks=asks(lab)))
 
 
 OTHER_FIELDS = '''
@@ -64,13 +90,14 @@ def test_what_is_given_by_names_arrives_by_names(text, wrong):
     """buffers.clip works at home, and in grading Buffers are a plain tuple. Or a lab whose own
     Buffers have other fields makes the grader stumble.
     """
-    assert wrong_in({"pipeline": text}, sandbox.available()[0], None).keys() == wrong
+    result = examine(Job({"pipeline": text}, {}, LEVEL, extra=True, limits=LIMITS))
+    assert {entry.number for entry in result.entries if entry.told != "done"} == wrong
 
 
 def test_all_named_tuples_of_given_code_can_be_sent():
     """One of them comes without its names."""
     table = examination.named_tuples()
-    assert {"pipeline.Buffers", "multi_view_fit.Target", "texture_cubes.Buffers"} <= table.keys()
+    assert {"pipeline.Buffers", "multi_view_fit.Target", "texture_cubes.CubeBuffers"} <= table.keys()
     for known in table.values():
         value = known(*range(len(known._fields)))
         came = wire.decode(wire.encode(value), table)
@@ -80,5 +107,5 @@ def test_all_named_tuples_of_given_code_can_be_sent():
 @pytest.mark.parametrize("topic", ["rasterization", "mipmapping", "implicit_surfaces"])
 def test_graders_take_numbers_in_every_form(topic):
     """What `check` accepts, `grade` refuses: a list does not survive the way, or a warning does."""
-    lab = exercises.lab_number(topic)
-    assert wrong_in({topic: in_other_forms(topic)}, sandbox.available()[0], asks(lab)) == {}
+    needed = asks(exercises.lab_number(topic))
+    all_right(Job({topic: in_other_forms(topic)}, {}, LEVEL, extra=True, asks=needed))

@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from course.given import gradcheck as module
-from course.given import places
+from course.given import places, sweeps
 from course.given.gradcheck import GradientMismatch, GradReport, gradcheck
 
 DRAW = module.draw
@@ -20,7 +20,7 @@ DRAW = module.draw
 def root(tmp_path, monkeypatch):
     """Failures that are provoked here do not write to out/, and most draw no picture at all."""
     monkeypatch.setattr(places, "ROOT", tmp_path)
-    monkeypatch.setattr(module, "draw", lambda part, rtol, name, *_: tmp_path / f"{name}.png")
+    monkeypatch.setattr(module, "draw", lambda part, name, *_: tmp_path / f"{name}.png")
     return tmp_path
 
 
@@ -177,8 +177,8 @@ def test_the_numeric_derivative_is_true_to_1e_8(rng, function, derivative, scale
     x = scale * rng.uniform(0.3, 1.4, 20)
     case = module.Case(lambda x: function(x / scale), None, None, [x], {}, "")
     slope = module.slope_of_loss(case, [np.ones(20)])
-    part = module.element_part("x", 0, x, np.ones(20), rng)
-    numeric = np.array([module.sweep(slope, *part.probes[index])[0] for index in part.probes])
+    part = sweeps.element_part("x", 0, x, np.ones(20), rng)
+    numeric = np.array([sweeps.sweep(slope, *part.probes[index])[0] for index in part.probes])
     np.testing.assert_allclose(numeric, derivative(x / scale) / scale, rtol=1e-8)
 
 
@@ -191,14 +191,14 @@ def test_an_element_that_is_zero_moves_as_far_as_its_neighbours():
 
 def test_extrapolation_removes_the_square_of_the_step():
     """Wrong factors in eq. (2): the sweep settles later, on a number that is less true."""
-    numeric, differences, _ = module.sweep(lambda moves, h: 3 + 7 * h**2, {}, 1.0)
+    numeric, differences, _ = sweeps.sweep(lambda moves, h: 3 + 7 * h**2, {}, 1.0)
     assert abs(numeric - 3) < 1e-14 and np.isfinite(differences).sum() == 3
 
 
 def test_the_numeric_derivative_is_taken_on_the_plateau():
     """It is taken at the smallest step, in the rounding, or at the largest, off by h^4."""
-    steps = list(module.STEPS)
-    numeric, _, change = module.sweep(
+    steps = list(sweeps.STEPS)
+    numeric, _, change = sweeps.sweep(
         lambda moves, h: 3 + 1e6 * h**4 + (-1) ** steps.index(h) * 1e-13 / h, {}, 1.0)
     assert abs(numeric - 3) < 1e-7
     assert 1 < np.argmin(change) < len(change) - 2
@@ -350,7 +350,7 @@ def test_half_of_the_chosen_elements_have_a_gradient():
         return texels[index, index]
 
     report = gradcheck(touched, lambda g, t, i: gather_backward(g, t, (i, i)), (texels, index))
-    assert report.checked == module.ELEMENTS + module.DIRECTIONS
+    assert report.checked == sweeps.ELEMENTS + sweeps.DIRECTIONS
     assert any(there[7, 7] != 1 and (there != 1).sum() == 1 for there in order)
 
 
@@ -441,7 +441,7 @@ def test_an_element_on_a_kink_fails_without_decisions_and_is_left_out_with_them(
     x = np.append(np.linspace(0.1, 1, 11), 0.0)
     assert "at [11]" in failure(np.abs, absolute_backward, (x,))
     report = gradcheck(np.abs, absolute_backward, (x,), decisions=sign)
-    assert report[:2] == (11, 1 + module.DIRECTIONS)  # each direction moves the element, too
+    assert report[:2] == (11, 1 + sweeps.DIRECTIONS)  # each direction moves the element, too
 
 
 def test_a_wrong_element_fails_beside_one_that_is_left_out():
@@ -575,7 +575,7 @@ def test_a_small_check_takes_few_calls_of_forward(rng):
 def test_a_large_input_is_looked_at_in_part(rng):
     """All elements of a texture are differenced, one by one."""
     report = gradcheck(np.sin, lambda g, x: g * np.cos(x), (rng.normal(size=(32, 32, 3)),))
-    assert report.checked == module.ELEMENTS + module.DIRECTIONS
+    assert report.checked == sweeps.ELEMENTS + sweeps.DIRECTIONS
     assert "60 of 60 looked at" in failure(np.sin, lambda g, x: g * x, (rng.normal(size=(9, 9)),))
 
 

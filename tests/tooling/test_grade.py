@@ -8,7 +8,7 @@ import zipfile
 
 import pytest
 from graded import check, entry, exercise, record, result, submission
-from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS
+from small_course import CHECKS, LAB, SECOND, SECOND_CHECKS, first_lab, hand_in
 
 from course import exercises
 from course.exercises import skeleton
@@ -29,10 +29,9 @@ def test_nothing(impl):
 
 @pytest.fixture(scope="module")
 def course(house):
-    return house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
-                  "tests/labs/test_transforms.py": CHECKS, "reference/rasterization.py": SECOND,
-                  "labs/rasterization.py": SECOND,
-                  "tests/labs/test_rasterization.py": SECOND_CHECKS})
+    second = {"reference/rasterization.py": SECOND, "labs/rasterization.py": SECOND,
+              "tests/labs/test_rasterization.py": SECOND_CHECKS}
+    return house(first_lab() | second)
 
 
 @pytest.fixture(scope="module")
@@ -113,25 +112,19 @@ def test_the_overview_shows_crashes_and_the_hardest(graded):
 
 def test_a_check_that_the_reference_fails_is_nobodys_mistake(house, run_module, tmp_path):
     """A check that breaks at some seeds takes the points of those who happen to get them."""
-    course = house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
-                    "tests/labs/test_transforms.py": CHECKS.replace(
+    course = house(first_lab(checks=CHECKS.replace(
         "    assert_close(impl.quad", "    assert rng.bit_generator.seed_seq.entropy[0] == 0\n"
-                                      "    assert_close(impl.quad")})
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "ada_transforms.py").write_text(LAB, encoding="utf-8")
-    done = run_module(course, "course", "grade", tmp_path / "in", "--out", tmp_path / "out",
-                      "--isolation", "process")
-    assert done.returncode == 1 and "the reference fails it, too, at seed" in done.stdout
+                                      "    assert_close(impl.quad")))
+    hand_in(tmp_path, ada=LAB)
+    printed = run_grade(run_module, course, tmp_path, status=1)
+    assert "the reference fails it, too, at seed" in printed
 
 
 def test_fine_print_that_hangs_costs_no_points(house, run_module, tmp_path):
     """The question is right, and its points are lost with the process."""
-    checks = CHECKS.replace('@exercise("1.1")', FINE_PRINT)
-    course = house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
-                    "tests/labs/test_transforms.py": checks})
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "ada_transforms.py").write_text(LAB.replace(
-        "return 2 * x", "while not x.size: pass\n    return 2 * x"), encoding="utf-8")
+    course = house(first_lab(checks=CHECKS.replace('@exercise("1.1")', FINE_PRINT)))
+    hand_in(tmp_path, ada=LAB.replace(
+        "return 2 * x", "while not x.size: pass\n    return 2 * x"))
     run_grade(run_module, course, tmp_path, "--seconds", 1)
     row = rows(tmp_path / "out")["ada"]
     assert (row["total"], row["fine print open"]) == ("7", "1.1")
@@ -139,13 +132,9 @@ def test_fine_print_that_hangs_costs_no_points(house, run_module, tmp_path):
 
 def test_nothing_is_graded_where_the_reference_fails(house, run_module, tmp_path):
     """Half a copy of the course gives everybody 0 points."""
-    course = house({"reference/transforms.py": LAB.replace("2 * x", "3 * x"),
-                    "labs/transforms.py": LAB, "tests/labs/test_transforms.py": CHECKS})
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "ada_transforms.py").write_text(LAB, encoding="utf-8")
-    done = run_module(course, "course", "grade", tmp_path / "in", "--out", tmp_path / "out",
-                      "--isolation", "process")
-    assert done.returncode == 2 and "nothing was graded" in done.stderr, done.stderr
+    course = house(first_lab(LAB.replace("2 * x", "3 * x")))
+    hand_in(tmp_path, ada=LAB)
+    assert "nothing was graded" in run_grade(run_module, course, tmp_path, status=2)
     assert not list((tmp_path / "out").glob("*.*"))
 
 
@@ -170,8 +159,7 @@ def test_what_was_not_understood_is_told(graded):
 def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, tmp_path):
     """Grading those who came late takes all others out of the table."""
     shutil.copytree(graded[0], tmp_path / "out")
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "zoe_transforms.py").write_text(LAB, encoding="utf-8")
+    hand_in(tmp_path, zoe=LAB)
     printed = run_grade(run_module, course, tmp_path)
     assert "1 submissions graded" in printed and "5 more of earlier runs stay" in printed
     before, after = rows(graded[0]), rows(tmp_path / "out")
@@ -228,12 +216,9 @@ def test_a_time_in_which_no_mark_is_right_is_refused(seconds, tmp_path):
 @pytest.mark.parametrize("missing", ["reference/transforms.py", "tests/labs/test_transforms.py"])
 def test_a_copy_without_what_decides_marks_grades_nobody(missing, house, run_module, tmp_path):
     """Every answer is compared with nothing, and a whole class gets no points."""
-    files = {"reference/transforms.py": LAB, "tests/labs/test_transforms.py": CHECKS}
-    files[missing] = ""
-    course = house({"labs/transforms.py": LAB, **files})
+    course = house(first_lab())
     (course / missing).unlink()
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "ada_transforms.py").write_text(LAB)
+    hand_in(tmp_path, ada=LAB)
     for command in (("grade", tmp_path / "in", "--out", tmp_path / "out"),
                     ("autograder", "gradescope", tmp_path / "out")):
         done = run_module(course, "course", *command)
@@ -244,8 +229,7 @@ def test_a_copy_without_what_decides_marks_grades_nobody(missing, house, run_mod
 
 def test_results_that_cannot_be_written_are_not_worked_for(tmp_path):
     """The first examination is over when the sentence comes."""
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "ada_transforms.py").write_text(LAB)
+    hand_in(tmp_path, ada=LAB)
     (tmp_path / "out").write_text("mine")
     with pytest.raises(OSError, match=r"cannot write to .*out \(.*\): name in --out a folder"):
         grade.run(Request(tmp_path / "in", tmp_path / "out", "1", isolation="process"))
@@ -261,9 +245,9 @@ def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
 
 
 @pytest.mark.parametrize(("labs", "topics"), [
-    (None, ["transforms", "rasterization", "scanline", "arrays", "sampling"]),
-    ("1", ["transforms"]), ("2-3", ["rasterization", "scanline", "arrays", "sampling"]),
-    ("3,1", ["transforms", "sampling"])])
+    (None, ["transforms", "arrays", "rasterization", "scanline", "sampling"]),
+    ("1", ["transforms", "arrays"]), ("2-3", ["rasterization", "scanline", "sampling"]),
+    ("3,1", ["transforms", "arrays", "sampling"])])
 def test_labs_are_chosen_by_number(labs, topics, monkeypatch):
     """A lab's deeper modules are left out, or an order of one's own; or no lab is graded."""
     monkeypatch.setattr(exercises, "topics", lambda: exercises.TOPICS[:5])

@@ -17,7 +17,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from small_course import CHECKS, LAB
+from small_course import LAB, first_lab
 
 from course.grading.apart import levels, sandbox
 
@@ -142,8 +142,7 @@ def test_every_submission_gets_what_its_honest_part_deserves(isolation, house, r
         pytest.skip(about)
     names = set(POINTS) if isolation == "strict" else \
         BOTH if strict == "strict" else set(POINTS) - STRICT_ONLY
-    root = house({"reference/transforms.py": LAB, "tests/labs/test_transforms.py": CHECKS,
-                  "labs/transforms.py": LAB})
+    root = house(first_lab())
     outside, handed_in = tmp_path / "outside", tmp_path / "handed_in"
     outside.mkdir()
     handed_in.mkdir()

@@ -56,5 +56,5 @@ def test_uv_faces_may_be_of_any_integers(kind):
     faces = np.array([[0, 1, 2]], kind)
     inputs.require_texture(faces, np.zeros((3, 2)), faces, np.zeros((2, 2, 1)), np.zeros(1))
     inputs.require_geometry(np.eye(3), faces, np.eye(4), 4, 3, np.full((1, 3), -1))
-    with pytest.raises(ValueError, match=r"uv_faces.*from 0 to 1, rows of uv; it got 0 to 2"):
+    with pytest.raises(ValueError, match=r"uv_faces.*from 0 to 1, rows of uv; got 0 to 2"):
         inputs.require_texture(faces, np.zeros((2, 2)), faces, np.zeros((2, 2, 1)), np.zeros(1))

@@ -8,7 +8,7 @@ import pytest
 from matplotlib.text import Text
 from PIL import Image
 
-from course.given import image, plot
+from course.given import image, plot, plot_triangle
 
 pytestmark = pytest.mark.usefixtures("style")
 
@@ -269,7 +269,8 @@ def test_samples_stand_at_pixel_centres_and_are_filled_where_covered():
     axes, = plot.panels([(2, 4)])
     covered = np.zeros((2, 4), bool)
     covered[1, 3] = True
-    plot.triangle_pixels(axes, np.array([[0.2, 0.2], [3.9, 0.4], [3.6, 1.9]]), 4, 2, covered)
+    triangle = np.array([[0.2, 0.2], [3.9, 0.4], [3.6, 1.9]])
+    plot_triangle.triangle_pixels(axes, triangle, 4, 2, covered)
     samples = axes.collections[-1]
     where = np.asarray(samples.get_offsets())
     assert {tuple(place) for place in where} == {(x + 0.5, y + 0.5)
@@ -301,7 +302,7 @@ def test_an_edge_function_is_white_at_zero_and_its_normal_points_into_the_blue()
     axes, = plot.panels([(8, 8)])
     values = edge_values(a, b, 8, 8)
     values[0, 0] = 0.0
-    plot.edge_function(axes, values, a, b)
+    plot_triangle.edge_function(axes, values, a, b)
     shown = axes.images[0].get_array()
     assert np.ptp(shown[0, 0]) < 0.02 and shown[0, 0].min() > 0.95
     assert shown[7, 0, 2] > shown[7, 0, 0] and shown[0, 7, 0] > shown[0, 7, 2]

@@ -30,7 +30,8 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "grading.gradebook": ("given", "grading.apart", "grading.handing"),
     "grading.pages": ("given", "exercises", "checks", "grading.handing", "grading.gradebook"),
     "grading": ("given", "exercises"),
-    "cli": ("given", "experiments", "board", "upkeep", "grading"),
+    "commands": ("given", "experiments", "board", "upkeep", "grading"),
+    "cli": ("given", "commands"),
     "__main__": ("cli",),
 }
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides

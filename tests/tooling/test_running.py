@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
-from small_course import CHECKS, LAB
+from small_course import CHECKS, LAB, first_lab, hand_in
 
 from course.grading.apart import running
 
@@ -20,18 +20,14 @@ COLUMNS = ["1.1 double", "1.2 quadruple", "1.3 split", "total", "hash"]
 
 @pytest.fixture(scope="module")
 def course(house):
-    return house({"reference/transforms.py": LAB, "labs/transforms.py": LAB,
-                  "tests/labs/test_transforms.py": CHECKS})
+    return house(first_lab())
 
 
 @pytest.fixture
 def handed_in(tmp_path):
     """The folder of two students: ada is right, bob is wrong."""
-    folder = tmp_path / "in"
-    folder.mkdir()
-    (folder / "ada_transforms.py").write_text(LAB)
-    (folder / "bob_transforms.py").write_text(LAB.replace("2 * x", "3 * x"))
-    return folder
+    hand_in(tmp_path, ada=LAB, bob=LAB.replace("2 * x", "3 * x"))
+    return tmp_path / "in"
 
 
 def command(folder, *options):
@@ -152,7 +148,7 @@ def test_a_cluster_gives_the_same_marks(course, handed_in, run_module, start, sc
 def test_workers_without_this_course_are_refused(
         their, course, house, handed_in, run_module, start, scheduler, tmp_path):
     """A traceback of Dask's, or half of a class is graded by last year's checks."""
-    other = house({"reference/transforms.py": LAB, "tests/labs/test_transforms.py": CHECKS + "#"})
+    other = house(first_lab(checks=CHECKS + "#"))
     start(other if their == "another" else tmp_path, "worker", scheduler, "--nthreads", "1")
     done = run_module(course, *command(tmp_path, "--scheduler", scheduler))
     assert done.returncode == 2 and f"has {their} course: copy this one" in done.stderr
@@ -192,4 +188,4 @@ def test_a_cluster_with_another_course_is_refused():
 def test_a_machine_that_comes_late_with_another_course_gives_no_marks():
     """Those that were there at first are alike, and the next one has last year's checks."""
     result, _ = running.examine_alike("another digest", "{}")
-    assert result["problem"] == "a machine of the cluster has another course"
+    assert result.problem == "a machine of the cluster has another course"

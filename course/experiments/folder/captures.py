@@ -62,12 +62,12 @@ def read(labs, folder, longest=128):
     """
     folder = Path(folder)
     scene = camera_files.read(folder)
-    shots, pictures, background, told = silhouettes.cut_out(folder, scene, longest)
+    shots, pictures, background, notes = silhouettes.cut_out(folder, scene, longest)
     (centre, radius), found = hulls.ball(scene, shots, pictures)
     world_from_grid = labs.transforms.translate(centre) @ np.diag([radius, radius, radius, 1.0])
     cameras = [camera(labs, shot, centre, radius) for shot in shots]
     return Photos([shot.name for shot in shots], pictures, np.array(cameras) @ world_from_grid,
-                  background, world_from_grid, told + found)
+                  background, world_from_grid, notes + found)
 
 
 def camera(labs, shot, centre, radius):

@@ -18,7 +18,7 @@ class Kept(NamedTuple):
     seconds: float = 0.0
 
 
-def mark(photos, stages):
+def identity_of(photos, stages):
     """What a search depends on, in words that two different searches do not share: a dict."""
     height, width, _ = photos.pictures[0].shape
     content = hashlib.sha256()
@@ -28,16 +28,16 @@ def mark(photos, stages):
             "stages": [list(stage) for stage in stages], "pictures": content.hexdigest()}
 
 
-def write(path, kept, marked):
+def write(path, kept, identity):
     """Kept -> a file, all or nothing."""
     content = io.BytesIO()
-    np.savez_compressed(content, mark=json.dumps(marked), losses=kept.losses,
+    np.savez_compressed(content, identity=json.dumps(identity), losses=kept.losses,
                         seconds=kept.seconds, **kept.x._asdict())
     places.write_whole(path, content.getvalue())
 
 
-def read(path, marked, scene):
-    """The Kept of a file, if its search had this mark. scene is the class Scene.
+def read(path, identity, scene):
+    """The Kept of a file, if its search had this identity. scene is the class Scene.
 
     ValueError: there is no such file, it is broken, or its search was another one.
     """
@@ -46,18 +46,18 @@ def read(path, marked, scene):
                          "--resume the search begins anew")
     try:
         with np.load(io.BytesIO(places.read_whole(path)), allow_pickle=False) as held:
-            before = json.loads(str(held["mark"]))
+            before = json.loads(str(held["identity"]))
             kept = Kept(scene(*(held[name] for name in scene._fields)),
                         tuple(held["losses"].tolist()), float(held["seconds"]))
     except Exception:  # whatever a broken file makes NumPy stumble over
         raise ValueError(f"{places.shown_path(path)} is broken: start again without --resume"
                          ) from None
-    require_same(before, json.loads(json.dumps(marked)))
+    require_same(before, json.loads(json.dumps(identity)))
     return kept
 
 
 def require_same(before, now):
-    """ValueError unless two marks are of one search: it says what to give instead."""
+    """ValueError unless two identities are of one search: it says what to give instead."""
     if (before["size"], before["steps"]) != (now["size"], now["steps"]):
         raise ValueError(f"the search that was stopped had --steps {before['steps']} --size "
                          f"{before['size']}: give these with --resume, or start anew without it")

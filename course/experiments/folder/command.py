@@ -52,7 +52,7 @@ def run(labs, folder, wishes):
                                kept_out(photos))
     fit_report.write(labs, judged, photos, path)
     path.with_name("checkpoint.npz").unlink(missing_ok=True)
-    print(f"{fit_report.told(judged)}\n{places.shown_path(path)}, .obj, and report.html")
+    print(f"{fit_report.summary(judged)}\n{places.shown_path(path)}, .obj, and report.html")
     return 0
 
 
@@ -79,21 +79,21 @@ def kept_out(photos):
 
 def search(labs, photos, path, stages, resume):
     """The search from its beginning, or from where it was stopped -> Kept at its end."""
-    checkpoint, marked = path.with_name("checkpoint.npz"), checkpoints.mark(photos, stages)
-    kept = before = (checkpoints.read(checkpoint, marked, labs.multi_view_fit.Scene) if resume
+    checkpoint, identity = path.with_name("checkpoint.npz"), checkpoints.identity_of(photos, stages)
+    kept = before = (checkpoints.read(checkpoint, identity, labs.multi_view_fit.Scene) if resume
                      else checkpoints.Kept())
     camera = fit_report.turning(labs, photos, 8)[1]
     try:
         for kept in steps(labs, photos, path, stages, before):
             if len(kept.losses) % searches.EVERY == 0:
-                checkpoints.write(checkpoint, kept, marked)
+                checkpoints.write(checkpoint, kept, identity)
                 image.write(path.with_name("state.png"),
                             photographs.portrait(labs, kept.x, camera, STATE_SIZE, 2))
     except KeyboardInterrupt:
         raise KeyboardInterrupt("stopped; the same command with --resume goes on") from None
     finally:
         if kept.x is not None:
-            checkpoints.write(checkpoint, kept, marked)
+            checkpoints.write(checkpoint, kept, identity)
     return kept
 
 

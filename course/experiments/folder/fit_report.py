@@ -60,7 +60,7 @@ def judged(labs, found, photos, stages, kept_out):
     faces = found.surface.faces
     renderings = rendered(labs, found, photos.cameras, photos.background,
                           photos.pictures[0].shape[:2])
-    views = [compared(name, k in kept_out, shown(picture), shown(rendering))
+    views = [compared(name, k in kept_out, on_screen(picture), on_screen(rendering))
              for k, (name, picture, rendering) in enumerate(
                  zip(photos.names, photos.pictures, renderings, strict=True))]
     return Judged(found, views, stages, len(faces), *labs.reconstruction.genus(faces))
@@ -77,7 +77,7 @@ def rendered(labs, found, cameras, background, shape):
         yield labs.msaa.box_resolve(labs.pipeline.render(solid, surface, view)[0], SAMPLES)
 
 
-def shown(picture):
+def on_screen(picture):
     """Linear colours and coverage (H, W, 4) -> colours as a screen takes them, and coverage."""
     return np.dstack([image.to_srgb(np.clip(picture[..., :3], 0, 1)), picture[..., 3]])
 
@@ -105,7 +105,7 @@ def of_all(views, on_object):
     return decibels(squares([(view.picture, view.rendering) for view in views], on_object))
 
 
-def told(judged):
+def summary(judged):
     """The numbers, in a line."""
     views = [view for view in judged.views if view.kept_out]
     new = (f", {of_all(views, True):.1f} dB on the object in {len(views)} new views" if views
@@ -153,7 +153,7 @@ def turntable(labs, found, photos, path):
 def clear(picture):
     """Linear colours on black and coverage -> sRGB colours and alpha."""
     alpha = picture[..., 3:]
-    return shown(np.dstack([picture[..., :3] / np.maximum(alpha, 1e-6), alpha]))
+    return on_screen(np.dstack([picture[..., :3] / np.maximum(alpha, 1e-6), alpha]))
 
 
 def difference(view):

@@ -51,7 +51,7 @@ def ball(scene, shots, pictures):
     """
     outlines = [outline(*each) for each in zip(shots, pictures, strict=True)]
     require_different(outlines, scene)
-    told = sides(outlines)
+    notes = sides(outlines)
     points, reach = hull_around(outlines)
     require(len(points), disagreement(outlines, scene))
     centre = (points.min(0) + points.max(0)) / 2 if scene.centre is None else scene.centre
@@ -59,9 +59,9 @@ def ball(scene, shots, pictures):
     found = Ball(centre, size)
     if scene.centre is None or scene.radius is None:
         middle = ", ".join(f"{number:.3g}" for number in found.centre)
-        told.append(f"the object is taken to lie in a ball of radius {found.radius:.3g} around "
-                    f"({middle}), found from the silhouettes")
-    return found, told + crops(outlines, found, scene) + doubts(outlines, points, reach)
+        notes.append(f"the object is taken to lie in a ball of radius {found.radius:.3g} around "
+                     f"({middle}), found from the silhouettes")
+    return found, notes + crops(outlines, found, scene) + doubts(outlines, points, reach)
 
 
 def outline(shot, picture):

@@ -8,7 +8,7 @@ from . import captures
 
 EVERY = 20          # steps from one mesh on disk to the next
 COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
-           TextColumn("{task.fields[told]}"))
+           TextColumn("{task.fields[summary]}"))
 
 
 def fine_stages(labs):
@@ -25,14 +25,14 @@ def watched(labs, fit, steps, path, world_from_grid=np.eye(4), done=0):  # noqa:
     from . import exports  # its packages are not there in a browser, where lectures import scenes
     good = None
     with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task(path.stem, total=steps, completed=done, told="")
+        task = progress.add_task(path.stem, total=steps, completed=done, summary="")
         try:
             for step, (x, loss) in enumerate(fit, done + 1):
                 require_surface(loss, x, step)
                 good = x
                 if step % EVERY == 0 or step == steps:
                     exports.save(labs, x, path, world_from_grid)
-                    progress.update(task, told=told(labs, loss, x))
+                    progress.update(task, summary=summary(labs, loss, x))
                 progress.update(task, completed=step)
                 yield x, loss
         except KeyboardInterrupt:
@@ -51,7 +51,7 @@ def require_surface(loss, x, step):
                      ": are the cameras right, and is the object in the ball?")
 
 
-def told(labs, loss, x):
+def summary(labs, loss, x):
     """Loss, faces and genus, in words."""
     faces = labs.multi_view_fit.surface(x).faces
     _, genus = labs.reconstruction.genus(faces)

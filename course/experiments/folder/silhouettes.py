@@ -55,14 +55,14 @@ def oriented(folder, scene):
     odd = [one.shot.name for one in sources if one.upright != scene.upright]
     scaled = [one.shot for one, shot in zip(sources, scene.shots, strict=True)
               if one.shot[2:4] != shot[2:4]]
-    told = []
+    notes = []
     if odd:
-        told.append(f"EXIF turns {some(odd)}: {scene.file} describes the picture as it is "
+        notes.append(f"EXIF turns {some(odd)}: {scene.file} describes the picture as it is "
                     f"{'stored' if scene.upright else 'shown'}, and so it is read")
     if scaled:
-        told.append(f"{some([shot.name for shot in scaled])} is not of the size that {scene.file} "
+        notes.append(f"{some([shot.name for shot in scaled])} is not of the size that {scene.file} "
                     f"says, but {scaled[0].width} x {scaled[0].height}: its camera is scaled")
-    return sources, told
+    return sources, notes
 
 
 def fitting(folder, shot, scene):

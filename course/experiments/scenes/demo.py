@@ -121,19 +121,8 @@ def run(names, implementation=None, **wishes):
     unknown = [name for name in names if name not in SCENES]
     if unknown:
         raise ValueError(f"there is no scene {unknown[0]}: choose from {', '.join(SCENES)}")
-    console, missed, lacks = Console(), 0, {}
-    wanted = names or [name for name in SCENES if name not in SLOW]
-    for name in wanted:
-        try:
-            with exercises_named():
-                rows = list(timed(SCENES[name](labs)))
-        except Lacking as error:
-            if names:
-                raise
-            lacks.setdefault(str(error), []).append(name)
-        else:
-            missed += sum("MISSED" in row[1] for row in rows)
-            console.print(table(name, rows))
+    wanted, console = names or [name for name in SCENES if name not in SLOW], Console()
+    missed, lacks = rendered(labs, wanted, console, may_lack=not names)
     for lack, without in lacks.items():
         console.print(f"{', '.join(without)} left out: {lack}", soft_wrap=True, highlight=False)
     if sum(map(len, lacks.values())) == len(wanted):
@@ -143,6 +132,23 @@ def run(names, implementation=None, **wishes):
         console.print("Half a minute to five minutes each, asked for by name: "
                       f"python3 -m course demo {' '.join(SLOW)}", soft_wrap=True)
     return 1 if missed else 0
+
+
+def rendered(labs, names, console, may_lack):
+    """Render scenes and print their tables -> how many goals were missed, {lack: scenes}."""
+    missed, lacks = 0, {}
+    for name in names:
+        try:
+            with exercises_named():
+                rows = list(timed(SCENES[name](labs)))
+        except Lacking as error:
+            if not may_lack:
+                raise
+            lacks.setdefault(str(error), []).append(name)
+        else:
+            missed += sum("MISSED" in row[1] for row in rows)
+            console.print(table(name, rows))
+    return missed, lacks
 
 
 def table(name, rows):

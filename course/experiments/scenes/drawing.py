@@ -70,7 +70,7 @@ def unit_bunny():
     return mesh.normalize(vertices), faces
 
 
-def told(vertices, faces):
+def size_in_words(vertices, faces):
     """The size of a mesh that was read, in words."""
     return f"read {len(vertices):,} vertices, {len(faces):,} faces"
 

@@ -2,7 +2,7 @@
 import numpy as np
 
 from ...given import image, mesh
-from .drawing import BRASS, LIGHT, SIZE, clip_positions, painted, save, told, unit_bunny
+from .drawing import BRASS, LIGHT, SIZE, clip_positions, painted, save, size_in_words, unit_bunny
 
 RING_EYE = np.array([1.5, 1.75, 2.35])
 BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
@@ -11,7 +11,7 @@ BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
 def rounded(labs):
     """A ring of 64 faces and three steps of Loop, point by point (lab 11)."""
     vertices, faces = mesh.torus(64, radius=0.8, tube=0.45)
-    yield told(vertices, faces), None
+    yield size_in_words(vertices, faces), None
     yield "64 faces", save("rounded", "0", faceted(labs, vertices, faces, RING_EYE))
     for step in "123":
         vertices, faces = loop_step(labs, vertices, faces)
@@ -30,7 +30,7 @@ def loop_step(labs, vertices, faces):
 def simplified(labs):
     """The bunny in ever fewer faces, the last ones by the loop without a heap (lab 12)."""
     vertices, faces = unit_bunny()
-    yield told(vertices, faces), save("simplified", f"{len(faces)}",
+    yield size_in_words(vertices, faces), save("simplified", f"{len(faces)}",
                                       faceted(labs, vertices, faces, BUNNY_EYE))
     vertices, faces, _ = labs.collapse_heap.simplify(vertices, faces, 1000)
     yield "1,000 faces, by the heap", save("simplified", "1000",

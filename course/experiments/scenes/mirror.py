@@ -1,7 +1,7 @@
 """A teapot that is a mirror: each pixel looks up a direction in a cube map (extras of lab 6)."""
 import numpy as np
 
-from .drawing import SIZE, save, told
+from .drawing import SIZE, save, size_in_words
 from .reflections import camera_at, environment, teapot, unfolded, view
 
 EYE = np.array([0.55, 0.75, 2.6])
@@ -12,7 +12,7 @@ def mirror(labs):
     """A teapot as a mirror, and the cube map that it reflects (extras of lab 6)."""
     faces = environment(labs, 256)
     yield "6 x 256 x 256 texels", save("mirror", "surroundings", unfolded(faces))
-    yield told(*teapot()), None
+    yield size_in_words(*teapot()), None
     camera = camera_at(labs, EYE, (0.0, -0.05, 0.0), fov_y=42)
     look = view(labs, camera, EYE, SIZE)
     yield "directions, and how they change", None

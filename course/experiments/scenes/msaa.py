@@ -2,7 +2,16 @@
 import numpy as np
 
 from ...given import image, mesh
-from .drawing import BACKGROUND, SIZE, clip_positions, enlarged, lit, save, told, unit_bunny
+from .drawing import (
+    BACKGROUND,
+    SIZE,
+    clip_positions,
+    enlarged,
+    lit,
+    save,
+    size_in_words,
+    unit_bunny,
+)
 from .portrait import BUNNY_EYE
 
 EARS = slice(340, 420), slice(150, 230)  # rows and columns for a close up of the bunny
@@ -13,7 +22,7 @@ def msaa(labs):
     vertices, faces = unit_bunny()
     clip = clip_positions(labs, vertices, BUNNY_EYE)
     background = image.to_linear(BACKGROUND)
-    yield told(vertices, faces), None
+    yield size_in_words(vertices, faces), None
 
     pictures = []
     shade, shades = shader(labs, clip, vertices, faces)

@@ -2,7 +2,7 @@
 import numpy as np
 
 from ...given import mesh, plot
-from .drawing import SIZE, clip_positions, painted, save, shaded, told, wireframe
+from .drawing import SIZE, clip_positions, painted, save, shaded, size_in_words, wireframe
 
 BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
 TEAPOT_EYE = np.array([0.6, 1.2, 2.2])
@@ -23,7 +23,7 @@ def portrait(labs, name, load, eye):
     """What lab 2 says about a mesh, pixel by pixel, as pictures."""
     vertices, faces = load()
     vertices = mesh.normalize(vertices)
-    yield told(vertices, faces), None
+    yield size_in_words(vertices, faces), None
 
     clip = clip_positions(labs, vertices, eye)
     yield "vertices to clip space", None

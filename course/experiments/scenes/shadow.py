@@ -2,7 +2,7 @@
 import numpy as np
 
 from ...given import image, mesh, plot, ray_casting
-from .drawing import BRASS, SIZE, clip_from_world, painted, save, told, unit_bunny
+from .drawing import BRASS, SIZE, clip_from_world, painted, save, size_in_words, unit_bunny
 
 GROUND = np.array([0.62, 0.66, 0.70])
 
@@ -12,7 +12,7 @@ def shadow(labs):
     lab14, (vertices, faces) = labs.shadow_mapping, on_the_ground(*unit_bunny())
     light = labs.lights.point_light(np.array([-2.6, 2.4, 1.4]), vertices)
     camera = clip_from_world(labs, [-0.7, 1.3, 3.3], [0.1, -0.15, 0.0])
-    yield told(vertices, faces), None
+    yield size_in_words(vertices, faces), None
 
     face_index, points, normals = lab14.visible_points(vertices, faces, camera, SIZE, SIZE)
     yield "what the eye sees, as points in the world", None

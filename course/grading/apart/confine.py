@@ -9,26 +9,43 @@ import signal
 import sys
 
 
-def give_up(memory, processes, uid, doors, readable, writable, program, keyctl):
-    """Give up what the worker does not need -> what the system has for it: names."""
+def give_up(settings):
+    """Give up what the worker does not need -> what the system has for it: names.
+
+    settings: of levels.settings.
+    """
     has = []
     with contextlib.suppress(OSError), open("/proc/self/oom_score_adj", "w") as file:
         file.write("1000")  # where memory runs out, it ends before anybody else
-    if sys.platform == "linux":
-        libc = ctypes.CDLL(None, use_errno=True)
-        if keyctl is not None:
-            libc.syscall(keyctl, 1, None)  # KEYCTL_JOIN_SESSION_KEYRING: one of its own
-        hold_open(doors)
-        rules, version = rules_for_files(libc, readable, writable)
-        if uid is not None:
-            os.setgroups([])
-            os.setgid(uid)
-            os.setuid(uid)
-        end_with_the_parent()
-        libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
-        if version and libc.syscall(ENFORCE, rules, 0) == 0:
-            has.append(f"Landlock {version}")
-            os.close(rules)
+    libc = ctypes.CDLL(None, use_errno=True) if sys.platform == "linux" else None
+    if libc:
+        has += give_up_files(libc, settings)
+    limit_itself(settings["memory"], settings["processes"])
+    if settings["program"] and filter_calls(libc, bytes.fromhex(settings["program"])):
+        has.append("seccomp")
+    return tuple(has)
+
+
+def give_up_files(libc, settings):
+    """Give up keys, files, other users' rights -> ["Landlock 4"], or [] where there is none."""
+    if settings["keyctl"] is not None:
+        libc.syscall(settings["keyctl"], 1, None)  # KEYCTL_JOIN_SESSION_KEYRING: one of its own
+    hold_open(settings["doors"])
+    rules, version = rules_for_files(libc, settings["readable"], settings["writable"])
+    if (uid := settings["uid"]) is not None:
+        os.setgroups([])
+        os.setgid(uid)
+        os.setuid(uid)
+    end_with_the_parent()
+    libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
+    if version and libc.syscall(ENFORCE, rules, 0) == 0:
+        os.close(rules)
+        return [f"Landlock {version}"]
+    return []
+
+
+def limit_itself(memory, processes):
+    """The system's limits for this process and those that it starts. processes None: no limit."""
     with contextlib.suppress(ImportError):
         import resource
         limits = {"RLIMIT_AS": memory, "RLIMIT_NPROC": processes, "RLIMIT_FSIZE": 1 << 24,
@@ -37,9 +54,6 @@ def give_up(memory, processes, uid, doors, readable, writable, program, keyctl):
             with contextlib.suppress(AttributeError, ValueError, OSError):
                 if most is not None:
                     resource.setrlimit(getattr(resource, name), (most, most))
-    if program and filter_calls(libc, bytes.fromhex(program)):
-        has.append("seccomp")
-    return tuple(has)
 
 
 def end_with_the_parent():

@@ -18,6 +18,7 @@ from ...checks.report import is_fine_print
 from ...checks.showing import cut, shown_frames
 from ...given.contract import UNFINISHED, mapped
 from . import sandbox, wire
+from .labs import before_it, exercise_numbers, given_text, preloaded
 
 MESSAGES = {  # what a worker may say, and the types of what follows
     "opened": (str,), "missing": (str,), "returned": (object, tuple, str),
@@ -257,11 +258,7 @@ class Examination:
 
         Question and answer are passed on as they came: only the two workers look inside.
         """
-        if self.reference is None:
-            self.reference = self.start()
-            modules = tuple((each, exercises.read(exercises.reference(each)), ())
-                            for each in exercises.topics())
-            self.reference.exchange(("open", modules, ()), 60)
+        self.reference = self.reference or self.start_reference()
         try:
             return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
         except sandbox.Lost as lost:
@@ -277,6 +274,14 @@ class Examination:
         except (sandbox.Lost, OSError) as error:
             self.problem = f"no worker could be started: {error}"
             raise pytest.exit.Exception(self.problem) from None
+
+    def start_reference(self):
+        """A worker that answers for the reference. It serves all exercises, in one process."""
+        worker = self.start()
+        modules = tuple((topic, exercises.read(exercises.reference(topic)), ())
+                        for topic in exercises.topics())
+        worker.exchange(("open", modules, ()), 60)
+        return worker
 
     def finish(self):
         """Let the worker end the exercise that it serves, and be ready for the next one."""
@@ -308,38 +313,11 @@ def number_of(item):
     return item.get_closest_marker("exercise").args[0]
 
 
-def before_it(topic):
-    """The topics before this one: those that it may import."""
-    return exercises.topics()[:exercises.topics().index(topic)]
-
-
 @functools.cache
 def named_tuples():
     """{"pipeline.Colours": the reference's class}: all that is made of what a worker sends."""
     return wire.named_tuples([importlib.import_module(f"reference.{topic}")
                               for topic in exercises.topics()])
-
-
-@functools.cache
-def given_text(topic):
-    """A lab's text without answers."""
-    return exercises.skeleton(exercises.read(exercises.reference(topic)), extra=True)
-
-
-@functools.cache
-def exercise_numbers(topic):
-    """{name: number} of a topic's exercises."""
-    return {exercise.name: exercise.number for exercise in exercises.topic_exercises(topic)}
-
-
-@functools.cache
-def preloaded(topic):
-    """The modules of SciPy and the course that a topic, or one before it, imports."""
-    texts = [exercises.read(exercises.reference(each)) for each in (*before_it(topic), topic)]
-    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?",
-                       "\n".join(texts), re.M)
-    return tuple(dict.fromkeys(f"{module}.{name}" if module in ("scipy", "course.given") else module
-                               for module, name in lines))
 
 
 def frame(sent):

@@ -28,7 +28,7 @@ SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld
 OTHER_USERS = 2_000_000_000  # from here on, numbers that belong to nobody
 
 
-def environment():
+def environment() -> dict:
     """A worker gets none of our variables. Windows starts no Python without its own folder."""
     kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
     return {**kept, "LANG": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
@@ -41,7 +41,7 @@ def interpreter():
 
 
 @functools.cache
-def given():
+def given() -> dict:
     """{module of the course that labs may import: its text}, and the contract, for the worker."""
     folder = places.ROOT / "course" / "given"
     return {"course": "", "course.given": ""} | {
@@ -53,7 +53,7 @@ def python(worker, packages):
     return [interpreter(), "-I", "-S", "-B", str(worker), str(packages)]
 
 
-def settings(limits, **more):
+def settings(limits, **more) -> dict:
     """What a worker does to itself before it loads what was handed in: see confine.give_up."""
     program, keyctl = "", None
     if sys.platform == "linux" and seccomp.is_there():
@@ -61,7 +61,7 @@ def settings(limits, **more):
     return {"memory": limits.memory, "program": program, "keyctl": keyctl, **more}
 
 
-def plain(folder, limits):
+def plain(folder, limits) -> tuple[list, dict]:
     """The command and the settings of a worker at the level `process`."""
     code = [interpreter(), *library(), *packages().values(), WORKER.parent]
     uid = other_user()
@@ -71,7 +71,7 @@ def plain(folder, limits):
         readable=[*map(str, code), *SYSTEM, "/dev/urandom"], writable=[folder, os.devnull])
 
 
-def strict(folder, limits):
+def strict(folder, limits) -> tuple[list, dict]:
     """The command and the settings of a worker at the level `strict`."""
     user = other_user()
     shut_in = (["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts",

@@ -7,36 +7,35 @@ import mmap
 import os
 import socket
 
+CALLS = {  # of the C library
+    "System V shared memory": ("shmget", 0, 4096, 0o1600),
+    "System V queues": ("msgget", 0, 0o1600),
+    "System V semaphores": ("semget", 0, 1, 0o1600),
+    "POSIX queues": ("mq_open", b"/written", 0o102, 0o600, None),
+    "files in memory": ("memfd_create", b"written", 0),
+    "namespaces": ("unshare", 0x10000000),  # CLONE_NEWUSER
+    "tracing": ("ptrace", 0, 0, None, None),
+}
+
 
 def open_ways(port, course, file, keyctl):
     """The ways out that are open. port: one that listens, file: one that is there, outside."""
-    tried = {
+    tried = {way: lambda call=call: called(*call) for way, call in CALLS.items()} | {
         "the network": lambda: socket.create_connection(("127.0.0.1", port), 1),
         "sockets to the host": lambda: socket.socket(40, socket.SOCK_STREAM),  # AF_VSOCK
         "local sockets": lambda: socket.socket(socket.AF_UNIX),
         "the course's files": lambda: os.stat(course),
         "files outside": lambda: os.stat(file),
         "keyrings": lambda: called("syscall", keyctl, 0, -3, 0),  # KEYCTL_GET_KEYRING_ID, session
-        "System V shared memory": lambda: called("shmget", 0, 4096, 0o1600),
-        "System V queues": lambda: called("msgget", 0, 0o1600),
-        "System V semaphores": lambda: called("semget", 0, 1, 0o1600),
         "POSIX shared memory": lambda: open("/dev/shm/written", "w"),
-        "POSIX queues": lambda: called("mq_open", b"/written", 0o102, 0o600, None),
-        "files in memory": lambda: called("memfd_create", b"written", 0),
         "memory that is shared": lambda: mmap.mmap(-1, 4096, flags=mmap.MAP_SHARED),
-        "namespaces": lambda: called("unshare", 0x10000000),  # CLONE_NEWUSER
         "other programs": lambda: os.posix_spawn("/proc/self/exe", ["python"], {}),
-        "tracing": lambda: called("ptrace", 0, 0, None, None),
-        "locks on files": lambda: os.lockf(os.open(os.__file__, os.O_RDONLY), os.F_TEST, 1),
-    }
+        "locks on files": lambda: os.lockf(os.open(os.__file__, os.O_RDONLY), os.F_TEST, 1)}
     for folder in ("/", "/packages/numpy", os.path.dirname(os.__file__)):
         tried[f"writing to {folder}"] = lambda folder=folder: open(f"{folder}/written", "w")
     ways = [way for way, attempt in tried.items() if succeeds(attempt)]
-    if sum(name.isdigit() for name in os.listdir("/proc")) > 2:
-        ways.append("other processes")
-    if os.getuid() == 0:
-        ways.append("the superuser")
-    return tuple(ways)
+    others = sum(name.isdigit() for name in os.listdir("/proc")) > 2
+    return (*ways, *["other processes"] * others, *["the superuser"] * (os.getuid() == 0))
 
 
 def succeeds(attempt):

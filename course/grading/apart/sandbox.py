@@ -60,14 +60,7 @@ class Worker:
         self.control, its_control = socket.socketpair()
         self.buffer = bytearray()
         with theirs, its_control:
-            self.process = subprocess.Popen(
-                command, stdin=theirs if os.name != "nt" else subprocess.PIPE,
-                stdout=its_control if os.name != "nt" else subprocess.DEVNULL,
-                stderr=subprocess.PIPE, cwd=self.folder, env=environment(), start_new_session=True)
-            WORKERS.add(self.process.pid)
-            if os.name == "nt":
-                self.process.stdin.write(theirs.share(self.process.pid))
-                self.process.stdin.close()
+            self.process = started(command, self.folder, theirs, its_control)
         self.share = None
         self.guard = Guard(self.process.pid, limits.memory, level == "strict")
         try:
@@ -200,6 +193,20 @@ class Worker:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
+def started(command, folder, its_socket, its_control):
+    """The process of a worker. On Windows, a socket is written to it: it cannot be its input."""
+    windows = os.name == "nt"
+    process = subprocess.Popen(
+        command, stdin=subprocess.PIPE if windows else its_socket,
+        stdout=subprocess.DEVNULL if windows else its_control,
+        stderr=subprocess.PIPE, cwd=folder, env=environment(), start_new_session=True)
+    WORKERS.add(process.pid)
+    if windows:
+        process.stdin.write(its_socket.share(process.pid))
+        process.stdin.close()
+    return process
+
+
 class Look(NamedTuple):
     """What a worker's processes used at a time."""
 
@@ -282,7 +289,7 @@ def files_of(pids):
 # --- what this machine can do -------------------------------------------------------------------
 
 
-def available():
+def available() -> tuple[str, str]:
     """-> (the strictest level that was seen to work, a sentence on it)."""
     if sys.platform != "linux":
         return "process", "strict needs Linux"

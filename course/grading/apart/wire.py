@@ -52,11 +52,11 @@ def name_of(named_tuple):
     return f"{named_tuple.__module__.rpartition('.')[2]}.{named_tuple.__name__}"
 
 
-def framed(payload):
+def framed(payload) -> bytes:
     return len(payload).to_bytes(8, "big") + payload
 
 
-def complete(buffer):
+def complete(buffer) -> int:
     """The length of the frame that a buffer begins with, or 0 where it is not all there yet."""
     length = 8 + int.from_bytes(buffer[:8], "big")
     if len(buffer) >= 8 and length > MOST_BYTES:
@@ -64,7 +64,7 @@ def complete(buffer):
     return length if 8 <= length <= len(buffer) else 0
 
 
-def encode(value):
+def encode(value) -> bytes:
     """A value -> its payload. ValueError: it is too large."""
     arrays = []
     header = json.dumps(described(value, arrays)).encode("ascii")
@@ -79,14 +79,11 @@ def described(value, arrays):
     """What stands for a value in the header. Its numbers go to the end of arrays."""
     if isinstance(value, np.ndarray | np.generic):
         return described_array(value, arrays)
-    if value is None or isinstance(value, bool):
-        return value
-    if isinstance(value, int):
-        return int(value)
-    if isinstance(value, float):
-        return float(value)
-    if isinstance(value, str):
-        return str(value)
+    if value is None:
+        return None
+    for plain in bool, int, float, str:
+        if isinstance(value, plain):
+            return plain(value)  # without what a subclass adds
     if isinstance(value, complex):
         return {"complex": [value.real, value.imag]}
     if isinstance(value, tuple) and hasattr(value, "_fields"):
@@ -112,7 +109,7 @@ def described_array(value, arrays):
     return {"array" if isinstance(value, np.ndarray) else "number": [name, array.shape]}
 
 
-def size(payload):
+def size(payload) -> int:
     """The bytes of the numbers in a payload, and 8 for itself. Numbers in its header count, too."""
     header = min(int.from_bytes(payload[:4], "big"), len(payload) - 4)
     return 8 + len(payload) - 4 - header + max(0, header - USUAL)
@@ -146,6 +143,11 @@ def built(header, rest, named):
     if not isinstance(header, dict):
         return header
     (kind, content), = header.items()
+    return built_kind(kind, content, rest, named)
+
+
+def built_kind(kind, content, rest, named):
+    """A value that is none of JSON's own."""
     if kind == "tuple":
         return tuple(built(list(content), rest, named))
     if kind == "named":
@@ -155,13 +157,13 @@ def built(header, rest, named):
                 for key, part in content.items()}
     if kind == "complex":
         return complex(*map(float, content))
+    if kind == "array":
+        return built_array(*content, rest)
+    if kind == "number":
+        return built_array(*content, rest)[()]
     if kind == "other":
-        name = "".join(c for c in str(content)[:60] if c.isprintable())
-        return type(name or "object", (Other,), {})()
-    if kind not in ("array", "number"):
-        raise Garbled(f"the unknown kind {kind:.20}")
-    array = built_array(*content, rest)
-    return array if kind == "array" else array[()]
+        return built_other(content)
+    raise Garbled(f"the unknown kind {kind:.20}")
 
 
 def built_named(name, fields, rest, named):
@@ -169,6 +171,12 @@ def built_named(name, fields, rest, named):
     parts = built(list(fields.values()), rest, named)
     known = named.get(name)
     return known(*parts) if known and known._fields == tuple(fields) else tuple(parts)
+
+
+def built_other(name):
+    """What stands for a value that could not be sent."""
+    printable = "".join(c for c in str(name)[:60] if c.isprintable())
+    return type(printable or "object", (Other,), {})()
 
 
 def built_array(name, shape, rest):

@@ -9,7 +9,7 @@ SAME = "the same work and checks: was it a time-out?"
 HEADER = ("student", "exercise", "before", "after", "why")
 
 
-def read(path):
+def read(path) -> dict[str, dict]:
     """{student: {column: cell}} of an earlier grades.csv. ValueError: it is another file."""
     sheet = sheets.read(path)
     if not {"student", "total"} <= set(sheet.header):
@@ -17,7 +17,7 @@ def read(path):
     return by_student(sheet.header, sheet.rows)
 
 
-def by_student(header, rows):
+def by_student(header, rows) -> dict[str, dict]:
     """{student: {column: cell}} of grades.csv. All cells are texts, as in a file."""
     lines = (dict(zip(header, map(str, row), strict=False)) for row in rows)
     return {line["student"]: line for line in lines}

@@ -17,7 +17,7 @@ import zipfile
 NEVER = 1980, 1, 1, 0, 0, 0  # the same reports make the same zip
 
 
-def write(out, records):
+def write(out, records) -> None:
     """Write out/feedback.zip, all or nothing. Who has no report is not in it."""
     path, neighbour = out / "feedback.zip", out / f".feedback.zip.{os.getpid()}"
     try:

@@ -43,7 +43,7 @@ class Lab(NamedTuple):
     content: bytes | ValueError  # or why there is none
 
 
-def read(path, topics):
+def read(path, topics) -> tuple[dict, dict, list]:
     """What one student has handed in -> (texts, missing, notes), and what is to be said of it.
 
     texts {topic: text}, missing {topic: sentence}, notes: sentences.
@@ -53,7 +53,7 @@ def read(path, topics):
     return *texts_of(labs, topics, notes), notes
 
 
-def texts_of(labs, topics, notes):
+def texts_of(labs, topics, notes) -> tuple[dict, dict]:
     """{topic: Lab} -> ({topic: text}, {topic: sentence} of those that are not there)."""
     texts, missing = {}, {}
     for topic in topics:
@@ -80,7 +80,7 @@ def text_of(content):
         raise ValueError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8") from None
 
 
-def digest(texts):
+def digest(texts) -> str:
     """The hash of the labs, however they were packed: 64 hexadecimal digits."""
     whole = hashlib.sha256()
     for topic in sorted(texts):
@@ -88,18 +88,18 @@ def digest(texts):
     return whole.hexdigest()
 
 
-def printable(name):
+def printable(name) -> str:
     """A name. What moves a cursor or cannot be encoded is written out, as in \\udce9."""
     return "".join(c if c.isprintable() else " " if c.isspace() else
                    c.encode("unicode_escape").decode() for c in name)
 
 
-def quoted(name):
+def quoted(name) -> str:
     """A name, or what went wrong, as it may stand in a sentence."""
     return printable(str(name))[:120]
 
 
-def reason(error):
+def reason(error) -> str:
     """What went wrong, without the paths of this machine."""
     return quoted(getattr(error, "strerror", None) or error or type(error).__name__)
 
@@ -107,7 +107,7 @@ def reason(error):
 # --- which file is a lab ----------------------------------------------------------------------
 
 
-def named_lab(name):
+def named_lab(name) -> tuple[str, str | None]:
     """(what stands before the lab's name, topic) of a file's name. ("", None): it is no lab.
 
     "ada_Transforms (1).py" -> ("ada", "transforms")
@@ -169,7 +169,7 @@ def chosen(entries, name, notes):
     return labs
 
 
-def newest(found, notes):
+def newest(found, notes) -> dict[str, Lab]:
     """A list of {topic: Lab} -> {topic: the newest Lab}."""
     labs, others = {}, {}
     for topic in dict.fromkeys(itertools.chain(*found)):
@@ -199,7 +199,7 @@ def careful(function):
 # --- folders, archives, files -----------------------------------------------------------------
 
 
-def labs_in(path, name, notes):
+def labs_in(path, name, notes) -> dict[str, Lab]:
     """{topic: Lab} of a folder, an archive or a file. notes: grows by what cannot be read."""
     try:
         return found_in(path, name, notes)

@@ -23,55 +23,10 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mutants")}
-README = """\
-# Differentiable rasterization in plain NumPy: the labs
-
-Nothing needs to be installed first but Python 3.11 or newer (on Windows, write `py` for `python3`).
-The first start of `python3 -m course` installs what the course needs into the folder `.venv`. It
-needs a network and about a minute. Run all commands from here.
-
-Begin with the lecture `notebooks/00_start_here.ipynb`. To open it,
-
-    python3 -m course
-    .venv/bin/jupyter lab notebooks/00_start_here.ipynb
-
-On Windows, the second line is `.venv\\Scripts\\jupyter lab notebooks\\00_start_here.ipynb`. If
-there is no `.venv` after the first line, your own Python has all that is needed: write
-`jupyter lab`. An editor that opens notebooks does as well: choose the Python in `.venv` as kernel.
-
-Each lab has a lecture in `notebooks/`. Read it first, then open the lab, such as
-`labs/{first}.py`. A function marked `# exercise` is yours: its docstring is the question, and you
-write its body. One marked `# extra` is complete. See what is right and what is next:
-
-    python3 -m course check                  all labs
-    python3 -m course check {lab:17}one lab
-    python3 -m course check {number:17}one exercise
-    python3 -m course demo                   pictures, with your code
-    python3 -m course open {lab:18}empties a lab's extras, to write them yourself
-
-The questions of the core give the points. What stands below `Fine print.` and the extras are worth
-your while, and give none unless your teacher says so. Numbers have gaps where code is given.
-
-{labs}
-
-Stuck? `check` with an exercise's number shows the first claim that fails, and the call that fails
-it. It says where to read on: the question, and the section of the lecture. Then ask your teacher.
-Solutions that have been released are in `reference/`, a file for each topic. At first,
-{released}. When your teacher sends a zip of solutions, unpack it in this folder. A solution that is
-there is put into an exercise for which you have written nothing by
-
-    python3 -m course close {number} --core
-
-When you are done,
-
-    python3 -m course pack
-
-makes labs.zip, checks what is in it, and prints its hash: hand in that file. Labs are graded with
-NumPy, SciPy, Python's own library, and what a lab imports already: import nothing else in them.
-"""
+README = Path(__file__).parents[1] / "files" / "handout.md"
 
 
-def run(folder, labs=None, solutions=None, extra=False):
+def run(folder, labs=None, solutions=None, extra=False) -> int:
     """Write the hand-out to a folder that is new or empty -> 0. extra: with the extras open.
 
     ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
@@ -96,7 +51,7 @@ def run(folder, labs=None, solutions=None, extra=False):
     return 0
 
 
-def release(labs, path):
+def release(labs, path) -> int:
     """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
     content, topics = io.BytesIO(), exercises.topics_of(labs)
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -111,11 +66,25 @@ def release(labs, path):
 
 def files(asked, given, released, extra):
     """Yield (name, bytes) of all that is handed out."""
-    for pattern in WHOLE:
-        for path in sorted(places.ROOT.glob(pattern)):
-            name = path.relative_to(places.ROOT).as_posix()
-            if not is_for_teachers(name):
-                yield name, path.read_bytes()
+    whole = [path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))]
+    for path in [*whole, places.ROOT / "notebooks" / "00_start_here.ipynb"]:
+        name = path.relative_to(places.ROOT).as_posix()
+        if not is_for_teachers(name):
+            yield name, path.read_bytes()
+    yield from labs_of(asked, released, extra)
+    for topic in given:
+        text = exercises.read(exercises.reference(topic))
+        yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
+    for path in lectures(asked):
+        text = exercises.read(path)
+        if not released or not set(needed([], path)) <= set(released):
+            text = switched(text)
+        yield f"notebooks/{path.name}", text.encode()
+    yield "README.md", readme(asked, given, released).encode()
+
+
+def labs_of(asked, released, extra):
+    """Yield (name, bytes) of what belongs to each topic that is asked for."""
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
         lab = exercises.skeleton(text, extra).encode("utf-8")
@@ -126,17 +95,6 @@ def files(asked, given, released, extra):
             yield check, (places.ROOT / check).read_bytes()
         if topic in released:
             yield f"reference/{topic}.py", text.encode("utf-8")
-    for topic in given:
-        text = exercises.read(exercises.reference(topic))
-        yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
-    yield "notebooks/00_start_here.ipynb", (
-        places.ROOT / "notebooks" / "00_start_here.ipynb").read_bytes()
-    for path in lectures(asked):
-        text = exercises.read(path)
-        if not released or not set(needed([], path)) <= set(released):
-            text = switched(text)
-        yield f"notebooks/{path.name}", text.encode()
-    yield "README.md", readme(asked, given, released).encode()
 
 
 def is_for_teachers(name):
@@ -158,8 +116,9 @@ def readme(asked, given, released):
     if given:
         about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
-    text = README.format(first=asked[0], lab=str(exercises.lab_number(asked[0])),
-                         number=first.number, labs=about, released=now)
+    text = exercises.read(README).format(
+        first=asked[0], lab=str(exercises.lab_number(asked[0])), number=first.number, labs=about,
+        released=now)
     return "\n\n".join(part if part.startswith((" ", "#")) else textwrap.fill(
         part, 100, break_on_hyphens=False) for part in text.split("\n\n")) + "\n"
 
@@ -170,7 +129,7 @@ def lectures(topics):
     return [path for path in paths if path.exists()]
 
 
-def needed(topics, *more):
+def needed(topics, *more) -> list[str]:
     """The topics that these topics, their lectures and more files need, in the course's order."""
     ends = [*map(exercises.reference, topics), *lectures(topics), *more]
     seen = set(ends)

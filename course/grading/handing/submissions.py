@@ -91,7 +91,7 @@ def distinct(students):
     return names
 
 
-def tidy(student):
+def tidy(student) -> str:
     """Letters, digits, marks on letters, and . _ - between them; cut where it is too long."""
     kept = (c if c.isalnum() or c in "._-" or unicodedata.category(c)[0] == "M" else " "
             for c in student)

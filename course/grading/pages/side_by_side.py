@@ -29,7 +29,7 @@ ABOUT = (
     "same source, or have thought alike.")
 
 
-def write(out, texts, columns):
+def write(out, texts, columns) -> list[similarity.Pair]:
     """Compare a class, write both files -> the pairs.
 
     texts {student: {topic: text}}. columns: the exercises that count.

@@ -62,7 +62,7 @@ class Answer(NamedTuple):
     parts: dict       # {part: a number, the bits of which are the nodes in it}
 
 
-def pairs(texts, columns):
+def pairs(texts, columns) -> list[Pair]:
     """{student: {topic: text}}, {topic: its exercises} -> [Pair], the most alike first."""
     shared = collections.defaultdict(list)
     for topic, asked in columns.items():
@@ -137,7 +137,7 @@ def answers(text, topic, asked):
         return {}
 
 
-def read_answer(text, shared):
+def read_answer(text, shared) -> Answer:
     """The Answer in a lab's text, of which some is shared."""
     return answer(functions_of(text), shared.topic, shared.name)
 

@@ -1,0 +1,279 @@
+"""What each command takes, and what it starts. Their list, with a line for each, is in cli.py."""
+import argparse
+import os
+import signal
+import subprocess
+import sys
+
+from course.given.places import ROOT
+
+COMMANDS = {}  # name -> (function, options), in the order below
+
+
+def command(*options):
+    """Make a function a command with these options. Its docstring is what --help says."""
+    def listed(function):
+        COMMANDS[function.__name__.rstrip("_")] = function, options
+        return function
+
+    return listed
+
+
+def option(*names, **settings):
+    """An option of a command, as argparse's add_argument takes it."""
+    return names, settings
+
+
+def whole_number(least, most=None):
+    """-> the function that reads an option's whole number, from the least one on."""
+    def read(text):
+        if not text.isdecimal() or int(text) < least or (most and int(text) > most):
+            limits = f"from {least} to {most}" if most else f"from {least} on"
+            raise argparse.ArgumentTypeError(f"give a whole number {limits}, not {text}")
+        return int(text)
+
+    return read
+
+
+GRADED = option("--labs", metavar="1-4", help="grade these labs; without, all of them")
+SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
+              help="other random numbers in the checks")
+TRIED = option("target", nargs="?", metavar="TARGET",
+               help="a topic or a lab; without, everything")
+OPENED = option("target", metavar="TARGET",
+                help="an exercise (2.14), a lab (2) or a topic (scanline)")
+
+
+# --- to look and to read ------------------------------------------------------------------------
+
+
+@command(
+    option("names", nargs="*", metavar="NAME",
+           help="a scene, or: reconstruct FOLDER; without a name, all quick scenes"),
+    option("--list", action="store_true", help="say which scenes there are"),
+    option("--impl", choices=("reference", "labs"),
+           help="whose code renders: the reference's, or yours in labs/; without, the reference's "
+                "if it is all there"),
+    option("--steps", type=whole_number(3), metavar="N",
+           help="reconstruct FOLDER: so many steps in all; without, 300"),
+    option("--size", type=whole_number(32, 512), metavar="N",
+           help="reconstruct FOLDER: pixels of a picture's longest side, 32 to 512; without, 128"),
+    option("--resume", action="store_true",
+           help="reconstruct FOLDER: go on with the search that Ctrl-C stopped"))
+def demo(asked):
+    """Render the course's scenes and say where the pictures are."""
+    from course.experiments.scenes import demo
+    if not asked.list:
+        wishes = {name: getattr(asked, name) for name in ("steps", "size", "resume")}
+        return demo.run(asked.names, implementation=asked.impl,
+                        **{name: wish for name, wish in wishes.items() if wish})
+    for name, title in demo.scenes().items():
+        print(f"{name:12} {title}")
+    return 0
+
+
+@command(
+    option("names", nargs="*", metavar="NAME",
+           help="a topic or a number; without, those whose code or text has changed"),
+    option("--all", action="store_true", help="all of them"))
+def notebooks(asked):
+    """Run notebooks from a clean kernel and save them with their figures."""
+    import course.upkeep.notebooks
+    return course.upkeep.notebooks.run(asked.names, everything=asked.all)
+
+
+# --- to do the labs -----------------------------------------------------------------------------
+
+
+@command(
+    option("target", nargs="?", metavar="TARGET",
+           help="a topic (rasterization), a lab (2) or an exercise (2.3); without, everything"),
+    option("--impl", default="labs", metavar="labs|reference|FOLDER", help="whose code to check"),
+    option("--watch", action="store_true", help="check again whenever a file is saved"),
+    option("--pictures", action="store_true",
+           help="open a page with all that failed, and pictures"),
+    option("--json", metavar="FILE", help="write the board to this file as well"),
+    SEED,
+    option("--extra", action="store_true", help="check extras that are not open as well"))
+def check(asked):
+    """Check the labs and show the board. Status 0 only if all that was asked for passes."""
+    import course.board
+    run = course.board.watch if asked.watch else course.board.check
+    return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
+               pictures=asked.pictures, extra=asked.extra)
+
+
+@command(OPENED)
+def open_(asked):
+    """Empty an extra of labs/, or all extras of a lab, to write them yourself."""
+    import course.upkeep.extras
+    return course.upkeep.extras.open_extras(asked.target)
+
+
+@command(OPENED, option("--core", action="store_true",
+                        help="put released solutions into the core, too"))
+def close(asked):
+    """Put the answers back into extras that are open and untouched."""
+    import course.upkeep.extras
+    return course.upkeep.extras.close(asked.target, core=asked.core)
+
+
+@command(option("file", nargs="?", default="labs.zip", metavar="FILE", help="the zip's name"))
+def pack(asked):
+    """Put the labs into one zip, check what is in it, and print its hash."""
+    import course.grading.handing.pack
+    return course.grading.handing.pack.run(asked.file)
+
+
+# --- to teach -----------------------------------------------------------------------------------
+
+
+@command(
+    option("folder", metavar="DIR", help="a new folder"),
+    option("--labs", metavar="1-4", help="hand out these labs; without, all of them"),
+    option("--solutions", metavar="1-2", help="and the reference of these"),
+    option("--extra", action="store_true", help="with the extras open, too"))
+def handout(asked):
+    """Write what students get to a folder: no solutions but those released."""
+    import course.grading.handing.handout
+    return course.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
+                                       extra=asked.extra)
+
+
+@command(option("labs", metavar="LABS", help="of these labs, as in 1-2"),
+         option("file", metavar="FILE", help="the zip's name"))
+def solutions(asked):
+    """Write a zip of solutions, for students to unpack in their copy of the course."""
+    import course.grading.handing.handout
+    return course.grading.handing.handout.release(asked.labs, asked.file)
+
+
+@command(
+    option("kind", choices=("gradescope", "github")),
+    option("path", metavar="PATH", help="the zip for Gradescope, or the repository for GitHub"),
+    GRADED)
+def autograder(asked):
+    """Write a zip for Gradescope, or a workflow and Classroom 50's autograder for a repository."""
+    import course.grading.autograder
+    if asked.kind == "github":
+        return course.grading.autograder.github(asked.path)
+    return course.grading.autograder.gradescope(asked.path, asked.labs)
+
+
+@command(
+    option("submissions", metavar="SUBMISSIONS", help="a folder of folders, zips or single files"),
+    option("--out", required=True, metavar="DIR", help="where reports and tables are written"),
+    GRADED,
+    option("--jobs", type=whole_number(1), metavar="N",
+           help="how many at a time; without, one for each core"),
+    option("--resume", action="store_true", help="keep results of the same work and checks"),
+    SEED,
+    option("--isolation", choices=("strict", "process"),
+           help="strict needs Linux with bubblewrap; process is for work that you trust"),
+    option("--scheduler", metavar="tcp://...", help="run on this Dask cluster"),
+    option("--seconds", type=float, default=10.0, metavar="S",
+           help="the most that a call may take"),
+    option("--extra", action="store_true", help="extras count, too: they were handed out open"),
+    option("--csv", choices=("canvas", "moodle", "gradescope", "brightspace"),
+           help="write this platform's import file, from its own export"),
+    option("--roster", metavar="FILE", help="that export, as CSV"),
+    option("--assignment", metavar="NAME", help="which of its columns takes the points"),
+    option("--due", metavar="TIME", help="as in 2026-11-22T23:59, in this machine's time zone, or "
+                                         "2026-11-22T23:59+01:00"),
+    option("--late", metavar="10%/day", help="what lateness takes off, for each day or hour begun"),
+    option("--grace", metavar="1h", help="so late costs nothing: 15min, 1h, 1d"),
+    option("--overrides", metavar="FILE", help="points by hand: student,exercise,points,reason"),
+    option("--previous", metavar="FILE", help="an earlier grades.csv: tell what changed, and why"))
+def grade(asked):
+    """Grade submissions: reports, results.json and grades.csv. Status 0 if all could be graded."""
+    try:
+        import course.grading.grade
+        from course.grading.gradebook.book import Asked
+        from course.grading.request import Request
+        *options, _ = Request._fields
+        return course.grading.grade.run(
+            Request(*(getattr(asked, name) for name in options),
+                    Asked(*(getattr(asked, name) for name in Asked._fields))))
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt("stopped; what is graded is kept: the same command with --resume "
+                                "goes on") from None
+
+
+# --- to work on the course ----------------------------------------------------------------------
+
+
+@command(
+    option("--check", action="store_true", help="write nothing; fail if labs/ is out of step"),
+    option("--force", action="store_true", help="start afresh the labs that were worked on, too"))
+def skeleton(asked):
+    """Make labs/ from reference/, each exercise's answer taken out."""
+    import course.upkeep.skeleton
+    return course.upkeep.skeleton.run(check=asked.check, force=asked.force)
+
+
+@command(TRIED)
+def mistakes(asked):
+    """Try the mistakes in tests/mistakes/: each must be caught. Makes course/checks/hints.json."""
+    import course.upkeep.mistakes
+    return course.upkeep.mistakes.run(asked.target)
+
+
+@command(TRIED)
+def feedback(asked):
+    """Try the wrong answers in tests/wrong_answers/: how often does the report name the cause?"""
+    import course.upkeep.feedback
+    return course.upkeep.feedback.run(asked.target)
+
+
+@command(option("target", nargs="?", metavar="TARGET",
+                help="a topic, a lab or an exercise, as for check; without, everything: an hour"))
+def mutants(asked):
+    """Put small mistakes into the reference's exercises, and count those that the checks catch."""
+    import course.upkeep.mutants
+    return course.upkeep.mutants.run(asked.target)
+
+
+@command(
+    option("--serve", action="store_true", help="show it in the browser, until Ctrl-C"),
+    option("--lite", action="store_true", help="and with JupyterLite, the labs in the browser"))
+def site(asked):
+    """Make the web site in out/site/. Lectures are shown as they are saved."""
+    return make_site(*(f"--{name}" for name in ("serve", "lite") if getattr(asked, name)))
+
+
+def make_site(*wishes):
+    return run_python(str(ROOT / "site" / "build.py"), *wishes)
+
+
+@command(
+    option("--all", action="store_true", help="run every lecture, too: twice as long"),
+    option("--site", action="store_true",
+           help="check the web site instead: make it, and open every page in Chromium"))
+def test(asked):
+    """Check the whole project: lint, then every test, on all cores. Or the web site."""
+    if asked.site:
+        return make_site() or run_module("pytest", "-rfEs", "-n", str(os.cpu_count()), "tests/site")
+    # labs/ is not for lint: it is made from reference/, or a student's own.
+    lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"),
+                      str(ROOT))
+    left_out = () if asked.all else ("-m", "not weekly")
+    tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
+    if lint:
+        print("course: ruff found what it prints above the tests", file=sys.stderr)
+    return tests or lint
+
+
+def run_module(*command):
+    return run_python("-m", *command)
+
+
+def run_python(*command):
+    """python command, in the course's folder, without anybody's own settings for pytest."""
+    settings = {**os.environ, "PYTEST_ADDOPTS": "", "OMP_NUM_THREADS": "1"}  # one core, one worker
+    with subprocess.Popen([sys.executable, *command], cwd=ROOT, env=settings) as child:
+        signal.signal(signal.SIGTERM, lambda *_: child.terminate())
+        try:
+            return child.wait()
+        except KeyboardInterrupt:
+            child.wait()  # Ctrl-C reaches it, too: let it end in order
+            raise

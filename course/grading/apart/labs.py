@@ -1,0 +1,34 @@
+"""What a worker is sent of the course's labs besides the one that was handed in."""
+import functools
+import re
+
+from ... import exercises
+
+
+@functools.cache
+def before_it(topic):
+    """The topics before this one: those that it may import."""
+    topics = exercises.topics()
+    return topics[:topics.index(topic)]
+
+
+@functools.cache
+def given_text(topic):
+    """A lab's text without answers."""
+    return exercises.skeleton(exercises.read(exercises.reference(topic)), extra=True)
+
+
+@functools.cache
+def exercise_numbers(topic):
+    """{name: number} of a topic's exercises."""
+    return {exercise.name: exercise.number for exercise in exercises.topic_exercises(topic)}
+
+
+@functools.cache
+def preloaded(topic):
+    """The modules of SciPy and the course that a topic, or one before it, imports."""
+    texts = [exercises.read(exercises.reference(each)) for each in (*before_it(topic), topic)]
+    lines = re.findall(r"^(?:from|import) ((?:scipy|course)[.\w]*)(?: import (\w+))?",
+                       "\n".join(texts), re.M)
+    return tuple(dict.fromkeys(f"{module}.{name}" if module in ("scipy", "course.given") else module
+                               for module, name in lines))
