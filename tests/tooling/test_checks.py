@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from course.checks import Mismatch, assert_close, assert_equal, assert_picture
+from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
 from course.checks.loader import Implementation
 from course.checks.pictures import GAP
 from course.checks.showing import layout, shown, shown_call, typed
@@ -510,9 +510,9 @@ def course(house):
 
 
 @pytest.fixture(scope="module")
-def output(course, run_module):
+def output(course, run_here):
     """What pytest prints about the made-up lab, in parts: {test: its text}."""
-    done = run_module(course, "pytest", "--impl=labs", "tests/labs/test_transforms.py")
+    done = run_here(course, "pytest", "--impl=labs", "tests/labs/test_transforms.py")
     assert done.returncode == 1, done.stdout + done.stderr
     parts = re.split(r"\n_* ?(?:ERROR at \w+ of )?(test_[^ ]*) _*\n", done.stdout)
     return dict(zip(parts[1::2], parts[2::2], strict=True)) | {"all": done.stdout}
@@ -658,10 +658,10 @@ def test_tests_without_a_mark_are_left_to_pytest(output):
     assert "again  " not in output["test_of_no_exercise"]
 
 
-def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_module):
+def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_here):
     """All checks draw the same numbers, or other ones in every run or order."""
     def drawn(*options):
-        done = run_module(course, "pytest", "--impl=labs", "-s", *options)
+        done = run_here(course, "pytest", "--impl=labs", "-s", *options)
         return sorted(re.findall(r"drew (\w+) ([\d.]+)", done.stdout))
 
     first, second = drawn("-k", "numbers_are")
@@ -678,9 +678,9 @@ def test_verdicts_are_the_same_in_another_process(course, run_module, output):
     assert "verdict   not started (exercise 1.4: mask)" in done.stdout
 
 
-def test_authors_of_checks_can_have_the_traceback(course, run_module):
+def test_authors_of_checks_can_have_the_traceback(course, run_here):
     """The report cannot be switched off, and a defect of the check cannot be found."""
-    done = run_module(course, "pytest", "--impl=labs", "-k", "half", "--tb", "long")
+    done = run_here(course, "pytest", "--impl=labs", "-k", "half", "--tb", "long")
     assert "def test_half_of_one(impl):" in done.stdout
     assert "claim " not in done.stdout
 
@@ -705,14 +705,14 @@ UNUSABLE = {
 }
 
 
-def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run_module):
+def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run_here):
     """pytest breaks off, other labs fail with it, or the course's own lines are shown."""
     check = CHECKS[:CHECKS.index('@exercise("1.2")')]
     root = house({f"tests/labs/test_{topic}.py": check for topic in UNUSABLE}
                  | {f"labs/{topic}.py": lab for topic, (lab, *_) in UNUSABLE.items() if lab}
                  | {"labs/subdivision.py": "def double(x):\n    return 2 * x\n",
                     "tests/labs/test_subdivision.py": check})
-    done = run_module(root, "pytest", "--impl=labs")
+    done = run_here(root, "pytest", "--impl=labs")
     assert "7 failed, 1 passed" in done.stdout
     for _, *sentences in UNUSABLE.values():
         for sentence in sentences:
@@ -720,24 +720,24 @@ def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run
     assert "course/checks/" not in done.stdout
 
 
-def test_any_folder_with_a_topics_file_can_be_checked(course, run_module, tmp_path):
+def test_any_folder_with_a_topics_file_can_be_checked(course, run_here, tmp_path):
     """A folder beside the course is not found, or its files cannot import each other."""
     (tmp_path / "transforms.py").write_text("from . import sampling\n\ndouble = sampling.double\n")
     (tmp_path / "sampling.py").write_text("def double(x):\n    return x + x\n")
-    done = run_module(course, "pytest", f"--impl={tmp_path}", "-k", "twice")
+    done = run_here(course, "pytest", f"--impl={tmp_path}", "-k", "twice")
     assert done.returncode == 0, done.stdout
     assert not list(tmp_path.glob("__pycache__")), "a quick edit would meet stale bytecode"
 
 
-def test_a_folder_that_is_not_there_is_told(course, run_module):
+def test_a_folder_that_is_not_there_is_told(course, run_here):
     """Every check fails with an import error."""
-    done = run_module(course, "pytest", "--impl=nowhere")
+    done = run_here(course, "pytest", "--impl=nowhere")
     assert done.returncode == 4
     assert "there is no folder nowhere to check; give labs, reference" in done.stderr
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no timer there")
-def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_module):
+def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_here, monkeypatch):
     """A check hangs, and nobody hears of the others; or a check that follows is stopped, too."""
     root = house({
         "labs/transforms.py": """\
@@ -771,9 +771,8 @@ def test_it_ends_again(impl):
     \"\"\"It does not.\"\"\"
     assert_close(impl.wait(1), 0)
 """})
-    loader = root / "course" / "checks" / "loader.py"
-    loader.write_text(loader.read_text().replace("SECONDS = 20.0", "SECONDS = 0.3"))
-    done = run_module(root, "course", "check", "1.1")
+    monkeypatch.setattr(loader, "SECONDS", 0.3)
+    done = run_here(root, "course", "check", "1.1")
     assert "1.1 wait, failing in 1 of 3 checks, 1 not run" in done.stdout, done.stdout
     assert "Stopped: after 0.3 s; does a loop never end" in done.stdout
     assert "labs/transforms.py:4 in wait" in done.stdout or (
