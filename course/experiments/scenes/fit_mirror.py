@@ -5,6 +5,7 @@ gradients that reach them from the pictures are all that moves them.
 """
 import numpy as np
 
+from ...given import image
 from .drawing import enlarged, save
 from .reflections import environment, known, reflections, unfolded, views, weights
 
@@ -54,7 +55,7 @@ def fit(labs, faces, given, steps=100, seed=0):
 
 def psnr(faces, truth, seen):
     """Peak signal-to-noise ratio in decibels, over the texels that are seen."""
-    return -10 * np.log10(((faces - truth)[seen]**2).mean())
+    return image.decibels(((faces - truth)[seen]**2).mean())
 
 
 def sheet(pictures, columns=4):
