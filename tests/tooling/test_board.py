@@ -7,127 +7,43 @@ import sys
 import time
 
 import pytest
+from made_up import check_text, exercise_text
 
 from course import board, exercises, verdicts
 from course.checks.report import Check
 from course.given import places
 
-REFERENCE = '''\
-"""Made up."""
-
-
-def double(x):  # exercise 1.1 (2 points)
-    """Twice x."""
-    return 2 * x
-
-
-def half(x):  # exercise 1.2 (3 points)
-    """Half of x."""
-    return x / 2
-
-
-def between(x):
-    return half(x)
-
-
-def quarter(x):  # exercise 1.3 (1 point)
-    """Half of the half."""
-    return half(between(x))
-
-
-def mask(n):  # exercise 1.4 (4 points)
-    """Not started."""
-    return n
-
-
-def area(n):  # exercise 1.5 (2 points)
-    """Calls mask."""
-    return mask(n)
-
-
-def unchecked(x):  # exercise 1.6 (5 points)
-    """Without a check."""
-    return x
-
-
-def skipped(x):  # exercise 1.7 (1 point)
-    """Its only check is skipped."""
-    return x
-'''
+REFERENCE = '"""Made up."""\n' + "".join((
+    exercise_text("1.1", "double", "Twice x.", "return 2 * x", points=2),
+    exercise_text("1.2", "half", "Half of x.", "return x / 2", points=3),
+    "\n\ndef between(x):\n    return half(x)\n",
+    exercise_text("1.3", "quarter", "Half of the half.", "return half(between(x))"),
+    exercise_text("1.4", "mask", "Not started.", "return n", points=4, inputs="n"),
+    exercise_text("1.5", "area", "Calls mask.", "return mask(n)", points=2, inputs="n"),
+    exercise_text("1.6", "unchecked", "Without a check.", "return x", points=5),
+    exercise_text("1.7", "skipped", "Its only check is skipped.", "return x")))
 
 LAB = "# Mine.\n" + REFERENCE.replace("return x / 2", "return x / 3").replace(
     "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
 
-CHECKS = '''\
-import pytest
+CHECKS = "import pytest\n\nfrom course.checks import assert_close, exercise\n" + "".join((
+    check_text("1.1", "twice", "Once.", "assert_close(impl.double(2.0), 4.0)"),
+    check_text("1.2", "half_of_nothing", "Something.", 'print("nothing")',
+          "assert_close(impl.half(0.0), 0.0)"),
+    check_text("1.2", "half_of_three", "A third.", 'print("three")',
+          "assert_close(impl.half(3.0), 1.5)"),
+    check_text("1.3", "quarter_of_one", "A third of the third.",
+          "assert_close(impl.quarter(1.0), 0.25)"),
+    check_text("1.4", "mask_is_masked", "It is not.", "assert_close(impl.mask(2), 2)"),
+    check_text("1.5", "area_is_counted", "It is not.", "assert_close(impl.area(2), 2)"),
+    check_text("1.7", "skipped", "Left out.", marks=["@pytest.mark.skip"]),
+    "\n\ndef test_of_given_code(impl):\n    assert impl.between(2.0) == 1.0\n"))
 
-from course.checks import assert_close, exercise
+SECOND = exercise_text("2.1", "twice", "Twice x.", "return 2 * x", points=3).lstrip()
 
-
-@exercise("1.1")
-def test_twice(impl):
-    """Once."""
-    assert_close(impl.double(2.0), 4.0)
-
-
-@exercise("1.2")
-def test_half_of_nothing(impl):
-    """Something."""
-    print("nothing")
-    assert_close(impl.half(0.0), 0.0)
-
-
-@exercise("1.2")
-def test_half_of_three(impl):
-    """A third."""
-    print("three")
-    assert_close(impl.half(3.0), 1.5)
-
-
-@exercise("1.3")
-def test_quarter_of_one(impl):
-    """A third of the third."""
-    assert_close(impl.quarter(1.0), 0.25)
-
-
-@exercise("1.4")
-def test_mask_is_masked(impl):
-    """It is not."""
-    assert_close(impl.mask(2), 2)
-
-
-@exercise("1.5")
-def test_area_is_counted(impl):
-    """It is not."""
-    assert_close(impl.area(2), 2)
-
-
-@exercise("1.7")
-@pytest.mark.skip
-def test_skipped(impl):
-    """Left out."""
-
-
-def test_of_given_code(impl):
-    assert impl.between(2.0) == 1.0
-'''
-
-SECOND = '''\
-def twice(x):  # exercise 2.1 (3 points)
-    """Twice x."""
-    return 2 * x
-'''
-
-SECOND_CHECKS = '''\
-from course.checks import assert_close, exercise
-
-
-@exercise("2.1")
-def test_twice_is_more(impl, rng):
-    """Less."""
-    x = rng.random()
-    assert_close(impl.twice(x), x + x)
-'''
+SECOND_CHECKS = "from course.checks import assert_close, exercise\n" + check_text(
+    "2.1", "twice_is_more", "Less.", "x = rng.random()", "assert_close(impl.twice(x), x + x)",
+    inputs="impl, rng")
 
 FILES = {
     "reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
@@ -339,28 +255,17 @@ print("status", board.check("2"))
 '''
 
 
-HANDED_OUT = """\
-def twice(x):  # exercise 1.1 (2 points)
-    \"\"\"2 x.\"\"\"
-    {body}
-"""
-ITS_CHECK = """\
-from course.checks import assert_close, exercise
-
-
-@exercise("1.1")
-def test_two(impl):
-    assert_close(impl.twice(1.0), 2.0)
-"""
+ITS_CHECK = "from course.checks import assert_close, exercise\n" + check_text(
+    "1.1", "two", "One.", "assert_close(impl.twice(1.0), 2.0)")
 
 
 def test_a_hand_out_without_reference_has_its_board(house, run_here):
     """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
-    right = HANDED_OUT.format(body="return 2 * x")
+    right = exercise_text("1.1", "twice", "2 x.", "return 2 * x", points=2).lstrip()
     files = {"tests/labs/test_transforms.py": ITS_CHECK, "labs/transforms.py": right}
     done = run_here(house(files), "course", "check", "1")
     assert done.returncode == 0 and "2 of 2" in done.stdout
-    files["labs/transforms.py"] = HANDED_OUT.format(body="return 2 *")
+    files["labs/transforms.py"] = right.replace("2 * x", "2 *")
     broken = run_here(house(files), "course", "check", "1")
     assert broken.returncode == 2
     assert broken.stderr.startswith("course: labs/transforms.py, line 3: this is not Python")

@@ -7,6 +7,7 @@ import warnings
 
 import numpy as np
 import pytest
+from made_up import check_text, exercise_text
 from PIL import Image
 
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
@@ -335,151 +336,59 @@ def both(x):
     return x, 2 * x
 '''
 
-CHECKS = '''\
+CHECKS = """\
 import numpy as np
 import pytest
 
 from course.checks import assert_close, exercise
-
+""" + "".join((
+    '''
 
 @pytest.fixture
 def spoilt():
     yield
     raise OSError("spoilt")
-
-
-@exercise("1.1")
-def test_double_is_twice(impl):
-    """Half."""
-    assert_close(impl.double(3.0), 6.0)
-
-
-@exercise("1.2")
-def test_half_of_one(impl):
-    """Division by zero.
-
-    More about it.
-    """
-    assert_close(impl.half(1.0), 0.5)
-
-
-@exercise("1.3")
-@pytest.mark.parametrize("by", [1.0, 2.0], ids=["one", "two"])
-def test_shifted_adds(impl, by):
-    """The sign."""
-    assert_close(
-        impl.shifted(np.zeros((2, 2)), by=by), np.full((2, 2), by))
-
+''',
+    check_text("1.1", "double_is_twice", "Half.", "assert_close(impl.double(3.0), 6.0)"),
+    check_text("1.2", "half_of_one", "Division by zero.\n\n    More about it.\n    ",
+               "assert_close(impl.half(1.0), 0.5)"),
+    check_text("1.3", "shifted_adds", "The sign.", "assert_close(",
+               "    impl.shifted(np.zeros((2, 2)), by=by), np.full((2, 2), by))", inputs="impl, by",
+               marks=['@pytest.mark.parametrize("by", [1.0, 2.0], ids=["one", "two"])']),
+    '''
 
 @exercise("1.3")
 def test_shifted_of_other_things(impl):
     assert_close(impl.shifted(1.0, 0.0), 2.0, given={"told": "so"})
-
-
-@exercise("1.3")
-def test_shifted_by_nothing(impl):
-    """It does something."""
-    assert impl.shifted(1.0, 0.0) == 2.0, "it moved"
-
-
-@exercise("1.3")
-def test_shifted_refuses_text(impl):
-    """It takes everything."""
-    with pytest.raises(ValueError):
-        impl.shifted(1.0, 2.0)
-
-
-@exercise("1.3")
-def test_shifted__s_inputs_can_be_loaded(impl):
-    """They are shortened."""
-    assert_close(impl.shifted(np.arange(99.0).reshape(33, 3), by=1.0), np.zeros((33, 3)))
-
-
-@exercise("1.8")
-def test_the_second_of_two(impl):
-    """It is the first."""
-    _, two = impl.both(1.0)
-    assert_close(two, 3.0)
-
-
-@exercise("1.3")
-def test_shifted_gives_two(impl):
-    """It gives one."""
-    one, two = impl.shifted(1.0, 0.0)
-
-
-@exercise("1.3")
-def test_shifted_can_be_multiplied(impl):
-    """It has another shape."""
-    assert_close(np.eye(3) @ impl.shifted(np.zeros((2, 2)), by=1.0), 0.0)
-
-
-@exercise("1.4")
-def test_mask_is_square(impl):
-    """It is not."""
-    assert impl.mask(3).shape == (3, 3)
-
-
-@exercise("1.5")
-def test_area_counts(impl):
-    """It does not."""
-    assert impl.area(3) == 6
-
-
-@exercise("1.6")
-def test_deep_ends(impl):
-    """Recursion without an end."""
-    impl.deep(0)
-
-
-@exercise("1.7")
-def test_other(impl):
-    """Nothing."""
-    impl.other(0)
-
-
-@exercise("1.1")
-@pytest.mark.skip
-def test_skipped(impl):
-    """Left out."""
-
-
-@exercise("1.1")
-def test_skips_itself(impl):
-    """Left out."""
-    pytest.skip("not today")
-
-
-@exercise("1.1")
-@pytest.mark.xfail
-def test_expected_to_fail(impl):
-    """A failure that nobody minds."""
-    assert impl.double(3.0) == 7.0
-
-
-@exercise("1.1")
-@pytest.mark.xfail(strict=False)
-def test_expected_to_fail_and_passing(impl):
-    """A failure that nobody minds."""
-    assert impl.double(3.0) == 6.0
-
-
-@exercise("1.1")
-def test_passes_and_breaks_after(impl, spoilt):
-    """Its fixture."""
-
-
-@exercise("1.1")
-def test_numbers_are_this_checks_own(impl, rng, request):
-    """They are always the same."""
-    print("drew", request.node.name, rng.random())
-
-
-@exercise("1.1")
-def test_numbers_are_not_those_of_another(impl, rng, request):
-    """They are always the same."""
-    print("drew", request.node.name, rng.random())
-
+''',
+    check_text("1.3", "shifted_by_nothing", "It does something.",
+               'assert impl.shifted(1.0, 0.0) == 2.0, "it moved"'),
+    check_text("1.3", "shifted_refuses_text", "It takes everything.",
+               "with pytest.raises(ValueError):", "    impl.shifted(1.0, 2.0)"),
+    check_text("1.3", "shifted__s_inputs_can_be_loaded", "They are shortened.",
+               "assert_close(impl.shifted(np.arange(99.0).reshape(33, 3), by=1.0), "
+               "np.zeros((33, 3)))"),
+    check_text("1.8", "the_second_of_two", "It is the first.", "_, two = impl.both(1.0)",
+               "assert_close(two, 3.0)"),
+    check_text("1.3", "shifted_gives_two", "It gives one.", "one, two = impl.shifted(1.0, 0.0)"),
+    check_text("1.3", "shifted_can_be_multiplied", "It has another shape.",
+               "assert_close(np.eye(3) @ impl.shifted(np.zeros((2, 2)), by=1.0), 0.0)"),
+    check_text("1.4", "mask_is_square", "It is not.", "assert impl.mask(3).shape == (3, 3)"),
+    check_text("1.5", "area_counts", "It does not.", "assert impl.area(3) == 6"),
+    check_text("1.6", "deep_ends", "Recursion without an end.", "impl.deep(0)"),
+    check_text("1.7", "other", "Nothing.", "impl.other(0)"),
+    check_text("1.1", "skipped", "Left out.", marks=["@pytest.mark.skip"]),
+    check_text("1.1", "skips_itself", "Left out.", 'pytest.skip("not today")'),
+    check_text("1.1", "expected_to_fail", "A failure that nobody minds.",
+               "assert impl.double(3.0) == 7.0", marks=["@pytest.mark.xfail"]),
+    check_text("1.1", "expected_to_fail_and_passing", "A failure that nobody minds.",
+               "assert impl.double(3.0) == 6.0", marks=["@pytest.mark.xfail(strict=False)"]),
+    check_text("1.1", "passes_and_breaks_after", "Its fixture.", inputs="impl, spoilt"),
+    check_text("1.1", "numbers_are_this_checks_own", "They are always the same.",
+               'print("drew", request.node.name, rng.random())', inputs="impl, rng, request"),
+    check_text("1.1", "numbers_are_not_those_of_another", "They are always the same.",
+               'print("drew", request.node.name, rng.random())', inputs="impl, rng, request"),
+    '''
 
 def test_of_no_exercise():
     assert 1 == 2
@@ -487,20 +396,10 @@ def test_of_no_exercise():
 
 class Told(AssertionError):
     pass
-
-
-@exercise("1.8")
-def test_strict_is_not_strict(impl):
-    """It is."""
-    impl.strict(0)
-
-
-@exercise("1.8")
-def test_strict_tells_all(impl):
-    """It keeps silent."""
-    impl.strict(1)
-    raise Told("it was given 1")
-'''
+''',
+    check_text("1.8", "strict_is_not_strict", "It is.", "impl.strict(0)"),
+    check_text("1.8", "strict_tells_all", "It keeps silent.", "impl.strict(1)",
+               'raise Told("it was given 1")')))
 
 
 @pytest.fixture(scope="module")
@@ -739,38 +638,14 @@ def test_a_folder_that_is_not_there_is_told(course, run_here):
 @pytest.mark.skipif(sys.platform == "win32", reason="no timer there")
 def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_here, monkeypatch):
     """A check hangs, and nobody hears of the others; or a check that follows is stopped, too."""
-    root = house({
-        "labs/transforms.py": """\
-def wait(n):  # exercise 1.1 (1 point)
-    \"\"\"Wait.\"\"\"
-    while n:
-        pass
-    return n
-""",
-        "tests/labs/test_transforms.py": """\
-import time
-
-from course.checks import assert_close, exercise
-
-
-@exercise("1.1")
-def test_it_is_short(impl):
-    \"\"\"It is not.\"\"\"
-    assert_close(impl.wait(0), 0)
-    time.sleep(0.5)
-
-
-@exercise("1.1")
-def test_it_ends(impl):
-    \"\"\"It does not.\"\"\"
-    assert_close(impl.wait(1), 0)
-
-
-@exercise("1.1")
-def test_it_ends_again(impl):
-    \"\"\"It does not.\"\"\"
-    assert_close(impl.wait(1), 0)
-"""})
+    lab = exercise_text("1.1", "wait", "Wait.", "while n:", "    pass", "return n", inputs="n")
+    checks = "".join((
+        check_text("1.1", "it_is_short", "It is not.", "assert_close(impl.wait(0), 0)",
+                   "time.sleep(0.5)"),
+        check_text("1.1", "it_ends", "It does not.", "assert_close(impl.wait(1), 0)"),
+        check_text("1.1", "it_ends_again", "It does not.", "assert_close(impl.wait(1), 0)")))
+    root = house({"labs/transforms.py": lab.lstrip(), "tests/labs/test_transforms.py":
+                  f"import time\n\nfrom course.checks import assert_close, exercise\n{checks}"})
     monkeypatch.setattr(loader, "SECONDS", 0.3)
     done = run_here(root, "course", "check", "1.1")
     assert "1.1 wait, failing in 1 of 3 checks, 1 not run" in done.stdout, done.stdout
