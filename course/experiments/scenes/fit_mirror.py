@@ -6,7 +6,7 @@ gradients that reach them from the pictures are all that moves them.
 import numpy as np
 
 from ...given import image
-from .drawing import enlarged, save
+from .drawing import descended, enlarged, save
 from .reflections import environment, known, reflections, unfolded, views, weights
 
 PICTURES = 12
@@ -47,10 +47,9 @@ def fit(labs, faces, given, steps=100, seed=0):
                                                  filter="linear-mipmap-linear")[0]
         return loss, grad_x
 
-    for x, _ in lab9.descend(faces, gradient, lab9.decay(0.02, 0.05, steps),
-                             project=lambda x: np.clip(x, 0, 1)):
-        faces = x
-    return faces
+    path, _ = descended(labs, faces, gradient, lab9.decay(0.02, 0.05, steps),
+                      project=lambda x: np.clip(x, 0, 1))
+    return path[-1]
 
 
 def psnr(faces, truth, seen):
