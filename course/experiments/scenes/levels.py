@@ -3,9 +3,9 @@ import numpy as np
 
 from ...given import image, mesh
 from .drawing import BRASS, LIGHT, SIZE, clip_positions, painted, save, size_in_words, unit_bunny
+from .portrait import BUNNY_EYE
 
 RING_EYE = np.array([1.5, 1.75, 2.35])
-BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
 
 
 def rounded(labs):
@@ -30,8 +30,8 @@ def loop_step(labs, vertices, faces):
 def simplified(labs):
     """The bunny in ever fewer faces, the last ones by the loop without a heap (lab 12)."""
     vertices, faces = unit_bunny()
-    yield size_in_words(vertices, faces), save("simplified", f"{len(faces)}",
-                                      faceted(labs, vertices, faces, BUNNY_EYE))
+    yield size_in_words(vertices, faces), save("simplified", f"{len(faces)}", faceted(
+        labs, vertices, faces, BUNNY_EYE))
     vertices, faces, _ = labs.collapse_heap.simplify(vertices, faces, 1000)
     yield "1,000 faces, by the heap", save("simplified", "1000",
                                            faceted(labs, vertices, faces, BUNNY_EYE))

@@ -1,8 +1,8 @@
 """A teapot that is a mirror: each pixel looks up a direction in a cube map (extras of lab 6)."""
 import numpy as np
 
-from .drawing import SIZE, save, size_in_words
-from .reflections import camera_at, environment, teapot, unfolded, view
+from .drawing import SIZE, clip_from_world, save, size_in_words
+from .reflections import environment, teapot, unfolded, view
 
 EYE = np.array([0.55, 0.75, 2.6])
 SAMPLES = 4  # along each side of a pixel, in the truth that filters are compared with
@@ -13,7 +13,7 @@ def mirror(labs):
     faces = environment(labs, 256)
     yield "6 x 256 x 256 texels", save("mirror", "surroundings", unfolded(faces))
     yield size_in_words(*teapot()), None
-    camera = camera_at(labs, EYE, (0.0, -0.05, 0.0), fov_y=42)
+    camera = clip_from_world(labs, EYE, (0.0, -0.05, 0.0), fov_y=42)
     look = view(labs, camera, EYE, SIZE)
     yield "directions, and how they change", None
     truth = supersampled(labs, faces, camera, EYE, SIZE // 2)

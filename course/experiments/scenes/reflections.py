@@ -5,6 +5,7 @@ For the scenes mirror and fit_mirror, and for lecture 06. It uses labs 1, 2, 5 a
 import numpy as np
 
 from ...given import mesh
+from .drawing import clip_from_world
 
 SUN = np.array([0.12, 0.62, 0.60])  # towards it
 PANELS = (  # east and height of the middle, width and height in radians, colour
@@ -22,12 +23,6 @@ def teapot():
     vertices, one = np.unique(np.round(mesh.normalize(vertices), 6), axis=0, return_inverse=True)
     faces = one[faces]
     return vertices, faces[(faces != np.roll(faces, 1, 1)).all(1)]
-
-
-def camera_at(labs, eye, target=(0.0, 0.0, 0.0), fov_y=40):
-    """The matrix (4, 4), clip_from_world, of a camera at eye that looks at target, up is y."""
-    view_from_world = labs.transforms.look_at(eye, np.array(target), np.array([0.0, 1.0, 0.0]))
-    return labs.transforms.perspective(np.radians(fov_y), 1.0, 0.1, 10.0) @ view_from_world
 
 
 def view(labs, camera, eye, size):
@@ -128,7 +123,7 @@ def views(labs, size, count=12):
 
     The cameras are 3 away, from a little below to far above it.
     """
-    return [view(labs, camera_at(labs, eye), eye, size) for eye in eyes(count)]
+    return [view(labs, clip_from_world(labs, eye, fov_y=40), eye, size) for eye in eyes(count)]
 
 
 def eyes(count):
