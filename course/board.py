@@ -8,6 +8,7 @@ import sys
 import time
 import webbrowser
 from pathlib import Path
+from typing import NoReturn
 from unittest import mock
 
 from rich.console import Console
@@ -58,7 +59,7 @@ def below(found, target, implementation, seed):
         yield next_to_do(found.needed, implementation, seed)
 
 
-def watch(target=None, implementation="labs", **options):
+def watch(target: str | None = None, implementation: str = "labs", **options) -> NoReturn:
     """`check`, and again whenever a file of the code under test is saved. Ends with Ctrl-C.
 
     While checks run, Ctrl-C stops these alone, as where a loop has no end.
@@ -79,7 +80,7 @@ def watch(target=None, implementation="labs", **options):
         time.sleep(LOOK)
 
 
-def show(target=None, implementation="labs"):
+def show(target: str | None = None, implementation: str = "labs") -> None:
     """The board of `check`, in a notebook; in a process of its own, so that labs are read anew."""
     command = [sys.executable, "-m", "course", "check", *filter(None, [target])]
     plain = {**os.environ, "FORCE_COLOR": "", "COLUMNS": "80", "PYTHONIOENCODING": "utf-8"}

@@ -48,7 +48,7 @@ FOR_TEACHERS = ("handout", "solutions", "grade", "autograder", "skeleton", "mist
                 "mutants", "site", "test")  # commands that a copy for students withholds
 
 
-def main(argv=None):
+def main(argv: list[str] | None = None) -> int:
     """Run one command -> its exit status: 0 well, 1 something failed, 2 cannot be done, 130 Ctrl-C.
 
     What the user can mend is said in one line. Everything else is a defect: traceback.

@@ -16,6 +16,8 @@ import itertools
 import re
 import sys
 import tokenize
+from collections.abc import Iterable
+from pathlib import Path
 from typing import NamedTuple
 
 from .given import places
@@ -58,17 +60,17 @@ class Exercise(NamedTuple):
     is_open: bool = True  # an extra is not, until it is opened: its answer is there
 
 
-def topics():
+def topics() -> tuple[str, ...]:
     """The topics that there are, in the course's order."""
     return tuple(topic for topic in TOPICS if questions(topic).exists())
 
 
-def asking_topics():
+def asking_topics() -> tuple[str, ...]:
     """The topics that have exercises, in the course's order: all but those of given code."""
     return tuple(topic for topic in topics() if topic_exercises(topic))
 
 
-def lab_number(topic):
+def lab_number(topic: str) -> int:
     """The number of the lab that a topic belongs to; the first is 1."""
     return next(number for number, topics in enumerate(LABS, 1) if topic in topics)
 
@@ -108,22 +110,22 @@ def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]
     return labs, asked
 
 
-def lecture(topic):
+def lecture(topic: str) -> Path:
     """The path of the notebook that a topic belongs to."""
     number = lab_number(topic)
     return places.ROOT / "notebooks" / f"{number:02}_{LABS[number - 1][0]}.ipynb"
 
 
-def reference(topic):
+def reference(topic: str) -> Path:
     return places.ROOT / "reference" / f"{topic}.py"
 
 
-def handed_out(topic):
+def handed_out(topic: str) -> Path:
     """Where a hand-out keeps a lab as it was at first: a student may delete a mark."""
     return places.ROOT / "course" / "handed_out" / f"{topic}.py"
 
 
-def questions(topic):
+def questions(topic: str) -> Path:
     """Where a topic's exercises are listed: its reference, or in a hand-out what stands for it."""
     for path in reference(topic), handed_out(topic):
         if path.exists():
@@ -131,12 +133,12 @@ def questions(topic):
     return places.ROOT / "labs" / f"{topic}.py"  # given code
 
 
-def read(path):
+def read(path: Path) -> str:
     """A module's text, its line ends as they are."""
     return places.read_whole(path).decode("utf-8")
 
 
-def topic_exercises(topic):
+def topic_exercises(topic: str) -> list[Exercise]:
     """The exercises of a topic of the course. ValueError: a mark is wrong, or of another lab."""
     path = questions(topic)
     place = f"{path.parent.name}/{path.name}"
@@ -153,14 +155,14 @@ def topic_exercises(topic):
     return found
 
 
-def closed_extras(lab, text):
+def closed_extras(lab: list[Exercise], text: str) -> set[str]:
     """The numbers of a lab's extras that a module's text marks as complete, as they came."""
     marks = {exercise.number: re.search(rf"# extra {re.escape(exercise.number)} \(.*?\)({OPEN})?",
                                         text) for exercise in lab if exercise.is_extra}
     return {number for number, mark in marks.items() if mark and not mark[1]}
 
 
-def text_exercises(text):
+def text_exercises(text: str) -> list[Exercise]:
     """The exercises of a module's text, from top to bottom. ValueError: a mark is wrong."""
     lines = text_lines(text)
     functions = {function.lineno: function for function in top_level_functions(text)}
@@ -182,7 +184,7 @@ def text_exercises(text):
 
 
 @functools.cache
-def top_level_functions(text):
+def top_level_functions(text: str) -> tuple[ast.FunctionDef, ...]:
     """The nodes of a module's functions. ValueError: the text is not Python."""
     try:
         module = ast.parse(text)
@@ -220,7 +222,7 @@ def require_question_and_answer(lines, function, number):
         raise ValueError(f"{title} has no answer on the lines below its docstring; write it there")
 
 
-def calls(text, names):
+def calls(text: str, names: Iterable[str]) -> dict[str, tuple[str, ...]]:
     """The exercises, out of names, that each one calls, itself or through other functions.
 
     -> {name: names}. The way ends at an exercise: what that one calls is its own affair.
@@ -240,7 +242,7 @@ def calls(text, names):
     return {name: reached(name) for name in names}
 
 
-def foreign_imports(text):
+def foreign_imports(text: str) -> list[tuple[int, str]]:
     """[(line, module)] of imports that a worker does not have. None where it is not Python."""
     try:
         nodes = list(ast.walk(ast.parse(text)))
@@ -259,7 +261,7 @@ def foreign_imports(text):
             if module.partition(".")[0] not in packages and module not in modules]
 
 
-def text_lines(text):
+def text_lines(text: str) -> list[str]:
     """The lines as Python counts them, each with its line end."""
     return list(io.StringIO(text, newline=""))
 
@@ -306,7 +308,7 @@ def answers(text: str) -> list[Answer]:
     return [answer(exercise) for exercise in text_exercises(text)]
 
 
-def put(lines, answer, text, is_open):
+def put(lines: list[str], answer: Answer, text: str, is_open: bool) -> None:
     """Put another text in an answer's place; of an extra, let the mark say whether it is open."""
     lines[answer.start:answer.end] = [text]
     mark = answer.exercise.line - 1

@@ -74,7 +74,7 @@ def require_unchanged(function, before, after):
                              "let it work on a copy"))
 
 
-def folder(implementation):
+def folder(implementation: str) -> Path:
     """labs, reference or a path -> the folder of the code under test. ValueError: there is none."""
     named = implementation in ("labs", "reference")
     path = places.ROOT / implementation if named else Path(implementation).resolve()

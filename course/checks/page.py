@@ -30,7 +30,7 @@ class Markup(str):
     """HTML that is ours: nothing in it is left to escape."""
 
 
-def document(title, *parts, style=""):
+def document(title: str, *parts: str, style: str = "") -> str:
     """No script and nothing from elsewhere can be loaded, whatever a student has smuggled in."""
     policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
     return "\n".join([
@@ -41,7 +41,7 @@ def document(title, *parts, style=""):
         f"<h1>{escaped(title)}</h1>", *parts, "</body>", "</html>", ""])
 
 
-def escaped(text, most=MOST_TEXT):
+def escaped(text: str, most: int = MOST_TEXT) -> str:
     """A text of a student's as HTML, and no more of it than a page can bear."""
     more = len(text) - most
     return html.escape(text if more <= 0 else
@@ -85,7 +85,7 @@ def bar(part, whole):
     return Markup(f'<div class="bar"><i style="width:{100 * part / max(whole, 1):.0f}%"></i></div>')
 
 
-def exercise_part(entry, lost, pictures, seed):
+def exercise_part(entry, lost: str | None, pictures: dict, seed: int) -> list[str]:
     """What is wrong in an exercise: every claim that failed, its message and its picture.
 
     entry: as in course/verdicts.py. lost: what became of the process that ran it, or None.

@@ -78,7 +78,7 @@ def verdict_and_rows(item, error, report, number):
     return verdict, rows
 
 
-def is_fine_print(mark):
+def is_fine_print(mark) -> bool:
     """Whether a check is of its exercise's fine print, and not of the question."""
     return mark.kwargs.get("fine_print", False)
 
@@ -163,7 +163,7 @@ def check_line(error, item):
     return f"{places.shown_path(item.path)}:{lines[-1].lineno}\n{lines[-1].line}"
 
 
-def claim(item):
+def claim(item) -> str:
     """test_a_face__s_area_is_positive -> "A face's area is positive", and its parameters."""
     words = item.originalname.removeprefix("test_").replace("__s_", "'s ").replace("_", " ")
     case = f" [{item.callspec.id}]" if hasattr(item, "callspec") else ""
@@ -178,7 +178,7 @@ def commands(item, number):
     return (rerun(number, impl, seed), f'pytest --impl={impl}{seeded} "{item.nodeid}"')
 
 
-def rerun(number, implementation="labs", seed=0):
+def rerun(number: str, implementation: str = "labs", seed: int = 0) -> str:
     """The command that runs an exercise's checks."""
     other = "" if implementation == "labs" else f" --impl {implementation}"
     return f"python3 -m course check {number}{other}{f' --seed {seed}' if seed else ''}"

@@ -101,7 +101,7 @@ def index_name(index):
 # --- errors -----------------------------------------------------------------------------------
 
 
-def error_text(error, code):
+def error_text(error, code) -> str:
     """An error, and the lines in the folder with the code under test that led to it."""
     frames = [frame for frame in traceback.extract_tb(error.__traceback__)
               if Path(frame.filename).resolve().is_relative_to(code)]
@@ -144,7 +144,7 @@ def shown_frames(frames):
 # --- rows -------------------------------------------------------------------------------------
 
 
-def layout(rows):
+def layout(rows) -> str:
     """Rows (label, text) in two columns, long lines broken. Commands stay whole, to be copied."""
     lines = ((label if number == 0 else "", line) for label, text in rows
              for number, line in enumerate(text.splitlines() if label == "again" else broken(text)))
@@ -159,5 +159,5 @@ def broken(text):
                                  break_long_words=False, break_on_hyphens=False) or [""]
 
 
-def plural(count, word):
+def plural(count: int, word: str) -> str:
     return f"{count} {word}{'s' * (count != 1)}"

@@ -137,3 +137,8 @@ def to_linear(encoded):
 def intersection_over_union(a, b):
     """The share of two masks (H, W): 1 for equal ones, 0 for two that do not meet."""
     return (a & b).sum() / (a | b).sum()
+
+
+def decibels(mean_square):
+    """The PSNR in decibels of a mean squared error, for values from 0 to 1."""
+    return -10 * np.log10(mean_square)

@@ -252,8 +252,7 @@ def _binary_tables(elements, body, order):
     tables, start = {}, 0
     try:
         for name, element in elements.items():
-            tables[name], start = (_alike(element, body, start, order)
-                                   or _mixed(element, body, start, order))
+            tables[name], start = _columns(element, body, start, order)
     except struct.error:
         raise ValueError(f"it is cut short, or a list's length is wrong: {AGAIN}") from None
     if body[start:].strip():
@@ -261,48 +260,16 @@ def _binary_tables(elements, body, order):
     return tables
 
 
-def _alike(element, body, start, order):
-    """`_mixed`, at once, of rows whose lists are all as long as those of the first. Else None."""
-    row, lengths = _first_row(element, body, start, order)
-    end = start + element.count * row.itemsize
-    if end > len(body):
-        if lengths:
-            return None
-        raise struct.error  # at once, however many rows are announced
-    table = np.ndarray(element.count, row, body, start)
-    if not all((table[key] == length).all() for key, length in lengths.items()):
-        return None
-    return {p.name: table[p.name] for p in element.properties}, end
-
-
-def _first_row(element, body, start, order):
-    """The row at start -> its NumPy type, and the lengths of its lists."""
-    types, lengths = [], {}
-    for p in element.properties:
-        shape = ()
-        if p.length:
-            key, code, place = f"length of {p.name}", TYPES[p.length], np.dtype(types).itemsize
-            shape = struct.unpack_from(order + code, body, start + place) if element.count else (0,)
-            if not 0 <= shape[0] <= len(body):
-                raise struct.error
-            types.append((key, order + code))
-            lengths[key] = shape[0]
-        types.append((p.name, order + TYPES[p.type], shape))
-    return np.dtype(types), lengths
-
-
-def _mixed(element, body, start, order):
+def _columns(element, body, start, order):
     """An element's rows, from start on -> its columns by name, where the rows end."""
     columns = {p.name: [] for p in element.properties}
-    codes = {p.name: (TYPES[p.type], p.length and order + TYPES[p.length])
-             for p in element.properties}
     for _ in range(element.count):
-        for name, (code, length_code) in codes.items():
+        for name, type, length_type in element.properties:
             length = 1
-            if length_code:
-                (length,) = struct.unpack_from(length_code, body, start)
-                start += struct.calcsize(length_code)
-            numbers = f"{order}{length}{code}"
+            if length_type:
+                length, = struct.unpack_from(order + TYPES[length_type], body, start)
+                start += struct.calcsize(order + TYPES[length_type])
+            numbers = f"{order}{length}{TYPES[type]}"
             columns[name].append(struct.unpack_from(numbers, body, start))
             start += struct.calcsize(numbers)
     return columns, start

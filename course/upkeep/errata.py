@@ -18,7 +18,7 @@ the lecture says so in a box. These are all the boxes, in the order of the lectu
 """
 
 
-def page():
+def page() -> str:
     """The page's text, from the lectures as they stand."""
     parts = [HEAD]
     for path in sorted(FOLDER.glob("*.ipynb")):
@@ -41,5 +41,5 @@ def _texts(path):
     return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
 
 
-def write():
+def write() -> None:
     write_whole(FOLDER / "errata.md", page().encode("utf-8"))

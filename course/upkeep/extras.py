@@ -10,7 +10,7 @@ from .. import exercises
 from ..given import places
 
 
-def open_extras(target):
+def open_extras(target: str) -> int:
     """Open an extra (2.14), or all of a lab (2 or scanline) -> 0. ValueError: there is none."""
     found = [pair for pair in asked(target) if pair[1].exercise.is_extra]
     if not found:
@@ -27,7 +27,7 @@ def open_extras(target):
     return 0
 
 
-def close(target, core=False):
+def close(target: str, core: bool = False) -> int:
     """Put the answers back into untouched extras, with core into all exercises -> 0.
 
     ValueError: there is none that is open.

@@ -36,14 +36,14 @@ def core(lab):
             for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
 
 
-def hours(lab):
+def hours(lab: int) -> float:
     """What a lab's lecture and core take, to the half of an hour."""
     points = sum(exercise.points for exercise in core(lab))
     minutes = lecture_minutes(exercises.lecture(exercises.LABS[lab - 1][0]))
     return round((minutes + MINUTES_A_POINT * points) / 30) / 2
 
 
-def updated(text):
+def updated(text: str) -> str:
     """A page with the numbers as they are now, in its table of labs and in its sentence."""
     labs = range(1, len(exercises.LABS) + 1)
     number, total = sum(len(core(lab)) for lab in labs), sum(map(hours, labs))

@@ -20,7 +20,7 @@ class Lab(NamedTuple):
     state: str  # in step, stale (or not there), worked on
 
 
-def run(check=False, force=False):
+def run(check: bool = False, force: bool = False) -> int:
     """Make labs/ from reference/. With check, only say how the labs stand. -> exit status.
 
     A lab that was worked on stays as it is. With force it is made anew, its text kept beside it.

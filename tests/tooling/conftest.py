@@ -1,9 +1,15 @@
-"""What tests of drawings share."""
+"""What tests of the tooling share: figures, and commands that run in this process."""
+import contextlib
+import io
+import subprocess
+import sys
+
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import pytest
 
-from course.given import plot
+from course import cli
+from course.given import places, plot
 
 
 @pytest.fixture
@@ -14,3 +20,45 @@ def style():
     yield
     plt.close("all")
     mpl.rcdefaults()
+
+
+@pytest.fixture(scope="session")
+def run_here():
+    """What run_module does, for the modules course and pytest, with the code that is loaded here.
+
+    It takes a tenth of the time. What a process of its own is to show needs run_module.
+    """
+    def run(root, module, *command):
+        start = {"course": cli.main, "pytest": pytest.main}[module]
+        out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8", write_through=True) for _ in range(2))
+        with (in_the_place_of(root), contextlib.redirect_stdout(out),
+              contextlib.redirect_stderr(err)):
+            try:
+                status = start([*map(str, command)])
+            except SystemExit as ended:
+                status = ended.code
+        return subprocess.CompletedProcess(
+            command, status, *(stream.buffer.getvalue().decode() for stream in (out, err)))
+
+    return run
+
+
+@contextlib.contextmanager
+def in_the_place_of(root):
+    """Another folder is the course's root, and no test that was imported here is known there."""
+    known = {name: sys.modules.pop(name) for name in tests_imported()}
+    with pytest.MonkeyPatch.context() as patch, contextlib.chdir(root):
+        patch.setattr(places, "ROOT", root)
+        patch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
+        patch.setenv("COLUMNS", "80")
+        patch.setenv("FORCE_COLOR", "")
+        try:
+            yield
+        finally:
+            for name in tests_imported():
+                del sys.modules[name]
+            sys.modules.update(known)
+
+
+def tests_imported():
+    return [name for name in sys.modules if name.split(".")[0] in ("tests", "conftest")]

@@ -7,127 +7,43 @@ import sys
 import time
 
 import pytest
+from made_up import check_text, exercise_text
 
 from course import board, exercises, verdicts
 from course.checks.report import Check
 from course.given import places
 
-REFERENCE = '''\
-"""Made up."""
-
-
-def double(x):  # exercise 1.1 (2 points)
-    """Twice x."""
-    return 2 * x
-
-
-def half(x):  # exercise 1.2 (3 points)
-    """Half of x."""
-    return x / 2
-
-
-def between(x):
-    return half(x)
-
-
-def quarter(x):  # exercise 1.3 (1 point)
-    """Half of the half."""
-    return half(between(x))
-
-
-def mask(n):  # exercise 1.4 (4 points)
-    """Not started."""
-    return n
-
-
-def area(n):  # exercise 1.5 (2 points)
-    """Calls mask."""
-    return mask(n)
-
-
-def unchecked(x):  # exercise 1.6 (5 points)
-    """Without a check."""
-    return x
-
-
-def skipped(x):  # exercise 1.7 (1 point)
-    """Its only check is skipped."""
-    return x
-'''
+REFERENCE = '"""Made up."""\n' + "".join((
+    exercise_text("1.1", "double", "Twice x.", "return 2 * x", points=2),
+    exercise_text("1.2", "half", "Half of x.", "return x / 2", points=3),
+    "\n\ndef between(x):\n    return half(x)\n",
+    exercise_text("1.3", "quarter", "Half of the half.", "return half(between(x))"),
+    exercise_text("1.4", "mask", "Not started.", "return n", points=4, inputs="n"),
+    exercise_text("1.5", "area", "Calls mask.", "return mask(n)", points=2, inputs="n"),
+    exercise_text("1.6", "unchecked", "Without a check.", "return x", points=5),
+    exercise_text("1.7", "skipped", "Its only check is skipped.", "return x")))
 
 LAB = "# Mine.\n" + REFERENCE.replace("return x / 2", "return x / 3").replace(
     "return n\n", 'raise NotImplementedError("exercise 1.4: mask")\n')
 
-CHECKS = '''\
-import pytest
+CHECKS = "import pytest\n\nfrom course.checks import assert_close, exercise\n" + "".join((
+    check_text("1.1", "twice", "Once.", "assert_close(impl.double(2.0), 4.0)"),
+    check_text("1.2", "half_of_nothing", "Something.", 'print("nothing")',
+          "assert_close(impl.half(0.0), 0.0)"),
+    check_text("1.2", "half_of_three", "A third.", 'print("three")',
+          "assert_close(impl.half(3.0), 1.5)"),
+    check_text("1.3", "quarter_of_one", "A third of the third.",
+          "assert_close(impl.quarter(1.0), 0.25)"),
+    check_text("1.4", "mask_is_masked", "It is not.", "assert_close(impl.mask(2), 2)"),
+    check_text("1.5", "area_is_counted", "It is not.", "assert_close(impl.area(2), 2)"),
+    check_text("1.7", "skipped", "Left out.", marks=["@pytest.mark.skip"]),
+    "\n\ndef test_of_given_code(impl):\n    assert impl.between(2.0) == 1.0\n"))
 
-from course.checks import assert_close, exercise
+SECOND = exercise_text("2.1", "twice", "Twice x.", "return 2 * x", points=3).lstrip()
 
-
-@exercise("1.1")
-def test_twice(impl):
-    """Once."""
-    assert_close(impl.double(2.0), 4.0)
-
-
-@exercise("1.2")
-def test_half_of_nothing(impl):
-    """Something."""
-    print("nothing")
-    assert_close(impl.half(0.0), 0.0)
-
-
-@exercise("1.2")
-def test_half_of_three(impl):
-    """A third."""
-    print("three")
-    assert_close(impl.half(3.0), 1.5)
-
-
-@exercise("1.3")
-def test_quarter_of_one(impl):
-    """A third of the third."""
-    assert_close(impl.quarter(1.0), 0.25)
-
-
-@exercise("1.4")
-def test_mask_is_masked(impl):
-    """It is not."""
-    assert_close(impl.mask(2), 2)
-
-
-@exercise("1.5")
-def test_area_is_counted(impl):
-    """It is not."""
-    assert_close(impl.area(2), 2)
-
-
-@exercise("1.7")
-@pytest.mark.skip
-def test_skipped(impl):
-    """Left out."""
-
-
-def test_of_given_code(impl):
-    assert impl.between(2.0) == 1.0
-'''
-
-SECOND = '''\
-def twice(x):  # exercise 2.1 (3 points)
-    """Twice x."""
-    return 2 * x
-'''
-
-SECOND_CHECKS = '''\
-from course.checks import assert_close, exercise
-
-
-@exercise("2.1")
-def test_twice_is_more(impl, rng):
-    """Less."""
-    x = rng.random()
-    assert_close(impl.twice(x), x + x)
-'''
+SECOND_CHECKS = "from course.checks import assert_close, exercise\n" + check_text(
+    "2.1", "twice_is_more", "Less.", "x = rng.random()", "assert_close(impl.twice(x), x + x)",
+    inputs="impl, rng")
 
 FILES = {
     "reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
@@ -143,8 +59,8 @@ def course(house):
 
 
 @pytest.fixture(scope="module")
-def check(course, run_module):
-    return lambda *asked: run_module(course, "course", "check", *asked)
+def check(course, run_here):
+    return lambda *asked: run_here(course, "course", "check", *asked)
 
 
 @pytest.fixture(scope="module")
@@ -250,7 +166,7 @@ def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, sta
     assert done.returncode == status
 
 
-def test_what_comes_next_is_next_by_number_in_whichever_module_of_the_lab(house, run_module):
+def test_what_comes_next_is_next_by_number_in_whichever_module_of_the_lab(house, run_here):
     """The numbers of the lab's own module come first, so that 2.3 is told before 2.2."""
     third = SECOND.replace("2.1", "2.3")
     opened = third.replace("return 2 * x", 'raise NotImplementedError("exercise 2.3: twice")')
@@ -260,7 +176,7 @@ def test_what_comes_next_is_next_by_number_in_whichever_module_of_the_lab(house,
         "reference/scanline.py": third.replace("2.3", "2.2"),
         "labs/scanline.py": opened.replace("2.3", "2.2"),
         "tests/labs/test_scanline.py": SECOND_CHECKS.replace("2.1", "2.2")})
-    done = run_module(root, "course", "check", "2")
+    done = run_here(root, "course", "check", "2")
     assert "Next: 2.2 twice, not started" in done.stdout
 
 
@@ -295,13 +211,13 @@ def breaks():
 '''
 
 
-def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_module):
+def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_here):
     """A file that cannot be read, a check of no exercise or a broken fixture pass in silence."""
     root = house(FILES | {
         "tests/labs/test_rasterization.py": "import nothing\n",
         "tests/labs/test_transforms.py": CHECKS.replace('"1.7"', '"1.9"').replace(
             "half_of_nothing(impl)", "half_of_nothing(impl, breaks)") + BREAKS_AFTERWARDS})
-    done = run_module(root, "course", "check", "--impl", "reference")
+    done = run_here(root, "course", "check", "--impl", "reference")
     assert ("tests/labs/test_rasterization.py cannot be collected: "
             "ModuleNotFoundError: No module named 'nothing'") in done.stdout
     assert ("tests/labs/test_transforms.py::test_skipped names exercise 1.9, "
@@ -309,15 +225,15 @@ def test_checks_that_cannot_be_trusted_spoil_the_board(house, run_module):
     assert "  2.1  twice          3 points  failing" in done.stdout
     assert "  1.2  half           3 points  failing" in done.stdout
     assert "wrong     OSError: broken" in done.stdout
-    done = run_module(root, "course", "check", "1.1")
+    done = run_here(root, "course", "check", "1.1")
     assert "All that was asked for is done" in done.stdout
     assert done.returncode == 1
 
 
-def test_a_test_run_that_breaks_off_spoils_the_board(house, run_module):
+def test_a_test_run_that_breaks_off_spoils_the_board(house, run_here):
     """No check has failed, as none has run."""
     settings = '[tool.pytest.ini_options]\npythonpath = ["."]\naddopts = "--nonsense"\n'
-    done = run_module(house(FILES | {"pyproject.toml": settings}), "course", "check", "2")
+    done = run_here(house(FILES | {"pyproject.toml": settings}), "course", "check", "2")
     assert done.returncode == 1
     assert "pytest broke off" in done.stdout
     assert "--nonsense" in done.stderr
@@ -339,29 +255,18 @@ print("status", board.check("2"))
 '''
 
 
-HANDED_OUT = """\
-def twice(x):  # exercise 1.1 (2 points)
-    \"\"\"2 x.\"\"\"
-    {body}
-"""
-ITS_CHECK = """\
-from course.checks import assert_close, exercise
+ITS_CHECK = "from course.checks import assert_close, exercise\n" + check_text(
+    "1.1", "two", "One.", "assert_close(impl.twice(1.0), 2.0)")
 
 
-@exercise("1.1")
-def test_two(impl):
-    assert_close(impl.twice(1.0), 2.0)
-"""
-
-
-def test_a_hand_out_without_reference_has_its_board(house, run_module):
+def test_a_hand_out_without_reference_has_its_board(house, run_here):
     """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
-    right = HANDED_OUT.format(body="return 2 * x")
+    right = exercise_text("1.1", "twice", "2 x.", "return 2 * x", points=2).lstrip()
     files = {"tests/labs/test_transforms.py": ITS_CHECK, "labs/transforms.py": right}
-    done = run_module(house(files), "course", "check", "1")
+    done = run_here(house(files), "course", "check", "1")
     assert done.returncode == 0 and "2 of 2" in done.stdout
-    files["labs/transforms.py"] = HANDED_OUT.format(body="return 2 *")
-    broken = run_module(house(files), "course", "check", "1")
+    files["labs/transforms.py"] = right.replace("2 * x", "2 *")
+    broken = run_here(house(files), "course", "check", "1")
     assert broken.returncode == 2
     assert broken.stderr.startswith("course: labs/transforms.py, line 3: this is not Python")
 
@@ -413,10 +318,10 @@ def test_pictures_of_what_failed_are_listed_and_opened(tmp_path, monkeypatch, ca
     assert "for it is failed" in page.read_text() and "image/png;base64,YSBwaWN" in page.read_text()
 
 
-def test_a_file_that_is_not_python_is_one_line(house, run_module):
+def test_a_file_that_is_not_python_is_one_line(house, run_here):
     """Every check of the lab fails, each with the same traceback, and other labs are not run."""
     root = house(FILES | {"labs/transforms.py": LAB.replace("return 2 * x", "return 2 * (x")})
-    done = run_module(root, "course", "check", "--json", "board.json")
+    done = run_here(root, "course", "check", "--json", "board.json")
     assert lines(done.stdout)[:2] == ["Lab 1  transforms     0 of 18   ....................",
                                       "  1.1  double         2 points  not readable"]
     assert lines(done.stdout)[-3:] == [
@@ -453,10 +358,10 @@ def test_each_exercise_of_the_course_has_its_section():
         "7.10", "7.11", "7.12", "8.2", "1.4"}
 
 
-def test_an_import_that_graders_do_not_have_is_told(house, run_module):
+def test_an_import_that_graders_do_not_have_is_told(house, run_here):
     """A lab uses pandas, and its author learns so from the mark."""
     root = house(FILES | {"labs/transforms.py": "import json\nimport PIL.Image\n" + LAB})
-    done = run_module(root, "course", "check", "1.1")
+    done = run_here(root, "course", "check", "1.1")
     assert "labs/transforms.py, line 2: PIL.Image is not there when your labs are graded" in (
         done.stdout)
     assert "json" not in done.stdout
@@ -509,11 +414,11 @@ def test_watching_checks_again_when_a_file_is_saved(house):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to the whole console there")
-def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_module):
+def test_a_loop_without_an_end_is_shown_when_it_is_stopped(house, run_here):
     """Ctrl-C loses the board, and nobody knows where the loop is."""
     root = house(FILES | {"labs/transforms.py": LAB.replace(
         "return x / 3", 'while not open("started", "w").close():\n        pass')})
-    alone = run_module(root, "course", "check", "1.1")
+    alone = run_here(root, "course", "check", "1.1")
     assert alone.returncode == 0, "more was run than was asked for"
     with subprocess.Popen([sys.executable, "-m", "course", "check", "1"], cwd=root,
                           stdout=subprocess.PIPE, encoding="utf-8") as process:

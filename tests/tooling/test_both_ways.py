@@ -14,14 +14,14 @@ EXERCISES = {exercise.number: (topic, exercise.name)
 
 
 @pytest.fixture(scope="module")
-def board(tmp_path_factory, run_module, pytestconfig):
+def board(tmp_path_factory, run_here, pytestconfig):
     """The board of the reference's skeleton, extras open: (what it printed, {number: entry})."""
     folder = tmp_path_factory.mktemp("skeleton")
     for topic in exercises.topics():
         text = skeleton(exercises.read(exercises.reference(topic)), extra=True)
         (folder / f"{topic}.py").write_bytes(text.encode("utf-8"))
-    done = run_module(pytestconfig.rootpath, "course", "check", "--impl", folder, "--extra",
-                      "--json", folder / "board.json")
+    done = run_here(pytestconfig.rootpath, "course", "check", "--impl", folder, "--extra",
+                    "--json", folder / "board.json")
     assert done.returncode == 1, done.stdout + done.stderr
     entries = json.loads((folder / "board.json").read_text(encoding="utf-8"))["exercises"]
     return done.stdout, {entry["number"]: entry for entry in entries}

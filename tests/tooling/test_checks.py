@@ -7,9 +7,10 @@ import warnings
 
 import numpy as np
 import pytest
+from made_up import check_text, exercise_text
 from PIL import Image
 
-from course.checks import Mismatch, assert_close, assert_equal, assert_picture
+from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
 from course.checks.loader import Implementation
 from course.checks.pictures import GAP
 from course.checks.showing import layout, shown, shown_call, typed
@@ -335,151 +336,59 @@ def both(x):
     return x, 2 * x
 '''
 
-CHECKS = '''\
+CHECKS = """\
 import numpy as np
 import pytest
 
 from course.checks import assert_close, exercise
-
+""" + "".join((
+    '''
 
 @pytest.fixture
 def spoilt():
     yield
     raise OSError("spoilt")
-
-
-@exercise("1.1")
-def test_double_is_twice(impl):
-    """Half."""
-    assert_close(impl.double(3.0), 6.0)
-
-
-@exercise("1.2")
-def test_half_of_one(impl):
-    """Division by zero.
-
-    More about it.
-    """
-    assert_close(impl.half(1.0), 0.5)
-
-
-@exercise("1.3")
-@pytest.mark.parametrize("by", [1.0, 2.0], ids=["one", "two"])
-def test_shifted_adds(impl, by):
-    """The sign."""
-    assert_close(
-        impl.shifted(np.zeros((2, 2)), by=by), np.full((2, 2), by))
-
+''',
+    check_text("1.1", "double_is_twice", "Half.", "assert_close(impl.double(3.0), 6.0)"),
+    check_text("1.2", "half_of_one", "Division by zero.\n\n    More about it.\n    ",
+               "assert_close(impl.half(1.0), 0.5)"),
+    check_text("1.3", "shifted_adds", "The sign.", "assert_close(",
+               "    impl.shifted(np.zeros((2, 2)), by=by), np.full((2, 2), by))", inputs="impl, by",
+               marks=['@pytest.mark.parametrize("by", [1.0, 2.0], ids=["one", "two"])']),
+    '''
 
 @exercise("1.3")
 def test_shifted_of_other_things(impl):
     assert_close(impl.shifted(1.0, 0.0), 2.0, given={"told": "so"})
-
-
-@exercise("1.3")
-def test_shifted_by_nothing(impl):
-    """It does something."""
-    assert impl.shifted(1.0, 0.0) == 2.0, "it moved"
-
-
-@exercise("1.3")
-def test_shifted_refuses_text(impl):
-    """It takes everything."""
-    with pytest.raises(ValueError):
-        impl.shifted(1.0, 2.0)
-
-
-@exercise("1.3")
-def test_shifted__s_inputs_can_be_loaded(impl):
-    """They are shortened."""
-    assert_close(impl.shifted(np.arange(99.0).reshape(33, 3), by=1.0), np.zeros((33, 3)))
-
-
-@exercise("1.8")
-def test_the_second_of_two(impl):
-    """It is the first."""
-    _, two = impl.both(1.0)
-    assert_close(two, 3.0)
-
-
-@exercise("1.3")
-def test_shifted_gives_two(impl):
-    """It gives one."""
-    one, two = impl.shifted(1.0, 0.0)
-
-
-@exercise("1.3")
-def test_shifted_can_be_multiplied(impl):
-    """It has another shape."""
-    assert_close(np.eye(3) @ impl.shifted(np.zeros((2, 2)), by=1.0), 0.0)
-
-
-@exercise("1.4")
-def test_mask_is_square(impl):
-    """It is not."""
-    assert impl.mask(3).shape == (3, 3)
-
-
-@exercise("1.5")
-def test_area_counts(impl):
-    """It does not."""
-    assert impl.area(3) == 6
-
-
-@exercise("1.6")
-def test_deep_ends(impl):
-    """Recursion without an end."""
-    impl.deep(0)
-
-
-@exercise("1.7")
-def test_other(impl):
-    """Nothing."""
-    impl.other(0)
-
-
-@exercise("1.1")
-@pytest.mark.skip
-def test_skipped(impl):
-    """Left out."""
-
-
-@exercise("1.1")
-def test_skips_itself(impl):
-    """Left out."""
-    pytest.skip("not today")
-
-
-@exercise("1.1")
-@pytest.mark.xfail
-def test_expected_to_fail(impl):
-    """A failure that nobody minds."""
-    assert impl.double(3.0) == 7.0
-
-
-@exercise("1.1")
-@pytest.mark.xfail(strict=False)
-def test_expected_to_fail_and_passing(impl):
-    """A failure that nobody minds."""
-    assert impl.double(3.0) == 6.0
-
-
-@exercise("1.1")
-def test_passes_and_breaks_after(impl, spoilt):
-    """Its fixture."""
-
-
-@exercise("1.1")
-def test_numbers_are_this_checks_own(impl, rng, request):
-    """They are always the same."""
-    print("drew", request.node.name, rng.random())
-
-
-@exercise("1.1")
-def test_numbers_are_not_those_of_another(impl, rng, request):
-    """They are always the same."""
-    print("drew", request.node.name, rng.random())
-
+''',
+    check_text("1.3", "shifted_by_nothing", "It does something.",
+               'assert impl.shifted(1.0, 0.0) == 2.0, "it moved"'),
+    check_text("1.3", "shifted_refuses_text", "It takes everything.",
+               "with pytest.raises(ValueError):", "    impl.shifted(1.0, 2.0)"),
+    check_text("1.3", "shifted__s_inputs_can_be_loaded", "They are shortened.",
+               "assert_close(impl.shifted(np.arange(99.0).reshape(33, 3), by=1.0), "
+               "np.zeros((33, 3)))"),
+    check_text("1.8", "the_second_of_two", "It is the first.", "_, two = impl.both(1.0)",
+               "assert_close(two, 3.0)"),
+    check_text("1.3", "shifted_gives_two", "It gives one.", "one, two = impl.shifted(1.0, 0.0)"),
+    check_text("1.3", "shifted_can_be_multiplied", "It has another shape.",
+               "assert_close(np.eye(3) @ impl.shifted(np.zeros((2, 2)), by=1.0), 0.0)"),
+    check_text("1.4", "mask_is_square", "It is not.", "assert impl.mask(3).shape == (3, 3)"),
+    check_text("1.5", "area_counts", "It does not.", "assert impl.area(3) == 6"),
+    check_text("1.6", "deep_ends", "Recursion without an end.", "impl.deep(0)"),
+    check_text("1.7", "other", "Nothing.", "impl.other(0)"),
+    check_text("1.1", "skipped", "Left out.", marks=["@pytest.mark.skip"]),
+    check_text("1.1", "skips_itself", "Left out.", 'pytest.skip("not today")'),
+    check_text("1.1", "expected_to_fail", "A failure that nobody minds.",
+               "assert impl.double(3.0) == 7.0", marks=["@pytest.mark.xfail"]),
+    check_text("1.1", "expected_to_fail_and_passing", "A failure that nobody minds.",
+               "assert impl.double(3.0) == 6.0", marks=["@pytest.mark.xfail(strict=False)"]),
+    check_text("1.1", "passes_and_breaks_after", "Its fixture.", inputs="impl, spoilt"),
+    check_text("1.1", "numbers_are_this_checks_own", "They are always the same.",
+               'print("drew", request.node.name, rng.random())', inputs="impl, rng, request"),
+    check_text("1.1", "numbers_are_not_those_of_another", "They are always the same.",
+               'print("drew", request.node.name, rng.random())', inputs="impl, rng, request"),
+    '''
 
 def test_of_no_exercise():
     assert 1 == 2
@@ -487,20 +396,10 @@ def test_of_no_exercise():
 
 class Told(AssertionError):
     pass
-
-
-@exercise("1.8")
-def test_strict_is_not_strict(impl):
-    """It is."""
-    impl.strict(0)
-
-
-@exercise("1.8")
-def test_strict_tells_all(impl):
-    """It keeps silent."""
-    impl.strict(1)
-    raise Told("it was given 1")
-'''
+''',
+    check_text("1.8", "strict_is_not_strict", "It is.", "impl.strict(0)"),
+    check_text("1.8", "strict_tells_all", "It keeps silent.", "impl.strict(1)",
+               'raise Told("it was given 1")')))
 
 
 @pytest.fixture(scope="module")
@@ -510,9 +409,9 @@ def course(house):
 
 
 @pytest.fixture(scope="module")
-def output(course, run_module):
+def output(course, run_here):
     """What pytest prints about the made-up lab, in parts: {test: its text}."""
-    done = run_module(course, "pytest", "--impl=labs", "tests/labs/test_transforms.py")
+    done = run_here(course, "pytest", "--impl=labs", "tests/labs/test_transforms.py")
     assert done.returncode == 1, done.stdout + done.stderr
     parts = re.split(r"\n_* ?(?:ERROR at \w+ of )?(test_[^ ]*) _*\n", done.stdout)
     return dict(zip(parts[1::2], parts[2::2], strict=True)) | {"all": done.stdout}
@@ -658,10 +557,10 @@ def test_tests_without_a_mark_are_left_to_pytest(output):
     assert "again  " not in output["test_of_no_exercise"]
 
 
-def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_module):
+def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_here):
     """All checks draw the same numbers, or other ones in every run or order."""
     def drawn(*options):
-        done = run_module(course, "pytest", "--impl=labs", "-s", *options)
+        done = run_here(course, "pytest", "--impl=labs", "-s", *options)
         return sorted(re.findall(r"drew (\w+) ([\d.]+)", done.stdout))
 
     first, second = drawn("-k", "numbers_are")
@@ -678,9 +577,9 @@ def test_verdicts_are_the_same_in_another_process(course, run_module, output):
     assert "verdict   not started (exercise 1.4: mask)" in done.stdout
 
 
-def test_authors_of_checks_can_have_the_traceback(course, run_module):
+def test_authors_of_checks_can_have_the_traceback(course, run_here):
     """The report cannot be switched off, and a defect of the check cannot be found."""
-    done = run_module(course, "pytest", "--impl=labs", "-k", "half", "--tb", "long")
+    done = run_here(course, "pytest", "--impl=labs", "-k", "half", "--tb", "long")
     assert "def test_half_of_one(impl):" in done.stdout
     assert "claim " not in done.stdout
 
@@ -705,14 +604,14 @@ UNUSABLE = {
 }
 
 
-def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run_module):
+def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run_here):
     """pytest breaks off, other labs fail with it, or the course's own lines are shown."""
     check = CHECKS[:CHECKS.index('@exercise("1.2")')]
     root = house({f"tests/labs/test_{topic}.py": check for topic in UNUSABLE}
                  | {f"labs/{topic}.py": lab for topic, (lab, *_) in UNUSABLE.items() if lab}
                  | {"labs/subdivision.py": "def double(x):\n    return 2 * x\n",
                     "tests/labs/test_subdivision.py": check})
-    done = run_module(root, "pytest", "--impl=labs")
+    done = run_here(root, "pytest", "--impl=labs")
     assert "7 failed, 1 passed" in done.stdout
     for _, *sentences in UNUSABLE.values():
         for sentence in sentences:
@@ -720,60 +619,35 @@ def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run
     assert "course/checks/" not in done.stdout
 
 
-def test_any_folder_with_a_topics_file_can_be_checked(course, run_module, tmp_path):
+def test_any_folder_with_a_topics_file_can_be_checked(course, run_here, tmp_path):
     """A folder beside the course is not found, or its files cannot import each other."""
     (tmp_path / "transforms.py").write_text("from . import sampling\n\ndouble = sampling.double\n")
     (tmp_path / "sampling.py").write_text("def double(x):\n    return x + x\n")
-    done = run_module(course, "pytest", f"--impl={tmp_path}", "-k", "twice")
+    done = run_here(course, "pytest", f"--impl={tmp_path}", "-k", "twice")
     assert done.returncode == 0, done.stdout
     assert not list(tmp_path.glob("__pycache__")), "a quick edit would meet stale bytecode"
 
 
-def test_a_folder_that_is_not_there_is_told(course, run_module):
+def test_a_folder_that_is_not_there_is_told(course, run_here):
     """Every check fails with an import error."""
-    done = run_module(course, "pytest", "--impl=nowhere")
+    done = run_here(course, "pytest", "--impl=nowhere")
     assert done.returncode == 4
     assert "there is no folder nowhere to check; give labs, reference" in done.stderr
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no timer there")
-def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_module):
+def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_here, monkeypatch):
     """A check hangs, and nobody hears of the others; or a check that follows is stopped, too."""
-    root = house({
-        "labs/transforms.py": """\
-def wait(n):  # exercise 1.1 (1 point)
-    \"\"\"Wait.\"\"\"
-    while n:
-        pass
-    return n
-""",
-        "tests/labs/test_transforms.py": """\
-import time
-
-from course.checks import assert_close, exercise
-
-
-@exercise("1.1")
-def test_it_is_short(impl):
-    \"\"\"It is not.\"\"\"
-    assert_close(impl.wait(0), 0)
-    time.sleep(0.5)
-
-
-@exercise("1.1")
-def test_it_ends(impl):
-    \"\"\"It does not.\"\"\"
-    assert_close(impl.wait(1), 0)
-
-
-@exercise("1.1")
-def test_it_ends_again(impl):
-    \"\"\"It does not.\"\"\"
-    assert_close(impl.wait(1), 0)
-"""})
-    loader = root / "course" / "checks" / "loader.py"
-    loader.write_text(loader.read_text().replace("SECONDS = 20.0", "SECONDS = 0.3"))
-    done = run_module(root, "course", "check", "1.1")
+    lab = exercise_text("1.1", "wait", "Wait.", "while n:", "    pass", "return n", inputs="n")
+    checks = "".join((
+        check_text("1.1", "it_is_short", "It is not.", "assert_close(impl.wait(0), 0)",
+                   "time.sleep(0.5)"),
+        check_text("1.1", "it_ends", "It does not.", "assert_close(impl.wait(1), 0)"),
+        check_text("1.1", "it_ends_again", "It does not.", "assert_close(impl.wait(1), 0)")))
+    root = house({"labs/transforms.py": lab.lstrip(), "tests/labs/test_transforms.py":
+                  f"import time\n\nfrom course.checks import assert_close, exercise\n{checks}"})
+    monkeypatch.setattr(loader, "SECONDS", 0.3)
+    done = run_here(root, "course", "check", "1.1")
     assert "1.1 wait, failing in 1 of 3 checks, 1 not run" in done.stdout, done.stdout
     assert "Stopped: after 0.3 s; does a loop never end" in done.stdout
     assert "labs/transforms.py:4 in wait" in done.stdout or (

@@ -4,6 +4,7 @@ import json
 import shutil
 
 import pytest
+from made_up import check_text
 
 REFERENCE = '''\
 """Made up."""
@@ -26,38 +27,23 @@ LAB = REFERENCE.replace("    return 2 * x", '    raise NotImplementedError("exer
 OPENED = LAB.replace("(3 points)", "(3 points), open").replace(
     "    # a comment of the answer\n    return x / 2",
     '    raise NotImplementedError("exercise 1.2: half")')
-CHECKS = '''\
-from course.checks import assert_close, exercise
-
-
-@exercise("1.1", fine_print=True)
-def test_nothing_stays_nothing(impl):
-    """Something."""
-    assert_close(impl.double(0.0), 0.0)
-
-
-@exercise("1.1")
-def test_twice(impl):
-    """Once."""
-    assert_close(impl.double(1.0), 2.0)
-
-
-@exercise("1.2")
-def test_half(impl):
-    """A third."""
-    assert_close(impl.half(3.0), 1.5)
-'''
+CHECKS = "from course.checks import assert_close, exercise\n" + "".join((
+    check_text("1.1", "nothing_stays_nothing", "Something.", "assert_close(impl.double(0.0), 0.0)",
+               fine_print=True),
+    check_text("1.1", "twice", "Once.", "assert_close(impl.double(1.0), 2.0)"),
+    check_text("1.2", "half", "A third.", "assert_close(impl.half(3.0), 1.5)")))
 FILES = {"reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
          "tests/labs/test_transforms.py": CHECKS}
 
 
 @pytest.fixture
-def course(house, run_module):
+def course(house, run_here, run_module):
     """A course of one lab, and run(...) -> what a command says there."""
     root = house(FILES)
 
     def run(*command, status=0):
-        done = run_module(root, "course", *command)
+        run = run_module if command[0] in ("grade", "mutants") else run_here  # who start others
+        done = run(root, "course", *command)
         assert done.returncode == status, done.stdout + done.stderr
         return " ".join((done.stdout + done.stderr).split())
 

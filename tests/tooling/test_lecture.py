@@ -6,45 +6,26 @@ import matplotlib.pyplot as plt
 import nbformat
 import pytest
 from jupyter_client import AsyncKernelManager
+from made_up import exercise_text
 from nbclient import NotebookClient
 
 from course.given import lecture
 from course.upkeep.notebooks import KERNEL_ENVIRONMENT, ThisInterpreter
 
-OUTLINES = '''
-def width(x):  # exercise 8.4 (2 points)
-    """How wide is it?"""
-    return x / 2
-'''
-RASTERIZATION = '''
-def edge(x):  # exercise 2.1 (2 points)
-    """On which side is it?"""
-    raise NotImplementedError("exercise 2.1: edge")
-'''
-ANTIALIASING = '''
-from .outlines import width
-from .rasterization import edge
-
-
-def area(x):  # exercise 8.1 (2 points)
-    """How large is it?"""
-    raise ValueError(f"no area for {x}")
-
-
-def crossing(x):  # exercise 8.7 (3 points)
-    """Where does it cross?"""
-    raise NotImplementedError("exercise 8.7: crossing")
-
-
-def blend(x):  # exercise 8.8 (3 points)
-    """Raise NotImplementedError("exercise 8.7: crossing")?"""
-    raise NotImplementedError("exercise 8.8: blend")
-
-
-def misspelt(x):  # exercise 8.9 (1 point)
-    """A name that waits in the lecture is a mistake here."""
-    return picture
-
+OUTLINES = exercise_text("8.4", "width", "How wide is it?", "return x / 2", points=2)
+RASTERIZATION = exercise_text("2.1", "edge", "On which side is it?",
+                              'raise NotImplementedError("exercise 2.1: edge")', points=2)
+ANTIALIASING = "".join((
+    "from .outlines import width\nfrom .rasterization import edge\n",
+    exercise_text("8.1", "area", "How large is it?", 'raise ValueError(f"no area for {x}")',
+                  points=2),
+    exercise_text("8.7", "crossing", "Where does it cross?",
+                  'raise NotImplementedError("exercise 8.7: crossing")', points=3),
+    exercise_text("8.8", "blend", 'Raise NotImplementedError("exercise 8.7: crossing")?',
+                  'raise NotImplementedError("exercise 8.8: blend")', points=3),
+    exercise_text("8.9", "misspelt", "A name that waits in the lecture is a mistake here.",
+                  "return picture"),
+    """
 
 def not_handled(x):
     raise NotImplementedError("x must be positive")
@@ -52,7 +33,7 @@ def not_handled(x):
 
 def rendered(x):
     return [crossing(width(x)) for _ in range(3)]
-'''
+"""))
 CELLS = {  # each runs after those before it, in one kernel
     "all done": 'import sys; sys.path.append("..")  # finds the course from notebooks/\n'
                 "from labs import outlines\nfrom course.given import lecture, plot\n\n"

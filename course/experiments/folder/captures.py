@@ -55,7 +55,7 @@ class Photos(NamedTuple):
     assumed: list
 
 
-def read(labs, folder, longest=128):
+def read(labs, folder: str | Path, longest: int = 128) -> Photos:
     """A folder -> Photos, made smaller: to at most so many pixels on the longer side.
 
     FileNotFoundError, OSError or ValueError, one sentence for each thing that can be wrong.

@@ -35,7 +35,7 @@ class Found(NamedTuple):
     colours: np.ndarray
 
 
-def run(labs, folder, wishes):
+def run(labs, folder: str, wishes: Wishes) -> int:
     """Reconstruct what a folder's pictures show, and say where mesh and report are. -> 0"""
     photos = captures.read(labs, folder, wishes.size)
     for sentence in photos.assumed:

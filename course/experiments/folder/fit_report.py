@@ -85,24 +85,20 @@ def on_screen(picture):
 def compared(name, kept_out, picture, rendering):
     """A View and its numbers. The object's pixels are those that the picture shows it in."""
     return View(name, kept_out, picture, rendering, *(
-        decibels(squares([(picture, rendering)], only)) for only in (False, True)),
+        psnr([(picture, rendering)], only) for only in (False, True)),
         image.intersection_over_union(picture[..., 3] >= 0.5, rendering[..., 3] >= 0.5))
 
 
-def squares(pairs, on_object):
-    """The mean square of the differences in colour over the pixels of several pairs."""
+def psnr(pairs, on_object):
+    """The PSNR in dB over all pixels, or the object's, of pairs of a picture and its rendering."""
     squared = [((a - b)**2)[..., :3][a[..., 3] > 0 if on_object else ...].reshape(-1, 3)
                for a, b in pairs]
-    return np.concatenate(squared).mean()
-
-
-def decibels(mean_square):
-    return float(-10 * np.log10(max(mean_square, 1e-10)))
+    return float(image.decibels(max(np.concatenate(squared).mean(), 1e-10)))
 
 
 def of_all(views, on_object):
     """The PSNR over all pixels of several views, in dB."""
-    return decibels(squares([(view.picture, view.rendering) for view in views], on_object))
+    return psnr([(view.picture, view.rendering) for view in views], on_object)
 
 
 def summary(judged):

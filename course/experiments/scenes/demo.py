@@ -105,7 +105,7 @@ def when_written():
         print(f"Nothing to see yet: {error}")
 
 
-def run(names, implementation=None, **wishes):
+def run(names: list[str], implementation: str | None = None, **wishes) -> int:
     """Render the named scenes, or all quick ones -> exit status: 1 if a goal was missed, else 0.
 
     Without names, scenes that lack something are left out, and what they lack is said; 1 if all do.
@@ -173,6 +173,6 @@ def timed(steps):
         start = time.perf_counter()
 
 
-def scenes():
+def scenes() -> dict[str, str]:
     """{name: what it shows}, in the order of the labs."""
     return {name: scene.__doc__.splitlines()[0] for name, scene in SCENES.items()}

@@ -1,4 +1,4 @@
-"""What the experiments share: cameras, smooth shading, and pictures on disk."""
+"""What the scenes share: cameras, smooth shading, fits, and pictures on disk."""
 import numpy as np
 
 from ...given import image, mesh, places
@@ -123,6 +123,16 @@ def wireframe(seen, barycentric, derivatives):
     distance = barycentric[seen] / np.linalg.norm(derivatives[seen], axis=-1)
     ink = np.clip(1.2 - distance.min(1), 0, 1)[:, None]
     return painted(seen, ink * np.array([0.10, 0.15, 0.30]) + (1 - ink) * np.ones(3))
+
+
+# --- fits ---------------------------------------------------------------------------------------
+
+
+def descended(labs, start, gradient, rates, *update, **settings):
+    """Lab 9's `descend` to its end -> [start, x after each step], losses (steps,)."""
+    steps = labs.inverse_rendering.descend(start, gradient, rates, *update, **settings)
+    x, losses = zip(*steps, strict=True)
+    return [start, *x], np.array(losses)
 
 
 # --- pictures -----------------------------------------------------------------------------------

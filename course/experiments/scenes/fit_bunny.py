@@ -7,6 +7,7 @@ from ...given import image, mesh
 from .drawing import (
     cameras_around,
     clip_positions,
+    descended,
     on_black,
     random_cameras,
     save,
@@ -62,8 +63,8 @@ def carve(labs, penalty_backward, update, schedule, size, seed):
             grad_x += labs.pipeline.render_backward(grad_picture, *given).positions
         return loss, grad_x
 
-    x, losses = zip(*lab9.descend(start, gradient, schedule, update), strict=True)
-    return np.array([start, *x]), np.array(losses)
+    path, losses = descended(labs, start, gradient, schedule, update)
+    return np.array(path), losses
 
 
 def ball():

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from rich.progress import track
 
-from .drawing import SIZE, enlarged, on_black, random_pose, save
+from .drawing import SIZE, descended, enlarged, on_black, random_pose, save
 
 CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
 SQUARES = np.array([[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5],
@@ -63,11 +63,8 @@ def fit(labs, size, seed, steps=1000):
         return lab9.squared_error(picture, target), Cube(grads.positions, grads.surface.colours)
 
     rates = [1e-2 * max(0.01, 10**(-0.0005 * step)) for step in range(steps)]
-    errors, losses = [error(x.positions)], []
-    for x, loss in lab9.descend(x, gradient, rates):  # noqa: B020
-        errors.append(error(x.positions))
-        losses.append(loss)
-    return np.array(errors), np.array(losses), x
+    path, losses = descended(labs, x, gradient, rates)
+    return np.array([error(x.positions) for x in path]), losses, path[-1]
 
 
 def error(positions):

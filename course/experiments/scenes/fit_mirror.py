@@ -5,7 +5,8 @@ gradients that reach them from the pictures are all that moves them.
 """
 import numpy as np
 
-from .drawing import enlarged, save
+from ...given import image
+from .drawing import descended, enlarged, save
 from .reflections import environment, known, reflections, unfolded, views, weights
 
 PICTURES = 12
@@ -46,15 +47,14 @@ def fit(labs, faces, given, steps=100, seed=0):
                                                  filter="linear-mipmap-linear")[0]
         return loss, grad_x
 
-    for x, _ in lab9.descend(faces, gradient, lab9.decay(0.02, 0.05, steps),
-                             project=lambda x: np.clip(x, 0, 1)):
-        faces = x
-    return faces
+    path, _ = descended(labs, faces, gradient, lab9.decay(0.02, 0.05, steps),
+                      project=lambda x: np.clip(x, 0, 1))
+    return path[-1]
 
 
 def psnr(faces, truth, seen):
     """Peak signal-to-noise ratio in decibels, over the texels that are seen."""
-    return -10 * np.log10(((faces - truth)[seen]**2).mean())
+    return image.decibels(((faces - truth)[seen]**2).mean())
 
 
 def sheet(pictures, columns=4):

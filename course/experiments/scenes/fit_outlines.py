@@ -13,6 +13,7 @@ from . import fit_triangle
 from .drawing import (
     SIZE,
     clip_from_world,
+    descended,
     enlarged,
     save,
     seen_mask,
@@ -113,8 +114,8 @@ def triangle(labs, outline, steps=300):
         grad_x, _ = labs.pipeline.to_clip_backward(grad_clip, positions, view.clip_from_model)
         return lab9.squared_error(picture, goal), grad_x[:, :2]
 
-    found = lab9.descend(fit_triangle.START, gradient, fit_triangle.schedule(steps))
-    return np.array([fit_triangle.START, *(x for x, _ in found)])
+    path, _ = descended(labs, fit_triangle.START, gradient, fit_triangle.schedule(steps))
+    return np.array(path)
 
 
 def teapot(labs, outline, steps=150, size=64, weight=2e-3):
@@ -134,8 +135,8 @@ def teapot(labs, outline, steps=150, size=64, weight=2e-3):
         return (lab9.silhouette_loss(picture, goal),
                 grad_x + lab9.uniform_laplacian_energy_backward(weight, x, edges))
 
-    found = lab9.descend(start, gradient, lab9.decay(0.02, 0.1, steps))
-    return np.array([start, *(x for x, _ in found)]), faces
+    path, _ = descended(labs, start, gradient, lab9.decay(0.02, 0.1, steps))
+    return np.array(path), faces
 
 
 def teapot_camera(labs):

@@ -7,7 +7,7 @@ import time
 import numpy as np
 from rich.progress import track
 
-from .drawing import SIZE, on_black, save
+from .drawing import SIZE, descended, on_black, save
 from .fit_cube import CORNERS, HALVES, SQUARES, camera
 
 BLOCK = CORNERS[SQUARES].reshape(24, 3) - 0.5
@@ -106,9 +106,9 @@ def descent(labs, q, goal, size, steps, rate):
         grad_q = lab9.quaternion_matrix_backward(camera(labs).T @ grad_matrix, q)
         return lab9.squared_error(picture, target), grad_q
 
-    found = lab9.descend(q, gradient, lab9.decay(rate, 0.02, steps),
-                         project=lambda q: q / np.linalg.norm(q))
-    return [q for q, _ in found]
+    path, _ = descended(labs, q, gradient, lab9.decay(rate, 0.02, steps),
+                      project=lambda q: q / np.linalg.norm(q))
+    return path[1:]
 
 
 def seen(labs, q, size):

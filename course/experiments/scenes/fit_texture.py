@@ -2,6 +2,7 @@
 """
 import numpy as np
 
+from ...given import image
 from .drawing import directions, enlarged, random_pose, save
 
 SAMPLES = 4  # along each side of a pixel, in the views that are given
@@ -51,7 +52,7 @@ def psnr(texture, truth):
     covers nearly nothing.
     """
     area = np.cos(np.pi * ((np.arange(len(truth)) + 0.5) / len(truth) - 0.5))
-    return -10 * np.log10(np.average(((texture - truth)**2).mean((1, 2)), weights=area))
+    return image.decibels(np.average(((texture - truth)**2).mean((1, 2)), weights=area))
 
 
 def globe(steps=16):

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .drawing import enlarged, save
+from .drawing import descended, enlarged, save
 
 SIDE = 64
 TEMPLATE = np.array([[50.0, 50.0], [10.0, 38.0], [38.0, 8.0]])
@@ -46,8 +46,8 @@ def fit(labs, goal, antialiased, steps=300):
         gradients.append(grads.positions[:, :2])
         return lab9.squared_error(picture, goal), gradients[-1]
 
-    x, losses = zip(*lab9.descend(START, gradient, schedule(steps)), strict=True)
-    return np.array([START, *x]), np.array(losses), np.array(gradients)
+    path, losses = descended(labs, START, gradient, schedule(steps))
+    return np.array(path), losses, np.array(gradients)
 
 
 class Renderer(NamedTuple):

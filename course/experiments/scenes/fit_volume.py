@@ -3,6 +3,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...given import image
 from .drawing import SIZE, WHITE, cameras_around, enlarged, save, smooth
 from .representations import wheel_camera
 
@@ -33,7 +34,7 @@ def fit_volume(labs):
     yield "500 steps", None
     new = saturn_rays(labs, cameras_around(labs, 3, longitude=0.7), size)
     picture = seen(labs, new, volume)
-    off = -10 * np.log10(np.mean((picture - new.colours)**2))
+    off = image.decibels(np.mean((picture - new.colours)**2))
     yield f"three new views: {off:.1f} dB", None
     sheet = np.concatenate([colours.reshape(3, size, size, 3).swapaxes(0, 1).reshape(size, -1, 3)
                             for colours in (new.colours, picture)])

@@ -105,13 +105,9 @@ def compared(pictures, truth):
     colours, albedo = pictures[..., :3], pictures[..., 3:]
     factor = (albedo * truth.albedo)[inside].sum() / (albedo**2)[inside].sum()
     on_screen = [image.to_srgb(np.clip(part[inside], 0, 1)) for part in (colours, truth.colours)]
-    numbers = {"albedo": decibels(factor * albedo[inside], truth.albedo[inside]),
-               "views": decibels(*on_screen)}
+    numbers = {"albedo": image.decibels(((factor * albedo - truth.albedo)[inside]**2).mean()),
+               "views": image.decibels((np.subtract(*on_screen)**2).mean())}
     return numbers, sheet_of(factor * albedo, colours)
-
-
-def decibels(found, truth):
-    return -10 * np.log10(((found - truth)**2).mean())
 
 
 def sheet_of(albedo, colours):

@@ -142,4 +142,4 @@ def decibels(pictures, truth):
     """Colours of pictures (H, W, 4), as seen on a screen, against the truth: mean PSNR in dB."""
     errors = [((image.to_srgb(np.clip(a, 0, 1)) - image.to_srgb(np.clip(b, 0, 1)))[..., :3]**2)
               .mean() for a, b in zip(pictures, truth, strict=True)]
-    return -10 * np.log10(np.mean(errors))
+    return image.decibels(np.mean(errors))
