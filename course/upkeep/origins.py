@@ -54,7 +54,7 @@ def _digest(name, text):
 
 @functools.cache
 def _digest_of_folder(folder):
-    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    files = sorted(path for path in folder.rglob("[!.]*") if path.is_file())
     return _short(b"".join(path.read_bytes() for path in files))
 
 
