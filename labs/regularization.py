@@ -56,8 +56,7 @@ def corner_angles(triangles):  # extra 13.1 (2 points)
     array([1.570796, 0.785398, 0.785398])
 
     Fine print. The angle is 0 at a corner that coincides with another one. Every angle is right to
-    1e-14, and the tip of a needle, across from a short side, to a relative 1e-9. `twice_areas` has
-    these digits.
+    1e-14, and a needle's tip, across from a short side, to a relative 1e-9, as `twice_areas` is.
     """
     p, q = sides(triangles)
     return np.arctan2(twice_areas(triangles)[..., None], (p * q).sum(-1))
@@ -164,8 +163,7 @@ def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
 
 def laplacian(edges, weights, vertex_count):
     """The Laplacian of eq. (2) as a sparse matrix (V, V). It is symmetric, its rows sum to 0."""
-    weights = np.asarray(weights, float)  # of unsigned integers, -1 is a large one
-    rows, columns, values = laplacian_entries(edges, weights, vertex_count)
+    rows, columns, values = laplacian_entries(edges, np.asarray(weights, float), vertex_count)
     return scipy.sparse.csc_array((values, (rows, columns)), shape=(vertex_count, vertex_count))
 
 

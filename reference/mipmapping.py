@@ -54,9 +54,7 @@ class Mipmap(NamedTuple):
 
 
 def halve(image):  # exercise 6.9 (1 point)
-    """Eq. (5): the next level of a pyramid.
-
-    image (h, w, C), floats, of even sides -> (h / 2, w / 2, C).
+    """Eq. (5): the next level of a pyramid, floats (h, w, C) of even sides -> (h / 2, w / 2, C).
 
     >>> halve(np.array([[1.0, 3.0, 0.0, 8.0], [5.0, 7.0, 2.0, 2.0]])[..., None])[..., 0]
     array([[4., 3.]])
