@@ -137,7 +137,8 @@ def seen_again(made):
     colours = reconstruction.sh_basis(ball.normals) @ x.light * ball.albedo
     capture = multi_view_fit.Capture(made.pictures, made.cameras, made.background)
     shape = LABS.pipeline.make_mesh(ball.vertices, ball.faces)
-    rendered, _ = multi_view_fit.see(shape, colours, multi_view_fit.targets_of(capture, 1, 2))
+    targets = multi_view_fit.targets_of(capture, 1, 2)
+    rendered, _ = multi_view_fit.render_views(shape, colours, targets)
     both = np.clip(np.stack([made.pictures, rendered]), 0, 1)
     encoded = np.where(both > 0.0031308, 1.055 * both**(1 / 2.4) - 0.055, 12.92 * both)[..., :3]
     return *encoded, both[0, ..., 3], both[1, ..., 3]

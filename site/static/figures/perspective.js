@@ -1,5 +1,5 @@
 /** Lecture 05: weights on the screen are not weights on the face. */
-import { screenWeights, isCovered } from "./edge_functions.js";
+import { isCovered, screenWeights } from "./edge_functions.js";
 import { button, html, number, slider, table } from "./paper.js";
 import { Picture, probeAll } from "./picture.js";
 
