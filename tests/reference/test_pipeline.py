@@ -407,7 +407,7 @@ def test_buffers_of_another_surface_are_told():
     texture = Texture(np.zeros((len(shape.positions), 2)), shape.faces, np.zeros((4, 4, 2)))
     for one, other in (surface, texture), (texture, surface):
         picture, buffers = pipeline.render(shape, one, view)
-        with pytest.raises(ValueError, match="Buffers of a picture with this material; it got"):
+        with pytest.raises(ValueError, match="Buffers of a picture with this material; got"):
             pipeline.render_backward(picture, buffers, shape, other, view)
 
 
