@@ -23,7 +23,8 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
          ".gitignore")
 PACKS = {f"course/grading/{name}.py" for name in ("__init__", "archives", "pack")}
-TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mutants")}
+TEACHERS = {f"course/upkeep/{name}.py" for name in (
+    "changes", "feedback", "mistakes", "mutants", "mutations", "trials")}
 README = """\
 # Differentiable rasterization in plain NumPy: the labs
 

@@ -23,7 +23,7 @@ from ..checks.report import Check, is_fine_print
 from ..given import places
 
 SLOWER, AT_LEAST = 20, 8.0  # a trial may take so many times what the right answer takes; seconds
-MOST = 60.0  # seconds, where the right answer is not tried
+MOST = 60.0  # seconds for a trial where the right answers are not tried
 
 
 class Trial(NamedTuple):
@@ -37,7 +37,7 @@ class Trial(NamedTuple):
 
 class Asked(NamedTuple):
     """What is wanted of Trials: every check that catches them, not only the first; the suspicions
-    of hints; the right answers are tried before, as all depends on these.
+    of hints; the right answers are tried before in all checks, not only in the first.
     """
 
     all_checks: bool = False
@@ -67,7 +67,7 @@ class Trials:
     def pytest_runtestloop(self, session):
         start = time.perf_counter()
         for number, items in self.of.items():
-            if not items or (self.asked.right_first and list(failures(items))):
+            if not items or list(failures(items[:None if self.asked.right_first else 1])):
                 raise ValueError(f"exercise {number} has no check, or the reference fails")
         self.tell(time.perf_counter() - start)
         module = sys.modules[f"{PACKAGE}.{self.topic}"]
