@@ -87,28 +87,33 @@ def change(text):
                          "or statements of Python") from None
 
 
+def found_at(function, wanted):
+    """Where a Change's left side stands in a function: [[node, ...]], in the order of the text."""
+    old, nodes = wanted.old, list(ast.walk(function))
+    if is_expression(old) and is_expression(wanted.new):
+        groups = [[node] for node in nodes if same(node, old[0].value)]
+    else:
+        blocks = [value for node in nodes for _, value in ast.iter_fields(node)
+                  if isinstance(value, list)]
+        windows = [block[k:k + len(old)] for block in blocks for k in range(len(block))]
+        groups = [window for window in windows if same(window, old)]
+    return sorted(groups, key=lambda group: (group[0].lineno, group[0].col_offset))
+
+
 def is_expression(statements):
     return len(statements) == 1 and isinstance(statements[0], ast.Expr)
 
 
-def found_at(function, wanted):
-    """Where a Change's left side stands in a function: [[node, ...]], in the order of the text."""
-    if is_expression(wanted.old) and is_expression(wanted.new):
-        old = wanted.old[0].value
-        nodes = [[node] for node in ast.walk(function) if type(node) is type(old)]
-    else:
-        old = wanted.old
-        blocks = [value for node in ast.walk(function) for _, value in ast.iter_fields(node)
-                  if isinstance(value, list)]
-        nodes = [block[k:k + len(old)] for block in blocks
-                 for k in range(len(block) - len(old) + 1)
-                 if [*map(type, block[k:k + len(old)])] == [*map(type, old)]]
-    same = [group for group in nodes if text_of(group) == text_of(old)]
-    return sorted(same, key=lambda group: (group[0].lineno, group[0].col_offset))
-
-
-def text_of(nodes):
-    return "\n".join(map(ast.unparse, nodes if isinstance(nodes, list) else [nodes]))
+def same(one, other):
+    """Are these the same code? Nodes, or lists of them, or what stands in them."""
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, list):
+        return len(one) == len(other) and all(map(same, one, other))
+    if isinstance(one, ast.AST):
+        return all(same(getattr(one, field), getattr(other, field))
+                   for field in one._fields if field != "ctx")
+    return one == other
 
 
 class Changed(ast.NodeTransformer):
@@ -143,7 +148,7 @@ def changed(function, wanted):
 def the_place(function, wanted):
     """The nodes that a Change means. ValueError: there are none, or too many."""
     found = found_at(function, wanted)
-    sought = f'"{text_of(wanted.old)}" stands'
+    sought = f'"{ast.unparse(ast.Module(wanted.old, []))}" stands'
     if len(found) < max(1, wanted.which):
         place = f"in less than {wanted.which} places" if wanted.which > 1 else "nowhere"
         raise ValueError(f"{sought} {place} in {function.name}; write what is there")
@@ -200,7 +205,7 @@ def names_now(function, several, outside):
     """
     written = set().union(*(used_names(wanted, outside) for wanted in several))
     missing = sorted(written - names_in(function))
-    free = sorted(own_names(function) - written)
+    free = sorted(own_names(function) - written - {function.name})
     fitting = []
     for chosen in itertools.permutations(free, len(missing)) if missing else ():
         names = dict(zip(missing, chosen, strict=True))
