@@ -34,7 +34,6 @@ TWIN = {name: twin for pair in map(str.split, TWINS)
         for name, twin in (pair, pair[::-1])}
 
 
-
 class Mutant(NamedTuple):
     """A change of an exercise: its line in the reference, what it reads, the function with it."""
 
@@ -48,8 +47,6 @@ def alternatives(node):
     yield from of_operators(node)
     yield from of_statements(node)
     match node:
-        case ast.IfExp(_, body, other):
-            yield from (body, other)
         case ast.Constant(value):
             yield from map(ast.Constant, other_numbers(value))
         case ast.Call(function, arguments, keywords):
@@ -89,6 +86,8 @@ def of_operators(node):
 
 def of_statements(node):
     match node:
+        case ast.IfExp(_, body, other):
+            yield from (body, other)
         case ast.comprehension(ifs=[_, *_]):
             yield altered(node, ifs=[])
         case ast.If():
