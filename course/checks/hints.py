@@ -91,7 +91,7 @@ class Pattern(NamedTuple):
 def pattern(checks):
     """The Pattern of checks that fail."""
     counted = [check for check in checks if not check.fine_print] or checks
-    return Pattern({short(check.nodeid): check.mark for check in counted},
+    return Pattern({name(check.nodeid): check.mark for check in counted},
                    sum(check.numbers for check in counted))
 
 
@@ -127,7 +127,7 @@ def hint(exercise, checks):
     if known := known_mistake(exercise, found):
         return known
     said = [Suspicion(*check.suspected) for check in checks
-            if check.suspected is not None and short(check.nodeid) in found.failed]
+            if check.suspected is not None and name(check.nodeid) in found.failed]
     alone = len({suspected.sentence for suspected in said}) == 1
     return said[0].sentence if alone and any(one.certain for one in said) else None
 
@@ -146,6 +146,12 @@ def known_mistakes():
         return json.loads(HINTS.read_bytes())
     except OSError:
         return {}
+
+
+def name(nodeid):
+    """tests/labs/test_x.py::test_y[one] -> test_y[one]: an exercise has all its checks in one file.
+    """
+    return nodeid.split("::", 1)[-1]
 
 
 def short(nodeid):

@@ -9,6 +9,11 @@ after "told by:", how one recognises a sentence that says so: words joined by & 
     silent   nothing does
     wrong    a hint that is certain tells something else
     passes   all checks pass
+
+This is a measurement, and 210 answers are enough: one for each exercise, the one whose text had the
+least SHA-256 of all 737 that were written. A share of 98 % has a standard error of 1 % with them.
+All 737 were named in the end, and so are these. An exercise gets no second one; a better one may
+take its place.
 """
 import re
 from collections import Counter
@@ -16,8 +21,8 @@ from typing import NamedTuple
 
 from .. import exercises
 from ..checks.runner import explained
-from . import mutants
 from .mistakes import wrong_functions
+from .trials import Trial, caught_by
 
 LABELS = "claim", "catches", "hint", "wrong", "differs"  # of the rows that are read
 
@@ -77,8 +82,8 @@ def rows_of(check):
 def measured(topic):
     """[(WrongAnswer, its verdict, the Checks that it fails)]."""
     answers = corpus(topic)
-    trials = [(answer.exercise, answer.text) for answer in answers]
-    found = mutants.caught_by(topic, trials, only_first=False, with_hints=True)
+    trials = [Trial(answer.exercise, answer.text) for answer in answers]
+    found = caught_by(topic, trials, all_checks=True, with_hints=True)
     return [(answer, verdict(answer, checks), checks)
             for answer, checks in zip(answers, found, strict=True)]
 

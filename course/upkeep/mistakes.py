@@ -1,13 +1,22 @@
 """The mistakes that people really make, exercise by exercise, and the hints that they give.
 
-tests/mistakes/<topic>.py has up to six wrong functions for each exercise. It is only read, never
-imported: each function takes the place of the one of its name, and its docstring goes on after
-"this is what comes out when". They serve twice. Each must be caught by its exercise's own checks.
-And where a student's function does in all checks what a known mistake does there, the report tells
-the sentence.
+Each exercise has one to six. They are written as changes of the right answer, in
+tests/mistakes/<topic>.txt:
+
+    2.4  (e >= 0).all(0) | (e <= 0).all(0) -> (e > 0).all(0) | (e < 0).all(0)
+          the border does not count as inside: > 0 for >= 0
+
+changes.py has the rules. Only what is written in another way altogether is a whole function, in
+tests/mistakes/<topic>.py. That file is only read, never imported: each function takes the place of
+the one of its name. The words below a change, and the docstring of a function, go on after "this is
+what comes out when".
+
+Mistakes serve twice. Each must be caught by its exercise's own checks. And where a student's
+function does in all checks what a known mistake does there, the report tells the sentence.
 
 At home there is no library, only course/checks/hints.json: for each exercise the sentences, with
 what their mistakes returned to the checks that caught them, as fingerprints, with the default seed.
+`run` makes it. The tests try of a mistake one check alone, that which hints.json names first.
 """
 import ast
 import json
@@ -18,7 +27,8 @@ from .. import exercises
 from ..checks.hints import HINTS, known_mistakes, pattern
 from ..checks.showing import plural
 from ..given import places
-from . import mutants
+from . import changes
+from .trials import Trial, caught_by
 
 
 class Mistake(NamedTuple):
@@ -49,22 +59,42 @@ def wrong_functions(folder, topic):
                " ".join((ast.get_docstring(function) or "").split()))
 
 
+def changed_functions(topic):
+    """Yield (place, exercise, text, words) of tests/mistakes/<topic>.txt.
+
+    ValueError: an entry is of no exercise of the topic, or its changes have no place there.
+    """
+    entries = changes.entries(places.ROOT / "tests" / "mistakes" / f"{topic}.txt")
+    asked = exercises.topic_exercises(topic)
+    for entry in entries:
+        if entry.number not in [exercise.number for exercise in asked]:
+            raise ValueError(f"{entry.place}: {entry.number} is no exercise of {topic}; "
+                             "give it the number of one")
+    for exercise in asked:
+        listed = [entry for entry in entries if entry.number == exercise.number]
+        texts = changes.wrong_functions(topic, exercise, listed) if listed else ()
+        for entry, text in zip(listed, texts, strict=True):
+            yield entry.place, exercise, text, entry.said
+
+
 def library(topic):
-    """The Mistakes of a topic. ValueError: a function is no exercise, or has no sentence."""
+    """The Mistakes of a topic. ValueError: one is of no exercise, or has no sentence."""
     found = []
-    for place, exercise, text, sentence in wrong_functions("mistakes", topic):
+    for place, exercise, text, sentence in (*changed_functions(topic),
+                                            *wrong_functions("mistakes", topic)):
         if not sentence:
-            raise ValueError(f"{place}: {exercise.name} has no docstring; write there what goes on "
+            raise ValueError(f"{place}: {exercise.name} has no sentence; write below what goes on "
                              'after "this is what comes out when"')
         found.append(Mistake(topic, exercise, text, sentence))
-    return found
+    asked = exercises.topic_exercises(topic)
+    return sorted(found, key=lambda mistake: asked.index(mistake.exercise))
 
 
 def tried(topic):
     """[(Mistake, [Check that caught it])]."""
     mistakes = library(topic)
-    trials = [(mistake.exercise, mistake.text) for mistake in mistakes]
-    return list(zip(mistakes, mutants.caught_by(topic, trials, only_first=False), strict=True))
+    trials = [Trial(mistake.exercise, mistake.text) for mistake in mistakes]
+    return list(zip(mistakes, caught_by(topic, trials, all_checks=True), strict=True))
 
 
 def patterns(found):
@@ -101,7 +131,14 @@ def run(target=None):
     for mistake in alive:
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")
-    text = json.dumps(made, indent=0, sort_keys=True) + "\n"
-    places.write_whole(HINTS, text.encode("utf-8"))
+    places.write_whole(HINTS, as_json(made).encode("utf-8"))
     print(f"{plural(sum(map(len, made.values())), 'sentence')} in course/checks/hints.json")
     return int(bool(alive))
+
+
+def as_json(made):
+    """JSON with one line for each sentence, so that a diff shows the mistake that changed."""
+    blocks = [f"{json.dumps(number)}: [\n"
+              + ",\n".join(json.dumps(known, sort_keys=True) for known in made[number]) + "\n]"
+              for number in sorted(made)]
+    return "{\n" + ",\n".join(blocks) + "\n}\n"

@@ -15,50 +15,6 @@ def tetrahedron_triangles(inside):
 
 
 def tetrahedron_triangles(inside):
-    """with two inside, the four corners are not in their order around the quadrangle: the two
-    triangles cross as a bow tie
-    """
-    count, order = inside.sum(), np.argsort(~inside, kind="stable")
-    if is_odd(order):
-        swapped = [0, 1] if count > 1 else [2, 3]
-        order[swapped] = order[swapped[::-1]]
-    a, b, c, d = order
-    around = {1: [(a, b), (a, c), (a, d)],
-              2: [(a, c), (a, d), (b, c), (b, d)],
-              3: [(a, d), (b, d), (c, d)]}.get(count, [])
-    fan = [(around[0], *pair) for pair in itertools.pairwise(around[1:])]
-    return np.array(fan, int).reshape(-1, 3, 2)
-
-
-def tetrahedron_triangles(inside):
-    """inside and outside are swapped"""
-    count, order = (~inside).sum(), np.argsort(inside, kind="stable")
-    if is_odd(order):
-        swapped = [0, 1] if count > 1 else [2, 3]
-        order[swapped] = order[swapped[::-1]]
-    a, b, c, d = order
-    around = {1: [(a, b), (a, c), (a, d)],
-              2: [(a, c), (a, d), (b, d), (b, c)],
-              3: [(a, d), (b, d), (c, d)]}.get(count, [])
-    fan = [(around[0], *pair) for pair in itertools.pairwise(around[1:])]
-    return np.array(fan, int).reshape(-1, 3, 2)
-
-
-def tetrahedron_triangles(inside):
-    """each corner has its smaller vertex first; the vertex inside is to be first"""
-    count, order = inside.sum(), np.argsort(~inside, kind="stable")
-    if is_odd(order):
-        swapped = [0, 1] if count > 1 else [2, 3]
-        order[swapped] = order[swapped[::-1]]
-    a, b, c, d = order
-    around = {1: [(a, b), (a, c), (a, d)],
-              2: [(a, c), (a, d), (b, d), (b, c)],
-              3: [(a, d), (b, d), (c, d)]}.get(count, [])
-    fan = [(around[0], *pair) for pair in itertools.pairwise(around[1:])]
-    return np.sort(np.array(fan, int).reshape(-1, 3, 2), axis=-1)
-
-
-def tetrahedron_triangles(inside):
     """all triangles are clockwise seen from outside: the winding is flipped, they face inward"""
     count, order = inside.sum(), np.argsort(~inside, kind="stable")
     if is_odd(order):
@@ -87,96 +43,9 @@ def tetrahedron_triangles(inside):
 
 
 def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the weights of both ends are swapped"""
-    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
-    grad_t = (grad_p * (p_b - p_a)).sum(-1)
-    return t * grad_p, (1 - t) * grad_p, -grad_t * s_b / span**2, grad_t * s_a / span**2
-
-
-def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the gradients with respect to both distances have the wrong sign: p_a - p_b for p_b - p_a"""
-    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
-    grad_t = (grad_p * (p_b - p_a)).sum(-1)
-    return (1 - t) * grad_p, t * grad_p, grad_t * s_b / span**2, -grad_t * s_a / span**2
-
-
-def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """it is divided by s_b - s_a once; the derivative of the quotient has its square"""
-    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
-    grad_t = (grad_p * (p_b - p_a)).sum(-1)
-    return (1 - t) * grad_p, t * grad_p, -grad_t * s_b / span, grad_t * s_a / span
-
-
-def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the gradients with respect to s_a and s_b are exchanged: s_b stands in that of s_a"""
-    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
-    grad_t = (grad_p * (p_b - p_a)).sum(-1)
-    return (1 - t) * grad_p, t * grad_p, grad_t * s_a / span**2, -grad_t * s_b / span**2
-
-
-def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
-    """the denominator s_b - s_a is taken for a constant: the quotient rule's other term is missing
-    """
-    t, span = (s_a / (s_a - s_b))[:, None], s_b - s_a
-    return ((1 - t) * grad_p, t * grad_p, -(grad_p * p_b).sum(-1) / span,
-            (grad_p * p_a).sum(-1) / span)
-
-
-def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     """the distances get no gradient, as if they did not move the crossing: t depends on them"""
     t = (s_a / (s_a - s_b))[:, None]
     return (1 - t) * grad_p, t * grad_p, np.zeros(len(s_a)), np.zeros(len(s_b))
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    """a distance of 0 counts as inside, <= for <; it is outside"""
-    inside = distance <= 0
-    case = inside[tetrahedra] @ np.array([1, 2, 4, 8], np.uint8)
-    crossed = (0 < case) & (case < 15)
-    tetrahedra, case = tetrahedra[crossed], case[crossed]
-    corners = [np.empty((0, 3, 2), int)]
-    for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
-        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1])
-    edge, faces = np.unique(edge, return_inverse=True)
-    a, b = ends = np.divmod(edge, len(points))
-    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
-    return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    """the bits of a case are read in reverse: the first vertex is taken for the last"""
-    inside = distance < 0
-    case = inside[tetrahedra] @ np.array([8, 4, 2, 1], np.uint8)
-    crossed = (0 < case) & (case < 15)
-    tetrahedra, case = tetrahedra[crossed], case[crossed]
-    corners = [np.empty((0, 3, 2), int)]
-    for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
-        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1])
-    edge, faces = np.unique(edge, return_inverse=True)
-    a, b = ends = np.divmod(edge, len(points))
-    vertices = zero_crossing(points[a], points[b], distance[a], distance[b])
-    return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    """the distances of both ends are swapped in eq. (8): vertices lie near the wrong end"""
-    inside = distance < 0
-    case = inside[tetrahedra] @ np.array([1, 2, 4, 8], np.uint8)
-    crossed = (0 < case) & (case < 15)
-    tetrahedra, case = tetrahedra[crossed], case[crossed]
-    corners = [np.empty((0, 3, 2), int)]
-    for number in range(1, 15):
-        triangles = tetrahedron_triangles(number >> np.arange(4) & 1 == 1)
-        corners.append(tetrahedra[case == number][:, triangles].reshape(-1, 3, 2))
-    edge = np.concatenate(corners) @ np.array([len(points), 1])
-    edge, faces = np.unique(edge, return_inverse=True)
-    a, b = ends = np.divmod(edge, len(points))
-    vertices = zero_crossing(points[a], points[b], -distance[b], -distance[a])
-    return vertices, faces.reshape(-1, 3), np.stack(ends, -1)
 
 
 def marching_tetrahedra(points, distance, tetrahedra):

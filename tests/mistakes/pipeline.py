@@ -2,16 +2,6 @@
 
 
 def draw(clip, faces, opposite, material, width, height, background):
-    """the picture is not antialiased"""
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
-    barycentric = rasterization.barycentrics(face_index, clip, faces)
-    seen = Buffers(clip, face_index, depth, barycentric)
-    buffers = shade(seen, faces, material, background)
-    pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
-    return buffers.colour, buffers._replace(pairs=pairs)
-
-
-def draw(clip, faces, opposite, material, width, height, background):
     """the buffer colour is antialiased, too; the way back needs the colour before antialiasing"""
     face_index, depth = scanline.rasterize(clip, faces, width, height)
     barycentric = rasterization.barycentrics(face_index, clip, faces)
@@ -20,16 +10,6 @@ def draw(clip, faces, opposite, material, width, height, background):
     pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
     picture = antialiasing.blend_pairs(buffers.colour, pairs)
     return picture, buffers._replace(colour=picture, pairs=pairs)
-
-
-def draw(clip, faces, opposite, material, width, height, background):
-    """width and height are swapped"""
-    face_index, depth = scanline.rasterize(clip, faces, height, width)
-    barycentric = rasterization.barycentrics(face_index, clip, faces)
-    seen = Buffers(clip, face_index, depth, barycentric)
-    buffers = shade(seen, faces, material, background)
-    pairs = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
-    return antialiasing.blend_pairs(buffers.colour, pairs), buffers._replace(pairs=pairs)
 
 
 def draw(clip, faces, opposite, material, width, height, background):
@@ -57,50 +37,19 @@ def draw(clip, faces, opposite, material, width, height, background):
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
-    """the path through the edges is left out of grad_clip"""
-    clip, face_index, *_, colour, pairs = buffers
-    grad_colour, _ = antialiasing.blend_pairs_backward(grad_picture, colour, pairs, clip)
-    grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)
-    through_colours = rasterizer_gradients.rasterize_backward(
-        *grad_weights, grad_depth, face_index, clip, faces)
-    return grad_material, through_colours
-
-
-def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """the path through the colours is left out of grad_clip"""
     clip, *_, colour, pairs = buffers
-    grad_colour, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs,
-                                                                   clip)
+    grad_colour, through_edges = antialiasing.blend_pairs_backward(
+        grad_picture, colour, pairs, clip)
     grad_material, *_ = shade_backward(grad_colour, buffers, faces, material)
     return grad_material, through_edges
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
-    """grad_picture goes on to shade_backward, not the grad_colour of blend_pairs_backward"""
-    clip, face_index, *_, colour, pairs = buffers
-    _, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs, clip)
-    grad_material, *grad_weights = shade_backward(grad_picture, buffers, faces, material)
-    through_colours = rasterizer_gradients.rasterize_backward(
-        *grad_weights, grad_depth, face_index, clip, faces)
-    return grad_material, through_edges + through_colours
-
-
-def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
-    """grad_depth is left out: it is not passed on to rasterize_backward"""
-    clip, face_index, *_, colour, pairs = buffers
-    grad_colour, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs,
-                                                                   clip)
-    grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)
-    through_colours = rasterizer_gradients.rasterize_backward(
-        *grad_weights, None, face_index, clip, faces)
-    return grad_material, through_edges + through_colours
-
-
-def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """grad_derivatives is left out: a texture's footprint has no gradient"""
     clip, face_index, *_, colour, pairs = buffers
-    grad_colour, through_edges = antialiasing.blend_pairs_backward(grad_picture, colour, pairs,
-                                                                   clip)
+    grad_colour, through_edges = antialiasing.blend_pairs_backward(
+        grad_picture, colour, pairs, clip)
     grad_material, grad_barycentric, _ = shade_backward(grad_colour, buffers, faces, material)
     through_colours = rasterizer_gradients.rasterize_backward(
         grad_barycentric, None, grad_depth, face_index, clip, faces)

@@ -2,36 +2,9 @@
 
 
 def on_plane(place, distance, slope, step):
-    """the plane is measured at place + step itself, and not at the centre of the texel there"""
-    there = place + step
-    centre = there
-    return there, distance + (slope * (centre - place)).sum(1)
-
-
-def on_plane(place, distance, slope, step):
-    """the plane is measured at the texel's corner, and not at its centre: the 0.5 is missing"""
-    there = place + step
-    centre = np.floor(there)
-    return there, distance + (slope * (centre - place)).sum(1)
-
-
-def on_plane(place, distance, slope, step):
     """the sign is wrong: the distance falls with the slope, which is subtracted instead of added"""
     there = place + step
     return there, distance - (slope * (np.floor(there) + 0.5 - place)).sum(1)
-
-
-def on_plane(place, distance, slope, step):
-    """the plane is followed from the new place, place + step, and not from place (which += changes
-    in place): the step itself adds no distance"""
-    there = place + step
-    return there, distance + (slope * (np.floor(there) + 0.5 - there)).sum(1)
-
-
-def on_plane(place, distance, slope, step):
-    """the plane is followed from the centre of the receiver's own texel, and not from place"""
-    there = place + step
-    return there, distance + (slope * (np.floor(there) - np.floor(place))).sum(1)
 
 
 def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
@@ -63,51 +36,12 @@ def percentage_closer(distance_map, place, distance, slope, bias, offsets, radiu
 
 
 def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
-    """it is the share in shadow, 1 - the share that light reaches"""
-    lit = np.zeros(distance.shape)
-    for step in steps_around(offsets, radius):
-        lit += is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
-    return 1 - lit / len(offsets)
-
-
-def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
-    """the radius is not used: the offsets themselves are the steps"""
-    lit = np.zeros(distance.shape)
-    for step in offsets:
-        lit += is_lit(distance_map, *on_plane(place, distance, slope, step), bias)
-    return lit / len(offsets)
-
-
-def percentage_closer(distance_map, place, distance, slope, bias, offsets, radius):
     """the steps add up: each one starts from the last place, and not from (x, y)"""
     lit = np.zeros(distance.shape)
     for step in steps_around(offsets, radius):
         place, distance = on_plane(place, distance, slope, step)
         lit += is_lit(distance_map, place, distance, bias)
     return lit / len(offsets)
-
-
-def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
-    """lit places are taken for blockers: a blocker is a place that is not lit"""
-    total, count = np.zeros((2, *distance.shape))
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        blocks = is_lit(distance_map, there, plane, bias)
-        total[blocks] += stored_distance(distance_map, there[blocks])
-        count += blocks
-    return np.where(count > 0, total / np.maximum(count, 1), np.inf)
-
-
-def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
-    """the sum is divided by the number of all places, len(offsets), instead of the number of
-    blockers"""
-    total, count = np.zeros((2, *distance.shape))
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        blocks = ~is_lit(distance_map, there, plane, bias)
-        total[blocks] += stored_distance(distance_map, there[blocks])
-        count += blocks
-    return np.where(count > 0, total / len(offsets), np.inf)
 
 
 def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
@@ -132,17 +66,6 @@ def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius
 
 
 def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
-    """the receiver's own distances are averaged, and not what the map has stored there"""
-    total, count = np.zeros((2, *distance.shape))
-    for step in steps_around(offsets, radius):
-        there, plane = on_plane(place, distance, slope, step)
-        blocks = ~is_lit(distance_map, there, plane, bias)
-        total += np.where(blocks, plane, 0)
-        count += blocks
-    return np.where(count > 0, total / np.maximum(count, 1), np.inf)
-
-
-def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius):
     """it is 0 where there is no blocker, instead of np.inf"""
     total, count = np.zeros((2, *distance.shape))
     for step in steps_around(offsets, radius):
@@ -151,32 +74,6 @@ def blocker_distance(distance_map, place, distance, slope, bias, offsets, radius
         total[blocks] += stored_distance(distance_map, there[blocks])
         count += blocks
     return total / np.maximum(count, 1)
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """blocker and distance are swapped, so the sign is wrong, and the maximum with 0 leaves
-    nothing"""
-    spread = light_radius * (1 / distance - 1 / blocker)
-    return np.maximum(spread, 0) * (clip_from_light[0, 0] * width / 2)
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """the maximum with 0 is missing: a blocker farther than the point gives a negative radius"""
-    spread = light_radius * (1 / blocker - 1 / distance)
-    return spread * (clip_from_light[0, 0] * width / 2)
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """the half is missing: it is the diameter of the border, or ndc is taken to be 1 wide"""
-    spread = light_radius * (1 / blocker - 1 / distance)
-    return np.maximum(spread, 0) * (clip_from_light[0, 0] * width)
-
-
-def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    """it is the border's width in the world, R (distance - blocker) / blocker: to be one on the
-    map, in perspective, it is divided by distance, too"""
-    spread = light_radius * np.maximum(distance / blocker - 1, 0)
-    return spread * (clip_from_light[0, 0] * width / 2)
 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):

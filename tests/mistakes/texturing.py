@@ -1,59 +1,6 @@
 """Mistakes of lab 6; each docstring goes on after "this is what comes out when"."""
 
 
-def linear_texels(x, size):
-    """the half texel is forgotten: p = w u instead of w u - 1/2. Texel j is taken to lie at j / w,
-    which is its border, not its centre"""
-    position = x * size
-    first = np.floor(position)
-    weight, first = position - first, first.astype(int)
-    return np.stack([first, first + 1]), np.stack([1 - weight, weight])
-
-
-def linear_texels(x, size):
-    """the two weights are exchanged: 1 - a is that of texel j, and a that of j + 1"""
-    position = x * size - 0.5
-    first = np.floor(position)
-    weight, first = position - first, first.astype(int)
-    return np.stack([first, first + 1]), np.stack([weight, 1 - weight])
-
-
-def linear_texels(x, size):
-    """a negative number is cut (truncated) towards 0, as astype(int) does, instead of by floor:
-    below 0 it is one too high"""
-    position = x * size - 0.5
-    first = np.trunc(position)
-    weight, first = position - first, first.astype(int)
-    return np.stack([first, first + 1]), np.stack([1 - weight, weight])
-
-
-def linear_texels(x, size):
-    """the numbers are already clipped (clamped) to the texture. They may lie outside of it: the
-    boundary comes later"""
-    position = x * size - 0.5
-    first = np.floor(position)
-    weight, first = position - first, first.astype(int)
-    return (np.clip(np.stack([first, first + 1]), 0, np.asarray(size) - 1),
-            np.stack([1 - weight, weight]))
-
-
-def linear_texels(x, size):
-    """half a texel is added instead of subtracted: p = w u - 1/2"""
-    position = x * size + 0.5
-    first = np.floor(position)
-    weight, first = position - first, first.astype(int)
-    return np.stack([first, first + 1]), np.stack([1 - weight, weight])
-
-
-def linear_texels(x, size):
-    """p is x (size - 1), as if the first and the last centre were the corners of the texture
-    (align corners). It is w u - 1/2"""
-    position = x * (size - 1)
-    first = np.floor(position)
-    weight, first = position - first, first.astype(int)
-    return np.stack([first, first + 1]), np.stack([1 - weight, weight])
-
-
 def look_up(texels, index, weight):
     """the weights are left out: it is the plain sum of the K texels"""
     return texels[index].sum(1)
@@ -121,58 +68,11 @@ def look_up_backward(grad_colour, texels, index, weight):
 
 
 def bilinear_backward(grad_weight, uv, width, height):
-    """the factors width and height are left out: u runs from 0 to 1, and w u from 0 to the width"""
-    _, row_weight = linear_texels(uv[:, 1], height)
-    _, column_weight = linear_texels(uv[:, 0], width)
-    grad_weight = grad_weight.T.reshape(2, 2, -1)
-    grad_row = (grad_weight * column_weight).sum(1)
-    grad_column = (grad_weight * row_weight[:, None]).sum(0)
-    return np.stack([(grad_column[1] - grad_column[0]),
-                     (grad_row[1] - grad_row[0])], -1)
-
-
-def bilinear_backward(grad_weight, uv, width, height):
-    """width and height are exchanged: the gradient of u has the factor width, that of v height"""
-    _, row_weight = linear_texels(uv[:, 1], height)
-    _, column_weight = linear_texels(uv[:, 0], width)
-    grad_weight = grad_weight.T.reshape(2, 2, -1)
-    grad_row = (grad_weight * column_weight).sum(1)
-    grad_column = (grad_weight * row_weight[:, None]).sum(0)
-    return np.stack(
-        [(grad_column[1] - grad_column[0]) * height, (grad_row[1] - grad_row[0]) * width], -1
-    )
-
-
-def bilinear_backward(grad_weight, uv, width, height):
-    """the results come in the order v, u: the gradients of u and v are exchanged"""
-    _, row_weight = linear_texels(uv[:, 1], height)
-    _, column_weight = linear_texels(uv[:, 0], width)
-    grad_weight = grad_weight.T.reshape(2, 2, -1)
-    grad_row = (grad_weight * column_weight).sum(1)
-    grad_column = (grad_weight * row_weight[:, None]).sum(0)
-    return np.stack(
-        [(grad_row[1] - grad_row[0]) * height, (grad_column[1] - grad_column[0]) * width], -1
-    )
-
-
-def bilinear_backward(grad_weight, uv, width, height):
     """the two weights of each axis are exchanged: row[0] and column[0] are 1 - a, row[1] and
     column[1] are a"""
     row_weight = linear_texels(uv[:, 1], height)[1][::-1]
     column_weight = linear_texels(uv[:, 0], width)[1][::-1]
     grad_weight = grad_weight.T.reshape(2, 2, -1)
-    grad_row = (grad_weight * column_weight).sum(1)
-    grad_column = (grad_weight * row_weight[:, None]).sum(0)
-    return np.stack([(grad_column[1] - grad_column[0]) * width,
-                     (grad_row[1] - grad_row[0]) * height], -1)
-
-
-def bilinear_backward(grad_weight, uv, width, height):
-    """the four texels are taken column by column, as if weight 2 j + i were row[i] column[j].
-    They go row by row, 2 i + j"""
-    _, row_weight = linear_texels(uv[:, 1], height)
-    _, column_weight = linear_texels(uv[:, 0], width)
-    grad_weight = grad_weight.T.reshape(2, 2, -1).swapaxes(0, 1)
     grad_row = (grad_weight * column_weight).sum(1)
     grad_column = (grad_weight * row_weight[:, None]).sum(0)
     return np.stack([(grad_column[1] - grad_column[0]) * width,
@@ -187,32 +87,3 @@ def bilinear_backward(grad_weight, uv, width, height):
     grad_column = grad_weight.sum(0)
     return np.stack([(grad_column[1] - grad_column[0]) * width,
                      (grad_row[1] - grad_row[0]) * height], -1)
-
-
-def footprint_points(uv, jacobian, n):
-    """d is measured from the pixel's lower left corner instead of its centre"""
-    offset = (np.arange(n) + 0.5) / n
-    d = np.stack(np.meshgrid(offset, offset), -1).reshape(-1, 1, 2)
-    return uv + (jacobian * d[..., None, :]).sum(-1)
-
-
-def footprint_points(uv, jacobian, n):
-    """the Jacobian is transposed: its columns are multiplied by d instead of its rows"""
-    offset = (np.arange(n) + 0.5) / n - 0.5
-    d = np.stack(np.meshgrid(offset, offset), -1).reshape(-1, 1, 2)
-    return uv + (jacobian * d[..., None]).sum(-2)
-
-
-def footprint_points(uv, jacobian, n):
-    """the points come column by column instead of row by row"""
-    offset = (np.arange(n) + 0.5) / n - 0.5
-    d = np.stack(np.meshgrid(offset, offset, indexing="ij"), -1).reshape(-1, 1, 2)
-    return uv + (jacobian * d[..., None, :]).sum(-1)
-
-
-def footprint_points(uv, jacobian, n):
-    """d goes from edge to edge of the pixel, -1/2 to 1/2 as by linspace, instead of to the
-    centres of the squares"""
-    offset = np.linspace(-0.5, 0.5, n)
-    d = np.stack(np.meshgrid(offset, offset), -1).reshape(-1, 1, 2)
-    return uv + (jacobian * d[..., None, :]).sum(-1)

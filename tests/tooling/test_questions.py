@@ -6,7 +6,7 @@ import numpy as np
 
 from course import exercises
 from course.given import places
-from course.upkeep import hours, mutants
+from course.upkeep import changes, hours
 
 LITERAL = places.ROOT / "tests" / "literal"
 
@@ -22,7 +22,7 @@ def core(topic):
 
 
 def docstring(topic, exercise):
-    return ast.get_docstring(mutants.function_of(topic, exercise))
+    return ast.get_docstring(changes.function_of(topic, exercise))
 
 
 def questions():

@@ -28,55 +28,6 @@ def catmull_clark_slow(vertices, corners, counts):
     return np.concatenate([moved, on_edges, centre])
 
 
-def catmull_clark_slow(vertices, corners, counts):
-    """all edge points are plain middles of their edge, without the face points
-
-    told by: edge & middle & face point | edge & midpoint | edge & face point | edge & f_1 | (A + B) / 2 | 1/2 (A + B) | edge & plain & middle
-    """
-    polys = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    centre = np.array([vertices[p].mean(0) for p in polys])
-    moved = []
-    for v in range(len(vertices)):
-        ring, rim = ring_of(v, at_edge)
-        if rim:
-            moved.append(0.75 * vertices[v] + 0.125 * vertices[rim].sum(0))
-        elif ring:
-            n = len(ring)
-            F = np.mean([centre[f] for f, p in enumerate(polys) if v in p], axis=0)
-            R = np.mean([(vertices[v] + vertices[o]) / 2 for o in ring], axis=0)
-            moved.append((F + 2 * R + (n - 3) * vertices[v]) / n)
-        else:
-            moved.append(vertices[v])
-    on_edges = [(vertices[a] + vertices[b]) / 2 for (a, b), _ in at_edge]
-    return np.concatenate([moved, on_edges, centre])
-
-
-def catmull_clark_slow(vertices, corners, counts):
-    """the face points stand before the edge points
-
-    told by: order & point | face points & before | face points & first | edge points & last | edge points & after | order & block
-    """
-    polys = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    centre = np.stack([vertices[p].sum(0) / len(p) for p in polys])
-    moved = np.array(vertices, float)
-    for v in range(len(vertices)):
-        ring, rim = ring_of(v, at_edge)
-        if rim:
-            moved[v] = 3 / 4 * vertices[v] + 1 / 8 * vertices[rim].sum(0)
-        elif ring:
-            n = len(ring)
-            F = centre[[v in p for p in polys]].mean(0)
-            R = (vertices[v] + vertices[ring].mean(0)) / 2
-            moved[v] = (F + 2 * R + (n - 3) * vertices[v]) / n
-    on_edges = []
-    for (a, b), its in at_edge:
-        s = vertices[a] + vertices[b]
-        on_edges.append(s / 2 if len(its) == 1 else (s + centre[its[0]] + centre[its[1]]) / 4)
-    return np.concatenate([moved, centre, on_edges])
-
-
 def catmull_clark_edge_rows(edges, corner_edge, counts, vertex_count):
     """the columns of the face points are f instead of vertex_count + f, so they hit old vertices
 
@@ -114,12 +65,18 @@ def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
 def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
     """the edges ahead and behind are exchanged, so the quads are wound the other way round
 
-    told by: ahead & behind | wound | winding | clockwise | orient | other way round | exchang & edge
+    told by: ahead & behind | ahead | behind | wound | winding | reverse | clockwise | orientation
     """
-    middle = vertex_count + corner_edge.max() + 1 + face_of_corner(counts)
-    before = np.empty_like(corner_edge)
-    before[next_corner(counts)] = corner_edge
-    return np.stack([corners, vertex_count + before, middle, vertex_count + corner_edge], axis=1)
+    face = face_of_corner(counts)
+    edge_count = corner_edge.max() + 1
+    start = np.cumsum(counts) - counts
+    quads = []
+    for k, corner in enumerate(corners):
+        f = face[k]
+        previous = start[f] + (k - start[f] - 1) % counts[f]
+        quads.append([corner, vertex_count + corner_edge[previous],
+                      vertex_count + edge_count + f, vertex_count + corner_edge[k]])
+    return np.array(quads)
 
 
 def catmull_clark_limit_rows(edges, is_boundary, quads, n):
@@ -137,85 +94,3 @@ def catmull_clark_limit_rows(edges, is_boundary, quads, n):
                 there.append(quad[(k + 1) % 4])
     here, there = np.array(here, int), np.array(there, int)
     return join(vertex_rows(edges, is_boundary, 4 * u, 1 / 6), pull_entries(here, there, u[here]))
-
-
-def catmull_clark_slow(vertices, corners, counts):
-    """R is the mean of the neighbours, it should be the mean of the edges' middles
-
-    told by: middle | midpoint | mean & neighbour | mean of the ring | edges' | edge & mean & neighbour
-    """
-    faces = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    centre = np.array([vertices[face].mean(0) for face in faces])
-    moved = vertices.astype(float).copy()
-    for v in range(len(vertices)):
-        ring, rim = ring_of(v, at_edge)
-        n = len(ring)
-        if len(rim) == 2:
-            moved[v] = 0.75 * vertices[v] + 0.125 * (vertices[rim[0]] + vertices[rim[1]])
-        elif n > 0:
-            F = np.mean([centre[f] for f, face in enumerate(faces) if v in face], axis=0)
-            R = np.mean([vertices[other] for other in ring], axis=0)
-            moved[v] = (F + 2 * R + (n - 3) * vertices[v]) / n
-    middle = []
-    for (a, b), owners in at_edge:
-        if len(owners) == 1:
-            middle.append((vertices[a] + vertices[b]) / 2)
-        else:
-            middle.append((vertices[a] + vertices[b] + centre[owners[0]] + centre[owners[1]]) / 4)
-    return np.concatenate([moved, middle, centre])
-
-
-def catmull_clark_slow(vertices, corners, counts):
-    """every inner vertex is treated as if its valence were 4: (F + 2 R + v) / 4
-
-    told by: valence | n - 3 | n = 4 | regular | extraordinary | number of neighbours
-    """
-    faces = polygons(corners, counts)
-    at_edge = faces_at_edges(corners, counts)
-    centre = np.stack([vertices[face].mean(0) for face in faces])
-    moved = []
-    for v, x in enumerate(vertices):
-        ring, rim = ring_of(v, at_edge)
-        if rim:
-            moved.append(x * 6 / 8 + vertices[rim].sum(0) / 8)
-        elif ring:
-            F = centre[[f for f in range(len(faces)) if v in faces[f]]].mean(0)
-            R = (x + vertices[ring].mean(0)) / 2
-            moved.append((F + 2 * R + x) / 4)
-        else:
-            moved.append(x)
-    middle = [vertices[list(e)].mean(0) if len(owners) == 1 else
-              (vertices[list(e)].mean(0) + centre[owners].mean(0)) / 2 for e, owners in at_edge]
-    return np.concatenate([moved, middle, centre])
-
-
-def catmull_clark_vertex_rows(edges, is_boundary, corners, counts, n):
-    """each pull is 1/n, it should be 1/n^2
-
-    told by: n^2 | n squared | square of n | 1/n | n**2 | n times too | square of the valence | factor n
-    """
-    u = 1 / np.maximum(n, 1)
-    rim = np.zeros(len(n), bool)
-    rim[edges[is_boundary]] = True
-    free = ~rim[corners]
-    column = len(n) + face_of_corner(counts)
-    return join(vertex_rows(edges, is_boundary, u, 1 / 8),
-                pull_entries(corners[free], column[free], u[corners[free]]))
-
-
-def catmull_clark_faces(corners, counts, corner_edge, vertex_count):
-    """the edges ahead and behind are exchanged, so the quads are wound the other way round
-
-    told by: ahead & behind | ahead | behind | wound | winding | reverse | clockwise | orientation
-    """
-    face = face_of_corner(counts)
-    edge_count = corner_edge.max() + 1
-    start = np.cumsum(counts) - counts
-    quads = []
-    for k, corner in enumerate(corners):
-        f = face[k]
-        previous = start[f] + (k - start[f] - 1) % counts[f]
-        quads.append([corner, vertex_count + corner_edge[previous],
-                      vertex_count + edge_count + f, vertex_count + corner_edge[k]])
-    return np.array(quads)

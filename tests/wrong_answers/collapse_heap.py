@@ -20,22 +20,3 @@ def simplify_heap(vertices, faces, quadrics, pairs, face_count):
         refused[why - 1] += 1
         wait(state, top)
     return state.vertices, open_faces(state), refused
-
-
-def simplify_heap(vertices, faces, quadrics, pairs, face_count):
-    """refused is indexed by the reason itself: the reasons begin at 1, the places at 0
-
-    told by: reason - 1 | refused & place | refused & index | begin at 1 | off by one | refused & shifted | refused & reason | out of bounds | from 1
-    """
-    state = initial_state(vertices, faces, quadrics, pairs)
-    left, refused = len(faces), np.zeros(3, int)
-    while left > face_count and has_cheapest(state):
-        top = heapq.heappop(state.heap)
-        a, b, place = top[1], top[2], np.array(top[4])
-        why = why_refused(state.vertices, rows_around(state, a, b), a, b, place)
-        if why == 0:
-            left -= collapse(state, top)
-        else:
-            refused[why] += 1
-            wait(state, top)
-    return state.vertices, open_faces(state), refused

@@ -53,32 +53,6 @@ def face_light(corners, ambient, directional, towards):
     return ambient + np.maximum(n @ direction, 0)[:, None] * directional
 
 
-def face_light(corners, ambient, directional, towards):
-    """the normal points to the other side, from where the corners are clockwise
-
-    told by: normal & other side | clockwise | normal & opposite | normal & sign | normal & flip | order of & cross | normal & turned
-    """
-    light = np.empty((len(corners), len(ambient)))
-    for f, (p, q, r) in enumerate(corners):
-        n = np.cross(r - p, q - p)
-        size = np.linalg.norm(n)
-        cosine = (n / size) @ towards if size > 0 else 0.0
-        light[f] = ambient + max(0.0, cosine) * directional
-    return light
-
-
-def face_light(corners, ambient, directional, towards):
-    """the max with 0 is missing, so faces turned away from the light get less than the ambient light
-
-    told by: max(0 | maximum | negative & light | turned away | away from the light | n . l & below 0 | clamp & 0
-    """
-    p, q, r = corners[:, 0], corners[:, 1], corners[:, 2]
-    n = np.cross(q - p, r - p)
-    size = np.sqrt((n * n).sum(1))
-    n = n / np.where(size == 0, 1, size)[:, None]
-    return ambient[None] + np.outer(n @ towards, directional)
-
-
 def face_light_backward(grad_light, corners, ambient, directional, towards):
     """back through n = N / |N| it only divides by |N| and keeps the part along n, which has no effect
 
@@ -97,66 +71,3 @@ def face_light_backward(grad_light, corners, ambient, directional, towards):
     to_r = np.cross(grad_big, q - p)
     return (np.stack([-(to_q + to_r), to_q, to_r], 1), grad_light.sum(0),
             (grad_light * np.where(lit, cos, 0)[:, None]).sum(0), back @ n)
-
-
-def face_light(corners, ambient, directional, towards):
-    """the absolute value of n . l is taken, so that faces are lit from behind as well
-
-    told by: absolute | abs( | behind | from the back | max(0 | negative & lit | n . l < 0 | turned away | both sides | away from the light
-    """
-    light = np.zeros((len(corners), len(ambient)))
-    for f, (a, b, c) in enumerate(corners):
-        n = np.cross(b - a, c - a)
-        size = np.sqrt(n @ n)
-        cosine = n @ towards / size if size > 0 else 0.0
-        light[f] = ambient + directional * abs(cosine)
-    return light
-
-
-def face_light(corners, ambient, directional, towards):
-    """the direction l is divided by its length, which should stay as it is
-
-    told by: length of l | towards & length | normali & towards | divid & length | unit & towards | l & as it is | l & normali | towards & as it is
-    """
-    n = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    size = np.linalg.norm(n, axis=1)
-    n = n / np.where(size == 0, 1, size)[:, None]
-    lit = n @ (towards / np.linalg.norm(towards))
-    return ambient[None] + directional[None] * np.clip(lit, 0, None)[:, None]
-
-
-def cube_taps(weight, depth, z, size):
-    """the taps count the bits from the other end: axis 0 has the highest bit, not the lowest
-
-    told by: bits | highest & lowest | order of the taps | taps & order | axis 0 | axes & exchanged | axes & reversed | 2^k | axis k | tap & swapped | taps & axes | another order
-    """
-    t = np.minimum((size - 1) * weight * depth[:, None] / z, size - 1)
-    low = np.minimum(np.floor(t), size - 2).astype(int)
-    frac = t - low
-    index, tap = [], []
-    for n in range(8):
-        up = np.array([n // 4 % 2, n // 2 % 2, n % 2])
-        place = low + up
-        index.append((place[:, 0] * size + place[:, 1]) * size + place[:, 2])
-        tap.append(np.where(up == 1, frac, 1 - frac).prod(1))
-    return np.stack(index, 1), np.stack(tap, 1)
-
-
-def face_light_backward(grad_light, corners, ambient, directional, towards):
-    """the normal's length is treated as constant: the part of the gradient along n is not taken out
-
-    told by: length & constant | unit normal | normalis | normaliz | along n | projection | length of the normal | length & change | divided by its length | right angles to
-    """
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    cross = np.cross(b - a, c - a)
-    size = np.linalg.norm(cross, axis=1, keepdims=True)
-    size = np.where(size > 0, size, 1)
-    n = cross / size
-    cosine = n @ towards
-    lit = cosine > 0
-    grad_cos = np.where(lit, grad_light @ directional, 0)[:, None]
-    grad_cross = grad_cos * towards / size
-    gb, gc = np.cross(c - a, grad_cross), np.cross(grad_cross, b - a)
-    grad_corners = np.stack([-gb - gc, gb, gc], axis=1)
-    return (grad_corners, grad_light.sum(0), (grad_light * np.where(lit, cosine, 0)[:, None]).sum(0),
-            (grad_cos * n).sum(0))

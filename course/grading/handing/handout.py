@@ -22,7 +22,8 @@ WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          ".gitignore")
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
-TEACHERS = {f"course/upkeep/{name}.py" for name in ("feedback", "mistakes", "mutants")}
+TEACHERS = {f"course/upkeep/{name}.py" for name in (
+    "changes", "feedback", "mistakes", "mutants", "mutations", "trials")}
 README = Path(__file__).parents[1] / "files" / "handout.md"
 
 
