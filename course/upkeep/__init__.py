@@ -8,6 +8,9 @@
     notebooks  runs the lectures, and writes them back
     hours      how long a lab takes
     weight     how much code stands around the code that is taught
+    changes    a wrong function, written as what is different from the right one
+    mutations  the small changes that a machine can make
+    trials     wrong functions in the place of the right one, judged by the checks
     mutants    small mistakes made by machine: do the checks catch them?
     mistakes   mistakes that people make: are they caught, and what hints do they give?
     feedback   how often a report names what is wrong
