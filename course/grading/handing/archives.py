@@ -88,6 +88,20 @@ def digest(texts) -> str:
     return whole.hexdigest()
 
 
+def zipped(files, programs=()) -> bytes:
+    """Pairs (name, content) -> a zip of them: from the same files, the same bytes.
+
+    programs: the names of those that can be run.
+    """
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:
+        for name, part in files:
+            entry = zipfile.ZipInfo(name)
+            entry.external_attr = (0o100755 if name in programs else 0o100644) << 16
+            archive.writestr(entry, part, zipfile.ZIP_DEFLATED)
+    return content.getvalue()
+
+
 def printable(name) -> str:
     """A name. What moves a cursor or cannot be encoded is written out, as in \\udce9."""
     return "".join(c if c.isprintable() else " " if c.isspace() else

@@ -3,15 +3,14 @@
 What a lab needs from labs that are not handed out comes with it, complete: it is given code there.
 """
 import ast
-import io
 import json
 import re
 import textwrap
-import zipfile
 from pathlib import Path
 
 from ... import exercises
 from ...given import places
+from . import archives
 
 WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
          "course/given/data/*.png", "course/given/data/captures/**/*.*",
@@ -54,12 +53,9 @@ def run(folder, labs=None, solutions=None, extra=False) -> int:
 
 def release(labs, path) -> int:
     """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
-    content, topics = io.BytesIO(), exercises.topics_of(labs)
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for topic in topics:
-            archive.writestr(zipfile.ZipInfo(f"reference/{topic}.py", (2000, 1, 1, 0, 0, 0)),
-                             exercises.reference(topic).read_bytes())
-    places.write_whole(path, content.getvalue())
+    topics = exercises.topics_of(labs)
+    places.write_whole(path, archives.zipped(
+        (f"reference/{topic}.py", exercises.reference(topic).read_bytes()) for topic in topics))
     print(f"{path}: unpack it in the hand-out's folder; it adds the solutions of "
           f"{', '.join(topics)} to reference/")
     return 0
