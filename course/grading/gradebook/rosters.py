@@ -53,7 +53,8 @@ def read(path, platform, assignment=None) -> Roster:
                          f"{missing[0]!r}, but {', '.join(sheet.header[:6])}")
     columns = gradable(sheet.header, kind.graded)
     if platform == "gradescope" and not columns:
-        sheet = sheet._replace(header=[*sheet.header, assignment or "Total Score"])
+        sheet = sheet._replace(header=[*sheet.header, assignment or "Total Score"],
+                               rows=[[*row, ""] for row in sheet.rows])
         return Roster(path, platform, sheet, len(sheet.header) - 1)
     return Roster(path, platform, sheet, chosen(columns, sheet.header, assignment, path))
 
@@ -82,18 +83,21 @@ def chosen(columns, header, assignment, path):
 
 
 def cell(roster, row, title):
-    """What is in a column of a row. Empty where there is none."""
-    header = roster.sheet.header
-    column = header.index(title) if title in header else len(row)
-    return row[column].strip() if column < len(row) else ""
+    """What is in a column of a row. Empty where there is no such column."""
+    header, rows = roster.sheet.header, roster.sheet.rows
+    return rows[row][header.index(title)].strip() if title in header else ""
 
 
 def people(roster):
     """{row: name} of those that are people, not a line such as Points Possible."""
     kind = PLATFORMS[roster.platform]
-    return {number: " ".join(filter(None, (cell(roster, row, title) for title in kind.name)))
-            for number, row in enumerate(roster.sheet.rows)
-            if any(cell(roster, row, title) for title in kind.ids)}
+    return {row: joined(roster, row, kind.name) for row in range(len(roster.sheet.rows))
+            if joined(roster, row, kind.ids)}
+
+
+def joined(roster, row, titles):
+    """What is in some columns of a row."""
+    return " ".join(filter(None, (cell(roster, row, title) for title in titles)))
 
 
 def key(text):
@@ -120,10 +124,8 @@ def match(roster, handed_in) -> tuple[dict, dict]:
 def indexed(roster, titles):
     """{what people have in these columns, as a key: their rows}."""
     found = {}
-    for number in people(roster):
-        row = roster.sheet.rows[number]
-        found.setdefault(key(" ".join(cell(roster, row, title) for title in titles)),
-                         []).append(number)
+    for row in people(roster):
+        found.setdefault(key(joined(roster, row, titles)), []).append(row)
     return found
 
 
@@ -146,15 +148,15 @@ def most(roster):
     """The most points that the platform has for the assignment. None if its export tells none."""
     title, rows = roster.sheet.header[roster.column], roster.sheet.rows
     texts = re.findall(r"MaxPoints:([\d.]+)", title)
-    texts += [cell(roster, row, title) for row in rows if row[0].strip() == "Points Possible"]
-    texts += [cell(roster, row, name) for row in rows
-             for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
+    texts += [row[roster.column].strip() for row in rows if row[0].strip() == "Points Possible"]
+    texts += [cell(roster, row, name) for row in range(len(rows))
+              for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
     return next((float(text.replace(",", ".")) for text in texts if NUMBER.fullmatch(text)), None)
 
 
 def kept_word(roster, row):
     """A word in the place of points, such as Canvas's EX for excused. It is not written over."""
-    text = cell(roster, roster.sheet.rows[row], roster.sheet.header[roster.column])
+    text = roster.sheet.rows[row][roster.column].strip()
     return "" if text == "-" or NUMBER.fullmatch(text) else text
 
 
@@ -163,12 +165,9 @@ def filled(roster, points) -> bytes:
     kept, sheet = PLATFORMS[roster.platform].kept, roster.sheet
     columns = [column for column, title in enumerate(sheet.header)
                if not kept or column == roster.column or re.fullmatch(kept, title)]
-    table = [sheet.header, *(list(row) for row in sheet.rows)]
+    table = [sheet.header, *map(list, sheet.rows)]
     for row, text in points.items():
-        if kept_word(roster, row):
-            continue
-        line = table[row + 1]
-        line += [""] * (len(sheet.header) - len(line))
-        line[roster.column] = text
-    return sheets.written([[line[column] for column in columns if column < len(line)]
-                           for line in table], sheet.delimiter, sheet.newline, sheet.has_bom)
+        if not kept_word(roster, row):
+            table[row + 1][roster.column] = text
+    return sheets.written([[line[column] for column in columns] for line in table],
+                          sheet.delimiter, sheet.newline, sheet.has_bom)

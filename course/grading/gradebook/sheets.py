@@ -24,7 +24,10 @@ class Sheet(NamedTuple):
 
 
 def read(path) -> Sheet:
-    """A table from a file, without its empty rows. ValueError: it is no text, or no table."""
+    """A table from a file, without its empty rows, short rows filled up.
+
+    ValueError: it is no text, or no table.
+    """
     text, has_bom = decoded(path)
     try:
         delimiter = max(",;\t", key=lambda each: len(next(parsed(text, each), ())))
@@ -36,7 +39,8 @@ def read(path) -> Sheet:
         raise ValueError(f"{path} is empty: it should have a row of titles, and rows below it")
     (header, _), *below = rows
     newline = "\r\n" if "\r\n" in text else "\n"
-    return Sheet([title.strip() for title in header], [row for row, _ in below],
+    return Sheet([title.strip() for title in header],
+                 [row + [""] * (len(header) - len(row)) for row, _ in below],
                  [line for _, line in below], delimiter, newline, has_bom)
 
 
