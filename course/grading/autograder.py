@@ -14,10 +14,8 @@ from .handing.submissions import Submission
 from .pages import report
 
 FILES = Path(__file__).with_name("files")
-NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
-          "course/grading/files/*", "reference/*.py", "labs/*.py",
-          "tests/conftest.py", "tests/labs/*.py", "tests/golden/*", "pyproject.toml",
-          "requirements.txt")
+NEEDED = (*running.DECIDE, "course/given/data/*", "course/checks/hints.json",
+          "course/grading/files/*", "labs/*.py", "pyproject.toml", "requirements.txt")
 PROGRAMS = "setup.sh", "run_autograder"
 
 

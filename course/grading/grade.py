@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from rich.console import Console
-from rich.progress import Progress
+from rich.progress import track
 
 from .. import exercises
 from ..given import places
@@ -63,7 +63,9 @@ def grade_all(request, topics, todo, before, results):
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
     examined = running.examined(todo, request.jobs or os.cpu_count(), request.scheduler)
     with contextlib.closing(examined) as steps:
-        for one, job, (result, pictures) in progress(steps, len(todo)):
+        for one, job, (result, pictures) in track(
+                steps, "submissions", len(todo), console=Console(stderr=True), transient=True,
+                auto_refresh=False, disable=not sys.stderr.isatty()):
             results.add(one, job.seed, fingerprint(job), result, pictures)
     files = results.close()
     failed = {name: problem for name in students
@@ -73,17 +75,6 @@ def grade_all(request, topics, todo, before, results):
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
     print(*(f"{name}: {problem}" for name, problem in failed.items()), *files, sep="\n")
     return int(bool(failed))
-
-
-def progress(steps, count):
-    """Yield the steps, with a bar in the terminal."""
-    with Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
-                  disable=not sys.stderr.isatty()) as bar:
-        task = bar.add_task("submissions", total=count)
-        for step in steps:
-            yield step
-            bar.advance(task)
-            bar.refresh()
 
 
 def require_whole(topics):

@@ -117,7 +117,7 @@ class Examination:
             inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
             return self.outcome(topic, name, message, inputs)
         except sandbox.Lost as lost:
-            self.lose(f"in {name}: {lost}")
+            self.lose(self.running, f"in {name}: {lost}", not self.is_fine_print)
             raise Mismatch(("wrong", self.lost[self.running])) from None
 
     def open(self, topic):
@@ -288,15 +288,13 @@ class Examination:
         try:
             self.worker.finish()
         except sandbox.Lost as lost:
-            self.lost[number] = f"at its end: {lost}"
-            self.spoilt.add(number)
-            self.forget()
+            self.lose(number, f"at its end: {lost}", True)
         self.spent[None] += time.monotonic() - began
 
-    def lose(self, why):
-        self.lost[self.running] = why
-        if not self.is_fine_print:
-            self.spoilt.add(self.running)
+    def lose(self, number, why, in_the_question):
+        self.lost[number] = why
+        if in_the_question:
+            self.spoilt.add(number)
         self.forget()
 
     def forget(self):

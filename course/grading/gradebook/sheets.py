@@ -9,8 +9,6 @@ from typing import NamedTuple
 
 from ...given import places
 
-BOMS = {codecs.BOM_UTF8: "utf-8-sig", codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
-
 
 class Sheet(NamedTuple):
     """A table, and how its file was written."""
@@ -47,9 +45,10 @@ def read(path) -> Sheet:
 def decoded(path):
     """-> (text, whether it began with a byte order mark)."""
     content = places.read_whole(path)
-    bom = next((bom for bom in BOMS if content.startswith(bom)), None)
+    is_utf_16 = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
-        return content.decode(BOMS.get(bom, "utf-8")), bom is not None
+        return (content.decode("utf-16" if is_utf_16 else "utf-8-sig"),
+                is_utf_16 or content.startswith(codecs.BOM_UTF8))
     except UnicodeDecodeError as error:
         raise ValueError(f"{path} is not UTF-8 text (byte {error.start}): export it again, or save "
                          "it as \"CSV UTF-8\"") from None

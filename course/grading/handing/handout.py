@@ -12,13 +12,11 @@ from ... import exercises
 from ...given import places
 from . import archives
 
-WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
-         "course/given/data/*.png", "course/given/data/captures/**/*.*",
-         "course/experiments/folder/*.html", "course/experiments/folder/*.js",
-         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*", "notebooks/errata.md",
+WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folder/*.*",
+         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
          "tests/labs/[!t]*.py",  # what checks share
-         "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
-         ".gitignore")
+         "notebooks/errata.md", "notebooks/00_start_here.ipynb", "LICENSE", "requirements.txt",
+         "pyproject.toml", ".gitattributes", ".gitignore")
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in (
@@ -63,8 +61,7 @@ def release(labs, path) -> int:
 
 def files(asked, given, released, extra):
     """Yield (name, bytes) of all that is handed out."""
-    whole = [path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))]
-    for path in [*whole, places.ROOT / "notebooks" / "00_start_here.ipynb"]:
+    for path in (path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if not is_for_teachers(name):
             yield name, path.read_bytes()

@@ -4,6 +4,7 @@ Names of files and students, and messages, come from students: all of them are e
 """
 import collections
 import re
+import statistics
 
 from ...checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
 from ..gradebook.lateness import iso
@@ -82,14 +83,12 @@ def distribution(graded, exercises):
     if not graded:
         return ""
     of = sum(exercise.points for exercise in exercises)
-    totals = sorted(map(total, graded))
-    counts = [0] * 10
-    for reached in totals:
-        counts[min(9, int(10 * reached // max(of, 1)))] += 1
+    totals = [*map(total, graded)]
+    counts = collections.Counter(min(9, int(10 * reached // max(of, 1))) for reached in totals)
     return "\n".join([
-        paragraph(f"median {number_text(totals[len(totals) // 2])} of {of} points"),
-        rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
-              for tenth, count in enumerate(counts)])])
+        paragraph(f"median {number_text(statistics.median_high(totals))} of {of} points"),
+        rows([[f"{10 * tenth} to {10 * tenth + 10} %", counts[tenth],
+               bar(counts[tenth], max(counts.values()))] for tenth in range(10)])])
 
 
 def hardest(graded, exercises):
@@ -163,9 +162,8 @@ def lateness(record):
 def alike_part(pairs):
     if pairs is None:
         return ""
-    link = '<a href="similar.html">side by side</a>, <a href="similar.csv">as a table</a>'
-    return "\n".join([
-        '<p class="note">Pairs of students whose answers are alike beyond what the questions '
-        f"force: {len(pairs)} ({link}). This takes no points.</p>",
-        table([[student_link(pair.first), student_link(pair.second), pair.nodes]
-               for pair in pairs[:MOST_PAIRS]])])
+    shown = [[student_link(pair.first), student_link(pair.second), pair.nodes]
+             for pair in pairs[:MOST_PAIRS]]
+    return ('<p class="note">Pairs of students whose answers are alike beyond what the questions '
+            f'force: {len(pairs)} (<a href="similar.html">side by side</a>, '
+            f'<a href="similar.csv">as a table</a>). This takes no points.</p>\n{table(shown)}')
