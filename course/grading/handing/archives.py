@@ -300,17 +300,13 @@ def entries_of(file, when):
     """Yield what `chosen` takes, of a zip or tar archive. The content tells which one it is."""
     start = file.read(4)
     file.seek(0)
-    if start[:2] == b"PK":
-        with zipfile.ZipFile(file) as archive:
-            yield from zip_entries(archive, when)
-    else:
+    if start[:2] != b"PK":
         yield from tar_entries(Unzipped(fileobj=file) if start[:2] == b"\x1f\x8b" else file, when)
-
-
-def zip_entries(archive, when):
-    for entry in archive.infolist():
-        if not entry.is_dir():
-            yield entry.filename, when, functools.partial(zip_entry, archive, entry)
+        return
+    with zipfile.ZipFile(file) as archive:
+        for entry in archive.infolist():
+            if not entry.is_dir():
+                yield entry.filename, when, functools.partial(zip_entry, archive, entry)
 
 
 def zip_entry(archive, entry):

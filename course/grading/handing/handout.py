@@ -163,9 +163,7 @@ def without_marks(text):
     """A module whose exercises are given code."""
     lines = exercises.text_lines(text)
     for line, *_ in exercises.marks(text):
-        code, _, _ = lines[line - 1].rpartition("#")
-        end = lines[line - 1].removeprefix(lines[line - 1].rstrip("\r\n"))
-        lines[line - 1] = code.rstrip() + end
+        lines[line - 1] = re.sub(r"\s*#[^#\r\n]*(?=[\r\n]*$)", "", lines[line - 1])
     return "".join(lines)
 
 
