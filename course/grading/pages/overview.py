@@ -7,7 +7,6 @@ import re
 import statistics
 
 from ...checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
-from ..gradebook.lateness import iso
 from ..gradebook.sheets import number_text
 from ..gradebook.worth import after_lateness, is_graded, override_sentences, points, total
 from ..handing.submissions import tidy
@@ -126,7 +125,7 @@ def everybody(records, exercises):
         "name": name_besides,
         "points": lambda record: number(total(record)),
         f"of {of}": lambda record: bar(total(record), of),
-        "handed in": handed_in,
+        "handed in": lambda record: record.lateness.handed_in.replace("T", " "),
         "late": lateness,
         "points left": lambda record: number(after_lateness(record)) if lateness(record) else "",
         "by hand": lambda record: "; ".join(override_sentences(record)),
@@ -146,12 +145,6 @@ def name_besides(record):
 
 def number(reached):
     return int(reached) if reached == int(reached) else reached
-
-
-def handed_in(record):
-    when = record.work.handed_in
-    text = record.lateness.handed_in or ("" if when is None else iso(when, None))
-    return text.replace("T", " ")
 
 
 def lateness(record):
