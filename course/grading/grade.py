@@ -63,9 +63,7 @@ def grade_all(request, topics, todo, before, results):
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
     examined = running.examined(todo, request.jobs or os.cpu_count(), request.scheduler)
     with contextlib.closing(examined) as steps:
-        for one, job, (result, pictures) in track(
-                steps, "submissions", len(todo), console=Console(stderr=True), transient=True,
-                auto_refresh=False, disable=not sys.stderr.isatty()):
+        for one, job, (result, pictures) in progress(steps, len(todo)):
             results.add(one, job.seed, fingerprint(job), result, pictures)
     files = results.close()
     failed = {name: problem for name in students
@@ -75,6 +73,12 @@ def grade_all(request, topics, todo, before, results):
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
     print(*(f"{name}: {problem}" for name, problem in failed.items()), *files, sep="\n")
     return int(bool(failed))
+
+
+def progress(steps, count):
+    """The steps, with a bar in the terminal."""
+    return track(steps, "submissions", count, console=Console(stderr=True), transient=True,
+                 auto_refresh=False, disable=not sys.stderr.isatty())
 
 
 def require_whole(topics):

@@ -113,8 +113,7 @@ class Channel:
         self.stream.flush()
 
     def read(self):
-        length = int.from_bytes(self.exactly(8), "big")
-        return self.exactly(length)
+        return self.exactly(int.from_bytes(self.exactly(8), "big"))
 
     def exactly(self, count):
         content = self.stream.read(count)
