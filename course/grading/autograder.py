@@ -1,8 +1,6 @@
 """For other graders: a zip for Gradescope, files for GitHub Actions and Classroom 50."""
-import io
 import json
 import sys
-import zipfile
 from pathlib import Path
 
 from .. import exercises
@@ -16,35 +14,24 @@ from .handing.submissions import Submission
 from .pages import report
 
 FILES = Path(__file__).with_name("files")
-NEEDED = ("course/**/*.py", "course/given/data/*", "course/checks/hints.json",
-          "course/grading/files/*", "reference/*.py", "labs/*.py",
-          "tests/conftest.py", "tests/labs/*.py", "tests/golden/*", "pyproject.toml",
-          "requirements.txt")
+NEEDED = (*running.DECIDE, "course/given/data/*", "course/checks/hints.json",
+          "course/grading/files/*", "labs/*.py", "pyproject.toml", "requirements.txt")
+PROGRAMS = "setup.sh", "run_autograder"
 
 
 def gradescope(path, labs=None) -> int:
     """Write the zip that Gradescope's "configure autograder" takes -> 0."""
     topics = exercises.topics_of(labs)
     grade.require_whole(topics)
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for file in sorted({file for pattern in NEEDED for file in places.ROOT.glob(pattern)}):
-            add(archive, file.relative_to(places.ROOT).as_posix(), file.read_bytes())
-        for name in ("setup.sh", "run_autograder"):
-            add(archive, name, (FILES / name).read_bytes(), executable=True)
-        level, _ = sandbox.available()
-        asks = grade.rehearsed(topics, Job({}, {}, level))
-        add(archive, "settings.json", json.dumps({"topics": topics, "asks": asks}).encode())
-    places.write_whole(path, content.getvalue())
+    level, _ = sandbox.available()
+    settings = {"topics": topics, "asks": grade.rehearsed(topics, Job({}, {}, level))}
+    paths = sorted({path for pattern in NEEDED for path in places.ROOT.glob(pattern)})
+    places.write_whole(path, archives.zipped([
+        *((file.relative_to(places.ROOT).as_posix(), file.read_bytes()) for file in paths),
+        *((name, (FILES / name).read_bytes()) for name in PROGRAMS),
+        ("settings.json", json.dumps(settings).encode())], PROGRAMS))
     print(f"{path}: upload it in Gradescope as the assignment's autograder ({', '.join(topics)})")
     return 0
-
-
-def add(archive, name, content, executable=False):
-    entry = zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0))
-    entry.external_attr = (0o100755 if executable else 0o100644) << 16
-    entry.compress_type = zipfile.ZIP_DEFLATED
-    archive.writestr(entry, content)
 
 
 def github(folder) -> int:

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from rich.console import Console
-from rich.progress import Progress
+from rich.progress import track
 
 from .. import exercises
 from ..given import places
@@ -76,14 +76,9 @@ def grade_all(request, topics, todo, before, results):
 
 
 def progress(steps, count):
-    """Yield the steps, with a bar in the terminal."""
-    with Progress(console=Console(stderr=True), transient=True, auto_refresh=False,
-                  disable=not sys.stderr.isatty()) as bar:
-        task = bar.add_task("submissions", total=count)
-        for step in steps:
-            yield step
-            bar.advance(task)
-            bar.refresh()
+    """The steps, with a bar in the terminal."""
+    return track(steps, "submissions", count, console=Console(stderr=True), transient=True,
+                 auto_refresh=False, disable=not sys.stderr.isatty())
 
 
 def require_whole(topics):

@@ -106,13 +106,10 @@ class Examination:
 
     def call(self, topic, name, args, kwargs):
         """Call a function of the lab, or the reference for an exercise before the one checked."""
-        number = self.running
-        if topic in self.missing:
-            raise Mismatch(("wrong", self.missing[topic]))
-        if number in self.lost:
-            raise Mismatch(("wrong", self.lost[number]))
+        if why := self.missing.get(topic) or self.lost.get(self.running):
+            raise Mismatch(("wrong", why))
         try:
-            if name in self.earlier[number]:
+            if name in self.earlier[self.running]:
                 question = wire.encode(("ask", topic, name, args, kwargs))
                 return wire.decode(self.referred(topic, name, question), named_tuples())[1]
             self.open(topic)
@@ -120,8 +117,8 @@ class Examination:
             inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
             return self.outcome(topic, name, message, inputs)
         except sandbox.Lost as lost:
-            self.lose(f"in {name}: {lost}")
-            raise Mismatch(("wrong", self.lost[number])) from None
+            self.lose(self.running, f"in {name}: {lost}", not self.is_fine_print)
+            raise Mismatch(("wrong", self.lost[self.running])) from None
 
     def open(self, topic):
         """Have the worker load the lab for the exercise that is checked now."""
@@ -133,8 +130,7 @@ class Examination:
                    (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
         self.opened = self.running
         try:
-            message = self.exchange(("open", modules, preloaded(topic)))
-            self.outcome(topic, None, message, [])
+            self.outcome(topic, None, self.exchange(("open", modules, preloaded(topic))), [])
             self.loaded.add(topic)
         except (sandbox.Lost, Mismatch, NotImplementedError) as error:
             why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error
@@ -183,9 +179,9 @@ class Examination:
 
     def timed(self, worker, *payloads):
         """Payloads to a worker and one back, in the time that is left."""
-        for what, most in ((self.running, self.limits.exercise), (None, self.limits.submission)):
+        for what, most, each in ((self.running, self.limits.exercise, "this exercise"),
+                                 (None, self.limits.submission, "all exercises")):
             if self.spent[what] >= most:
-                each = "all exercises" if what is None else "this exercise"
                 raise sandbox.Lost(f"the {most:g} s for {each} are used up")
         payload = worker.relay(min(self.limits.call, self.limits.exercise), *payloads)
         self.received += len(payload)
@@ -292,15 +288,13 @@ class Examination:
         try:
             self.worker.finish()
         except sandbox.Lost as lost:
-            self.lost[number] = f"at its end: {lost}"
-            self.spoilt.add(number)
-            self.forget()
+            self.lose(number, f"at its end: {lost}", True)
         self.spent[None] += time.monotonic() - began
 
-    def lose(self, why):
-        self.lost[self.running] = why
-        if not self.is_fine_print:
-            self.spoilt.add(self.running)
+    def lose(self, number, why, in_the_question):
+        self.lost[number] = why
+        if in_the_question:
+            self.spoilt.add(number)
         self.forget()
 
     def forget(self):

@@ -39,9 +39,8 @@ def examine(job: Job) -> Result:
 
 def defects(labs, found, seed):
     """Sentences on those checks that failed, and that the reference fails at this seed, too."""
-    failed = {check.nodeid: check for check in found if check.verdict == "failed"}
-    again, _ = runner.run_checks(labs, {check.exercise for check in failed.values()}, "reference",
-                                 seed) if failed else ([], [])
+    failed = {check.nodeid: check.exercise for check in found if check.verdict == "failed"}
+    again, _ = runner.run_checks(labs, set(failed.values()), "reference", seed)
     return [f"the check is wrong, and not what was handed in: the reference fails it, too, at seed "
             f"{seed}: {check.exercise}: {check.claim}: {check.message}"
             for check in again if check.verdict != "passed" and check.nodeid in failed]

@@ -113,8 +113,7 @@ class Channel:
         self.stream.flush()
 
     def read(self):
-        length = int.from_bytes(self.exactly(8), "big")
-        return self.exactly(length)
+        return self.exactly(int.from_bytes(self.exactly(8), "big"))
 
     def exactly(self, count):
         content = self.stream.read(count)
@@ -294,7 +293,7 @@ class Asking:
             return own(*args, **kwargs)
         kind, *answer = self.asked(topic, name, args, kwargs)
         if kind == "returned":
-            return self.copied(answer[0])
+            return answer[0]
         if kind == "own":
             self.left.add((topic, name))
             return own(*args, **kwargs)
@@ -303,39 +302,26 @@ class Asking:
         raise known_error(answer[0])(answer[1])
 
     def asked(self, topic, name, args, kwargs):
-        """What the grader has answered to this question, or answers now."""
-        standard = self.channel.contract.standard
-        args = tuple(map(standard, args))
-        kwargs = {key: standard(value) for key, value in kwargs.items()}
-        question = topic, name, identity(args), identity(tuple(kwargs.items()))
+        """What the grader has answered to this question, or answers now.
+
+        It is kept as bytes, so that nobody changes it.
+        """
+        wire, standard = self.channel.wire, self.channel.contract.standard
+        question = wire.encode(("ask", topic, name, tuple(map(standard, args)),
+                                {key: standard(value) for key, value in kwargs.items()}))
         with self.lock:
             if question not in self.known:
                 if len(self.known) > 1000:
                     self.known.clear()
-                self.channel.send("ask", topic, name, args, kwargs)
-                self.known[question] = self.channel.receive()
-            return self.known[question]
-
-    def copied(self, value):
-        """A copy, so that nobody changes what is kept."""
-        if isinstance(value, tuple):
-            return self.channel.contract.mapped(self.copied, value)
-        return value.copy() if hasattr(value, "copy") else value
+                self.channel.write(question)
+                self.known[question] = self.channel.read()
+            return wire.decode(self.known[question], self.channel.named)
 
 
 def known_error(name):
     """Python's own error of this name, or else RuntimeError."""
     error = getattr(builtins, name, None)
     return error if isinstance(error, type) and issubclass(error, Exception) else RuntimeError
-
-
-def identity(value):
-    """A key that two values share only if they are the same to the bit."""
-    if hasattr(value, "tobytes"):
-        return str(value.dtype), value.shape, value.tobytes()
-    if isinstance(value, tuple | list):
-        return type(value), *map(identity, value)
-    return type(value), repr(value)
 
 
 if __name__ == "__main__":

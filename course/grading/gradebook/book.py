@@ -60,8 +60,8 @@ class Gradebook:
         """When it was handed in, as Moodle's worksheet has it, or an empty text."""
         if one.identity.platform != "moodle" or one.student not in self.rows:
             return ""
-        row = self.roster.sheet.rows[self.rows[one.student]]
-        return rosters.cell(self.roster, row, "Last modified (submission)").strip("-")
+        return rosters.cell(self.roster, self.rows[one.student],
+                            "Last modified (submission)").strip("-")
 
     # --- what an instructor is told, before and after
 
@@ -127,8 +127,7 @@ class Gradebook:
             who = self.handed_in[student].identity
             yield map(sheets.plain, (student, who.id, who.name, who.email, why))
         ids = rosters.PLATFORMS[self.roster.platform].ids
-        for number, name in self.absent().items():
-            row = self.roster.sheet.rows[number]
-            who = " ".join(filter(None, (rosters.cell(self.roster, row, title) for title in ids)))
+        for row, name in self.absent().items():
+            who = rosters.joined(self.roster, row, ids)
             yield map(sheets.plain, ("", who, name, "", "in the roster without a submission"))
 

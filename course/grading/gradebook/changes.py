@@ -48,9 +48,8 @@ def why(what, old, new):
     """All that can have changed these points."""
     if what == "after lateness":
         return why_after_lateness(old, new)
-    before, now = by_hand(old, what), by_hand(new, what)
-    if before != now:
-        return now or "no longer by hand"
+    if changed := changed_by_hand(what, old, new):
+        return changed
     differ = {column for column in CAUSES if column in old and old[column] != new[column]}
     if "hash" in differ:
         differ.discard("seed")  # each submission has its own
@@ -60,12 +59,16 @@ def why(what, old, new):
 
 
 def why_after_lateness(old, new):
-    before, now = by_hand(old, "late"), by_hand(new, "late")
-    late = [row.get("late by") or "not late" for row in (old, new)]
-    causes = [now or "no longer by hand"] if before != now else []
-    causes += [f"lateness: {late[1]}, before: {late[0]}"] if late[0] != late[1] else []
-    causes += ["the total"] if old["total"] != new["total"] else []
-    return ", ".join(causes) or "what lateness costs"
+    before, now = (row.get("late by") or "not late" for row in (old, new))
+    causes = (changed_by_hand("late", old, new),
+              f"lateness: {now}, before: {before}" if before != now else None,
+              "the total" if old["total"] != new["total"] else None)
+    return ", ".join(filter(None, causes)) or "what lateness costs"
+
+
+def changed_by_hand(what, old, new):
+    now = by_hand(new, what)
+    return None if by_hand(old, what) == now else now or "no longer by hand"
 
 
 def by_hand(row, what):

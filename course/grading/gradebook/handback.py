@@ -10,25 +10,17 @@
 Moodle's and Canvas's rules are those of their own code: assignfeedback_file_zip_importer and
 AbstractAssignment#infer_comment_context_from_filename.
 """
-import io
-import os
-import zipfile
-
-NEVER = 1980, 1, 1, 0, 0, 0  # the same reports make the same zip
+from ...given import places
+from ..handing.archives import zipped
 
 
 def write(out, records) -> None:
     """Write out/feedback.zip, all or nothing. Who has no report is not in it."""
-    path, neighbour = out / "feedback.zip", out / f".feedback.zip.{os.getpid()}"
-    try:
-        with zipfile.ZipFile(neighbour, "w", zipfile.ZIP_DEFLATED) as archive:
-            for record in records:
-                report = out / "students" / record.work.student / "report.html"
-                if report.exists() and not record.result.problem:
-                    put(archive, *entry(record, report.read_bytes()))
-        os.replace(neighbour, path)
-    finally:
-        neighbour.unlink(missing_ok=True)
+    reports = ((record, out / "students" / record.work.student / "report.html")
+               for record in records)
+    places.write_whole(out / "feedback.zip", zipped(
+        entry(record, path.read_bytes()) for record, path in reports
+        if path.exists() and not record.result.problem))
 
 
 def entry(record, report):
@@ -37,12 +29,5 @@ def entry(record, report):
     if platform == "moodle" and number:
         return f"Participant_{number}_assignsubmission_file_/report.html", report
     if platform == "canvas" and file.lower().endswith(".zip"):
-        content = io.BytesIO()
-        with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-            put(archive, "report.html", report)
-        return file, content.getvalue()
+        return file, zipped([("report.html", report)])
     return f"{record.work.student}/report.html", report
-
-
-def put(archive, name, content):
-    archive.writestr(zipfile.ZipInfo(name, NEVER), content, zipfile.ZIP_DEFLATED)

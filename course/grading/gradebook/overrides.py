@@ -34,7 +34,7 @@ def read(path, students, exercises) -> dict[str, dict[str, Override]]:
     found = {}
     for row, line in zip(sheet.rows, sheet.lines, strict=True):
         cells = dict(zip(sheet.header, map(str.strip, row), strict=False))
-        student, exercise, points, reason = (cells.get(name, "") for name in COLUMNS)
+        student, exercise, points, reason = (cells[name] for name in COLUMNS)
         given = found.setdefault(student, {})
         if wrong := problem(student, exercise, reason, students, most, given):
             raise ValueError(f"{path}, line {line}: {wrong}")

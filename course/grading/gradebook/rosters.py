@@ -5,12 +5,13 @@
     gradescope   the course's roster, or scores of an assignment; Gradescope imports no points
     brightspace  the export of grades, with names; its import reads ids, points and the last column
 
-The names of columns are those of the platforms' own code and help pages (Canvas: gradebook_exporter
-and gradebook_importer; Moodle: mod/assign/feedback/offline; D2L: "Importing grades").
+What an export of each looks like is told in files/rosters.toml.
 """
 import re
+import tomllib
 import unicodedata
 from collections import Counter
+from pathlib import Path
 from typing import NamedTuple
 
 from . import sheets
@@ -19,40 +20,19 @@ NUMBER = re.compile(r"\d+([.,]\d+)?")
 
 
 class Platform(NamedTuple):
-    """What an export looks like."""
+    """What an export looks like, as files/rosters.toml has it."""
 
-    export: str     # what it is called there
-    needs: tuple    # columns that it always has
-    ids: tuple      # columns that name a person to the platform
-    name: tuple     # columns that name a person to people
-    keys: dict      # {platform of a submission: ((what it tells, columns with the same), ...)}
-    graded: str     # a pattern of columns that take points; its group is the assignment's name
-    kept: str = ""  # a pattern of the other columns that the import reads, if it does not read all
+    export: str
+    needs: list
+    ids: list
+    name: list
+    graded: str
+    keys: dict
+    kept: str = ""
 
 
-PLATFORMS = {
-    "canvas": Platform(
-        "gradebook's export", ("ID", "Section"), ("ID",), ("Student", "FirstName", "LastName"),
-        {"canvas": (("id", ("ID",)),),
-         "gradescope": (("id", ("SIS User ID",)), ("email", ("SIS Login ID",)))},
-        r"(?!.*(?:Current|Final|Override) (?:Score|Points|Grade))(.+) \(\d+\)"),
-    "moodle": Platform(
-        "offline grading worksheet", ("Identifier", "Grade", "Last modified (grade)"),
-        ("Identifier",), ("Full name",),
-        {"moodle": (("id", ("Identifier",)),),
-         "gradescope": (("id", ("ID number",)), ("email", ("Email address",)))},
-        r"(Grade)"),
-    "gradescope": Platform(
-        "roster", ("Email",), ("SID", "Email"), ("Name", "First Name", "Last Name"),
-        {"gradescope": (("id", ("SID",)), ("email", ("Email",)))},
-        r"(Total Score)"),
-    "brightspace": Platform(
-        "export of grades with names", ("First Name", "Last Name", "End-of-Line Indicator"),
-        ("OrgDefinedId", "Username"), ("First Name", "Last Name"),
-        {"brightspace": (("name", ("First Name", "Last Name")),),
-         "gradescope": (("id", ("OrgDefinedId",)), ("email", ("Email",)))},
-        r"(.+) Points Grade(?: <.*>)?", r"OrgDefinedId|Username|End-of-Line Indicator"),
-}
+PLATFORMS = {name: Platform(**table) for name, table in tomllib.loads(
+    Path(__file__).parents[1].joinpath("files", "rosters.toml").read_text("utf-8")).items()}
 
 
 class Roster(NamedTuple):
@@ -73,7 +53,8 @@ def read(path, platform, assignment=None) -> Roster:
                          f"{missing[0]!r}, but {', '.join(sheet.header[:6])}")
     columns = gradable(sheet.header, kind.graded)
     if platform == "gradescope" and not columns:
-        sheet = sheet._replace(header=[*sheet.header, assignment or "Total Score"])
+        sheet = sheet._replace(header=[*sheet.header, assignment or "Total Score"],
+                               rows=[[*row, ""] for row in sheet.rows])
         return Roster(path, platform, sheet, len(sheet.header) - 1)
     return Roster(path, platform, sheet, chosen(columns, sheet.header, assignment, path))
 
@@ -102,18 +83,21 @@ def chosen(columns, header, assignment, path):
 
 
 def cell(roster, row, title):
-    """What is in a column of a row. Empty where there is none."""
-    header = roster.sheet.header
-    column = header.index(title) if title in header else len(row)
-    return row[column].strip() if column < len(row) else ""
+    """What is in a column of a row. Empty where there is no such column."""
+    header, rows = roster.sheet.header, roster.sheet.rows
+    return rows[row][header.index(title)].strip() if title in header else ""
 
 
 def people(roster):
     """{row: name} of those that are people, not a line such as Points Possible."""
     kind = PLATFORMS[roster.platform]
-    return {number: " ".join(filter(None, (cell(roster, row, title) for title in kind.name)))
-            for number, row in enumerate(roster.sheet.rows)
-            if any(cell(roster, row, title) for title in kind.ids)}
+    return {row: joined(roster, row, kind.name) for row in range(len(roster.sheet.rows))
+            if joined(roster, row, kind.ids)}
+
+
+def joined(roster, row, titles):
+    """What is in some columns of a row."""
+    return " ".join(filter(None, (cell(roster, row, title) for title in titles)))
 
 
 def key(text):
@@ -125,41 +109,36 @@ def key(text):
 def match(roster, handed_in) -> tuple[dict, dict]:
     """-> ({student: row}, {student: why there is none}), by what the platform tells of each."""
     keys = PLATFORMS[roster.platform].keys
-    index = {titles: indexed(roster, titles) for each in keys.values() for _, titles in each}
-    rows, unmatched = {}, {}
-    for one in handed_in:
-        row, why = row_of(one.identity, keys.get(one.identity.platform, ()), index)
-        if why:
-            unmatched[one.student] = why
-        else:
-            rows[one.student] = row
-    counts = Counter(rows.values())
-    twice = {student: "another submission is of the same person"
-             for student, row in rows.items() if counts[row] > 1}
-    return {student: rows[student] for student in rows if student not in twice}, unmatched | twice
+    index = {platform: {what: indexed(roster, titles) for what, titles in known.items()}
+             for platform, known in keys.items()}
+    found = {one.student: row_of(one.identity, index.get(one.identity.platform, {}))
+             for one in handed_in}
+    counts = Counter(found.values())
+    rows = {student: row for student, row in found.items()
+            if isinstance(row, int) and counts[row] == 1}
+    return rows, {student: why if isinstance(why, str) else
+                  "another submission is of the same person"
+                  for student, why in found.items() if student not in rows}
 
 
 def indexed(roster, titles):
     """{what people have in these columns, as a key: their rows}."""
     found = {}
-    for number in people(roster):
-        row = roster.sheet.rows[number]
-        found.setdefault(key(" ".join(cell(roster, row, title) for title in titles)),
-                         []).append(number)
+    for row in people(roster):
+        found.setdefault(key(joined(roster, row, titles)), []).append(row)
     return found
 
 
-def row_of(identity, keys, index):
-    """-> (row, None), or (None, why there is none)."""
-    without = []
-    for what, titles in keys:
-        if wanted := key(getattr(identity, what)):
-            found = index[titles].get(wanted, ())
-            if len(found) == 1:
-                return found[0], None
-            without.append(f"{len(found) or 'nobody'} in the roster with the {what} "
-                        f"{getattr(identity, what)}")
-    return None, ", ".join(without) or "what was handed in tells nothing that the roster has, too"
+def row_of(identity, index):
+    """The row of a person, or a sentence on why there is none. index {what is told: `indexed`}."""
+    told = {what: getattr(identity, what) for what in index if key(getattr(identity, what))}
+    found = {what: index[what].get(key(text), ()) for what, text in told.items()}
+    for rows in found.values():
+        if len(rows) == 1:
+            return rows[0]
+    return (", ".join(f"{len(rows) or 'nobody'} in the roster with the {what} {told[what]}"
+                      for what, rows in found.items())
+            or "what was handed in tells nothing that the roster has, too")
 
 
 # --- points -----------------------------------------------------------------------------------
@@ -169,15 +148,15 @@ def most(roster):
     """The most points that the platform has for the assignment. None if its export tells none."""
     title, rows = roster.sheet.header[roster.column], roster.sheet.rows
     texts = re.findall(r"MaxPoints:([\d.]+)", title)
-    texts += [cell(roster, row, title) for row in rows if row[0].strip() == "Points Possible"]
-    texts += [cell(roster, row, name) for row in rows
-             for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
+    texts += [row[roster.column].strip() for row in rows if row[0].strip() == "Points Possible"]
+    texts += [cell(roster, row, name) for row in range(len(rows))
+              for name in ("Maximum grade", "Maximum Grade", "Max Points", f"{title} - Max Points")]
     return next((float(text.replace(",", ".")) for text in texts if NUMBER.fullmatch(text)), None)
 
 
 def kept_word(roster, row):
     """A word in the place of points, such as Canvas's EX for excused. It is not written over."""
-    text = cell(roster, roster.sheet.rows[row], roster.sheet.header[roster.column])
+    text = roster.sheet.rows[row][roster.column].strip()
     return "" if text == "-" or NUMBER.fullmatch(text) else text
 
 
@@ -186,12 +165,9 @@ def filled(roster, points) -> bytes:
     kept, sheet = PLATFORMS[roster.platform].kept, roster.sheet
     columns = [column for column, title in enumerate(sheet.header)
                if not kept or column == roster.column or re.fullmatch(kept, title)]
-    table = [sheet.header, *(list(row) for row in sheet.rows)]
+    table = [sheet.header, *map(list, sheet.rows)]
     for row, text in points.items():
-        if kept_word(roster, row):
-            continue
-        line = table[row + 1]
-        line += [""] * (len(sheet.header) - len(line))
-        line[roster.column] = text
-    return sheets.written([[line[column] for column in columns if column < len(line)]
-                           for line in table], sheet.delimiter, sheet.newline, sheet.has_bom)
+        if not kept_word(roster, row):
+            table[row + 1][roster.column] = text
+    return sheets.written([[line[column] for column in columns] for line in table],
+                          sheet.delimiter, sheet.newline, sheet.has_bom)

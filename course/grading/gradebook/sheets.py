@@ -9,8 +9,6 @@ from typing import NamedTuple
 
 from ...given import places
 
-BOMS = {codecs.BOM_UTF8: "utf-8-sig", codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
-
 
 class Sheet(NamedTuple):
     """A table, and how its file was written."""
@@ -24,7 +22,10 @@ class Sheet(NamedTuple):
 
 
 def read(path) -> Sheet:
-    """A table from a file, without its empty rows. ValueError: it is no text, or no table."""
+    """A table from a file, without its empty rows, short rows filled up.
+
+    ValueError: it is no text, or no table.
+    """
     text, has_bom = decoded(path)
     try:
         delimiter = max(",;\t", key=lambda each: len(next(parsed(text, each), ())))
@@ -36,16 +37,18 @@ def read(path) -> Sheet:
         raise ValueError(f"{path} is empty: it should have a row of titles, and rows below it")
     (header, _), *below = rows
     newline = "\r\n" if "\r\n" in text else "\n"
-    return Sheet([title.strip() for title in header], [row for row, _ in below],
+    return Sheet([title.strip() for title in header],
+                 [row + [""] * (len(header) - len(row)) for row, _ in below],
                  [line for _, line in below], delimiter, newline, has_bom)
 
 
 def decoded(path):
     """-> (text, whether it began with a byte order mark)."""
     content = places.read_whole(path)
-    bom = next((bom for bom in BOMS if content.startswith(bom)), None)
+    is_utf_16 = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
-        return content.decode(BOMS.get(bom, "utf-8")), bom is not None
+        return (content.decode("utf-16" if is_utf_16 else "utf-8-sig"),
+                is_utf_16 or content.startswith(codecs.BOM_UTF8))
     except UnicodeDecodeError as error:
         raise ValueError(f"{path} is not UTF-8 text (byte {error.start}): export it again, or save "
                          "it as \"CSV UTF-8\"") from None

@@ -1,18 +1,13 @@
 """grades.csv: one line for each student, with columns for core, fine print, extras, lateness."""
-from ..apart.jobs import failure
-from ..handing.submissions import Submission
 from . import sheets, worth
-from .records import How, Record
+from .records import Record
 from .sheets import number_text
-
-NOBODY = Record(Submission("", {}, {}, ()), How("", 0, "", ""), failure(""))
 
 
 def grades(records, exercises) -> list[list]:
-    """The rows of grades.csv, its titles first."""
-    return [list(line(NOBODY, exercises)),
-            *([sheets.plain(cell) for cell in line(record, exercises).values()]
-              for record in records)]
+    """The rows of grades.csv, its titles first. There is at least one record."""
+    lines = [line(record, exercises) for record in records]
+    return [list(lines[0]), *(list(map(sheets.plain, cells.values())) for cells in lines)]
 
 
 def line(record: Record, exercises) -> dict:

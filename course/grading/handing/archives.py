@@ -28,8 +28,8 @@ DEEPEST = 40             # folders in folders
 PACKED = re.compile(r"(.+?)(\.tar)?\.(zip|tar|tgz|gz|rar|7z|bz2|xz|zst|tbz2?|txz)", re.I | re.S)
 ATTRIBUTES = (tarfile.XHDTYPE, tarfile.XGLTYPE, tarfile.SOLARIS_XHDTYPE, tarfile.GNUTYPE_LONGNAME,
               tarfile.GNUTYPE_LONGLINK)  # entries of a tar archive that are no files
-OURS = {"reference", "tests", "notebooks", "experiments", "handed_out"}
-NOT_WRITTEN = {"__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}
+NOT_THEIRS = {"reference", "tests", "notebooks", "experiments", "handed_out",  # ours, and programs'
+              "__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}
 COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*"  # transforms (1), transforms-2
 LAB = re.compile(r"(?:(.*?)[\W_]+)??(" + "|".join(sorted(exercises.TOPICS, key=len, reverse=True))
                  + rf"){COPY}\.py", re.I | re.S)
@@ -88,15 +88,29 @@ def digest(texts) -> str:
     return whole.hexdigest()
 
 
+def zipped(files, programs=()) -> bytes:
+    """Pairs (name, content) -> a zip of them: from the same files, the same bytes.
+
+    programs: the names of those that can be run.
+    """
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:
+        for name, part in files:
+            entry = zipfile.ZipInfo(name)
+            entry.external_attr = (0o100755 if name in programs else 0o100644) << 16
+            archive.writestr(entry, part, zipfile.ZIP_DEFLATED)
+    return content.getvalue()
+
+
 def printable(name) -> str:
-    """A name. What moves a cursor or cannot be encoded is written out, as in \\udce9."""
+    """A name, or what went wrong. What moves a cursor or has no code is written out: \\udce9."""
     return "".join(c if c.isprintable() else " " if c.isspace() else
-                   c.encode("unicode_escape").decode() for c in name)
+                   c.encode("unicode_escape").decode() for c in str(name))
 
 
 def quoted(name) -> str:
     """A name, or what went wrong, as it may stand in a sentence."""
-    return printable(str(name))[:120]
+    return printable(name)[:120]
 
 
 def reason(error) -> str:
@@ -128,12 +142,8 @@ def topic_at(place):
 
 
 def is_not_theirs(folder):
-    return folder in OURS or is_not_written(folder)
-
-
-def is_not_written(folder):
-    """Whether a folder holds what programs put there. "..": not even in the archive."""
-    return folder in NOT_WRITTEN or folder.startswith(".")
+    """Whether a folder holds what is ours or a program's. "..": it is not even in the archive."""
+    return folder in NOT_THEIRS or folder.startswith(".")
 
 
 def rank(place, topic, when):
@@ -193,7 +203,7 @@ def careful(function):
     except ValueError as error:
         return error
     except Exception as error:  # whatever a broken archive makes the parser stumble over
-        return ValueError(f"cannot be read ({reason(error)})")
+        return ValueError(f"cannot be read ({reason(error)}): pack it again as a zip")
 
 
 # --- folders, archives, files -----------------------------------------------------------------
@@ -201,13 +211,11 @@ def careful(function):
 
 def labs_in(path, name, notes) -> dict[str, Lab]:
     """{topic: Lab} of a folder, an archive or a file. notes: grows by what cannot be read."""
-    try:
-        return found_in(path, name, notes)
-    except ValueError as error:
-        notes.append(f"{quoted(name)} {quoted(error)}")
-    except Exception as error:  # one student's trouble is no other's
-        notes.append(f"{quoted(name)} cannot be read ({reason(error)}): pack it again as a zip")
-    return {}
+    found = careful(functools.partial(found_in, path, name, notes))
+    if isinstance(found, ValueError):  # one student's trouble is no other's
+        notes.append(f"{quoted(name)} {printable(found)}")
+        return {}
+    return found
 
 
 def found_in(path, name, notes):
@@ -292,17 +300,13 @@ def entries_of(file, when):
     """Yield what `chosen` takes, of a zip or tar archive. The content tells which one it is."""
     start = file.read(4)
     file.seek(0)
-    if start[:2] == b"PK":
-        with zipfile.ZipFile(file) as archive:
-            yield from zip_entries(archive, when)
-    else:
+    if start[:2] != b"PK":
         yield from tar_entries(Unzipped(fileobj=file) if start[:2] == b"\x1f\x8b" else file, when)
-
-
-def zip_entries(archive, when):
-    for entry in archive.infolist():
-        if not entry.is_dir():
-            yield entry.filename, when, functools.partial(zip_entry, archive, entry)
+        return
+    with zipfile.ZipFile(file) as archive:
+        for entry in archive.infolist():
+            if not entry.is_dir():
+                yield entry.filename, when, functools.partial(zip_entry, archive, entry)
 
 
 def zip_entry(archive, entry):

@@ -3,23 +3,20 @@
 What a lab needs from labs that are not handed out comes with it, complete: it is given code there.
 """
 import ast
-import io
 import json
 import re
 import textwrap
-import zipfile
 from pathlib import Path
 
 from ... import exercises
 from ...given import places
+from . import archives
 
-WHOLE = ("course/**/*.py", "course/given/data/*.ply", "course/given/data/*.md",
-         "course/given/data/*.png", "course/given/data/captures/**/*.*",
-         "course/experiments/folder/*.html", "course/experiments/folder/*.js",
-         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*", "notebooks/errata.md",
+WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folder/*.*",
+         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
          "tests/labs/[!t]*.py",  # what checks share
-         "LICENSE", "requirements.txt", "pyproject.toml", ".gitattributes",
-         ".gitignore")
+         "notebooks/errata.md", "notebooks/00_start_here.ipynb", "LICENSE", "requirements.txt",
+         "pyproject.toml", ".gitattributes", ".gitignore")
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
 TEACHERS = {f"course/upkeep/{name}.py" for name in (
@@ -54,12 +51,9 @@ def run(folder, labs=None, solutions=None, extra=False) -> int:
 
 def release(labs, path) -> int:
     """Write a zip that adds the solutions of labs to a hand-out in whose folder it is unpacked."""
-    content, topics = io.BytesIO(), exercises.topics_of(labs)
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for topic in topics:
-            archive.writestr(zipfile.ZipInfo(f"reference/{topic}.py", (2000, 1, 1, 0, 0, 0)),
-                             exercises.reference(topic).read_bytes())
-    places.write_whole(path, content.getvalue())
+    topics = exercises.topics_of(labs)
+    places.write_whole(path, archives.zipped(
+        (f"reference/{topic}.py", exercises.reference(topic).read_bytes()) for topic in topics))
     print(f"{path}: unpack it in the hand-out's folder; it adds the solutions of "
           f"{', '.join(topics)} to reference/")
     return 0
@@ -67,8 +61,7 @@ def release(labs, path) -> int:
 
 def files(asked, given, released, extra):
     """Yield (name, bytes) of all that is handed out."""
-    whole = [path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))]
-    for path in [*whole, places.ROOT / "notebooks" / "00_start_here.ipynb"]:
+    for path in (path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if not is_for_teachers(name):
             yield name, path.read_bytes()
@@ -170,9 +163,7 @@ def without_marks(text):
     """A module whose exercises are given code."""
     lines = exercises.text_lines(text)
     for line, *_ in exercises.marks(text):
-        code, _, _ = lines[line - 1].rpartition("#")
-        end = lines[line - 1].removeprefix(lines[line - 1].rstrip("\r\n"))
-        lines[line - 1] = code.rstrip() + end
+        lines[line - 1] = re.sub(r"\s*#[^#\r\n]*(?=[\r\n]*$)", "", lines[line - 1])
     return "".join(lines)
 
 

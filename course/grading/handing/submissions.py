@@ -31,13 +31,6 @@ class Submission(NamedTuple):
     digest: str = ""          # the hash of all labs, as `pack` prints it; "": not known
 
 
-class Found(NamedTuple):
-    """One thing that was handed in by one student."""
-
-    sender: platforms.Sender
-    path: Path
-
-
 def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
     """The submissions in a folder, one for each student; [(name, sentence)] of the rest.
 
@@ -52,23 +45,21 @@ def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
         raise ValueError(f"nothing was handed in to {folder}: it should hold a folder, a zip or "
                          f"a file such as ada_{topics[0]}.py for each student"
                          + "".join(f"\n{name}: {sentence}" for name, sentence in not_understood))
-    groups = {}
-    for one in found:
-        groups.setdefault(one.sender.student, []).append(one)
-    names = distinct(groups)
-    return [submission(names[student], groups[student], topics)
-            for student in sorted(groups)], not_understood
+    names = distinct(found)
+    return [submission(names[student], found[student], topics)
+            for student in sorted(found)], not_understood
 
 
 def listed(folder, topics, zone):
-    """[Found] of what is in a folder; [(name, sentence)] of what cannot be anybody's."""
+    """{student: [(Sender, path)]} of a folder; [(name, sentence)] of what cannot be anybody's."""
     submitters = platforms.gradescope(folder)
-    found, not_understood, seen = [], [], set()
+    found, not_understood, seen = {}, [], set()
     for path in sorted(folder.iterdir()):
         if path.name in platforms.NOT_HANDED_IN or path.name.startswith("._"):
             continue
         senders = platforms.senders(path, submitters, zone)
-        found += [Found(sender, path) for sender in senders]
+        for sender in senders:
+            found.setdefault(sender.student, []).append((sender, path))
         seen.add(path.stem)
         if not senders:
             not_understood.append((archives.quoted(path.name), NOBODY.format(topic=topics[0])))

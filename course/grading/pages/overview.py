@@ -4,9 +4,9 @@ Names of files and students, and messages, come from students: all of them are e
 """
 import collections
 import re
+import statistics
 
 from ...checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
-from ..gradebook.lateness import iso
 from ..gradebook.sheets import number_text
 from ..gradebook.worth import after_lateness, is_graded, override_sentences, points, total
 from ..handing.submissions import tidy
@@ -82,14 +82,12 @@ def distribution(graded, exercises):
     if not graded:
         return ""
     of = sum(exercise.points for exercise in exercises)
-    totals = sorted(map(total, graded))
-    counts = [0] * 10
-    for reached in totals:
-        counts[min(9, int(10 * reached // max(of, 1)))] += 1
+    totals = [*map(total, graded)]
+    counts = collections.Counter(min(9, int(10 * reached // max(of, 1))) for reached in totals)
     return "\n".join([
-        paragraph(f"median {number_text(totals[len(totals) // 2])} of {of} points"),
-        rows([[f"{10 * tenth} to {10 * tenth + 10} %", count, bar(count, max(counts))]
-              for tenth, count in enumerate(counts)])])
+        paragraph(f"median {number_text(statistics.median_high(totals))} of {of} points"),
+        rows([[f"{10 * tenth} to {10 * tenth + 10} %", counts[tenth],
+               bar(counts[tenth], max(counts.values()))] for tenth in range(10)])])
 
 
 def hardest(graded, exercises):
@@ -127,7 +125,7 @@ def everybody(records, exercises):
         "name": name_besides,
         "points": lambda record: number(total(record)),
         f"of {of}": lambda record: bar(total(record), of),
-        "handed in": handed_in,
+        "handed in": lambda record: record.lateness.handed_in.replace("T", " "),
         "late": lateness,
         "points left": lambda record: number(after_lateness(record)) if lateness(record) else "",
         "by hand": lambda record: "; ".join(override_sentences(record)),
@@ -149,12 +147,6 @@ def number(reached):
     return int(reached) if reached == int(reached) else reached
 
 
-def handed_in(record):
-    when = record.work.handed_in
-    text = record.lateness.handed_in or ("" if when is None else iso(when, None))
-    return text.replace("T", " ")
-
-
 def lateness(record):
     """LATE where the platform says so, and by how much, where that is known."""
     return " ".join(filter(None, ["LATE" * record.work.late, record.lateness.late_by]))
@@ -163,9 +155,8 @@ def lateness(record):
 def alike_part(pairs):
     if pairs is None:
         return ""
-    link = '<a href="similar.html">side by side</a>, <a href="similar.csv">as a table</a>'
-    return "\n".join([
-        '<p class="note">Pairs of students whose answers are alike beyond what the questions '
-        f"force: {len(pairs)} ({link}). This takes no points.</p>",
-        table([[student_link(pair.first), student_link(pair.second), pair.nodes]
-               for pair in pairs[:MOST_PAIRS]])])
+    shown = [[student_link(pair.first), student_link(pair.second), pair.nodes]
+             for pair in pairs[:MOST_PAIRS]]
+    return ('<p class="note">Pairs of students whose answers are alike beyond what the questions '
+            f'force: {len(pairs)} (<a href="similar.html">side by side</a>, '
+            f'<a href="similar.csv">as a table</a>). This takes no points.</p>\n{table(shown)}')

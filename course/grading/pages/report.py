@@ -5,17 +5,7 @@ The page names nobody, so that it can be given back, and shown, in any way: see 
 import itertools
 import re
 
-from ...checks.page import (
-    Markup,
-    bar,
-    coloured,
-    document,
-    escaped,
-    exercise_part,
-    paragraph,
-    preformatted,
-    rows,
-)
+from ...checks import page as html
 from ..gradebook.records import Record
 from ..gradebook.sheets import number_text
 from ..gradebook.worth import after_lateness, points, sentences
@@ -28,20 +18,20 @@ def page(record: Record, pictures, about) -> str:
     work, how, result = record.work, record.how, record.result
     of = sum(entry.points for entry in result.entries)
     notes = (unnamed(note, record) for note in work.notes)
-    parts = [paragraph(f"{number_text(after_lateness(record))} of {of} points", "claim"),
-             *map(paragraph, (*sentences(record), *notes)),
+    parts = [html.paragraph(f"{number_text(after_lateness(record))} of {of} points", "claim"),
+             *map(html.paragraph, (*sentences(record), *notes)),
              board_table(result.entries, points(record))]
     for topic, why in missing(record).items():
         parts += [f"<h2>{topic}: nothing could be checked</h2>",
-                  preformatted(why if IMPORT in why else unnamed(why, record))]
+                  html.preformatted(why if IMPORT in why else unnamed(why, record))]
     for entry in result.entries:
         if needs_a_part(entry, record):
             lost = result.lost.get(entry.number)
-            parts += exercise_part(entry, lost, pictures, how.seed)
-    parts += ["<h2>How this was found</h2>", paragraph(
+            parts += html.exercise_part(entry, lost, pictures, how.seed)
+    parts += ["<h2>How this was found</h2>", html.paragraph(
         f"Isolation {how.level} ({about}); seed {how.seed}; {result.seconds:.1f} s; "
         f"hash of what was handed in {work.digest}.")]
-    return document("Report", *parts)
+    return html.document("Report", *parts)
 
 
 def unnamed(sentence, record):
@@ -80,10 +70,10 @@ def board_table(entries, reached):
         lab = list(each)
         got = sum(reached[entry.number] for entry in lab)
         of = sum(entry.points for entry in lab)
-        lines.append(["", Markup(f"<strong>{escaped(topic)}</strong>"), got, of, bar(got, of)])
+        lines.append(["", html.Markup(f"<strong>{topic}</strong>"), got, of, html.bar(got, of)])
         lines += [[entry.number, entry.name, reached[entry.number],
-                   entry.points, coloured(entry.told)] for entry in lab]
-    return rows(lines, ["", "", "points", "of", ""])
+                   entry.points, html.coloured(entry.told)] for entry in lab]
+    return html.rows(lines, ["", "", "points", "of", ""])
 
 
 def gradescope(record: Record, about) -> dict:

@@ -1,12 +1,11 @@
 """similar.csv and similar.html: the pairs of `similarity`, their answers beside each other."""
-import csv
 import html
-import io
 import itertools
 
 from ... import exercises
 from ...checks.page import document, escaped, paragraph, rows
 from ...given import places
+from ..gradebook import sheets
 from . import similarity
 
 MOST_PAIRS = 50      # shown side by side; similar.csv has all
@@ -38,19 +37,20 @@ def write(out, texts, columns) -> list[similarity.Pair]:
     pairs = similarity.pairs(texts, {
         topic: [exercise for exercise in exercises.topic_exercises(topic) if exercise in columns]
         for topic in exercises.topics() if topic in topics})
-    places.write_whole(out / "similar.csv", table(pairs).encode("utf-8"))
+    places.write_whole(out / "similar.csv", sheets.written(table(pairs)))
     places.write_whole(out / "similar.html", page(pairs, texts).encode("utf-8"))
     return pairs
 
 
 def table(pairs):
-    text = io.StringIO()
-    lines = csv.writer(text, lineterminator="\n")
-    lines.writerow(["student", "other student", "nodes beyond what is forced", "exercises"])
+    """The rows of similar.csv."""
+    yield "student", "other student", "nodes beyond what is forced", "exercises"
     for pair in pairs:
-        alike = [f"{one.number} {one.name}: {one.nodes} of {one.of}" for one in pair.exercises]
-        lines.writerow([pair.first, pair.second, pair.nodes, "; ".join(alike)])
-    return text.getvalue()
+        yield pair.first, pair.second, pair.nodes, "; ".join(map(sentence, pair.exercises))
+
+
+def sentence(shared):
+    return f"{shared.number} {shared.name}: {shared.nodes} of {shared.of}"
 
 
 def page(pairs, texts):
@@ -64,7 +64,7 @@ def page(pairs, texts):
     for pair in shown:
         parts.append(f"<h2>{escaped(pair.first)} and {escaped(pair.second)}: {pair.nodes}</h2>")
         for one in pair.exercises[:MOST_EXERCISES]:
-            parts.append(paragraph(f"{one.number} {one.name}: {one.nodes} of {one.of}", "claim"))
+            parts.append(paragraph(sentence(one), "claim"))
             sides = (f"<div>{escaped(student)}"
                      f"<pre>{highlighted(texts[student][one.topic], one)}</pre></div>"
                      for student in (pair.first, pair.second))
