@@ -103,6 +103,14 @@ def failure(*args, **kwargs):
     return str(caught.value)
 
 
+WEIGHTS = np.array([1.0, 1e-7, 1e-13])
+
+
+def blurred(x):
+    """A sum whose rounding hides the smallest weight."""
+    return np.array([WEIGHTS @ x + 1e3])
+
+
 # --- right gradients ----------------------------------------------------------------------------
 
 
@@ -127,6 +135,7 @@ RIGHT = {  # what passes: forward, backward, inputs, options, numbers checked, a
                                   (np.array([0.0, 1e-6, -2e-6]),), {}, 6, 1e-9),
     "outputs that dwarf their change": (lambda x: np.append(np.full(999, 1e9), x),
                                         lambda g, x: g[999:], (X,), {}, 8, 1e-12),
+    "below what float64 resolves": (blurred, lambda g, x: g * WEIGHTS, (np.ones(3),), {}, 6, 1e-6),
     "the end of the domain": (np.sqrt, lambda g, x: g / (2 * np.sqrt(x)),
                               (np.array([1e-3, 1.0, 1.0]),), {}, 6, 1e-6),
     "a kink within the first steps": (np.abs, absolute_backward,
@@ -141,7 +150,8 @@ RIGHT = {  # what passes: forward, backward, inputs, options, numbers checked, a
 def test_a_right_gradient_passes(case):
     """Steps are too large, reach across a kink or out of the domain; integers are differentiated,
     or what was not chosen; the differences are taken in float32, of one array that is written
-    twice, or of the sum of all outputs, whose rounding drowns the change.
+    twice, or of the sum of all outputs, whose rounding drowns the change. Rounding fails what is
+    right.
     """
     forward, backward, inputs, options, checked, bound = RIGHT[case]
     report = gradcheck(forward, backward, inputs, **options)
@@ -281,6 +291,7 @@ WRONG = {  # forward, backward, inputs, parts of what is told, options
     "grad_output is averaged": (np.sin, lambda g, x: g.mean() * np.cos(x), (A,), "12 of 12"),
     "an output left out": (lambda x: (np.sin(x), x**2), lambda g, h, x: g * np.cos(x), (X,), "off"),
     "an error of 1e-5": (np.sin, lambda g, x: 1.00001 * sine_backward(g, x), (X,), "1.00001 times"),
+    "a small element": (blurred, lambda g, x: g * WEIGHTS * [1, 1.1, 1], (np.ones(3),), "at [1]"),
     "of a large input": (np.sin, lambda g, x: g * x, (NUMBERS.normal(size=(9, 9)),),
                          "60 of 60 looked at"),
     "zeros, though right": (lambda x, y: np.floor(x) + y, lambda g, x, y: (0 * g, g),
