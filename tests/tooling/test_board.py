@@ -367,14 +367,6 @@ def test_an_import_that_graders_do_not_have_is_told(house, run_here):
     assert "json" not in done.stdout
 
 
-def test_without_color_the_board_has_80_columns(check, monkeypatch):
-    """Verdicts are told by colour alone, or rows are wrapped."""
-    monkeypatch.setenv("COLUMNS", "80")
-    done = check()
-    table = done.stdout.partition("\n\n")[0]
-    assert "\x1b" not in done.stdout and max(map(len, table.splitlines())) <= 80
-
-
 def test_every_row_of_the_course_fits_into_80_columns():
     """A long name is cut off."""
     entries = [verdicts.Entry(exercise.number, exercise.name, topic, exercise.points,
