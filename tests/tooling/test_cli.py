@@ -21,17 +21,17 @@ def stand_in(monkeypatch):
     return put
 
 
+BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
+
+
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
     ("demo", "experiments.scenes.demo.run", ([],), {"implementation": None}),
     ("demo bunny teapot --impl labs", "experiments.scenes.demo.run", (["bunny", "teapot"],),
      {"implementation": "labs"}),
-    ("check", "board.check", (None, "labs"),
-     {"json_file": None, "seed": 0, "pictures": False, "extra": False}),
+    ("check", "board.check", (None, "labs"), BOARD),
     ("check 2.3 --impl handed/in --json board.json --seed 7 --extra", "board.check",
-     ("2.3", "handed/in"),
-     {"json_file": "board.json", "seed": 7, "pictures": False, "extra": True}),
-    ("check 2 --watch", "board.watch", ("2", "labs"),
-     {"json_file": None, "seed": 0, "pictures": False, "extra": False}),
+     ("2.3", "handed/in"), BOARD | {"json_file": "board.json", "seed": 7, "extra": True}),
+    ("check 2 --watch", "board.watch", ("2", "labs"), BOARD),
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
     ("close 2.3 --core", "upkeep.extras.close", ("2.3",), {"core": True}),

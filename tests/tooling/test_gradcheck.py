@@ -46,6 +46,10 @@ def product_backward(grad_output, a, b):
     return grad_output @ b.T, a.T @ grad_output
 
 
+def quotient_backward(g, a, b):
+    return g / b, -g * a / b**2
+
+
 def gather(values, index):
     return values[index]
 
@@ -115,21 +119,19 @@ def blurred(x):
 
 
 NUMBERS = np.random.default_rng(7)
-X = NUMBERS.normal(size=5)
+X, NEAR_KINKS = NUMBERS.normal(size=5), np.array([1e-3, -1e-4, 1e-5, 1.0])
 A, B = NUMBERS.normal(size=(3, 4)), NUMBERS.normal(size=(4, 3))
 SMALL = np.sign(A) * (0.01 + np.abs(A))
 ON_A_KINK = np.append(np.linspace(0.1, 1, 11), 0.0)
 REUSED = np.empty(5)
 RIGHT = {  # what passes: forward, backward, inputs, options, numbers checked, a bound of the error
     "product": (product, product_backward, (A, B), {}, 12 + 12 + 3 * 3, 1e-9),
-    "quotient": (lambda a, b: a / b, lambda g, a, b: (g / b, -g * a / b**2), (B.T, SMALL), {},
-                 33, 1e-6),
+    "quotient": (np.divide, quotient_backward, (B.T, SMALL), {}, 33, 1e-6),
     "gather": (gather, gather_backward, (A, np.array([0, 2, 2, 1, 0])), {}, 12 + 3, 1e-6),
     "a float, chosen of two": (lambda x, exponent: x**exponent, lambda g, x, n: g * n * x**(n - 1),
                                (2.0, 3.0), {"differentiable": [0]}, 1 + 3, 1e-6),
     "single precision": (product, product_backward, (A.astype(np.float32), B), {}, 33, 1e-9),
-    "an output array used again": (lambda x: np.sin(x, out=REUSED), sine_backward, (X,), {},
-                                   8, 1e-6),
+    "an array used again": (lambda x: np.sin(x, out=REUSED), sine_backward, (X,), {}, 8, 1e-6),
     "zero beside small numbers": (lambda x: np.sin(1e6 * x),
                                   lambda g, x: 1e6 * g * np.cos(1e6 * x),
                                   (np.array([0.0, 1e-6, -2e-6]),), {}, 6, 1e-9),
@@ -138,10 +140,9 @@ RIGHT = {  # what passes: forward, backward, inputs, options, numbers checked, a
     "below what float64 resolves": (blurred, lambda g, x: g * WEIGHTS, (np.ones(3),), {}, 6, 1e-6),
     "the end of the domain": (np.sqrt, lambda g, x: g / (2 * np.sqrt(x)),
                               (np.array([1e-3, 1.0, 1.0]),), {}, 6, 1e-6),
-    "a kink within the first steps": (np.abs, absolute_backward,
-                                      (np.array([1e-3, -1e-4, 1e-5, 1.0]),), {}, 7, 1e-6),
-    "the same with decisions": (np.abs, absolute_backward, (np.array([1e-3, -1e-4, 1e-5, 1.0]),),
-                                {"decisions": sign}, 7, 1e-6),
+    "kinks within the first steps": (np.abs, absolute_backward, (NEAR_KINKS,), {}, 7, 1e-6),
+    "the same with decisions": (np.abs, absolute_backward, (NEAR_KINKS,), {"decisions": sign},
+                                7, 1e-6),
 }
 
 
@@ -223,7 +224,7 @@ def random_case(seed):
     b = size * rng.choice([-1, 1], (m, n)) * rng.uniform(0.05, 2, (m, n))
     return [
         (product, product_backward, (a, rng.normal(size=(n, k))), None),
-        (lambda a, b: a / b, lambda g, a, b: (g / b, -g * a / b**2), (a, b), None),
+        (np.divide, quotient_backward, (a, b), None),
         (gather, gather_backward, (a, rng.integers(0, m, 7)), None),
         (lambda x, s: np.exp(x / s),
          lambda g, x, s: (g * np.exp(x / s) / s, -np.sum(g * np.exp(x / s) * x) / s**2),
@@ -254,20 +255,16 @@ def assigned(g, values, index):
 SQUARE = NUMBERS.normal(size=(2, 3, 3))
 RETURNS = "backward must return 2 gradients, with respect to input 0 (a), input 1 (b); it returned"
 WRONG_PRODUCTS = {  # backward, parts of what is told
-    "sign": (lambda g, a, b: (-g @ b.T, a.T @ g),
-             "input 0 (a): 9 of 9 ... off; the sign is flipped"),
-    "factor": (lambda g, a, b: (g @ b.T, 2 * a.T @ g),
-               "input 1 (b): 9 of 9 ... off; everything is 2 times"),
+    "sign": (lambda g, a, b: (-g @ b.T, a.T @ g), "(a): 9 of 9 ... off; the sign is flipped"),
+    "factor": (lambda g, a, b: (g @ b.T, 2 * a.T @ g), "(b): 9 of 9 ... everything is 2 times"),
     "transpose": (lambda g, a, b: (g @ b.T, g.T @ a),
                   "input 1 (b): 6 of 9 ... off; rows and columns are swapped"),
     "reversed": (lambda g, a, b: ((g @ b.T)[::-1], a.T @ g),
                  "input 0 (a) ... off; the order along axis 0 is reversed"),
-    "zero": (lambda g, a, b: (g @ b.T, 0 * b),
-             "input 1 (b): 9 of 9 ... off; it is zero everywhere"),
-    "mean for sum": (lambda g, a, b: (g @ b.T / 3, a.T @ g),
-                     "input 0 (a) ... off; everything is 0.333333 times"),
-    "forgotten column": (lambda g, a, b: (g @ b.T, a.T @ g * (np.arange(3) < 2)),
-                         "input 1 (b): 3 of 9 ... it may be that it is zero in [..., 2]\n"),
+    "zero": (lambda g, a, b: (g @ b.T, 0 * b), "(b): 9 of 9 ... off; it is zero everywhere"),
+    "mean for sum": (lambda g, a, b: (g @ b.T / 3, a.T @ g), "(a) ... everything is 0.333333 "),
+    "column": (lambda g, a, b: (g @ b.T, a.T @ g * (np.arange(3) < 2)),
+               "input 1 (b): 3 of 9 ... off; it may be that it is zero in [..., 2]\n"),
     "shape": (lambda g, a, b: (g @ b.T, (a.T @ g)[:2]), "the gradient with respect to input 1 (b) "
               "must have that input's shape (3, 3); it has (2, 3)"),
     "too many": (lambda g, a, b: (g @ b.T, a.T @ g, g), f"{RETURNS} 3"),
