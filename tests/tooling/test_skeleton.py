@@ -15,11 +15,9 @@ import os  # of no use in the lab, and kept
 
 LIMIT = 3   # a constant
 
-
 def given(x):
     """Calls an exercise and is none."""
     return first(x) + LIMIT
-
 
 def first(  x ):  # exercise 1.1 (2 points)
     """One line."""
@@ -34,7 +32,6 @@ def first(  x ):  # exercise 1.1 (2 points)
 
 # A remark between two functions.
 
-
 @np.vectorize
 @undecided(lambda x: x)
 def second(x,  # exercise 1.2 (1 point)
@@ -46,18 +43,15 @@ def second(x,  # exercise 1.2 (1 point)
     """
     return given(x) if x else second(y)
 
-
 class Thing:
     def method(self):
         """Not an exercise."""
         return first(2) + third(2)
 
-
 def third(x):  # exercise 1.10 (12 points)
     \'\'\'Calls the others.\'\'\'
     return (first(x)
             + second(x))  # the end'''
-
 FIRST = MODULE[MODULE.index("\n    # A step"):MODULE.index("\n# A remark")]
 LAB = MODULE.replace(FIRST, '    raise NotImplementedError("exercise 1.1: first")\n')
 SECOND, THIRD = "return given(x) if x else second(y)", MODULE[MODULE.index("return (first"):]
@@ -68,9 +62,9 @@ LAB = LAB.replace(THIRD, 'raise NotImplementedError("exercise 1.10: third")')
 def test_an_exercise_has_number_name_points_line_and_calls():
     """The line is a decorator's, 1.10 becomes 1.1, or calls through given functions are missed."""
     assert [found[:5] for found in exercises.text_exercises(MODULE)] == [
-        ("1.1", "first", 2, 13, ()),
-        ("1.2", "second", 1, 29, ("first",)),
-        ("1.10", "third", 12, 45, ("first", "second")),
+        ("1.1", "first", 2, 11, ()),
+        ("1.2", "second", 1, 26, ("first",)),
+        ("1.10", "third", 12, 40, ("first", "second")),
     ]
 
 
@@ -91,7 +85,7 @@ def test_a_lab_is_the_lab_of_itself():
     """The generator cannot read what it has written."""
     assert exercises.skeleton(LAB) == LAB
     assert [found[:4] for found in exercises.text_exercises(LAB)] == [
-        ("1.1", "first", 2, 13), ("1.2", "second", 1, 22), ("1.10", "third", 12, 38)]
+        ("1.1", "first", 2, 11), ("1.2", "second", 1, 19), ("1.10", "third", 12, 33)]
 
 
 def test_a_module_without_exercises_stays_as_it_is():
@@ -166,7 +160,7 @@ def test_topics_are_those_of_the_reference_in_the_courses_order(course):
 def test_an_exercise_bears_its_labs_number(course):
     """A lab copied from another keeps the other's numbers."""
     (course / "reference" / "rasterization.py").write_text(MODULE)
-    with pytest.raises(ValueError, match=r"^reference/rasterization\.py, line 13: first is marked "
+    with pytest.raises(ValueError, match=r"^reference/rasterization\.py, line 11: first is marked "
                                          r"as exercise 1\.1, but rasterization is lab 2; number"):
         skeleton.run()
     assert not list((course / "labs").iterdir())
@@ -175,7 +169,7 @@ def test_an_exercise_bears_its_labs_number(course):
 def test_a_wrong_mark_is_told_with_its_file(course):
     """The sentence says the line, but of which of sixteen files?"""
     (course / "reference" / "transforms.py").write_text(MODULE + "\n# exercise 2\n")
-    with pytest.raises(ValueError, match=r"^reference/transforms\.py, line 49: the comment"):
+    with pytest.raises(ValueError, match=r"^reference/transforms\.py, line 44: the comment"):
         skeleton.run(check=True)
 
 
