@@ -163,15 +163,14 @@ def test_the_status_is_0_only_if_all_that_was_asked_for_passes(check, asked, num
 
 def test_what_comes_next_is_next_by_number_in_whichever_module_of_the_lab(house, run_here):
     """The numbers of the lab's own module come first, so that 2.3 is told before 2.2."""
-    third = SECOND.replace("2.1", "2.3")
-    opened = third.replace("return 2 * x", 'raise NotImplementedError("exercise 2.3: twice")')
-    root = house({
-        "reference/rasterization.py": third, "labs/rasterization.py": opened,
-        "tests/labs/test_rasterization.py": SECOND_CHECKS.replace("2.1", "2.3"),
-        "reference/scanline.py": third.replace("2.3", "2.2"),
-        "labs/scanline.py": opened.replace("2.3", "2.2"),
-        "tests/labs/test_scanline.py": SECOND_CHECKS.replace("2.1", "2.2")})
-    done = run_here(root, "course", "check", "2")
+    files = {}
+    for topic, number in ("rasterization", "2.3"), ("scanline", "2.2"):
+        lab = SECOND.replace("2.1", number)
+        refusal = f'raise NotImplementedError("exercise {number}: twice")'
+        files |= {f"reference/{topic}.py": lab,
+                  f"labs/{topic}.py": lab.replace("return 2 * x", refusal),
+                  f"tests/labs/test_{topic}.py": SECOND_CHECKS.replace("2.1", number)}
+    done = run_here(house(files), "course", "check", "2")
     assert "Next: 2.2 twice, not started" in done.stdout
 
 
@@ -243,10 +242,9 @@ from course import board
 os.environ["PYTEST_ADDOPTS"] = "--collect-only"
 lab = Path("labs/rasterization.py")
 right = lab.read_text()
-lab.write_text(right.replace("2 *", "3 *"))
-print("status", board.check("2"))
-lab.write_text(right)
-print("status", board.check("2"))
+for text in right.replace("2 *", "3 *"), right:
+    lab.write_text(text)
+    print("status", board.check("2"))
 '''
 
 
