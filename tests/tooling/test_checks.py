@@ -108,13 +108,6 @@ def test_equal_refuses(got, expected):
     assert text_of(assert_equal, got, expected)
 
 
-FACE_INDEX = np.array([[-1, -1, -1, -1, -1, -1],
-                       [-1, -1,  0,  0,  2, -1],
-                       [-1, -1,  0, -1, -1, -1],
-                       [-1, -1, -1, -1, -1, -1],
-                       [-1, -1, -1, -1, -1, -1]])
-
-
 def test_a_small_raster_is_printed_with_its_top_row_first(pictures):
     """The map is upside down, or missing and extra are swapped."""
     got = np.array([[-1, 0, 1, -1], [-1, -1, 3, 3]])
@@ -123,8 +116,8 @@ def test_a_small_raster_is_printed_with_its_top_row_first(pictures):
             "          .#x.\n"
             "          (# right, ? missing, ! extra, x other, . background; "
             "top row first)") in text_of(assert_picture, got, expected)
-    assert "map       ?!\n" in text_of(assert_picture, np.array([[False, True]]),
-                                       np.array([[True, False]]))
+    mask = np.array([[False, True]])
+    assert "map       ?!\n" in text_of(assert_picture, mask, ~mask)
 
 
 def test_a_picture_shows_expected_got_and_difference_upright(pictures, monkeypatch):
@@ -176,7 +169,7 @@ def test_a_raster_of_another_shape_or_kind_is_not_drawn(pictures):
 def test_without_a_place_for_the_picture_the_text_remains(pictures):
     """Where out/ cannot be written, the student is told about folders and not about pixels."""
     pictures.parent.write_text("a file, not a folder")
-    text = text_of(assert_picture, FACE_INDEX + 1, FACE_INDEX)
+    text = text_of(assert_picture, np.zeros((5, 6), int), np.full((5, 6), -1))
     assert "first at [0, 0]: 0 came, -1 was expected" in text
     assert "picture   none: " in text
 
@@ -221,9 +214,7 @@ def implementation(function):
 
 
 @pytest.mark.parametrize(("returned", "sentence"), [
-    (None, "f returned None: is a return missing?"),
-    ((1, None), "f returned None as output 2 of 2"),
-])
+    (None, "f returned None: is a return missing?"), ((1, None), "returned None as output 2 of 2")])
 def test_a_missing_return_is_told(returned, sentence):
     """None runs on into the check and gives a TypeError there."""
     with pytest.raises(Mismatch, match=sentence.replace("?", r"\?")):

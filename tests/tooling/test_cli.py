@@ -146,23 +146,18 @@ def test_a_defect_shows_its_traceback(demo_runs, folder, text):
         cli.main(["demo"])
 
 
-def test_ctrl_c_is_quiet_and_exits_with_130(demo_runs, capsys):
-    """A traceback for a key that was pressed on purpose."""
-    demo_runs("course", "raise KeyboardInterrupt")
-    assert cli.main(["demo"]) == 130
-    assert capsys.readouterr() == ("", "")
-
-
-def test_ctrl_c_while_grading_says_how_to_go_on(stand_in, capsys):
-    """It is as quiet as the others, and the whole class is graded again."""
+@pytest.mark.parametrize(("line", "module", "told"), [
+    ("demo", "experiments.scenes.demo", ""),
+    ("grade in --out out", "grading.grade", "course: stopped; what is graded is kept: the same "
+     "command with --resume goes on\n")], ids=["quiet", "how to go on"])
+def test_ctrl_c_exits_with_130(stand_in, capsys, line, module, told):
+    """A traceback for a key that was pressed on purpose; or the whole class is graded again."""
     def stop(*_, **__):
         raise KeyboardInterrupt
 
-    stand_in("grading.grade", run=stop)
-    assert cli.main(["grade", "in", "--out", "out"]) == 130
-    told = capsys.readouterr().err
-    assert told == ("course: stopped; what is graded is kept: the same command with --resume goes "
-                    "on\n")
+    stand_in(module, run=stop)
+    assert cli.main(line.split()) == 130
+    assert capsys.readouterr() == ("", told)
 
 
 def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):

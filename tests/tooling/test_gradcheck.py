@@ -30,11 +30,6 @@ def drawing(root, monkeypatch):
     monkeypatch.setattr(module, "draw", DRAW)
 
 
-@pytest.fixture
-def rng():
-    return np.random.default_rng(7)
-
-
 # --- passes of which the gradient is known ------------------------------------------------------
 
 

@@ -58,12 +58,15 @@ CELLS = {  # each runs after those before it, in one kernel
     "waits for the other": "import numpy as np; np.array([picture])",
     "figures": "plt.figure(figsize=(1, 1));",
 }
-WRONG = {
-    "typo": "pictures = 1\npictrue",
-    "typo in a function": "def shown():\n    return picture\n    picture = 1\nshown()",
-    "mistake in an exercise": "antialiasing.area(3)",
-    "name in an exercise": "antialiasing.misspelt(3)",
-    "not handled": "antialiasing.not_handled(3)",
+WRONG = {  # its source, the error, the line that is shown
+    "typo": ("pictures = 1\npictrue", "NameError", "pictrue"),
+    "typo in a function": ("def shown():\n    return picture\n    picture = 1\nshown()",
+                           "UnboundLocalError", "return picture"),
+    "mistake in an exercise": ("antialiasing.area(3)", "ValueError",
+                               'raise ValueError(f"no area for {x}")'),
+    "name in an exercise": ("antialiasing.misspelt(3)", "NameError", "return picture"),
+    "not handled": ("antialiasing.not_handled(3)", "NotImplementedError",
+                    'raise NotImplementedError("x must be positive")'),
 }
 
 
@@ -73,9 +76,10 @@ def outputs(house):
     root = house({"labs/__init__.py": "", "labs/outlines.py": OUTLINES,
                   "labs/rasterization.py": RASTERIZATION, "labs/antialiasing.py": ANTIALIASING})
     (root / "notebooks").mkdir()
-    cells = {name: nbformat.v4.new_code_cell(source) for name, source in (CELLS | WRONG).items()}
-    for name in WRONG:
-        cells[name].metadata = {"tags": ["raises-exception"]}
+    cells = {name: nbformat.v4.new_code_cell(source) for name, source in CELLS.items()}
+    for name, (source, *_) in WRONG.items():
+        expected = {"tags": ["raises-exception"]}
+        cells[name] = nbformat.v4.new_code_cell(source, metadata=expected)
     notebook = nbformat.v4.new_notebook(cells=[*cells.values()])
     manager = AsyncKernelManager(kernel_spec_manager=ThisInterpreter())
     environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": str(root / "settings")}
@@ -121,14 +125,10 @@ def test_figures_of_cells_that_waited_do_not_come_later(outputs):
     assert [output.output_type for output in outputs["figures"]] == ["display_data"]
 
 
-@pytest.mark.parametrize(("cell", "error", "line"), [
-    ("typo", "NameError", "pictrue"),
-    ("typo in a function", "UnboundLocalError", "return picture"),
-    ("mistake in an exercise", "ValueError", 'raise ValueError(f"no area for {x}")'),
-    ("name in an exercise", "NameError", "return picture"),
-    ("not handled", "NotImplementedError", 'raise NotImplementedError("x must be positive")')])
-def test_a_mistake_keeps_its_traceback(outputs, cell, error, line):
+@pytest.mark.parametrize("cell", WRONG)
+def test_a_mistake_keeps_its_traceback(outputs, cell):
     """A student's mistake that looks like something to wait for."""
+    _, error, line = WRONG[cell]
     shown, = outputs[cell]
     assert shown.output_type == "error" and shown.ename == error
     text = "\n".join(shown.traceback)

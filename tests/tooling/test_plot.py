@@ -13,11 +13,6 @@ from course.given import image, plot, plot_triangle
 pytestmark = pytest.mark.usefixtures("style")
 
 
-@pytest.fixture
-def rng():
-    return np.random.default_rng(0)
-
-
 def dots(axes):
     """The dots that an Axes covers, (height, width, 3) from 0 to 255, row 0 at the bottom."""
     axes.figure.set_dpi(100 * plot.DOTS)
