@@ -248,20 +248,15 @@ for text in right.replace("2 *", "3 *"), right:
 '''
 
 
-ITS_CHECK = "from course.checks import assert_close, exercise\n" + check_text(
-    "1.1", "two", "One.", "assert_close(impl.twice(1.0), 2.0)")
-
-
 def test_a_hand_out_without_reference_has_its_board(house, run_here):
     """Without reference/ there is no lab, or a mistake of syntax ends in a traceback."""
-    right = exercise_text("1.1", "twice", "2 x.", "return 2 * x", points=2).lstrip()
-    files = {"tests/labs/test_transforms.py": ITS_CHECK, "labs/transforms.py": right}
-    done = run_here(house(files), "course", "check", "1")
-    assert done.returncode == 0 and "2 of 2" in done.stdout
-    files["labs/transforms.py"] = right.replace("2 * x", "2 *")
-    broken = run_here(house(files), "course", "check", "1")
+    files = {"tests/labs/test_rasterization.py": SECOND_CHECKS, "labs/rasterization.py": SECOND}
+    done = run_here(house(files), "course", "check", "2")
+    assert done.returncode == 0 and "3 of 3" in done.stdout
+    files["labs/rasterization.py"] = SECOND.replace("2 * x", "2 *")
+    broken = run_here(house(files), "course", "check", "2")
     assert broken.returncode == 2
-    assert broken.stderr.startswith("course: labs/transforms.py, line 3: this is not Python")
+    assert broken.stderr.startswith("course: labs/rasterization.py, line 3: this is not Python")
 
 
 def test_a_second_board_in_the_same_process_sees_what_was_edited(house, run_module):
