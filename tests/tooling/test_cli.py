@@ -21,17 +21,17 @@ def stand_in(monkeypatch):
     return put
 
 
+BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
+
+
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
     ("demo", "experiments.scenes.demo.run", ([],), {"implementation": None}),
     ("demo bunny teapot --impl labs", "experiments.scenes.demo.run", (["bunny", "teapot"],),
      {"implementation": "labs"}),
-    ("check", "board.check", (None, "labs"),
-     {"json_file": None, "seed": 0, "pictures": False, "extra": False}),
+    ("check", "board.check", (None, "labs"), BOARD),
     ("check 2.3 --impl handed/in --json board.json --seed 7 --extra", "board.check",
-     ("2.3", "handed/in"),
-     {"json_file": "board.json", "seed": 7, "pictures": False, "extra": True}),
-    ("check 2 --watch", "board.watch", ("2", "labs"),
-     {"json_file": None, "seed": 0, "pictures": False, "extra": False}),
+     ("2.3", "handed/in"), BOARD | {"json_file": "board.json", "seed": 7, "extra": True}),
+    ("check 2 --watch", "board.watch", ("2", "labs"), BOARD),
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
     ("close 2.3 --core", "upkeep.extras.close", ("2.3",), {"core": True}),
@@ -146,23 +146,18 @@ def test_a_defect_shows_its_traceback(demo_runs, folder, text):
         cli.main(["demo"])
 
 
-def test_ctrl_c_is_quiet_and_exits_with_130(demo_runs, capsys):
-    """A traceback for a key that was pressed on purpose."""
-    demo_runs("course", "raise KeyboardInterrupt")
-    assert cli.main(["demo"]) == 130
-    assert capsys.readouterr() == ("", "")
-
-
-def test_ctrl_c_while_grading_says_how_to_go_on(stand_in, capsys):
-    """It is as quiet as the others, and the whole class is graded again."""
+@pytest.mark.parametrize(("line", "module", "told"), [
+    ("demo", "experiments.scenes.demo", ""),
+    ("grade in --out out", "grading.grade", "course: stopped; what is graded is kept: the same "
+     "command with --resume goes on\n")], ids=["quiet", "how to go on"])
+def test_ctrl_c_exits_with_130(stand_in, capsys, line, module, told):
+    """A traceback for a key that was pressed on purpose; or the whole class is graded again."""
     def stop(*_, **__):
         raise KeyboardInterrupt
 
-    stand_in("grading.grade", run=stop)
-    assert cli.main(["grade", "in", "--out", "out"]) == 130
-    told = capsys.readouterr().err
-    assert told == ("course: stopped; what is graded is kept: the same command with --resume goes "
-                    "on\n")
+    stand_in(module, run=stop)
+    assert cli.main(line.split()) == 130
+    assert capsys.readouterr() == ("", told)
 
 
 def test_a_console_without_a_character_shows_the_rest(stand_in, monkeypatch):

@@ -40,18 +40,6 @@ def test_a_thin_and_a_huge_triangle_in_a_large_picture():
     np.testing.assert_array_equal(sampling.pixel_coverage(huge, 512, 512), np.ones((512, 512)))
 
 
-def test_coverage_is_the_mean_of_1024_x_1024_samples():
-    """Another area than the one that supersampling tends to: 1024 x 1024 samples in each pixel."""
-    triangle, n = np.array([[0.2, 0.3], [3.7, 0.9], [1.4, 2.8]]), 1024
-    x, y = (np.arange(4 * n) + 0.5) / n, ((np.arange(3 * n) + 0.5) / n)[:, None]
-    inside = np.ones((3 * n, 4 * n), bool)
-    for p, q in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
-        inside &= (q[0] - p[0]) * (y - p[1]) > (q[1] - p[1]) * (x - p[0])
-    expected = inside.reshape(3, n, 4, n).mean((1, 3))
-    got = sampling.pixel_coverage(triangle, 4, 3)
-    np.testing.assert_allclose(got, expected, rtol=0, atol=0.25 / n)
-
-
 @pytest.mark.parametrize("winding", [1, -1])
 def test_coverage_has_a_gradient(winding):
     """Clockwise, the sign is lost; or a pixel's gradient goes to another pixel."""

@@ -9,7 +9,6 @@ from made_up import check_text
 REFERENCE = '''\
 """Made up."""
 
-
 def double(x):  # exercise 1.1 (2 points)
     """Twice x.
 
@@ -17,13 +16,13 @@ def double(x):  # exercise 1.1 (2 points)
     """
     return 2 * x
 
-
 def half(x):  # extra 1.2 (3 points)
     """Half of x."""
     # a comment of the answer
     return x / 2
 '''
 LAB = REFERENCE.replace("    return 2 * x", '    raise NotImplementedError("exercise 1.1: double")')
+ROUGH = REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)")  # but for the fine print
 OPENED = LAB.replace("(3 points)", "(3 points), open").replace(
     "    # a comment of the answer\n    return x / 2",
     '    raise NotImplementedError("exercise 1.2: half")')
@@ -37,34 +36,37 @@ FILES = {"reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
 
 
 @pytest.fixture
-def course(house, run_here, run_module):
-    """A course of one lab, and run(...) -> what a command says there."""
-    root = house(FILES)
+def root(house):
+    """A course of one lab."""
+    return house(FILES)
 
+
+@pytest.fixture
+def lab(root):
+    return root / "labs" / "transforms.py"
+
+
+@pytest.fixture
+def run(root, run_here, run_module):
+    """run(...) -> what a command says there."""
     def run(*command, status=0):
         run = run_module if command[0] in ("grade", "mutants") else run_here  # who start others
         done = run(root, "course", *command)
         assert done.returncode == status, done.stdout + done.stderr
         return " ".join((done.stdout + done.stderr).split())
 
-    return root, run
+    return run
 
 
-def lab(root):
-    return (root / "labs" / "transforms.py").read_text(encoding="utf-8")
-
-
-def test_a_lab_is_made_with_its_extras_complete(course):
+def test_a_lab_is_made_with_its_extras_complete(lab, run):
     """An extra is a TODO from the start."""
-    root, run = course
-    (root / "labs" / "transforms.py").unlink()
+    lab.unlink()
     run("skeleton")
-    assert lab(root) == LAB
+    assert lab.read_text() == LAB
 
 
-def test_an_extra_that_is_not_open_is_not_asked_for(course):
+def test_an_extra_that_is_not_open_is_not_asked_for(root, run):
     """The board lists it, its points count, or nobody says that it is there."""
-    root, run = course
     board = run("check", "--json", "board.json", status=1)
     assert "Lab 1 transforms 0 of 2" in board
     assert "1 extra more, complete as they came; python3 -m course open 1 empties" in board
@@ -76,46 +78,42 @@ def test_an_extra_that_is_not_open_is_not_asked_for(course):
     assert "1.2 half extra done" in run("check", "1.2", "--extra")
 
 
-def test_an_extra_is_opened_and_closed_again(course):
+def test_an_extra_is_opened_and_closed_again(root, lab, run):
     """Its answer is lost, its mark stays, or what a student wrote is overwritten."""
-    root, run = course
     shutil.rmtree(root / "reference")  # as in a hand-out
     assert run("open", "1") == "1.2 half is open: write it in labs/transforms.py"
-    assert lab(root) == OPENED
+    assert lab.read_text() == OPENED
     assert run("open", "1.2") == "1.2 half is open already"
     board = run("check", status=1)
     assert "0 of 2" in board and "1.2 half extra not started" in board and "extra more" not in board
     assert run("close", "1.2") == "1.2 half is complete again"
-    assert lab(root) == LAB
+    assert lab.read_text() == LAB
     run("open", "1.2")
     mine = OPENED.replace('raise NotImplementedError("exercise 1.2: half")', "return 0.5 * x")
-    (root / "labs" / "transforms.py").write_text(mine)
+    lab.write_text(mine)
     assert run("close", "1") == "1.2 half was worked on, and stays as it is"
-    assert lab(root) == mine
+    assert lab.read_text() == mine
     assert "1.2 half extra done" in run("check", status=1)
 
 
-def test_a_released_solution_is_put_in_when_asked_for(course):
+def test_a_released_solution_is_put_in_when_asked_for(root, lab, run):
     """Who is stuck cannot go on; or an answer is given away to who only closes extras."""
-    root, run = course
     assert run("close", "1", status=2) == (
         "course: 1 has no extra that is open; with --core, released solutions are put into the "
         "exercises of the core")
     assert run("open", "1.1", status=2) == (
         "course: 1.1 has no extra; what belongs to the core is open from the start")
     assert run("close", "1.1", "--core") == "1.1 double is complete again"
-    assert lab(root) == REFERENCE
+    assert lab.read_text() == REFERENCE
     shutil.rmtree(root / "reference")
-    (root / "labs" / "transforms.py").write_text(LAB)
+    lab.write_text(LAB)
     assert run("close", "1", "--core") == (
         "1.1 double stays open: its solution is not released in this copy")
 
 
-def test_the_question_gives_the_points_and_the_fine_print_is_told(course):
+def test_the_question_gives_the_points_and_the_fine_print_is_told(root, lab, run):
     """The fine print takes points, or nobody hears of it."""
-    root, run = course
-    (root / "labs" / "transforms.py").write_text(
-        REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)"))
+    lab.write_text(ROUGH)
     board = run("check", "--json", "board.json")
     assert "2 of 2" in board and "1.1 double 2 points done, fine print open" in board
     assert "All that was asked for is done, 2 of 2 points" in board
@@ -123,25 +121,22 @@ def test_the_question_gives_the_points_and_the_fine_print_is_told(course):
         board)
     [entry] = json.loads((root / "board.json").read_text())["exercises"]
     assert (entry["verdict"], entry["told"]) == ("done", "done, fine print open")
-    (root / "labs" / "transforms.py").write_text(REFERENCE.replace("return 2 * x", "return 0.0"))
+    lab.write_text(REFERENCE.replace("return 2 * x", "return 0.0"))
     assert "1.1 double 2 points failing" in run("check", status=1)
 
 
-def test_mutants_are_counted_by_kind(course):
+def test_mutants_are_counted_by_kind(run):
     """A mutant that only the fine print catches counts against the question, or for it."""
-    _, run = course
     said = run("mutants")
     assert "core 1 exercise 3 of 3 caught 100.0 %, 2 more by the fine print" in said, said
     assert "extra 1 exercise" in said
 
 
-def test_grades_are_of_the_core_and_of_extras_when_asked_for(course):
+def test_grades_are_of_the_core_and_of_extras_when_asked_for(root, run):
     """An extra that came complete gives points to everybody."""
-    root, run = course
     folder = root / "in" / "ada"
     folder.mkdir(parents=True)
-    (folder / "transforms.py").write_text(
-        REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)"))
+    (folder / "transforms.py").write_text(ROUGH)
     command = ("grade", "in", "--out", "out/grades", "--isolation", "process")
     table = root / "out" / "grades" / "grades.csv"
     run(*command)

@@ -58,12 +58,15 @@ CELLS = {  # each runs after those before it, in one kernel
     "waits for the other": "import numpy as np; np.array([picture])",
     "figures": "plt.figure(figsize=(1, 1));",
 }
-WRONG = {
-    "typo": "pictures = 1\npictrue",
-    "typo in a function": "def shown():\n    return picture\n    picture = 1\nshown()",
-    "mistake in an exercise": "antialiasing.area(3)",
-    "name in an exercise": "antialiasing.misspelt(3)",
-    "not handled": "antialiasing.not_handled(3)",
+WRONG = {  # its source, the error, the line that is shown
+    "typo": ("pictures = 1\npictrue", "NameError", "pictrue"),
+    "typo in a function": ("def shown():\n    return picture\n    picture = 1\nshown()",
+                           "UnboundLocalError", "return picture"),
+    "mistake in an exercise": ("antialiasing.area(3)", "ValueError",
+                               'raise ValueError(f"no area for {x}")'),
+    "name in an exercise": ("antialiasing.misspelt(3)", "NameError", "return picture"),
+    "not handled": ("antialiasing.not_handled(3)", "NotImplementedError",
+                    'raise NotImplementedError("x must be positive")'),
 }
 
 
@@ -73,9 +76,10 @@ def outputs(house):
     root = house({"labs/__init__.py": "", "labs/outlines.py": OUTLINES,
                   "labs/rasterization.py": RASTERIZATION, "labs/antialiasing.py": ANTIALIASING})
     (root / "notebooks").mkdir()
-    cells = {name: nbformat.v4.new_code_cell(source) for name, source in (CELLS | WRONG).items()}
-    for name in WRONG:
-        cells[name].metadata = {"tags": ["raises-exception"]}
+    cells = {name: nbformat.v4.new_code_cell(source) for name, source in CELLS.items()}
+    for name, (source, *_) in WRONG.items():
+        expected = {"tags": ["raises-exception"]}
+        cells[name] = nbformat.v4.new_code_cell(source, metadata=expected)
     notebook = nbformat.v4.new_notebook(cells=[*cells.values()])
     manager = AsyncKernelManager(kernel_spec_manager=ThisInterpreter())
     environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": str(root / "settings")}
@@ -90,45 +94,30 @@ def printed(outputs):
     return "".join(output.text for output in outputs)
 
 
-def test_nothing_is_said_where_all_is_done(outputs):
-    """A page of the finished course that speaks to students."""
-    assert printed(outputs["all done"]) == ""
+WAITS = "This cell waits for exercise {}, in labs/antialiasing.py: write it, restart the kernel " \
+        "and run all cells.\n"
+WAITS_TOO = "This cell waits, too, for exercise {}: it uses `{}`, which is made above.\n"
 
 
-def test_the_first_cell_names_what_is_still_to_be_written(outputs):
-    """An exercise that is written, or one of another module; a lecture that waits by surprise."""
-    assert printed(outputs["not all done"]) == (
-        "Still to be written: 8.7, 8.8 in labs/antialiasing.py.\n"
-        "A cell that needs what is missing waits and says so.\n")
-
-
-def test_a_cell_that_calls_an_unwritten_exercise_says_which(outputs):
-    """A traceback; the number of the exercise that calls it; the empty axes of half a figure."""
-    assert printed(outputs["waits"]) == (
-        "so far\n"
-        "This cell waits for exercise 8.7, crossing, in labs/antialiasing.py: write it, restart "
-        "the kernel and run all cells.\n")
-
-
-@pytest.mark.parametrize(("cell", "name"), [
-    ("waits, too", "picture"), ("waits for a function", "doubled"),
-    ("waits for one that waits, too", "double")])
-def test_a_cell_that_uses_what_is_not_there_waits_too(outputs, cell, name):
-    """A NameError that sends a student to look for a typo; a picture of the value before."""
-    assert printed(outputs[cell]) == (
-        f"This cell waits, too, for exercise 8.7: it uses `{name}`, which is made above.\n")
-
-
-def test_other_cells_go_on(outputs):
-    """Imports and functions of a cell that waits are lost, or the names of its comprehensions."""
-    assert printed(outputs["goes on"]) == "3/2 2 2 1.5\n"
-
-
-def test_the_exercise_is_the_one_that_the_name_waits_for_now(outputs):
-    """The first exercise that a name has waited for, for ever."""
-    assert printed(outputs["waits for another"]).startswith("This cell waits for exercise 8.8, ")
-    assert printed(outputs["waits for the other"]) == (
-        "This cell waits, too, for exercise 8.8: it uses `picture`, which is made above.\n")
+@pytest.mark.parametrize(("cell", "text"), [
+    ("all done", ""),
+    ("not all done", "Still to be written: 8.7, 8.8 in labs/antialiasing.py.\n"
+                     "A cell that needs what is missing waits and says so.\n"),
+    ("waits", "so far\n" + WAITS.format("8.7, crossing")),
+    ("waits, too", WAITS_TOO.format("8.7", "picture")),
+    ("waits for a function", WAITS_TOO.format("8.7", "doubled")),
+    ("waits for one that waits, too", WAITS_TOO.format("8.7", "double")),
+    ("goes on", "3/2 2 2 1.5\n"),
+    ("waits for another", WAITS.format("8.8, blend")),
+    ("waits for the other", WAITS_TOO.format("8.8", "picture")),
+])
+def test_a_cell_says_which_unwritten_exercise_it_waits_for(outputs, cell, text):
+    """A page of the finished course that speaks to students; an exercise that is written, or one of
+    another module, or the one that calls it, or the first that a name has waited for, for ever; a
+    NameError that sends a student to look for a typo; a picture of the value before; the empty axes
+    of half a figure. Imports and functions of a cell that waits are lost.
+    """
+    assert printed(outputs[cell]) == text
 
 
 def test_figures_of_cells_that_waited_do_not_come_later(outputs):
@@ -136,14 +125,10 @@ def test_figures_of_cells_that_waited_do_not_come_later(outputs):
     assert [output.output_type for output in outputs["figures"]] == ["display_data"]
 
 
-@pytest.mark.parametrize(("cell", "error", "line"), [
-    ("typo", "NameError", "pictrue"),
-    ("typo in a function", "UnboundLocalError", "return picture"),
-    ("mistake in an exercise", "ValueError", 'raise ValueError(f"no area for {x}")'),
-    ("name in an exercise", "NameError", "return picture"),
-    ("not handled", "NotImplementedError", 'raise NotImplementedError("x must be positive")')])
-def test_a_mistake_keeps_its_traceback(outputs, cell, error, line):
+@pytest.mark.parametrize("cell", WRONG)
+def test_a_mistake_keeps_its_traceback(outputs, cell):
     """A student's mistake that looks like something to wait for."""
+    _, error, line = WRONG[cell]
     shown, = outputs[cell]
     assert shown.output_type == "error" and shown.ename == error
     text = "\n".join(shown.traceback)

@@ -6,16 +6,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.text import Text
-from PIL import Image
+from PIL import Image, ImageSequence
 
 from course.given import image, plot, plot_triangle
 
 pytestmark = pytest.mark.usefixtures("style")
-
-
-@pytest.fixture
-def rng():
-    return np.random.default_rng(0)
 
 
 def dots(axes):
@@ -27,6 +22,17 @@ def dots(axes):
     return drawn[bottom:top, left:right]
 
 
+def screen(height, width):
+    """An Axes with the coordinates of a picture of this size, and nothing in it."""
+    axes, = plot.panels([(height, width)])
+    plot.screen(axes, width, height)
+    return axes
+
+
+def texts(axes):
+    return [text.get_text() for text in axes.texts]
+
+
 def assert_is_enlarged(shown, picture):
     """Each pixel of the picture is a square of equal dots; the lines between are not looked at."""
     zoom = shown.shape[0] // picture.shape[0]
@@ -36,10 +42,6 @@ def assert_is_enlarged(shown, picture):
     inside = (2 <= y) & (y < zoom - 2) & (2 <= x) & (x < zoom - 2) if zoom > 4 else y >= 0
     inside[[0, 1, -2, -1]] = inside[:, [0, 1, -2, -1]] = False
     assert np.abs(shown[inside] - expected[inside]).max() <= 1
-
-
-def size(axes):
-    return tuple(np.round(axes.bbox.size, 6))
 
 
 def png(figure):
@@ -91,23 +93,18 @@ def test_grey_is_not_stretched_to_black_and_white():
     assert shown[-middle, -middle, 0] == 255
 
 
-def test_sizes_with_a_common_multiple_are_shown_alike():
-    """A row of resolutions in which each picture has another size."""
-    axes = plot.panels([(16, 16), (64, 64), (4, 4)])
-    assert [size(place) for place in axes] == [(256, 256)] * 3
-    tall, wide = plot.panels([(8, 4), (4, 8)])
-    assert (size(tall), size(wide)) == ((320, 640), (440, 220))
-
-
-def test_a_large_picture_is_shrunk():
-    """A picture that leaves the page."""
-    axes = plot.panels([(1024, 1024), (1024, 1024)])
-    assert [size(place) for place in axes] == [(440, 440), (440, 440)]
+@pytest.mark.parametrize(("pictures", "sizes"), [
+    ([(16, 16), (64, 64), (4, 4)], [(256, 256)] * 3), ([(8, 4), (4, 8)], [(320, 640), (440, 220)]),
+    ([(1024, 1024)] * 2, [(440, 440)] * 2), ([(64, 64)] * 4, [(200, 200)] * 4)])
+def test_pictures_are_shown_alike_and_fill_the_page(pictures, sizes):
+    """A row of resolutions in which each picture has another size; a picture that leaves the page.
+    """
+    axes = plot.panels(pictures)
+    assert [tuple(np.round(place.bbox.size, 6)) for place in axes] == sizes
 
 
 def test_a_panel_that_would_be_small_is_refused():
     """A row of five pictures of the size of stamps."""
-    assert [size(place) for place in plot.panels([(64, 64)] * 4)] == [(200, 200)] * 4
     with pytest.raises(ValueError, match=r"would be \[152. 152.\] displayed pixels, and 200"):
         plot.panels([(64, 64)] * 5)
 
@@ -179,10 +176,7 @@ def test_a_film_shows_each_frame_for_its_time(monkeypatch):
     film, = shown
     opened = Image.open(io.BytesIO(film.data))
     assert (opened.n_frames, opened.size, film.width, film.height) == (3, (400, 300), 400, 300)
-    durations = []
-    for k in range(3):
-        opened.seek(k)
-        durations.append(opened.info["duration"])
+    durations = [frame.info["duration"] for frame in ImageSequence.Iterator(opened)]
     assert durations == [800, 100, 100]
     assert len(axes.lines) == 1 and not plt.get_fignums()
 
@@ -212,7 +206,7 @@ def test_a_depth_picture_states_its_range():
     """A scale that counts the background in, or the wrong way round."""
     axes, = plot.panels([(2, 2)])
     plot.depth(axes, np.array([[2.5, np.inf], [np.inf, 4.25]]))
-    assert [text.get_text() for text in axes.texts] == ["2.5", "4.25"]
+    assert texts(axes) == ["2.5", "4.25"]
 
 
 @pytest.mark.parametrize("depth, seen_as", [(np.inf, plot.BACKGROUND), (3.0, plot.DEPTHS(0.0)[:3])])
@@ -244,8 +238,7 @@ def test_barycentrics_are_red_green_blue_on_white():
 def test_a_wireframe_draws_each_edge_once_and_keeps_the_screen():
     """Shared edges drawn twice, thus darker; vertices off the screen that shrink the picture."""
     vertices = np.array([[0, 0, 0.5], [4, 0, 0.5], [4, 4, 0.5], [0, 40, 0.5]])
-    axes, = plot.panels([(4, 4)])
-    plot.screen(axes, 4, 4)
+    axes = screen(4, 4)
     plot.wireframe(axes, vertices, np.array([[0, 1, 2], [0, 2, 3]]))
     assert len(axes.collections[0].get_segments()) == 5
     assert axes.get_xlim() == axes.get_ylim() == (0, 4)
@@ -257,8 +250,7 @@ def test_a_wireframe_of_thousands_of_faces_stays_visible_and_open():
     vertices = 5.0 * np.stack([column, row], axis=-1).reshape(-1, 2)
     corner = (51 * row + column)[:50, :50].reshape(-1, 1, 1)
     faces = (corner + np.array([[0, 1, 52], [0, 52, 51]])).reshape(-1, 3)
-    axes, = plot.panels([(256, 256)])
-    plot.screen(axes, 256, 256)
+    axes = screen(256, 256)
     plot.wireframe(axes, vertices, faces)
     ink = 255 - dots(axes)[20:-40, 20:-40].mean()
     assert 30 < ink < 70
@@ -277,7 +269,7 @@ def test_samples_stand_at_pixel_centres_and_are_filled_where_covered():
                                                  for x in range(4) for y in range(2)}
     white = (samples.get_facecolors()[:, :3] == 1).all(axis=1)
     assert where[~white].tolist() == [[3.5, 1.5]]
-    assert [text.get_text() for text in axes.texts] == ["0", "1", "2"]
+    assert texts(axes) == ["0", "1", "2"]
 
 
 def test_both_signs_have_one_scale():
@@ -286,7 +278,7 @@ def test_both_signs_have_one_scale():
     plot.signed(axes, np.array([[-4.0, 0.0, 1.0]]))
     below, zero, above = axes.images[0].get_array()[0]
     assert below[0] - below[2] > 0.3 > above[2] - above[0] > 0 and np.ptp(zero) < 0.02
-    assert [text.get_text() for text in axes.texts] == ["-4", "+4"]
+    assert texts(axes) == ["-4", "+4"]
     plot.signed(zeros, np.zeros((2, 2)))
     assert zeros.images[0].get_array().min() > 0.9
 
@@ -306,7 +298,7 @@ def test_an_edge_function_is_white_at_zero_and_its_normal_points_into_the_blue()
     shown = axes.images[0].get_array()
     assert np.ptp(shown[0, 0]) < 0.02 and shown[0, 0].min() > 0.95
     assert shown[7, 0, 2] > shown[7, 0, 0] and shown[0, 7, 0] > shown[0, 7, 2]
-    name, = [text for text in axes.texts if text.get_text() == "n"]
+    name = axes.texts[texts(axes).index("n")]
     end = np.array(name.xy)
     assert np.dot(end - (a + b) / 2, b - a) == pytest.approx(0)
     assert (a[1] - b[1]) * (end[0] - a[0]) + (b[0] - a[0]) * (end[1] - a[1]) > 0
@@ -314,23 +306,21 @@ def test_an_edge_function_is_white_at_zero_and_its_normal_points_into_the_blue()
 
 def test_arrows_point_downhill_and_state_their_scale():
     """Arrows along the gradient, so that a step would go uphill; a scale nobody can read off."""
-    axes, = plot.panels([(16, 16)])
-    plot.screen(axes, 16, 16)
+    axes = screen(16, 16)
     plot.arrows(axes, np.array([[4.0, 4.0], [8.0, 8.0]]), np.array([[3.0, 4.0], [0.5, 0.0]]))
     quiver = axes.collections[-1]
     assert quiver.U.tolist() == [-3.0, -0.5] and quiver.V.tolist() == [-4.0, 0.0]
     assert 5 / quiver.scale == 2
-    assert axes.texts[0].get_text() == "longest arrow: |gradient| = 5"
+    assert texts(axes) == ["longest arrow: |gradient| = 5"]
 
 
 def test_zero_gradients_are_told_not_divided_by():
     """Arrows of length nan, or no word of what is missing."""
-    axes, = plot.panels([(4, 4)])
-    plot.screen(axes, 4, 4)
+    axes = screen(4, 4)
     plot.arrows(axes, np.ones((2, 2)), np.zeros((2, 2)))
     with np.errstate(all="raise"):
         dots(axes)
-    assert axes.texts[0].get_text() == "no gradient"
+    assert texts(axes) == ["no gradient"]
 
 
 def test_labels_have_a_colour_and_a_count_each():

@@ -67,6 +67,12 @@ def start(root, *arguments, python=sys.executable, target=("-m", "course"), cwd=
                            told=ended.stderr.splitlines())
 
 
+def assert_refused(ended, why):
+    """The start did nothing but say why, in one line."""
+    assert ended.status == 2
+    assert len(ended.told) == 1 and why in ended.told[0]
+
+
 def venv_python(root):
     return root / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
@@ -119,32 +125,26 @@ def test_the_first_start_says_one_line_and_runs_the_command_in_a_new_venv(first)
     assert installed(root) == ["pebble-1.2.dist-info"]
 
 
-def test_the_second_start_installs_nothing(ready):
-    """The finished .venv is not recognised, and every start costs a minute."""
-    ended = start(ready, "0", PIP_FIND_LINKS="nowhere")
-    assert (ended.status, ended.told) == (0, [])
+@pytest.mark.parametrize("elsewhere", [False, True], ids=["in its folder", "by its path"])
+def test_the_second_start_installs_nothing_and_passes_its_status_on(ready, tmp_path, elsewhere):
+    """The finished .venv is not recognised, and every start costs a minute; a failed check exits 0,
+    and CI sees green. Started as python3 /path/to/course, it does not find itself.
+    """
+    where = {"target": [ready / "course"], "cwd": tmp_path} if elsewhere else {}
+    ended = start(ready, "7", PIP_FIND_LINKS="nowhere", **where)
+    assert (ended.status, ended.told) == (7, [])
     assert ended.printed.startswith(str(ready / ".venv"))
 
 
-def test_the_exit_status_of_the_command_is_the_exit_status(ready):
-    """A failed check exits 0, and CI sees green."""
-    assert start(ready, "7").status == 7
-
-
-def test_changed_requirements_are_installed(ready):
-    """After an update of the course the old .venv goes on without the new package."""
+@pytest.mark.parametrize("active", [False, True])
+def test_changed_requirements_are_installed(ready, active):
+    """After an update of the course the old .venv goes on without the new package; with .venv
+    active, the start finds itself inside and does not look at requirements.txt.
+    """
     (ready / "requirements.txt").write_text("pebble>=1.1\nstone>=1.0\n")
-    ended = start(ready, "0")
+    ended = start(ready, "0", python=venv_python(ready) if active else sys.executable)
     assert (ended.status, len(ended.told)) == (0, 1)
     assert installed(ready) == ["pebble-1.2.dist-info", "stone-1.2.dist-info"]
-
-
-def test_changed_requirements_are_installed_in_the_active_venv_too(ready):
-    """With .venv active, the start finds itself inside and does not look at requirements.txt."""
-    (ready / "requirements.txt").write_text("pebble>=1.0\nstone>=1.0\n")
-    ended = start(ready, "0", python=venv_python(ready))
-    assert (ended.status, len(ended.told)) == (0, 1)
-    assert "stone-1.2.dist-info" in installed(ready)
 
 
 def test_what_the_site_needs_is_installed_when_the_site_is_asked_for(ready):
@@ -188,9 +188,7 @@ def test_a_venv_of_somebody_else_is_used_and_left_as_it_is(new):
     """It is deleted, or filled with our packages, or refused although it has everything."""
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", new / ".venv"], check=True)
     before = sorted((new / ".venv").rglob("*"))
-    ended = start(new, "0")
-    assert ended.status == 2
-    assert len(ended.told) == 1 and "it lacks pebble>=1.0): delete this folder" in ended.told[0]
+    assert_refused(start(new, "0"), "it lacks pebble>=1.0): delete this folder")
     assert sorted((new / ".venv").rglob("*")) == before
 
     packages = next((new / ".venv").rglob("site-packages"))
@@ -204,18 +202,14 @@ def test_a_finished_venv_that_lost_a_package_does_not_start_itself_for_ever(read
     """The child finds the package missing, starts a child, which finds the package missing ..."""
     for package in (ready / ".venv").rglob("pebble-*"):
         shutil.rmtree(package)
-    ended = start(ready, "0")
-    assert ended.status == 2
-    assert len(ended.told) == 1 and "it lacks pebble>=1.0" in ended.told[0]
+    assert_refused(start(ready, "0"), "it lacks pebble>=1.0")
 
 
 def test_a_venv_without_a_python_that_starts_is_not_deleted_unless_it_is_ours(new):
     """Whatever is called .venv is removed."""
     (new / ".venv").mkdir()
     (new / ".venv" / "diary.txt").write_text("mine")
-    ended = start(new, "0")
-    assert ended.status == 2
-    assert len(ended.told) == 1 and "does not start" in ended.told[0]
+    assert_refused(start(new, "0"), "does not start")
     assert (new / ".venv" / "diary.txt").exists()
 
 
@@ -236,12 +230,6 @@ def test_an_environment_that_has_everything_just_runs(new):
     assert ended.printed.startswith(sys.prefix) and not (new / ".venv").exists()
 
 
-def test_it_starts_from_another_folder_by_its_path(ready, tmp_path):
-    """Started as python3 /path/to/course, it does not find itself."""
-    ended = start(ready, "0", target=[ready / "course"], cwd=tmp_path)
-    assert (ended.status, ended.told) == (0, [])
-
-
 def test_a_version_is_compared_by_its_numbers(module, monkeypatch):
     """As text, 10.0 comes before 9.0."""
     monkeypatch.setattr("importlib.metadata.version", {"old": "2.9", "new": "10.0rc1"}.get)
@@ -251,8 +239,8 @@ def test_a_version_is_compared_by_its_numbers(module, monkeypatch):
 
 def test_an_old_python_gets_a_sentence(module, monkeypatch, capsys):
     """An old Python meets a word of Python 3.8 and shows a SyntaxError."""
-    ast.parse((COURSE / "__main__.py").read_text("utf-8"), feature_version=(3, 6))
-    ast.parse((COURSE / "__init__.py").read_text("utf-8"), feature_version=(3, 6))
+    for file in ("__main__.py", "__init__.py"):
+        ast.parse((COURSE / file).read_text("utf-8"), feature_version=(3, 6))
     monkeypatch.setattr(module.sys, "version_info", (3, 10, 13))
     assert module.main() == 2
     told = capsys.readouterr().err
@@ -260,10 +248,8 @@ def test_an_old_python_gets_a_sentence(module, monkeypatch, capsys):
 
 
 @pytest.mark.parametrize(("number", "remedy"), [
-    (errno.EROFS, "a folder in which you may write"),
-    (errno.EACCES, "a folder in which you may write"),
-    (errno.ENOSPC, "free 1 GB"),
-])
+    (errno.EROFS, "in which you may write"), (errno.EACCES, "in which you may write"),
+    (errno.ENOSPC, "free 1 GB")])
 def test_a_full_or_locked_disk_gets_a_sentence(module, monkeypatch, capsys, number, remedy):
     """The operating system's error becomes a traceback, or the advice to check the network."""
     def refuse(path):

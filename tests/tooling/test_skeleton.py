@@ -15,11 +15,9 @@ import os  # of no use in the lab, and kept
 
 LIMIT = 3   # a constant
 
-
 def given(x):
     """Calls an exercise and is none."""
     return first(x) + LIMIT
-
 
 def first(  x ):  # exercise 1.1 (2 points)
     """One line."""
@@ -34,7 +32,6 @@ def first(  x ):  # exercise 1.1 (2 points)
 
 # A remark between two functions.
 
-
 @np.vectorize
 @undecided(lambda x: x)
 def second(x,  # exercise 1.2 (1 point)
@@ -46,67 +43,28 @@ def second(x,  # exercise 1.2 (1 point)
     """
     return given(x) if x else second(y)
 
-
 class Thing:
     def method(self):
         """Not an exercise."""
         return first(2) + third(2)
-
 
 def third(x):  # exercise 1.10 (12 points)
     \'\'\'Calls the others.\'\'\'
     return (first(x)
             + second(x))  # the end'''
-
-LAB = '''\
-"""Made up.   """
-import numpy as np
-import os  # of no use in the lab, and kept
-
-LIMIT = 3   # a constant
-
-
-def given(x):
-    """Calls an exercise and is none."""
-    return first(x) + LIMIT
-
-
-def first(  x ):  # exercise 1.1 (2 points)
-    """One line."""
-    raise NotImplementedError("exercise 1.1: first")
-
-# A remark between two functions.
-
-
-@np.vectorize
-@undecided(lambda x: x)
-def second(x,  # exercise 1.2 (1 point)
-           y=(1,
-              2)) -> float:
-    """Several lines,
-
-        one indented.
-    """
-    raise NotImplementedError("exercise 1.2: second")
-
-
-class Thing:
-    def method(self):
-        """Not an exercise."""
-        return first(2) + third(2)
-
-
-def third(x):  # exercise 1.10 (12 points)
-    \'\'\'Calls the others.\'\'\'
-    raise NotImplementedError("exercise 1.10: third")'''
+FIRST = MODULE[MODULE.index("\n    # A step"):MODULE.index("\n# A remark")]
+LAB = MODULE.replace(FIRST, '    raise NotImplementedError("exercise 1.1: first")\n')
+SECOND, THIRD = "return given(x) if x else second(y)", MODULE[MODULE.index("return (first"):]
+LAB = LAB.replace(SECOND, 'raise NotImplementedError("exercise 1.2: second")')
+LAB = LAB.replace(THIRD, 'raise NotImplementedError("exercise 1.10: third")')
 
 
 def test_an_exercise_has_number_name_points_line_and_calls():
     """The line is a decorator's, 1.10 becomes 1.1, or calls through given functions are missed."""
     assert [found[:5] for found in exercises.text_exercises(MODULE)] == [
-        ("1.1", "first", 2, 13, ()),
-        ("1.2", "second", 1, 29, ("first",)),
-        ("1.10", "third", 12, 45, ("first", "second")),
+        ("1.1", "first", 2, 11, ()),
+        ("1.2", "second", 1, 26, ("first",)),
+        ("1.10", "third", 12, 40, ("first", "second")),
     ]
 
 
@@ -127,7 +85,7 @@ def test_a_lab_is_the_lab_of_itself():
     """The generator cannot read what it has written."""
     assert exercises.skeleton(LAB) == LAB
     assert [found[:4] for found in exercises.text_exercises(LAB)] == [
-        ("1.1", "first", 2, 13), ("1.2", "second", 1, 22), ("1.10", "third", 12, 38)]
+        ("1.1", "first", 2, 11), ("1.2", "second", 1, 19), ("1.10", "third", 12, 33)]
 
 
 def test_a_module_without_exercises_stays_as_it_is():
@@ -138,33 +96,24 @@ def test_a_module_without_exercises_stays_as_it_is():
 
 
 QUESTION = '    """A question."""\n    return 1\n'
+OF_F = "line 1: exercise 1.1, f, has"
+NO_ANSWER = f"{OF_F} no answer on the lines below its docstring"
 
 
 @pytest.mark.parametrize(("text", "sentence"), [
-    ("x = 1  # exercise 1.1 (2 points)\n",
-     "line 1: the mark of exercise 1.1 is on no def"),
-    ("# exercise 1.1 (2 points)\ndef f():\n" + QUESTION,
-     "line 1: the mark of exercise 1.1 is on no def"),
-    ("class C:\n    def f(self):  # exercise 1.1 (2 points)\n        return 1\n",
-     "line 2: the mark of exercise 1.1 is on no def"),
-    ("@decorated  # exercise 1.1 (2 points)\ndef f():\n" + QUESTION,
-     "line 1: the mark of exercise 1.1 is on no def"),
-    ("def f():  # exercise 1.1 (2 points)\n    return 1\n",
-     "line 1: exercise 1.1, f, has no docstring"),
-    ("def f():  # exercise 1.1 (2 points)\n    ''\n    return 1\n",
-     "line 1: exercise 1.1, f, has no docstring"),
-    ('def f(): "A question."  # exercise 1.1 (2 points)\n',
-     "line 1: exercise 1.1, f, has its docstring beside the def"),
-    ("def f():  # exercise 1.1 (2 points)\n    '''A question.'''\n",
-     "line 1: exercise 1.1, f, has no answer on the lines below its docstring"),
-    ("def f():  # exercise 1.1 (2 points)\n    '''A question.'''; return 1\n",
-     "line 1: exercise 1.1, f, has no answer on the lines below its docstring"),
-    ("def f():  # exercise 1.1 (2 points)\n" + QUESTION
-     + "def g():  # exercise 1.1 (2 points)\n" + QUESTION,
+    ("x = 1  MARK\n", "line 1: the mark of exercise 1.1 is on no def"),
+    (f"MARK\ndef f():\n{QUESTION}", "line 1: the mark of exercise 1.1 is on no def"),
+    ("class C:\n    def f():  MARK\n        return 1\n", "line 2: the mark of exercise 1.1 is on"),
+    (f"@decorated  MARK\ndef f():\n{QUESTION}", "line 1: the mark of exercise 1.1 is on no def"),
+    ("def f():  MARK\n    return 1\n", f"{OF_F} no docstring"),
+    ("def f():  MARK\n    ''\n    return 1\n", f"{OF_F} no docstring"),
+    ('def f(): "A question."  MARK\n', f"{OF_F} its docstring beside the def"),
+    ("def f():  MARK\n    \'\'\'A question.\'\'\'\n", NO_ANSWER),
+    ("def f():  MARK\n    \'\'\'A question.\'\'\'; return 1\n", NO_ANSWER),
+    (f"def f():  MARK\n{QUESTION}def g():  MARK\n{QUESTION}",
      "line 4: exercise 1.1 is there already, on line 1"),
-    ("def f():  # exercise 1.1 (0 points)\n" + QUESTION,
-     "line 1: exercise 1.1 has 0 points"),
-    *[(f"def f():  {mark}\n" + QUESTION, f'line 1: the comment "{mark}" is not a mark')
+    (f"def f():  # exercise 1.1 (0 points)\n{QUESTION}", "line 1: exercise 1.1 has 0 points"),
+    *[(f"def f():  {mark}\n{QUESTION}", f'line 1: the comment "{mark}" is not a mark')
       for mark in ("# exercise 1.1 2 points", "# exercise 1.1", "#exercise 1.1 (2 points)",
                    "# Exercise 1.1 (2 points)", "# exercise 11 (2 points)",
                    "# exercise 1.1 (-2 points)", "# exercise 1.1 (2 points) of lab 1")],
@@ -174,7 +123,7 @@ def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
     """A mark is overlooked, and its answer stays in the lab."""
     for read in exercises.text_exercises, exercises.skeleton:
         with pytest.raises(ValueError) as error:
-            read(text)
+            read(text.replace("MARK", "# exercise 1.1 (2 points)"))
         assert str(error.value).startswith(sentence)
         assert "\n" not in str(error.value)
 
@@ -194,6 +143,12 @@ def course(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.fixture
+def work(course):
+    """The lab that is not yet made."""
+    return course / "labs" / "transforms.py"
+
+
 def test_topics_are_those_of_the_reference_in_the_courses_order(course):
     """Topics come in the order of the alphabet, or one is listed that is not there."""
     (course / "reference" / "sampling.py").write_text("")
@@ -205,7 +160,7 @@ def test_topics_are_those_of_the_reference_in_the_courses_order(course):
 def test_an_exercise_bears_its_labs_number(course):
     """A lab copied from another keeps the other's numbers."""
     (course / "reference" / "rasterization.py").write_text(MODULE)
-    with pytest.raises(ValueError, match=r"^reference/rasterization\.py, line 13: first is marked "
+    with pytest.raises(ValueError, match=r"^reference/rasterization\.py, line 11: first is marked "
                                          r"as exercise 1\.1, but rasterization is lab 2; number"):
         skeleton.run()
     assert not list((course / "labs").iterdir())
@@ -214,17 +169,17 @@ def test_an_exercise_bears_its_labs_number(course):
 def test_a_wrong_mark_is_told_with_its_file(course):
     """The sentence says the line, but of which of sixteen files?"""
     (course / "reference" / "transforms.py").write_text(MODULE + "\n# exercise 2\n")
-    with pytest.raises(ValueError, match=r"^reference/transforms\.py, line 49: the comment"):
+    with pytest.raises(ValueError, match=r"^reference/transforms\.py, line 44: the comment"):
         skeleton.run(check=True)
 
 
-def test_labs_are_made_and_then_in_step(course, capsys):
+def test_labs_are_made_and_then_in_step(course, work, capsys):
     """A run leaves something that the next run, or --check, finds fault with."""
     assert skeleton.run(check=True) == 1
     assert capsys.readouterr().out == (
         "labs/transforms.py: stale: run python3 -m course skeleton\n")
     assert skeleton.run() == 0
-    assert (course / "labs" / "transforms.py").read_bytes() == LAB.encode()
+    assert work.read_bytes() == LAB.encode()
     first = {path: path.read_bytes() for path in course.rglob("*.*")}
     assert skeleton.run() == 0
     assert {path: path.read_bytes() for path in course.rglob("*.*")} == first
@@ -232,22 +187,21 @@ def test_labs_are_made_and_then_in_step(course, capsys):
     assert capsys.readouterr().out == "labs/transforms.py: in step\n"
 
 
-def test_a_lab_that_nobody_touched_follows_the_reference(course, capsys):
+def test_a_lab_that_nobody_touched_follows_the_reference(course, work, capsys):
     """A lab as it was made is taken for one that was worked on, or for one in step."""
     skeleton.run()
-    reference, lab = course / "reference" / "transforms.py", course / "labs" / "transforms.py"
-    lab.write_bytes(lab.read_bytes().replace(b"\n", b"\r\n"))  # as git does on Windows
-    reference.write_bytes(MODULE.replace("LIMIT = 3", "LIMIT = 4").encode())
+    work.write_bytes(work.read_bytes().replace(b"\n", b"\r\n"))  # as git does on Windows
+    changed = MODULE.replace("LIMIT = 3", "LIMIT = 4")
+    (course / "reference" / "transforms.py").write_text(changed)
     assert skeleton.run(check=True) == 1
     assert "stale" in capsys.readouterr().out
     assert skeleton.run() == 0
-    assert lab.read_bytes() == LAB.replace("LIMIT = 3", "LIMIT = 4").encode()
+    assert work.read_bytes() == LAB.replace("LIMIT = 3", "LIMIT = 4").encode()
 
 
-def test_a_lab_that_was_worked_on_is_refused_and_the_others_are_made(course, capsys):
+def test_a_lab_that_was_worked_on_is_refused_and_the_others_are_made(course, work, capsys):
     """A student's work is overwritten, or stands in the way of all other labs."""
     (course / "reference" / "rasterization.py").write_text('"""Nothing yet."""\n')
-    work = course / "labs" / "transforms.py"
     work.write_text("mine\n")
     assert skeleton.run(check=True) == 1
     assert "labs/transforms.py: worked on\n" in capsys.readouterr().out
@@ -260,9 +214,8 @@ def test_a_lab_that_was_worked_on_is_refused_and_the_others_are_made(course, cap
     assert skeleton.run() == 1, "the refusal was forgotten"
 
 
-def test_force_keeps_every_text_that_it_replaces(course, capsys):
+def test_force_keeps_every_text_that_it_replaces(course, work, capsys):
     """The second --force overwrites what the first one kept."""
-    work = course / "labs" / "transforms.py"
     for text, kept in ("mine\n", "transforms.py.bak"), ("mine again\r\n", "transforms.py.bak2"):
         work.write_bytes(text.encode())
         assert skeleton.run(force=True) == 0
@@ -274,13 +227,13 @@ def test_force_keeps_every_text_that_it_replaces(course, capsys):
 
 
 @pytest.mark.parametrize("spoilt", ["", "<<<<<<< ours", "{}"])
-def test_without_its_record_no_lab_is_overwritten(course, spoilt):
+def test_without_its_record_no_lab_is_overwritten(work, spoilt):
     """A lost or broken .generated.json makes all labs look as if nobody had touched them."""
     skeleton.run()
-    (course / "labs" / "transforms.py").write_text("mine\n")
-    (course / "labs" / ".generated.json").write_text(spoilt)
+    work.write_text("mine\n")
+    work.with_name(".generated.json").write_text(spoilt)
     assert skeleton.run() == 1
-    assert (course / "labs" / "transforms.py").read_text() == "mine\n"
+    assert work.read_text() == "mine\n"
 
 
 def test_the_record_holds_one_hash_for_each_lab(course):
