@@ -18,6 +18,7 @@ MOST = 8
 TAUGHT = "reference"
 NOT_COUNTED = "labs/", "site/", "tests/site/", "benchmarks/"
 CODE = ".py", ".js", ".html", ".css", ".sh", "/run"
+CHANGE = *map(str, range(10)), "->", "and "  # how a line of a known mistake begins
 WITHOUT = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT,
            tokenize.ENCODING, tokenize.ENDMARKER}
 
@@ -41,7 +42,7 @@ def code_lines(text: str) -> int:
 def lines_of(path: str, text: str) -> int:
     """How much code a tracked file holds: 0 for data, texts and lectures."""
     if path.startswith("tests/mistakes/") and path.endswith(".txt"):
-        return sum(line[:1].isdigit() for line in text.splitlines())
+        return sum(line.startswith(CHANGE) for line in text.splitlines())
     if path.endswith(".py"):
         return code_lines(text)
     return sum(line.strip() != "" for line in text.splitlines()) if path.endswith(CODE) else 0

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from course.upkeep import weight
+
 ROOT = Path(__file__).parents[2]
 FOLDERS = "reference", "course"
 LINES = 350       # of a module
@@ -125,3 +127,19 @@ def test_names_that_are_defined_are_found():
     """A second name of one line is missed; or a name inside a function counts."""
     text = "A, (B, C) = D = f(E)\nclass G: H = 1\n\ndef i(j): k = 1\n"
     assert set(defined(text)) == {*"ABCDGi"}
+
+
+@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="what is tracked is known to git alone")
+def test_the_house_is_no_heavier_than_it_may_be():
+    """A guard for each line, a helper for each guard, and soon nobody keeps it alive: make room."""
+    assert weight.weight(weight.rooms()) <= weight.MOST
+
+
+@pytest.mark.parametrize(("text", "lines"), [
+    ('"""Title."""\n\n# A comment\na = 1  # one\n\n\ndef f():\n    """What."""\n    return (1 +\n\n'
+     '            2)\n', 5),
+    ('a = """two\nlines"""\n', 2), ("a = (\n", 1), ("\n\n", 0),
+])
+def test_lines_of_code_hold_code(text, lines):
+    """Docstrings are paid for, or what holds a string is not."""
+    assert weight.code_lines(text) == lines
