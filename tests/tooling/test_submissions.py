@@ -4,9 +4,10 @@ import io
 import os
 import sys
 import tarfile
-import zipfile
+from pathlib import Path
 
 import pytest
+from submitted import put, zipped
 
 from course import exercises
 from course.grading.gradebook import lateness
@@ -15,40 +16,7 @@ from course.grading.handing import archives, submissions
 TOPICS = ("transforms", "rasterization")
 MOODLE = "Ada Lovelace_1234_assignsubmission_file"
 BRIGHTSPACE = "1234-567 - Ada Lovelace - "
-METADATA = """\
-submission_11:
-  :submitters:
-  - :name: Ada L
-    :sid: '0077'
-    :email: ada@x.edu
-  - :name: "Grace: H"
-    :sid: '78'
-  :created_at: 2026-01-02 10:00:00.418372000 Z
-submission_12:
-  :submitters:
-  - :name: Bob
-    :email: bob@x.edu
-  :results: !ruby/object:Some::Thing
-    :output: |
-      :sid: 79
-submission_13:
-  :submitters:
-  - :name: Ada L
-    :sid: '0077'
-  :created_at: 2026-01-02 10:30:00 +0100
-submission_14:
-  :submitters:
-  - :sid: '80'
-"""
-
-
-def zipped(files):
-    """{name: text or bytes} -> the bytes of a zip archive."""
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in files.items():
-            archive.writestr(name, text)
-    return content.getvalue()
+METADATA = Path(__file__).with_name("rosters") / "submission_metadata.yml"
 
 
 def tarred(files, mode="w:gz"):
@@ -66,25 +34,21 @@ def tarred(files, mode="w:gz"):
 @pytest.fixture
 def read(tmp_path):
     """read({path: text, bytes, or {path in the zip: text}}) -> what submissions.read returns."""
-    def put(files):
-        for time, (name, content) in enumerate(files.items()):
-            path = tmp_path / os.fsdecode(name)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            content = zipped(content) if isinstance(content, dict) else content
-            path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    def put_and_read(files):
+        for time, path in enumerate(put(tmp_path, files)):
             os.utime(path, (1e9 + time, 1e9 + time))
         return submissions.read(tmp_path, TOPICS)
-    return put
+    return put_and_read
 
 
 @pytest.fixture
 def handed_in(read):
     """handed_in(files) -> {student: Submission}, where everything is understood."""
-    def put(files):
+    def understood(files):
         found, not_understood = read(files)
         assert not_understood == []
         return {one.student: one for one in found}
-    return put
+    return understood
 
 
 # --- whose it is ------------------------------------------------------------------------------
@@ -163,7 +127,7 @@ def test_gradescope_s_export_names_all_submitters(read):
     """Everybody is called submission_11; of a group, one member gets points; 10:30 is later than
     10:00 in another zone; numbers lose their zeros; what a program printed is taken as a name."""
     found, not_understood = read({
-        "submission_metadata.yml": METADATA, "submission_11/transforms.py": "later",
+        METADATA.name: METADATA.read_text(), "submission_11/transforms.py": "later",
         "submission_12/transforms.py": "b", "submission_13/transforms.py": "earlier"})
     assert {one.student: one.texts["transforms"] for one in found} == {
         "0077": "later", "78": "later", "bob_x.edu": "b"}
@@ -178,17 +142,16 @@ def test_gradescope_s_export_names_all_submitters(read):
 def test_metadata_that_cannot_be_read_is_a_sentence(read):
     """Everybody is called submission_11, and nobody says why."""
     with pytest.raises(ValueError, match=r"is not as Gradescope exports it \(.*download it again"):
-        read({"submission_metadata.yml": "a: [", "submission_11/transforms.py": "x"})
+        read({METADATA.name: "a: [", "submission_11/transforms.py": "x"})
 
 
 def test_namesakes_are_two_people(handed_in):
     """One of two students gets the other's marks."""
-    found = handed_in({"lovelaceada_1234_5_transforms.py": "1",
-                       "lovelaceada_99_6_transforms.py": "2",
-                       f"{MOODLE}/transforms.py": "3", f"{MOODLE.replace('1', '9')}/transforms.py":
-                       "4", "ada x/transforms.py": "5", "ada_x/transforms.py": "6",
-                       "ADA_X/transforms.py": "7"})
-    assert sorted(one.texts["transforms"] for one in found.values()) == list("1234567")
+    names = ["lovelaceada_1234_5_transforms.py", "lovelaceada_99_6_transforms.py",
+             f"{MOODLE}/transforms.py", f"{MOODLE.replace('1', '9')}/transforms.py",
+             "ada x/transforms.py", "ada_x/transforms.py", "ADA_X/transforms.py"]
+    found = handed_in({name: name for name in names})
+    assert sorted(one.texts["transforms"] for one in found.values()) == sorted(names)
     assert len({name.casefold() for name in found}) == 7
 
 
@@ -229,7 +192,7 @@ BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
     ("ada.zip", {"labs/Transforms.py": "x = 1\n"}),
     ("ada.tar.gz", tarred(LAB)), ("ada.tgz", tarred(LAB)), ("ada.tar", tarred(LAB, "w")),
     ("lovelaceada_1234_56789_labs.tar.gz", tarred(LAB)),
-    ("ada.rar", zipped(LAB)),
+    ("ada.rar", zipped(LAB.items())),
     ("ada/homework/labs.tar.gz", tarred(LAB)),
 ])
 def test_archives_are_read(handed_in, name, content):
@@ -367,7 +330,7 @@ def test_what_is_nobody_s_is_told(read, name):
 
 @pytest.mark.parametrize("make", [
     lambda: tarred({f"{number}/{number}.py": "" for number in range(archives.MOST_READS // 2)}),
-    lambda: tarred({"a.txt": "\0" * 5000}), lambda: zipped({"a" * 5000: ""})],
+    lambda: tarred({"a.txt": "\0" * 5000}), lambda: zipped([("a" * 5000, "")])],
     ids=["many", "much", "long"])
 def test_an_archive_that_never_ends_is_refused(handed_in, monkeypatch, make):
     """Days, or all of the memory, for a few bytes that one student has sent."""
