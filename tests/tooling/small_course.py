@@ -24,10 +24,10 @@ def hand_in(folder, **texts):
     put(folder / "in", {f"{student}_transforms.py": text for student, text in texts.items()})
 
 
-def grade_command(folder, *options):
+def grade_command(folder, *options, isolation="process"):
     """What run_module runs to grade folder/in."""
     return ("course", "grade", folder / "in", "--out", folder / "out",
-            "--isolation", "process", *options)
+            "--isolation", isolation, *options)
 
 
 def grades(out):

@@ -170,6 +170,7 @@ def test_tables_and_messages_scroll_by_themselves():
     text = report.page(graded(wrong={"Zero stays": "x " * 200}), {}, ABOUT)
     assert text.count('<div class="wide"><table>') == text.count("<table>") > 0
     assert "width=device-width" in text and "overflow-x: auto" in page.STYLE
+    assert "default-src 'none'" in text
     assert page.breakable("a_long_name") == "a_<wbr>long_<wbr>name"
 
 

@@ -54,31 +54,28 @@ def handed_in(read):
 # --- whose it is ------------------------------------------------------------------------------
 
 
+NAMES = {
+    "ada": ["ada/labs/transforms.py", "ada/transforms.py", "ada_transforms.py",
+            "ada - Transforms (1).py", "ada/homework/ada s work/labs/transforms.py"],
+    "lovelaceada_1234": [f"lovelaceada_{rest}" for rest in (
+        "1234_56789_transforms.py", "LATE_1234_56789_transforms-1.py",
+        "1234_56789_transforms (1).py", "1234_56789_Transforms.py")],
+    "de_la_cruz_1234": ["de_la_cruz_1234_56789_12_34_transforms.py"],
+    "anon_Ab3dE": ["anon_Ab3dE_56789_transforms.py", "LATE_anon_Ab3dE_56789_transforms.py"],
+    "Ada_Lovelace_1234": [
+        f"{MOODLE}_/transforms.py", f"{MOODLE}/labs/transforms.py", f"{MOODLE}_transforms.py",
+        f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - my - transforms.py",
+        f"{BRIGHTSPACE}Nov 22, 2026 905 AM/transforms.py",
+        f"{BRIGHTSPACE}22 nov. 2026 2359 - transforms.py"],
+    "Group_7": ["Group 7_assignsubmission_file/ada_transforms.py"],
+    "cmd": ["=cmd()/transforms.py"],
+    "Zoë": ["Zoë/transforms.py", "Zoe\u0308/transforms.py"],
+    "हिन्दी": ["हिन्दी/transforms.py"],
+}
+
+
 @pytest.mark.parametrize(("name", "student"), [
-    ("ada/labs/transforms.py", "ada"),
-    ("ada/transforms.py", "ada"),
-    ("ada/homework/ada s work/labs/transforms.py", "ada"),
-    ("ada_transforms.py", "ada"),
-    ("ada - Transforms (1).py", "ada"),
-    ("lovelaceada_1234_56789_transforms.py", "lovelaceada_1234"),
-    ("lovelaceada_LATE_1234_56789_transforms-1.py", "lovelaceada_1234"),
-    ("lovelaceada_1234_56789_transforms (1).py", "lovelaceada_1234"),
-    ("lovelaceada_1234_56789_Transforms.py", "lovelaceada_1234"),
-    ("de_la_cruz_1234_56789_12_34_transforms.py", "de_la_cruz_1234"),
-    ("anon_Ab3dE_56789_transforms.py", "anon_Ab3dE"),
-    ("LATE_anon_Ab3dE_56789_transforms.py", "anon_Ab3dE"),
-    (f"{MOODLE}_/transforms.py", "Ada_Lovelace_1234"),
-    (f"{MOODLE}/labs/transforms.py", "Ada_Lovelace_1234"),
-    (f"{MOODLE}_transforms.py", "Ada_Lovelace_1234"),
-    ("Group 7_assignsubmission_file/ada_transforms.py", "Group_7"),
-    (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - my - transforms.py", "Ada_Lovelace_1234"),
-    (f"{BRIGHTSPACE}Nov 22, 2026 905 AM/transforms.py", "Ada_Lovelace_1234"),
-    (f"{BRIGHTSPACE}22 nov. 2026 2359 - transforms.py", "Ada_Lovelace_1234"),
-    ("=cmd()/transforms.py", "cmd"),
-    ("Zoë/transforms.py", "Zoë"),
-    ("Zoe\u0308/transforms.py", "Zoë"),
-    ("हिन्दी/transforms.py", "हिन्दी"),
-])
+    (name, student) for student, names in NAMES.items() for name in names])
 def test_the_student_is_found_in_the_name(handed_in, name, student):
     """Half of a platform's name becomes the student, or a name is a formula in a table."""
     found = handed_in({name: "x = 1\n"})
@@ -179,17 +176,15 @@ BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
 
 
 @pytest.mark.parametrize(("name", "content"), [
-    ("ada.zip", {**LAB, "labs/notes.txt": ""}),
-    ("lovelaceada_1234_56789_labs.zip", LAB),
-    (f"{MOODLE}_/labs.zip", LAB),
+    ("lovelaceada_1234_56789_labs.zip", LAB), (f"{MOODLE}_/labs.zip", LAB),
     (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - labs.zip", LAB),
+    ("ada.zip", {**LAB, "labs/notes.txt": ""}),
     ("ada.zip", {"course/labs/transforms.py": "x = 1\n", "course/reference/transforms.py": "no",
                  "course/tests/mistakes/transforms.py": "no", "course/course/cli.py": "no",
                  "course/course/handed_out/transforms.py": "no"}),
     ("ada.zip", {**BIG, **LAB}),
-    ("ada.zip", {"labs\\transforms.py": "x = 1\n"}),
-    ("ada.zip", {"labs/transforms (1).py": "x = 1\n"}),
-    ("ada.zip", {"labs/Transforms.py": "x = 1\n"}),
+    *(("ada.zip", {name: "x = 1\n"}) for name in (
+        "labs\\transforms.py", "labs/transforms (1).py", "labs/Transforms.py")),
     ("ada.tar.gz", tarred(LAB)), ("ada.tgz", tarred(LAB)), ("ada.tar", tarred(LAB, "w")),
     ("lovelaceada_1234_56789_labs.tar.gz", tarred(LAB)),
     ("ada.rar", zipped(LAB.items())),
@@ -201,28 +196,32 @@ def test_archives_are_read(handed_in, name, content):
     assert one.texts == {"transforms": "x = 1\n"}
 
 
-@pytest.mark.parametrize("files", [
-    {"ada_12_500_labs.zip": {"transforms.py": "old"},
-     "ada_12_700_labs.zip": {"transforms.py": "new"}},
-    {"ada_12_700_labs.zip": {"transforms.py": "new"},
-     "ada_12_600_labs-2.zip": {"transforms.py": "old"}},
-    {"ada_12_700_transforms-2.py": "old", "ada_12_701_transforms-1.py": "new"},
-    {"ada_12_5_transforms.py": "older", "ada_12_6_labs.zip": {"transforms.py": "old"},
-     "ada_12_7_transforms.py": "new"},
-    {"ada_12_5_transforms.py": "old", "ada_12_6_labs.zip": {"transforms.py": "new"}},
-    {"ada_transforms.py": "old", "ada.zip": {"transforms.py": "new"}},
-    {"ada/transforms.py": "old", "ada/transforms (1).py": "new"},
-    {"ada/transforms.py": "old", "ada/labs.zip": {"transforms.py": "new"}},
-    {"ada/labs (1).zip": {"transforms.py": "old"}, "ada/labs.zip": {"transforms.py": "new"}},
-    {f"{MOODLE}/2.zip": {"transforms.py": "old"}, f"{MOODLE}/1.zip": {"transforms.py": "new"}},
-    {"1-2 - A B - Nov 22, 2026 1159 PM - x.py/transforms.py": "new",
-     "1-2 - A B - Nov 3, 2026 1159 PM - labs.zip": {"transforms.py": "old"}},
-    {"ada_12_6_labs.zip": b"PK broken", "ada_12_5_labs.zip": {"transforms.py": "new"}},
+@pytest.mark.parametrize(("names", "newest"), [  # in the order of their files' times
+    (["ada_12_500_labs.zip", "ada_12_700_labs.zip"], 1),
+    (["ada_12_700_labs.zip", "ada_12_600_labs-2.zip"], 0),
+    (["ada_12_700_transforms-2.py", "ada_12_701_transforms-1.py"], 1),
+    (["ada_12_5_transforms.py", "ada_12_6_labs.zip", "ada_12_7_transforms.py"], 2),
+    (["ada_12_5_transforms.py", "ada_12_6_labs.zip"], 1),
+    (["ada_transforms.py", "ada.zip"], 1),
+    (["ada/transforms.py", "ada/transforms (1).py"], 1),
+    (["ada/transforms.py", "ada/labs.zip"], 1),
+    (["ada/labs (1).zip", "ada/labs.zip"], 1),
+    ([f"{MOODLE}/2.zip", f"{MOODLE}/1.zip"], 1),
+    ([f"1-2 - A B - Nov {rest}" for rest in (
+        "22, 2026 1159 PM - x.py/transforms.py", "3, 2026 1159 PM - labs.zip")], 0),
 ])
-def test_a_student_s_newest_wins(handed_in, files):
+def test_a_student_s_newest_wins(handed_in, names, newest):
     """The first one is graded, or the one whose name sorts last, or a file before any zip."""
-    one, = handed_in(files).values()
+    texts = {name: "new" if name == names[newest] else "old" for name in names}
+    one, = handed_in({name: {"transforms.py": text} if name.endswith(".zip") else text
+                      for name, text in texts.items()}).values()
     assert one.texts == {"transforms": "new"} and one.notes
+
+
+def test_what_is_broken_and_newer_counts_for_nothing(handed_in):
+    """The labs of an hour ago are lost with the last upload, or nobody is told of it."""
+    one, = handed_in({"ada_12_6_labs.zip": b"PK broken", "ada_12_5_labs.zip": LAB}).values()
+    assert one.texts == {"transforms": "x = 1\n"} and one.notes
 
 
 def test_the_newest_counts_for_each_lab(handed_in):
