@@ -220,10 +220,9 @@ def test_results_that_cannot_be_written_are_not_worked_for(tmp_path):
         grade.run(Request(tmp_path / "in", tmp_path / "out", "1", isolation="process"))
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="strict needs Linux")
 def test_strict_is_claimed_only_where_it_was_seen(monkeypatch):
     """A bwrap that leaves the network open counts as strict."""
-    if sys.platform != "linux":
-        pytest.skip("strict needs Linux")
     monkeypatch.setattr(sandbox.shutil, "which", lambda name: name)
     monkeypatch.setattr(sandbox, "open_ways", lambda level: (("the network",), 0))
     assert sandbox.available() == ("process", "bubblewrap leaves open: the network")
@@ -251,12 +250,11 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
         "labs/transforms.py", "labs/rasterization.py"]
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Gradescope's machines run Linux")
 def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
     """A file is missing in the zip, or the result is written elsewhere; a score that is no sum, a
     status that Gradescope does not know.
     """
-    if sys.platform == "win32":
-        pytest.skip("Gradescope's machines run Linux")
     done = run_module(course, "course", "autograder", "gradescope", tmp_path / "a.zip")
     assert done.returncode == 0, done.stderr
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:

@@ -108,18 +108,6 @@ def test_lectures_import_the_labs(handed_out):
         assert packages == {"00": set(), "01": {"reference"}}.get(path.stem[:2], {"labs"}), path
 
 
-def test_its_checks_run_without_the_rest(handed_out, run_module):
-    """A check, a golden file or a part of the course is missing."""
-    done = run_module(handed_out, "course", "check")
-    assert done.returncode == 1, done.stderr
-    first = first_exercise("1")
-    assert f"Next: {first.number} {first.name}" in done.stdout
-    assert "cannot be collected" not in done.stdout
-    shutil.copy(exercises.reference("msaa"), handed_out / "labs")
-    done = run_module(handed_out, "course", "check", "msaa")
-    assert done.returncode == 0 and "All that was asked for is done" in done.stdout, done.stdout
-
-
 def test_a_mark_or_a_function_that_was_deleted_is_missed(tmp_path, run_module):
     """An exercise whose mark is gone is none, and the board says that all is done."""
     handout.run(tmp_path, "2")
@@ -170,9 +158,12 @@ def test_solutions_that_are_released_later_can_be_put_in(tmp_path, run_module):
 
 
 COMMANDS = ["demo", "notebooks", "check", "open", "close", "pack"]
+
+
 @pytest.mark.parametrize("labs", [*map(str, range(1, len(exercises.LABS) + 1)), "1-4", None])
 def test_a_hand_out_is_whole(labs, tmp_path, run_module):
-    """An import, a lecture, a scene or a command needs a file that students do not have."""
+    """An import, a check, a lecture, a scene or a command needs a file that students do not have.
+    """
     handout.run(tmp_path, labs)
     first = first_exercise(labs)
     shutil.copy(PROBES / "probe_of_a_handout.py", tmp_path / "probe.py")
@@ -180,6 +171,7 @@ def test_a_hand_out_is_whole(labs, tmp_path, run_module):
     hints = (tmp_path / "course" / "checks" / "hints.json").read_bytes()
     done = run_module(tmp_path, "probe")
     assert done.returncode == 0, done.stderr
+    assert "cannot be collected" not in done.stdout
     assert done.stdout.count(f"Next: {first.number} {first.name}, not started") == 2  # and packed
     assert re.search(r"^.*left out: (exercise|labs/).*\nDEMO 1$|asked for by name: .*\nDEMO 0$",
                      done.stdout, re.MULTILINE), done.stdout

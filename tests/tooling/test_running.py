@@ -164,16 +164,15 @@ def test_a_scheduler_without_workers_is_told_in_one_sentence(scheduler, monkeypa
         next(running.examined([], 1, scheduler))
 
 
-def test_a_cluster_with_another_course_is_refused():
+@pytest.mark.parametrize(("about", "sentence"), [
+    (("0", "strict", ""), "another course"), (None, "no course"),
+    ((running.course_digest(), "process", "install"), "no sandbox: install")])
+def test_a_cluster_with_another_course_is_refused(about, sentence):
     """Half of a class is graded by last year's checks."""
-    ours = running.course_digest()
-    running.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has another course"):
-        running.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has no course"):
-        running.require_alike({"tcp://b": None}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has no sandbox: install"):
-        running.require_alike({"tcp://b": (ours, "process", "install")}, "strict")
+    alike = {"tcp://a": (running.course_digest(), "strict", "")}
+    running.require_alike(alike, "strict")
+    with pytest.raises(ValueError, match=f"tcp://b has {sentence}"):
+        running.require_alike(alike | {"tcp://b": about}, "strict")
 
 
 def test_a_machine_that_comes_late_with_another_course_gives_no_marks():
