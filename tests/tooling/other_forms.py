@@ -1,80 +1,13 @@
-"""A topic's reference with other manners: it returns its numbers in one form after another, warns
-in every call, and refuses what checks have not promised to give. See course/given/contract.py.
-"""
+"""A topic's reference with other manners, which are those of manners.py."""
+from pathlib import Path
+
 from course import exercises
 
-OTHER_FORMS = '''
-
-import functools
-import itertools
-import warnings
-
-import numpy as np
-
-
-def as_lists(array):
-    """[] would say nothing of the shape (0, 3)."""
-    return array.tolist() if array.size else array
-
-
-def by_columns(array):
-    """Columns one after the other, not to be written; numbers as Python has them."""
-    array = array.copy(order="F")
-    array.flags.writeable = False
-    return array if array.ndim else array.item()
-
-
-def short(array):
-    """int32, and float32 where it holds the numbers; an array of the shape () for a number."""
-    kind = {"i": np.int32, "f": np.float32}.get(array.dtype.kind, array.dtype)
-    shortened = array.astype(kind)
-    return shortened if np.array_equal(shortened, array, equal_nan=kind == np.float32) else array
-
-
-def formed(returned, form):
-    if isinstance(returned, tuple):
-        return tuple(formed(output, form) for output in returned)
-    plain = returned is None or isinstance(returned, str)
-    return returned if plain else form(np.asarray(returned))
-
-
-def require_promised(given):
-    if isinstance(given, tuple):
-        for part in given:
-            require_promised(part)
-    elif isinstance(given, np.ndarray):
-        assert given.dtype in (float, complex, bool) or given.dtype.kind in "iu", given.dtype
-    else:
-        assert given is None or isinstance(given, int | float | str | np.number), type(given)
-
-
-def in_forms(function, forms=itertools.cycle([as_lists, by_columns, short]), calls=[]):
-    """The function as a check calls it; where one exercise calls another, nothing changes."""
-    @functools.wraps(function)
-    def call(*args, **named):
-        if not calls:
-            require_promised((*args, *named.values()))
-        calls.append(function)
-        try:
-            returned = function(*args, **named)
-        finally:
-            calls.pop()
-        if calls:
-            return returned
-        warnings.warn("this does not matter")
-        np.ones(1) / 0
-        return formed(returned, next(forms))
-
-    return call
-
-
-for name in {names!r}:
-    globals()[name] = in_forms(globals()[name])
-'''
+MANNERS = exercises.read(Path(__file__).with_name("manners.py"))
 
 
 def in_other_forms(topic):
     """The text of the reference's module, changed so."""
     names = [exercise.name for exercise in exercises.topic_exercises(topic)]
-    return (exercises.read(exercises.reference(topic))
-            + OTHER_FORMS.replace("{names!r}", repr(names)))
+    changes = [f"{name} = in_forms({name})" for name in names]
+    return "\n".join([exercises.read(exercises.reference(topic)), MANNERS, *changes, ""])

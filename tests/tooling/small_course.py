@@ -1,82 +1,16 @@
-"""Two small labs and their checks, to be graded in tests."""
-LAB = '''\
-"""Made up."""
-import os
-import sys
+"""Two small labs and their checks, which are in texts/, and how tests have them graded."""
+import csv
+from pathlib import Path
 
-import numpy as np
+from submitted import put
 
+from course.exercises import read
 
-def double(x):  # exercise 1.1 (1 point)
-    """2 x."""
-    return 2 * x
-
-
-def quadruple(x):  # exercise 1.2 (2 points)
-    """4 x."""
-    return double(double(x))
-
-
-def split(x):  # exercise 1.3 (4 points)
-    """x / 2, and whether x is positive."""
-    return x / 2, x > 0
-
-
-def parts(x):
-    """Yields the numbers of x. It is given, so it runs where it is called: no generator is sent."""
-    yield from x
-'''
-CHECKS = '''\
-import numpy as np
-
-from course.checks import assert_close, exercise
-
-
-@exercise("1.1")
-def test_twice(impl, rng):
-    """Once."""
-    x = rng.normal(size=3)
-    expected = x + x
-    assert_close(impl.double(x), expected)
-    assert_close(impl.double(x[:1] + 1), expected[:1] + 2)
-
-
-@exercise("1.2")
-def test_four_times(impl, rng):
-    """Twice."""
-    x = rng.normal(size=3)
-    expected = x + x + x + x
-    assert_close(impl.quadruple(x), expected)
-
-
-@exercise("1.3")
-def test_half_and_sign(impl):
-    """The whole."""
-    x = np.array([1.0, -2.0])
-    assert_close(impl.split(x), (np.array([0.5, -1.0]), np.array([True, False])))
-'''
-SECOND = '''\
-"""Made up."""
-import numpy as np
-
-from . import transforms
-
-
-def eight(x):  # exercise 2.1 (3 points)
-    """8 x."""
-    return np.array([transforms.quadruple(part) for part in transforms.parts(2 * x)])
-'''
-SECOND_CHECKS = '''\
-import numpy as np
-
-from course.checks import assert_close, exercise
-
-
-@exercise("2.1")
-def test_eight_times(impl):
-    """Less."""
-    assert_close(impl.eight(np.array([1.0, 2.0])), np.array([8.0, 16.0]))
-'''
+TEXTS = Path(__file__).with_name("texts")
+LAB, SECOND = read(TEXTS / "transforms.py"), read(TEXTS / "rasterization.py")
+CHECKS = read(TEXTS / "checks_of_transforms.py")
+SECOND_LAB = {"reference/rasterization.py": SECOND, "labs/rasterization.py": SECOND,
+              "tests/labs/test_rasterization.py": read(TEXTS / "checks_of_rasterization.py")}
 
 
 def first_lab(lab=LAB, checks=CHECKS):
@@ -87,6 +21,16 @@ def first_lab(lab=LAB, checks=CHECKS):
 
 def hand_in(folder, **texts):
     """Put submissions into folder/in: ada=LAB is her first lab."""
-    (folder / "in").mkdir()
-    for student, text in texts.items():
-        (folder / "in" / f"{student}_transforms.py").write_text(text, encoding="utf-8")
+    put(folder / "in", {f"{student}_transforms.py": text for student, text in texts.items()})
+
+
+def grade_command(folder, *options, isolation="process"):
+    """What run_module runs to grade folder/in."""
+    return ("course", "grade", folder / "in", "--out", folder / "out",
+            "--isolation", isolation, *options)
+
+
+def grades(out):
+    """{student: row} of grades.csv."""
+    with open(out / "grades.csv", encoding="utf-8") as file:
+        return {row["student"]: row for row in csv.DictReader(file)}

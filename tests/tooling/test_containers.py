@@ -1,12 +1,14 @@
 """Containers, workflows and the machine of a grader: files that other programs read."""
 import os
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
 import check_jsonschema
 import pytest
 from click.testing import CliRunner
+from submitted import put
 
 from course.grading import autograder
 
@@ -61,14 +63,11 @@ chmod +x "$3/bin/pip"
     (["python3", "python3.11"], "python3.11"), (["python3.12", "python3.13"], "python3.13")])
 def test_the_set_up_takes_a_python_that_is_new_enough(there, chosen, tmp_path):
     """Gradescope's default image, Ubuntu 22.04, has Python 3.10 as python3: nothing starts."""
-    for name in ("setup.sh", "requirements.txt"):
-        source = FILES / name if name == "setup.sh" else ROOT / name
-        (tmp_path / name).write_bytes(source.read_bytes())
+    shutil.copy(FILES / "setup.sh", tmp_path)
+    shutil.copy(ROOT / "requirements.txt", tmp_path)
     programs = {"apt-get": APT.format(there=" ".join(there))} | dict.fromkeys(there, PYTHON)
-    (tmp_path / "bin").mkdir()
-    for name, text in programs.items():
-        path = tmp_path / "bin" / name
-        path.write_text(f"#!/bin/bash\n{text}\n")
+    for path in put(tmp_path / "bin", {
+            name: f"#!/bin/bash\n{text}\n" for name, text in programs.items()}):
         path.chmod(0o755)
     settings = {"PATH": f"{tmp_path / 'bin'}:/usr/bin:/bin", "GRADER": str(tmp_path / "grader")}
     done = subprocess.run(["bash", str(tmp_path / "setup.sh")], env=settings, cwd="/",

@@ -7,17 +7,9 @@ from pathlib import Path
 import pytest
 from graded import check, entry, exercise, record, result, submission
 
-from course.grading.gradebook import (
-    changes,
-    earlier,
-    lateness,
-    overrides,
-    rosters,
-    sheets,
-    tables,
-    worth,
-)
+from course.grading.gradebook import changes, earlier, lateness, overrides, rosters, tables, worth
 from course.grading.gradebook.book import Asked, Gradebook
+from course.grading.gradebook.sheets import written
 from course.grading.pages import report
 from course.grading.results import Results, Run
 
@@ -57,57 +49,54 @@ def file(folder, name, *lines):
     return folder / name
 
 
+def by_hand(folder, *lines):
+    """A table of overrides."""
+    return file(folder, "o.csv", "student,exercise,points,reason", *lines)
+
+
 # --- rosters ----------------------------------------------------------------------------------
 
-CLASSES = {
-    "canvas": ("Lab 2", [submission("a", "canvas", id="50101"),
-                         submission("l", "canvas", id="50104"),
-                         submission("x", "canvas", id="999")], {"a": 2, "l": 5}),
-    "moodle": (None, [submission("a", "moodle", id="7001"), submission("l", "moodle", id="7004"),
-                      submission("x", "moodle", id="1")], {"a": 0, "l": 3}),
-    "gradescope": (None, [submission("a", "gradescope", id="s1001", email="other@uni.example"),
-                          submission("k", "gradescope", email="JUERGEN@uni.example"),
-                          submission("x", "gradescope", id="s9", email="x@uni.example")],
-                   {"a": 0, "k": 1}),
-    "brightspace": ("Lab 2", [submission("a", "brightspace", name="Nu\u0301ria  Álvarez"),
-                              submission("l", "brightspace", name="Wei Li"),
-                              submission("x", "brightspace", name="Ada Byron")], {"a": 0}),
+CLASSES = {  # platform: the assignment, {student: what the platform tells}, {student: row}
+    "canvas": ("Lab 2", {"a": {"id": "50101"}, "l": {"id": "50104"}, "x": {"id": "999"}},
+               {"a": 2, "l": 5}),
+    "moodle": (None, {"a": {"id": "7001"}, "l": {"id": "7004"}, "x": {"id": "1"}},
+               {"a": 0, "l": 3}),
+    "gradescope": (None, {"a": {"id": "s1001", "email": "other@uni.example"},
+                          "k": {"email": "JUERGEN@uni.example"},
+                          "x": {"id": "s9", "email": "x@uni.example"}}, {"a": 0, "k": 1}),
+    "brightspace": ("Lab 2", {"a": {"name": "Nu\u0301ria  Álvarez"}, "l": {"name": "Wei Li"},
+                              "x": {"name": "Ada Byron"}}, {"a": 0}),
 }
+CANVAS = {"csv": "canvas", "roster": ROSTERS / "canvas.csv", "assignment": "Lab 2"}
+
+
+def export(platform):
+    return rosters.read(ROSTERS / f"{platform}.csv", platform, CLASSES[platform][0])
 
 
 @pytest.mark.parametrize("platform", CLASSES)
 def test_points_go_to_the_people_whose_id_was_submission(platform):
     """A namesake gets them, or somebody whose name is alike."""
-    assignment, class_, expected = CLASSES[platform]
-    roster = rosters.read(ROSTERS / f"{platform}.csv", platform, assignment)
-    rows, unmatched = rosters.match(roster, class_)
-    assert rows == expected
-    assert set(unmatched) == {one.student for one in class_} - set(expected)
+    _, told, expected = CLASSES[platform]
+    rows, unmatched = rosters.match(export(platform), [
+        submission(student, platform, **about) for student, about in told.items()])
+    assert rows == expected and set(unmatched) == set(told) - set(expected)
 
 
 @pytest.mark.parametrize("platform", CLASSES)
 def test_an_import_file_is_the_export_with_one_column_filled(platform):
-    """An umlaut, a comma, a line break or somebody's old points are lost."""
-    path = ROSTERS / f"{platform}.csv"
-    assignment, class_, _ = CLASSES[platform]
-    roster = rosters.read(path, platform, assignment)
-    rows, _ = rosters.match(roster, class_)
-    before = read_back(path.read_bytes())
-    content = rosters.filled(roster, dict.fromkeys(rows.values(), "8.5"))
-    for row in rows.values():
-        before[row + 1][roster.column] = "8.5"
+    """An umlaut, a comma, a line break or somebody's old points are lost. Brightspace refuses what
+    its import does not read: names and calculated grades.
+    """
+    before = (ROSTERS / f"{platform}.csv").read_bytes()
+    expected, roster, rows = read_back(before), export(platform), CLASSES[platform][2].values()
+    for row in rows:
+        expected[row + 1][roster.column] = "8.5"
     if platform == "brightspace":
-        before = [[row[0], row[1], row[6], row[9]] for row in before]
-    assert read_back(content) == before
-    assert content.startswith(b"\xef\xbb\xbf") == path.read_bytes().startswith(b"\xef\xbb\xbf")
-
-
-def test_brightspace_gets_only_what_its_import_reads():
-    """Names and calculated grades are imported, too, and the import is refused."""
-    roster = rosters.read(ROSTERS / "brightspace.csv", "brightspace", "Lab 2")
-    assert read_back(rosters.filled(roster, {0: "7"}))[:2] == [
-        ["OrgDefinedId", "Username", "Lab 2 Points Grade <Numeric MaxPoints:10>",
-         "End-of-Line Indicator"], ["#s1001", "#nalvarez", "7", "#"]]
+        expected = [[row[0], row[1], row[6], row[9]] for row in expected]
+    content = rosters.filled(roster, dict.fromkeys(rows, "8.5"))
+    assert read_back(content) == expected
+    assert content.startswith(b"\xef\xbb\xbf") == before.startswith(b"\xef\xbb\xbf")
 
 
 def test_what_the_platform_wrote_is_kept_in_its_own_way(tmp_path):
@@ -152,8 +141,7 @@ def test_a_column_is_named_with_or_without_what_the_platform_adds():
 
 def test_who_is_excused_stays_excused():
     """Canvas's EX becomes points."""
-    class_ = [submission("l", "canvas", id="50104")]
-    known = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 1")
+    known = book([submission("l", "canvas", id="50104")], **CANVAS | {"assignment": "Lab 1"})
     assert "l keeps the 'EX' that the roster has" in known.said()
     table = read_back(rosters.filled(known.roster, {known.rows["l"]: "7", 3: "7"}))
     assert [row[6] for row in table[5:8]] == ["7.50", "EX", "N/A"] and table[4][6] == "7"
@@ -161,7 +149,7 @@ def test_who_is_excused_stays_excused():
 
 def test_two_submissions_of_one_person_are_both_listed():
     """One of them is chosen, nobody knows why."""
-    roster = rosters.read(ROSTERS / "canvas.csv", "canvas", "Lab 2")
+    roster = export("canvas")
     twins = [submission(name, "canvas", id="50101") for name in "ab"]
     rows, unmatched = rosters.match(roster, twins)
     assert rows == {} and set(unmatched) == {"a", "b"}
@@ -173,8 +161,7 @@ def test_gradescope_s_submissions_find_their_row_in_the_lms():
     """Work from Gradescope can be graded, and its points must be typed in by hand."""
     one = submission("a", "gradescope", id="s1002", email="juergen@uni.example")
     for platform in ("canvas", "moodle", "brightspace"):
-        roster = rosters.read(ROSTERS / f"{platform}.csv", platform,
-                              None if platform == "moodle" else "Lab 2")
+        roster = export(platform)
         row, = rosters.match(roster, [one])[0].values()
         assert "Jürgen" in " ".join(roster.sheet.rows[row])
 
@@ -188,10 +175,10 @@ def test_gradescope_s_bare_roster_gets_a_column(tmp_path):
         ["Wei Li", "s1003", "wei@uni.example", "Student", "5"]]
 
 
-@pytest.mark.parametrize(("platform", "assignment"), [(name, CLASSES[name][0]) for name in CLASSES])
-def test_the_platform_s_own_maximum_is_read(platform, assignment):
+@pytest.mark.parametrize("platform", CLASSES)
+def test_the_platform_s_own_maximum_is_read(platform):
     """20 points are written where the platform has 10, and nobody is told."""
-    assert rosters.most(rosters.read(ROSTERS / f"{platform}.csv", platform, assignment)) == 10
+    assert rosters.most(export(platform)) == 10
 
 
 # --- lateness ---------------------------------------------------------------------------------
@@ -245,8 +232,7 @@ def book(class_, **asked):
 
 def test_moodle_tells_in_its_worksheet_when_something_was_submission(tmp_path):
     """Everybody from Moodle is in time, or the file's own time counts."""
-    class_ = [submission("a", "moodle", id="7001"), submission("k", "moodle", id="7002"),
-              submission("l", "moodle", id="7003")]
+    class_ = [submission(name, "moodle", id=f"700{row}") for row, name in enumerate("akl", 1)]
     known = book(class_, csv="moodle", roster=ROSTERS / "moodle.csv", due=DUE, late="10%/day")
     records = {one.student: known.entered(graded(one.student)) for one in class_}
     assert [worth.after_lateness(each) for each in records.values()] == [10, 9, 8]
@@ -264,7 +250,7 @@ def test_canvas_says_late_and_not_by_how_much(tmp_path):
     assert [cells[name]["late by"] for name in "abc"] == [lateness.NOT_TOLD, "", lateness.NO_TIME]
     assert {cells[name]["after lateness"] for name in "abc"} == {"10"}
     assert "a is late, by how much is not told. Nothing is taken off" in "\n".join(known.said())
-    path = file(tmp_path, "o.csv", "student,exercise,points,reason", "a,late,1.5,came by mail")
+    path = by_hand(tmp_path, "a,late,1.5,came by mail")
     settled = book(class_, due=DUE, late="10%/day", overrides=path)
     assert settled.said() == []
     assert tables.line(settled.entered(graded("a")), CORE)["after lateness"] == "8.5"
@@ -273,7 +259,7 @@ def test_canvas_says_late_and_not_by_how_much(tmp_path):
 def test_all_without_a_partner_are_listed(tmp_path):
     """A submission without a row, or a person without a submission, is noticed in the exam."""
     class_ = [submission("a", "canvas", id="50101"), submission("x", "canvas", id="9", name="=1+1")]
-    known = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
+    known = book(class_, **CANVAS)
     said = "\n".join(known.said())
     assert "1 of 2 submissions are matched" in said
     assert "not matched: x: nobody in the roster with the id 9" in said
@@ -286,15 +272,14 @@ def test_all_without_a_partner_are_listed(tmp_path):
 
 def test_who_could_not_be_graded_keeps_the_cell(tmp_path):
     """A crash of ours is a zero in the gradebook."""
-    class_ = [submission("k", "canvas", id="50102")]
-    known = book(class_, csv="canvas", roster=ROSTERS / "canvas.csv", assignment="Lab 2")
+    known = book([submission("k", "canvas", id="50102")], **CANVAS)
     known.write(tmp_path, {"k": graded("k", BROKEN)}, [])
     assert read_back((tmp_path / "for-canvas.csv").read_bytes())[4][7] == "3.00"
 
 
 def test_another_maximum_there_is_told():
     """10 of 13 points are imported as 10 of 10."""
-    known = Gradebook(Asked("canvas", ROSTERS / "canvas.csv", "Lab 2"), [], EXERCISES)
+    known = Gradebook(Asked(**CANVAS), [], EXERCISES)
     assert "is out of 10 points there, and out of 13 here" in known.said()[-1]
 
 
@@ -317,8 +302,7 @@ def test_options_that_need_each_other(options):
     ("ada,2.2,1,x", "was given in a line above")])
 def test_a_wrong_override_is_refused_by_its_line(tmp_path, line, sentence):
     """It is left out silently, or changes somebody else's points."""
-    path = file(tmp_path, "o.csv", "student,exercise,points,reason", "",
-                'ada,2.2,6,"a reason', 'in two lines"', line)
+    path = by_hand(tmp_path, "", 'ada,2.2,6,"a reason', 'in two lines"', line)
     with pytest.raises(ValueError, match=f"o.csv, line 5: .*{sentence}"):
         overrides.read(path, {"ada"}, CORE)
     path = file(tmp_path, "o.csv", "student,exercise,points")
@@ -359,7 +343,7 @@ def test_a_page_follows_its_override_without_grading_again(tmp_path):
     Results(tmp_path, book([one]), RUN).add(one, 0, "same", what, {"1.png": b"png"})
     page = tmp_path / "students" / "ada" / "report.html"
     assert "4 of 10 points" in page.read_text("utf-8")
-    path = file(tmp_path, "o.csv", "student,exercise,points,reason", "ada,2.2,6,right after all")
+    path = by_hand(tmp_path, "ada,2.2,6,right after all")
     again = Results(tmp_path, book([one], overrides=path), RUN)
     assert not again.keep("ada", "another") and again.keep("ada", "same")
     text = page.read_text("utf-8")
@@ -369,10 +353,9 @@ def test_a_page_follows_its_override_without_grading_again(tmp_path):
 def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
     """The points of all who were in time are missing beside those who came late."""
     first, second = (submission("a", "canvas", id="50101"), submission("k", "canvas", id="50102"))
-    asked = {"csv": "canvas", "roster": ROSTERS / "canvas.csv", "assignment": "Lab 2"}
-    Results(tmp_path, book([first], **asked), RUN).add(first, 0, "", RIGHT, {})
+    Results(tmp_path, book([first], **CANVAS), RUN).add(first, 0, "", RIGHT, {})
     before, = earlier.records(tmp_path, [second], CORE)
-    later = Results(tmp_path, book([second, before.work], **asked), RUN)
+    later = Results(tmp_path, book([second, before.work], **CANVAS), RUN)
     later.take(before)
     later.add(second, 0, "", RIGHT, {})
     assert tmp_path / "for-canvas.csv" in later.close()
@@ -400,7 +383,7 @@ def test_core_fine_print_and_extras_have_columns_of_their_own():
 def test_no_cell_of_ours_is_a_formula(begins):
     """=HYPERLINK(...) in a reason runs in the instructor's spreadsheet."""
     odd = graded("ada", result(problem=f"{begins}1"), overrides={"total": (8, "x")})
-    content = sheets.written(tables.grades([odd], CORE))
+    content = written(tables.grades([odd], CORE))
     assert not any(cell.startswith(begins) for row in read_back(content) for cell in row)
 
 
@@ -425,11 +408,11 @@ def test_a_change_is_told_with_its_cause():
         "other checks, other random inputs")
     assert changed(graded("ada", WRONG), graded("ada", seed=7, digest="e"))[0][-1] == (
         "handed in again")
-    by_hand = graded("ada", WRONG, overrides={"2.2": (5, "look; 2.1: fine")})
-    assert changed(graded("ada", WRONG), by_hand) == [
+    looked = graded("ada", WRONG, overrides={"2.2": (5, "look; 2.1: fine")})
+    assert changed(graded("ada", WRONG), looked) == [
         ("2.2", "0", "5", "5 instead of 0 by hand (look; 2.1: fine)"),
         ("total", "4", "9", "what its exercises give"), ("after lateness", "4", "9", "the total")]
-    assert changed(by_hand, graded("ada", WRONG))[0][-1] == "no longer by hand"
+    assert changed(looked, graded("ada", WRONG))[0][-1] == "no longer by hand"
     assert changed(graded("ada", WRONG), graded("ada"))[0][-1].startswith(
         "the same work and checks")
 

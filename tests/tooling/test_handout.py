@@ -4,25 +4,21 @@ import json
 import re
 import shutil
 import zipfile
+from pathlib import Path
 
 import pytest
 
 from course import exercises
 from course.grading.handing import handout
 
+PROBES = Path(__file__).with_name("texts")
 LEAST = 30  # characters of a line that somebody could copy
 # Lines of answers that students may read elsewhere, as they stand in a check's own oracle, in a
 # lecture, or in code that is given: `mesh.edges` is for triangles what 11.1 asks for polygons.
 ELSEWHERE = {
-    "a, b = triangle[i], triangle[j]", "for k, (i, j) in enumerate(EDGES):",
-    "face_index = np.full((height, width), -1)", "depth = np.full((height, width), np.inf)",
+    "a, b = triangle[i], triangle[j]", "face_index = np.full((height, width), -1)",
     "for f, corners in enumerate(faces):", "x, y = polygon[..., 0], polygon[..., 1]",
-    "return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2",
-    "for i, j in np.argwhere(face_index >= 0):", "seen = np.flatnonzero(face_index >= 0)",
-    "return output.reshape(colour.shape)", "opposite = np.full(faces.shape, -1)",
-    "edges, face_edges = mesh.edges(faces)",
     "key = np.minimum(start, end) * vertex_count + np.maximum(start, end)",
-    "face_index, depth = np.full((height, width), -1), np.full((height, width), np.inf)",
 }
 
 
@@ -53,6 +49,10 @@ def first_exercise(labs):
     return min(core, key=lambda exercise: [int(part) for part in exercise.number.split(".")])
 
 
+def files(folder, pattern):
+    return {path.relative_to(folder).as_posix() for path in folder.glob(pattern)}
+
+
 @pytest.fixture(scope="module")
 def handed_out(tmp_path_factory):
     folder = tmp_path_factory.mktemp("handout") / "course"
@@ -63,29 +63,41 @@ def handed_out(tmp_path_factory):
 def test_no_solution_is_handed_out_but_those_released(handed_out):
     """The reference, or an answer in a lab, a lecture, a check or a file of the course."""
     secret = set().union(*(solution_lines(topic) for topic in exercises.topics()
-                           if topic != "transforms"))
+                           if topic not in exercises.LABS[0]))
     texts = [path for path in handed_out.rglob("*") if path.suffix in (".py", ".ipynb", ".md")]
     assert {path.name: found for path in texts if (found := secret & lines_of(path))} == {}
-    assert [path.name for path in (handed_out / "reference").iterdir()] == ["transforms.py"]
+    assert {path.stem for path in (handed_out / "reference").iterdir()} == set(exercises.LABS[0])
     assert len(texts) > 40 and len(secret) > 300
 
 
-def test_labs_lectures_and_checks_are_there(handed_out):
-    """A lab without its checks, lectures of labs that come later, or no licence."""
-    assert "MIT License" in (handed_out / "LICENSE").read_text(encoding="utf-8")
-    assert {path.name for path in handed_out.glob("course/experiments/folder/fit_report.*")} == {
-        "fit_report.py", "fit_report.html", "fit_report.js"}
-    asking = ["transforms", "rasterization", "scanline", "sampling", "msaa"]
-    assert sorted(path.stem for path in handed_out.glob("labs/*.py")) == sorted(
-        ["arrays", *asking])
-    assert sorted(path.stem for path in handed_out.glob("tests/labs/test_*.py")) == sorted(
-        f"test_{name}" for name in asking)
-    assert [path.stem[:2] for path in sorted(handed_out.glob("notebooks/*.ipynb"))] == [
-        "00", "01", "02", "03", "04"]
-    assert not (handed_out / "tests" / "project").exists()
-    for path in handed_out.glob("labs/*.py"):
-        text = exercises.read(exercises.reference(path.stem))
-        assert path.read_text(encoding="utf-8") == exercises.skeleton(text)
+BEFORE_8 = "transforms", "arrays", "rasterization", "scanline", "sampling"
+
+
+@pytest.mark.parametrize(("labs", "given", "lectures"), [
+    ("1-4", (), range(5)), ("8", BEFORE_8, (0, 8)), (None, (), range(17))])
+def test_labs_what_they_need_their_checks_and_lectures_are_there(
+        labs, given, lectures, tmp_path, capsys):
+    """A lab that cannot be imported, or that has no checks; a lecture of labs that come later; a
+    board that asks for what only came along.
+    """
+    handout.run(tmp_path, labs)
+    asked = exercises.topics_of(labs)
+    assert files(tmp_path, "labs/*.py") == {f"labs/{topic}.py" for topic in (*asked, *given)}
+    for topic in asked:
+        text = exercises.read(exercises.reference(topic))
+        assert exercises.read(tmp_path / f"labs/{topic}.py") == exercises.skeleton(text)
+    for topic in given:
+        text = exercises.read(tmp_path / f"labs/{topic}.py")
+        assert exercises.text_exercises(text) == () and ast.dump(ast.parse(text)) == ast.dump(
+            ast.parse(exercises.read(exercises.reference(topic))))
+    assert (f"{', '.join(given)} came along, complete" in capsys.readouterr().out) == bool(given)
+    assert files(tmp_path, "tests/labs/test_*.py") == {
+        f"tests/labs/test_{topic}.py" for topic in asked if topic in exercises.asking_topics()}
+    assert {int(path.stem[:2]) for path in tmp_path.glob("notebooks/*.ipynb")} == set(lectures)
+    fit = "course/experiments/folder/fit_report"
+    there = files(tmp_path, "**/*")
+    assert {"LICENSE", "README.md", f"{fit}.py", f"{fit}.html", f"{fit}.js"} <= there
+    assert not there & {"reference", "tests/project"}
 
 
 def test_lectures_import_the_labs(handed_out):
@@ -94,18 +106,6 @@ def test_lectures_import_the_labs(handed_out):
         packages = {line.split()[1] for line in lines_of(path)
                     if re.match(r"from (labs|reference) import", line)}
         assert packages == {"00": set(), "01": {"reference"}}.get(path.stem[:2], {"labs"}), path
-
-
-def test_its_checks_run_without_the_rest(handed_out, run_module):
-    """A check, a golden file or a part of the course is missing."""
-    done = run_module(handed_out, "course", "check")
-    assert done.returncode == 1, done.stderr
-    first = first_exercise("1")
-    assert f"Next: {first.number} {first.name}" in done.stdout
-    assert "cannot be collected" not in done.stdout
-    shutil.copy(exercises.reference("msaa"), handed_out / "labs")
-    done = run_module(handed_out, "course", "check", "msaa")
-    assert done.returncode == 0 and "All that was asked for is done" in done.stdout, done.stdout
 
 
 def test_a_mark_or_a_function_that_was_deleted_is_missed(tmp_path, run_module):
@@ -119,34 +119,6 @@ def test_a_mark_or_a_function_that_was_deleted_is_missed(tmp_path, run_module):
     assert "Next: 2.1 edge_function, not started" in done.stdout, done.stdout
     done = run_module(tmp_path, "course", "check", "2.5")
     assert "labs/rasterization.py has no function is_top_left" in done.stdout, done.stdout
-
-
-def test_the_whole_course_can_be_handed_out(tmp_path):
-    """A module of given code has no checks, and stops the hand-out half way."""
-    handout.run(tmp_path / "new")
-    labs = {path.stem for path in tmp_path.glob("new/labs/*.py")}
-    assert labs == set(exercises.topics())
-    assert len(list(tmp_path.glob("new/notebooks/*.ipynb"))) == 17
-    assert (tmp_path / "new" / "README.md").exists()
-
-
-def test_what_a_lab_needs_comes_along_and_asks_nothing(tmp_path, capsys):
-    """A lab that cannot be imported, for one that it needs is not there; a lecture that cannot be
-    run, for its first cells need another lab; a board that asks for labs not handed out.
-    """
-    handout.run(tmp_path / "new", "8")
-    given = ["transforms", "arrays", "rasterization", "scanline", "sampling"]
-    for topic in given:
-        text = exercises.read(tmp_path / "new" / "labs" / f"{topic}.py")
-        assert exercises.text_exercises(text) == ()
-        assert ast.dump(ast.parse(text)) == ast.dump(ast.parse(exercises.read(
-            exercises.reference(topic))))
-    assert sorted(path.stem for path in tmp_path.glob("new/labs/*.py")) == sorted(
-        [*exercises.LABS[7], *given])
-    assert {path.stem for path in tmp_path.glob("new/tests/labs/test_*.py")} == {
-        f"test_{topic}" for topic in exercises.LABS[7] if topic in exercises.asking_topics()}
-    assert not (tmp_path / "new" / "reference").exists()
-    assert f"{', '.join(given)} came along, complete" in capsys.readouterr().out
 
 
 def test_a_hand_out_of_the_first_labs_gives_nothing_away():
@@ -177,7 +149,7 @@ def test_solutions_that_are_released_later_can_be_put_in(tmp_path, run_module):
     handout.run(tmp_path / "new", "1-2")
     handout.release("1", tmp_path / "solutions.zip")
     with zipfile.ZipFile(tmp_path / "solutions.zip") as archive:
-        assert archive.namelist() == ["reference/transforms.py"]
+        assert archive.namelist() == [f"reference/{topic}.py" for topic in exercises.LABS[0]]
         archive.extractall(tmp_path / "new")
     done = run_module(tmp_path / "new", "course", "close", "1", "--core")
     assert done.returncode == 0, done.stderr
@@ -186,55 +158,20 @@ def test_solutions_that_are_released_later_can_be_put_in(tmp_path, run_module):
 
 
 COMMANDS = ["demo", "notebooks", "check", "open", "close", "pack"]
-PROBE = """
-import contextlib, functools, importlib, itertools, json
-from pathlib import Path
-
-import matplotlib
-
-matplotlib.use("agg")
-from course import cli
-from course.experiments.scenes import demo
-
-
-def first_steps(scene):
-    return functools.wraps(scene)(lambda labs: itertools.islice(scene(labs), 2))
-
-
-for path in Path("labs").glob("*.py"):
-    importlib.import_module(f"labs.{path.stem}")
-for path in sorted(Path("notebooks").glob("*.ipynb")):
-    cells = ["".join(cell["source"]) for cell in json.loads(path.read_text("utf-8"))["cells"]
-             if cell["cell_type"] == "code"]
-    whole = path.stem == "00_start_here" and Path("tests/labs/test_rasterization.py").exists()
-    names = {}
-    try:
-        for cell in cells if whole else cells[:4]:
-            exec(cell, names)
-    except NotImplementedError as error:
-        print(path.stem, "stops at", error)
-demo.SCENES = {name: first_steps(scene) for name, scene in demo.SCENES.items() if name != "flight"}
-print("DEMO", cli.main(["demo"]))
-lab = Path("lab").read_text()
-for command in "demo reconstruct", "demo bunny --impl reference", f"check {lab}", "pack", "":
-    print("STATUS", cli.main(command.split()))
-for command in "mistakes", "handout new", "skeleton --force", "grade --out":
-    with contextlib.suppress(SystemExit):
-        cli.main(command.split())
-        print("STATUS of", command)
-"""
 
 
 @pytest.mark.parametrize("labs", [*map(str, range(1, len(exercises.LABS) + 1)), "1-4", None])
 def test_a_hand_out_is_whole(labs, tmp_path, run_module):
-    """An import, a lecture, a scene or a command needs a file that students do not have."""
+    """An import, a check, a lecture, a scene or a command needs a file that students do not have.
+    """
     handout.run(tmp_path, labs)
     first = first_exercise(labs)
-    (tmp_path / "probe.py").write_text(PROBE, "utf-8")
+    shutil.copy(PROBES / "probe_of_a_handout.py", tmp_path / "probe.py")
     (tmp_path / "lab").write_text(first.number.partition(".")[0])
     hints = (tmp_path / "course" / "checks" / "hints.json").read_bytes()
     done = run_module(tmp_path, "probe")
     assert done.returncode == 0, done.stderr
+    assert "cannot be collected" not in done.stdout
     assert done.stdout.count(f"Next: {first.number} {first.name}, not started") == 2  # and packed
     assert re.search(r"^.*left out: (exercise|labs/).*\nDEMO 1$|asked for by name: .*\nDEMO 0$",
                      done.stdout, re.MULTILINE), done.stdout
@@ -259,25 +196,14 @@ def test_nothing_is_overwritten(tmp_path):
         handout.run(tmp_path)
 
 
-def with_core(topic, text):
-    """A lab with the reference's answers in the place of its core's TODOs; extras stay."""
-    lines = exercises.text_lines(text)
-    known = {answer.exercise.number: answer.text for answer in exercises.answers(
-        exercises.read(exercises.reference(topic)))}
-    for answer in reversed(exercises.answers(text)):
-        if not answer.exercise.is_extra:
-            exercises.put(lines, answer, known[answer.exercise.number], is_open=True)
-    return "".join(lines)
-
-
 @pytest.fixture(scope="module")
 def worked_on(tmp_path_factory):
     """A hand-out of labs 1 to 9 whose core is written, and nothing else."""
     root = tmp_path_factory.mktemp("core")
     handout.run(root, "1-9")
     for path in root.glob("labs/*.py"):
-        path.write_text(with_core(path.stem, exercises.read(path)), "utf-8", newline="")
-    (root / "probe.py").write_text(FIT, "utf-8")
+        shutil.copy(exercises.reference(path.stem), path)
+    shutil.copy(PROBES / "probe_of_a_fit.py", root / "probe.py")
     return root
 
 
@@ -293,13 +219,3 @@ def test_with_the_core_of_labs_1_to_9_everything_runs_on_the_students_code(
     assert not (worked_on / "reference").exists()
     done = run_module(worked_on, *command, seconds=300)
     assert done.returncode == 0 and said in done.stdout, done.stdout + done.stderr
-
-
-FIT = """
-from course.experiments.scenes import demo, fit_bunny
-
-labs = demo.Labs()
-path, _ = fit_bunny.fit(labs, 0.02, steps=3, size=32)
-list(fit_bunny.seen_anew(labs, path))
-print(labs.package, len(path) - 1)
-"""

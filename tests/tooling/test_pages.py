@@ -5,6 +5,7 @@ import zipfile
 
 import pytest
 from graded import check, entry, exercise, record, result, submission
+from submitted import put
 
 from course.checks import page
 from course.grading.gradebook import handback
@@ -13,7 +14,6 @@ from course.grading.pages import overview, report
 
 COLUMNS = [exercise("1.1", "double", 1), exercise("1.2", "halve", 2)]
 CLAIMS = {"1.1": ("It is twice as much",), "1.2": ("It is half", "Zero stays")}
-ABOUT = "as told"
 
 
 def found(wrong=(), verdict="failing", **more):
@@ -42,10 +42,18 @@ def broken(student):
     return graded(student, BROKEN, missing={"transforms": f"{IMPORT}\nlabs/transforms.py:1 in"})
 
 
+def class_page(*records, **more):
+    return overview.overview(records, COLUMNS, "strict", "as told", **more)
+
+
+def student_page(one):
+    return report.page(one, {}, "as told")
+
+
 def section(text, title):
     """The text of a section, without tags."""
     found = re.search(rf"<h2[^>]*>{title}</h2>(.*?)(<h2|</body>)", text, re.DOTALL)
-    return " ".join(re.sub("<[^>]*>", " ", found[1]).split()) if found else None
+    return " ".join(re.sub("<[^>]*>", " ", found[1]).split())
 
 
 # --- the class --------------------------------------------------------------------------------
@@ -57,17 +65,16 @@ def test_the_class_s_page_counts_for_how_many_a_claim_fails():
         entry(asked, "not started", *(check(asked.number, claim, "not started")
                                       for claim in CLAIMS[asked.number]), topic="transforms")
         for asked in COLUMNS)))
-    records = [graded("ada"), graded("bob", {"Zero stays": "no"}), broken("cyd"), unstarted,
-               graded("eve", {"Zero stays": "no", "It is half": "no"})]
-    text = overview.overview(records, COLUMNS, "strict", ABOUT)
+    text = class_page(graded("ada"), graded("bob", {"Zero stays": "no"}), broken("cyd"), unstarted,
+                      graded("eve", {"Zero stays": "no", "It is half": "no"}))
     assert section(text, "Claims that fail") == (
         "the claim fails for of 1.2 halve Zero stays 2 3 1.2 halve It is half 1 3")
 
 
 def test_what_is_missing_and_what_is_not_understood_stands_in_the_class_s_page():
     """A file that nobody can have handed in, or a lab that cannot be imported, is never seen."""
-    text = overview.overview([graded("ada"), broken("cyd")], COLUMNS, "strict", ABOUT,
-                             [("<img src=x>.rar", "<b>no student can be told from this name")])
+    text = class_page(graded("ada"), broken("cyd"), not_understood=[
+        ("<img src=x>.rar", "<b>no student can be told from this name")])
     assert section(text, "Not understood") == (
         "&lt;img src=x&gt;.rar &lt;b&gt;no student can be told from this name")
     assert section(text, "Labs that are not there, or cannot be imported") == (
@@ -76,13 +83,12 @@ def test_what_is_missing_and_what_is_not_understood_stands_in_the_class_s_page()
 
 def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
     """LATE is only in the platform's name of a file; nobody sees which marks are by hand."""
-    late = record(submission("bob", late=True, when=1e9), found(), seed=77, late=(
-        "1 day, 0:00:00", 10))
+    late = record(submission("bob", late=True, when=1e9), found(), seed=77,
+                  late=("1 day, 0:00:00", 10))
     late = late._replace(lateness=late.lateness._replace(handed_in="2001-09-09T01:46:40+00:00"))
-    agreed = record(submission("eve", late=True), found(), seed=5, overrides={
-        "1.2": (1, "as <agreed>")})
-    text = overview.overview([late, agreed], COLUMNS, "strict", ABOUT)
-    rows = section(text, "Everybody")
+    agreed = record(submission("eve", late=True), found(), seed=5,
+                    overrides={"1.2": (1, "as <agreed>")})
+    rows = section(class_page(late, agreed), "Everybody")
     assert rows.startswith("points of 3 handed in late points left by hand seed bob 3")
     assert "2001-09-09 01:46:40+00:00 LATE 1 day, 0:00:00 2.7 77" in rows
     assert "eve 2 LATE 2 1.2: 1 instead of 2 by hand (as &lt;agreed&gt;) 5" in rows
@@ -90,14 +96,13 @@ def test_everybody_s_row_tells_time_lateness_points_by_hand_and_seed():
 
 def test_the_class_s_page_says_how_many_are_still_to_be_graded():
     """After Ctrl-C, 3 of 8 rows look like the whole class."""
-    text = overview.overview([graded()], COLUMNS, "strict", ABOUT, waiting=2)
+    text = class_page(graded(), waiting=2)
     assert "1 of 3 submissions graded" in text and "2 are still to be graded" in text
 
 
 def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     """The median of nothing."""
-    nothing = record(submission("ada"), result(problem="no worker could be started\nno"))
-    text = overview.overview([nothing], COLUMNS, "strict", ABOUT)
+    text = class_page(record(submission("ada"), result(problem="no worker could be started\nno")))
     assert "0 of 1 submissions graded" in text
     assert section(text, "Everybody") == (
         "points of 3 seed problem ada 0 4 no worker could be started")
@@ -106,22 +111,20 @@ def test_a_class_of_which_nothing_could_be_graded_has_a_page():
 def test_a_lab_without_exercises_that_count_is_not_missed():
     """Full marks, and below them: "nothing could be checked"."""
     one = graded("ada", missing={"scanline": "there is no labs/scanline.py"})
-    assert "scanline" not in report.page(one, {}, ABOUT)
-    assert "scanline" not in overview.overview([one], COLUMNS, "strict", ABOUT)
+    assert "scanline" not in student_page(one) + class_page(one)
 
 
 def test_a_platform_s_number_has_a_name_beside_it():
     """Nobody knows who s1001 is."""
-    known = [submission("s1001", name="Ada <b>"),
-             submission("lovelaceada_7", "canvas", name="lovelaceada")]
-    text = overview.overview([graded(work=one) for one in known], COLUMNS, "strict", ABOUT)
-    rows = section(text, "Everybody")
+    rows = section(class_page(
+        graded(work=submission("s1001", name="Ada <b>")),
+        graded(work=submission("lovelaceada_7", "canvas", name="lovelaceada"))), "Everybody")
     assert "s1001 Ada &lt;b&gt; 3" in rows and "lovelaceada_ 7 3 4" in rows
 
 
 def test_the_class_s_page_begins_with_links_to_its_parts():
     """Everybody's row is below three screens of tables."""
-    text = overview.overview([graded("ada"), broken("cyd")], COLUMNS, "strict", ABOUT)
+    text = class_page(graded("ada"), broken("cyd"))
     anchors = re.findall(r'<h2 id="([\w-]+)"', text)
     assert anchors == re.findall(r'href="#([\w-]+)"', text) and "everybody" in anchors
 
@@ -131,14 +134,14 @@ def test_the_class_s_page_begins_with_links_to_its_parts():
 
 def test_that_a_lab_cannot_be_imported_is_said_once():
     """The same sentence under every check, and nothing else is found between them."""
-    text = report.page(broken("cyd"), {}, ABOUT)
+    text = student_page(broken("cyd"))
     assert text.count("cannot be imported") == 1 and "claims do not hold" not in text
 
 
 def test_what_fails_besides_is_still_said():
     """A lab is lost after its first exercises; what these got wrong is not told any more."""
     wrong = {**BROKEN, "It is twice as much": "expected 2"}
-    text = report.page(graded("cyd", wrong, missing={"transforms": IMPORT}), {}, ABOUT)
+    text = student_page(graded("cyd", wrong, missing={"transforms": IMPORT}))
     assert "expected 2" in text and "1.1 double" in text and text.count("<h2>1.2") == 0
 
 
@@ -146,19 +149,18 @@ def test_a_student_s_page_names_nobody():
     """A page that was shown to others, or marked without names, tells whose it is."""
     ada = submission("lovelaceada", "canvas", id="12", name="Ada Lovelace", email="ada@x.org",
                      notes=["lovelaceada_12_34_old.zip is older, Ada Lovelace_5.zip not"])
-    one = graded(work=ada, missing={
-        "transforms": "there is no labs/transforms.py (lovelaceada.rar: what?)"})
-    text = report.page(one, {}, ABOUT)
+    text = student_page(graded(work=ada, missing={
+        "transforms": "there is no labs/transforms.py (lovelaceada.rar: what?)"}))
     assert "ovelace" not in text and "..._12_34_old.zip is older" in text
 
 
 @pytest.mark.parametrize("make", [
-    lambda text: report.page(graded(wrong={"Zero stays": text}), {}, ABOUT),
-    lambda text: report.page(graded(work=submission("ada", notes=[text])), {}, ABOUT),
-    lambda text: report.page(graded(lost={"1.1": text}, wrong={"It is twice as much": ""}), {},
-                             ABOUT),
-    lambda text: overview.overview([graded(lost={"1.1": text})], COLUMNS, "strict", ABOUT),
-    lambda text: overview.overview([], COLUMNS, "strict", ABOUT, [(text, text)])])
+    lambda text: student_page(graded(wrong={"Zero stays": text})),
+    lambda text: student_page(graded(work=submission("ada", notes=[text]))),
+    lambda text: student_page(graded(lost={"1.1": text}, wrong={"It is twice as much": ""})),
+    lambda text: class_page(graded(lost={"1.1": text})),
+    lambda text: class_page(not_understood=[(text, text)])],
+    ids=["message", "note", "lost", "lost in the class", "not understood"])
 def test_megabytes_that_a_student_sends_are_cut(make):
     """Five hundred pages that no browser can open."""
     text = make("<x" * 500_000)
@@ -167,9 +169,10 @@ def test_megabytes_that_a_student_sends_are_cut(make):
 
 def test_tables_and_messages_scroll_by_themselves():
     """On a phone the whole page moves sideways."""
-    text = report.page(graded(wrong={"Zero stays": "x " * 200}), {}, ABOUT)
+    text = student_page(graded(wrong={"Zero stays": "x " * 200}))
     assert text.count('<div class="wide"><table>') == text.count("<table>") > 0
     assert "width=device-width" in text and "overflow-x: auto" in page.STYLE
+    assert "default-src 'none'" in text
     assert page.breakable("a_long_name") == "a_<wbr>long_<wbr>name"
 
 
@@ -177,10 +180,7 @@ def test_tables_and_messages_scroll_by_themselves():
 
 
 def put_reports(folder, *students):
-    for student in students:
-        path = folder / "students" / student / "report.html"
-        path.parent.mkdir(parents=True)
-        path.write_text(f"of {student}", "utf-8")
+    put(folder, {f"students/{student}/report.html": f"of {student}" for student in students})
 
 
 def test_reports_have_the_names_that_platforms_read(tmp_path):

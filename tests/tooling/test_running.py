@@ -1,5 +1,5 @@
 """How a class is graded: many at a time, stopped in the middle, on other machines."""
-import csv
+import contextlib
 import importlib.util
 import os
 import re
@@ -10,12 +10,11 @@ import time
 from pathlib import Path
 
 import pytest
-from small_course import CHECKS, LAB, first_lab, hand_in
+from small_course import CHECKS, LAB, first_lab, grade_command, grades, hand_in
 
 from course.grading.apart import running
 
 ENDLESS = LAB.replace("return x / 2, x > 0", "while True: x")
-COLUMNS = ["1.1 double", "1.2 quadruple", "1.3 split", "total", "hash"]
 
 
 @pytest.fixture(scope="module")
@@ -30,25 +29,17 @@ def handed_in(tmp_path):
     return tmp_path / "in"
 
 
-def command(folder, *options):
-    return ("course", "grade", str(folder / "in"), "--out", str(folder / "out"),
-            "--isolation", "process", *map(str, options))
-
-
-def rows(out):
-    with open(out / "grades.csv", encoding="utf-8") as file:
-        return {row["student"]: [row[column] for column in COLUMNS]
-                for row in csv.DictReader(file)}
+def marks(out):
+    columns = "1.1 double", "1.2 quadruple", "1.3 split", "hash", "total"
+    return [[row[column] for column in columns] for row in grades(out).values()]
 
 
 def processes(course):
     """The command lines of all processes that have to do with this copy of the course."""
     lines = []
     for path in Path("/proc").glob("[0-9]*/cmdline"):
-        try:
+        with contextlib.suppress(OSError):  # it has ended
             lines.append(path.read_bytes().replace(b"\0", b" ").decode())
-        except OSError:  # it has ended
-            continue
     return [line for line in lines if str(course) in line]
 
 
@@ -69,7 +60,7 @@ def test_a_run_that_is_stopped_ends_all_that_it_started(
     endless.write_text(ENDLESS)
     (tmp_path / "temporary").mkdir()
     settings = {**os.environ, "PYTHONUNBUFFERED": "1", "TMPDIR": str(tmp_path / "temporary")}
-    run = subprocess.Popen([sys.executable, "-m", *command(tmp_path, "--seconds", 100)],
+    run = subprocess.Popen([sys.executable, "-m", *grade_command(tmp_path, "--seconds", "100")],
                            cwd=course, env=settings, stdout=subprocess.PIPE,
                            stderr=subprocess.PIPE, text=True, start_new_session=True)
     assert run.stdout.readline().startswith("isolation: process")
@@ -90,9 +81,9 @@ def test_a_run_that_is_stopped_ends_all_that_it_started(
                                            "command with --resume goes on\n")
     if late:
         endless.write_text(LAB)
-        done = run_module(course, *command(tmp_path, "--seconds", 100, "--resume"))
+        done = run_module(course, *grade_command(tmp_path, "--seconds", 100, "--resume"))
         assert "1 submissions graded" in done.stdout and "2 were done before" in done.stdout
-        assert [row[3] for row in rows(tmp_path / "out").values()] == ["7", "6", "7"]
+        assert [row[-1] for row in marks(tmp_path / "out")] == ["7", "6", "7"]
 
 
 # --- a cluster --------------------------------------------------------------------------------
@@ -134,13 +125,13 @@ needs_dask = pytest.mark.skipif(not importlib.util.find_spec("distributed"),
 @needs_dask
 def test_a_cluster_gives_the_same_marks(course, handed_in, run_module, start, scheduler, tmp_path):
     """Workers that were started in the course's folder do not find it, or mark otherwise."""
-    done = run_module(course, *command(tmp_path))
+    done = run_module(course, *grade_command(tmp_path))
     assert done.returncode == 0, done.stderr
-    here = rows(tmp_path / "out")
+    here = marks(tmp_path / "out")
     start(course, "worker", scheduler, "--nworkers", "2", "--nthreads", "1")
-    done = run_module(course, *command(tmp_path, "--scheduler", scheduler))
+    done = run_module(course, *grade_command(tmp_path, "--scheduler", scheduler))
     assert done.returncode == 0, done.stderr
-    assert rows(tmp_path / "out") == here and [row[3] for row in here.values()] == ["7", "6"]
+    assert marks(tmp_path / "out") == here and [row[-1] for row in here] == ["7", "6"]
 
 
 @needs_dask
@@ -150,7 +141,7 @@ def test_workers_without_this_course_are_refused(
     """A traceback of Dask's, or half of a class is graded by last year's checks."""
     other = house(first_lab(checks=CHECKS + "#"))
     start(other if their == "another" else tmp_path, "worker", scheduler, "--nthreads", "1")
-    done = run_module(course, *command(tmp_path, "--scheduler", scheduler))
+    done = run_module(course, *grade_command(tmp_path, "--scheduler", scheduler))
     assert done.returncode == 2 and f"has {their} course: copy this one" in done.stderr
     assert done.stderr.count("\n") == 1 and not (tmp_path / "out" / "grades.csv").exists()
 
@@ -173,16 +164,15 @@ def test_a_scheduler_without_workers_is_told_in_one_sentence(scheduler, monkeypa
         next(running.examined([], 1, scheduler))
 
 
-def test_a_cluster_with_another_course_is_refused():
+@pytest.mark.parametrize(("about", "sentence"), [
+    (("0", "strict", ""), "another course"), (None, "no course"),
+    ((running.course_digest(), "process", "install"), "no sandbox: install")])
+def test_a_cluster_with_another_course_is_refused(about, sentence):
     """Half of a class is graded by last year's checks."""
-    ours = running.course_digest()
-    running.require_alike({"tcp://a": (ours, "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has another course"):
-        running.require_alike({"tcp://b": ("0", "strict", "")}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has no course"):
-        running.require_alike({"tcp://b": None}, "strict")
-    with pytest.raises(ValueError, match="tcp://b has no sandbox: install"):
-        running.require_alike({"tcp://b": (ours, "process", "install")}, "strict")
+    alike = {"tcp://a": (running.course_digest(), "strict", "")}
+    running.require_alike(alike, "strict")
+    with pytest.raises(ValueError, match=f"tcp://b has {sentence}"):
+        running.require_alike(alike | {"tcp://b": about}, "strict")
 
 
 def test_a_machine_that_comes_late_with_another_course_gives_no_marks():

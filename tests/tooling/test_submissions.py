@@ -4,9 +4,10 @@ import io
 import os
 import sys
 import tarfile
-import zipfile
+from pathlib import Path
 
 import pytest
+from submitted import put, zipped
 
 from course import exercises
 from course.grading.gradebook import lateness
@@ -15,40 +16,7 @@ from course.grading.handing import archives, submissions
 TOPICS = ("transforms", "rasterization")
 MOODLE = "Ada Lovelace_1234_assignsubmission_file"
 BRIGHTSPACE = "1234-567 - Ada Lovelace - "
-METADATA = """\
-submission_11:
-  :submitters:
-  - :name: Ada L
-    :sid: '0077'
-    :email: ada@x.edu
-  - :name: "Grace: H"
-    :sid: '78'
-  :created_at: 2026-01-02 10:00:00.418372000 Z
-submission_12:
-  :submitters:
-  - :name: Bob
-    :email: bob@x.edu
-  :results: !ruby/object:Some::Thing
-    :output: |
-      :sid: 79
-submission_13:
-  :submitters:
-  - :name: Ada L
-    :sid: '0077'
-  :created_at: 2026-01-02 10:30:00 +0100
-submission_14:
-  :submitters:
-  - :sid: '80'
-"""
-
-
-def zipped(files):
-    """{name: text or bytes} -> the bytes of a zip archive."""
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in files.items():
-            archive.writestr(name, text)
-    return content.getvalue()
+METADATA = Path(__file__).with_name("rosters") / "submission_metadata.yml"
 
 
 def tarred(files, mode="w:gz"):
@@ -66,55 +34,48 @@ def tarred(files, mode="w:gz"):
 @pytest.fixture
 def read(tmp_path):
     """read({path: text, bytes, or {path in the zip: text}}) -> what submissions.read returns."""
-    def put(files):
-        for time, (name, content) in enumerate(files.items()):
-            path = tmp_path / os.fsdecode(name)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            content = zipped(content) if isinstance(content, dict) else content
-            path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    def put_and_read(files):
+        for time, path in enumerate(put(tmp_path, files)):
             os.utime(path, (1e9 + time, 1e9 + time))
         return submissions.read(tmp_path, TOPICS)
-    return put
+    return put_and_read
 
 
 @pytest.fixture
 def handed_in(read):
     """handed_in(files) -> {student: Submission}, where everything is understood."""
-    def put(files):
+    def understood(files):
         found, not_understood = read(files)
         assert not_understood == []
         return {one.student: one for one in found}
-    return put
+    return understood
 
 
 # --- whose it is ------------------------------------------------------------------------------
 
 
+NAMES = {
+    "ada": ["ada/labs/transforms.py", "ada/transforms.py", "ada_transforms.py",
+            "ada - Transforms (1).py", "ada/homework/ada s work/labs/transforms.py"],
+    "lovelaceada_1234": [f"lovelaceada_{rest}" for rest in (
+        "1234_56789_transforms.py", "LATE_1234_56789_transforms-1.py",
+        "1234_56789_transforms (1).py", "1234_56789_Transforms.py")],
+    "de_la_cruz_1234": ["de_la_cruz_1234_56789_12_34_transforms.py"],
+    "anon_Ab3dE": ["anon_Ab3dE_56789_transforms.py", "LATE_anon_Ab3dE_56789_transforms.py"],
+    "Ada_Lovelace_1234": [
+        f"{MOODLE}_/transforms.py", f"{MOODLE}/labs/transforms.py", f"{MOODLE}_transforms.py",
+        f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - my - transforms.py",
+        f"{BRIGHTSPACE}Nov 22, 2026 905 AM/transforms.py",
+        f"{BRIGHTSPACE}22 nov. 2026 2359 - transforms.py"],
+    "Group_7": ["Group 7_assignsubmission_file/ada_transforms.py"],
+    "cmd": ["=cmd()/transforms.py"],
+    "Zoë": ["Zoë/transforms.py", "Zoe\u0308/transforms.py"],
+    "हिन्दी": ["हिन्दी/transforms.py"],
+}
+
+
 @pytest.mark.parametrize(("name", "student"), [
-    ("ada/labs/transforms.py", "ada"),
-    ("ada/transforms.py", "ada"),
-    ("ada/homework/ada s work/labs/transforms.py", "ada"),
-    ("ada_transforms.py", "ada"),
-    ("ada - Transforms (1).py", "ada"),
-    ("lovelaceada_1234_56789_transforms.py", "lovelaceada_1234"),
-    ("lovelaceada_LATE_1234_56789_transforms-1.py", "lovelaceada_1234"),
-    ("lovelaceada_1234_56789_transforms (1).py", "lovelaceada_1234"),
-    ("lovelaceada_1234_56789_Transforms.py", "lovelaceada_1234"),
-    ("de_la_cruz_1234_56789_12_34_transforms.py", "de_la_cruz_1234"),
-    ("anon_Ab3dE_56789_transforms.py", "anon_Ab3dE"),
-    ("LATE_anon_Ab3dE_56789_transforms.py", "anon_Ab3dE"),
-    (f"{MOODLE}_/transforms.py", "Ada_Lovelace_1234"),
-    (f"{MOODLE}/labs/transforms.py", "Ada_Lovelace_1234"),
-    (f"{MOODLE}_transforms.py", "Ada_Lovelace_1234"),
-    ("Group 7_assignsubmission_file/ada_transforms.py", "Group_7"),
-    (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - my - transforms.py", "Ada_Lovelace_1234"),
-    (f"{BRIGHTSPACE}Nov 22, 2026 905 AM/transforms.py", "Ada_Lovelace_1234"),
-    (f"{BRIGHTSPACE}22 nov. 2026 2359 - transforms.py", "Ada_Lovelace_1234"),
-    ("=cmd()/transforms.py", "cmd"),
-    ("Zoë/transforms.py", "Zoë"),
-    ("Zoe\u0308/transforms.py", "Zoë"),
-    ("हिन्दी/transforms.py", "हिन्दी"),
-])
+    (name, student) for student, names in NAMES.items() for name in names])
 def test_the_student_is_found_in_the_name(handed_in, name, student):
     """Half of a platform's name becomes the student, or a name is a formula in a table."""
     found = handed_in({name: "x = 1\n"})
@@ -163,7 +124,7 @@ def test_gradescope_s_export_names_all_submitters(read):
     """Everybody is called submission_11; of a group, one member gets points; 10:30 is later than
     10:00 in another zone; numbers lose their zeros; what a program printed is taken as a name."""
     found, not_understood = read({
-        "submission_metadata.yml": METADATA, "submission_11/transforms.py": "later",
+        METADATA.name: METADATA.read_text(), "submission_11/transforms.py": "later",
         "submission_12/transforms.py": "b", "submission_13/transforms.py": "earlier"})
     assert {one.student: one.texts["transforms"] for one in found} == {
         "0077": "later", "78": "later", "bob_x.edu": "b"}
@@ -178,17 +139,16 @@ def test_gradescope_s_export_names_all_submitters(read):
 def test_metadata_that_cannot_be_read_is_a_sentence(read):
     """Everybody is called submission_11, and nobody says why."""
     with pytest.raises(ValueError, match=r"is not as Gradescope exports it \(.*download it again"):
-        read({"submission_metadata.yml": "a: [", "submission_11/transforms.py": "x"})
+        read({METADATA.name: "a: [", "submission_11/transforms.py": "x"})
 
 
 def test_namesakes_are_two_people(handed_in):
     """One of two students gets the other's marks."""
-    found = handed_in({"lovelaceada_1234_5_transforms.py": "1",
-                       "lovelaceada_99_6_transforms.py": "2",
-                       f"{MOODLE}/transforms.py": "3", f"{MOODLE.replace('1', '9')}/transforms.py":
-                       "4", "ada x/transforms.py": "5", "ada_x/transforms.py": "6",
-                       "ADA_X/transforms.py": "7"})
-    assert sorted(one.texts["transforms"] for one in found.values()) == list("1234567")
+    names = ["lovelaceada_1234_5_transforms.py", "lovelaceada_99_6_transforms.py",
+             f"{MOODLE}/transforms.py", f"{MOODLE.replace('1', '9')}/transforms.py",
+             "ada x/transforms.py", "ada_x/transforms.py", "ADA_X/transforms.py"]
+    found = handed_in({name: name for name in names})
+    assert sorted(one.texts["transforms"] for one in found.values()) == sorted(names)
     assert len({name.casefold() for name in found}) == 7
 
 
@@ -216,20 +176,18 @@ BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
 
 
 @pytest.mark.parametrize(("name", "content"), [
-    ("ada.zip", {**LAB, "labs/notes.txt": ""}),
-    ("lovelaceada_1234_56789_labs.zip", LAB),
-    (f"{MOODLE}_/labs.zip", LAB),
+    ("lovelaceada_1234_56789_labs.zip", LAB), (f"{MOODLE}_/labs.zip", LAB),
     (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - labs.zip", LAB),
+    ("ada.zip", {**LAB, "labs/notes.txt": ""}),
     ("ada.zip", {"course/labs/transforms.py": "x = 1\n", "course/reference/transforms.py": "no",
                  "course/tests/mistakes/transforms.py": "no", "course/course/cli.py": "no",
                  "course/course/handed_out/transforms.py": "no"}),
     ("ada.zip", {**BIG, **LAB}),
-    ("ada.zip", {"labs\\transforms.py": "x = 1\n"}),
-    ("ada.zip", {"labs/transforms (1).py": "x = 1\n"}),
-    ("ada.zip", {"labs/Transforms.py": "x = 1\n"}),
+    *(("ada.zip", {name: "x = 1\n"}) for name in (
+        "labs\\transforms.py", "labs/transforms (1).py", "labs/Transforms.py")),
     ("ada.tar.gz", tarred(LAB)), ("ada.tgz", tarred(LAB)), ("ada.tar", tarred(LAB, "w")),
     ("lovelaceada_1234_56789_labs.tar.gz", tarred(LAB)),
-    ("ada.rar", zipped(LAB)),
+    ("ada.rar", zipped(LAB.items())),
     ("ada/homework/labs.tar.gz", tarred(LAB)),
 ])
 def test_archives_are_read(handed_in, name, content):
@@ -238,28 +196,32 @@ def test_archives_are_read(handed_in, name, content):
     assert one.texts == {"transforms": "x = 1\n"}
 
 
-@pytest.mark.parametrize("files", [
-    {"ada_12_500_labs.zip": {"transforms.py": "old"},
-     "ada_12_700_labs.zip": {"transforms.py": "new"}},
-    {"ada_12_700_labs.zip": {"transforms.py": "new"},
-     "ada_12_600_labs-2.zip": {"transforms.py": "old"}},
-    {"ada_12_700_transforms-2.py": "old", "ada_12_701_transforms-1.py": "new"},
-    {"ada_12_5_transforms.py": "older", "ada_12_6_labs.zip": {"transforms.py": "old"},
-     "ada_12_7_transforms.py": "new"},
-    {"ada_12_5_transforms.py": "old", "ada_12_6_labs.zip": {"transforms.py": "new"}},
-    {"ada_transforms.py": "old", "ada.zip": {"transforms.py": "new"}},
-    {"ada/transforms.py": "old", "ada/transforms (1).py": "new"},
-    {"ada/transforms.py": "old", "ada/labs.zip": {"transforms.py": "new"}},
-    {"ada/labs (1).zip": {"transforms.py": "old"}, "ada/labs.zip": {"transforms.py": "new"}},
-    {f"{MOODLE}/2.zip": {"transforms.py": "old"}, f"{MOODLE}/1.zip": {"transforms.py": "new"}},
-    {"1-2 - A B - Nov 22, 2026 1159 PM - x.py/transforms.py": "new",
-     "1-2 - A B - Nov 3, 2026 1159 PM - labs.zip": {"transforms.py": "old"}},
-    {"ada_12_6_labs.zip": b"PK broken", "ada_12_5_labs.zip": {"transforms.py": "new"}},
+@pytest.mark.parametrize(("names", "newest"), [  # in the order of their files' times
+    (["ada_12_500_labs.zip", "ada_12_700_labs.zip"], 1),
+    (["ada_12_700_labs.zip", "ada_12_600_labs-2.zip"], 0),
+    (["ada_12_700_transforms-2.py", "ada_12_701_transforms-1.py"], 1),
+    (["ada_12_5_transforms.py", "ada_12_6_labs.zip", "ada_12_7_transforms.py"], 2),
+    (["ada_12_5_transforms.py", "ada_12_6_labs.zip"], 1),
+    (["ada_transforms.py", "ada.zip"], 1),
+    (["ada/transforms.py", "ada/transforms (1).py"], 1),
+    (["ada/transforms.py", "ada/labs.zip"], 1),
+    (["ada/labs (1).zip", "ada/labs.zip"], 1),
+    ([f"{MOODLE}/2.zip", f"{MOODLE}/1.zip"], 1),
+    ([f"1-2 - A B - Nov {rest}" for rest in (
+        "22, 2026 1159 PM - x.py/transforms.py", "3, 2026 1159 PM - labs.zip")], 0),
 ])
-def test_a_student_s_newest_wins(handed_in, files):
+def test_a_student_s_newest_wins(handed_in, names, newest):
     """The first one is graded, or the one whose name sorts last, or a file before any zip."""
-    one, = handed_in(files).values()
+    texts = {name: "new" if name == names[newest] else "old" for name in names}
+    one, = handed_in({name: {"transforms.py": text} if name.endswith(".zip") else text
+                      for name, text in texts.items()}).values()
     assert one.texts == {"transforms": "new"} and one.notes
+
+
+def test_what_is_broken_and_newer_counts_for_nothing(handed_in):
+    """The labs of an hour ago are lost with the last upload, or nobody is told of it."""
+    one, = handed_in({"ada_12_6_labs.zip": b"PK broken", "ada_12_5_labs.zip": LAB}).values()
+    assert one.texts == {"transforms": "x = 1\n"} and one.notes
 
 
 def test_the_newest_counts_for_each_lab(handed_in):
@@ -367,7 +329,7 @@ def test_what_is_nobody_s_is_told(read, name):
 
 @pytest.mark.parametrize("make", [
     lambda: tarred({f"{number}/{number}.py": "" for number in range(archives.MOST_READS // 2)}),
-    lambda: tarred({"a.txt": "\0" * 5000}), lambda: zipped({"a" * 5000: ""})],
+    lambda: tarred({"a.txt": "\0" * 5000}), lambda: zipped([("a" * 5000, "")])],
     ids=["many", "much", "long"])
 def test_an_archive_that_never_ends_is_refused(handed_in, monkeypatch, make):
     """Days, or all of the memory, for a few bytes that one student has sent."""
