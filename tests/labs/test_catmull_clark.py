@@ -51,7 +51,7 @@ def test_face_points_of_a_triangle_and_a_square_on_paper(impl):
     """A face point is the sum of the corners over 4, also for a triangle, or is made of moved
     vertices. Face points come before the edge points, or are left out; they must come last."""
     got = impl.catmull_clark_slow(*HOUSE)
-    assert_close(got[11:], np.array([[16, 40], [8, 16.0]]))
+    assert_close(got[11:], [[16, 40], [8, 16.0]])
 
 
 @exercise("11.10")
@@ -60,7 +60,7 @@ def test_boundary_vertices_of_a_house_on_paper(impl):
     ring pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8.
     Vertices already moved pull."""
     got = impl.catmull_clark_slow(*HOUSE)
-    assert_close(got[:5], np.array([[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]]))
+    assert_close(got[:5], [[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]])
 
 
 @exercise("11.10")
@@ -69,7 +69,7 @@ def test_edge_points_of_a_house_on_paper(impl):
     middle, lacks its ends or a face point, or has Loop's weights. Points are made of moved
     vertices, or come in another order."""
     got = impl.catmull_clark_slow(*HOUSE)  # of the edges 0 1, 0 3, 1 2, 2 3, 2 4, 3 4
-    assert_close(got[5:11], np.array([[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]]))
+    assert_close(got[5:11], [[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]])
 
 
 @exercise("11.10")
@@ -88,8 +88,7 @@ def test_a_square_alone_on_paper(impl):
     """A corner stays, or the boundary is pulled inwards. The face point is left out."""
     got = impl.catmull_clark_slow(np.array([[0.0, 0], [8, 0], [8, 16], [0, 16]]),
                                   np.array([0, 1, 2, 3]), np.array([4]))
-    assert_close(got, np.array([[1, 2], [7, 2], [7, 14], [1, 14], [4, 0], [0, 8], [8, 8], [4, 16],
-                                [4, 8.0]]))
+    assert_close(got, [[1, 2], [7, 2], [7, 14], [1, 14], [4, 0], [0, 8], [8, 8], [4, 16], [4, 8.0]])
 
 
 @exercise("11.10")
@@ -99,8 +98,7 @@ def test_a_cube_on_paper(impl):
     got = impl.catmull_clark_slow(CUBE_VERTICES, *flat(CUBE))
     assert_close(got[:8], 5 / 9 * CUBE_VERTICES)
     assert_close(got[[8, 19]], np.array([[-3, -3, 0], [3, 3, 0]]) / 4)
-    assert_close(got[20:], np.array([[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1],
-                                     [0, 0, 1]]))
+    assert_close(got[20:], [[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]])
 
 
 @exercise("11.10")
@@ -109,7 +107,7 @@ def test_two_triangles_back_to_back_on_paper(impl):
     as one."""
     got = impl.catmull_clark_slow(np.array([[12.0], [0.0], [6.0]]), np.array([0, 1, 2, 2, 1, 0]),
                                   np.array([3, 3]))
-    assert_close(got.T, np.array([[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]]))
+    assert_close(got.T, [[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]])
 
 
 @exercise("11.10")
@@ -155,8 +153,7 @@ def test_the_inner_edge_of_a_house_on_paper(impl):
     edges = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
     entries = impl.catmull_clark_edge_rows(edges, np.array([3, 4, 5, 0, 2, 3, 1]), np.array([3, 4]),
                                            6)
-    expected = np.array([0, 0, 1, 1, 0, 0, 1, 1]) / 4
-    assert_close(dense(entries, (6, 8))[3], expected)
+    assert_close(dense(entries, (6, 8))[3], np.array([0, 0, 1, 1, 0, 0, 1, 1]) / 4)
 
 
 @exercise("11.11")
@@ -243,9 +240,9 @@ def test_a_triangle_and_a_square_become_seven_quads(impl):
     way or begins elsewhere."""
     corners, counts = np.array([0, 1, 2, 2, 1, 4, 3]), np.array([3, 4])
     corner_edge = np.array([0, 2, 1, 2, 3, 5, 4])  # 01, 02, 12, 14, 23, 34
-    assert_equal(impl.catmull_clark_faces(corners, counts, corner_edge, 6), np.array([
+    assert_equal(impl.catmull_clark_faces(corners, counts, corner_edge, 6), [
         [0, 6, 12, 7], [1, 8, 12, 6], [2, 7, 12, 8],
-        [2, 8, 13, 10], [1, 9, 13, 8], [4, 11, 13, 9], [3, 10, 13, 11]]))
+        [2, 8, 13, 10], [1, 9, 13, 8], [4, 11, 13, 9], [3, 10, 13, 11]])
 
 
 @exercise("11.13")
@@ -276,8 +273,8 @@ def test_the_limit_of_a_cube_on_paper(impl):
     edges = topology(quads)[0]
     entries = impl.catmull_clark_limit_rows(edges, np.zeros(12, bool), quads, np.full(8, 3))
     got = dense(entries, (8, 8))
-    assert_close(24 * got[0], np.array([9.0, 4, 4, 1, 4, 1, 1, 0]))
-    assert_close(24 * got[6], np.array([1.0, 0, 4, 1, 4, 1, 9, 4]))
+    assert_close(24 * got[0], [9.0, 4, 4, 1, 4, 1, 1, 0])
+    assert_close(24 * got[6], [1.0, 0, 4, 1, 4, 1, 9, 4])
 
 
 @exercise("11.15")
@@ -303,8 +300,8 @@ def test_the_inner_corner_of_an_l_is_on_the_boundary(impl):
     edges, _, is_boundary = topology(quads)
     n = valence_of(8, edges)
     got = dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (8, 8))
-    assert_close(6 * got[4], np.array([0.0, 0, 0, 0, 4, 1, 0, 1]))
-    assert_close(6 * got[1], np.array([1.0, 4, 1, 0, 0, 0, 0, 0]))
+    assert_close(6 * got[4], [0.0, 0, 0, 0, 4, 1, 0, 1])
+    assert_close(6 * got[1], [1.0, 4, 1, 0, 0, 0, 0, 0])
 
 
 @exercise("11.15")

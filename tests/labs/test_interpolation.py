@@ -82,7 +82,7 @@ def test_halfway_on_the_screen_is_a_quarter_of_the_way(impl):
     """
     w_0 = np.array([2.0, 1.0, 3.0, 5.0, 2.0, 4.0])
     got = impl.fraction_in_space(np.array([0.0, 0.25, 0.5, 0.75, 0.9, 1.0]), w_0, 3 * w_0)
-    assert_close(got, np.array([0.0, 0.1, 0.25, 0.5, 0.75, 1.0]))
+    assert_close(got, [0.0, 0.1, 0.25, 0.5, 0.75, 1.0])
 
 
 @exercise("5.2")
@@ -121,8 +121,8 @@ def test_gradients_of_the_fraction_on_paper(impl):
     got = impl.fraction_in_space_backward(
         np.array([16.0, 50.0, 100.0, -32.0]), np.array([0.5, 0.25, 0.75, 0.5]),
         np.array([2.0, 2.0, 4.0, 5.0]), np.array([6.0, 6.0, 8.0, 3.0]))
-    assert_close(got, (np.array([12.0, 24.0, 128.0, -30.0]), np.array([1.5, 2.25, 6.0, -1.5]),
-                       np.array([-0.5, -0.75, -3.0, 2.5])))
+    assert_close(got, ([12.0, 24.0, 128.0, -30.0], [1.5, 2.25, 6.0, -1.5],
+                       [-0.5, -0.75, -3.0, 2.5]))
 
 
 @exercise("5.3")
@@ -148,7 +148,7 @@ def test_attributes_along_a_segment_on_paper(impl):
     t, a_0, a_1 = np.array([0.0, 0.25, 0.5, 0.75, 0.9]), np.array([10.0, 30.0]), \
         np.array([20.0, -10.0])
     # 0, 1/10, 1/4, 1/2 and 3/4 of the way in space
-    expected = np.array([[10.0, 30.0], [11.0, 26.0], [12.5, 20.0], [15.0, 10.0], [17.5, 0.0]])
+    expected = [[10.0, 30.0], [11.0, 26.0], [12.5, 20.0], [15.0, 10.0], [17.5, 0.0]]
     assert_close(impl.attribute_on_segment(t, a_0, a_1, 2.0, 6.0), expected)
 
 
@@ -198,7 +198,7 @@ def test_any_multiple_of_the_weights_gives_the_same(impl, rng):
     for factor in 1e-9, -7.0:
         got = [impl.barycentric_from_screen(factor * e, w),
                impl.barycentric_from_screen(e, factor * w)]
-        assert_close(np.array(got), np.array([expected, expected]))
+        assert_close(np.array(got), [expected, expected])
 
 
 def matrix_and_edges(rng, count):
@@ -349,10 +349,10 @@ def test_the_rows_of_six_pixels(impl):
     three entries each. Entries come corner by corner instead of pixel by pixel. A pixel without a
     face has entries.
     """
-    expected = (np.array([0, 3, 6, 9, 12, 12, 15]),
-                np.array([0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2]),
-                np.array([0.5, 0.3, 0.2,  0.7, 0.2, 0.1,  0.2, 0.5, 0.3,
-                          0.1, 0.6, 0.3,  0.3, 0.6, 0.1]))
+    expected = ([0, 3, 6, 9, 12, 12, 15],
+                [0, 1, 2,  4, 2, 0,  2, 1, 3,  4, 2, 0,  0, 1, 2],
+                [0.5, 0.3, 0.2,  0.7, 0.2, 0.1,  0.2, 0.5, 0.3,
+                 0.1, 0.6, 0.3,  0.3, 0.6, 0.1])
     assert_equal(impl.weight_rows(FACES, FACE_INDEX, WEIGHTS), expected)
 
 
@@ -407,9 +407,8 @@ def test_an_empty_picture(impl):
 def test_attributes_are_those_of_nvdiffrast(impl, scene):
     """uv of their own faces, many attributes, slivers: within what 32 bits allow."""
     of = golden(scene)
-    got = impl.interpolate(of["attributes"], of["faces"], of["face_index"], of["weights"])
-    assert_picture(got, of["output"], atol=2e-6,
-                   given=f"scene {scene} of tests/golden/interpolate.npz")
+    assert_picture(impl.interpolate(of["attributes"], of["faces"], of["face_index"], of["weights"]),
+                   of["output"], atol=2e-6, given=f"scene {scene} of tests/golden/interpolate.npz")
 
 
 @exercise("5.12")
@@ -503,8 +502,8 @@ def test_the_gradients_of_two_footprints(impl):
     grad_output = np.full((2, 2, 3, 2), 9.0)
     grad_output[0, 0] = [[2.0, 4.0], [8.0, -1.0], [3.0, 6.0]]
     grad_output[1, 1] = [[1.0, -2.0], [-3.0, 6.0], [4.0, 2.0]]
-    grad_attributes = np.array([[0.3, -0.9, 2.2], [-2.4, 2.3, -3.6], [-1.0, -0.7, -1.5],
-                                [2.2, 2.0, 3.3], [0.9, -2.7, -0.4], [0.0, 0.0, 0.0]])
+    grad_attributes = [[0.3, -0.9, 2.2], [-2.4, 2.3, -3.6], [-1.0, -0.7, -1.5],
+                       [2.2, 2.0, 3.3], [0.9, -2.7, -0.4], [0.0, 0.0, 0.0]]
     grad_derivatives = np.zeros((2, 2, 3, 2))
     grad_derivatives[0, 0] = [[32.0, 13.0], [7.0, 48.0], [48.0, 113.0]]
     grad_derivatives[1, 1] = [[4.0, 52.0], [-15.0, -10.0], [13.0, -6.0]]

@@ -63,7 +63,7 @@ def test_boundary_vertices_of_two_triangles_on_paper(impl):
     pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8. Vertices
     already moved pull. The edges' points come first."""
     got = impl.loop_slow(*TWO)
-    assert_close(got[:4], np.array([[2, 3], [13, 11], [8, 33], [1, 17.0]]))
+    assert_close(got[:4], [[2, 3], [13, 11], [8, 33], [1, 17.0]])
 
 
 @exercise("11.5")
@@ -72,7 +72,7 @@ def test_edge_points_of_two_triangles_on_paper(impl):
     inside's rule is used on a boundary edge, or the opposite corner pulls there. Points are made of
     moved vertices, not of the old ones. Edges come in another order."""
     got = impl.loop_slow(*TWO)  # of the edges 0 1, 0 3, 1 2, 1 3, 2 3
-    assert_close(got[4:], np.array([[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]]))
+    assert_close(got[4:], [[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]])
 
 
 @exercise("11.5")
@@ -81,7 +81,7 @@ def test_a_tetrahedrons_vertices_on_paper(impl):
     The u is that of a neighbour, or it is computed from n, and the given u is not used."""
     got = impl.loop_slow(np.array([[16.0], [32.0], [0.0], [8.0]]), TETRAHEDRON,
                          np.array([1 / 8, 1 / 16, 1 / 4, 3 / 8]))
-    assert_close(got[:4].T, np.array([[15, 27.5, 14, 17]]))
+    assert_close(got[:4].T, [[15, 27.5, 14, 17]])
 
 
 @exercise("11.5")
@@ -90,7 +90,7 @@ def test_a_tetrahedrons_edge_points_on_paper(impl):
     ends."""
     got = impl.loop_slow(np.array([[16.0], [0.0], [0.0], [8.0]]), TETRAHEDRON,
                          np.array([1 / 8, 1 / 8, 1 / 4, 3 / 16]))
-    assert_close(got.T, np.array([[11, 3, 6, 6.5, 7, 7, 9, 3, 5, 5]]))
+    assert_close(got.T, [[11, 3, 6, 6.5, 7, 7, 9, 3, 5, 5]])
 
 
 @exercise("11.5")
@@ -99,8 +99,8 @@ def test_a_vertex_of_no_face_stays(impl):
     it are wrong."""
     vertices = np.array([[8.0, 3.0], [0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     got = impl.loop_slow(vertices, np.array([[1, 2, 3]]), np.full(4, 0.3))
-    assert_close(got[0], np.array([8.0, 3.0]))
-    assert_close(got[1:4], np.array([[1.0, 1.0], [6.0, 1.0], [1.0, 6.0]]))
+    assert_close(got[0], [8.0, 3.0])
+    assert_close(got[1:4], [[1.0, 1.0], [6.0, 1.0], [1.0, 6.0]])
 
 
 @exercise("11.5")
@@ -165,8 +165,8 @@ def test_two_triangles_become_eight(impl):
     face's edges are not read as AB, BC, CA. Triangles come kind by kind, or the middle one is left
     out. A child is wound the other way, or begins elsewhere."""
     faces, corner_edge = np.array([[3, 1, 0], [1, 3, 2]]), np.array([3, 0, 1, 3, 4, 2])
-    assert_equal(impl.loop_faces(faces, corner_edge, 6), np.array([
-        [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]]))
+    assert_equal(impl.loop_faces(faces, corner_edge, 6), [
+        [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]])
 
 
 @exercise("11.9")
@@ -193,7 +193,7 @@ def test_limit_weights_on_paper(impl):
     down, multiplied by u, or by n, not added. u is not used, or m is u itself. m is multiplied by
     n, n is left out, or a sign is wrong."""
     n, u = np.array([6, 3, 4, 7, 2]), np.array([1 / 16, 3 / 16, 3 / 32, 1 / 8, 1 / 24])
-    assert_close(impl.limit_weight(n, u), np.array([1 / 12, 1 / 5, 1 / 8, 1 / 10, 1 / 11]))
+    assert_close(impl.limit_weight(n, u), [1 / 12, 1 / 5, 1 / 8, 1 / 10, 1 / 11])
 
 
 @exercise("11.14")
@@ -203,4 +203,4 @@ def test_many_steps_lead_to_the_limit(impl, rng):
         # The mean of a ring's new points: 3/8 v + 3/8 + 1/8 + 1/8 of the ring's mean.
         step = np.array([[1 - n * u, n * u], [3 / 8, 5 / 8]])
         expected = np.linalg.matrix_power(step, 200)[0, 1] / n
-        assert_close(impl.limit_weight(np.array([n]), np.array([u])), np.array([expected]))
+        assert_close(impl.limit_weight(np.array([n]), np.array([u])), [expected])

@@ -238,10 +238,10 @@ def test_gradients_of_the_normals_on_paper(impl):
     along n is taken away, which is eq. (4)'s.
     """
     # grad_colour * albedo is (5, 4), (-1, 8), (1, 1.8), (6, -6). E falls by 2 with x, and so on.
-    expected = np.array([[5 * -2 + 4 * 0.25, 5 * 1 + 4 * 0.5, 5 * 3 - 4 * 1],
-                         [-1 * -2 + 8 * 0.25, -1 * 1 + 8 * 0.5, -1 * 3 - 8 * 1],
-                         [1 * -2 + 1.8 * 0.25, 1 * 1 + 1.8 * 0.5, 1 * 3 - 1.8 * 1],
-                         [6 * -2 - 6 * 0.25, 6 * 1 - 6 * 0.5, 6 * 3 + 6 * 1]])
+    expected = [[5 * -2 + 4 * 0.25, 5 * 1 + 4 * 0.5, 5 * 3 - 4 * 1],
+                [-1 * -2 + 8 * 0.25, -1 * 1 + 8 * 0.5, -1 * 3 - 8 * 1],
+                [1 * -2 + 1.8 * 0.25, 1 * 1 + 1.8 * 0.5, 1 * 3 - 1.8 * 1],
+                [6 * -2 - 6 * 0.25, 6 * 1 - 6 * 0.5, 6 * 3 + 6 * 1]]
     assert_close(impl.shade_backward(*lit_points())[1], expected)
 
 
@@ -289,9 +289,8 @@ def test_gradients_of_one_face_on_paper(impl):
     # gradients add up to (27, 0, 0), of which (15, -6, -12) is across n: g = (5, -2, -4).
     vertices = np.array([[3.0, 1.0, 4.0], [4.0, -1.0, 4.0], [4.0, 1.0, 3.0]])
     grad = np.array([[20.0, 3.0, -1.0], [4.0, -5.0, 3.0], [3.0, 2.0, -2.0]])
-    expected = np.array([[10.0, 5, 10], [-2, -1, -2], [-8, -4, -8]])  # (b - c) x g, ...
-    got = impl.vertex_normals_backward(grad, vertices, np.array([[0, 1, 2]]))
-    assert_close(got, expected)
+    expected = [[10.0, 5, 10], [-2, -1, -2], [-8, -4, -8]]  # (b - c) x g, ...
+    assert_close(impl.vertex_normals_backward(grad, vertices, np.array([[0, 1, 2]])), expected)
 
 
 @exercise("16.6")
@@ -324,8 +323,7 @@ def test_faces_that_cancel_hand_nothing_back(impl):
     """0 / 0 where two faces lie back to back."""
     vertices = np.array([[0.0, 0, 0], [2.0, 0, 0], [0.0, 2.0, 0], [0.0, 0.0, 2.0]])
     faces = np.array([[0, 1, 2], [0, 2, 1]])
-    got = impl.vertex_normals_backward(np.ones((4, 3)), vertices, faces)
-    assert_close(got, np.zeros((4, 3)))
+    assert_close(impl.vertex_normals_backward(np.ones((4, 3)), vertices, faces), np.zeros((4, 3)))
 
 
 @exercise("16.6", fine_print=True)
@@ -347,7 +345,7 @@ def test_small_faces_turn_faster(impl):
     vertices, faces = 0.1 * np.array([[0.0, 0, 0], [1.0, 0, 0], [0, 1.0, 0]]), np.array([[0, 1, 2]])
     got = impl.vertex_normals_backward(np.array([[3.0, 0, 0], [0, 0, 0], [0, 0, 0]]), vertices,
                                        faces)
-    assert_close(got, np.array([[0, 0, 30.0], [0, 0, -30.0], [0, 0, 0]]))
+    assert_close(got, [[0, 0, 30.0], [0, 0, -30.0], [0, 0, 0]])
 
 
 @exercise("16.6")
@@ -421,14 +419,14 @@ def test_the_level_on_paper(impl):
     ends = np.array([[1, 0], [1, 3], [4, 3], [2, 5]])
     distance = np.array([3.0, -1.0, -2.0, 4.0, -6.0, 0.5])  # t = 1/4, 1/5, 3/5, 4/5
     got = impl.level_backward(np.array([8.0, 10.0, 100.0, -5.0]), ends, distance)
-    assert_close(got, np.array([2.0, 6.0 + 8.0, -1.0, 2.0 + 60.0, 40.0, -4.0]))
+    assert_close(got, [2.0, 6.0 + 8.0, -1.0, 2.0 + 60.0, 40.0, -4.0])
 
 
 @exercise("16.9")
 def test_the_level_where_the_surface_meets_a_point_of_the_grid(impl):
     """A distance of 0 is divided by, or its end gets less than all."""
     got = impl.level_backward(np.array([10.0]), np.array([[1, 2]]), np.array([5.0, -1.0, 0.0, 3.0]))
-    assert_close(got, np.array([0.0, 0.0, 10.0, 0.0]))
+    assert_close(got, [0.0, 0.0, 10.0, 0.0])
 
 
 @exercise("16.9")
@@ -542,15 +540,14 @@ def test_gradients_of_sign_changes_on_paper(impl):
     distance = np.log([1 / 4, 3, 1 / 2, 5, 9, 7, 11])
     edges = np.array([[0, 1], [1, 2], [0, 2], [3, 1], [0, 4], [0, 3], [5, 2]])
     got = impl.sign_changes_backward(60.0, distance, edges)
-    assert_close(got, np.array([-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5, 0.0]))
+    assert_close(got, [-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5, 0.0])
 
 
 @exercise("16.11", fine_print=True)
 def test_at_zero_and_far_away(impl):
     """A distance of 0 has no slope, as np.sign is 0 there; or exp overflows for large distances."""
     distance, edges = np.array([0.0, -1000.0, 1000.0]), np.array([[0, 1], [2, 1], [0, 2]])
-    got = impl.sign_changes_backward(2.0, distance, edges)
-    assert_close(got, np.array([1.0, -4.0, 2.0]))
+    assert_close(impl.sign_changes_backward(2.0, distance, edges), [1.0, -4.0, 2.0])
 
 
 @exercise("16.11")
@@ -706,7 +703,7 @@ def test_the_scale_on_paper(impl):
     found = np.array([[1.0, 2.0, 1.0, 3.0], [2.0, 1.0, 2.0, -1.0], [2.0, -2.0, 4.0, 0.5]])
     truth = np.array([[3.0, 1.0, 4.0, 2.0], [5.0, 7.0, 7.0, 1.0], [7.0, 0.0, 6.0, 0.25]])
     # 27 / 9, 9 / 9, 42 / 21, 5.125 / 10.25
-    assert_close(impl.best_scale(found, truth), np.array([3.0, 1.0, 2.0, 0.5]))
+    assert_close(impl.best_scale(found, truth), [3.0, 1.0, 2.0, 0.5])
 
 
 @exercise("16.14")

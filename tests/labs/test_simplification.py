@@ -32,8 +32,8 @@ from course.given.gradcheck import gradcheck
 def test_the_quadric_of_a_plane(impl):
     """p is scaled to a unit normal first. d is left out: the last row and column are 0. Only the
     diagonal is filled. The inner product, row times column, gives a number, not a matrix."""
-    expected = np.array([[1.0, 2.0, 3.0, 4.0], [2.0, 4.0, 6.0, 8.0],
-                         [3.0, 6.0, 9.0, 12.0], [4.0, 8.0, 12.0, 16.0]])
+    expected = [[1.0, 2.0, 3.0, 4.0], [2.0, 4.0, 6.0, 8.0],
+                [3.0, 6.0, 9.0, 12.0], [4.0, 8.0, 12.0, 16.0]]
     assert_close(impl.plane_quadrics(np.array([1.0, 2.0, 3.0, 4.0])), expected)
 
 
@@ -42,8 +42,7 @@ def test_one_quadric_for_each_plane(impl, rng):
     """The matrices of all planes are summed into one. Leading axes are lost, or only one is
     understood. All axes are transposed (.T), not the last two. Planes are mixed with each other."""
     p = rng.normal(size=(3, 2, 4))
-    expected = np.array([[outer(p[i, j]) for j in range(2)] for i in range(3)])
-    assert_close(impl.plane_quadrics(p), expected)
+    assert_close(impl.plane_quadrics(p), [[outer(p[i, j]) for j in range(2)] for i in range(3)])
 
 
 @exercise("12.3")
@@ -82,14 +81,14 @@ def test_errors_of_four_points_on_paper(impl):
     q = np.concatenate([planes_of([2, -1, 3, -4]), planes_of([0, 1, 2, 1], [3, 0, 0, 2]),
                         planes_of([1, 5, 0, 0]), planes_of([0, 0, 4, -7], [1, 1, 1, 1])])
     x = np.array([[3.0, 1.0, 2.0], [2.0, 4.0, 3.0], [6.0, -1.0, 8.0], [5.0, 7.0, 1.0]])
-    assert_close(impl.quadric_error(q, x), np.array([49.0, 185.0, 1.0, 205.0]))
+    assert_close(impl.quadric_error(q, x), [49.0, 185.0, 1.0, 205.0])
 
 
 @exercise("12.4")
 def test_the_error_is_the_double_sum(impl, rng):
     """The leading shapes of q and x do not broadcast. Q is taken for symmetric."""
     q, x = rng.normal(size=(2, 1, 4, 4)), rng.normal(size=(5, 3))
-    expected = np.array([[error(q[i, 0], x[j]) for j in range(5)] for i in range(2)])
+    expected = [[error(q[i, 0], x[j]) for j in range(5)] for i in range(2)]
     assert_close(impl.quadric_error(q, x), expected)
 
 
@@ -123,10 +122,10 @@ def test_boundary_planes_of_a_triangle(impl):
     does. n is not of length 1. d has the wrong sign. It is the plane of the face itself. Edges are
     not ascending."""
     vertices = np.array([[1.0, 2.0, 5.0], [5.0, 2.0, 5.0], [1.0, 5.0, 5.0]])
-    expected = np.array([[0.0, -1.0, 0.0, 2.0], [-1.0, 0.0, 0.0, 1.0], [0.6, 0.8, 0.0, -4.6]])
+    expected = [[0.0, -1.0, 0.0, 2.0], [-1.0, 0.0, 0.0, 1.0], [0.6, 0.8, 0.0, -4.6]]
     for face in [0, 1, 2], [1, 0, 2]:
         edges, p = impl.boundary_planes(vertices, np.array([face]))
-        assert_equal(edges, np.array([[0, 1], [0, 2], [1, 2]]))
+        assert_equal(edges, [[0, 1], [0, 2], [1, 2]])
         assert_close(p, expected)
 
 
@@ -174,8 +173,7 @@ def test_the_best_place_on_a_segment_on_paper(impl):
                   [1.0, 1.0, 1.0]])
     b = np.array([[8.0, 4.0, 1.0], [5.0, 4.0, 6.0], [9.0, 9.0, 0.0], [8.0, 7.0, 1.0],
                   [6.0, 6.0, 1.0]])
-    expected = np.array([[2.0, 1.0, 1.0], [5.0, 3.0, 5.0], [3.0, 0.0, 0.0], [8.0, 7.0, 1.0],
-                         [3.5, 3.5, 1.0]])
+    expected = [[2.0, 1.0, 1.0], [5.0, 3.0, 5.0], [3.0, 0.0, 0.0], [8.0, 7.0, 1.0], [3.5, 3.5, 1.0]]
     assert_close(impl.best_on_segment(q, a, b)[0], expected)
 
 
@@ -190,8 +188,7 @@ def test_in_a_plane_no_place_of_a_segment_is_best(impl):
                   [1.0, 2.0, 3.0], [7.0, 8.0, 9.0]])
     b = np.array([[3.0, 5.0, 9.0], [8.0, 4.0, 1.0], [9.0, 7.0, 1.0], [8.0, 7.0, 1.0],
                   [4.0, 9.0, 6.0], [1.0, 8.0, 3.0]])
-    assert_equal(impl.best_on_segment(q, a, b)[1],
-                 np.array([False, True, False, True, True, False]))
+    assert_equal(impl.best_on_segment(q, a, b)[1], [False, True, False, True, True, False])
 
 
 @exercise("12.8")
@@ -200,7 +197,7 @@ def test_a_short_segment_has_a_best_place(impl):
     q = np.repeat(planes_of([1, 0, 0, -2]), 4, 0)
     a = np.array([[0.0, 0.0, 1.0], [3.0, 0.0, 0.0], [-5.0, 1.0, 0.0], [1.995, 0.0, 0.0]])
     b = np.array([[8.0, 4.0, 1.0], [9.0, 9.0, 0.0], [1.0, 7.0, 3.0], [2.015, 0.0, 0.0]])
-    expected = np.array([[2.0, 1.0, 1.0], [3.0, 0.0, 0.0], [1.0, 7.0, 3.0], [2.0, 0.0, 0.0]])
+    expected = [[2.0, 1.0, 1.0], [3.0, 0.0, 0.0], [1.0, 7.0, 3.0], [2.0, 0.0, 0.0]]
     assert_close(impl.best_on_segment(q, a, b), (expected, np.ones(4, bool)))
 
 
@@ -228,12 +225,11 @@ def test_along_a_plane_no_place_is_best(impl):
         for scale in 1e-6, 1e6:
             q = scale * np.diag([0.3, factor * LEAST_CURVATURE, 0.7, 5.0])[None]
             place, unique = impl.best_on_segment(q, 2 - 0.5 * edge, 2 + edge)
-            assert_equal(unique, np.array([expected]))
+            assert_equal(unique, [expected])
             if not expected:
                 assert_close(place, 2 - 0.5 * edge)
     same = np.array([[1.0, 2.0, 3.0]])
-    got = impl.best_on_segment(planes_of([1, 0, 0, 0]), same, same)
-    assert_close(got, (same, np.array([False])))
+    assert_close(impl.best_on_segment(planes_of([1, 0, 0, 0]), same, same), (same, [False]))
 
 
 @exercise("12.10")
@@ -243,7 +239,7 @@ def test_a_corner_is_found(impl):
     diagonal of A counts, or b is multiplied by A."""
     q = np.concatenate([planes_of([1, 0, 0, -1], [0, 1, 0, -2], [0, 0.6, 0.8, -3.6]),
                         planes_of([2, 0, 0, 6], [0, 1, 0, 5], [0, 0, 3, 12])])
-    assert_close(impl.best_anywhere(q), np.array([[1.0, 2.0, 3.0], [-3.0, -5.0, -4.0]]))
+    assert_close(impl.best_anywhere(q), [[1.0, 2.0, 3.0], [-3.0, -5.0, -4.0]])
 
 
 @exercise("12.10")
@@ -267,9 +263,9 @@ def test_costs_of_four_pairs_on_paper(impl):
     vertices = np.array([[0.0, 7, 1], [9, 7, -8], [6, 7, -5], [3, 7, -2]])  # on a line
     q = np.concatenate([planes_of([1, 0, 0, 0]), 3 * planes_of([1, 0, 0, -8]),
                         2 * planes_of([1, 0, 0, -6]), 2 * planes_of([1, 0, 0, -4])])
-    places = np.array([[4.0, 7.0, -3.0], [6.0, 7.0, -5.0], [5.0, 7.0, -4.0], [6.4, 7.0, -5.4]])
+    places = [[4.0, 7.0, -3.0], [6.0, 7.0, -5.0], [5.0, 7.0, -4.0], [6.4, 7.0, -5.4]]
     assert_close(impl.pair_costs(vertices, q, np.array([[0, 2], [0, 1], [2, 3], [1, 3]])),
-                 (places, np.array([24.0, 48.0, 4.0, 19.2])))
+                 (places, [24.0, 48.0, 4.0, 19.2]))
 
 
 @exercise("12.17")
@@ -279,8 +275,8 @@ def test_costs_are_those_of_pair_by_pair(impl, rng):
     pairs, q = rng.permutation(edges_of(faces)), quadrics_of(vertices, faces)
     expected = [place_and_cost(q[a] + q[b], vertices[a], vertices[b]) for a, b in pairs]
     positions, costs = impl.pair_costs(vertices, q, pairs)
-    assert_close(positions, np.array([place for place, _ in expected]), rtol=1e-7, atol=1e-9)
-    assert_close(costs, np.array([cost for _, cost in expected]), rtol=1e-7, atol=1e-9)
+    assert_close(positions, [place for place, _ in expected], rtol=1e-7, atol=1e-9)
+    assert_close(costs, [cost for _, cost in expected], rtol=1e-7, atol=1e-9)
 
 
 # --- collapses ---------------------------------------------------------------------------------
@@ -292,7 +288,7 @@ def test_a_collapse_on_paper(impl):
     of faces or corners changes."""
     faces = np.array([[7, 2, 5], [5, 2, 9], [5, 1, 7], [3, 4, 6], [9, 8, 5], [2, 8, 9], [2, 7, 0],
                       [8, 1, 0]])
-    expected = np.array([[2, 1, 7], [3, 4, 6], [9, 8, 2], [2, 8, 9], [2, 7, 0], [8, 1, 0]])
+    expected = [[2, 1, 7], [3, 4, 6], [9, 8, 2], [2, 8, 9], [2, 7, 0], [8, 1, 0]]
     assert_equal(impl.collapse_faces(faces, 2, 5), expected)
 
 
@@ -301,7 +297,7 @@ def test_a_collapse_may_leave_nothing_or_everything(impl):
     """No face is left, and the shape is not (0, 3). A pair without a common face loses a face."""
     assert_equal(impl.collapse_faces(np.array([[0, 1, 2]]), 2, 0), np.zeros((0, 3), int))
     assert_equal(impl.collapse_faces(np.array([[0, 1, 2], [3, 4, 5]]), 1, 4),
-                 np.array([[0, 1, 2], [3, 1, 5]]))
+                 [[0, 1, 2], [3, 1, 5]])
 
 
 @exercise("12.11")
@@ -331,7 +327,7 @@ def test_the_edges_of_one_triangle_pass_and_a_pinched_ring_does_not(impl):
     shared, though an edge of one face has one third."""
     faces = np.concatenate([DOUBLE, [[5, 6, 7]]])
     pairs = [(5, 6), (7, 5), (1, 2), (6, 7), (3, 1), (2, 3), (6, 5), (2, 1)]
-    expected = np.array([True, True, False, True, False, False, True, False])
+    expected = [True, True, False, True, False, False, True, False]
     assert_equal(asked(impl, faces, pairs), expected, given(faces, pairs))
 
 
@@ -405,7 +401,7 @@ def test_a_face_that_turns_over_flips(impl):
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
     afters = (7 * before + [1.0, 2.0, 3.0], triangle([0, 0, 0], [0, 2, 0], [-2, 0, 0]),
               triangle([0, 0, 0], [2, 0, 0], [0, -1, 0]), before[:, [1, 0, 2]])
-    assert_equal(asked_flips(impl, before, afters), np.array([False, False, True, True]),
+    assert_equal(asked_flips(impl, before, afters), [False, False, True, True],
                  f"before={before.tolist()}, and four triangles after={np.stack(afters).tolist()}")
 
 
@@ -417,7 +413,7 @@ def test_more_than_45_degrees_flip_and_a_little_less_does_not(impl):
     heights = [(1.0, 0.95), (0.95, 1.0), (1.0, 0.2), (0.3, 0.31), (0.0, 1.0), (-0.01, 1.0),
                (3.0, 2.9), (2.9, 3.0)]
     afters = [triangle([0, 0, 0], [2, 0, 0], [0, *height]) for height in heights]
-    expected = np.array([False, True, False, True, True, True, False, True])
+    expected = [False, True, False, True, True, True, False, True]
     assert_equal(asked_flips(impl, before, afters), expected,
                  f"before={before.tolist()}, and after with the third corner at 0, y, z for each "
                  f"of the y, z in {heights}")
@@ -430,7 +426,7 @@ def test_a_triangle_that_loses_its_area_flips(impl):
     before = triangle([0, 0, 0], [2, 0, 0], [0, 2, 0])
     heights = [1e-3, 0.5, 0.0, 0.1, 1e-6]
     afters = [triangle([0, 0, 0], [2, 0, 0], [0.5, height, 0]) for height in heights]
-    assert_equal(asked_flips(impl, before, afters), np.array([True, False, True, False, True]),
+    assert_equal(asked_flips(impl, before, afters), [True, False, True, False, True],
                  f"before={before.tolist()}, and after with the third corner at 0.5, y, 0 for each "
                  f"y in {heights}")
 
@@ -520,7 +516,7 @@ def test_it_stops_at_the_first_count_that_is_low_enough(impl, rng):
     vertices, faces = bumpy(80, rng)
     asked = [80, 79, 78, 77, 74]
     left = np.array([len(loop(impl, vertices, faces, face_count)[1]) for face_count in asked])
-    assert_equal(left, np.array([80, 78, 78, 76, 74]),
+    assert_equal(left, [80, 78, 78, 76, 74],
                  f"a ball of 80 faces, and face_count={asked}: how many faces are left of each?")
 
 

@@ -20,9 +20,9 @@ def test_edges_of_two_triangles(impl):
     """An edge of two faces comes twice, once in each direction. Edges are not low < high, or not
     ascending. corner_edge names the edge behind the corner, or has one entry per edge
     (return_index). A face's last side is missing, or leads to the next face."""
-    edges = np.array([[1, 5], [1, 7], [5, 7], [5, 9], [7, 9]])
+    edges = [[1, 5], [1, 7], [5, 7], [5, 9], [7, 9]]
     assert_equal(impl.edges_of(np.array([7, 5, 1, 5, 7, 9]), np.array([3, 3])),
-                 (edges, np.array([2, 0, 1, 2, 4, 3])))
+                 (edges, [2, 0, 1, 2, 4, 3]))
 
 
 @exercise("11.1")
@@ -40,18 +40,18 @@ def test_edges_of_large_numbers(impl):
     """A table of all pairs of vertices, or a number for each pair that others have, too."""
     corners = np.array([0, 5, 7, 0, 7, 1_000_007, 0, 10_000_007, 17])
     edges, corner_edge = impl.edges_of(corners, np.array([3, 3, 3]))
-    assert_equal(edges, np.array([[0, 5], [0, 7], [0, 17], [0, 1_000_007], [0, 10_000_007], [5, 7],
-                                  [7, 1_000_007], [17, 10_000_007]]))
-    assert_equal(corner_edge, np.array([0, 5, 1, 1, 6, 3, 4, 7, 2]))
+    assert_equal(edges, [[0, 5], [0, 7], [0, 17], [0, 1_000_007], [0, 10_000_007], [5, 7],
+                         [7, 1_000_007], [17, 10_000_007]])
+    assert_equal(corner_edge, [0, 5, 1, 1, 6, 3, 4, 7, 2])
 
 
 @exercise("11.1", fine_print=True)
 def test_edges_of_large_numbers_in_int32(impl):
     """The corners come as int32, and a product of two of them overflows: compute in int64."""
     corners = np.array([300_007, 7_000_003, 5_000_001, 7_000_003, 300_007, 40_009], np.int32)
-    edges = np.array([[40_009, 300_007], [40_009, 7_000_003], [300_007, 5_000_001],
-                      [300_007, 7_000_003], [5_000_001, 7_000_003]])
-    assert_equal(impl.edges_of(corners, np.array([3, 3])), (edges, np.array([3, 4, 2, 3, 0, 1])))
+    edges = [[40_009, 300_007], [40_009, 7_000_003], [300_007, 5_000_001],
+             [300_007, 7_000_003], [5_000_001, 7_000_003]]
+    assert_equal(impl.edges_of(corners, np.array([3, 3])), (edges, [3, 4, 2, 3, 0, 1]))
 
 
 # --- entries of a matrix -------------------------------------------------------------------------
@@ -63,7 +63,7 @@ def test_pulls_add_up(impl):
     pulled."""
     rows, columns = np.array([2, 2, 0]), np.array([0, 3, 1])
     entries = impl.pull_entries(rows, columns, np.array([0.25, 0.5, 2.0]))
-    expected = np.array([[-2.0, 2.0, 0, 0], [0, 0, 0, 0], [0.25, 0, -0.75, 0.5], [0, 0, 0, 0]])
+    expected = [[-2.0, 2.0, 0, 0], [0, 0, 0, 0], [0.25, 0, -0.75, 0.5], [0, 0, 0, 0]]
     assert_close(dense(entries, (4, 4)), expected)
 
 

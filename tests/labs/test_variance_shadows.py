@@ -66,7 +66,7 @@ def test_lit_shares_on_paper(impl):
     got = impl.chebyshev(np.array([7.0, 8.0, 5.0, 4.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0, 3.0]),
                          np.array([13.0, 25.0, 5.0, 13.0, 13.0]), 0.125)
     # The variances are 4, 9, 1, 4, 4, the distances beyond the mean 4, 4, 3, 1 and none.
-    assert_close(got, np.array([4 / 20, 9 / 25, 1 / 10, 4 / 5, 1.0]))
+    assert_close(got, [4 / 20, 9 / 25, 1 / 10, 4 / 5, 1.0])
 
 
 @exercise("14.17")
@@ -76,7 +76,7 @@ def test_the_variance_has_a_floor(impl):
     """
     got = impl.chebyshev(np.array([5.0, 4.0, 6.0, 5.0]), np.array([3.0, 3.0, 3.0, 3.0]),
                          np.array([9.0, 8.0, 9.25, 9.5]), 0.5)
-    assert_close(got, np.array([1 / 9, 1 / 3, 1 / 19, 1 / 9]))
+    assert_close(got, [1 / 9, 1 / 3, 1 / 19, 1 / 9])
 
 
 @exercise("14.17")
@@ -105,8 +105,7 @@ def test_gradients_of_the_share_on_paper(impl):
     got = impl.chebyshev_backward(np.array([25.0, 62.5, -50.0, 25.0]),
                                   np.array([7.0, 8.0, 5.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0]),
                                   np.array([13.0, 25.0, 5.0, 13.0]), 0.125)
-    assert_close(got, (np.array([-2.0, -7.2, 3.0, 0.0]), np.array([-4.0, -5.6, 15.0, 0.0]),
-                       np.array([1.0, 1.6, -4.5, 0.0])))
+    assert_close(got, ([-2.0, -7.2, 3.0, 0.0], [-4.0, -5.6, 15.0, 0.0], [1.0, 1.6, -4.5, 0.0]))
 
 
 @exercise("14.18")
@@ -118,8 +117,7 @@ def test_a_floored_variance_has_no_gradient(impl):
                                   np.array([5.0, 5.0, 5.0, 4.0]), np.full(4, 3.0),
                                   np.array([9.0, 9.5, 10.5, 9.75]), 1.0)
     # The variances are 1, 1, 3/2, 1. By the distance: -2 v b / (v + b^2)^2, say -4/25 at first.
-    assert_close(got, (np.array([-4.0, -8.0, -6.0, -2.0]), np.array([4.0, 8.0, -18.0, 2.0]),
-                       np.array([0.0, 0.0, 4.0, 0.0])))
+    assert_close(got, ([-4.0, -8.0, -6.0, -2.0], [4.0, 8.0, -18.0, 2.0], [0.0, 0.0, 4.0, 0.0]))
 
 
 @exercise("14.18")
@@ -197,9 +195,9 @@ def test_a_step_moves_with_the_nearer_side(impl):
     """
     # By 0.2 texels, the jump is 2.
     got = impl.moved_moments(STEP, ACROSS, np.array([0.1, 0.0, 0.0]))
-    assert_close(got, np.array([[[1.0, 1.0], [0.8, 0.2], [2.8, 8.2], [3.0, 9.0]]]))
+    assert_close(got, [[[1.0, 1.0], [0.8, 0.2], [2.8, 8.2], [3.0, 9.0]]])
     got = impl.moved_moments(STEP.T.copy(), ACROSS.swapaxes(0, 1), np.array([9, 0.3, 0]))
-    assert_close(got, np.array([[[1.0, 1.0]], [[0.4, -1.4]], [[2.4, 6.6]], [[3.0, 9.0]]]))
+    assert_close(got, [[[1.0, 1.0]], [[0.4, -1.4]], [[2.4, 6.6]], [[3.0, 9.0]]])
 
 
 @exercise("14.20")
@@ -236,7 +234,7 @@ def test_the_gradient_of_a_step_on_paper(impl):
     got = impl.moved_moments_backward(grad, distance_map, motion, np.array([0.0, 0.0, 0.5]))
     # By x: -2/2 x ((5 + 1) 2 + 0.5 x 8). By y: the step is -2, and -8 of the squares, from 3 to 1:
     # -2/2 x ((1 + 2) (-2) + (0.5 + 1) (-8)). By z: -(5 + 1 + 3 + 2) - 2 (0.5 x 2.5 + 1 x 0.5).
-    assert_close(got, np.array([-16.0, 18.0, -14.5]))
+    assert_close(got, [-16.0, 18.0, -14.5])
 
 
 @exercise("14.21")

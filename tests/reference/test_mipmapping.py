@@ -227,7 +227,7 @@ def test_a_clamped_level_has_no_gradient(impl):
     """
     level = np.array([-np.inf, -0.5, 0.25, 1.0, 2.75, 3.5, np.inf])
     got = impl.blend_levels_backward(np.arange(1.0, 8.0), level, 3)
-    assert_close(got, np.array([0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0]))
+    assert_close(got, [0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0])
     level = np.array([0.0, 1.0, 2.0, 4.0, 5.0])
-    assert_close(impl.blend_levels_backward(np.ones(5), level, 5), np.array([0.0, 1, 1, 1, 0]))
+    assert_close(impl.blend_levels_backward(np.ones(5), level, 5), [0.0, 1, 1, 1, 0])
     assert_close(impl.blend_levels_backward(np.ones(5), level, 0), np.zeros(5))

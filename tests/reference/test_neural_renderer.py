@@ -120,8 +120,7 @@ def test_it_does_not_matter_with_which_corner_a_face_begins(impl, turn):
     """Only one corner's angle is looked at, or one z."""
     z = np.array([[1.0, 2.0, 3.0], [1.0, 2.0, -0.5], [1.0, 2.0, 0.0], [-1.0, -2.0, -3.0]])
     screen = np.repeat(np.roll(SLANTED, turn, 0)[None], 4, 0)
-    assert_equal(impl.front_faces(screen, np.roll(z, turn, 1)),
-                 np.array([True, False, False, False]))
+    assert_equal(impl.front_faces(screen, np.roll(z, turn, 1)), [True, False, False, False])
 
 
 def test_a_face_without_area_is_not_drawn(impl):

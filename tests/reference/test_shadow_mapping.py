@@ -44,8 +44,7 @@ def test_errors_are_counted_by_kind():
 def test_places_fill_the_disc_evenly():
     """More places to an area in the middle than at the rim, or they lean to one side."""
     offsets = ray_casting.disc_offsets(400)
-    from_middle = np.sort(np.hypot(*offsets.T))
-    np.testing.assert_allclose(from_middle, np.sqrt((np.arange(400) + 0.5) / 400))
+    np.testing.assert_allclose(np.sort(np.hypot(*offsets.T)), np.sqrt((np.arange(400) + 0.5) / 400))
     np.testing.assert_allclose(offsets.mean(0), 0, atol=0.005)
     apart = np.linalg.norm(offsets[:, None] - offsets, axis=-1) + 9 * np.eye(400)
     assert apart.min() > 1.4 / np.sqrt(400)              # a grid would have sqrt(pi / 400)

@@ -313,7 +313,7 @@ def test_without_a_distance_the_pairs_are_the_edges():
     """An edge of two faces comes twice, or vertices in one place come as a pair."""
     vertices = np.zeros((5, 3))
     got = simplification.valid_pairs(vertices, np.array([[4, 0, 1], [1, 0, 3]]), 0.0)
-    assert_equal(got, np.array([[0, 1], [0, 3], [0, 4], [1, 3], [1, 4]]))
+    assert_equal(got, [[0, 1], [0, 3], [0, 4], [1, 3], [1, 4]])
 
 
 def test_near_vertices_are_pairs_too():
@@ -342,7 +342,7 @@ def test_the_best_of_three_on_paper():
     q = np.repeat(planes_of([1, 0, 0, -2]), 3, 0)
     a = np.array([[0.0, 1.0, 0.0], [2.5, 7.0, 0.0], [9.0, 9.0, 9.0]])
     b = np.array([[4.0, 2.0, 0.0], [9.0, 1.0, 8.0], [3.0, 1.0, 0.0]])
-    expected = np.array([[2.0, 1.5, 0.0], [2.5, 7.0, 0.0], [3.0, 1.0, 0.0]])
+    expected = [[2.0, 1.5, 0.0], [2.5, 7.0, 0.0], [3.0, 1.0, 0.0]]
     assert_close(simplification.best_of_three(q, a, b), expected)
 
 
@@ -354,7 +354,7 @@ def test_of_equal_errors_the_first_counts():
     q = np.concatenate([plane, hill, slope])
     a = np.array([[4.0, 1.0, 0.0], [0.0, 5.0, 0.0], [0.0, 5.0, 0.0]])
     b = np.array([[8.0, 3.0, 0.0], [2.0, 7.0, 0.0], [2.0, 7.0, 0.0]])
-    assert_equal(simplification.best_of_three(q, a, b), np.array([a[0], a[1], b[2]]))
+    assert_equal(simplification.best_of_three(q, a, b), [a[0], a[1], b[2]])
     valley = planes_of([1, 0, 0, -1.5])          # b and the middle are equally good
     assert_equal(simplification.best_of_three(valley, a[1:2], b[1:2]), b[1:2])
 
@@ -366,7 +366,7 @@ def test_on_a_crease_and_on_a_plane_it_stays_with_the_pair():
     q = np.concatenate([crease, plane, corner])
     a = np.array([[0.0, 2.0, 0.0], [1.0, 1.0, 4.0], [5.0, 5.0, 5.0]])
     b = np.array([[3.0, 2.0, 9.0], [7.0, 2.0, 2.0], [6.0, 5.0, 5.0]])
-    expected = np.array([[1.0, 2.0, 3.0], [4.0, 1.5, 3.0], [1.0, 2.0, -4.0]])
+    expected = [[1.0, 2.0, 3.0], [4.0, 1.5, 3.0], [1.0, 2.0, -4.0]]
     assert_close(simplification.best_position(q, a, b), expected)
 
 
@@ -382,8 +382,7 @@ def test_where_the_segment_is_nearly_flat_one_of_three_is_taken():
     q = np.repeat(planes_of([5e-4, 0, 1, 0]), 3, 0)     # A = 2.5e-7 along x, its trace is 1
     a = np.array([[5.0, 0.0, 0.0], [5.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
     b = np.array([[-4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [6.0, 0.0, 0.0]])
-    expected = np.array([[0.5, 0, 0], [1, 0, 0], [1, 0, 0]])
-    assert_close(simplification.best_position(q, a, b), expected)
+    assert_close(simplification.best_position(q, a, b), [[0.5, 0, 0], [1, 0, 0], [1, 0, 0]])
 
 
 def test_the_least_eigenvalue_decides():
