@@ -54,9 +54,8 @@ def test_harmonics_of_products_on_paper(impl):
     """Y_4, Y_5 and Y_7: two of x y, y z and x z are exchanged, a sign is a minus, C2 is missing or
     another constant, or one of them is a sum.
     """
-    got = impl.sh_basis(NORMALS.copy())[..., [4, 5, 7]]
     expected = np.array([[6.0, 15, 10], [-4, 24, -6], [-14, -6, 21], [4, -2, -8]])
-    assert_close(got, 1.0925484305920792 * expected)
+    assert_close(impl.sh_basis(NORMALS.copy())[..., [4, 5, 7]], 1.0925484305920792 * expected)
 
 
 @exercise("16.1")
@@ -143,10 +142,8 @@ def test_gradients_of_harmonics_are_central_differences(impl, rng):
     """Directions are mixed, or taken for unit: the part along n is taken away, though n can move
     along itself.
     """
-    def forward(normals):
-        return np.array([[harmonics(n) for n in row] for row in normals])
-
-    gradcheck(forward, impl.sh_basis_backward, (rng.normal(size=(3, 4, 3)),), name="sh_basis")
+    gradcheck(lambda normals: np.array([[harmonics(n) for n in row] for row in normals]),
+              impl.sh_basis_backward, (rng.normal(size=(3, 4, 3)),), name="sh_basis")
 
 
 @exercise("16.3")
@@ -333,10 +330,9 @@ def test_faces_that_cancel_side_by_side_hand_nothing_back(impl):
     faces = np.array([[0, 3, 4], [0, 1, 2]])  # m of vertex 0 is (0, 0, -4) + (0, 0, 4)
     grad = np.zeros((5, 3))
     grad[:2] = [8.0, 4.0, 7.0], [8.0, 0.0, 5.0]
-    got = impl.vertex_normals_backward(grad, vertices, faces)
     expected = np.zeros((5, 3))  # x of vertex 1's normal: raise it by 1, it falls by 1/2
     expected[:2, 2] = 4.0, -4.0
-    assert_close(got, expected)
+    assert_close(impl.vertex_normals_backward(grad, vertices, faces), expected)
 
 
 @exercise("16.6")
@@ -355,14 +351,11 @@ def test_gradients_of_normals_are_central_differences(impl, rng):
     """
     vertices, faces = mesh.icosphere(20)
     vertices = vertices * [1.0, 1.5, 2.0] + rng.normal(scale=0.1, size=vertices.shape)
-
-    def forward(vertices):
-        return normals_of(vertices, faces)
-
     def backward(grad_normals, vertices):
         return impl.vertex_normals_backward(grad_normals, vertices, faces)
 
-    gradcheck(forward, backward, (vertices,), name="vertex normals")
+    gradcheck(lambda vertices: normals_of(vertices, faces), backward, (vertices,),
+              name="vertex normals")
     gradcheck(lambda vertices: normals_of(vertices, faces[:7]),
               lambda grad, vertices: impl.vertex_normals_backward(grad, vertices, faces[:7]),
               (vertices,), name="open mesh")
@@ -441,11 +434,8 @@ def test_the_level_where_the_vertex_is_held(impl, rng):
     def forward(distance):
         return np.array([(1 - t) * distance[a] + t * distance[b]
                          for t, (a, b) in zip(part, ends, strict=True)])
-
-    def backward(grad_level, moved):
-        return impl.level_backward(grad_level, ends, distance)
-
-    gradcheck(forward, backward, (distance,), name="level")
+    gradcheck(forward, lambda grad_level, moved: impl.level_backward(grad_level, ends, distance),
+              (distance,), name="level")
 
 
 # --- regularizers ------------------------------------------------------------------------------

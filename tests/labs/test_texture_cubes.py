@@ -159,9 +159,8 @@ def test_light_on_paper(impl):
     absolute value. towards is divided by its length.
     """
     corners = np.concatenate([LYING, TILTED, LYING[:, ::-1], TILTED[:, ::-1]])
-    got = impl.face_light(corners, RED, BLUE, ABOVE)
     cosine = np.array([[4.0], [2.0], [0.0], [0.0]])  # n = (0, 1, 0), (2, 3, 6) / 7, and minus these
-    assert_close(got, RED + cosine * BLUE)
+    assert_close(impl.face_light(corners, RED, BLUE, ABOVE), RED + cosine * BLUE)
 
 
 @exercise("10.10")

@@ -145,17 +145,14 @@ def test_gradients_of_texels_and_lights_are_central_differences(rng):
 
     def lit(textures, lights):
         return scene._replace(textures=textures, lights=texture_cubes.Lights(*lights))
-
-    def picture(textures, *lights):
-        return texture_cubes.render(lit(textures, lights), view)[0]
-
     def backward(grad_picture, textures, *lights):
         changed = lit(textures, lights)
         _, buffers = texture_cubes.render(changed, view)
         grads = texture_cubes.render_backward(grad_picture, buffers, changed, view, SWEEP)
         return grads.textures, *grads.lights
 
-    gradcheck(picture, backward, (scene.textures, *LIGHTS), name="render")
+    gradcheck(lambda textures, *lights: texture_cubes.render(lit(textures, lights), view)[0],
+              backward, (scene.textures, *LIGHTS), name="render")
 
 
 def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences(rng):
