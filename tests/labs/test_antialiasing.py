@@ -128,6 +128,8 @@ def test_small_integers_do_not_overflow(impl):
 SQUARE = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])
 HALVES, ACROSS = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[-1, 3, -1], [-1, -1, 1]])
 BESIDE = np.vstack([SQUARE, [3.0, -2.0]])  # the last vertex, which -1 must not stand for
+FOLDED = np.vstack([SQUARE[:3], [1.5, 0.2]])  # over the diagonal, to the side of vertex 1
+FLAT, FOLD = np.array([[True, False, True], [True, True, False]]), np.ones((2, 3), bool)
 
 
 def silhouettes(impl, *inputs):
@@ -140,29 +142,23 @@ def silhouettes(impl, *inputs):
 def test_a_flat_surface_has_its_border_as_its_silhouette(impl):
     """The test is reversed, so that an edge between two sides counts as a fold. Or the border is no
     silhouette: where opposite is -1, NumPy takes the last vertex. Or edge k starts at vertex k."""
-    expected = [[True, False, True], [True, True, False]]
-    assert_equal(silhouettes(impl, *BESIDE.T, np.ones(5), HALVES, ACROSS), expected)
+    assert_equal(silhouettes(impl, *BESIDE.T, np.ones(5), HALVES, ACROSS), FLAT)
 
 
 @exercise("8.2")
 def test_a_surface_seen_from_behind_is_no_fold(impl):
     """Right for counter-clockwise faces alone: the side of the vertex across is not compared with
     the side of the face's own vertex k."""
-    folded = SQUARE.copy()
-    folded[3] = 1.5, 0.2
-    expected = np.array([[True, False, True], [True, True, False]]), np.ones((2, 3), bool)
     got = [silhouettes(impl, *points.T[::-1], np.ones(4), HALVES, ACROSS)
-           for points in (SQUARE, folded)]
-    assert_equal(np.array(got), np.array(expected))
+           for points in (SQUARE, FOLDED)]
+    assert_equal(np.array(got), [FLAT, FOLD])
 
 
 @exercise("8.2")
 def test_a_fold_is_a_silhouette_of_both_its_faces(impl):
     """Folds are not looked at, only the border. Or only faces without a common edge are thought to
     hide each other."""
-    folded = SQUARE.copy()
-    folded[3] = 1.5, 0.2  # over the diagonal from 0 to 2, to the side of vertex 1
-    assert_equal(silhouettes(impl, *folded.T, np.ones(4), HALVES, ACROSS), np.ones((2, 3), bool))
+    assert_equal(silhouettes(impl, *FOLDED.T, np.ones(4), HALVES, ACROSS), FOLD)
 
 
 @exercise("8.2")
@@ -181,35 +177,28 @@ def test_each_edge_has_its_own_vertex_across(impl):
 def test_behind_the_camera_an_area_has_the_other_sign(impl):
     """w is ignored: a vertex behind the camera (w < 0) is mirrored on screen, one of the face
     itself or one across an edge."""
-    flat, fold = np.array([[True, False, True], [True, True, False]]), np.ones((2, 3), bool)
-    folded = SQUARE.copy()
-    folded[3] = 1.5, 0.2
     for behind, turned in ([3], True), ([1], True), ([0], False), ([1, 3], False), ([0, 3], True):
         w = np.ones(4)
         w[behind] = -3.0  # one of the two triangles is turned over, or both are
-        assert_equal(silhouettes(impl, *SQUARE.T, w, HALVES, ACROSS), fold if turned else flat)
-        assert_equal(silhouettes(impl, *folded.T, w, HALVES, ACROSS), flat if turned else fold)
+        assert_equal(silhouettes(impl, *SQUARE.T, w, HALVES, ACROSS), FOLD if turned else FLAT)
+        assert_equal(silhouettes(impl, *FOLDED.T, w, HALVES, ACROSS), FLAT if turned else FOLD)
 
 
 @exercise("8.2")
 def test_neither_size_nor_distance_matters(impl):
     """A threshold for areas or for w: what is small, or near the camera, is lost."""
-    folded = SQUARE.copy()
-    folded[3] = 1.5, 0.2
-    flat = [[True, False, True], [True, True, False]]
     for size, w in (1e-6, np.ones(4)), (1e4, np.array([1e-9, 1.0, 1e-9, 5.0])):
         for turned in slice(None), slice(None, None, -1):
-            x, y = size * SQUARE.T[turned]
-            assert_equal(silhouettes(impl, x, y, w, HALVES, ACROSS), flat)
-            x, y = size * folded.T[turned]
-            assert_equal(silhouettes(impl, x, y, w, HALVES, ACROSS), np.ones((2, 3), bool))
+            for points, expected in (SQUARE, FLAT), (FOLDED, FOLD):
+                x, y = size * points.T[turned]
+                assert_equal(silhouettes(impl, x, y, w, HALVES, ACROSS), expected)
 
 
 @exercise("8.2", fine_print=True)
 def test_just_behind_the_camera_is_behind(impl):
     """A threshold for w: a vertex just behind the camera counts as in front of it."""
     w = np.array([1.0, 1.0, 1.0, -1e-9])
-    assert_equal(silhouettes(impl, *SQUARE.T, w, HALVES, ACROSS), np.ones((2, 3), bool))
+    assert_equal(silhouettes(impl, *SQUARE.T, w, HALVES, ACROSS), FOLD)
 
 
 @exercise("8.2", fine_print=True)
@@ -258,16 +247,14 @@ def test_pairs_of_six_pixels(impl):
     """Pairs with the background (-1, no face) are left out, pairs that see one face are not, or
     pixels above each other are. Rows and columns are swapped, or the order is another one."""
     face_index = np.array([[-1, 3, 3], [-1, -1, 3]])
-    first, second = impl.neighbour_pairs(face_index, everywhere((2, 3)))
-    assert_equal((first, second), ([0, 4, 1], [1, 5, 4]))
+    assert_equal(impl.neighbour_pairs(face_index, everywhere((2, 3))), ([0, 4, 1], [1, 5, 4]))
 
 
 @exercise("8.3")
 def test_the_end_of_a_row_has_no_neighbour_in_the_next(impl):
     """Pixels are compared in a row that goes through the whole picture."""
     face_index = np.array([[0, 0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 1]])
-    first, second = impl.neighbour_pairs(face_index, everywhere((3, 4)))
-    assert_equal((first, second), ([2, 6, 10], [3, 7, 11]))
+    assert_equal(impl.neighbour_pairs(face_index, everywhere((3, 4))), ([2, 6, 10], [3, 7, 11]))
 
 
 @exercise("8.3")
@@ -275,8 +262,7 @@ def test_a_pair_needs_an_outlined_pixel(impl):
     """Both must be outlined, or it is not looked at; or only one of the two is asked."""
     face_index = np.array([[0, 1, 2, 3, 4]])
     outlined = np.array([[True, False, False, True, True]])
-    first, second = impl.neighbour_pairs(face_index, outlined)
-    assert_equal((first, second), ([0, 2, 3], [1, 3, 4]))
+    assert_equal(impl.neighbour_pairs(face_index, outlined), ([0, 2, 3], [1, 3, 4]))
     first, second = impl.neighbour_pairs(face_index.T.copy(), outlined.T.copy())
     assert_equal((first, second), ([0, 2, 3], [1, 3, 4]))
 
@@ -286,8 +272,7 @@ def test_pictures_without_jumps_have_no_pairs(impl):
     """An error, or pairs out of nothing, in pictures without neighbours or without jumps."""
     none = np.zeros(0, int)
     for picture in np.zeros((3, 4), int), np.full((1, 1), 7), np.full((5, 1), -1):
-        first, second = impl.neighbour_pairs(picture, everywhere(picture.shape))
-        assert_equal((first, second), (none, none))
+        assert_equal(impl.neighbour_pairs(picture, everywhere(picture.shape)), (none, none))
 
 
 @exercise("8.3")
@@ -494,6 +479,14 @@ def column(*points):
     return np.array(points).T[..., None]
 
 
+def assert_crossed(impl, corners, edge, c, w=None, **tolerance):
+    """impl.last_crossing of faces with corners x, y (3, F) is at these edges and places."""
+    x, y = corners
+    found_edge, found_c = impl.last_crossing(x, y, np.ones(x.shape) if w is None else w)
+    assert_equal(found_edge, edge)
+    assert_close(found_c, c, **tolerance)
+
+
 @exercise("8.9")
 def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
     """The least c counts, of the edge by which the line enters, or the first edge that crosses.
@@ -503,59 +496,50 @@ def test_the_line_leaves_a_face_by_its_farthest_edge(impl):
     x, y = (np.hstack([np.roll(corner, turn, 0) for turn in range(3)]) for corner in (x, y))
     fourth = column((0.0, -2.0), (6.0, 1.0), (-3.0, 1.0))  # edges 1 and 2 cross, at -2 and 4
     x, y = np.hstack([x * np.array([1.0, 2.0, 3.0]), fourth[0]]), np.hstack([y, fourth[1]])
-    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
-    assert_equal(edge, [0, 1, 2, 2])
-    assert_close(c, [3.0, 6.0, 9.0, 4.0])
+    assert_crossed(impl, (x, y), [0, 1, 2, 2], [3.0, 6.0, 9.0, 4.0])
 
 
 @exercise("8.9")
 def test_a_vertex_on_the_line_counts_as_above(impl):
     """> for >=: an edge that only touches the line crosses it, or one that ends there does not."""
-    x, y = column((0.25, 0.0), (-1.0, -2.0), (-1.0, 2.0))  # only edges 0 (at -1) and 2 (at 0.25)
-    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
-    assert_equal(edge, [2])
-    assert_close(c, [0.25])
+    only_two = column((0.25, 0.0), (-1.0, -2.0), (-1.0, 2.0))  # edges 0 (at -1) and 2 (at 0.25)
+    assert_crossed(impl, only_two, [2], [0.25])
     for first, second, last in (0.5, 2.0, 1), (2.0, 0.5, 2):  # a little below: edges 1 and 2 cross
-        x, y = column((0.25, -1e-9), (-1.0, first), (-1.0, second))
-        edge, c = impl.last_crossing(x, y, np.ones(x.shape))
-        assert_equal(edge, [last])
-        assert_close(c, [0.25], atol=1e-6)
-    x, y = column((2.0, 0.0), (0.5, 0.0), (1.0, -1.0))  # edges 0 and 1 end on it, edge 2 lies on it
-    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
-    assert_equal(edge, [1])
-    assert_close(c, [2.0])
+        below = column((0.25, -1e-9), (-1.0, first), (-1.0, second))
+        assert_crossed(impl, below, [last], [0.25], atol=1e-6)
+    along = column((2.0, 0.0), (0.5, 0.0), (1.0, -1.0))  # edges 0 and 1 end on it, 2 lies on it
+    assert_crossed(impl, along, [1], [2.0])
 
 
 @exercise("8.9", fine_print=True)
 def test_of_equal_crossings_the_first_edge_is_taken(impl):
     """>= for >: two edges meet in a vertex on the line."""
-    x, y = column((1.0, 0.0), (0.0, -1.0), (2.0, -1.0))  # edges 1 and 2 meet at 1
-    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
-    assert_equal(edge, [1])
-    assert_close(c, [1.0])
+    meeting = column((1.0, 0.0), (0.0, -1.0), (2.0, -1.0))  # edges 1 and 2 meet at 1
+    assert_crossed(impl, meeting, [1], [1.0])
 
 
 @exercise("8.9", fine_print=True)
 def test_edges_along_the_line_are_not_divided_by(impl):
     """A division by zero, which gives NaN."""
-    x, y = np.stack([column((0.0, 1.0), (1.0, 1.0), (0.5, 1.0)),
-                     column((0.0, 0.0), (1.0, 0.0), (0.5, -1.0)),
-                     column((0.25, 0.0), (-1.0, 0.5), (-1.0, 2.0)),  # no end below: none crosses
-                     column((0.0, 0.0), (1.0, 0.0), (2.0, 0.0))], 2)[..., 0]
-    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
-    assert_equal(edge, np.zeros(4, int))
-    assert_close(c, [-np.inf, 1.0, -np.inf, -np.inf])
+    corners = np.stack([column((0.0, 1.0), (1.0, 1.0), (0.5, 1.0)),
+                        column((0.0, 0.0), (1.0, 0.0), (0.5, -1.0)),
+                        column((0.25, 0.0), (-1.0, 0.5), (-1.0, 2.0)),  # no end below: none crosses
+                        column((0.0, 0.0), (1.0, 0.0), (2.0, 0.0))], 2)[..., 0]
+    assert_crossed(impl, corners, np.zeros(4, int), [-np.inf, 1.0, -np.inf, -np.inf])
 
 
 @exercise("8.9", fine_print=True)
 def test_an_edge_that_crosses_at_infinity_does_not_count(impl):
     """w is ignored. Or >= 0 stands for > 0: the two ends have the same y, one of them behind the
     camera."""
-    x, y = column((0.0, -1.0), (2.0, -1.0), (1.0, -0.5))
     w = np.array([[1.0], [-1.0], [1.0]])  # edge 2 crosses at infinity, edge 0 at 0
-    edge, c = impl.last_crossing(x, y, w)
-    assert_equal(edge, [0])
-    assert_close(c, [0.0])
+    assert_crossed(impl, column((0.0, -1.0), (2.0, -1.0), (1.0, -0.5)), [0], [0.0], w)
+
+
+def by_search(count, crossing):
+    """The last edges of count faces, and where: crossing(i, j, n) of edge i j, or -inf."""
+    places = np.array([[crossing(i, j, n) for i, j in EDGES] for n in range(count)])
+    return places.argmax(1), places.max(1)
 
 
 @exercise("8.9", fine_print=True)
@@ -563,21 +547,15 @@ def test_edges_to_behind_the_camera_cross_where_they_are_in_front(impl, rng):
     """w is ignored: an end behind the camera is mirrored, so the part of the edge on screen lies
     elsewhere. Or crossings behind the camera count."""
     q = rng.normal(size=(3, 3, 200))  # corner, (x w, y w, w), face
-    x, y, w = q[:, 0] / q[:, 2], q[:, 1] / q[:, 2], q[:, 2]
-    edges, crossings = [], []
-    for n in range(200):
-        best = 0, -np.inf
-        for k, (i, j) in enumerate(EDGES):
-            if (q[i, 1, n] < 0) != (q[j, 1, n] < 0):
-                t = q[i, 1, n] / (q[i, 1, n] - q[j, 1, n])
-                at_x, _, at_w = (1 - t) * q[i, :, n] + t * q[j, :, n]
-                if at_w > 0:
-                    best = max(best, (k, at_x / at_w), key=lambda found: found[1])
-        edges.append(best[0])
-        crossings.append(best[1])
-    edge, c = impl.last_crossing(x, y, w)
-    assert_equal(edge, np.array(edges))
-    assert_close(c, np.array(crossings), rtol=1e-6, atol=1e-6)
+
+    def in_front(i, j, n):
+        a, b = q[i, :, n], q[j, :, n]
+        t = a[1] / (a[1] - b[1])
+        at_x, _, at_w = (1 - t) * a + t * b
+        return at_x / at_w if (a[1] < 0) != (b[1] < 0) and at_w > 0 else -np.inf
+
+    assert_crossed(impl, (q[:, 0] / q[:, 2], q[:, 1] / q[:, 2]), *by_search(200, in_front),
+                   q[:, 2], rtol=1e-6, atol=1e-6)
 
 
 @exercise("8.9")
@@ -586,18 +564,12 @@ def test_last_crossings_are_those_of_a_search(impl, rng):
     x, y = 3 * rng.normal(size=(2, 3, 60))
     y[:, ::3] = np.round(y[:, ::3]) + 0.5  # some edges along the line, none on it
     y[2] = -np.sign(y[0]) * np.abs(y[2])   # and each face is crossed
-    edges, crossings = [], []
-    for n in range(60):
-        best = 0, -np.inf
-        for k, (i, j) in enumerate(EDGES):
-            if (y[i, n] < 0) != (y[j, n] < 0):
-                c = (x[i, n] * y[j, n] - x[j, n] * y[i, n]) / (y[j, n] - y[i, n])
-                best = max(best, (k, c), key=lambda found: found[1])
-        edges.append(best[0])
-        crossings.append(best[1])
-    edge, c = impl.last_crossing(x, y, np.ones(x.shape))
-    assert_equal(edge, np.array(edges))
-    assert_close(c, np.array(crossings))
+
+    def across(i, j, n):
+        crosses = (y[i, n] < 0) != (y[j, n] < 0)
+        return crossing_of_lines(*(v[k, n] for k in (i, j) for v in (x, y))) if crosses else -np.inf
+
+    assert_crossed(impl, (x, y), *by_search(60, across))
 
 
 # --- the blend ---------------------------------------------------------------------------------

@@ -1,14 +1,10 @@
 """What the exercises of lab 14 must do: the light's frame, its map, the comparison and its bias."""
 import numpy as np
-import pytest
+from shadow_lights import CONE, PARALLEL, each_light, point_at, projected
 
 from course.checks import assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
 
-# Light from a point and from a direction; their maps are not square.
-CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 0]])
-PARALLEL = np.array([[0.4, 0, 0, 0], [0, 0.7, 0, 0], [0, 0, -0.5, -2.0], [0, 0, 0, 1]])
-each_light = pytest.mark.parametrize("light", [CONE, PARALLEL], ids=["cone", "parallel"])
 WIDTH, HEIGHT = 12, 7
 
 
@@ -21,20 +17,6 @@ def rotation_of(rng):
 def before_the_light(rng, count):
     """Points of the light's frame (count, 3), distances from 1 to 4."""
     return np.column_stack([rng.normal(size=(count, 2)), rng.uniform(-4, -1, count)])
-
-
-def projected(q, light, width=WIDTH, height=HEIGHT):
-    """By the whole matrix, point by point: x, y in texels (N, 2), depth from -1 to 1 (N,)."""
-    clip = np.array([light @ [*point, 1.0] for point in q])
-    ndc = clip[:, :3] / clip[:, 3:]
-    return (ndc[:, :2] + 1) * [width / 2, height / 2], ndc[:, 2]
-
-
-def point_at(x, y, distance, light, width, height):
-    """The point of the light's frame that lies at (x, y) of the map, at this distance."""
-    w = light[3, 3] - light[3, 2] * distance
-    return np.array([(2 * x / width - 1) * w / light[0, 0], (2 * y / height - 1) * w / light[1, 1],
-                     -distance])
 
 
 # --- the light's frame and its map --------------------------------------------------------------
@@ -114,7 +96,7 @@ def test_places_on_the_map_on_paper(impl):
 def test_it_is_the_whole_matrix_and_the_viewport(impl, rng, light):
     """The distance divides in parallel light, too, or x and y have each other's factor."""
     q = before_the_light(rng, 9)
-    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light)[0])
+    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light, WIDTH, HEIGHT)[0])
 
 
 @exercise("14.3")
@@ -122,7 +104,7 @@ def test_any_perspective_has_its_w(impl, rng):
     """w is taken to be the distance, -q_z, or 1: C_32 and C_33 say what it is."""
     light, q = CONE.copy(), before_the_light(rng, 5)
     light[3, 2:] = -0.5, 2.0
-    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light)[0])
+    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light, WIDTH, HEIGHT)[0])
 
 
 @exercise("14.4")
@@ -143,7 +125,7 @@ def test_a_point_that_comes_nearer_moves_outwards(impl):
 def test_the_gradients_of_places_are_central_differences(impl, rng, light):
     """A factor of one axis in the other's gradient; C_33 is left out of w."""
     light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
-    gradcheck(lambda q: projected(q, light)[0],
+    gradcheck(lambda q: projected(q, light, WIDTH, HEIGHT)[0],
               lambda grad, q: impl.map_position_backward(grad, q, light, WIDTH, HEIGHT),
               (before_the_light(rng, 6),), name="map_position")
 
@@ -166,7 +148,7 @@ def test_the_distance_is_what_the_matrix_made_the_depth_of(impl, rng, light):
     """One of the two lights is forgotten; a term is lost."""
     light, q = light.copy(), before_the_light(rng, 12)
     light[3, 3] += 0.25
-    depth = projected(q, light)[1].reshape(3, 4)
+    depth = projected(q, light, WIDTH, HEIGHT)[1].reshape(3, 4)
     assert_close(impl.distance_of_depth(depth, light), -q[:, 2].reshape(3, 4))
 
 
@@ -275,7 +257,7 @@ def test_slopes_are_those_of_the_plane_on_the_map(impl, rng, light):
         step = point_at(x, y, 1.0, light, WIDTH, HEIGHT) - start
         return normal[k] @ (q[k] - start) / (normal[k] @ step)
 
-    place, _ = projected(q, light)
+    place, _ = projected(q, light, WIDTH, HEIGHT)
     ray = np.array([point_at(x, y, 1.0, light, WIDTH, HEIGHT)
                     - point_at(x, y, 0.0, light, WIDTH, HEIGHT) for x, y in place])
     seen = np.flatnonzero(np.abs((normal * ray).sum(1)) > 0.1)

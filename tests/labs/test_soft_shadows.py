@@ -2,10 +2,9 @@
 import math
 
 import numpy as np
+from shadow_lights import CONE
 
 from course.checks import assert_close, assert_equal, exercise
-
-CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 0]])
 
 
 @exercise("14.10")
