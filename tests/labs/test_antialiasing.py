@@ -405,11 +405,10 @@ def crossing_of_lines(x0, y0, x1, y1):
 def test_an_end_near_infinity_costs_no_digits(impl):
     """Always measured from end 0, even where that is the far end: x0 - y0 (x1 - x0) / (y1 - y0) is
     then a difference of huge numbers, and digits are lost."""
-    near, far = np.array([0.25, -1.0]), np.array([3e9, 4e9])
-    expected = 0.25 + 2999999999.75 / 4000000001
-    one, other = (np.array([[*a, *b]]).T for a, b in ((near, far), (far, near)))
-    assert_close(impl.crossing(*one), [expected], rtol=1e-14)
-    assert_close(impl.crossing(*other), [expected], rtol=1e-14)
+    near, far = [0.25, -1.0], [3e9, 4e9]
+    for ends in near + far, far + near:
+        got = impl.crossing(*np.array([ends]).T)
+        assert_close(got, [0.25 + 2999999999.75 / 4000000001], rtol=1e-14)
 
 
 @exercise("8.8")
@@ -753,13 +752,14 @@ def test_the_gradients_of_four_pairs_on_paper(impl):
     assert_close(impl.blend_backward(grad_output, colour, owner, other, alpha), expected)
 
 
+TWO_GRADS = np.array([[[1.0, 2.0], [100.0, 200.0], [0.0, 0.0]], np.zeros((3, 2))])
+
+
 @exercise("8.14")
 def test_the_sign_of_the_smallest_weight_decides_on_the_way_back(impl):
     """A threshold: a weight of little less than 0 has the gradient of the owner's change."""
-    grad_output = np.zeros((2, 3, 2))
-    grad_output[0, 0], grad_output[0, 1] = (1.0, 2.0), (100.0, 200.0)
     for alpha, grad_alpha in (1e-9, -15.0), (-1e-9, -1500.0):
-        _, got = impl.blend_backward(grad_output, colours(), np.array([0]), np.array([1]),
+        _, got = impl.blend_backward(TWO_GRADS, colours(), np.array([0]), np.array([1]),
                                      np.array([alpha]))
         assert_close(got, [grad_alpha])
 
@@ -767,10 +767,8 @@ def test_the_sign_of_the_smallest_weight_decides_on_the_way_back(impl):
 @exercise("8.14", fine_print=True)
 def test_at_zero_the_owner__s_side_counts(impl):
     """> for >=: at alpha = 0, the kink, the other pixel's side is taken and not the owner's."""
-    grad_output = np.zeros((2, 3, 2))
-    grad_output[0, 0], grad_output[0, 1] = (1.0, 2.0), (100.0, 200.0)
-    got = impl.blend_backward(grad_output, colours(), np.array([0]), np.array([1]), np.array([0.0]))
-    assert_close(got, (grad_output, [-15.0]))
+    got = impl.blend_backward(TWO_GRADS, colours(), np.array([0]), np.array([1]), np.zeros(1))
+    assert_close(got, (TWO_GRADS, [-15.0]))
 
 
 @exercise("8.14")
@@ -816,10 +814,8 @@ def test_w_moves_no_point_on_screen(impl):
 @exercise("8.7", fine_print=True)
 def test_the_nearer_end_is_found_on_either_side(impl):
     """y is compared instead of |y|: digits are lost where the far end lies below y = 0."""
-    near, far = np.array([0.3, 0.1]), np.array([3e12, 1e12])
     c = 0.3 - 0.1 * (3e12 - 0.3) / (1e12 - 0.1)
     for sign in 1, -1:
-        ends = near[0], sign * near[1], far[0], sign * far[1]
-        for x0, y0, x1, y1 in ends, (*ends[2:], *ends[:2]):
-            got = impl.crossing(*(np.array([number]) for number in (x0, y0, x1, y1)))
-            assert_close(got, [c], rtol=1e-9, atol=1e-9)
+        near, far = [0.3, sign * 0.1], [3e12, sign * 1e12]
+        for ends in near + far, far + near:
+            assert_close(impl.crossing(*np.array([ends]).T), [c], rtol=1e-9, atol=1e-9)

@@ -56,11 +56,15 @@ def unmixed(grad_output, attributes, faces, face_index, weights):
 
 
 def golden(scene):
-    """{name: array} of a scene in 64 bits, and the weights and derivatives of all three corners."""
+    """{name: array} of a scene in 64 bits, and the weights and derivatives of all three corners.
+
+    given: what a report says of it.
+    """
     arrays = np.load(GOLDEN)
     of = {key.split("/")[1]: arrays[key] for key in arrays if key.startswith(f"{scene}/")}
     of = {key: array.astype(int if array.dtype.kind == "i" else float)
           for key, array in of.items()}
+    of["given"] = f"scene {scene} of tests/golden/interpolate.npz"
     of["weights"] = np.append(of["uv"], 1 - of["uv"].sum(-1, keepdims=True), -1)
     of["all_derivatives"] = np.append(of["derivatives"],
                                       -of["derivatives"].sum(2, keepdims=True), 2)
@@ -145,8 +149,7 @@ def test_attributes_along_a_segment_on_paper(impl):
     """One division is missing: of a_0 and a_1 by their w, or of the sum by the interpolated 1/w.
     Or the attributes are linear on the screen, without perspective, or the ends are exchanged.
     """
-    t, a_0, a_1 = np.array([0.0, 0.25, 0.5, 0.75, 0.9]), np.array([10.0, 30.0]), \
-        np.array([20.0, -10.0])
+    t, (a_0, a_1) = np.array([0.0, 0.25, 0.5, 0.75, 0.9]), np.array([[10.0, 30.0], [20.0, -10.0]])
     # 0, 1/10, 1/4, 1/2 and 3/4 of the way in space
     expected = [[10.0, 30.0], [11.0, 26.0], [12.5, 20.0], [15.0, 10.0], [17.5, 0.0]]
     assert_close(impl.attribute_on_segment(t, a_0, a_1, 2.0, 6.0), expected)
@@ -163,8 +166,8 @@ def test_equal_ends_stay_equal(impl, rng):
 @exercise("5.4")
 def test_an_attribute_is_what_stands_at_the_point_in_space(impl, rng):
     """The ends' w are swapped: the corrected attribute bends the wrong way."""
-    q, x, w, a = rng.uniform(0, 1, 20), rng.uniform(-3, 3, 2), np.array([0.7, 4.1]), \
-        rng.normal(size=(2, 3))
+    q, x, w = rng.uniform(0, 1, 20), rng.uniform(-3, 3, 2), np.array([0.7, 4.1])
+    a = rng.normal(size=(2, 3))
     s = (x[0] + q * (x[1] - x[0])) / (w[0] + q * (w[1] - w[0]))
     t = (s - x[0] / w[0]) / (x[1] / w[1] - x[0] / w[0])
     expected = a[0] + q[:, None] * (a[1] - a[0])
@@ -407,8 +410,8 @@ def test_an_empty_picture(impl):
 def test_attributes_are_those_of_nvdiffrast(impl, scene):
     """uv of their own faces, many attributes, slivers: within what 32 bits allow."""
     of = golden(scene)
-    assert_picture(impl.interpolate(of["attributes"], of["faces"], of["face_index"], of["weights"]),
-                   of["output"], atol=2e-6, given=f"scene {scene} of tests/golden/interpolate.npz")
+    got = impl.interpolate(of["attributes"], of["faces"], of["face_index"], of["weights"])
+    assert_picture(got, of["output"], of["given"], atol=2e-6)
 
 
 @exercise("5.12")
@@ -447,9 +450,8 @@ def test_gradients_are_those_of_nvdiffrast(impl, scene):
     of = golden(scene)
     grad_attributes, grad_weights = impl.interpolate_backward(
         of["grad_output"], of["attributes"], of["faces"], of["face_index"], of["weights"])
-    given = f"scene {scene} of tests/golden/interpolate.npz"
-    assert_close(grad_attributes, of["grad_attributes"], given, rtol=0, atol=3e-5)
-    assert_close(by_uv(grad_weights), of["grad_uv"], given, rtol=0, atol=3e-6)
+    assert_close(grad_attributes, of["grad_attributes"], of["given"], rtol=0, atol=3e-5)
+    assert_close(by_uv(grad_weights), of["grad_uv"], of["given"], rtol=0, atol=3e-6)
 
 
 # --- footprints --------------------------------------------------------------------------------
@@ -489,8 +491,7 @@ def test_derivatives_are_those_of_nvdiffrast(impl, scene):
     of = golden(scene)
     got = impl.interpolate_derivatives(of["attributes"][:, of["chosen"]], of["faces"],
                                        of["face_index"], of["all_derivatives"])
-    assert_close(got, of["output_derivatives"], rtol=0, atol=2e-6,
-                 given=f"scene {scene} of tests/golden/interpolate.npz")
+    assert_close(got, of["output_derivatives"], of["given"], rtol=0, atol=2e-6)
 
 
 @exercise("5.14")
@@ -539,8 +540,6 @@ def test_gradients_of_derivatives_are_those_of_nvdiffrast(impl, scene):
     grad_attributes, grad_derivatives = impl.interpolate_derivatives_backward(
         of["grad_output_derivatives"], of["attributes"][:, chosen], of["faces"], of["face_index"],
         of["all_derivatives"])
-    given = f"scene {scene} of tests/golden/interpolate.npz"
     added = of["grad_attributes_both"] - of["grad_attributes"]
-    assert_close(grad_attributes, added[:, chosen], given, rtol=0, atol=3e-5)
-    assert_close(by_uv(grad_derivatives), of["grad_derivatives"], given, rtol=0,
-                 atol=3e-6)
+    assert_close(grad_attributes, added[:, chosen], of["given"], rtol=0, atol=3e-5)
+    assert_close(by_uv(grad_derivatives), of["grad_derivatives"], of["given"], rtol=0, atol=3e-6)

@@ -181,30 +181,6 @@ def test_it_comes_near_the_cosine_of_a_true_lamp(impl, rng):
     assert_equal(bool(np.abs(lit - np.maximum(cosine, 0)).max() < 0.1), True)
 
 
-@exercise("16.4")
-def test_shading_on_paper(impl):
-    """The albedo is left out, added to E, divided by pi, or squared. The light's colours are summed
-    or mixed. Its first, constant number alone counts, and normals do not. The factors A_k of eq.
-    (2) are applied again: the light holds them already.
-    """
-    light = np.zeros((9, 2))
-    light[:4] = np.array([[5, 2], [1, 0.5], [3, -1], [-2, 0.25]]) / [[Y0], [Y1], [Y1], [Y1]]
-    normals = np.array([[1.0, 0, 0], [0.6, -0.8, 0], [0, 0.6, 0.8], [-0.8, 0, 0.6]])
-    albedo = np.array([[0.5, 0.8], [0.25, 0.4], [0.125, 0.6], [0.375, 0.2]])
-    irradiance = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # of eq. (1)
-    assert_close(impl.shade(albedo, normals, light), albedo * irradiance)
-
-
-@exercise("16.4")
-def test_shading_point_by_point(impl, rng):
-    """Light below 0 is cut off, clipped, or taken positive, which eq. (1) does not do; points are
-    mixed; or normals or light beyond the first four numbers do not count.
-    """
-    albedo, normals, light = rng.uniform(0, 1, (6, 4)), directions(rng, 6), rng.normal(size=(9, 4))
-    expected = [a * (harmonics(n) @ light) for a, n in zip(albedo, normals, strict=True)]
-    assert_close(impl.shade(albedo, normals, light), np.array(expected))
-
-
 def lit_points():
     """grad_colour, albedo (4, 2), normals (4, 3), light (9, 2): what `shade_backward` takes.
 
@@ -217,15 +193,36 @@ def lit_points():
     return np.array([[10.0, 5], [-4, 20], [8, 3], [16, -30]]), albedo, normals, light
 
 
+IRRADIANCE = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # there, of eq. (1)
+
+
+@exercise("16.4")
+def test_shading_on_paper(impl):
+    """The albedo is left out, added to E, divided by pi, or squared. The light's colours are summed
+    or mixed. Its first, constant number alone counts, and normals do not. The factors A_k of eq.
+    (2) are applied again: the light holds them already.
+    """
+    _, albedo, normals, light = lit_points()
+    assert_close(impl.shade(albedo, normals, light), albedo * IRRADIANCE)
+
+
+@exercise("16.4")
+def test_shading_point_by_point(impl, rng):
+    """Light below 0 is cut off, clipped, or taken positive, which eq. (1) does not do; points are
+    mixed; or normals or light beyond the first four numbers do not count.
+    """
+    albedo, normals, light = rng.uniform(0, 1, (6, 4)), directions(rng, 6), rng.normal(size=(9, 4))
+    expected = [a * (harmonics(n) @ light) for a, n in zip(albedo, normals, strict=True)]
+    assert_close(impl.shade(albedo, normals, light), np.array(expected))
+
+
 @exercise("16.5")
 def test_gradients_of_the_albedo_on_paper(impl):
     """grad_albedo: E is left out, the albedo is multiplied in, though the product's other factor is
     E alone, or the colours are summed.
     """
-    grad_colour, albedo, normals, light = lit_points()
-    irradiance = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # E
-    assert_close(impl.shade_backward(grad_colour, albedo, normals, light)[0],
-                 grad_colour * irradiance)
+    given = lit_points()
+    assert_close(impl.shade_backward(*given)[0], given[0] * IRRADIANCE)
 
 
 @exercise("16.5")
@@ -351,14 +348,10 @@ def test_gradients_of_normals_are_central_differences(impl, rng):
     """
     vertices, faces = mesh.icosphere(20)
     vertices = vertices * [1.0, 1.5, 2.0] + rng.normal(scale=0.1, size=vertices.shape)
-    def backward(grad_normals, vertices):
-        return impl.vertex_normals_backward(grad_normals, vertices, faces)
-
-    gradcheck(lambda vertices: normals_of(vertices, faces), backward, (vertices,),
-              name="vertex normals")
-    gradcheck(lambda vertices: normals_of(vertices, faces[:7]),
-              lambda grad, vertices: impl.vertex_normals_backward(grad, vertices, faces[:7]),
-              (vertices,), name="open mesh")
+    for some, name in (faces, "vertex normals"), (faces[:7], "open mesh"):
+        gradcheck(lambda vertices, some=some: normals_of(vertices, some),
+                  lambda grad, vertices, some=some:
+                  impl.vertex_normals_backward(grad, vertices, some), (vertices,), name=name)
 
 
 # --- the losses --------------------------------------------------------------------------------

@@ -216,14 +216,16 @@ def test_the_top_is_seen_at_half_the_field_of_view(impl, rng):
         assert_close(np.array([r / t, l / r, b / t]), [aspect, -1.0, -1.0])
 
 
+SIDES = -1.0, 4.0, -3.0, 5.0, 2.0, 12.0  # left, right, bottom, top, near, far
+
+
 @exercise("1.11")
 def test_w_is_the_distance_in_front_of_the_camera(impl):
     """w is z, as for a camera that looks down +z: the last row is (0, 0, 1, 0). Or w is 1, as in an
     orthographic matrix, or 1 is left in [3, 3]. Or the matrix is transposed (column-major), rows
     and columns swapped.
     """
-    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[3], [0.0, 0.0, -1.0, 0.0])
+    assert_close(impl.frustum(*SIDES)[3], [0.0, 0.0, -1.0, 0.0])
 
 
 @exercise("1.11")
@@ -232,8 +234,7 @@ def test_x_and_y_on_paper(impl):
     difference are mixed up. The off-centre terms are missing, have the wrong sign, or stand in the
     last column, not the third.
     """
-    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[:2], [[0.8, 0.0, 0.6, 0.0], [0.0, 0.5, 0.25, 0.0]])
+    assert_close(impl.frustum(*SIDES)[:2], [[0.8, 0.0, 0.6, 0.0], [0.0, 0.5, 0.25, 0.0]])
 
 
 @exercise("1.11")
@@ -242,8 +243,7 @@ def test_depth_on_paper(impl):
     place. near and far are swapped. The factor 2 of beta is missing (half of beta). Or depth runs
     from 0 to 1 as in Direct3D.
     """
-    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[2], [0.0, 0.0, -1.4, -4.8])
+    assert_close(impl.frustum(*SIDES)[2], [0.0, 0.0, -1.4, -4.8])
 
 
 @exercise("1.11")
@@ -266,8 +266,7 @@ def test_w_stays_1(impl):
     """w depends on z: the last row is (0, 0, -1, 0), as in `frustum`. Or the matrix is transposed
     (column-major), rows and columns swapped.
     """
-    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[3], [0.0, 0.0, 0.0, 1.0])
+    assert_close(impl.orthographic(*SIDES)[3], [0.0, 0.0, 0.0, 1.0])
 
 
 @exercise("1.12")
@@ -275,8 +274,7 @@ def test_the_sides_of_the_box_become_those_of_the_cube(impl):
     """The centre is not shifted to 0, or the wrong way (the translation's sign, or its column). 1
     for 2: ndc is 2 wide. r + l for r - l, or l, r, b, t mixed up.
     """
-    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[:2], [[0.4, 0.0, 0.0, -0.6], [0.0, 0.25, 0.0, -0.25]])
+    assert_close(impl.orthographic(*SIDES)[:2], [[0.4, 0.0, 0.0, -0.6], [0.0, 0.25, 0.0, -0.25]])
 
 
 @exercise("1.12")
@@ -284,8 +282,7 @@ def test_near_becomes_minus_1_and_far_1(impl):
     """z is not flipped: the camera looks down -z, and the box is z = -near..-far, not near..far. A
     sign of the third row, its shift missing, near and far swapped, or depth from 0 to 1.
     """
-    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[2], [0.0, 0.0, -0.2, -1.4])
+    assert_close(impl.orthographic(*SIDES)[2], [0.0, 0.0, -0.2, -1.4])
 
 
 @exercise("1.12")
@@ -322,13 +319,16 @@ def test_every_point_is_divided_by_its_own_w(impl, rng):
         assert_close(impl.perspective_divide(clip), expected.reshape(*shape[:-1], 3))
 
 
+GRAD_NDC = np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]])
+CLIP = np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]])
+
+
 @exercise("1.14")
 def test_the_gradients_by_x_y_and_z_on_paper(impl):
     """The gradients of x, y and z are grad_ndc divided by w: once, not by w^2, by z, or not at all,
     and not multiplied by w. Or grad_clip has no place for w, or w stands first.
     """
-    grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
-                                            np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]]))
+    grad = impl.perspective_divide_backward(GRAD_NDC, CLIP)
     assert_close(grad[..., :3], [[0.5, 5.0, 50.0], [-0.5, -0.75, 2.0]])
 
 
@@ -337,8 +337,7 @@ def test_the_gradient_by_w_on_paper(impl):
     """The gradient of w is 0 (w as a constant), or has the wrong sign. x, y or z is missing: all
     three add to it. It is divided by w once or three times, not by w squared.
     """
-    grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
-                                            np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]]))
+    grad = impl.perspective_divide_backward(GRAD_NDC, CLIP)
     # -(1 * 2 + 10 * 4 + 100 * 6) / 2^2  and  -(2 * 1 + 3 * 2 - 8 * 4) / 4^2
     assert_close(grad[..., 3], [-160.5, 1.5])
 
