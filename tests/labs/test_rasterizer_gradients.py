@@ -1,12 +1,10 @@
 """What the exercises of lab 7's whole meshes must do."""
 import numpy as np
 import pytest
+from corner_matrices import MATRICES, NEAR
 
 from course.checks import assert_close, exercise
 from course.given.gradcheck import gradcheck
-
-# In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
-NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
 
 # Numbers for paper: q_0 = (3, 2, 1), q_1 = (4, 1, 2), q_2 = (2, 5, 3). det(M) = -19.
 PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
@@ -16,14 +14,6 @@ PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
 TWO = np.stack([NEAR, [[2.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 2.0]]], -1)
 PLANES = np.array([[2.0, 1.0], [-1.0, -2.0], [4.0, 3.0]])  # 2x - y + 4 and x - 2y + 3
 DEPTHS = np.array([[4.0, 5.0], [6.0, 3.0], [2.0, 4.0]])    # at their corners: z_k = plane . q_k
-
-# Clip positions x, y, w in columns; each makes one of the mistakes visible.
-MATRICES = {
-    "w differs": np.array([[-0.7, 2.1, 0.4], [-0.5, 0.3, 1.9], [1.0, 2.5, 1.6]]),
-    "clockwise": np.array([[2.1, -0.7, 0.4], [0.3, -0.5, 1.9], [2.5, 1.0, 1.6]]),
-    "a vertex behind the camera": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [1.4, 2.0, -0.6]]),
-    "all behind": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [-1.4, -2.0, -0.6]]),
-}
 
 SIGNS = np.array([[1.0, -3.0, 0.5, -1.0], [2.0, 0.5, -0.25, 4.0], [4.0, -1.5, 1.75, -4.0]])
 

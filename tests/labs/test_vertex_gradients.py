@@ -3,6 +3,7 @@ import itertools
 
 import numpy as np
 import pytest
+from corner_matrices import MATRICES, NEAR
 
 from course.checks import assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
@@ -13,16 +14,6 @@ A = np.array([2.0, 0.25, 1.0])  # c = (3, 4, 1) / 8
 VALUES = np.array([8.0, 0.0, 3.0])  # f = 8 - 2 x - 2.5 y, less the target
 BY_M = np.array([[0.75, 1.0, 0.25], [0.9375, 1.25, 0.3125], [-3.0, -4.0, -1.0]])
 
-# In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
-NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
-
-# Clip positions x, y, w in columns; each makes one of the mistakes visible.
-MATRICES = {
-    "w differs": np.array([[-0.7, 2.1, 0.4], [-0.5, 0.3, 1.9], [1.0, 2.5, 1.6]]),
-    "clockwise": np.array([[2.1, -0.7, 0.4], [0.3, -0.5, 1.9], [2.5, 1.0, 1.6]]),
-    "a vertex behind the camera": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [1.4, 2.0, -0.6]]),
-    "all behind": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [-1.4, -2.0, -0.6]]),
-}
 each_matrix = pytest.mark.parametrize("m", MATRICES.values(), ids=MATRICES)
 PIXEL = np.array([0.25, -0.375, 1.0])
 

@@ -54,27 +54,6 @@ def test_a_direction_too_short_to_divide_by_sees_nothing():
         assert np.isfinite(grad).all() and not grad[:3].any() and grad[3].any()
 
 
-def texel_corners(face, column, row, size):
-    """The points at a texel's four corners, in units of 1/size, also beyond its face's edge."""
-    uv = np.array([[column + j, row + i] for i in (0, 1) for j in (0, 1)]) / size
-    points = np.round(size * cube_maps.direction_to(np.full(4, face), uv)).astype(int)
-    return {tuple(point) for point in points.tolist()}
-
-
-@pytest.mark.parametrize("size", [1, 2, 5])
-def test_a_tap_beyond_an_edge_is_the_texel_on_the_same_piece_of_it(size):
-    """At one of 12 edges, in one of two directions, the row of texels is turned or another."""
-    texels = {texel: texel_corners(*texel, size) for texel in np.ndindex(6, size, size)}
-    for face, beyond, k in itertools.product(range(6), (-1, size), range(size)):
-        for column, row in (beyond, k), (k, beyond):
-            beside = texels[face, *np.clip([column, row], 0, size - 1).tolist()]
-            piece = beside & texel_corners(face, column, row, size)
-            expected = [texel for texel, points in texels.items()
-                        if texel[0] != face and piece < points]
-            got = cube_maps.across_edge(*np.array([[face], [column], [row], [size]]))
-            assert len(piece) == 2 and [tuple(np.concatenate(got).tolist())] == expected
-
-
 @pytest.mark.parametrize("size", [1, 2, 3, 8])
 @pytest.mark.parametrize("filter", ["linear", "linear-mipmap-linear"])
 def test_colours_are_continuous_across_all_seams(size, filter):
