@@ -435,12 +435,7 @@ def test_the_gradients_are_those_of_the_definition(impl, rng, channels):
 @exercise("5.12")
 def test_the_gradients_are_central_differences(impl, rng):
     """B for B^T, or the attributes of another corner."""
-    attributes, faces, face_index, weights = buffers(rng, 4)
-
-    gradcheck(lambda attributes, weights: mixed(attributes, faces, face_index, weights),
-              lambda grad, attributes, weights: impl.interpolate_backward(
-                  grad, attributes, faces, face_index, weights),
-              (attributes, weights), name="interpolate")
+    gradcheck(mixed, impl.interpolate_backward, buffers(rng, 4), name="interpolate")
 
 
 @exercise("5.12")
@@ -523,12 +518,8 @@ def test_the_gradients_of_footprints_are_those_of_the_definition(impl, rng, chan
 @exercise("5.14")
 def test_the_gradients_of_footprints_are_central_differences(impl, rng):
     """A mean for a sum, or a sign."""
-    attributes, faces, face_index, weights = buffers(rng, 3, trailing=(2,))
-
-    gradcheck(lambda attributes, weights: mixed(attributes, faces, face_index, weights),
-              lambda grad, attributes, weights: impl.interpolate_derivatives_backward(
-                  grad, attributes, faces, face_index, weights),
-              (attributes, weights), name="interpolate_derivatives")
+    gradcheck(mixed, impl.interpolate_derivatives_backward, buffers(rng, 3, trailing=(2,)),
+              name="interpolate_derivatives")
 
 
 @exercise("5.14")

@@ -58,17 +58,21 @@ def test_each_corner_is_an_edge_that_is_crossed(impl):
                      given=f"inside {inside}")
 
 
+def check_inside_first(impl, cases):
+    for inside in cases:
+        first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
+        assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
+                     (True, False), given=f"inside {inside}: are the first, and the second, "
+                                           "vertices of all corners inside?")
+
+
 @exercise("15.10")
 def test_the_vertex_inside_comes_first(impl):
     """A corner is (outside, inside), or inside and outside are swapped: triangles lie around the
     vertices outside.
     """
-    for inside in CASES:
-        if sorted(inside, reverse=True) == list(inside):  # those inside have the smallest numbers
-            first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
-            assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
-                         (True, False), given=f"inside {inside}: are the first, and the second, "
-                                              "vertices of all corners inside?")
+    # Those inside have the smallest numbers.
+    check_inside_first(impl, [case for case in CASES if sorted(case, reverse=True) == list(case)])
 
 
 @exercise("15.10")
@@ -76,11 +80,7 @@ def test_the_vertex_inside_comes_first_whatever_its_number(impl):
     """A corner has its smaller vertex first: both are sorted by their numbers, or the vertices
     inside are taken to be the first ones, or their numbers belong to another order of the four.
     """
-    for inside in CASES:
-        first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
-        assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
-                     (True, False), given=f"inside {inside}: are the first, and the second, "
-                                          "vertices of all corners inside?")
+    check_inside_first(impl, CASES)
 
 
 @exercise("15.10")

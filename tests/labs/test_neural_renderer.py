@@ -110,9 +110,12 @@ def test_outside_weights_are_clamped_then_divided_by_their_sum(impl):
     assert_close(got, (weight, [1 / 0.6, 1 / 0.85, 8 / 3]))
 
 
+def unclamped(inverse, x, y):
+    return np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
+
+
 def screen_weights_and_depth(inverse, z, x, y):
-    c = np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
-    weight = np.clip(c, 0, 1)
+    weight = np.clip(unclamped(inverse, x, y), 0, 1)
     weight = weight / weight.sum(-1, keepdims=True)
     return weight, 1 / (weight / z).sum(-1)
 
@@ -178,14 +181,13 @@ def test_gradients_of_weights_and_depth_are_central_differences(impl, rng, reach
     b = rng.dirichlet(np.ones(3), (2, 5)) * reach + (1 - reach) / 3
     x, y = np.moveaxis((screen * b[..., None]).sum(-2), -1, 0)
 
-    def clamped(inverse, z):
-        c = np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
+    def clamped(inverse, z, x, y):
+        c = unclamped(inverse, x, y)
         return (c < 0) + 2 * (c > 1)
 
-    gradcheck(lambda inverse, z: screen_weights_and_depth(inverse, z, x, y),
-              lambda grad_weight, grad_depth, inverse, z: impl.screen_weights_and_depth_backward(
-                  grad_weight, grad_depth, inverse, z, x, y),
-              (inverse_of(screen), z), decisions=clamped, name="weights and depth")
+    gradcheck(screen_weights_and_depth, impl.screen_weights_and_depth_backward,
+              (inverse_of(screen), z, x, y), differentiable=[0, 1], decisions=clamped,
+              name="weights and depth")
 
 
 @exercise("10.4", fine_print=True)

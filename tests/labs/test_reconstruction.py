@@ -349,9 +349,7 @@ def test_gradients_of_normals_are_central_differences(impl, rng):
     vertices, faces = mesh.icosphere(20)
     vertices = vertices * [1.0, 1.5, 2.0] + rng.normal(scale=0.1, size=vertices.shape)
     for some, name in (faces, "vertex normals"), (faces[:7], "open mesh"):
-        gradcheck(lambda vertices, some=some: normals_of(vertices, some),
-                  lambda grad, vertices, some=some:
-                  impl.vertex_normals_backward(grad, vertices, some), (vertices,), name=name)
+        gradcheck(normals_of, impl.vertex_normals_backward, (vertices, some), name=name)
 
 
 # --- the losses --------------------------------------------------------------------------------
@@ -384,16 +382,12 @@ def test_the_loss_of_several_pictures_has_one_mean_on_paper(impl):
 @exercise("16.8")
 def test_the_gradient_of_the_loss_is_central_differences(impl, rng):
     """A channel or a pixel is left out."""
-    picture, target = rng.uniform(0, 1, (2, 4, 3, 4))
-
-    def forward(picture):
+    def forward(picture, target, weight):
         d = (picture - target)**2
-        return d[..., :3].sum() / 36 + 0.7 * d[..., 3].sum() / 12
+        return d[..., :3].sum() / 36 + weight * d[..., 3].sum() / 12
 
-    def backward(grad_loss, picture):
-        return impl.picture_loss_backward(grad_loss, picture, target, 0.7)
-
-    gradcheck(forward, backward, (picture,), name="picture_loss")
+    gradcheck(forward, impl.picture_loss_backward, (*rng.uniform(0, 1, (2, 4, 3, 4)), 0.7),
+              differentiable=[0], name="picture_loss")
 
 
 @exercise("16.9")
@@ -536,13 +530,9 @@ def test_at_zero_and_far_away(impl):
 @exercise("16.11")
 def test_gradients_of_sign_changes_are_central_differences(impl, rng):
     """Ends of several edges get one edge's share, or grad_changes is left out."""
-    distance, edges = rng.normal(size=12), rng.integers(12, size=(40, 2))
-
-    def backward(grad_changes, distance):
-        return impl.sign_changes_backward(grad_changes, distance, edges)
-
-    gradcheck(lambda distance: changes(distance, edges), backward, (distance,),
-              decisions=lambda distance: distance < 0, name="sign_changes")
+    gradcheck(changes, impl.sign_changes_backward,
+              (rng.normal(size=12), rng.integers(12, size=(40, 2))),
+              decisions=lambda distance, edges: distance < 0, name="sign_changes")
 
 
 # --- the step ----------------------------------------------------------------------------------

@@ -72,10 +72,9 @@ def test_a_light_that_moves_pulls_all_points_on_paper(impl):
 def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
     """The rotation is not transposed, or multiplies from the left, though gradients are rows."""
     rotation = rotation_of(rng)
-    gradcheck(lambda points, position: (points - position) @ rotation.T,
-              lambda grad, points, position: impl.to_light_backward(grad, points, position,
-                                                                    rotation),
-              (rng.normal(size=(5, 3)), rng.normal(size=3)), name="to_light")
+    gradcheck(lambda points, position, rotation: (points - position) @ rotation.T,
+              impl.to_light_backward, (rng.normal(size=(5, 3)), rng.normal(size=3), rotation),
+              differentiable=[0, 1], name="to_light")
 
 
 @exercise("14.3")
@@ -125,9 +124,9 @@ def test_a_point_that_comes_nearer_moves_outwards(impl):
 def test_the_gradients_of_places_are_central_differences(impl, rng, light):
     """A factor of one axis in the other's gradient; C_33 is left out of w."""
     light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
-    gradcheck(lambda q: projected(q, light, WIDTH, HEIGHT)[0],
-              lambda grad, q: impl.map_position_backward(grad, q, light, WIDTH, HEIGHT),
-              (before_the_light(rng, 6),), name="map_position")
+    gradcheck(lambda q, *light_and_size: projected(q, *light_and_size)[0],
+              impl.map_position_backward, (before_the_light(rng, 6), light, WIDTH, HEIGHT),
+              differentiable=[0], name="map_position")
 
 
 @exercise("14.5")

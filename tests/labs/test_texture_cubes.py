@@ -123,10 +123,8 @@ def test_places_pull_on_paper(impl):
 @pytest.mark.parametrize("size", [2, 5])
 def test_gradients_of_the_taps_are_central_differences(impl, rng, size):
     """The product rule lacks a factor, or a sign. Or T stands for T - 1."""
-    pixels = some_pixels(rng, 8)
-    gradcheck(lambda *pixels: taps(*pixels, size),
-              lambda grad, *pixels: impl.cube_taps_backward(grad, *pixels, size), pixels,
-              decisions=lambda *pixels: np.floor(place(*pixels, size)), name="taps")
+    gradcheck(taps, impl.cube_taps_backward, (*some_pixels(rng, 8), size),
+              decisions=lambda *given: np.floor(place(*given)), name="taps")
 
 
 @exercise("10.7")

@@ -127,10 +127,10 @@ def test_the_gradients_of_look_ups_are_central_differences(impl, rng):
     """The sum over the channels or over the points is left out, or goes over the wrong axis."""
     for count, n, k, channels in (6, 7, 4, 3), (3, 5, 1, 2), (2, 3, 8, 1):
         index = rng.integers(0, count, (n, k))
-        gradcheck(lambda texels, weight, at=index: np.einsum("nk,nkc->nc", weight, texels[at]),
-                  lambda grad, texels, weight, at=index:
-                  impl.look_up_backward(grad, texels, at, weight),
-                  (rng.normal(size=(count, channels)), rng.normal(size=(n, k))), name="look_up")
+        gradcheck(lambda texels, index, weight: np.einsum("nk,nkc->nc", weight, texels[index]),
+                  impl.look_up_backward,
+                  (rng.normal(size=(count, channels)), index, rng.normal(size=(n, k))),
+                  name="look_up")
 
 
 @exercise("6.7")
@@ -159,10 +159,10 @@ def test_on_a_centre_the_upper_side_counts(impl):
 
 def check_bilinear(impl, uv, width, height):
     """The gradient of the weights with respect to uv is that of central differences."""
-    gradcheck(lambda uv: weights_2d(uv, width, height),
-              lambda grad, uv: impl.bilinear_backward(grad, uv, width, height), (uv,),
-              name="bilinear", decisions=lambda uv: (np.floor(uv[:, 0] * width - 0.5),
-                                                     np.floor(uv[:, 1] * height - 0.5)))
+    gradcheck(weights_2d, impl.bilinear_backward, (uv, width, height), differentiable=[0],
+              decisions=lambda uv, width, height: (np.floor(uv[:, 0] * width - 0.5),
+                                                   np.floor(uv[:, 1] * height - 0.5)),
+              name="bilinear")
 
 
 @exercise("6.7")
