@@ -3,10 +3,10 @@ import itertools
 
 import numpy as np
 import pytest
-from look_up_goldens import configs, require_look_ups
+from look_up_goldens import configs, require_chunks_change_nothing, require_look_ups
 
 from course.given.gradcheck import gradcheck
-from reference import arrays, cube_maps, mipmapping
+from reference import cube_maps, mipmapping
 
 GOLDEN = np.load("tests/golden/cube_maps.npz")
 CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
@@ -209,14 +209,9 @@ def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
     faces, directions, jacobian, bias = scene(np.random.default_rng(11))
     directions[2, 3] = 0
     upstream = np.random.default_rng(12).normal(size=(5, 6, 3))
-    whole = (cube_maps.cube_texture(faces, directions, jacobian, bias, filter),
-             *cube_maps.cube_texture_backward(upstream, faces, directions, jacobian, bias, filter))
-    monkeypatch.setattr(arrays, "ROWS", 3)
     line = faces, directions.reshape(-1, 3), jacobian.reshape(-1, 3, 2), bias.reshape(-1), filter
-    parts = (cube_maps.cube_texture(*line),
-             *cube_maps.cube_texture_backward(upstream.reshape(-1, 3), *line))
-    for one, other in zip(whole, parts, strict=True):
-        np.testing.assert_allclose(one, other.reshape(one.shape), rtol=1e-12, atol=1e-13)
+    require_chunks_change_nothing(cube_maps.cube_texture, cube_maps.cube_texture_backward, upstream,
+                                  (faces, directions, jacobian, bias, filter), line, monkeypatch)
 
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)

@@ -94,8 +94,7 @@ def test_gradients_of_weights_and_depth_are_central_differences(rng):
 def test_gradients_of_corners_are_central_differences(rng):
     """w without its part in x / w, or z. Or a vertex of several faces that keeps one of them."""
     clip, faces = rng.uniform(1, 2, (5, 4)), np.array([[0, 1, 2], [2, 1, 3], [3, 0, 2]])
-    gradcheck(lambda clip: neural_renderer.corners_of(clip, faces),
-              lambda grad, clip: (neural_renderer.corners_backward(grad, clip, faces),), (clip,),
+    gradcheck(neural_renderer.corners_of, neural_renderer.corners_backward, (clip, faces),
               name="corners")
 
 

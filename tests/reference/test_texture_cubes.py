@@ -138,6 +138,7 @@ def test_gradients_of_texels_and_lights_are_central_differences(rng):
 
     def lit(textures, lights):
         return scene._replace(textures=textures, lights=texture_cubes.Lights(*lights))
+
     def backward(grad_picture, textures, *lights):
         changed = lit(textures, lights)
         _, buffers = texture_cubes.render(changed, view)
@@ -155,17 +156,15 @@ def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences
     scene = texture_cubes.LitMesh(vertices, faces, textures, LIGHTS)
     view = pipeline.View(camera((0.0, 0.3, 9.0)), 9, 7, BACKGROUND)
 
-    def render(vertices):
-        return texture_cubes.render(scene._replace(vertices=vertices), view)
-
     def backward(grad_picture, vertices):
-        _, buffers = render(vertices)
         moved = scene._replace(vertices=vertices)
+        _, buffers = texture_cubes.render(moved, view)
         grads = texture_cubes.render_backward(grad_picture, buffers, moved, view, sweep_backward)
         return (grads.vertices,)
 
-    assert (render(vertices)[1].maps.face_index == 0).all()
-    gradcheck(lambda vertices: render(vertices)[0], backward, (vertices,), name="vertices")
+    assert (texture_cubes.render(scene, view)[1].maps.face_index == 0).all()
+    gradcheck(lambda vertices: texture_cubes.render(scene._replace(vertices=vertices), view)[0],
+              backward, (vertices,), name="vertices")
 
 
 def test_edges_have_the_gradient_that_outline_gives(rng):
@@ -266,7 +265,5 @@ def test_gradients_of_samples_are_central_differences(impl, rng):
     textures, face = rng.normal(size=(4, 3, 3, 3, 2)), rng.integers(0, 4, 9)
     index, tap = rng.integers(0, 27, (9, 8)), rng.random((9, 8))
     index[5] = index[3, 0]  # pixels that read one texel, one of them eight times
-    gradcheck(lambda textures, tap: impl.sample_cubes(textures, face, index, tap),
-              lambda grad, textures, tap: impl.sample_cubes_backward(grad, textures, face, index,
-                                                                     tap),
-              (textures, tap), name="cubes")
+    gradcheck(impl.sample_cubes, impl.sample_cubes_backward, (textures, face, index, tap),
+              name="cubes")

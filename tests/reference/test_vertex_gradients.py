@@ -2,16 +2,14 @@
 import numpy as np
 
 from course.checks import assert_close
-from tests.labs.test_vertex_gradients import PIXEL, each_matrix
+from tests.labs.test_vertex_gradients import PIXEL, brightness, each_matrix
 
 
 @each_matrix
 def test_residuals_are_cramers(impl, m, rng):
     """The target is added, M is transposed, or its last row is taken for ones."""
     values, a = rng.normal(size=3), rng.normal(size=3)
-    replaced = [np.where(np.arange(3) == k, a[:, None], m) for k in range(3)]
-    c = np.linalg.det(replaced) / np.linalg.det(m)
-    assert_close(impl.residual(values, m, a, 0.7), values @ c - 0.7)
+    assert_close(impl.residual(values, m, a, 0.7), brightness(values, m, a, 0.7))
 
 
 @each_matrix
