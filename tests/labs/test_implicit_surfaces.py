@@ -221,6 +221,9 @@ BALLS = np.array([[0.0, 0.0, 0.0], [1.5, 0.3, -0.8]]), np.array([1.0, 0.6])
 TWO_BALLS = ("union", ("sphere", 1.0), ("moved", BALLS[0][1], ("sphere", 0.6)))
 
 
+ALONG_Z = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
+
+
 def rays_on_paper():
     """Toward a ball of radius 1, away from it, from within it, from far away and from beside it."""
     origins = np.array([[0.0, 0.0, 5.0], [0.0, 0.0, 5.0], [0.5, 0.0, 0.0], [0.0, 9.0, 12.0],
@@ -282,8 +285,7 @@ HALF_STEPS = [  # far, epsilon, most, t, evaluations
 def check_half_steps(impl, rows):
     """Compare t, of these rows of HALF_STEPS."""
     for far, epsilon, most, t, _ in rows:
-        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-        got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
+        got = impl.sphere_trace(*ALONG_Z, far, lipschitz=2.0, epsilon=epsilon, most=most)
         assert_close(got[0], [t])
 
 
@@ -326,19 +328,17 @@ def test_half_a_step_takes_more_evaluations(impl):
     ends a ray before s is evaluated there, and so do `most` evaluations.
     """
     for far, epsilon, most, _, evaluations in HALF_STEPS:
-        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-        got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
+        got = impl.sphere_trace(*ALONG_Z, far, lipschitz=2.0, epsilon=epsilon, most=most)
         assert_equal(got[1], [evaluations])
 
 
 @exercise("15.7")
 def test_too_long_a_step_goes_through(impl):
     """L below 1 is taken for 1: nothing then shows what a wrong L does."""
-    ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-    t, evaluations = impl.sphere_trace(*ray, 20.0, lipschitz=0.5)
+    t, evaluations = impl.sphere_trace(*ALONG_Z, 20.0, lipschitz=0.5)
     assert_close(t, [np.inf])  # s = 4, t = 8; s = 2, t = 12; s = 6, t = 24
     assert_equal(evaluations, [3])
-    t, _ = impl.sphere_trace(*ray, 20.0, lipschitz=0.8)
+    t, _ = impl.sphere_trace(*ALONG_Z, 20.0, lipschitz=0.8)
     assert_close(t, [5.0])     # inside: it has hit, and this t is its t
 
 
@@ -380,8 +380,7 @@ def test_the_defaults_are_those_of_the_question(impl, rng):
 @exercise("15.7")
 def test_as_many_evaluations_as_are_allowed(impl):
     """A limit of one's own, or far is cut."""
-    ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-    _, evaluations = impl.sphere_trace(*ray, 9.0, lipschitz=1e4, most=700)
+    _, evaluations = impl.sphere_trace(*ALONG_Z, 9.0, lipschitz=1e4, most=700)
     assert_equal(evaluations, [700])
 
 

@@ -132,8 +132,8 @@ def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon
     def padded(c):
         s = c.sum(0)
         return s + epsilon * np.where(s < 0, -1, 1)
-    def backward(grad_db, dc, c):
 
+    def backward(grad_db, dc, c):
         return impl.normalize_derivative_backward(grad_db, dc, c / padded(c), padded(c))
 
     gradcheck(lambda dc, c: dc / padded(c) - c * dc.sum(0) / padded(c)**2, backward,
