@@ -129,7 +129,8 @@ def said(error, item):
     last = traceback.extract_tb(error.__traceback__)[-1]
     returned = item.stash.get(LAST_RETURN, None)
     of_form = TypeError, ValueError, IndexError, AttributeError
-    if Path(last.filename) != item.path or returned is None or not isinstance(error, of_form):
+    if returned is None or Path(last.filename).parent != item.path.parent \
+            or not isinstance(error, of_form):
         return text
     name = item.stash[LAST_CALL][0].__name__
     if "unpack" in str(error):

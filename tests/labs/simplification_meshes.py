@@ -3,6 +3,7 @@ import itertools
 
 import numpy as np
 
+from course.checks import assert_close, assert_equal
 from course.given import mesh
 
 LEAST_CURVATURE, LEAST_COSINE, LEAST_SHAPE = 1e-6, 0.5**0.5, 0.01  # as in the module
@@ -18,6 +19,11 @@ def outer(p):
 def planes_of(*rows):
     """The sum of the quadrics of planes, (1, 4, 4)."""
     return sum(outer(np.array(row, float)) for row in rows)[None]
+
+
+def each_of(*groups):
+    """The sum of the quadrics of each group of planes, (N, 4, 4)."""
+    return np.concatenate([planes_of(*group) for group in groups])
 
 
 def error(q, x):
@@ -118,6 +124,59 @@ def rows(faces):
     return np.array([np.roll(face, -int(np.argmin(face))) for face in np.asarray(faces)])
 
 
+def assert_left(left, before, expected, given):
+    """These faces are left. If they are not, first of all: which vertices are gone?"""
+    assert_equal(gone(before, left), gone(before, expected), given)
+    assert_equal(rows(left), rows(expected), given)
+
+
 def gone(before, after):
     """In words, which vertices the last collapse took."""
     return f"gone from the faces: {np.setdiff1d(before, after).tolist()}"
+
+
+# --- what both ways to choose a pair must do: simplify(vertices, faces, face_count) -------------
+
+def check_nothing_to_do(simplify, rng):
+    vertices, faces = bumpy(20, rng)
+    for face_count in 20, 21:
+        assert_equal(simplify(vertices, faces, face_count), (vertices, faces))
+
+
+def check_where_it_stops(simplify, rng):
+    vertices, faces = bumpy(80, rng)
+    counts = [80, 79, 78, 77, 74]
+    left = np.array([len(simplify(vertices, faces, face_count)[1]) for face_count in counts])
+    assert_equal(left, [80, 78, 78, 76, 74],
+                 f"a ball of 80 faces, and face_count={counts}: how many faces are left of each?")
+
+
+def check_all_collapses(simplify, rng):
+    """They are those of the slow algorithm. The first collapse that differs is shown."""
+    for noise in 0.05, 0.3:
+        vertices, faces = bumpy(45, rng, noise)
+        face_counts = range(len(faces), 3, -2)
+        slow = dict(zip(face_counts, greedy(vertices, faces, face_counts), strict=True))
+        fast = {n: simplify(vertices, faces, n) for n in (60, 34, 16, 4)}
+        if any(not np.array_equal(rows(left), rows(slow[n][1])) for n, (_, left) in fast.items()):
+            for face_count in face_counts:
+                left, expected = simplify(vertices, faces, face_count)[1], slow[face_count][1]
+                before = slow[min(face_count + 2, len(faces))][1]
+                ball = (f"a ball of {len(faces)} faces, down to {face_count}; down to "
+                        f"{face_count + 2} it was right")
+                assert_left(left, before, expected, ball)
+        for face_count, (got, left) in fast.items():
+            used = np.unique(left)
+            assert_close(got[used], slow[face_count][0][used], rtol=1e-6, atol=1e-6)
+
+
+def check_it_stays_closed(simplify, rng):
+    for vertices, faces in mesh.torus(100), mesh.torus(36):
+        vertices = vertices + 0.01 * rng.normal(size=vertices.shape)
+        left = simplify(vertices, faces, 0)[1]
+        assert_equal("none left" if len(left) == 0 else "some left", "some left")
+        assert_equal("as many faces as before" if len(left) == len(faces) else "fewer", "fewer")
+        assert_equal(euler(left), 0)
+        faces_at_edge = np.bincount(mesh.edges(left)[1].ravel())
+        assert_equal(faces_at_edge, np.full(len(faces_at_edge), 2))
+        assert_equal(len({frozenset(face) for face in left.tolist()}), len(left))

@@ -1,21 +1,7 @@
 """What Catmull and Clark's exercises of lab 11 must do."""
 import numpy as np
 import pytest
-from subdivision_meshes import (
-    CUBE,
-    CUBE_VERTICES,
-    PUBLISHED,
-    dense,
-    each_polygon_mesh,
-    farthest,
-    flat,
-    neighbours,
-    old_vertices,
-    renumbered,
-    sides,
-    topology,
-    valence_of,
-)
+import subdivision_meshes as meshes
 
 from course.checks import assert_close, assert_equal, exercise
 
@@ -26,16 +12,16 @@ def mean_of(corners, count):
 
 def catmull_clark_of(count, faces):
     """Catmull and Clark's S, dense (V + E + F, V), point by point."""
-    edges, _, is_boundary = topology(faces)
+    edges, _, is_boundary = meshes.topology(faces)
     points, one = np.array([mean_of(face, count) for face in faces]), np.eye(count)
-    rows = [*old_vertices(count, edges, is_boundary, np.zeros(count), 1 / 8)]
+    rows = [*meshes.old_vertices(count, edges, is_boundary, np.zeros(count), 1 / 8)]
     for v in range(count):
-        ring = neighbours(v, edges)
-        if ring and not neighbours(v, edges[is_boundary]):
+        ring = meshes.neighbours(v, edges)
+        if ring and not meshes.neighbours(v, edges[is_boundary]):
             n, around = len(ring), points[[v in face for face in faces]]
             rows[v] = (around.mean(0) + 2 * mean_of([v] * n + ring, count) + (n - 3) * one[v]) / n
     for edge, alone in zip(edges, is_boundary, strict=True):
-        beside = points[[tuple(edge) in sides(face) for face in faces]]
+        beside = points[[tuple(edge) in meshes.sides(face) for face in faces]]
         rows.append(one[edge].mean(0) if alone else (one[edge].sum(0) + beside.sum(0)) / 4)
     return np.concatenate([rows, points])
 
@@ -44,14 +30,15 @@ def catmull_clark_of(count, faces):
 
 HOUSE = (np.array([[0.0, 0.0], [16.0, 0.0], [16.0, 32.0], [0.0, 32.0], [32.0, 56.0]]),  # a square
          np.array([3, 2, 4, 0, 1, 2, 3]), np.array([3, 4]))  # and a triangle, with the edge 2 3
+HOUSE_EDGES = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
+PYRAMID = meshes.POLYGONS["pyramid"][1]
 
 
 @exercise("11.10")
 def test_face_points_of_a_triangle_and_a_square_on_paper(impl):
     """A face point is the sum of the corners over 4, also for a triangle, or is made of moved
     vertices. Face points come before the edge points, or are left out; they must come last."""
-    got = impl.catmull_clark_slow(*HOUSE)
-    assert_close(got[11:], np.array([[16, 40], [8, 16.0]]))
+    assert_close(impl.catmull_clark_slow(*HOUSE)[11:], [[16, 40], [8, 16.0]])
 
 
 @exercise("11.10")
@@ -60,7 +47,7 @@ def test_boundary_vertices_of_a_house_on_paper(impl):
     ring pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8.
     Vertices already moved pull."""
     got = impl.catmull_clark_slow(*HOUSE)
-    assert_close(got[:5], np.array([[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]]))
+    assert_close(got[:5], [[2, 4], [14, 4], [18, 31], [4, 31], [26, 50.0]])
 
 
 @exercise("11.10")
@@ -69,7 +56,7 @@ def test_edge_points_of_a_house_on_paper(impl):
     middle, lacks its ends or a face point, or has Loop's weights. Points are made of moved
     vertices, or come in another order."""
     got = impl.catmull_clark_slow(*HOUSE)  # of the edges 0 1, 0 3, 1 2, 2 3, 2 4, 3 4
-    assert_close(got[5:11], np.array([[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]]))
+    assert_close(got[5:11], [[8, 0], [0, 16], [16, 16], [10, 30], [24, 44], [16, 44.0]])
 
 
 @exercise("11.10")
@@ -77,9 +64,8 @@ def test_vertices_of_a_pyramid_on_paper(impl):
     """R counts once, or is the mean of the ring, or of the new edge points, not of the edges'
     middles. F is a sum, or of all faces. n is always 4, not the valence. n - 3, the division by n,
     or its brackets are wrong."""
-    faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [4, 3, 2, 1]]
-    got = impl.catmull_clark_slow(np.array([[36.0], [72.0], [108.0], [216.0], [180.0]]),
-                                  *flat(faces))
+    vertices = np.array([[36.0], [72.0], [108.0], [216.0], [180.0]])
+    got = impl.catmull_clark_slow(vertices, *meshes.flat(PYRAMID))
     assert_close(got[:5].T, np.array([[243, 284, 328, 460, 416]]) / 3)
 
 
@@ -88,19 +74,17 @@ def test_a_square_alone_on_paper(impl):
     """A corner stays, or the boundary is pulled inwards. The face point is left out."""
     got = impl.catmull_clark_slow(np.array([[0.0, 0], [8, 0], [8, 16], [0, 16]]),
                                   np.array([0, 1, 2, 3]), np.array([4]))
-    assert_close(got, np.array([[1, 2], [7, 2], [7, 14], [1, 14], [4, 0], [0, 8], [8, 8], [4, 16],
-                                [4, 8.0]]))
+    assert_close(got, [[1, 2], [7, 2], [7, 14], [1, 14], [4, 0], [0, 8], [8, 8], [4, 16], [4, 8.0]])
 
 
 @exercise("11.10")
 def test_a_cube_on_paper(impl):
     """R is the mean of the ring, or of the new edge points, not of the edges' middles. A face point
     is wrong, or comes in another place."""
-    got = impl.catmull_clark_slow(CUBE_VERTICES, *flat(CUBE))
-    assert_close(got[:8], 5 / 9 * CUBE_VERTICES)
+    got = impl.catmull_clark_slow(meshes.CUBE_VERTICES, *meshes.flat(meshes.CUBE))
+    assert_close(got[:8], 5 / 9 * meshes.CUBE_VERTICES)
     assert_close(got[[8, 19]], np.array([[-3, -3, 0], [3, 3, 0]]) / 4)
-    assert_close(got[20:], np.array([[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1],
-                                     [0, 0, 1]]))
+    assert_close(got[20:], [[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]])
 
 
 @exercise("11.10")
@@ -109,15 +93,15 @@ def test_two_triangles_back_to_back_on_paper(impl):
     as one."""
     got = impl.catmull_clark_slow(np.array([[12.0], [0.0], [6.0]]), np.array([0, 1, 2, 2, 1, 0]),
                                   np.array([3, 3]))
-    assert_close(got.T, np.array([[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]]))
+    assert_close(got.T, [[4.5, 7.5, 6.0, 6.0, 7.5, 4.5, 6.0, 6.0]])
 
 
 @exercise("11.10")
-@each_polygon_mesh
+@meshes.each_polygon_mesh
 def test_point_by_point_is_the_matrix(impl, rng, count, faces):
     """F is taken over faces that do not meet at the vertex. Points come in another order."""
     del count
-    corners, counts = flat(faces)
+    corners, counts = meshes.flat(faces)
     used, corners = np.unique(corners, return_inverse=True)
     faces = [face.tolist() for face in np.split(corners, np.cumsum(counts)[:-1])]
     vertices = rng.normal(size=(len(used), 2))
@@ -126,12 +110,12 @@ def test_point_by_point_is_the_matrix(impl, rng, count, faces):
 
 
 @exercise("11.10", fine_print=True)
-@each_polygon_mesh
+@meshes.each_polygon_mesh
 def test_an_isolated_vertex_stays(impl, rng, count, faces):
     """An isolated vertex is divided by its valence 0 and becomes nan. Or it vanishes, and all
     numbers behind it are wrong."""
     vertices = rng.normal(size=(count, 2))
-    got = impl.catmull_clark_slow(vertices, *flat(faces))
+    got = impl.catmull_clark_slow(vertices, *meshes.flat(faces))
     assert_close(got, catmull_clark_of(count, faces) @ vertices)
 
 
@@ -139,10 +123,10 @@ def test_an_isolated_vertex_stays(impl, rng, count, faces):
 @pytest.mark.parametrize("name", ["pyramid", "square"])
 def test_the_published_polygons_of_opensubdiv(impl, name):
     """Not the scheme that everybody means: triangles and a quad, and a boundary with corners."""
-    with np.load(PUBLISHED) as published:
+    with np.load(meshes.PUBLISHED) as published:
         *given, expected = (published[f"{name}/{key}"]
                             for key in ("vertices", "corners", "counts", "step_1"))
-    assert_close(farthest(impl.catmull_clark_slow(*given), expected), 0.0, atol=1e-6)
+    assert_close(meshes.farthest(impl.catmull_clark_slow(*given), expected), 0.0, atol=1e-6)
 
 
 # --- the matrix ----------------------------------------------------------------------------------
@@ -152,11 +136,9 @@ def test_the_inner_edge_of_a_house_on_paper(impl):
     """The face points' columns begin at 0, not at vertex_count. A face point is left out, or counts
     for one of the two faces only. The weights are Loop's, 3/8 and 1/8, or the face points have 1/2.
     Rows and columns are exchanged."""
-    edges = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
-    entries = impl.catmull_clark_edge_rows(edges, np.array([3, 4, 5, 0, 2, 3, 1]), np.array([3, 4]),
-                                           6)
-    expected = np.array([0, 0, 1, 1, 0, 0, 1, 1]) / 4
-    assert_close(dense(entries, (6, 8))[3], expected)
+    entries = impl.catmull_clark_edge_rows(HOUSE_EDGES, np.array([3, 4, 5, 0, 2, 3, 1]),
+                                           HOUSE[2], 6)
+    assert_close(meshes.dense(entries, (6, 8))[3], np.array([0, 0, 1, 1, 0, 0, 1, 1]) / 4)
 
 
 @exercise("11.11")
@@ -169,22 +151,22 @@ def test_edges_between_two_triangles_on_paper(impl):
     for k in 0, 1, 2, 4:
         expected[k, edges[k]] = 1 / 2
     expected[3, [1, 3, 5, 6]] = 1 / 4
-    assert_close(dense(entries, (5, 7)), expected)
+    assert_close(meshes.dense(entries, (5, 7)), expected)
 
 
 @exercise("11.11")
-@each_polygon_mesh
+@meshes.each_polygon_mesh
 def test_points_on_edges_row_by_row(impl, rng, count, faces):
     """A corner gets the face point of another face where faces differ in size: the face's number is
     not the corner's over 3 or 4."""
-    faces = renumbered(rng, count, faces)
-    edges, corner_edge, _ = topology(faces)
-    entries = impl.catmull_clark_edge_rows(edges, corner_edge, flat(faces)[1], count)
+    faces = meshes.renumbered(rng, count, faces)
+    edges, corner_edge, _ = meshes.topology(faces)
+    entries = impl.catmull_clark_edge_rows(edges, corner_edge, meshes.flat(faces)[1], count)
     expected = np.zeros((len(edges), count + len(faces)))
     for row, edge in zip(expected, edges, strict=True):
-        near = [count + f for f, face in enumerate(faces) if tuple(edge) in sides(face)]
+        near = [count + f for f, face in enumerate(faces) if tuple(edge) in meshes.sides(face)]
         row[[*edge, *near] if len(near) == 2 else edge] = 1 / 4 if len(near) == 2 else 1 / 2
-    assert_close(dense(entries, expected.shape), expected)
+    assert_close(meshes.dense(entries, expected.shape), expected)
 
 
 @exercise("11.12")
@@ -192,48 +174,46 @@ def test_a_pyramid_on_paper(impl):
     """The pull is 1 / n, not 1 / n^2. A neighbour pulls by 2 / n^2, as if R were the ring's mean.
     Face points are left out, are those of other faces, or stand in the columns from 0 on. v keeps
     another weight."""
-    faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [4, 3, 2, 1]]
-    entries = impl.catmull_clark_vertex_rows(topology(faces)[0], np.zeros(8, bool), *flat(faces),
+    edges, _, is_boundary = meshes.topology(PYRAMID)
+    entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *meshes.flat(PYRAMID),
                                              np.array([4, 3, 3, 3, 3]))
     expected = np.array([[72, 9, 9, 9, 9, 9, 9, 9, 9, 0],
                          [16, 48, 16, 0, 16, 16, 0, 0, 16, 16],
                          [16, 16, 48, 16, 0, 16, 16, 0, 0, 16],
                          [16, 0, 16, 48, 16, 0, 16, 16, 0, 16],
                          [16, 16, 0, 16, 48, 0, 0, 16, 16, 16]]) / 144
-    assert_close(dense(entries, (5, 10)), expected)
+    assert_close(meshes.dense(entries, (5, 10)), expected)
 
 
 @exercise("11.12")
 def test_boundary_vertices_and_one_of_no_face_on_paper(impl):
     """Face points pull at boundary vertices as well. The boundary has another w than 1/8. A vertex
     of no face is divided by its valence 0, or does not stay."""
-    corners, counts = np.array([3, 2, 4, 0, 1, 2, 3]), np.array([3, 4])
-    edges = np.array([[0, 1], [0, 3], [1, 2], [2, 3], [2, 4], [3, 4]])
-    entries = impl.catmull_clark_vertex_rows(edges, np.arange(6) != 3, corners, counts,
+    entries = impl.catmull_clark_vertex_rows(HOUSE_EDGES, np.arange(6) != 3, *HOUSE[1:],
                                              np.array([2, 2, 3, 3, 2, 0]))
     expected = np.array([[6, 1, 0, 1, 0, 0, 0, 0], [1, 6, 1, 0, 0, 0, 0, 0],
                          [0, 1, 6, 0, 1, 0, 0, 0], [1, 0, 0, 6, 1, 0, 0, 0],
                          [0, 0, 1, 1, 6, 0, 0, 0], [0, 0, 0, 0, 0, 8, 0, 0]]) / 8
-    assert_close(dense(entries, (6, 8)), expected)
+    assert_close(meshes.dense(entries, (6, 8)), expected)
 
 
 @exercise("11.12")
-@each_polygon_mesh
+@meshes.each_polygon_mesh
 def test_moved_vertices_row_by_row(impl, rng, count, faces):
     """Face points pull at boundary vertices as well. The strength is that of another vertex. A
     vertex is pulled by faces that do not meet there."""
-    faces = renumbered(rng, count, faces)
-    edges, _, is_boundary = topology(faces)
-    entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *flat(faces),
-                                             valence_of(count, edges))
-    alone = np.zeros((count, len(faces)))
-    expected = np.hstack([old_vertices(count, edges, is_boundary, np.zeros(count), 1 / 8), alone])
+    faces = meshes.renumbered(rng, count, faces)
+    edges, _, is_boundary = meshes.topology(faces)
+    entries = impl.catmull_clark_vertex_rows(edges, is_boundary, *meshes.flat(faces),
+                                             meshes.valence_of(count, edges))
+    old = meshes.old_vertices(count, edges, is_boundary, np.zeros(count), 1 / 8)
+    expected = np.hstack([old, np.zeros((count, len(faces)))])
     for v in set(edges.ravel()) - set(edges[is_boundary].ravel()):
-        ring, around = neighbours(v, edges), [count + f for f in range(len(faces)) if v in faces[f]]
+        ring, around = meshes.neighbours(v, edges), [f for f in range(len(faces)) if v in faces[f]]
         n = len(ring)
         expected[v, v] = (n - 2) / n  # n - 3, and 1 more in 2 R
-        expected[v, ring + around] = 1 / n**2
-    assert_close(dense(entries, expected.shape), expected)
+        expected[v, ring + [count + f for f in around]] = 1 / n**2
+    assert_close(meshes.dense(entries, expected.shape), expected)
 
 
 @exercise("11.13")
@@ -243,21 +223,21 @@ def test_a_triangle_and_a_square_become_seven_quads(impl):
     way or begins elsewhere."""
     corners, counts = np.array([0, 1, 2, 2, 1, 4, 3]), np.array([3, 4])
     corner_edge = np.array([0, 2, 1, 2, 3, 5, 4])  # 01, 02, 12, 14, 23, 34
-    assert_equal(impl.catmull_clark_faces(corners, counts, corner_edge, 6), np.array([
+    assert_equal(impl.catmull_clark_faces(corners, counts, corner_edge, 6), [
         [0, 6, 12, 7], [1, 8, 12, 6], [2, 7, 12, 8],
-        [2, 8, 13, 10], [1, 9, 13, 8], [4, 11, 13, 9], [3, 10, 13, 11]]))
+        [2, 8, 13, 10], [1, 9, 13, 8], [4, 11, 13, 9], [3, 10, 13, 11]])
 
 
 @exercise("11.13")
-@each_polygon_mesh
+@meshes.each_polygon_mesh
 def test_quads_fill_their_polygon(impl, rng, count, faces):
     """Points on the middles: the quads of a polygon have its area vector in sum."""
-    faces = renumbered(rng, count, faces)
-    edges, corner_edge, _ = topology(faces)
+    faces = meshes.renumbered(rng, count, faces)
+    edges, corner_edge, _ = meshes.topology(faces)
     x = np.arange(count)
     old = np.stack([x**2, np.sin(x), x], 1) + 0.0
     new = np.concatenate([old, old[edges].mean(1), [old[face].mean(0) for face in faces]])
-    corners, counts = flat(faces)
+    corners, counts = meshes.flat(faces)
     quads = impl.catmull_clark_faces(corners, counts, corner_edge, count)
     assert_equal(quads[:, 0], corners)
     vector = np.cross(new[quads], np.roll(new[quads], -1, 1)).sum(1)
@@ -272,12 +252,12 @@ def test_quads_fill_their_polygon(impl, rng, count, faces):
 def test_the_limit_of_a_cube_on_paper(impl):
     """The ring's 4 is missing. A neighbour is taken for the end of the diagonal, or diagonals are
     left out. The factor 1 / (n (n + 5)) is wrong, as 1 / n^2, 1 / (n + 5)."""
-    quads = np.array(CUBE)
-    edges = topology(quads)[0]
+    quads = np.array(meshes.CUBE)
+    edges = meshes.topology(quads)[0]
     entries = impl.catmull_clark_limit_rows(edges, np.zeros(12, bool), quads, np.full(8, 3))
-    got = dense(entries, (8, 8))
-    assert_close(24 * got[0], np.array([9.0, 4, 4, 1, 4, 1, 1, 0]))
-    assert_close(24 * got[6], np.array([1.0, 0, 4, 1, 4, 1, 9, 4]))
+    got = meshes.dense(entries, (8, 8))
+    assert_close(24 * got[0], [9.0, 4, 4, 1, 4, 1, 1, 0])
+    assert_close(24 * got[6], [1.0, 0, 4, 1, 4, 1, 9, 4])
 
 
 @exercise("11.15")
@@ -285,9 +265,9 @@ def test_limits_on_a_boundary(impl):
     """The boundary has a step's 1/8, not the limit's 1/6. Diagonals pull at boundary vertices as
     well. A vertex of valence 0 does not stay."""
     quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]])
-    edges, _, is_boundary = topology(quads)
-    n = np.append(valence_of(9, edges), 0)
-    got = dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (10, 10))
+    edges, _, is_boundary = meshes.topology(quads)
+    n = np.append(meshes.valence_of(9, edges), 0)
+    got = meshes.dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (10, 10))
     expected = np.eye(10)
     rim = [0, 1, 2, 5, 8, 7, 6, 3]
     for before, v, after in zip(rim[-1:] + rim, rim, rim[1:] + rim[:1], strict=False):
@@ -300,11 +280,11 @@ def test_limits_on_a_boundary(impl):
 def test_the_inner_corner_of_an_l_is_on_the_boundary(impl):
     """A boundary vertex is told by its valence; here one has 4 neighbours, and three quads."""
     quads = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6]])
-    edges, _, is_boundary = topology(quads)
-    n = valence_of(8, edges)
-    got = dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (8, 8))
-    assert_close(6 * got[4], np.array([0.0, 0, 0, 0, 4, 1, 0, 1]))
-    assert_close(6 * got[1], np.array([1.0, 4, 1, 0, 0, 0, 0, 0]))
+    edges, _, is_boundary = meshes.topology(quads)
+    n = meshes.valence_of(8, edges)
+    got = meshes.dense(impl.catmull_clark_limit_rows(edges, is_boundary, quads, n), (8, 8))
+    assert_close(6 * got[4], [0.0, 0, 0, 0, 4, 1, 0, 1])
+    assert_close(6 * got[1], [1.0, 4, 1, 0, 0, 0, 0, 0])
 
 
 @exercise("11.15")
@@ -316,7 +296,7 @@ def test_many_steps_of_quads_lead_to_the_limit(impl, rng):
         quads = number[np.stack([0 * k, 1 + k, 1 + n + k, 1 + (k + 1) % n], axis=1)]
         edges = np.sort(number[np.stack([0 * k, 1 + k], axis=1)])
         valence[number[0]] = n
-        got = dense(impl.catmull_clark_limit_rows(edges, np.zeros(n, bool), quads, valence),
+        got = meshes.dense(impl.catmull_clark_limit_rows(edges, np.zeros(n, bool), quads, valence),
                     (2 * n + 1,) * 2)[number[0], number]
         # Means of vertex, ring and diagonals: F = (v + 2 r + d) / 4 is the new mean of diagonals.
         face = np.array([1, 2, 1]) / 4

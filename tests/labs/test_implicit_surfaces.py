@@ -37,7 +37,7 @@ def test_outside_of_a_box_on_paper(impl):
     nearest, or axes within the sides count, too.
     """
     points = np.array([[2.5, 0.3, -0.4], [3.5, -5.0, 0.25], [-1.5, 3.0, -3.5], [0.2, 7.0, -9.5]])
-    assert_close(impl.box(points, HALF), np.array([2.0, 5.0, 3.0, 10.0]))
+    assert_close(impl.box(points, HALF), [2.0, 5.0, 3.0, 10.0])
 
 
 @exercise("15.1")
@@ -47,14 +47,14 @@ def test_inside_a_box_the_nearest_side_counts(impl):
     """
     points = np.array([[0.1, 0.75, -0.2], [0.05, 0.3, -1.4], [0.25, -0.8, 1.2], [-0.3, 0.4, 0.6],
                        [0.5, 0.2, 0.3]])
-    assert_close(impl.box(points, HALF), np.array([-0.25, -0.1, -0.2, -0.2, 0.0]))
+    assert_close(impl.box(points, HALF), [-0.25, -0.1, -0.2, -0.2, 0.0])
 
 
 @exercise("15.1")
 def test_all_around_a_box_it_is_the_distance(impl, rng):
     """A region is wrong: sides, edges and corners, in every octant; or points come in a grid."""
     points, half = rng.uniform(-3, 3, (6, 50, 3)), np.array([2.0, 0.7, 1.3])
-    expected = np.array([[distance_to_box(point, half) for point in row] for row in points])
+    expected = [[distance_to_box(point, half) for point in row] for row in points]
     assert_close(impl.box(points, half), expected)
 
 
@@ -71,7 +71,7 @@ def test_gradients_outside_of_a_box_on_paper(impl):
     axes within the sides have one. It points away from the middle of the box.
     """
     points = np.array([[3.5, -5.0, 0.25], [-1.5, 0.5, 1.25], [-1.5, 3.0, -3.5], [0.2, 7.0, -9.5]])
-    expected = np.array([[1.2, -1.6, 0], [-3.0, 0, 0], [2.0, -4.0, 4.0], [0, 3.0, -4.0]])
+    expected = [[1.2, -1.6, 0], [-3.0, 0, 0], [2.0, -4.0, 4.0], [0, 3.0, -4.0]]
     assert_close(impl.box_backward(np.array([2.0, 3.0, -6.0, 5.0]), points, HALF), expected)
 
 
@@ -82,7 +82,7 @@ def test_gradients_inside_a_box_on_paper(impl):
     the middle, or more than one axis has a share.
     """
     points = np.array([[0.1, -0.9, 1.0], [0.2, 0.5, 1.4], [-0.3, 0.4, -0.6], [0.15, 0.8, -0.7]])
-    expected = np.array([[0, -5.0, 0], [0, 0, -7.0], [-4.0, 0, 0], [0, 6.0, 0]])
+    expected = [[0, -5.0, 0], [0, 0, -7.0], [-4.0, 0, 0], [0, 6.0, 0]]
     assert_close(impl.box_backward(np.array([5.0, -7.0, 4.0, 6.0]), points, HALF), expected)
 
 
@@ -117,7 +117,7 @@ def test_gradients_of_a_box_are_central_differences(impl, rng):
 def test_one_point_has_one_gradient(impl):
     """One point (3,) is an error: rows are counted."""
     got = impl.box_backward(np.array(2.0), np.array([0.1, -0.9, 1.0]), HALF)
-    assert_close(got, np.array([0.0, -2.0, 0.0]))
+    assert_close(got, [0.0, -2.0, 0.0])
 
 
 @exercise("15.3")
@@ -128,7 +128,7 @@ def test_a_ring_on_paper(impl):
     points = np.array([[3.0, 3.0, 4.0], [8.0, 0.75, -6.0], [-5.0, -3.0, 12.0], [9.0, 8.0, 12.0],
                        [-1.2, 2.4, -1.6]])
     # From the axis 5, 10, 13, 15, 2; from the circle 5, 1.25, 5, 10, 7.4.
-    assert_close(impl.torus(points, 9.0, 2.0), np.array([3.0, -0.75, 3.0, 8.0, 5.4]))
+    assert_close(impl.torus(points, 9.0, 2.0), [3.0, -0.75, 3.0, 8.0, 5.4])
 
 
 @exercise("15.3")
@@ -145,28 +145,24 @@ def test_gradients_of_a_ring_on_paper(impl):
     away from the axis. grad_distance is left out.
     """
     points = np.array([[3.0, 3.0, 4.0], [8.0, 0.75, -6.0], [-5.0, -3.0, 12.0], [9.0, 8.0, 12.0]])
-    expected = np.array([[-4.8, 6.0, -6.4], [3.2, 3.0, -2.4], [-4.0, -7.8, 9.6],
-                         [-7.2, -16.0, -9.6]])
     assert_close(impl.torus_backward(np.array([10.0, 5.0, 13.0, -20.0]), points, 9.0, 1.0),
-                 expected)
+                 [[-4.8, 6.0, -6.4], [3.2, 3.0, -2.4], [-4.0, -7.8, 9.6], [-7.2, -16.0, -9.6]])
 
 
 @exercise("15.4", fine_print=True)
 def test_on_the_axis_and_in_the_middle_of_the_tube_nothing_is_divided_by_0(impl):
     """NaN where there is no direction."""
     points = np.array([[0.0, 0.0, 0.0], [0.0, 12.0, 0.0], [0.0, 0.0, -5.0]])
-    expected = np.array([[0, 0, 0], [0, 12 / 13, 0], [0, 0, 0]])
+    expected = [[0, 0, 0], [0, 12 / 13, 0], [0, 0, 0]]
     assert_close(impl.torus_backward(np.ones(3), points, 5.0, 1.0), expected)
 
 
 @exercise("15.4")
 def test_gradients_of_a_ring_are_central_differences(impl, rng):
     """A factor of the chain is missing: right where x = 0 or z = 0."""
-    def forward(points, radius, tube):
-        return distance_to_ring(points, radius, tube)
-
-    gradcheck(forward, impl.torus_backward, (rng.uniform(-2, 2, (4, 6, 3)), 1.1, 0.3),
-              differentiable=[0], name="torus")
+    gradcheck(lambda points, radius, tube: distance_to_ring(points, radius, tube),
+              impl.torus_backward, (rng.uniform(-2, 2, (4, 6, 3)), 1.1, 0.3), differentiable=[0],
+              name="torus")
 
 
 @exercise("15.5")
@@ -177,8 +173,7 @@ def test_a_smooth_union_on_paper(impl):
     """
     a = np.array([2.0, 2.0, 5.0, -1.0, 3.0, -6.0])
     b = np.array([2.0, 4.0, 1.0, -3.0, 9.0, -2.0])  # h = 1, 3/4, 1/2, 3/4, 1/4, 1/2
-    expected = np.array([0.0, 0.875, 0.5, -4.125, 2.875, -6.5])
-    assert_close(impl.smooth_union(a, b, 8.0), expected)
+    assert_close(impl.smooth_union(a, b, 8.0), [0.0, 0.875, 0.5, -4.125, 2.875, -6.5])
 
 
 @exercise("15.5")
@@ -207,7 +202,7 @@ def test_shares_of_the_seam_on_paper(impl):
     """
     a, b = np.array([2.0, 2.0, 4.0, -1.0, 3.0]), np.array([2.0, 4.0, 1.0, -2.0, 9.0])
     grad = np.array([6.0, 8.0, 32.0, 16.0, -1.0])  # h = 1, 1/2, 1/4, 3/4, 0
-    expected = np.array([3.0, 6.0, 4.0, 6.0, -1.0]), np.array([3.0, 2.0, 28.0, 10.0, 0.0])
+    expected = [3.0, 6.0, 4.0, 6.0, -1.0], [3.0, 2.0, 28.0, 10.0, 0.0]
     assert_close(impl.smooth_union_backward(grad, a, b, 4.0), expected)
 
 
@@ -224,6 +219,9 @@ def test_gradients_of_the_smooth_union_are_central_differences(impl, rng):
 
 BALLS = np.array([[0.0, 0.0, 0.0], [1.5, 0.3, -0.8]]), np.array([1.0, 0.6])
 TWO_BALLS = ("union", ("sphere", 1.0), ("moved", BALLS[0][1], ("sphere", 0.6)))
+
+
+ALONG_Z = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
 
 
 def rays_on_paper():
@@ -274,7 +272,7 @@ def test_places_of_hits_on_paper(impl):
     is no length.
     """
     t = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[0]
-    assert_close(t, np.array([4.0, np.inf, 0.0, 14.0, 6.0, np.inf]))
+    assert_close(t, [4.0, np.inf, 0.0, 14.0, 6.0, np.inf])
 
 
 # s = 4, 2, 1, 1/2, 1/4, ...; t = 0, 2, 3, 3.5, 3.75, ...
@@ -287,9 +285,8 @@ HALF_STEPS = [  # far, epsilon, most, t, evaluations
 def check_half_steps(impl, rows):
     """Compare t, of these rows of HALF_STEPS."""
     for far, epsilon, most, t, _ in rows:
-        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-        got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
-        assert_close(got[0], np.array([t]))
+        got = impl.sphere_trace(*ALONG_Z, far, lipschitz=2.0, epsilon=epsilon, most=most)
+        assert_close(got[0], [t])
 
 
 @exercise("15.7")
@@ -322,8 +319,7 @@ def test_evaluations_on_paper(impl):
     """The evaluation that finds the hit is not counted. Rays that are done are counted on, as long
     as any ray is on its way. A miss goes on, and is evaluated beyond far. It begins at 1.
     """
-    evaluations = impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[1]
-    assert_equal(evaluations, np.array([2, 3, 1, 2, 2, 4]))
+    assert_equal(impl.sphere_trace(*rays_on_paper(), ("sphere", 1.0), 20.0)[1], [2, 3, 1, 2, 2, 4])
 
 
 @exercise("15.7")
@@ -332,20 +328,18 @@ def test_half_a_step_takes_more_evaluations(impl):
     ends a ray before s is evaluated there, and so do `most` evaluations.
     """
     for far, epsilon, most, _, evaluations in HALF_STEPS:
-        ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-        got = impl.sphere_trace(*ray, far, lipschitz=2.0, epsilon=epsilon, most=most)
-        assert_equal(got[1], np.array([evaluations]))
+        got = impl.sphere_trace(*ALONG_Z, far, lipschitz=2.0, epsilon=epsilon, most=most)
+        assert_equal(got[1], [evaluations])
 
 
 @exercise("15.7")
 def test_too_long_a_step_goes_through(impl):
     """L below 1 is taken for 1: nothing then shows what a wrong L does."""
-    ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-    t, evaluations = impl.sphere_trace(*ray, 20.0, lipschitz=0.5)
-    assert_close(t, np.array([np.inf]))  # s = 4, t = 8; s = 2, t = 12; s = 6, t = 24
-    assert_equal(evaluations, np.array([3]))
-    t, _ = impl.sphere_trace(*ray, 20.0, lipschitz=0.8)
-    assert_close(t, np.array([5.0]))     # inside: it has hit, and this t is its t
+    t, evaluations = impl.sphere_trace(*ALONG_Z, 20.0, lipschitz=0.5)
+    assert_close(t, [np.inf])  # s = 4, t = 8; s = 2, t = 12; s = 6, t = 24
+    assert_equal(evaluations, [3])
+    t, _ = impl.sphere_trace(*ALONG_Z, 20.0, lipschitz=0.8)
+    assert_close(t, [5.0])     # inside: it has hit, and this t is its t
 
 
 @exercise("15.7")
@@ -355,10 +349,9 @@ def test_rays_to_two_balls_stop_where_quadratic_equations_say(impl, rng):
     b = ((origins[:, None] - BALLS[0]) * directions[:, None]).sum(-1)
     c = ((origins[:, None] - BALLS[0])**2).sum(-1) - BALLS[1]**2
     root = np.sqrt(np.maximum(b**2 - c, 0))
-    expected = np.where(b**2 > c, -b - root, np.inf).min(1)
     clear = (np.abs(b**2 - c) > 0.02).all(1)
     t, _ = impl.sphere_trace(origins[clear], directions[clear], TWO_BALLS, 9.0, epsilon=1e-9)
-    assert_close(t, expected[clear], atol=1e-7)
+    assert_close(t, np.where(b**2 > c, -b - root, np.inf).min(1)[clear], atol=1e-7)
 
 
 @exercise("15.7")
@@ -369,27 +362,26 @@ def test_each_ray_goes_its_own_way(impl, rng):
         given = 5.0, lipschitz, epsilon, most
         expected = [traced(o, d, *given) for o, d in zip(origins, directions, strict=True)]
         t, evaluations = impl.sphere_trace(origins, directions, TWO_BALLS, *given)
-        assert_close(t, np.array([ray[0] for ray in expected]))
-        assert_equal(evaluations, np.array([ray[1] for ray in expected]))
+        assert_close(t, [ray[0] for ray in expected])
+        assert_equal(evaluations, [ray[1] for ray in expected])
 
 
 @exercise("15.7")
 def test_the_defaults_are_those_of_the_question(impl, rng):
     """Another L, epsilon or number of steps than the signature has."""
     origins, directions = rays(rng, 40)
-    expected = np.array([traced(*ray, 9.0, 1.0, 1e-5, 200)[0]
-                         for ray in zip(origins, directions, strict=True)])
+    expected = [traced(*ray, 9.0, 1.0, 1e-5, 200)[0]
+                for ray in zip(origins, directions, strict=True)]
     assert_close(impl.sphere_trace(origins, directions, TWO_BALLS, 9.0)[0], expected)
     _, evaluations = impl.sphere_trace(origins[:1], directions[:1], TWO_BALLS, 9.0, 1000.0)
-    assert_equal(evaluations, np.array([200]))
+    assert_equal(evaluations, [200])
 
 
 @exercise("15.7")
 def test_as_many_evaluations_as_are_allowed(impl):
     """A limit of one's own, or far is cut."""
-    ray = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -1.0]]), ("sphere", 1.0)
-    _, evaluations = impl.sphere_trace(*ray, 9.0, lipschitz=1e4, most=700)
-    assert_equal(evaluations, np.array([700]))
+    _, evaluations = impl.sphere_trace(*ALONG_Z, 9.0, lipschitz=1e4, most=700)
+    assert_equal(evaluations, [700])
 
 
 # --- volume rendering --------------------------------------------------------------------------
@@ -417,9 +409,9 @@ def test_weights_on_paper(impl):
     passed = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2], [1.0, 0.7, 0.3, 0.25],
                        [1.0, 0.8, 0.15, 0.05]])
     spacing = np.array([[0.5, 2.0, 4.0], [3.0, 0.25, 1.5], [0.2, 1.25, 0.8], [5.0, 0.4, 2.5]])
-    weights = np.array([[0.5, 0.1, 0.3], [0.1, 0.3, 0.4], [0.3, 0.4, 0.05], [0.2, 0.65, 0.1]])
+    weights = [[0.5, 0.1, 0.3], [0.1, 0.3, 0.4], [0.3, 0.4, 0.05], [0.2, 0.65, 0.1]]
     density = -np.log(passed[:, 1:] / passed[:, :-1]) / spacing
-    assert_close(impl.ray_weights(density, spacing), (weights, np.array([0.1, 0.2, 0.25, 0.05])))
+    assert_close(impl.ray_weights(density, spacing), (weights, [0.1, 0.2, 0.25, 0.05]))
 
 
 @exercise("15.8")
@@ -446,8 +438,8 @@ def test_behind_a_wall_is_nothing(impl):
     density = np.array([[1.0, 1e12, 3.0], [0.0, 0.0, 0.0]])
     weights, remaining = impl.ray_weights(density, np.ones((2, 3)))
     near = np.exp(-1.0)
-    assert_close(weights, np.array([[1 - near, near, 0.0], [0, 0, 0]]))
-    assert_close(remaining, np.array([0.0, 1.0]))
+    assert_close(weights, [[1 - near, near, 0.0], [0, 0, 0]])
+    assert_close(remaining, [0.0, 1.0])
 
 
 @exercise("15.8", fine_print=True)
@@ -456,8 +448,8 @@ def test_thick_and_short_pieces(impl):
     weights, remaining = impl.ray_weights(np.array([[0.3, 1e17, 3.0], [5e4, 0.0, 1e5]]),
                                           np.array([[1.0, 1.0, 1.0], [1e-5, 1e-5, 1e-5]]))
     a, b, c = np.exp([-0.3, -0.5, -1.0])
-    assert_close(weights, np.array([[1 - a, a, 0], [1 - b, 0, b * (1 - c)]]))
-    assert_close(remaining, np.array([0.0, b * c]))
+    assert_close(weights, [[1 - a, a, 0], [1 - b, 0, b * (1 - c)]])
+    assert_close(remaining, [0.0, b * c])
 
 
 PASSED = np.array([[1.0, 0.5, 0.4, 0.1], [1.0, 0.9, 0.6, 0.2]])  # T before and behind 3 samples
@@ -478,12 +470,11 @@ def test_gradients_of_densities_on_paper(impl):
     or its weight, stands for T behind it. spacing or grad_output is missing.
     """
     grad_output = np.array([[10.0, 1.0, -2.0], [2.0, -3.0, 1.0]])
-    got = impl.volume_render_backward(grad_output, *two_rays())[0]
     # The loss feels the colours as 10, 27, 17 and 40; 9, 10, 1 and -7. Behind each sample is
     # 11.8, 9.1, 4; 2, -1, -1.4.
-    expected = np.array([[0.5 * (0.5 * 10 - 11.8), 2 * (0.4 * 27 - 9.1), 4 * (0.1 * 17 - 4)],
-                         [3 * (0.9 * 9 - 2), (0.6 * 10 + 1) / 4, 1.5 * (0.2 * 1 + 1.4)]])
-    assert_close(got, expected)
+    expected = [[0.5 * (0.5 * 10 - 11.8), 2 * (0.4 * 27 - 9.1), 4 * (0.1 * 17 - 4)],
+                [3 * (0.9 * 9 - 2), (0.6 * 10 + 1) / 4, 1.5 * (0.2 * 1 + 1.4)]]
+    assert_close(impl.volume_render_backward(grad_output, *two_rays())[0], expected)
 
 
 @exercise("15.9")
@@ -502,7 +493,7 @@ def test_a_longer_piece_of_ray_feels_its_density_more(impl):
     """The factor delta is missing in the gradient with respect to the density."""
     given = np.log([[2.0]]) / 5, np.array([[[7.0]]]), np.array([[5.0]]), np.array([3.0])
     grad_density, _ = impl.volume_render_backward(np.array([[1.0]]), *given)
-    assert_close(grad_density, np.array([[5 * 0.5 * (7.0 - 3.0)]]))
+    assert_close(grad_density, [[5 * 0.5 * (7.0 - 3.0)]])
 
 
 @exercise("15.9")
@@ -523,8 +514,8 @@ def test_walls_and_empty_space_have_gradients(impl):
     given = density, colour, np.ones((2, 3)), background
     grad_density, grad_colour = impl.volume_render_backward(np.ones((2, 1)), *given)
     # In front of the wall: 1 in place of 3. In empty space: each in place of the background.
-    assert_close(grad_density, np.array([[-2.0, 0.0, 0.0], [-4.0, -2.0, 4.0]]))
-    assert_close(grad_colour[..., 0], np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]))
+    assert_close(grad_density, [[-2.0, 0.0, 0.0], [-4.0, -2.0, 4.0]])
+    assert_close(grad_colour[..., 0], [[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
 
 
 @exercise("15.9")

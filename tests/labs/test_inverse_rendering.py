@@ -128,7 +128,7 @@ def test_the_first_step_is_by_the_rate(impl):
     """
     x, zero = np.array([[1.0, 2.0, 3.0, 4.0]]), np.zeros((1, 4))
     x, _, _ = three(impl.adam_step(x, np.array([[1e-3, -7.0, 1e4, -0.3]]), zero, zero, 1, 0.5))
-    assert_close(x, np.array([[0.5, 2.5, 2.5, 4.5]]), atol=1e-5)
+    assert_close(x, [[0.5, 2.5, 2.5, 4.5]], atol=1e-5)
 
 
 @exercise("9.3")
@@ -148,7 +148,7 @@ def test_epsilon_is_added_to_the_root(impl):
     """
     x, grad_x, zero = np.ones(4), np.array([3.0, -1.0, 8.0, 0.0]), np.zeros(4)
     x, _, _ = three(impl.adam_step(x, grad_x, zero, zero, 1, 0.5, (0.9, 0.999, 2.0)))
-    assert_close(x, np.array([0.7, 7 / 6, 0.6, 1.0]))  # by 0.5 g / (|g| + 2)
+    assert_close(x, [0.7, 7 / 6, 0.6, 1.0])  # by 0.5 g / (|g| + 2)
 
 
 @exercise("9.3")
@@ -175,7 +175,7 @@ def test_a_product_on_paper(impl):
     """
     got = impl.quaternion_product(np.array([1.0, 2.0, 3.0, 4.0]), np.array([5.0, 6.0, 7.0, 8.0]))
     # 5 - 12 - 21 - 32; 6 + 10 + 24 - 28; 7 + 15 + 24 - 16; 8 + 20 + 14 - 18.
-    assert_close(got, np.array([-60.0, 12.0, 30.0, 24.0]))
+    assert_close(got, [-60.0, 12.0, 30.0, 24.0])
 
 
 @exercise("9.4")
@@ -266,7 +266,7 @@ def test_an_element__s_gradient_on_paper(impl):
     grad_matrix[0, 1] = 225.0  # by 2 (x y - w z) / |q|^2, which is 4 / 30 at this q
     got = impl.quaternion_matrix_backward(grad_matrix, np.array([1.0, 2.0, 3.0, 4.0]))
     # 225 * 2 (-z, y, x, -w) / 30 = (-60, 45, 30, -15), and the length's share: -2 q.
-    assert_close(got, np.array([-62.0, 41.0, 24.0, -23.0]))
+    assert_close(got, [-62.0, 41.0, 24.0, -23.0])
 
 
 @exercise("9.6")
@@ -412,7 +412,7 @@ def test_silhouette_gradients_on_paper(impl):
     target = np.array([[0.5, 1.0, 1.0], [0.0, 0.0, 1.0]])
     got = impl.silhouette_loss_backward(-81.0, coverage, target)
     # A = 2, U = 4.5: (A (1 - t) - U t) / U^2 = (8 - 26 t) / 81.
-    assert_close(got, np.array([[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]]))
+    assert_close(got, [[5.0, 18.0, 18.0], [-8.0, -8.0, 18.0]])
 
 
 @exercise("9.9", fine_print=True)
@@ -450,7 +450,7 @@ def test_four_vertices_on_paper(impl):
     Edges count for one of their ends alone, in one direction. += counts a vertex that is named
     twice only once (see np.add.at). x is left out, or its own neighbour.
     """
-    expected = np.array([[4.5, -10.5], [-7.0, 8.0], [-3.0, 4.0], [10.5, -7.5]])
+    expected = [[4.5, -10.5], [-7.0, 8.0], [-3.0, 4.0], [10.5, -7.5]]
     assert_close(impl.uniform_laplacian(RHOMBUS, PAIRS), expected)
 
 
@@ -458,7 +458,7 @@ def test_four_vertices_on_paper(impl):
 def test_a_vertex_without_edges_has_0(impl):
     """It keeps its position, as it is subtracted from no mean; or 0 is divided by 0."""
     positions = np.array([[3.0, 1.0], [7.0, 5.0], [1.0, 4.0], [2.0, 6.0]])
-    expected = np.array([[2.0, -3.0], [0.0, 0.0], [-2.0, 3.0], [0.0, 0.0]])
+    expected = [[2.0, -3.0], [0.0, 0.0], [-2.0, 3.0], [0.0, 0.0]]
     assert_close(impl.uniform_laplacian(positions, np.array([[2, 0]])), expected)
 
 
@@ -482,8 +482,7 @@ def test_where_the_mesh_lies_makes_no_difference(impl, rng):
     positions = rng.normal(size=(6, 3))
     moved = positions + np.array([10.0, -20.0, 30.0])
     moved[5] = positions[5]
-    expected = averaging(6) @ positions
-    assert_close(impl.uniform_laplacian(moved, EDGES), expected, atol=1e-11)
+    assert_close(impl.uniform_laplacian(moved, EDGES), averaging(6) @ positions, atol=1e-11)
 
 
 @exercise("9.11")
@@ -494,16 +493,15 @@ def test_four_vertices_backward_on_paper(impl):
     """
     got = impl.uniform_laplacian_backward(RHOMBUS, np.zeros((4, 2)), PAIRS)
     # Each gives a half, or a third, of its gradient to its neighbours.
-    assert_close(got, np.array([[5.0, -7.0], [-10.0, 7.5], [-6.0, 3.5], [11.0, -4.0]]))
+    assert_close(got, [[5.0, -7.0], [-10.0, 7.5], [-6.0, 3.5], [11.0, -4.0]])
 
 
 @exercise("9.11")
 def test_a_vertex_without_edges_gets_0(impl):
     """It keeps its gradient, where d is 0 whatever its position; or 0 is divided by 0."""
     grad = np.array([[3.0, 1.0], [7.0, 5.0], [1.0, 4.0], [2.0, 6.0]])
-    expected = np.array([[2.0, -3.0], [0.0, 0.0], [-2.0, 3.0], [0.0, 0.0]])
     got = impl.uniform_laplacian_backward(grad, np.zeros((4, 2)), np.array([[2, 0]]))
-    assert_close(got, expected)
+    assert_close(got, [[2.0, -3.0], [0.0, 0.0], [-2.0, 3.0], [0.0, 0.0]])
 
 
 @exercise("9.11")

@@ -1,25 +1,15 @@
 """What Loop's exercises of lab 11 must do."""
 import numpy as np
 import pytest
-from subdivision_meshes import (
-    PUBLISHED,
-    TETRAHEDRON,
-    dense,
-    each_mesh,
-    farthest,
-    old_vertices,
-    renumbered,
-    topology,
-    valence_of,
-)
+import subdivision_meshes as meshes
 
 from course.checks import assert_close, assert_equal, exercise
 
 
 def loop_of(count, faces, u):
     """Loop's S, dense (V + E, V), edge by edge."""
-    edges, _, is_boundary = topology(faces)
-    rows = [*old_vertices(count, edges, is_boundary, u, 1 / 8)]
+    edges, _, is_boundary = meshes.topology(faces)
+    rows = [*meshes.old_vertices(count, edges, is_boundary, u, 1 / 8)]
     for edge in edges:
         opposite = [v for face in faces if set(edge) <= set(face) for v in face if v not in edge]
         row = np.zeros(count)
@@ -62,8 +52,7 @@ def test_boundary_vertices_of_two_triangles_on_paper(impl):
     """A vertex on the boundary stays, or the inside's rule with u is used there. Its whole ring
     pulls, not only the two neighbours along the boundary. Its weights are not 3/4 and 1/8. Vertices
     already moved pull. The edges' points come first."""
-    got = impl.loop_slow(*TWO)
-    assert_close(got[:4], np.array([[2, 3], [13, 11], [8, 33], [1, 17.0]]))
+    assert_close(impl.loop_slow(*TWO)[:4], [[2, 3], [13, 11], [8, 33], [1, 17.0]])
 
 
 @exercise("11.5")
@@ -72,25 +61,25 @@ def test_edge_points_of_two_triangles_on_paper(impl):
     inside's rule is used on a boundary edge, or the opposite corner pulls there. Points are made of
     moved vertices, not of the old ones. Edges come in another order."""
     got = impl.loop_slow(*TWO)  # of the edges 0 1, 0 3, 1 2, 1 3, 2 3
-    assert_close(got[4:], np.array([[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]]))
+    assert_close(got[4:], [[8, 4], [0, 8], [12, 24], [7, 14], [4, 28.0]])
 
 
 @exercise("11.5")
 def test_a_tetrahedrons_vertices_on_paper(impl):
     """u is the weight of all neighbours together (of their mean). v keeps 1 - u instead of 1 - n u.
     The u is that of a neighbour, or it is computed from n, and the given u is not used."""
-    got = impl.loop_slow(np.array([[16.0], [32.0], [0.0], [8.0]]), TETRAHEDRON,
+    got = impl.loop_slow(np.array([[16.0], [32.0], [0.0], [8.0]]), meshes.TETRAHEDRON,
                          np.array([1 / 8, 1 / 16, 1 / 4, 3 / 8]))
-    assert_close(got[:4].T, np.array([[15, 27.5, 14, 17]]))
+    assert_close(got[:4].T, [[15, 27.5, 14, 17]])
 
 
 @exercise("11.5")
 def test_a_tetrahedrons_edge_points_on_paper(impl):
     """3/8 and 1/8 are exchanged, or a corner opposite to the edge is left out, or is one of its
     ends."""
-    got = impl.loop_slow(np.array([[16.0], [0.0], [0.0], [8.0]]), TETRAHEDRON,
+    got = impl.loop_slow(np.array([[16.0], [0.0], [0.0], [8.0]]), meshes.TETRAHEDRON,
                          np.array([1 / 8, 1 / 8, 1 / 4, 3 / 16]))
-    assert_close(got.T, np.array([[11, 3, 6, 6.5, 7, 7, 9, 3, 5, 5]]))
+    assert_close(got.T, [[11, 3, 6, 6.5, 7, 7, 9, 3, 5, 5]])
 
 
 @exercise("11.5")
@@ -99,12 +88,12 @@ def test_a_vertex_of_no_face_stays(impl):
     it are wrong."""
     vertices = np.array([[8.0, 3.0], [0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     got = impl.loop_slow(vertices, np.array([[1, 2, 3]]), np.full(4, 0.3))
-    assert_close(got[0], np.array([8.0, 3.0]))
-    assert_close(got[1:4], np.array([[1.0, 1.0], [6.0, 1.0], [1.0, 6.0]]))
+    assert_close(got[0], [8.0, 3.0])
+    assert_close(got[1:4], [[1.0, 1.0], [6.0, 1.0], [1.0, 6.0]])
 
 
 @exercise("11.5")
-@each_mesh
+@meshes.each_mesh
 def test_the_slow_step_is_that_of_the_matrix(impl, rng, count, faces):
     """Points come in another order. A vertex has the u of another one. A corner of another face is
     taken for the one opposite to an edge."""
@@ -116,12 +105,12 @@ def test_the_slow_step_is_that_of_the_matrix(impl, rng, count, faces):
 @pytest.mark.parametrize("name", ["cube", "saddle"])
 def test_the_published_meshes_of_opensubdiv(impl, name):
     """Not the scheme that everybody means: Loop's own weights, and smooth boundaries."""
-    with np.load(PUBLISHED) as published:
+    with np.load(meshes.PUBLISHED) as published:
         vertices, faces, expected = (published[f"{name}/{key}"]
                                      for key in ("vertices", "faces", "step_1"))
-    n = valence_of(len(vertices), topology(faces)[0])
+    n = meshes.valence_of(len(vertices), meshes.topology(faces)[0])
     u = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
-    assert_close(farthest(impl.loop_slow(vertices, faces, u), expected), 0.0, atol=1e-6)
+    assert_close(meshes.farthest(impl.loop_slow(vertices, faces, u), expected), 0.0, atol=1e-6)
 
 
 # --- the matrix ----------------------------------------------------------------------------------
@@ -129,7 +118,7 @@ def test_the_published_meshes_of_opensubdiv(impl, name):
 def edge_rows_of_two_triangles(impl):
     faces = np.array([[3, 1, 0], [1, 3, 2]])
     edges = np.array([[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]])
-    return dense(impl.loop_edge_rows(faces, edges, np.array([3, 0, 1, 3, 4, 2])), (5, 4))
+    return meshes.dense(impl.loop_edge_rows(faces, edges, np.array([3, 0, 1, 3, 4, 2])), (5, 4))
 
 
 @exercise("11.8")
@@ -149,13 +138,13 @@ def test_two_triangles_on_paper(impl):
 
 
 @exercise("11.8")
-@each_mesh
+@meshes.each_mesh
 def test_new_points_on_edges_row_by_row(impl, rng, count, faces):
     """A boundary edge is pulled inwards. An opposite corner is taken from another face. The winding
     of the faces is relied on."""
-    faces = renumbered(rng, count, faces)
-    edges, corner_edge, _ = topology(faces)
-    got = dense(impl.loop_edge_rows(faces, edges, corner_edge), (len(edges), count))
+    faces = meshes.renumbered(rng, count, faces)
+    edges, corner_edge, _ = meshes.topology(faces)
+    got = meshes.dense(impl.loop_edge_rows(faces, edges, corner_edge), (len(edges), count))
     assert_close(got, loop_of(count, faces, np.zeros(count))[count:])
 
 
@@ -165,16 +154,16 @@ def test_two_triangles_become_eight(impl):
     face's edges are not read as AB, BC, CA. Triangles come kind by kind, or the middle one is left
     out. A child is wound the other way, or begins elsewhere."""
     faces, corner_edge = np.array([[3, 1, 0], [1, 3, 2]]), np.array([3, 0, 1, 3, 4, 2])
-    assert_equal(impl.loop_faces(faces, corner_edge, 6), np.array([
-        [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]]))
+    assert_equal(impl.loop_faces(faces, corner_edge, 6), [
+        [3, 9, 7], [9, 1, 6], [7, 6, 0], [9, 6, 7], [1, 9, 8], [9, 3, 10], [8, 10, 2], [9, 10, 8]])
 
 
 @exercise("11.9")
-@each_mesh
+@meshes.each_mesh
 def test_children_fill_their_parent(impl, rng, count, faces):
     """Points on the middles of edges: four children have a quarter of the area vector each."""
-    faces = renumbered(rng, count, faces)
-    edges, corner_edge, _ = topology(faces)
+    faces = meshes.renumbered(rng, count, faces)
+    edges, corner_edge, _ = meshes.topology(faces)
     old = np.stack([np.arange(count) ** 2, np.sin(np.arange(count)), np.arange(count)], 1) + 0.0
     new = np.concatenate([old, old[edges].mean(1)])
     children = impl.loop_faces(faces, corner_edge, count)
@@ -193,7 +182,7 @@ def test_limit_weights_on_paper(impl):
     down, multiplied by u, or by n, not added. u is not used, or m is u itself. m is multiplied by
     n, n is left out, or a sign is wrong."""
     n, u = np.array([6, 3, 4, 7, 2]), np.array([1 / 16, 3 / 16, 3 / 32, 1 / 8, 1 / 24])
-    assert_close(impl.limit_weight(n, u), np.array([1 / 12, 1 / 5, 1 / 8, 1 / 10, 1 / 11]))
+    assert_close(impl.limit_weight(n, u), [1 / 12, 1 / 5, 1 / 8, 1 / 10, 1 / 11])
 
 
 @exercise("11.14")
@@ -203,4 +192,4 @@ def test_many_steps_lead_to_the_limit(impl, rng):
         # The mean of a ring's new points: 3/8 v + 3/8 + 1/8 + 1/8 of the ring's mean.
         step = np.array([[1 - n * u, n * u], [3 / 8, 5 / 8]])
         expected = np.linalg.matrix_power(step, 200)[0, 1] / n
-        assert_close(impl.limit_weight(np.array([n]), np.array([u])), np.array([expected]))
+        assert_close(impl.limit_weight(np.array([n]), np.array([u])), [expected])

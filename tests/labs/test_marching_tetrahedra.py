@@ -58,17 +58,21 @@ def test_each_corner_is_an_edge_that_is_crossed(impl):
                      given=f"inside {inside}")
 
 
+def check_inside_first(impl, cases):
+    for inside in cases:
+        first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
+        assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
+                     (True, False), given=f"inside {inside}: are the first, and the second, "
+                                           "vertices of all corners inside?")
+
+
 @exercise("15.10")
 def test_the_vertex_inside_comes_first(impl):
     """A corner is (outside, inside), or inside and outside are swapped: triangles lie around the
     vertices outside.
     """
-    for inside in CASES:
-        if sorted(inside, reverse=True) == list(inside):  # those inside have the smallest numbers
-            first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
-            assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
-                         (True, False), given=f"inside {inside}: are the first, and the second, "
-                                              "vertices of all corners inside?")
+    # Those inside have the smallest numbers.
+    check_inside_first(impl, [case for case in CASES if sorted(case, reverse=True) == list(case)])
 
 
 @exercise("15.10")
@@ -76,11 +80,7 @@ def test_the_vertex_inside_comes_first_whatever_its_number(impl):
     """A corner has its smaller vertex first: both are sorted by their numbers, or the vertices
     inside are taken to be the first ones, or their numbers belong to another order of the four.
     """
-    for inside in CASES:
-        first, second = np.moveaxis(impl.tetrahedron_triangles(np.array(inside)), -1, 0)
-        assert_equal((np.array(inside)[first].all(), np.array(inside)[second].any()),
-                     (True, False), given=f"inside {inside}: are the first, and the second, "
-                                          "vertices of all corners inside?")
+    check_inside_first(impl, CASES)
 
 
 @exercise("15.10")
@@ -141,8 +141,7 @@ def test_the_border_goes_round_once_from_face_to_face(impl, inside):
     round.
     """
     border = around(impl.tetrahedron_triangles(np.array(inside)))
-    crossed = sum(inside) * (4 - sum(inside))
-    assert_equal(len(border), crossed)
+    assert_equal(len(border), sum(inside) * (4 - sum(inside)))
     assert_equal(sorted(start for start, _ in border), sorted(end for _, end in border))
     for start, end in border:  # within one face of the tetrahedron
         assert_equal(len({*start, *end}), 3)
@@ -189,9 +188,8 @@ def test_gradients_of_both_distances_on_paper(impl):
     got = impl.zero_crossing_backward(GRAD_P, P_A, P_A + STEP, S_A, S_B)
     # grad_p . (p_b - p_a) = 32, 64, -50, 300. By s_a it is that times -s_b / (s_b - s_a)^2, by s_b
     # times s_a / (s_b - s_a)^2.
-    expected = np.array([-32 * 3 / 16, -64 * 2 / 64, 50 * 3 / 25, -300 * 8 / 100])
-    assert_close(got[2], expected)
-    assert_close(got[3], np.array([-32 * 1 / 16, -64 * 6 / 64, 50 * 2 / 25, -300 * 2 / 100]))
+    assert_close(got[2], [-32 * 3 / 16, -64 * 2 / 64, 50 * 3 / 25, -300 * 8 / 100])
+    assert_close(got[3], [-32 * 1 / 16, -64 * 6 / 64, 50 * 2 / 25, -300 * 2 / 100])
 
 
 @exercise("15.12")
@@ -216,8 +214,8 @@ def test_gradients_where_the_surface_meets_a_point_of_the_grid(impl):
                                           np.array([0.0]))
         assert_close(got[0], 0 * grad_p)
         assert_close(got[1], grad_p)
-        assert_close(got[2], np.array([0.0]))
-        assert_close(got[3] * unit, np.array([-4.0]))
+        assert_close(got[2], [0.0])
+        assert_close(got[3] * unit, [-4.0])
 
 
 def random_tetrahedra(rng, count=40):
@@ -257,8 +255,8 @@ def test_one_tetrahedron_on_paper(impl):
                        [1.0, 2.0, 11.0]])
     distance = np.array([3.0, -1.0, 9.0, 1.0, 7.0])  # 1/4, 1/2 and 1/8 of the edges from points[1]
     vertices, _, ends = impl.marching_tetrahedra(points, distance, np.array([[3, 1, 0, 4]]))
-    assert_equal(ends, np.array([[1, 0], [1, 3], [1, 4]]))
-    assert_close(vertices, np.array([[7.0, 4.0, 3.0], [5.0, 2.0, 3.0], [8.0, 2.0, 4.0]]))
+    assert_equal(ends, [[1, 0], [1, 3], [1, 4]])
+    assert_close(vertices, [[7.0, 4.0, 3.0], [5.0, 2.0, 3.0], [8.0, 2.0, 4.0]])
 
 
 @exercise("15.13")
@@ -306,7 +304,7 @@ def test_two_tetrahedra_share_the_points_of_their_edges(impl):
     tetrahedra = np.array([[0, 1, 2, 3], [4, 2, 1, 3]])
     distance = np.array([1.0, 2.0, 1.0, -2.0, 2.0])
     vertices, faces, ends = impl.marching_tetrahedra(points, distance, tetrahedra)
-    assert_equal(ends, np.array([[3, 0], [3, 1], [3, 2], [3, 4]]))
+    assert_equal(ends, [[3, 0], [3, 1], [3, 2], [3, 4]])
     expected = points[3] + np.array([2 / 3, 0.5, 2 / 3, 0.5])[:, None] * (points[[0, 1, 2, 4]]
                                                                          - points[3])
     assert_close(vertices, expected)
@@ -320,8 +318,8 @@ def test_zero_is_outside_and_nothing_is_no_surface(impl):
     """
     tetrahedra = np.array([[0, 1, 2, 3]])
     vertices, faces, ends = impl.marching_tetrahedra(CORNERS, np.array([-1.0, 0, 0, 2]), tetrahedra)
-    assert_equal(ends, np.array([[0, 1], [0, 2], [0, 3]]))
-    assert_close(vertices, np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1 / 3]]))
+    assert_equal(ends, [[0, 1], [0, 2], [0, 3]])
+    assert_close(vertices, [[1.0, 0, 0], [0, 1, 0], [0, 0, 1 / 3]])
     for distance in np.array([0.0, 1.0, 2.0, 3.0]), np.full(4, -1.0):
         vertices, faces, ends = impl.marching_tetrahedra(CORNERS, distance, tetrahedra)
         assert_equal((vertices.shape, faces.shape, ends.shape), ((0, 3), (0, 3), (0, 2)))
@@ -381,8 +379,7 @@ def test_many_points_do_not_get_mixed_up(impl):
     distance = np.ones(70_000)
     distance[[69_999, 1]] = -1.0
     _, faces, ends = impl.marching_tetrahedra(points, distance, tetrahedra)
-    assert_equal(ends, np.array([[1, 0], [1, 4], [1, 69_997], [69_999, 2], [69_999, 3],
-                                 [69_999, 69_998]]))
+    assert_equal(ends, [[1, 0], [1, 4], [1, 69_997], [69_999, 2], [69_999, 3], [69_999, 69_998]])
     assert_equal(sorted(map(sorted, faces.tolist())), [[0, 1, 2], [3, 4, 5]])
 
 

@@ -34,8 +34,7 @@ def test_its_rows_are_edge_functions_over_twice_the_area(impl):
     of the one opposite to it. The inverse is transposed: the corners are in rows. The sign of x and
     y, or of the constant, is wrong.
     """
-    expected = np.array([[-5, -4, 39], [4, -2, 0], [1, 6, -13]]) / 26
-    assert_close(impl.face_inverse(SLANTED), expected)
+    assert_close(impl.face_inverse(SLANTED), np.array([[-5, -4, 39], [4, -2, 0], [1, 6, -13]]) / 26)
 
 
 @exercise("10.2")
@@ -62,7 +61,7 @@ def test_weights_and_depths_on_paper(impl):
     x, y, z = np.array([1.0, 2.0, 1.0, 0.5]), np.array([1.0, 0.5, 0.5, 1.5]), [1.0, 2.0, 4.0]
     got = impl.screen_weights_and_depth(np.stack([inverse_of(RIGHT)] * 4), np.array([z] * 4), x, y)
     weight = np.array([[2, 2, 4], [2, 4, 2], [4, 2, 2], [1, 1, 6]]) / 8
-    assert_close(got, (weight, np.array([2, 16 / 9, 16 / 11, 8 / 3])))
+    assert_close(got, (weight, [2, 16 / 9, 16 / 11, 8 / 3]))
 
 
 @exercise("10.3")
@@ -107,13 +106,16 @@ def test_outside_weights_are_clamped_then_divided_by_their_sum(impl):
     inverse = inverse_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))  # c = (1 - x - y, x, y)
     got = impl.screen_weights_and_depth(np.stack([inverse] * 3), np.array([[1.0, 2.0, 4.0]] * 3),
                                         np.array([1.5, -0.5, 2.0]), np.array([-0.75, 0.25, 3.0]))
-    weight = np.array([[0.2, 0.8, 0.0], [0.8, 0.0, 0.2], [0.0, 0.5, 0.5]])
-    assert_close(got, (weight, np.array([1 / 0.6, 1 / 0.85, 8 / 3])))
+    weight = [[0.2, 0.8, 0.0], [0.8, 0.0, 0.2], [0.0, 0.5, 0.5]]
+    assert_close(got, (weight, [1 / 0.6, 1 / 0.85, 8 / 3]))
+
+
+def unclamped(inverse, x, y):
+    return np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
 
 
 def screen_weights_and_depth(inverse, z, x, y):
-    c = np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
-    weight = np.clip(c, 0, 1)
+    weight = np.clip(unclamped(inverse, x, y), 0, 1)
     weight = weight / weight.sum(-1, keepdims=True)
     return weight, 1 / (weight / z).sum(-1)
 
@@ -130,7 +132,7 @@ def test_depth_alone_has_a_gradient_by_z(impl):
     returned = impl.screen_weights_and_depth_backward(np.zeros(3), np.array(8.0),
                                                       inverse_of(RIGHT), Z, *AT)
     _, grad_z = outputs(returned, "grad_inverse", "grad_z")
-    assert_close(grad_z, np.array([8.0, 1.0, 2.0]))
+    assert_close(grad_z, [8.0, 1.0, 2.0])
 
 
 @exercise("10.4")
@@ -142,8 +144,7 @@ def test_depth_depends_on_the_inverse_through_the_weights(impl):
                                                       inverse_of(RIGHT), Z, *AT)
     grad_inverse, _ = outputs(returned, "grad_inverse", "grad_z")
     # By w it is -8 depth^2 / z = (-32, -8, -16), less its mean by the weights, -16.
-    expected = np.array([[-32.0, -8.0, -16.0], [16.0, 4.0, 8.0], [0.0, 0.0, 0.0]])
-    assert_close(grad_inverse, expected)
+    assert_close(grad_inverse, [[-32.0, -8.0, -16.0], [16.0, 4.0, 8.0], [0.0, 0.0, 0.0]])
 
 
 @exercise("10.4")
@@ -180,14 +181,13 @@ def test_gradients_of_weights_and_depth_are_central_differences(impl, rng, reach
     b = rng.dirichlet(np.ones(3), (2, 5)) * reach + (1 - reach) / 3
     x, y = np.moveaxis((screen * b[..., None]).sum(-2), -1, 0)
 
-    def clamped(inverse, z):
-        c = np.einsum("...kl,...l->...k", inverse, np.stack([x, y, np.ones_like(x)], -1))
+    def clamped(inverse, z, x, y):
+        c = unclamped(inverse, x, y)
         return (c < 0) + 2 * (c > 1)
 
-    gradcheck(lambda inverse, z: screen_weights_and_depth(inverse, z, x, y),
-              lambda grad_weight, grad_depth, inverse, z: impl.screen_weights_and_depth_backward(
-                  grad_weight, grad_depth, inverse, z, x, y),
-              (inverse_of(screen), z), decisions=clamped, name="weights and depth")
+    gradcheck(screen_weights_and_depth, impl.screen_weights_and_depth_backward,
+              (inverse_of(screen), z, x, y), differentiable=[0, 1], decisions=clamped,
+              name="weights and depth")
 
 
 @exercise("10.4", fine_print=True)
@@ -197,11 +197,11 @@ def test_only_what_the_clamp_changes_has_no_gradient(impl):
     z, grad_weight = np.ones(3), np.array([1.0, 10.0, 100.0])
     corner = impl.screen_weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
                                                     np.array(0.0), np.array(0.0))
-    assert_close(corner[0][:, 2], np.array([0.0, 9.0, 99.0]))
+    assert_close(corner[0][:, 2], [0.0, 9.0, 99.0])
     outside = impl.screen_weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
                                                      np.array(-0.5), np.array(0.25))
     # c = 1.25, -0.5, 0.25 -> u = 1, 0, 0.25: w = 0.8, 0, 0.2, and grad . w = 20.8
-    assert_close(outside[0][:, 2], np.array([0.0, 0.0, 79.2 / 1.25]))
+    assert_close(outside[0][:, 2], [0.0, 0.0, 79.2 / 1.25])
     beside = impl.screen_weights_and_depth_backward(grad_weight, np.array(0.0), inverse, z,
                                                     np.array(0.5), np.array(-0.5))
     # c = 1, 0.5, -0.5: w = 2 / 3, 1 / 3, 0, and grad . w = 4

@@ -181,7 +181,7 @@ def test_the_last_buffer_holds_the_pairs_of_a_bar(impl, white, end):
     """
     found = drawn_pairs(impl, bar(4, 3, end), *ALONE, white, 4, 3, np.zeros(1))
     # In each row pixel 1 sees the bar, and pixel 2 does not. Edge 2 runs between vertices 0 and 1.
-    assert_close(found[:3], (np.array([1, 5, 9]), np.array([2, 6, 10]), np.full(3, end - 1.5)))
+    assert_close(found[:3], ([1, 5, 9], [2, 6, 10], np.full(3, end - 1.5)))
     assert_equal((np.sort(found[3], 0), *found[4:]), (np.repeat([[0], [1]], 3, 1), np.zeros(3, int),
                                                       np.full(3, 2)))
 

@@ -50,7 +50,7 @@ def test_an_edge_is_positive_on_its_left(impl):
                        [[2.0, 3.0], [-2.0, 5.0], [3.0, -7.0]],  # and one of length 13
                        [[5.0, 1.0], [0.0, 3.0], [2.0, 3.0]]])
     e = np.array([impl.edge_function(p, a, b) for p, a, b in points])
-    assert_close(e, np.array([5.0, -7.0, 0.0, 17.0, 38.0, -4.0]))
+    assert_close(e, [5.0, -7.0, 0.0, 17.0, 38.0, -4.0])
 
 
 @exercise("2.1")
@@ -96,9 +96,9 @@ def test_the_gradients_of_two_edges_on_paper(impl):
     p = np.array([[1.0, 4.0], [2.0, -1.0]])
     a, b = np.array([[3.0, 1.0], [-1.0, 3.0]]), np.array([[5.0, 2.0], [4.0, 1.0]])
     gradients = impl.edge_function_backward(np.array([10.0, -2.0]), p, a, b)
-    assert_close(np.stack(gradients), np.array([[[-10.0, 20.0], [-4.0, -10.0]],
-                                                [[-20.0, -40.0], [-4.0, 4.0]],
-                                                [[30.0, 20.0], [8.0, 6.0]]]))
+    assert_close(np.stack(gradients), [[[-10.0, 20.0], [-4.0, -10.0]],
+                                       [[-20.0, -40.0], [-4.0, 4.0]],
+                                       [[30.0, 20.0], [8.0, 6.0]]])
 
 
 @exercise("2.2")
@@ -121,7 +121,7 @@ def test_inside_border_and_outside(impl):
     p = np.array([[3.0, 3.0], [1.0, 1.0], [4.0, 1.5], [6.0, 5.0], [0.0, 3.0], [4.0, 1.0],
                   [5.0, 11.0], [13.0, 3.0], [11.0, -2.0],  # on the edges' lines
                   [4.0, 1.5 - 1e-6]])
-    inside = np.array([True, True, True, False, False, False, False, False, False, False])
+    inside = [True, True, True, False, False, False, False, False, False, False]
     assert_equal(impl.is_inside(p, TRIANGLE), inside)
 
 
@@ -268,7 +268,7 @@ def test_the_box_of_a_triangle_on_paper(impl):
     triangle = np.array([[1.3, 3.2], [4.2, 2.8], [2.0, 7.2]])
     boxes = [impl.bounding_box(moved, 18, 19)
              for moved in (triangle, triangle + [5.4, 0.5], triangle + [0.4, 9.4])]
-    assert_equal(np.array(boxes), np.array([[1, 3, 4, 7], [7, 3, 10, 8], [2, 12, 5, 17]]))
+    assert_equal(np.array(boxes), [[1, 3, 4, 7], [7, 3, 10, 8], [2, 12, 5, 17]])
 
 
 @exercise("2.8")
@@ -280,8 +280,7 @@ def test_the_box_is_wider_by_1_256_of_a_pixel(impl):
     wider = uneven + [[1 / 256, 0.0], [0.0, -1 / 256], [0.0, 0.0]]
     boxes = [impl.bounding_box(corners, 9, 9)
              for corners in (triangle + 1e-9, triangle - 1e-9, wider, uneven)]
-    assert_equal(np.array(boxes), np.array([[2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4],
-                                            [1, 1, 5, 5]]))
+    assert_equal(np.array(boxes), [[2, 2, 5, 5], [1, 1, 4, 4], [2, 1, 5, 4], [1, 1, 5, 5]])
 
 
 @exercise("2.8", fine_print=True)
@@ -468,10 +467,10 @@ def test_each_sample_of_a_square_on_pixel_centres_has_one_face(impl):
     clip = np.stack([x / 2 - 1, y / 2 - 1, np.zeros(4), np.ones(4)], -1)
     found = [impl.rasterize_loop(clip, np.array(faces), 4, 4)[0]
              for faces in ([[0, 1, 2], [0, 2, 3]], [[0, 2, 3], [0, 1, 2]])]
-    assert_picture(np.hstack(found), np.array([[ 0,  0,  0, -1,  1,  1,  1, -1],
-                                               [ 1,  0,  0, -1,  0,  1,  1, -1],
-                                               [ 1,  1,  0, -1,  0,  0,  1, -1],
-                                               [-1, -1, -1, -1, -1, -1, -1, -1]]))
+    assert_picture(np.hstack(found), [[ 0,  0,  0, -1,  1,  1,  1, -1],
+                                      [ 1,  0,  0, -1,  0,  1,  1, -1],
+                                      [ 1,  1,  0, -1,  0,  0,  1, -1],
+                                      [-1, -1, -1, -1, -1, -1, -1, -1]])
 
 
 @exercise("2.13")
@@ -546,8 +545,7 @@ def test_halfway_on_the_screen_is_not_halfway_on_the_face(impl):
     x, y, w = np.array([[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1.0, 2.0, 4.0]])[..., None] * np.ones(4)
     moved = np.array([0.0, 10.0, -3.0, 5.0])
     b = impl.barycentric_on_face(px + moved, py - moved, x + moved, y - moved, w)
-    assert_close(b, np.array([[0.25, 0.5, 0.8, 0.4], [0.625, 0.25, 0.16, 0.6],
-                              [0.125, 0.25, 0.04, 0.0]]))
+    assert_close(b, [[0.25, 0.5, 0.8, 0.4], [0.625, 0.25, 0.16, 0.6], [0.125, 0.25, 0.04, 0.0]])
 
 
 @exercise("2.16")
@@ -584,7 +582,7 @@ def test_weights_change_by_the_quotient_rule_on_paper(impl):
     """
     b, s = np.array([[0.25, 0.5], [0.25, 0.125], [0.5, 0.375]]), np.array([4.0, 2.0])
     db = impl.normalize_derivative(np.array([[10.0, -3.0], [0.0, 4.0], [6.0, 7.0]]), b, s)
-    assert_close(db, np.array([[1.5, -3.5], [-1.0, 1.5], [-0.5, 2.0]]))
+    assert_close(db, [[1.5, -3.5], [-1.0, 1.5], [-0.5, 2.0]])
 
 
 @exercise("2.17")
@@ -595,7 +593,7 @@ def test_a_change_of_any_size_counts_alike(impl):
     b, s = np.array([0.25, 0.25, 0.5]), np.array(4.0)
     for size in 1e9, 1e-9:
         db = impl.normalize_derivative(size * np.array([10.0, 0.0, 6.0]), b, s)
-        assert_close(db / size, np.array([1.5, -1.0, -0.5]))
+        assert_close(db / size, [1.5, -1.0, -0.5])
 
 
 @exercise("2.17")

@@ -1,12 +1,10 @@
 """What the exercises of lab 7's whole meshes must do."""
 import numpy as np
 import pytest
+from corner_matrices import MATRICES, NEAR
 
 from course.checks import assert_close, exercise
 from course.given.gradcheck import gradcheck
-
-# In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
-NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
 
 # Numbers for paper: q_0 = (3, 2, 1), q_1 = (4, 1, 2), q_2 = (2, 5, 3). det(M) = -19.
 PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
@@ -16,14 +14,6 @@ PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
 TWO = np.stack([NEAR, [[2.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 2.0]]], -1)
 PLANES = np.array([[2.0, 1.0], [-1.0, -2.0], [4.0, 3.0]])  # 2x - y + 4 and x - 2y + 3
 DEPTHS = np.array([[4.0, 5.0], [6.0, 3.0], [2.0, 4.0]])    # at their corners: z_k = plane . q_k
-
-# Clip positions x, y, w in columns; each makes one of the mistakes visible.
-MATRICES = {
-    "w differs": np.array([[-0.7, 2.1, 0.4], [-0.5, 0.3, 1.9], [1.0, 2.5, 1.6]]),
-    "clockwise": np.array([[2.1, -0.7, 0.4], [0.3, -0.5, 1.9], [2.5, 1.0, 1.6]]),
-    "a vertex behind the camera": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [1.4, 2.0, -0.6]]),
-    "all behind": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [-1.4, -2.0, -0.6]]),
-}
 
 SIGNS = np.array([[1.0, -3.0, 0.5, -1.0], [2.0, 0.5, -0.25, 4.0], [4.0, -1.5, 1.75, -4.0]])
 
@@ -54,8 +44,7 @@ def test_with_w_1_they_are_lab_2s_edge_functions(impl, rng):
     corners = np.stack([*triangle, np.ones(3)])
     e = impl.edge_normals(corners) @ np.array([4.0, 5.0, 1.0])
     for k, (i, j) in enumerate([(1, 2), (2, 0), (0, 1)]):
-        expected = (y[i] - y[j]) * (4.0 - x[i]) + (x[j] - x[i]) * (5.0 - y[i])
-        assert_close(e[k], expected, atol=1e-9)
+        assert_close(e[k], (y[i] - y[j]) * (4.0 - x[i]) + (x[j] - x[i]) * (5.0 - y[i]), atol=1e-9)
 
 
 @exercise("7.10")
@@ -71,8 +60,7 @@ def test_they_are_the_inverse_times_the_determinant(impl, rng):
 def test_a_face_seen_from_its_side_has_edges(impl):
     """An inverse is taken, and there is none."""
     flat = np.array([[0.0, 2.0, 4.0], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
-    expected = np.array([[0.0, 2.0, 0.0], [0.0, -4.0, 0.0], [0.0, 2.0, 0.0]])
-    assert_close(impl.edge_normals(flat), expected)
+    assert_close(impl.edge_normals(flat), [[0.0, 2.0, 0.0], [0.0, -4.0, 0.0], [0.0, 2.0, 0.0]])
 
 
 @exercise("7.11")
@@ -85,8 +73,8 @@ def test_six_gradients_of_two_pixels_on_paper(impl):
     y = np.array([[2.0, 7.0], [1.0, -3.0], [5.0, 8.0]])
     grad_e = np.array([[1.0, 2.0], [3.0, -1.0], [-2.0, 4.0]])
     # The first pixel: x_0 is in e_1 by -y_2 and in e_2 by y_1, which is 3 (-5) + -2 (1).
-    expected = (np.array([[-17.0, -4.0], [9.0, -12.0], [5.0, -1.0]]),
-                np.array([[14.0, -24.5], [-8.0, -5.0], [-5.0, 11.0]]))
+    expected = ([[-17.0, -4.0], [9.0, -12.0], [5.0, -1.0]],
+                [[14.0, -24.5], [-8.0, -5.0], [-5.0, 11.0]])
     assert_close(impl.edge_functions_at_backward(grad_e, x, y), expected)
 
 
@@ -98,8 +86,8 @@ def test_each_edge_alone_on_paper(impl):
     x = np.array([[1.0, 3.0, -1.0], [2.0, 4.0, 6.0], [5.0, 2.0, 0.5]])
     y = np.array([[3.0, 2.0, 7.0], [7.0, 1.0, -3.0], [4.0, 5.0, 8.0]])
     # e_0 = x_1 y_2 - y_1 x_2, then twice e_1 = x_2 y_0 - y_2 x_0, then -3 e_2, x_0 y_1 - y_0 x_1
-    expected = (np.array([[0.0, -10.0, 9.0], [4.0, 0.0, 21.0], [-7.0, 4.0, 0.0]]),
-                np.array([[0.0, 4.0, 18.0], [-5.0, 0.0, 3.0], [2.0, -6.0, 0.0]]))
+    expected = ([[0.0, -10.0, 9.0], [4.0, 0.0, 21.0], [-7.0, 4.0, 0.0]],
+                [[0.0, 4.0, 18.0], [-5.0, 0.0, 3.0], [2.0, -6.0, 0.0]])
     assert_close(impl.edge_functions_at_backward(np.diag([1.0, 2.0, -3.0]), x, y), expected)
 
 
@@ -119,7 +107,7 @@ def test_the_gradients_of_edges_at_pixels_are_central_differences(impl, rng, cou
 def test_epsilon_makes_the_sum_larger(impl):
     """Added to a negative sum, it makes that smaller; or it is left out, or 0 has no sign."""
     e = np.array([[1.0, -3.0, 1.0], [2.0, 0.0, -1.0], [4.0, 0.0, 0.0]])
-    assert_close(impl.padded_sum(e, 1.0), np.array([8.0, -4.0, 1.0]))
+    assert_close(impl.padded_sum(e, 1.0), [8.0, -4.0, 1.0])
 
 
 @exercise("7.15")
@@ -133,8 +121,7 @@ def test_the_gradient_of_a_derivative_on_paper(impl):
     # db_k = dc_k / s - c_k ds / s^2, at first with s = 4, ds = 8. By dc_k alone: 1/4. By ds:
     # -c_k / 16, which is 16 (-2/16) + 32 (-1/16) = -4. By c_k alone: -1/2. By s: -dc_k / 16 +
     # c_k / 4, which is 6 - 2. In the second column s = -2, ds = 6.
-    expected = (np.array([[-4.0, 4.0], [0.0, 3.0], [4.0, 8.0]]),
-                np.array([[4.0, 32.5], [-4.0, 29.5], [-12.0, 44.5]]))
+    expected = ([[-4.0, 4.0], [0.0, 3.0], [4.0, 8.0]], [[4.0, 32.5], [-4.0, 29.5], [-12.0, 44.5]])
     assert_close(impl.normalize_derivative_backward(grad_db, dc, c / s, s), expected)
 
 
@@ -146,13 +133,11 @@ def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon
         s = c.sum(0)
         return s + epsilon * np.where(s < 0, -1, 1)
 
-    def forward(dc, c):
-        return dc / padded(c) - c * dc.sum(0) / padded(c)**2
-
     def backward(grad_db, dc, c):
         return impl.normalize_derivative_backward(grad_db, dc, c / padded(c), padded(c))
 
-    gradcheck(forward, backward, (rng.normal(size=(3, 4)), SIGNS), name="normalize_derivative")
+    gradcheck(lambda dc, c: dc / padded(c) - c * dc.sum(0) / padded(c)**2, backward,
+              (rng.normal(size=(3, 4)), SIGNS), name="normalize_derivative")
 
 
 @exercise("7.17")

@@ -54,9 +54,8 @@ def test_harmonics_of_products_on_paper(impl):
     """Y_4, Y_5 and Y_7: two of x y, y z and x z are exchanged, a sign is a minus, C2 is missing or
     another constant, or one of them is a sum.
     """
-    got = impl.sh_basis(NORMALS.copy())[..., [4, 5, 7]]
     expected = np.array([[6.0, 15, 10], [-4, 24, -6], [-14, -6, 21], [4, -2, -8]])
-    assert_close(got, 1.0925484305920792 * expected)
+    assert_close(impl.sh_basis(NORMALS.copy())[..., [4, 5, 7]], 1.0925484305920792 * expected)
 
 
 @exercise("16.1")
@@ -143,10 +142,8 @@ def test_gradients_of_harmonics_are_central_differences(impl, rng):
     """Directions are mixed, or taken for unit: the part along n is taken away, though n can move
     along itself.
     """
-    def forward(normals):
-        return np.array([[harmonics(n) for n in row] for row in normals])
-
-    gradcheck(forward, impl.sh_basis_backward, (rng.normal(size=(3, 4, 3)),), name="sh_basis")
+    gradcheck(lambda normals: np.array([[harmonics(n) for n in row] for row in normals]),
+              impl.sh_basis_backward, (rng.normal(size=(3, 4, 3)),), name="sh_basis")
 
 
 @exercise("16.3")
@@ -184,30 +181,6 @@ def test_it_comes_near_the_cosine_of_a_true_lamp(impl, rng):
     assert_equal(bool(np.abs(lit - np.maximum(cosine, 0)).max() < 0.1), True)
 
 
-@exercise("16.4")
-def test_shading_on_paper(impl):
-    """The albedo is left out, added to E, divided by pi, or squared. The light's colours are summed
-    or mixed. Its first, constant number alone counts, and normals do not. The factors A_k of eq.
-    (2) are applied again: the light holds them already.
-    """
-    light = np.zeros((9, 2))
-    light[:4] = np.array([[5, 2], [1, 0.5], [3, -1], [-2, 0.25]]) / [[Y0], [Y1], [Y1], [Y1]]
-    normals = np.array([[1.0, 0, 0], [0.6, -0.8, 0], [0, 0.6, 0.8], [-0.8, 0, 0.6]])
-    albedo = np.array([[0.5, 0.8], [0.25, 0.4], [0.125, 0.6], [0.375, 0.2]])
-    irradiance = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # of eq. (1)
-    assert_close(impl.shade(albedo, normals, light), albedo * irradiance)
-
-
-@exercise("16.4")
-def test_shading_point_by_point(impl, rng):
-    """Light below 0 is cut off, clipped, or taken positive, which eq. (1) does not do; points are
-    mixed; or normals or light beyond the first four numbers do not count.
-    """
-    albedo, normals, light = rng.uniform(0, 1, (6, 4)), directions(rng, 6), rng.normal(size=(9, 4))
-    expected = [a * (harmonics(n) @ light) for a, n in zip(albedo, normals, strict=True)]
-    assert_close(impl.shade(albedo, normals, light), np.array(expected))
-
-
 def lit_points():
     """grad_colour, albedo (4, 2), normals (4, 3), light (9, 2): what `shade_backward` takes.
 
@@ -220,15 +193,36 @@ def lit_points():
     return np.array([[10.0, 5], [-4, 20], [8, 3], [16, -30]]), albedo, normals, light
 
 
+IRRADIANCE = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # there, of eq. (1)
+
+
+@exercise("16.4")
+def test_shading_on_paper(impl):
+    """The albedo is left out, added to E, divided by pi, or squared. The light's colours are summed
+    or mixed. Its first, constant number alone counts, and normals do not. The factors A_k of eq.
+    (2) are applied again: the light holds them already.
+    """
+    _, albedo, normals, light = lit_points()
+    assert_close(impl.shade(albedo, normals, light), albedo * IRRADIANCE)
+
+
+@exercise("16.4")
+def test_shading_point_by_point(impl, rng):
+    """Light below 0 is cut off, clipped, or taken positive, which eq. (1) does not do; points are
+    mixed; or normals or light beyond the first four numbers do not count.
+    """
+    albedo, normals, light = rng.uniform(0, 1, (6, 4)), directions(rng, 6), rng.normal(size=(9, 4))
+    expected = [a * (harmonics(n) @ light) for a, n in zip(albedo, normals, strict=True)]
+    assert_close(impl.shade(albedo, normals, light), np.array(expected))
+
+
 @exercise("16.5")
 def test_gradients_of_the_albedo_on_paper(impl):
     """grad_albedo: E is left out, the albedo is multiplied in, though the product's other factor is
     E alone, or the colours are summed.
     """
-    grad_colour, albedo, normals, light = lit_points()
-    irradiance = np.array([[3.0, 2.25], [3.0, 1.75], [8.0, 1.5], [8.4, 1.2]])  # E
-    assert_close(impl.shade_backward(grad_colour, albedo, normals, light)[0],
-                 grad_colour * irradiance)
+    given = lit_points()
+    assert_close(impl.shade_backward(*given)[0], given[0] * IRRADIANCE)
 
 
 @exercise("16.5")
@@ -238,10 +232,10 @@ def test_gradients_of_the_normals_on_paper(impl):
     along n is taken away, which is eq. (4)'s.
     """
     # grad_colour * albedo is (5, 4), (-1, 8), (1, 1.8), (6, -6). E falls by 2 with x, and so on.
-    expected = np.array([[5 * -2 + 4 * 0.25, 5 * 1 + 4 * 0.5, 5 * 3 - 4 * 1],
-                         [-1 * -2 + 8 * 0.25, -1 * 1 + 8 * 0.5, -1 * 3 - 8 * 1],
-                         [1 * -2 + 1.8 * 0.25, 1 * 1 + 1.8 * 0.5, 1 * 3 - 1.8 * 1],
-                         [6 * -2 - 6 * 0.25, 6 * 1 - 6 * 0.5, 6 * 3 + 6 * 1]])
+    expected = [[5 * -2 + 4 * 0.25, 5 * 1 + 4 * 0.5, 5 * 3 - 4 * 1],
+                [-1 * -2 + 8 * 0.25, -1 * 1 + 8 * 0.5, -1 * 3 - 8 * 1],
+                [1 * -2 + 1.8 * 0.25, 1 * 1 + 1.8 * 0.5, 1 * 3 - 1.8 * 1],
+                [6 * -2 - 6 * 0.25, 6 * 1 - 6 * 0.5, 6 * 3 + 6 * 1]]
     assert_close(impl.shade_backward(*lit_points())[1], expected)
 
 
@@ -289,9 +283,8 @@ def test_gradients_of_one_face_on_paper(impl):
     # gradients add up to (27, 0, 0), of which (15, -6, -12) is across n: g = (5, -2, -4).
     vertices = np.array([[3.0, 1.0, 4.0], [4.0, -1.0, 4.0], [4.0, 1.0, 3.0]])
     grad = np.array([[20.0, 3.0, -1.0], [4.0, -5.0, 3.0], [3.0, 2.0, -2.0]])
-    expected = np.array([[10.0, 5, 10], [-2, -1, -2], [-8, -4, -8]])  # (b - c) x g, ...
-    got = impl.vertex_normals_backward(grad, vertices, np.array([[0, 1, 2]]))
-    assert_close(got, expected)
+    expected = [[10.0, 5, 10], [-2, -1, -2], [-8, -4, -8]]  # (b - c) x g, ...
+    assert_close(impl.vertex_normals_backward(grad, vertices, np.array([[0, 1, 2]])), expected)
 
 
 @exercise("16.6")
@@ -324,8 +317,7 @@ def test_faces_that_cancel_hand_nothing_back(impl):
     """0 / 0 where two faces lie back to back."""
     vertices = np.array([[0.0, 0, 0], [2.0, 0, 0], [0.0, 2.0, 0], [0.0, 0.0, 2.0]])
     faces = np.array([[0, 1, 2], [0, 2, 1]])
-    got = impl.vertex_normals_backward(np.ones((4, 3)), vertices, faces)
-    assert_close(got, np.zeros((4, 3)))
+    assert_close(impl.vertex_normals_backward(np.ones((4, 3)), vertices, faces), np.zeros((4, 3)))
 
 
 @exercise("16.6", fine_print=True)
@@ -335,10 +327,9 @@ def test_faces_that_cancel_side_by_side_hand_nothing_back(impl):
     faces = np.array([[0, 3, 4], [0, 1, 2]])  # m of vertex 0 is (0, 0, -4) + (0, 0, 4)
     grad = np.zeros((5, 3))
     grad[:2] = [8.0, 4.0, 7.0], [8.0, 0.0, 5.0]
-    got = impl.vertex_normals_backward(grad, vertices, faces)
     expected = np.zeros((5, 3))  # x of vertex 1's normal: raise it by 1, it falls by 1/2
     expected[:2, 2] = 4.0, -4.0
-    assert_close(got, expected)
+    assert_close(impl.vertex_normals_backward(grad, vertices, faces), expected)
 
 
 @exercise("16.6")
@@ -347,7 +338,7 @@ def test_small_faces_turn_faster(impl):
     vertices, faces = 0.1 * np.array([[0.0, 0, 0], [1.0, 0, 0], [0, 1.0, 0]]), np.array([[0, 1, 2]])
     got = impl.vertex_normals_backward(np.array([[3.0, 0, 0], [0, 0, 0], [0, 0, 0]]), vertices,
                                        faces)
-    assert_close(got, np.array([[0, 0, 30.0], [0, 0, -30.0], [0, 0, 0]]))
+    assert_close(got, [[0, 0, 30.0], [0, 0, -30.0], [0, 0, 0]])
 
 
 @exercise("16.6")
@@ -357,17 +348,8 @@ def test_gradients_of_normals_are_central_differences(impl, rng):
     """
     vertices, faces = mesh.icosphere(20)
     vertices = vertices * [1.0, 1.5, 2.0] + rng.normal(scale=0.1, size=vertices.shape)
-
-    def forward(vertices):
-        return normals_of(vertices, faces)
-
-    def backward(grad_normals, vertices):
-        return impl.vertex_normals_backward(grad_normals, vertices, faces)
-
-    gradcheck(forward, backward, (vertices,), name="vertex normals")
-    gradcheck(lambda vertices: normals_of(vertices, faces[:7]),
-              lambda grad, vertices: impl.vertex_normals_backward(grad, vertices, faces[:7]),
-              (vertices,), name="open mesh")
+    for some, name in (faces, "vertex normals"), (faces[:7], "open mesh"):
+        gradcheck(normals_of, impl.vertex_normals_backward, (vertices, some), name=name)
 
 
 # --- the losses --------------------------------------------------------------------------------
@@ -400,16 +382,12 @@ def test_the_loss_of_several_pictures_has_one_mean_on_paper(impl):
 @exercise("16.8")
 def test_the_gradient_of_the_loss_is_central_differences(impl, rng):
     """A channel or a pixel is left out."""
-    picture, target = rng.uniform(0, 1, (2, 4, 3, 4))
-
-    def forward(picture):
+    def forward(picture, target, weight):
         d = (picture - target)**2
-        return d[..., :3].sum() / 36 + 0.7 * d[..., 3].sum() / 12
+        return d[..., :3].sum() / 36 + weight * d[..., 3].sum() / 12
 
-    def backward(grad_loss, picture):
-        return impl.picture_loss_backward(grad_loss, picture, target, 0.7)
-
-    gradcheck(forward, backward, (picture,), name="picture_loss")
+    gradcheck(forward, impl.picture_loss_backward, (*rng.uniform(0, 1, (2, 4, 3, 4)), 0.7),
+              differentiable=[0], name="picture_loss")
 
 
 @exercise("16.9")
@@ -421,14 +399,14 @@ def test_the_level_on_paper(impl):
     ends = np.array([[1, 0], [1, 3], [4, 3], [2, 5]])
     distance = np.array([3.0, -1.0, -2.0, 4.0, -6.0, 0.5])  # t = 1/4, 1/5, 3/5, 4/5
     got = impl.level_backward(np.array([8.0, 10.0, 100.0, -5.0]), ends, distance)
-    assert_close(got, np.array([2.0, 6.0 + 8.0, -1.0, 2.0 + 60.0, 40.0, -4.0]))
+    assert_close(got, [2.0, 6.0 + 8.0, -1.0, 2.0 + 60.0, 40.0, -4.0])
 
 
 @exercise("16.9")
 def test_the_level_where_the_surface_meets_a_point_of_the_grid(impl):
     """A distance of 0 is divided by, or its end gets less than all."""
     got = impl.level_backward(np.array([10.0]), np.array([[1, 2]]), np.array([5.0, -1.0, 0.0, 3.0]))
-    assert_close(got, np.array([0.0, 0.0, 10.0, 0.0]))
+    assert_close(got, [0.0, 0.0, 10.0, 0.0])
 
 
 @exercise("16.9")
@@ -443,11 +421,8 @@ def test_the_level_where_the_vertex_is_held(impl, rng):
     def forward(distance):
         return np.array([(1 - t) * distance[a] + t * distance[b]
                          for t, (a, b) in zip(part, ends, strict=True)])
-
-    def backward(grad_level, moved):
-        return impl.level_backward(grad_level, ends, distance)
-
-    gradcheck(forward, backward, (distance,), name="level")
+    gradcheck(forward, lambda grad_level, moved: impl.level_backward(grad_level, ends, distance),
+              (distance,), name="level")
 
 
 # --- regularizers ------------------------------------------------------------------------------
@@ -542,27 +517,22 @@ def test_gradients_of_sign_changes_on_paper(impl):
     distance = np.log([1 / 4, 3, 1 / 2, 5, 9, 7, 11])
     edges = np.array([[0, 1], [1, 2], [0, 2], [3, 1], [0, 4], [0, 3], [5, 2]])
     got = impl.sign_changes_backward(60.0, distance, edges)
-    assert_close(got, np.array([-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5, 0.0]))
+    assert_close(got, [-3 * 48.0, 2 * 45.0, 2 * -40.0, 50.0, 54.0, 52.5, 0.0])
 
 
 @exercise("16.11", fine_print=True)
 def test_at_zero_and_far_away(impl):
     """A distance of 0 has no slope, as np.sign is 0 there; or exp overflows for large distances."""
     distance, edges = np.array([0.0, -1000.0, 1000.0]), np.array([[0, 1], [2, 1], [0, 2]])
-    got = impl.sign_changes_backward(2.0, distance, edges)
-    assert_close(got, np.array([1.0, -4.0, 2.0]))
+    assert_close(impl.sign_changes_backward(2.0, distance, edges), [1.0, -4.0, 2.0])
 
 
 @exercise("16.11")
 def test_gradients_of_sign_changes_are_central_differences(impl, rng):
     """Ends of several edges get one edge's share, or grad_changes is left out."""
-    distance, edges = rng.normal(size=12), rng.integers(12, size=(40, 2))
-
-    def backward(grad_changes, distance):
-        return impl.sign_changes_backward(grad_changes, distance, edges)
-
-    gradcheck(lambda distance: changes(distance, edges), backward, (distance,),
-              decisions=lambda distance: distance < 0, name="sign_changes")
+    gradcheck(changes, impl.sign_changes_backward,
+              (rng.normal(size=12), rng.integers(12, size=(40, 2))),
+              decisions=lambda distance, edges: distance < 0, name="sign_changes")
 
 
 # --- the step ----------------------------------------------------------------------------------
@@ -706,7 +676,7 @@ def test_the_scale_on_paper(impl):
     found = np.array([[1.0, 2.0, 1.0, 3.0], [2.0, 1.0, 2.0, -1.0], [2.0, -2.0, 4.0, 0.5]])
     truth = np.array([[3.0, 1.0, 4.0, 2.0], [5.0, 7.0, 7.0, 1.0], [7.0, 0.0, 6.0, 0.25]])
     # 27 / 9, 9 / 9, 42 / 21, 5.125 / 10.25
-    assert_close(impl.best_scale(found, truth), np.array([3.0, 1.0, 2.0, 0.5]))
+    assert_close(impl.best_scale(found, truth), [3.0, 1.0, 2.0, 0.5])
 
 
 @exercise("16.14")

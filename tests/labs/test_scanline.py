@@ -18,9 +18,9 @@ def test_the_planes_of_a_face_on_paper(impl):
     """
     x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, 1.0]])[..., None]
     n_x, n_y, from_x, from_y = impl.half_planes(x, y, w)
-    assert_close(np.hstack([n_x, n_y]), np.array([[-4.0, -4.0], [5.0, -2.0], [-1.0, 6.0]]))
+    assert_close(np.hstack([n_x, n_y]), [[-4.0, -4.0], [5.0, -2.0], [-1.0, 6.0]])
     # At (0, 0), from whichever end of the edge.
-    assert_close(sides((n_x, n_y, from_x, from_y), 0.0, 0.0), np.array([[36.0], [-3.0], [-5.0]]))
+    assert_close(sides((n_x, n_y, from_x, from_y), 0.0, 0.0), [[36.0], [-3.0], [-5.0]])
 
 
 @exercise("2.11")
@@ -30,7 +30,7 @@ def test_the_normals_of_a_clockwise_face_point_into_it_too(impl):
     """
     x, y, w = np.array([[3.0, 7.0, 1.0], [6.0, 2.0, 1.0], [1.0, 1.0, 1.0]])[..., None]
     n_x, n_y, _, _ = impl.half_planes(x, y, w)
-    assert_close(np.hstack([n_x, n_y]), np.array([[-1.0, 6.0], [5.0, -2.0], [-4.0, -4.0]]))
+    assert_close(np.hstack([n_x, n_y]), [[-1.0, 6.0], [5.0, -2.0], [-4.0, -4.0]])
 
 
 @exercise("2.11")
@@ -40,7 +40,7 @@ def test_a_corner_behind_the_camera_turns_its_edge_on_paper(impl):
     """
     x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [-2.0, 3.0, 4.0]])[..., None]
     n_x, n_y, _, _ = impl.half_planes(x, y, w)
-    assert_close(np.hstack([n_x, n_y]), np.array([[4.0, 4.0], [5.0, -2.0], [-1.0, 6.0]]))
+    assert_close(np.hstack([n_x, n_y]), [[4.0, 4.0], [5.0, -2.0], [-1.0, 6.0]])
 
 
 @exercise("2.11")
@@ -83,11 +83,11 @@ def test_an_edge_is_measured_from_its_end_of_greater_w(impl):
     """
     x, y, w = np.array([[0.0, 9.0, 4.0], [1.0, 2.0, 7.0], [1.0, -3.0, 2.0]])[..., None]
     _, _, from_x, from_y = impl.half_planes(x, y, w)
-    assert_close(from_x, np.array([[9.0], [4.0], [9.0]]))
-    assert_close(from_y, np.array([[2.0], [7.0], [2.0]]))
+    assert_close(from_x, [[9.0], [4.0], [9.0]])
+    assert_close(from_y, [[2.0], [7.0], [2.0]])
     w = np.array([[1.0], [1.0 + 1e-12], [1.0 + 2e-12]])  # not equal, if only just
     _, _, from_x, _ = impl.half_planes(x, y, w)
-    assert_close(from_x, np.array([[4.0], [4.0], [9.0]]))
+    assert_close(from_x, [[4.0], [4.0], [9.0]])
 
 
 @exercise("2.11", fine_print=True)
@@ -95,7 +95,7 @@ def test_at_equal_w_the_left_end_decides(impl):
     """Each of the two faces at an edge takes its own end, or the right one."""
     x, y, w = np.array([[1.0, 7.0, 3.0], [1.0, 2.0, 6.0], [1.0, 1.0, -1.0]])[..., None]
     _, _, from_x, from_y = impl.half_planes(x, y, w)
-    assert_close(np.hstack([from_x, from_y]), np.array([[3.0, 6.0], [1.0, 1.0], [1.0, 1.0]]))
+    assert_close(np.hstack([from_x, from_y]), [[3.0, 6.0], [1.0, 1.0], [1.0, 1.0]])
 
 
 @exercise("2.11", fine_print=True)
@@ -106,7 +106,7 @@ def test_at_equal_w_and_x_the_lower_end_decides(impl):
     x, y, w = np.array([[3.0, 3.0, 5.0], [8.0, 1.0, 4.0], [1.0, -1.0, 1.0]])[..., None]
     for order in ([0, 1, 2], [1, 0, 2]):
         _, _, _, from_y = impl.half_planes(x[order], y[order], w[order])
-        assert_close(from_y[2], np.array([1.0]))
+        assert_close(from_y[2], [1.0])
 
 
 @exercise("2.11", fine_print=True)
@@ -129,7 +129,7 @@ def test_two_tilted_planes_on_paper(impl):
                         [[1.0, 0.0], [2.0, 4.0], [6.0, 8.0]],
                         [[0.4, 1.0], [0.8, 6.0], [-0.4, 5.0]]])
     slopes = impl.depth_slopes(x, y, z)
-    assert_close(np.array(slopes), np.array([[0.1, 0.5], [-0.2, 0.25]]))
+    assert_close(np.array(slopes), [[0.1, 0.5], [-0.2, 0.25]])
 
 
 @exercise("2.12")
@@ -141,7 +141,7 @@ def test_a_clockwise_face_has_the_same_slopes(impl):
                         [[6.0, 8.0], [2.0, 4.0], [1.0, 0.0]],
                         [[-0.4, 5.0], [0.8, 6.0], [0.4, 1.0]]])
     slopes = impl.depth_slopes(x, y, z)
-    assert_close(np.array(slopes), np.array([[0.1, 0.5], [-0.2, 0.25]]))
+    assert_close(np.array(slopes), [[0.1, 0.5], [-0.2, 0.25]])
 
 
 @exercise("2.12")
@@ -158,15 +158,14 @@ def test_a_face_without_area_stops_nothing(impl):
     """A solver that raises for one face of many."""
     x, y, z = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.9, 0.1]])[..., None] * [1.0, 0.0]
     dz_dx, dz_dy = impl.depth_slopes(x, y, z)
-    assert_close(np.stack([dz_dx, dz_dy])[:, 0], np.array([0.1, -0.2]))
+    assert_close(np.stack([dz_dx, dz_dy])[:, 0], [0.1, -0.2])
 
 
 @exercise("2.12", fine_print=True)
 def test_a_face_parallel_to_the_screen_is_exactly_flat(impl, rng):
     """Rounding tilts it: a face in the near plane itself gets holes."""
     x, y = rng.normal(size=(2, 3, 50))
-    dz_dx, dz_dy = impl.depth_slopes(x, y, np.full((3, 50), -1.0))
-    assert_equal(np.stack([dz_dx, dz_dy]), np.zeros((2, 50)))
+    assert_equal(np.stack(impl.depth_slopes(x, y, np.full((3, 50), -1.0))), np.zeros((2, 50)))
 
 
 # --- whole rows --------------------------------------------------------------------------------
@@ -187,7 +186,7 @@ def test_the_first_column_on_paper(impl):
     slope  = np.array([ 2.0,  4.0,  0.5,   8.0,  1.0,  2.0])
     from_x = np.array([ 0.0,  1.0, -2.0,   3.5,  5.0,  3.0])
     offset = np.array([-3.0, -2.2, -1.725, 2.0, -0.5, -2.0])  # x = 1.5, 1.55, 1.45, 3.25, 5.5, 4
-    assert_close(impl.first_column(slope, from_x, offset), np.array([1.0, 2.0, 1.0, 3.0, 5.0, 4.0]))
+    assert_close(impl.first_column(slope, from_x, offset), [1.0, 2.0, 1.0, 3.0, 5.0, 4.0])
 
 
 @exercise("2.14")
@@ -198,8 +197,7 @@ def test_the_first_column_may_lie_outside_the_picture(impl):
     slope  = np.array([ 2.0,   4.0,   0.5, 1.0,  2.0])
     from_x = np.array([ 0.0,   1.0,  -2.0, 5.0, -1.0])
     offset = np.array([-99.0, -26.4, -4.7, 7.5, 99.4])  # x = 49.5, 7.6, 7.4, -2.5, -50.7
-    column = impl.first_column(slope, from_x, offset)
-    assert_close(column, np.array([49.0, 8.0, 7.0, -3.0, -51.0]))
+    assert_close(impl.first_column(slope, from_x, offset), [49.0, 8.0, 7.0, -3.0, -51.0])
 
 
 @exercise("2.14")
@@ -218,8 +216,7 @@ def test_the_sum_decides_and_not_the_quotient(impl, rng):
     a, x0 = 10.0 ** rng.uniform(-30, 6, 3000), rng.uniform(-5, 5, 3000)
     offset = -a * (rng.integers(-3, 20, 3000) + 0.5 - x0)
     offset *= 1 + rng.choice([0, 1, -1, 2, -2], 3000) * 2.0 ** -52
-    column = impl.first_column(a, x0, offset)
-    assert_close(column, first_column_loop(a, x0, offset, -8, 24))
+    assert_close(impl.first_column(a, x0, offset), first_column_loop(a, x0, offset, -8, 24))
 
 
 @exercise("2.14", fine_print=True)
@@ -237,8 +234,8 @@ def test_a_column_may_be_infinite(impl):
     offset = np.array([-1e10, 1e10, -3.0, 3.0])
     with np.errstate(over="ignore"):
         column = impl.first_column(np.full(4, 1e-300), np.array([0.0, 0.0, 5.0, -5.0]), offset)
-    assert_equal(column < -1e299, np.array([False, True, False, True]))
-    assert_equal(column > 1e299, np.array([True, False, True, False]))
+    assert_equal(column < -1e299, [False, True, False, True])
+    assert_equal(column > 1e299, [True, False, True, False])
 
 
 def covered_loop(planes, y, left, right):
@@ -267,8 +264,8 @@ def test_the_intervals_of_two_triangles_on_paper(impl):
     their sign. end is the last column, not one past it.
     """
     start_end = impl.row_interval(MIRRORED, FACE, Y, np.array([0.0, 1.0]), np.array([8.0, 9.0]))
-    assert_close(np.array(start_end), np.array([[1.0, 4.0, 2.0, 1.0, 2.0, 3.0],
-                                                [4.0, 7.0, 7.0, 6.0, 5.0, 6.0]]))
+    assert_close(np.array(start_end), [[1.0, 4.0, 2.0, 1.0, 2.0, 3.0],
+                                       [4.0, 7.0, 7.0, 6.0, 5.0, 6.0]])
 
 
 @exercise("2.15")
@@ -277,8 +274,8 @@ def test_a_face_s_box_cuts_its_rows(impl):
     is in the interval, or right - 1 is not.
     """
     start_end = impl.row_interval(MIRRORED, FACE, Y, np.array([2.0, 3.0]), np.array([5.0, 6.0]))
-    assert_close(np.array(start_end), np.array([[2.0, 4.0, 2.0, 3.0, 2.0, 3.0],
-                                                [4.0, 6.0, 5.0, 6.0, 5.0, 6.0]]))
+    assert_close(np.array(start_end), [[2.0, 4.0, 2.0, 3.0, 2.0, 3.0],
+                                       [4.0, 6.0, 5.0, 6.0, 5.0, 6.0]])
 
 
 @exercise("2.15")
@@ -287,7 +284,7 @@ def test_a_row_of_pixels_is_half_open(impl):
     planes = np.array([[1.0, -1.0, 1.0], [0.0, 0.0, 0.0], [1.5, 3.5, 0.5], [0.0] * 3])[..., None]
     start, end = impl.row_interval(tuple(planes), np.zeros(1, int), np.array([0.5]),
                                    np.array([0.0]), np.array([8.0]))
-    assert_close(np.stack([start, end]), np.array([[1.0], [3.0]]))
+    assert_close(np.stack([start, end]), [[1.0], [3.0]])
 
 
 @pytest.mark.parametrize("n_x", [
@@ -323,7 +320,7 @@ def test_horizontal_edges_take_all_or_nothing(impl):
     face, y = np.array([0, 0, 0, 1, 1, 1]), np.array([0.5, 1.5, 2.5, 0.5, 1.5, 2.5])
     start, end = impl.row_interval((n_x, n_y, from_x, from_y), face, y, np.array([0.0, 2.0]),
                                    np.array([8.0, 7.0]))
-    assert_close(np.maximum(end - start, 0), np.array([0.0, 8.0, 8.0, 5.0, 0.0, 0.0]))
+    assert_close(np.maximum(end - start, 0), [0.0, 8.0, 8.0, 5.0, 0.0, 0.0])
 
 
 def planes_loop(clip, faces, width, height):

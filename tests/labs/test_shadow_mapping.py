@@ -1,14 +1,10 @@
 """What the exercises of lab 14 must do: the light's frame, its map, the comparison and its bias."""
 import numpy as np
-import pytest
+from shadow_lights import CONE, PARALLEL, each_light, point_at, projected
 
 from course.checks import assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
 
-# Light from a point and from a direction; their maps are not square.
-CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 0]])
-PARALLEL = np.array([[0.4, 0, 0, 0], [0, 0.7, 0, 0], [0, 0, -0.5, -2.0], [0, 0, 0, 1]])
-each_light = pytest.mark.parametrize("light", [CONE, PARALLEL], ids=["cone", "parallel"])
 WIDTH, HEIGHT = 12, 7
 
 
@@ -21,20 +17,6 @@ def rotation_of(rng):
 def before_the_light(rng, count):
     """Points of the light's frame (count, 3), distances from 1 to 4."""
     return np.column_stack([rng.normal(size=(count, 2)), rng.uniform(-4, -1, count)])
-
-
-def projected(q, light, width=WIDTH, height=HEIGHT):
-    """By the whole matrix, point by point: x, y in texels (N, 2), depth from -1 to 1 (N,)."""
-    clip = np.array([light @ [*point, 1.0] for point in q])
-    ndc = clip[:, :3] / clip[:, 3:]
-    return (ndc[:, :2] + 1) * [width / 2, height / 2], ndc[:, 2]
-
-
-def point_at(x, y, distance, light, width, height):
-    """The point of the light's frame that lies at (x, y) of the map, at this distance."""
-    w = light[3, 3] - light[3, 2] * distance
-    return np.array([(2 * x / width - 1) * w / light[0, 0], (2 * y / height - 1) * w / light[1, 1],
-                     -distance])
 
 
 # --- the light's frame and its map --------------------------------------------------------------
@@ -52,7 +34,7 @@ def test_a_light_looks_down_on_paper(impl):
     away = np.array([[5.0, -4.0, 10.0], [-5.0, -3.0, 15.0], [10.0, -7.0, 5.0]])
     position = np.array([2.0, 30.0, -1.0])
     assert_close(impl.to_light(away + position, position, DOWN),
-                 np.array([[11.0, -2.0, -4.0], [9.0, -13.0, -3.0], [10.0, 5.0, -7.0]]))
+                 [[11.0, -2.0, -4.0], [9.0, -13.0, -3.0], [10.0, 5.0, -7.0]])
 
 
 @exercise("14.1")
@@ -60,11 +42,10 @@ def test_any_number_of_points_may_come(impl):
     """Points are rows (N, 3): rotation @ points works only for three of them, and is wrong there.
     """
     position = np.array([2.0, 30.0, -1.0])
-    assert_close(impl.to_light(np.array([[7.0, 26.0, 9.0]]), position, DOWN),
-                 np.array([[11.0, -2.0, -4.0]]))
+    assert_close(impl.to_light(np.array([[7.0, 26.0, 9.0]]), position, DOWN), [[11.0, -2.0, -4.0]])
     away = np.array([[5.0, -4.0, 10.0], [-5.0, -3.0, 15.0]])
     assert_close(impl.to_light(away + position, position, DOWN),
-                 np.array([[11.0, -2.0, -4.0], [9.0, -13.0, -3.0]]))
+                 [[11.0, -2.0, -4.0], [9.0, -13.0, -3.0]])
 
 
 @exercise("14.1")
@@ -83,19 +64,17 @@ def test_a_light_that_moves_pulls_all_points_on_paper(impl):
     """
     grad_q = np.array([[5.0, 10.0, 1.0], [-10.0, 5.0, 2.0], [15.0, 0.0, 3.0]])
     points = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 7.0], [0.0, 8.0, 6.0]])
-    got = impl.to_light_backward(grad_q, points, np.array([5.0, 6.0, 7.0]), DOWN)
-    assert_close(got, (np.array([[11.0, 1.0, -2.0], [-2.0, 2.0, -11.0], [9.0, 3.0, 12.0]]),
-                       np.array([-18.0, -6.0, 1.0])))
+    assert_close(impl.to_light_backward(grad_q, points, np.array([5.0, 6.0, 7.0]), DOWN),
+                 ([[11.0, 1.0, -2.0], [-2.0, 2.0, -11.0], [9.0, 3.0, 12.0]], [-18.0, -6.0, 1.0]))
 
 
 @exercise("14.2")
 def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
     """The rotation is not transposed, or multiplies from the left, though gradients are rows."""
     rotation = rotation_of(rng)
-    gradcheck(lambda points, position: (points - position) @ rotation.T,
-              lambda grad, points, position: impl.to_light_backward(grad, points, position,
-                                                                    rotation),
-              (rng.normal(size=(5, 3)), rng.normal(size=3)), name="to_light")
+    gradcheck(lambda points, position, rotation: (points - position) @ rotation.T,
+              impl.to_light_backward, (rng.normal(size=(5, 3)), rng.normal(size=3), rotation),
+              differentiable=[0, 1], name="to_light")
 
 
 @exercise("14.3")
@@ -106,10 +85,9 @@ def test_places_on_the_map_on_paper(impl):
     """
     q = np.array([[1.0, 1.5, -3.0], [-0.5, -0.75, -1.5], [3.0, -1.25, -4.0], [0.0, 0.0, -2.0]])
     assert_close(impl.map_position(q, CONE, 12, 8),
-                 np.array([[9.0, 8.0], [3.0, 0.0], [12.75, 1.5], [6.0, 4.0]]))
+                 [[9.0, 8.0], [3.0, 0.0], [12.75, 1.5], [6.0, 4.0]])
     q = np.array([[2.5, 0.5 / 0.7, -3.0], [-1.25, 1 / 0.7, -9.0]])
-    assert_close(impl.map_position(q, PARALLEL, 12, 8),
-                 np.array([[12.0, 6.0], [3.0, 8.0]]))
+    assert_close(impl.map_position(q, PARALLEL, 12, 8), [[12.0, 6.0], [3.0, 8.0]])
 
 
 @exercise("14.3")
@@ -117,7 +95,7 @@ def test_places_on_the_map_on_paper(impl):
 def test_it_is_the_whole_matrix_and_the_viewport(impl, rng, light):
     """The distance divides in parallel light, too, or x and y have each other's factor."""
     q = before_the_light(rng, 9)
-    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light)[0])
+    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light, WIDTH, HEIGHT)[0])
 
 
 @exercise("14.3")
@@ -125,7 +103,7 @@ def test_any_perspective_has_its_w(impl, rng):
     """w is taken to be the distance, -q_z, or 1: C_32 and C_33 say what it is."""
     light, q = CONE.copy(), before_the_light(rng, 5)
     light[3, 2:] = -0.5, 2.0
-    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light)[0])
+    assert_close(impl.map_position(q, light, WIDTH, HEIGHT), projected(q, light, WIDTH, HEIGHT)[0])
 
 
 @exercise("14.4")
@@ -136,9 +114,9 @@ def test_a_point_that_comes_nearer_moves_outwards(impl):
     # 2 C is the same light as C, with twice the w: 6 and 12 here.
     q, grad_place = np.array([[2.0, -1.5, -3.0], [1.0, 3.0, -6.0]]), np.array([[1.0, 3], [4, -3]])
     got = impl.map_position_backward(grad_place, q, 2 * CONE, 12, 8)
-    assert_close(got, np.array([[3.0, 8.0, -2.0], [6.0, -4.0, -1.0]]))
+    assert_close(got, [[3.0, 8.0, -2.0], [6.0, -4.0, -1.0]])
     got = impl.map_position_backward(grad_place, q, PARALLEL, 10, 8)
-    assert_close(got, np.array([[2.0, 8.4, 0.0], [8.0, -8.4, 0.0]]))
+    assert_close(got, [[2.0, 8.4, 0.0], [8.0, -8.4, 0.0]])
 
 
 @exercise("14.4")
@@ -146,9 +124,9 @@ def test_a_point_that_comes_nearer_moves_outwards(impl):
 def test_the_gradients_of_places_are_central_differences(impl, rng, light):
     """A factor of one axis in the other's gradient; C_33 is left out of w."""
     light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
-    gradcheck(lambda q: projected(q, light)[0],
-              lambda grad, q: impl.map_position_backward(grad, q, light, WIDTH, HEIGHT),
-              (before_the_light(rng, 6),), name="map_position")
+    gradcheck(lambda q, *light_and_size: projected(q, *light_and_size)[0],
+              impl.map_position_backward, (before_the_light(rng, 6), light, WIDTH, HEIGHT),
+              differentiable=[0], name="map_position")
 
 
 @exercise("14.5")
@@ -158,9 +136,9 @@ def test_near_and_far_on_paper(impl):
     """
     # CONE: -1.5 q_z - 2.5 = depth (-q_z), so at distance 1 the depth is -1, and at 5 it is 1.
     assert_close(impl.distance_of_depth(np.array([[-1.0, 0.25, 0.5, 1.0]]), CONE),
-                 np.array([[1.0, 2.0, 2.5, 5.0]]))
+                 [[1.0, 2.0, 2.5, 5.0]])
     assert_close(impl.distance_of_depth(np.array([[-1.0], [1.0], [0.0], [0.5]]), PARALLEL),
-                 np.array([[2.0], [6.0], [4.0], [5.0]]))
+                 [[2.0], [6.0], [4.0], [5.0]])
 
 
 @exercise("14.5")
@@ -169,7 +147,7 @@ def test_the_distance_is_what_the_matrix_made_the_depth_of(impl, rng, light):
     """One of the two lights is forgotten; a term is lost."""
     light, q = light.copy(), before_the_light(rng, 12)
     light[3, 3] += 0.25
-    depth = projected(q, light)[1].reshape(3, 4)
+    depth = projected(q, light, WIDTH, HEIGHT)[1].reshape(3, 4)
     assert_close(impl.distance_of_depth(depth, light), -q[:, 2].reshape(3, 4))
 
 
@@ -180,7 +158,7 @@ def test_where_the_light_sees_nothing_the_distance_is_infinite(impl, light):
     nothing.
     """
     got = impl.distance_of_depth(np.array([[np.inf, 0.0], [np.inf, np.inf]]), light)
-    assert_equal(np.isinf(got), np.array([[True, False], [True, True]]))
+    assert_equal(np.isinf(got), [[True, False], [True, True]])
     assert_equal(bool((got > 0).all()), True)
 
 
@@ -259,11 +237,10 @@ def test_slopes_on_paper(impl):
     light, normal = np.diag([0.25, 0.5, -1.0, 1.0]), np.array([[2.0, -1.0, 2.0], [1, 2, -2]]) / 3
     q = np.array([[4.0, -2.0, -4.0], [-2.0, 1.0, -2.0]])
     assert_close(impl.distance_slopes(normal, q, light, 4, 8),  # a texel is 2 x 1/2
-                 np.array([[2.0, -0.25], [-1.0, -0.5]]))
+                 [[2.0, -0.25], [-1.0, -0.5]])
     # The cone's rays are (1, -1/2, -1) and (-1, 1/2, -1), so n . ray is 1/6 and 2/3.
     light[3, 2:] = -1, 0
-    assert_close(impl.distance_slopes(normal, q, light, 4, 8),
-                 np.array([[-32.0, 4.0], [-2.0, -1.0]]))
+    assert_close(impl.distance_slopes(normal, q, light, 4, 8), [[-32.0, 4.0], [-2.0, -1.0]])
 
 
 @exercise("14.8")
@@ -279,13 +256,13 @@ def test_slopes_are_those_of_the_plane_on_the_map(impl, rng, light):
         step = point_at(x, y, 1.0, light, WIDTH, HEIGHT) - start
         return normal[k] @ (q[k] - start) / (normal[k] @ step)
 
-    place, _ = projected(q, light)
+    place, _ = projected(q, light, WIDTH, HEIGHT)
     ray = np.array([point_at(x, y, 1.0, light, WIDTH, HEIGHT)
                     - point_at(x, y, 0.0, light, WIDTH, HEIGHT) for x, y in place])
     seen = np.flatnonzero(np.abs((normal * ray).sum(1)) > 0.1)
     h = 1e-5
-    expected = np.array([[(distance(k, *(place[k] + step)) - distance(k, *(place[k] - step)))
-                          / (2 * h) for step in h * np.eye(2)] for k in seen])
+    expected = [[(distance(k, *(place[k] + step)) - distance(k, *(place[k] - step)))
+                 / (2 * h) for step in h * np.eye(2)] for k in seen]
     assert_close(impl.distance_slopes(normal[seen], q[seen], light, WIDTH, HEIGHT), expected,
                  rtol=1e-6, atol=1e-8)
     assert_close(impl.distance_slopes(-normal[seen], q[seen], light, WIDTH, HEIGHT), expected,
@@ -312,8 +289,7 @@ def test_the_bias_on_paper(impl):
     out, or is a maximum.
     """
     slope = np.array([[0.0, 0.0], [0.5, -0.25], [-1.0, 0.75], [-3.0, -1.0], [8.0, 0.0]])
-    assert_close(impl.slope_scaled_bias(slope, 0.125, 2.0, 4.0),
-                 np.array([0.125, 0.875, 1.875, 4.0, 4.0]))
+    assert_close(impl.slope_scaled_bias(slope, 0.125, 2.0, 4.0), [0.125, 0.875, 1.875, 4.0, 4.0])
     assert_close(impl.slope_scaled_bias(slope, 0.125, 0.0, 4.0), np.full(5, 0.125))
 
 
@@ -321,7 +297,5 @@ def test_the_bias_on_paper(impl):
 def test_a_plane_does_not_shadow_itself(impl, rng):
     """With factor 1 the bias is too small, or half as large again as it has to be."""
     slope = rng.normal(size=(50, 2))
-    got = impl.slope_scaled_bias(slope, 0.0, 1.0, np.inf)
     corner = np.array([[-0.5, -0.5], [-0.5, 0.5], [0.5, -0.5], [0.5, 0.5]])
-    worst = (slope @ corner.T).max(1)
-    assert_close(got, worst)
+    assert_close(impl.slope_scaled_bias(slope, 0.0, 1.0, np.inf), (slope @ corner.T).max(1))

@@ -2,10 +2,9 @@
 import math
 
 import numpy as np
+from shadow_lights import CONE
 
 from course.checks import assert_close, assert_equal, exercise
-
-CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 0]])
 
 
 @exercise("14.10")
@@ -19,12 +18,12 @@ def test_the_plane_is_measured_at_the_texel__s_centre(impl):
     step = np.array([[0.5, -1.0], [2.0, 0.5], [1.5, -1.75], [-2.75, 1.25]])
     # The ways to the centres are (3/4, -3/4), (2, 3/4), (5/4, -2) and (-3, 1).
     got = impl.on_plane(place, np.array([10.0, 20.0, 8.0, 6.0]), slope, step)
-    assert_close(got, (np.array([[3.25, 0.25], [3.5, 4.25], [1.75, 0.75], [1.75, 1.75]]),
-                       np.array([14.5, 24.25, 4.5, 2.0])))
+    assert_close(got, ([[3.25, 0.25], [3.5, 4.25], [1.75, 0.75], [1.75, 1.75]],
+                       [14.5, 24.25, 4.5, 2.0]))
     got = impl.on_plane(place[:1], np.array([10.0]), slope[:1], np.zeros((1, 2)))
-    assert_close(got[1], np.array([10 - 2 * 0.25 - 4 * 0.25]))
+    assert_close(got[1], [10 - 2 * 0.25 - 4 * 0.25])
     got = impl.on_plane(place[:2], np.array([10.0, 20.0]), slope[:2], np.array([0.5, -1.0]))
-    assert_close(got, (np.array([[3.25, 0.25], [2.0, 2.75]]), np.array([14.5, 20 + 1.0 - 3.75])))
+    assert_close(got, ([[3.25, 0.25], [2.0, 2.75]], [14.5, 20 + 1.0 - 3.75]))
 
 
 @exercise("14.10")
@@ -79,7 +78,7 @@ def test_shares_on_paper(impl):
     got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS,
                                  np.array([1.0, 1, 1, 2, 1]))
     # The map holds 4, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9; none, 3, 3, 4.
-    assert_close(got, np.array([0.25, 0.5, 0.75, 0.5, 0.25]))
+    assert_close(got, [0.25, 0.5, 0.75, 0.5, 0.25])
 
 
 @exercise("14.11")
@@ -104,8 +103,7 @@ def test_each_receiver_has_its_radius_and_bias(impl, rng):
     a slope is left out, or it is dark outside.
     """
     given = around(rng)
-    expected = np.array([lit.mean() for _, lit in places(*given)])
-    assert_close(impl.percentage_closer(*given), expected)
+    assert_close(impl.percentage_closer(*given), [lit.mean() for _, lit in places(*given)])
 
 
 @exercise("14.12")
@@ -117,7 +115,7 @@ def test_blockers_on_paper(impl):
     distance = np.array([5.0, 5.0, 1.5, 8.0, 5.0])
     got = impl.blocker_distance(WALLS, OVER_WALLS[0], distance, FLAT, 0.0, CROSS,
                                 np.array([1.0, 1, 1, 2, 1]))
-    assert_close(got, np.array([10 / 3, 2.0, np.inf, 2.5, 10 / 3]))
+    assert_close(got, [10 / 3, 2.0, np.inf, 2.5, 10 / 3])
 
 
 @exercise("14.12")
@@ -129,7 +127,7 @@ def test_what_is_just_lit_is_no_blocker(impl):
     got = impl.blocker_distance(distance_map, np.array([[1.5, 1.5]] * 4),
                                 np.array([4.0, 4.5, 9.0, 3.25]), FLAT[:4],
                                 np.array([0.0, 0.5, 0.0, 0.25]), CROSS, 1.0)
-    assert_close(got, np.array([2.5, 2.5, 3.0, 2.0]))
+    assert_close(got, [2.5, 2.5, 3.0, 2.0])
 
 
 @exercise("14.12")
@@ -150,8 +148,7 @@ def test_a_border_grows_with_the_distance_behind_the_blocker(impl):
     missing: the diameter. C_00 divides. It is rounded.
     """
     distance, blocker = np.array([4.0, 8.0, 2.0, 6.0, 4.0]), np.array([2.0, 2.0, 1.0, 3.0, 4.0])
-    assert_close(impl.penumbra_radius(distance, blocker, 0.2, CONE, 16),
-                 np.array([0.6, 0.9, 1.2, 0.4, 0.0]))
+    assert_close(impl.penumbra_radius(distance, blocker, 0.2, CONE, 16), [0.6, 0.9, 1.2, 0.4, 0.0])
 
 
 @exercise("14.13")
@@ -162,7 +159,7 @@ def test_no_blocker_has_no_border(impl):
     distance = np.array([3.0, 4.0, 3.0, 2.0, 4.0, 8.0])
     blocker = np.array([np.inf, np.inf, 3.5, 5.0, 2.0, 2.0])
     assert_close(impl.penumbra_radius(distance, blocker, 0.25, CONE, 16),
-                 np.array([0.0, 0.0, 0.0, 0.0, 0.75, 1.125]))
+                 [0.0, 0.0, 0.0, 0.0, 0.75, 1.125])
 
 
 @exercise("14.13")

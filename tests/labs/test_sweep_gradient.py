@@ -21,7 +21,7 @@ def test_crossings_on_paper(impl):
     outputs come in the other order.
     """
     crossing, _ = two(impl.edge_crossing(*ENDS, ROWS))
-    assert_close(crossing, np.array([2.5, 4.5, 8.5, 7.0]))
+    assert_close(crossing, [2.5, 4.5, 8.5, 7.0])
 
 
 @exercise("10.12")
@@ -67,7 +67,7 @@ def test_two_pixels_pull_on_paper(impl):
     grad_colour, way = np.array([[3.0], [-2.0]]), np.array([0.5, -0.25])  # they pull by 3 and 2
     got = impl.edge_pulls(grad_colour, colour, beyond, way, np.array([[0.25, 0.75]] * 2),
                           np.zeros(2))
-    assert_close(got, np.array([[-3 / 2, -3 / (2 / 3)], [2 / 1, 2 / (1 / 3)]]))
+    assert_close(got, [[-3 / 2, -3 / (2 / 3)], [2 / 1, 2 / (1 / 3)]])
 
 
 @exercise("10.13")
@@ -76,7 +76,7 @@ def test_only_a_change_that_lowers_the_loss_counts(impl):
     colour, beyond = np.array([[1.0], [0.0], [1.0]]), np.array([[0.0], [1.0], [0.0]])
     got = impl.edge_pulls(np.array([[-3.0], [2.0], [4.0]]), colour, beyond,
                           np.array([0.5, 0.125, 1.0]), np.array([[0.25, 0.5]] * 3), np.zeros(3))
-    assert_close(got, np.array([[0.0, 0.0], [0.0, 0.0], [-1.0, -2.0]]))
+    assert_close(got, [[0.0, 0.0], [0.0, 0.0], [-1.0, -2.0]])
 
 
 @exercise("10.13")
@@ -87,7 +87,7 @@ def test_epsilon_is_added_to_the_way_of_each_end(impl):
     way, eps = np.array([0.5, -0.25]), np.array([0.25, -0.25])
     got = impl.edge_pulls(np.ones((2, 1)), np.array([[3.0], [2.0]]), np.zeros((2, 1)), way,
                           np.array([[0.5, 0.125]] * 2), eps)
-    assert_close(got, np.array([[-3 / 1.25, -3 / 4.25], [2 / 0.75, 2 / 2.25]]))
+    assert_close(got, [[-3 / 1.25, -3 / 4.25], [2 / 0.75, 2 / 2.25]])
 
 
 @exercise("10.13")
@@ -97,7 +97,7 @@ def test_channels_are_added_before_the_loss_is_asked(impl):
     colour, beyond = np.array([[0.0, 1.0]] * 3), np.array([[1.0, 0.0]] * 3)
     got = impl.edge_pulls(grad_colour, colour, beyond, np.full(3, 0.75),
                           np.array([[0.5, 0.25]] * 3), np.zeros(3))
-    assert_close(got, np.array([[-4 / 1.5, -4 / 3], [0.0, 0.0], [-5 / 1.5, -5 / 3]]))
+    assert_close(got, [[-4 / 1.5, -4 / 3], [0.0, 0.0], [-5 / 1.5, -5 / 3]])
 
 
 @exercise("10.13")
@@ -125,7 +125,7 @@ def test_a_pixel_outside_pulls_as_in_the_original(impl):
     way = np.array([2 / 64 * (35.5 - (32 + up * 25.6))])
     got = impl.edge_pulls(np.array([[-1.0]]), np.array([[0.0]]), np.array([[1.0]]), way,
                           np.array([[up, 1 - up]]), np.array([-1e-4]))
-    assert_close(got, np.array([[1.67258, 1.41987]]), rtol=1e-5)
+    assert_close(got, [[1.67258, 1.41987]], rtol=1e-5)
 
 
 @exercise("10.13", fine_print=True)
@@ -134,4 +134,4 @@ def test_an_end_without_a_share_gets_nothing(impl):
     """
     got = impl.edge_pulls(np.ones((2, 1)), np.ones((2, 1)), np.zeros((2, 1)), np.array([0.0, 0.5]),
                           np.array([[1.0, 0.0], [0.0, 0.5]]), np.array([0.5, 0.25]))
-    assert_close(got, np.array([[-2.0, 0.0], [0.0, -0.8]]))
+    assert_close(got, [[-2.0, 0.0], [0.0, -0.8]])

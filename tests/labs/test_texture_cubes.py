@@ -47,8 +47,7 @@ def test_texels_of_two_pixels_on_paper(impl):
     belongs to the last axis.
     """
     index, _ = two(impl.cube_taps(*TWO, 4))
-    expected = np.array([[1, 17, 5, 21, 2, 18, 6, 22], [16, 32, 20, 36, 17, 33, 21, 37]])
-    assert_close(index, expected)
+    assert_close(index, [[1, 17, 5, 21, 2, 18, 6, 22], [16, 32, 20, 36, 17, 33, 21, 37]])
 
 
 @exercise("10.6")
@@ -76,8 +75,7 @@ def test_eight_taps_give_back_the_place(impl, rng, size):
     assert_close((tap[..., None] * texel).sum(1), place(weight, depth, z, size), atol=1e-9)
     assert_close(tap.sum(1), np.ones(40))
     assert_equal(bool((tap > -1e-12).all()), True)
-    corners = np.ptp(texel, axis=1)
-    assert_equal(corners, np.ones((40, 3), int))
+    assert_equal(np.ptp(texel, axis=1), np.ones((40, 3), int))
 
 
 @exercise("10.6", fine_print=True)
@@ -86,7 +84,7 @@ def test_rounding_does_not_lead_out_of_the_cube(impl):
     weight = np.array([[1.0, 0.0, 0.0], [0.0, 0.5, 0.5]])
     index, tap = two(impl.cube_taps(weight, np.array([1 + 1e-15, 1.0]), np.ones((2, 3)), 3))
     assert_equal(bool((index >= 0).all() and (index < 27).all()), True)
-    assert_close((tap * (index == 18)).sum(1), np.array([1.0, 0.0]))
+    assert_close((tap * (index == 18)).sum(1), [1.0, 0.0])
     assert_equal(bool(((tap >= 0) & (tap <= 1)).all()), True)
 
 
@@ -118,17 +116,15 @@ def test_places_pull_on_paper(impl):
     weight, depth, z = (np.tile(array[:1], (3, 1)[:array.ndim]) for array in TWO)
     got = impl.cube_taps_backward(grad_tap, weight, depth, z, 4)
     grad_weight, grad_z = np.diag([45.0, -45.0, 135.0]), np.diag([-6.0, 3.0, -45.0])
-    assert_close(got, (grad_weight, np.array([12.8, -3.2, 24.0]), grad_z))
+    assert_close(got, (grad_weight, [12.8, -3.2, 24.0], grad_z))
 
 
 @exercise("10.7")
 @pytest.mark.parametrize("size", [2, 5])
 def test_gradients_of_the_taps_are_central_differences(impl, rng, size):
     """The product rule lacks a factor, or a sign. Or T stands for T - 1."""
-    pixels = some_pixels(rng, 8)
-    gradcheck(lambda *pixels: taps(*pixels, size),
-              lambda grad, *pixels: impl.cube_taps_backward(grad, *pixels, size), pixels,
-              decisions=lambda *pixels: np.floor(place(*pixels, size)), name="taps")
+    gradcheck(taps, impl.cube_taps_backward, (*some_pixels(rng, 8), size),
+              decisions=lambda *given: np.floor(place(*given)), name="taps")
 
 
 @exercise("10.7")
@@ -141,7 +137,7 @@ def test_at_a_corner_the_last_cell_counts(impl):
     got = impl.cube_taps_backward(grad_tap, np.array([[1.0, 0.0, 0.0]]), np.array([2.0]),
                                   np.array([[2.0, 1.0, 4.0]]), 3)
     grad_weight, grad_z = np.array([[16.0, -20.0, -5.0]]), np.array([[-8.0, 0.0, 0.0]])
-    assert_close(got, (grad_weight, np.array([8.0]), grad_z))
+    assert_close(got, (grad_weight, [8.0], grad_z))
 
 
 # --- light -------------------------------------------------------------------------------------
@@ -161,9 +157,8 @@ def test_light_on_paper(impl):
     absolute value. towards is divided by its length.
     """
     corners = np.concatenate([LYING, TILTED, LYING[:, ::-1], TILTED[:, ::-1]])
-    got = impl.face_light(corners, RED, BLUE, ABOVE)
     cosine = np.array([[4.0], [2.0], [0.0], [0.0]])  # n = (0, 1, 0), (2, 3, 6) / 7, and minus these
-    assert_close(got, RED + cosine * BLUE)
+    assert_close(impl.face_light(corners, RED, BLUE, ABOVE), RED + cosine * BLUE)
 
 
 @exercise("10.10")
@@ -173,7 +168,7 @@ def test_light_from_above_shines_on_what_looks_up(impl):
     """
     both = np.concatenate([LYING, LYING[:, ::-1]])
     got = impl.face_light(both, RED, BLUE, np.array([0.0, 1.0, 0.0]))
-    assert_close(got, np.array([[1.0, 2.0, 1.25], [1.0, 0.0, 0.25]]))
+    assert_close(got, [[1.0, 2.0, 1.25], [1.0, 0.0, 0.25]])
 
 
 @exercise("10.10")
@@ -181,7 +176,7 @@ def test_light_falls_off_with_the_cosine(impl):
     """A large face is brighter: N is not divided by its length. Or towards is made a unit vector.
     """
     got = impl.face_light(5 * LYING, RED, BLUE, np.array([0.0, 0.5, -7.0]))
-    assert_close(got, np.array([[1.0, 1.0, 0.75]]))
+    assert_close(got, [[1.0, 1.0, 0.75]])
 
 
 @exercise("10.10")
@@ -219,8 +214,7 @@ def test_the_gradient_of_the_colours_is_a_sum_over_faces(impl):
     grad_light = np.array([[1.0, 2.0], [10.0, 20.0], [100.0, 200.0]])
     _, *got = impl.face_light_backward(grad_light, corners, np.ones(2), np.array([3.0, 4.0]),
                                        np.array([0.0, 0.5, 0.0]))
-    assert_close(tuple(got), (np.array([111.0, 222.0]), np.array([5.5, 11.0]),
-                              np.array([0.0, 121.0, 0.0])))
+    assert_close(tuple(got), ([111.0, 222.0], [5.5, 11.0], [0.0, 121.0, 0.0]))
 
 
 @exercise("10.11")
@@ -262,5 +256,5 @@ def test_a_face_without_area_has_no_gradient(impl):
     """0 is divided by 0: NaN for a face without area, which the sum over vertices spreads."""
     corners = np.concatenate([np.ones((1, 3, 3)), LYING])
     got = impl.face_light_backward(np.ones((2, 3)), corners, RED, BLUE, np.array([0.0, 2.0, 0.0]))
-    towards = np.array([0.0, BLUE.sum(), 0.0])
+    towards = [0.0, BLUE.sum(), 0.0]
     assert_close(got, (np.zeros((2, 3, 3)), np.full(3, 2.0), np.full(3, 2.0), towards))

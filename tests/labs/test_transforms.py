@@ -21,8 +21,7 @@ def test_the_matrix_acts_on_columns(impl):
     """
     points = np.array([[1.0, 2.0, 3.0, 1.0], [2.0, -1.0, 1.0, 0.0], [3.0, 1.0, -2.0, 2.0]])
     assert_close(impl.transform(points, MATRIX),
-                 np.array([[8.0, 12.0, 10.0, -1.0], [0.0, 3.0, 5.0, -1.0],
-                           [11.0, -11.0, 14.0, 6.0]]))
+                 [[8.0, 12.0, 10.0, -1.0], [0.0, 3.0, 5.0, -1.0], [11.0, -11.0, 14.0, 6.0]])
 
 
 @exercise("1.2")
@@ -31,7 +30,7 @@ def test_every_point_is_moved_by_itself(impl, rng):
     .T of points exchanges all their axes. Or all are treated as the first one is.
     """
     points, matrix = rng.normal(size=(2, 3, 4)), rng.normal(size=(4, 4))
-    expected = np.array([[matrix @ point for point in row] for row in points])
+    expected = [[matrix @ point for point in row] for row in points]
     assert_close(impl.transform(points, matrix), expected)
 
 
@@ -43,9 +42,9 @@ def test_three_points_worked_out_on_paper(impl):
     """
     points = np.array([[5.0, 6.0, 8.0, 1.0], [1.0, 2.0, 3.0, 1.0], [2.0, 0.0, 1.0, 3.0]])
     grad_output = np.array([[1.0, 10.0, 0.0, 0.0], [0.0, 0.0, 2.0, 1.0], [0.0, 1.0, 0.0, -1.0]])
-    grad_points = np.array([[1.0, 12.0, 40.0, -17.0], [4.0, 0.0, 1.0, 12.0], [0.0, 1.0, 5.0, -4.0]])
-    grad_matrix = np.array([[5.0, 6.0, 8.0, 1.0], [52.0, 60.0, 81.0, 13.0],
-                            [2.0, 4.0, 6.0, 2.0], [-1.0, 2.0, 2.0, -2.0]])
+    grad_points = [[1.0, 12.0, 40.0, -17.0], [4.0, 0.0, 1.0, 12.0], [0.0, 1.0, 5.0, -4.0]]
+    grad_matrix = [[5.0, 6.0, 8.0, 1.0], [52.0, 60.0, 81.0, 13.0],
+                   [2.0, 4.0, 6.0, 2.0], [-1.0, 2.0, 2.0, -2.0]]
     assert_close(impl.transform_backward(grad_output, points, MATRIX), (grad_points, grad_matrix))
 
 
@@ -113,8 +112,7 @@ def test_a_camera_on_the_z_axis_only_moves_the_world_back(impl):
     """
     matrix = impl.look_at(np.array([1.0, 2.0, 5.0]), np.array([1.0, 2.0, 1.0]),
                           np.array([0.0, 3.0, 0.0]))
-    assert_close(matrix[:3], np.array([[1.0, 0.0, 0.0, -1.0], [0.0, 1.0, 0.0, -2.0],
-                                       [0.0, 0.0, 1.0, -5.0]]))
+    assert_close(matrix[:3], [[1.0, 0.0, 0.0, -1.0], [0.0, 1.0, 0.0, -2.0], [0.0, 0.0, 1.0, -5.0]])
 
 
 @exercise("1.7")
@@ -127,7 +125,7 @@ def test_a_camera_that_looks_down_on_paper(impl):
     # right = (2, 1, -2) / 3, above = (-2, 2, -1) / 3, back = (1, 2, 2) / 3
     assert_close(matrix[:3], np.array([[2.0, 1.0, -2.0, 5.0], [-2.0, 2.0, -1.0, 7.0],
                                        [1.0, 2.0, 2.0, -23.0]]) / 3)
-    assert_close(matrix[3], np.array([0.0, 0.0, 0.0, 1.0]))
+    assert_close(matrix[3], [0.0, 0.0, 0.0, 1.0])
 
 
 @exercise("1.7")
@@ -137,8 +135,8 @@ def test_eye_target_and_up_arrive_where_they_should(impl, rng):
     for eye, target, up in rng.normal(size=(20, 3, 3)):
         matrix = impl.look_at(eye, target, up)
         distance = np.linalg.norm(target - eye)
-        assert_close(matrix @ np.append(eye, 1), np.array([0.0, 0.0, 0.0, 1.0]))
-        assert_close(matrix @ np.append(target, 1), np.array([0.0, 0.0, -distance, 1.0]))
+        assert_close(matrix @ np.append(eye, 1), [0.0, 0.0, 0.0, 1.0])
+        assert_close(matrix @ np.append(target, 1), [0.0, 0.0, -distance, 1.0])
         x, y, _ = (matrix @ np.append(up, 0))[:3]
         assert_close(x, 0.0)
         assert y > 0, f"up points down on screen: its y in view space is {y}"
@@ -163,9 +161,7 @@ def test_a_shear_on_paper(impl):
                        [0.0, 1.0, 3.0, 6.0],
                        [0.0, 0.0, 1.0, 7.0],
                        [0.0, 0.0, 0.0, 1.0]])
-    assert_close(impl.normal_matrix(matrix), np.array([[0.5, 0.0, 0.0],
-                                                       [-0.5, 1.0, 0.0],
-                                                       [1.5, -3.0, 1.0]]))
+    assert_close(impl.normal_matrix(matrix), [[0.5, 0.0, 0.0], [-0.5, 1.0, 0.0], [1.5, -3.0, 1.0]])
 
 
 @exercise("1.8")
@@ -188,8 +184,7 @@ def test_a_pinhole_shrinks_with_distance(impl):
     """
     points = np.array([[1.0, 3.0, 4.0, 1.0], [-2.0, 5.0, 8.0, 1.0]])
     x, y, z, w = impl.pinhole(2.0) @ points.T
-    assert_close(np.stack([x / w, y / w, z / w], -1), np.array([[0.5, 1.5, 2.0],
-                                                                [-0.5, 1.25, 2.0]]))
+    assert_close(np.stack([x / w, y / w, z / w], -1), [[0.5, 1.5, 2.0], [-0.5, 1.25, 2.0]])
 
 
 @exercise("1.9")
@@ -209,7 +204,7 @@ def test_half_of_the_angle_is_the_angle_of_half_the_height(impl):
     or the order or a sign is wrong.
     """
     fov_y = 2 * np.arctan(3 / 4)
-    assert_close(np.array(impl.frustum_sides(fov_y, 1.5, 4.0)), np.array([-4.5, 4.5, -3.0, 3.0]))
+    assert_close(np.array(impl.frustum_sides(fov_y, 1.5, 4.0)), [-4.5, 4.5, -3.0, 3.0])
 
 
 @exercise("1.10")
@@ -218,7 +213,10 @@ def test_the_top_is_seen_at_half_the_field_of_view(impl, rng):
     for fov_y, aspect, near in rng.uniform([0.1, 0.2, 0.01], [3.0, 3.0, 5.0], (10, 3)):
         l, r, b, t = impl.frustum_sides(fov_y, aspect, near)
         assert_close(np.arctan2(t, near), fov_y / 2)
-        assert_close(np.array([r / t, l / r, b / t]), np.array([aspect, -1.0, -1.0]))
+        assert_close(np.array([r / t, l / r, b / t]), [aspect, -1.0, -1.0])
+
+
+SIDES = -1.0, 4.0, -3.0, 5.0, 2.0, 12.0  # left, right, bottom, top, near, far
 
 
 @exercise("1.11")
@@ -227,8 +225,7 @@ def test_w_is_the_distance_in_front_of_the_camera(impl):
     orthographic matrix, or 1 is left in [3, 3]. Or the matrix is transposed (column-major), rows
     and columns swapped.
     """
-    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[3], np.array([0.0, 0.0, -1.0, 0.0]))
+    assert_close(impl.frustum(*SIDES)[3], [0.0, 0.0, -1.0, 0.0])
 
 
 @exercise("1.11")
@@ -237,9 +234,7 @@ def test_x_and_y_on_paper(impl):
     difference are mixed up. The off-centre terms are missing, have the wrong sign, or stand in the
     last column, not the third.
     """
-    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[:2], np.array([[0.8, 0.0, 0.6, 0.0],
-                                       [0.0, 0.5, 0.25, 0.0]]))
+    assert_close(impl.frustum(*SIDES)[:2], [[0.8, 0.0, 0.6, 0.0], [0.0, 0.5, 0.25, 0.0]])
 
 
 @exercise("1.11")
@@ -248,8 +243,7 @@ def test_depth_on_paper(impl):
     place. near and far are swapped. The factor 2 of beta is missing (half of beta). Or depth runs
     from 0 to 1 as in Direct3D.
     """
-    matrix = impl.frustum(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[2], np.array([0.0, 0.0, -1.4, -4.8]))
+    assert_close(impl.frustum(*SIDES)[2], [0.0, 0.0, -1.4, -4.8])
 
 
 @exercise("1.11")
@@ -264,7 +258,7 @@ def test_the_corners_of_the_frustum_become_those_of_the_cube(impl, rng):
         for y, ndc_y in (b, -1), (t, 1):
             for z, ndc_z in (-near, -1), (-far, 1):
                 corner = matrix @ np.array([x * z / -near, y * z / -near, z, 1.0])
-                assert_close(corner[:3] / corner[3], np.array([ndc_x, ndc_y, ndc_z]), atol=1e-9)
+                assert_close(corner[:3] / corner[3], [ndc_x, ndc_y, ndc_z], atol=1e-9)
 
 
 @exercise("1.12")
@@ -272,8 +266,7 @@ def test_w_stays_1(impl):
     """w depends on z: the last row is (0, 0, -1, 0), as in `frustum`. Or the matrix is transposed
     (column-major), rows and columns swapped.
     """
-    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[3], np.array([0.0, 0.0, 0.0, 1.0]))
+    assert_close(impl.orthographic(*SIDES)[3], [0.0, 0.0, 0.0, 1.0])
 
 
 @exercise("1.12")
@@ -281,9 +274,7 @@ def test_the_sides_of_the_box_become_those_of_the_cube(impl):
     """The centre is not shifted to 0, or the wrong way (the translation's sign, or its column). 1
     for 2: ndc is 2 wide. r + l for r - l, or l, r, b, t mixed up.
     """
-    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[:2], np.array([[0.4, 0.0, 0.0, -0.6],
-                                       [0.0, 0.25, 0.0, -0.25]]))
+    assert_close(impl.orthographic(*SIDES)[:2], [[0.4, 0.0, 0.0, -0.6], [0.0, 0.25, 0.0, -0.25]])
 
 
 @exercise("1.12")
@@ -291,8 +282,7 @@ def test_near_becomes_minus_1_and_far_1(impl):
     """z is not flipped: the camera looks down -z, and the box is z = -near..-far, not near..far. A
     sign of the third row, its shift missing, near and far swapped, or depth from 0 to 1.
     """
-    matrix = impl.orthographic(-1.0, 4.0, -3.0, 5.0, 2.0, 12.0)
-    assert_close(matrix[2], np.array([0.0, 0.0, -0.2, -1.4]))
+    assert_close(impl.orthographic(*SIDES)[2], [0.0, 0.0, -0.2, -1.4])
 
 
 @exercise("1.12")
@@ -303,8 +293,8 @@ def test_the_corners_of_the_box_become_those_of_the_cube(impl, rng):
     l, b, near = -rng.uniform(1, 2), -rng.uniform(1, 2), rng.uniform(0.5, 1)
     r, t, far = rng.uniform(3, 4), rng.uniform(3, 4), rng.uniform(5, 9)
     matrix = impl.orthographic(l, r, b, t, near, far)
-    assert_close(matrix @ np.array([l, b, -near, 1.0]), np.array([-1.0, -1.0, -1.0, 1.0]))
-    assert_close(matrix @ np.array([r, t, -far, 1.0]), np.array([1.0, 1.0, 1.0, 1.0]))
+    assert_close(matrix @ np.array([l, b, -near, 1.0]), [-1.0, -1.0, -1.0, 1.0])
+    assert_close(matrix @ np.array([r, t, -far, 1.0]), [1.0, 1.0, 1.0, 1.0])
 
 
 @exercise("1.13")
@@ -314,8 +304,8 @@ def test_the_divide_is_by_w(impl):
     fourth number.
     """
     clip = np.array([[2.0, 4.0, -3.0, 2.0], [8.0, 2.0, 1.0, -4.0], [4.0, -2.0, 3.0, 8.0]])
-    assert_close(impl.perspective_divide(clip), np.array([[1.0, 2.0, -1.5], [-2.0, -0.5, -0.25],
-                                                          [0.5, -0.25, 0.375]]))
+    assert_close(impl.perspective_divide(clip), [[1.0, 2.0, -1.5], [-2.0, -0.5, -0.25],
+                                                 [0.5, -0.25, 0.375]])
 
 
 @exercise("1.13")
@@ -329,14 +319,17 @@ def test_every_point_is_divided_by_its_own_w(impl, rng):
         assert_close(impl.perspective_divide(clip), expected.reshape(*shape[:-1], 3))
 
 
+GRAD_NDC = np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]])
+CLIP = np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]])
+
+
 @exercise("1.14")
 def test_the_gradients_by_x_y_and_z_on_paper(impl):
     """The gradients of x, y and z are grad_ndc divided by w: once, not by w^2, by z, or not at all,
     and not multiplied by w. Or grad_clip has no place for w, or w stands first.
     """
-    grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
-                                            np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]]))
-    assert_close(grad[..., :3], np.array([[0.5, 5.0, 50.0], [-0.5, -0.75, 2.0]]))
+    grad = impl.perspective_divide_backward(GRAD_NDC, CLIP)
+    assert_close(grad[..., :3], [[0.5, 5.0, 50.0], [-0.5, -0.75, 2.0]])
 
 
 @exercise("1.14")
@@ -344,10 +337,9 @@ def test_the_gradient_by_w_on_paper(impl):
     """The gradient of w is 0 (w as a constant), or has the wrong sign. x, y or z is missing: all
     three add to it. It is divided by w once or three times, not by w squared.
     """
-    grad = impl.perspective_divide_backward(np.array([[1.0, 10.0, 100.0], [2.0, 3.0, -8.0]]),
-                                            np.array([[2.0, 4.0, 6.0, 2.0], [1.0, 2.0, 4.0, -4.0]]))
+    grad = impl.perspective_divide_backward(GRAD_NDC, CLIP)
     # -(1 * 2 + 10 * 4 + 100 * 6) / 2^2  and  -(2 * 1 + 3 * 2 - 8 * 4) / 4^2
-    assert_close(grad[..., 3], np.array([-160.5, 1.5]))
+    assert_close(grad[..., 3], [-160.5, 1.5])
 
 
 @exercise("1.14")
@@ -368,10 +360,10 @@ def test_the_viewport_on_paper(impl):
     is taken as from 0 to 1. The shift is missing. Width and height are swapped, z is changed, or //
     rounds.
     """
-    assert_close(impl.viewport(641, 479), np.array([[320.5, 0.0, 0.0, 320.5],
-                                                    [0.0, 239.5, 0.0, 239.5],
-                                                    [0.0, 0.0, 1.0, 0.0],
-                                                    [0.0, 0.0, 0.0, 1.0]]))
+    assert_close(impl.viewport(641, 479), [[320.5, 0.0, 0.0, 320.5],
+                                           [0.0, 239.5, 0.0, 239.5],
+                                           [0.0, 0.0, 1.0, 0.0],
+                                           [0.0, 0.0, 0.0, 1.0]])
 
 
 @exercise("1.15")
@@ -379,9 +371,9 @@ def test_the_corners_of_ndc_become_those_of_the_picture(impl, rng):
     """The matrix is right for one size of the picture, and wrong for others."""
     width, height = rng.integers([100, 1000], [900, 9000]).tolist()
     matrix = impl.viewport(width, height)
-    assert_close(matrix @ np.array([-1.0, -1.0, 0.5, 1.0]), np.array([0.0, 0.0, 0.5, 1.0]))
-    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), np.array([width, height, -0.5, 1.0]))
-    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), np.array([0.0, height, 0.0, 1.0]))
+    assert_close(matrix @ np.array([-1.0, -1.0, 0.5, 1.0]), [0.0, 0.0, 0.5, 1.0])
+    assert_close(matrix @ np.array([1.0, 1.0, -0.5, 1.0]), [width, height, -0.5, 1.0])
+    assert_close(matrix @ np.array([-1.0, 1.0, 0.0, 1.0]), [0.0, height, 0.0, 1.0])
 
 
 @exercise("1.17")
@@ -391,7 +383,7 @@ def test_a_step_in_ndc_is_half_a_picture(impl):
     y is flipped, or z is not kept.
     """
     grad = impl.to_screen_backward(np.array([[1.0, 2.0, 3.0], [-4.0, 6.0, 5.0]]), 641, 479)
-    assert_close(grad, np.array([[320.5, 479.0, 3.0], [-1282.0, 1437.0, 5.0]]))
+    assert_close(grad, [[320.5, 479.0, 3.0], [-1282.0, 1437.0, 5.0]])
 
 
 @exercise("1.17")

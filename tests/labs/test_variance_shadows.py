@@ -1,29 +1,9 @@
 """What the exercises of lab 14 must do: moments, their blur, and a map that moves."""
 import numpy as np
-import pytest
+from shadow_lights import CONE, PARALLEL, each_light, point_at, projected
 
 from course.checks import assert_close, assert_picture, exercise
 from course.given.gradcheck import gradcheck
-
-# Light from a point and from a direction; their maps are not square.
-CONE = np.array([[1.5, 0, 0, 0], [0, 2.0, 0, 0], [0, 0, -1.5, -2.5], [0, 0, -1, 0]])
-PARALLEL = np.array([[0.4, 0, 0, 0], [0, 0.7, 0, 0], [0, 0, -0.5, -2.0], [0, 0, 0, 1]])
-each_light = pytest.mark.parametrize("light", [CONE, PARALLEL], ids=["cone", "parallel"])
-
-
-def projected(q, light, width, height):
-    """By the whole matrix, point by point: x, y in texels (N, 2), depth from -1 to 1 (N,)."""
-    clip = np.array([light @ [*point, 1.0] for point in q])
-    ndc = clip[:, :3] / clip[:, 3:]
-    return (ndc[:, :2] + 1) * [width / 2, height / 2], ndc[:, 2]
-
-
-def point_at(x, y, distance, light, width, height):
-    """The point of the light's frame that lies at (x, y) of the map, at this distance."""
-    w = light[3, 3] - light[3, 2] * distance
-    return np.array([(2 * x / width - 1) * w / light[0, 0], (2 * y / height - 1) * w / light[1, 1],
-                     -distance])
-
 
 # --- moments ------------------------------------------------------------------------------------
 
@@ -66,7 +46,7 @@ def test_lit_shares_on_paper(impl):
     got = impl.chebyshev(np.array([7.0, 8.0, 5.0, 4.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0, 3.0]),
                          np.array([13.0, 25.0, 5.0, 13.0, 13.0]), 0.125)
     # The variances are 4, 9, 1, 4, 4, the distances beyond the mean 4, 4, 3, 1 and none.
-    assert_close(got, np.array([4 / 20, 9 / 25, 1 / 10, 4 / 5, 1.0]))
+    assert_close(got, [4 / 20, 9 / 25, 1 / 10, 4 / 5, 1.0])
 
 
 @exercise("14.17")
@@ -76,7 +56,7 @@ def test_the_variance_has_a_floor(impl):
     """
     got = impl.chebyshev(np.array([5.0, 4.0, 6.0, 5.0]), np.array([3.0, 3.0, 3.0, 3.0]),
                          np.array([9.0, 8.0, 9.25, 9.5]), 0.5)
-    assert_close(got, np.array([1 / 9, 1 / 3, 1 / 19, 1 / 9]))
+    assert_close(got, [1 / 9, 1 / 3, 1 / 19, 1 / 9])
 
 
 @exercise("14.17")
@@ -105,8 +85,7 @@ def test_gradients_of_the_share_on_paper(impl):
     got = impl.chebyshev_backward(np.array([25.0, 62.5, -50.0, 25.0]),
                                   np.array([7.0, 8.0, 5.0, 2.0]), np.array([3.0, 4.0, 2.0, 3.0]),
                                   np.array([13.0, 25.0, 5.0, 13.0]), 0.125)
-    assert_close(got, (np.array([-2.0, -7.2, 3.0, 0.0]), np.array([-4.0, -5.6, 15.0, 0.0]),
-                       np.array([1.0, 1.6, -4.5, 0.0])))
+    assert_close(got, ([-2.0, -7.2, 3.0, 0.0], [-4.0, -5.6, 15.0, 0.0], [1.0, 1.6, -4.5, 0.0]))
 
 
 @exercise("14.18")
@@ -118,8 +97,7 @@ def test_a_floored_variance_has_no_gradient(impl):
                                   np.array([5.0, 5.0, 5.0, 4.0]), np.full(4, 3.0),
                                   np.array([9.0, 9.5, 10.5, 9.75]), 1.0)
     # The variances are 1, 1, 3/2, 1. By the distance: -2 v b / (v + b^2)^2, say -4/25 at first.
-    assert_close(got, (np.array([-4.0, -8.0, -6.0, -2.0]), np.array([4.0, 8.0, -18.0, 2.0]),
-                       np.array([0.0, 0.0, 4.0, 0.0])))
+    assert_close(got, ([-4.0, -8.0, -6.0, -2.0], [4.0, 8.0, -18.0, 2.0], [0.0, 0.0, 4.0, 0.0]))
 
 
 @exercise("14.18")
@@ -197,9 +175,9 @@ def test_a_step_moves_with_the_nearer_side(impl):
     """
     # By 0.2 texels, the jump is 2.
     got = impl.moved_moments(STEP, ACROSS, np.array([0.1, 0.0, 0.0]))
-    assert_close(got, np.array([[[1.0, 1.0], [0.8, 0.2], [2.8, 8.2], [3.0, 9.0]]]))
+    assert_close(got, [[[1.0, 1.0], [0.8, 0.2], [2.8, 8.2], [3.0, 9.0]]])
     got = impl.moved_moments(STEP.T.copy(), ACROSS.swapaxes(0, 1), np.array([9, 0.3, 0]))
-    assert_close(got, np.array([[[1.0, 1.0]], [[0.4, -1.4]], [[2.4, 6.6]], [[3.0, 9.0]]]))
+    assert_close(got, [[[1.0, 1.0]], [[0.4, -1.4]], [[2.4, 6.6]], [[3.0, 9.0]]])
 
 
 @exercise("14.20")
@@ -236,7 +214,7 @@ def test_the_gradient_of_a_step_on_paper(impl):
     got = impl.moved_moments_backward(grad, distance_map, motion, np.array([0.0, 0.0, 0.5]))
     # By x: -2/2 x ((5 + 1) 2 + 0.5 x 8). By y: the step is -2, and -8 of the squares, from 3 to 1:
     # -2/2 x ((1 + 2) (-2) + (0.5 + 1) (-8)). By z: -(5 + 1 + 3 + 2) - 2 (0.5 x 2.5 + 1 x 0.5).
-    assert_close(got, np.array([-16.0, 18.0, -14.5]))
+    assert_close(got, [-16.0, 18.0, -14.5])
 
 
 @exercise("14.21")
@@ -246,5 +224,5 @@ def test_the_gradients_of_the_move_are_central_differences(impl, rng):
     """
     distance_map = rng.integers(1, 4, (4, 6)).astype(float)
     motion, move = rng.normal(size=(4, 6, 2, 3)), 0.3 * rng.normal(size=3)
-    gradcheck(moved, lambda grad, *given: impl.moved_moments_backward(grad, *given),
-              (distance_map, motion, move), differentiable=[2], name="moved_moments")
+    gradcheck(moved, impl.moved_moments_backward, (distance_map, motion, move), differentiable=[2],
+              name="moved_moments")

@@ -3,6 +3,7 @@ import itertools
 
 import numpy as np
 import pytest
+from corner_matrices import MATRICES, NEAR
 
 from course.checks import assert_close, assert_equal, exercise
 from course.given.gradcheck import gradcheck
@@ -13,16 +14,6 @@ A = np.array([2.0, 0.25, 1.0])  # c = (3, 4, 1) / 8
 VALUES = np.array([8.0, 0.0, 3.0])  # f = 8 - 2 x - 2.5 y, less the target
 BY_M = np.array([[0.75, 1.0, 0.25], [0.9375, 1.25, 0.3125], [-3.0, -4.0, -1.0]])
 
-# In perspective, vertex 1 with w = 1/2: c = (1 - x/4 - y/2, x/2, y/2).
-NEAR = np.array([[0.0, 2.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.5, 1.0]])
-
-# Clip positions x, y, w in columns; each makes one of the mistakes visible.
-MATRICES = {
-    "w differs": np.array([[-0.7, 2.1, 0.4], [-0.5, 0.3, 1.9], [1.0, 2.5, 1.6]]),
-    "clockwise": np.array([[2.1, -0.7, 0.4], [0.3, -0.5, 1.9], [2.5, 1.0, 1.6]]),
-    "a vertex behind the camera": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [1.4, 2.0, -0.6]]),
-    "all behind": np.array([[0.9, -1.6, 0.2], [0.4, 0.3, -1.1], [-1.4, -2.0, -0.6]]),
-}
 each_matrix = pytest.mark.parametrize("m", MATRICES.values(), ids=MATRICES)
 PIXEL = np.array([0.25, -0.375, 1.0])
 
@@ -49,8 +40,7 @@ def test_vertices_are_columns(impl):
     """The vertices stand in the rows of M. The row of ones is missing, has zeros or is not the last
     one. x and y are swapped, or mixed: reshape(2, 3) is no transpose. Or the columns are edges."""
     triangle = np.array([[5.0, 6.0], [7.0, 8.0], [9.0, 10.0]])
-    expected = np.array([[5.0, 7.0, 9.0], [6.0, 8.0, 10.0], [1.0, 1.0, 1.0]])
-    assert_equal(impl.vertex_matrix(triangle), expected)
+    assert_equal(impl.vertex_matrix(triangle), [[5.0, 7.0, 9.0], [6.0, 8.0, 10.0], [1.0, 1.0, 1.0]])
 
 
 @exercise("7.1")
@@ -70,7 +60,7 @@ def test_nine_changes_on_paper(impl):
     m = np.array([[1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 4.0]])
     # M^-1 takes twice row 0 from row 1 of dM, twice column 1 from column 0, and divides by 4.
     dm = np.array([[1.0, 2.0, 3.0], [0.0, 5.0, -1.0], [8.0, -4.0, 12.0]])
-    expected = np.array([[3.0, -2.0, -0.75], [4.0, -1.0, 1.75], [-4.0, 1.0, -0.75]])
+    expected = [[3.0, -2.0, -0.75], [4.0, -1.0, 1.75], [-4.0, 1.0, -0.75]]
     assert_close(impl.inverse_differential(m, dm), expected)
 
 
@@ -79,8 +69,7 @@ def test_nine_changes_on_paper(impl):
 def test_the_product_with_m_stays_one(impl, m, rng):
     """d(M^-1) M + M^-1 dM = 0 fails where M and dM do not commute."""
     dm = rng.normal(size=(3, 3))
-    got = impl.inverse_differential(m, dm)
-    assert_close(got @ m, np.linalg.solve(m, -dm), atol=1e-10)
+    assert_close(impl.inverse_differential(m, dm) @ m, np.linalg.solve(m, -dm), atol=1e-10)
 
 
 def slopes(impl, values, m, a):
@@ -113,8 +102,7 @@ def test_the_gradients_on_paper(impl):
     picture's slope, r or a in place of grad_a or c. Or its last row is 0: the 1s are no constants.
     grad_target: the sign. Or f is a factor."""
     got = impl.residual_backward(1.0, VALUES, PAPER, A, 1.5)
-    expected = np.array([0.375, 0.5, 0.125]), BY_M, np.array([-2.0, -2.5, 8.0]), -1.0
-    assert_close(got, expected)
+    assert_close(got, ([0.375, 0.5, 0.125], BY_M, [-2.0, -2.5, 8.0], -1.0))
 
 
 @exercise("7.5")
@@ -122,8 +110,7 @@ def test_every_gradient_is_as_large_as_grad_f(impl):
     """grad_f is left out of grad_values, grad_m, grad_a or grad_target, or counted twice there.
     All four are multiplied by it once."""
     got = impl.residual_backward(5.0, VALUES, PAPER, A, 1.5)
-    expected = np.array([1.875, 2.5, 0.625]), 5 * BY_M, np.array([-10.0, -12.5, 40.0]), -5.0
-    assert_close(got, expected)
+    assert_close(got, ([1.875, 2.5, 0.625], 5 * BY_M, [-10.0, -12.5, 40.0], -5.0))
 
 
 @exercise("7.5")
@@ -177,7 +164,7 @@ def test_linear_residuals_vanish_in_one_step(impl):
     is damped. A mean over the residuals stands for the sum, or a factor 2 or 1/2 is in it."""
     jacobian = np.array([[2.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0],
                          [0.0, 3.0, 1.0, 0.0], [0.0, 0.0, 1.0, 4.0]])
-    step = np.array([-2.0, -3.0, 1.0, 0.5])  # J step = (-4, -5, -8, 3)
+    step = [-2.0, -3.0, 1.0, 0.5]  # J step = (-4, -5, -8, 3)
     assert_close(impl.gauss_newton_step(np.array([4.0, 5.0, 8.0, -3.0]), jacobian), step)
 
 
@@ -188,9 +175,9 @@ def test_with_too_many_residuals_the_squares_are_least(impl):
     jacobian = np.array([[1.0, 0.0], [0.0, 2.0], [1.0, 1.0], [0.0, 1.0]])
     got = impl.gauss_newton_step(np.array([1.0, 2.0, 3.0, 4.0]), jacobian)
     # J^T J = [[2, 1], [1, 6]] and J^T f = (4, 11).
-    assert_close(got, np.array([-13 / 11, -18 / 11]))
+    assert_close(got, [-13 / 11, -18 / 11])
     got = impl.gauss_newton_step(np.array([1.0, 2.0, 6.0]), np.ones((3, 1)))
-    assert_close(got, np.array([-3.0]))
+    assert_close(got, [-3.0])
 
 
 @exercise("7.7")
@@ -207,9 +194,9 @@ def test_of_several_steps_it_is_the_shortest(impl):
     """An error where J^T J is singular and has no inverse, or some other step than the shortest:
     np.linalg.lstsq and pinv find it."""
     got = impl.gauss_newton_step(np.array([2.0, 6.0]), np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0]]))
-    assert_close(got, np.array([-1.0, -1.0, -3.0]))
+    assert_close(got, [-1.0, -1.0, -3.0])
     got = impl.gauss_newton_step(np.array([1.0, 2.0, 3.0]), np.outer([1.0, 2.0, 3.0], [3.0, 4.0]))
-    assert_close(got, np.array([-0.12, -0.16]))
+    assert_close(got, [-0.12, -0.16])
 
 
 # --- in perspective ----------------------------------------------------------------------------
@@ -221,8 +208,7 @@ def test_the_gradients_of_weights_on_paper(impl):
     transpose, a or b in place of c, a last row of 0. grad_a is returned first."""
     grad_b, a = np.array([4.0, 1.0, 2.0]), np.array([-2.0, 0.5, 1.0])
     # c = (1.25, -1, 0.25), s = 1/2, b = (2.5, -2, 0.5), grad_b . b = 9, grad_c = (-10, -16, -14)
-    expected = (np.array([[6.875, -5.5, 1.375], [2.5, -2.0, 0.5], [12.5, -10.0, 2.5]]),
-                np.array([-5.5, -2.0, -10.0]))
+    expected = ([[6.875, -5.5, 1.375], [2.5, -2.0, 0.5], [12.5, -10.0, 2.5]], [-5.5, -2.0, -10.0])
     assert_close(impl.barycentric_backward(grad_b, NEAR, a), expected)
 
 
@@ -231,8 +217,8 @@ def test_the_sum_of_c_may_be_negative(impl):
     """s is counted once too often or too rarely, or its sign is lost, as by abs."""
     grad_b, a = np.array([4.0, 1.0, 2.0]), np.array([-12.0, 1.0, 1.0])
     # c = (3.5, -6, 0.5), s = -2, grad_b . b = -4.5, grad_c = (-4.25, -2.75, -3.25)
-    expected = (np.array([[1.09375, -1.875, 0.15625], [-1.75, 3.0, -0.25], [14.875, -25.5, 2.125]]),
-                np.array([-0.3125, 0.5, -4.25]))
+    expected = ([[1.09375, -1.875, 0.15625], [-1.75, 3.0, -0.25], [14.875, -25.5, 2.125]],
+                [-0.3125, 0.5, -4.25])
     assert_close(impl.barycentric_backward(grad_b, NEAR, a), expected)
 
 

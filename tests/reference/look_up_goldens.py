@@ -1,6 +1,8 @@
 """Look-ups as nvdiffrast's kernels make them (tests/golden/README.md), beside ours."""
 import numpy as np
 
+from reference import arrays
+
 TOLERANCE = {"colour": 3e-6, "grad_image": 6e-6, "grad_faces": 6e-6, "grad_uv": 1.5e-4,
              "grad_directions": 1.5e-4, "grad_jacobian": 1e-4, "grad_bias": 4e-6}
 
@@ -28,3 +30,12 @@ def require_look_ups(look_up, backward, names, golden, scene, config, **given):
         name = key.removeprefix(prefix)
         atol = 0 if name == "colour" and filter == "nearest" else TOLERANCE[name]
         np.testing.assert_allclose(got[name], golden[key], rtol=0, atol=atol, err_msg=name)
+
+
+def require_chunks_change_nothing(look_up, backward, upstream, given, flat_given, monkeypatch):
+    """Neither chunks of 3 rows nor leading shapes: flat_given is given, with one row a pixel."""
+    whole = look_up(*given), *backward(upstream, *given)
+    monkeypatch.setattr(arrays, "ROWS", 3)
+    parts = look_up(*flat_given), *backward(upstream.reshape(-1, 3), *flat_given)
+    for one, other in zip(whole, parts, strict=True):
+        np.testing.assert_allclose(one, other.reshape(one.shape), rtol=1e-12, atol=1e-15)

@@ -119,9 +119,8 @@ def test_catmull_clark_has_a_gradient():
     """S for its transpose. Colours, two to a vertex, ride along."""
     vertices, corners, counts = POLYGONS["house, open"]
     colours = np.random.default_rng(3).random((len(vertices), 2))
-    gradcheck(lambda x: catmull_clark.catmull_clark(x, corners, counts)[0],
-              lambda grad, x: catmull_clark.catmull_clark_backward(grad, x, corners, counts),
-              (colours,), name="catmull_clark")
+    gradcheck(lambda *given: catmull_clark.catmull_clark(*given)[0],
+              catmull_clark.catmull_clark_backward, (colours, corners, counts), name="quads")
 
 
 # --- broken input --------------------------------------------------------------------------------

@@ -3,10 +3,10 @@ import itertools
 
 import numpy as np
 import pytest
-from look_up_goldens import configs, require_look_ups
+from look_up_goldens import configs, require_chunks_change_nothing, require_look_ups
 
 from course.given.gradcheck import gradcheck
-from reference import arrays, cube_maps, mipmapping
+from reference import cube_maps, mipmapping
 
 GOLDEN = np.load("tests/golden/cube_maps.npz")
 CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
@@ -52,27 +52,6 @@ def test_a_direction_too_short_to_divide_by_sees_nothing():
     _, *grads = cube_maps.cube_texture_backward(np.ones((4, 1)), *look, **given)
     for grad in grads[:2]:
         assert np.isfinite(grad).all() and not grad[:3].any() and grad[3].any()
-
-
-def texel_corners(face, column, row, size):
-    """The points at a texel's four corners, in units of 1/size, also beyond its face's edge."""
-    uv = np.array([[column + j, row + i] for i in (0, 1) for j in (0, 1)]) / size
-    points = np.round(size * cube_maps.direction_to(np.full(4, face), uv)).astype(int)
-    return {tuple(point) for point in points.tolist()}
-
-
-@pytest.mark.parametrize("size", [1, 2, 5])
-def test_a_tap_beyond_an_edge_is_the_texel_on_the_same_piece_of_it(size):
-    """At one of 12 edges, in one of two directions, the row of texels is turned or another."""
-    texels = {texel: texel_corners(*texel, size) for texel in np.ndindex(6, size, size)}
-    for face, beyond, k in itertools.product(range(6), (-1, size), range(size)):
-        for column, row in (beyond, k), (k, beyond):
-            beside = texels[face, *np.clip([column, row], 0, size - 1).tolist()]
-            piece = beside & texel_corners(face, column, row, size)
-            expected = [texel for texel, points in texels.items()
-                        if texel[0] != face and piece < points]
-            got = cube_maps.across_edge(*np.array([[face], [column], [row], [size]]))
-            assert len(piece) == 2 and [tuple(np.concatenate(got).tolist())] == expected
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 8])
@@ -230,14 +209,9 @@ def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
     faces, directions, jacobian, bias = scene(np.random.default_rng(11))
     directions[2, 3] = 0
     upstream = np.random.default_rng(12).normal(size=(5, 6, 3))
-    whole = (cube_maps.cube_texture(faces, directions, jacobian, bias, filter),
-             *cube_maps.cube_texture_backward(upstream, faces, directions, jacobian, bias, filter))
-    monkeypatch.setattr(arrays, "ROWS", 3)
     line = faces, directions.reshape(-1, 3), jacobian.reshape(-1, 3, 2), bias.reshape(-1), filter
-    parts = (cube_maps.cube_texture(*line),
-             *cube_maps.cube_texture_backward(upstream.reshape(-1, 3), *line))
-    for one, other in zip(whole, parts, strict=True):
-        np.testing.assert_allclose(one, other.reshape(one.shape), rtol=1e-12, atol=1e-13)
+    require_chunks_change_nothing(cube_maps.cube_texture, cube_maps.cube_texture_backward, upstream,
+                                  (faces, directions, jacobian, bias, filter), line, monkeypatch)
 
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)

@@ -155,9 +155,8 @@ def test_the_gradients_of_the_priors(rng):
     x = looks(rng, 30)
     edges = np.stack([np.arange(30), rng.permutation(30)], 1)
     gradcheck(lab.neutral, lab.neutral_backward, (x.light, x.sun), name="neutral")
-    gradcheck(lambda albedo: lab.patches(albedo, edges, 0.3),
-              lambda grad, albedo: lab.patches_backward(grad, albedo, edges, 0.3),
-              (x.albedo,), name="patches")
+    gradcheck(lab.patches, lab.patches_backward, (x.albedo, edges, 0.3), differentiable=[0],
+              name="patches")
 
 
 # --- what is found -----------------------------------------------------------------------------

@@ -167,7 +167,5 @@ def test_six_steps_come_near_the_limit():
 @each_weight
 def test_loop_has_a_gradient(weight):
     """S for its transpose, or the other weight's."""
-    vertices, faces = MESHES["band with a twist"]
-    gradcheck(lambda x: loop_subdivision.loop(x, faces, weight)[0],
-              lambda grad, x: loop_subdivision.loop_backward(grad, x, faces, weight), (vertices,),
-              name="loop")
+    gradcheck(lambda *given: loop_subdivision.loop(*given)[0], loop_subdivision.loop_backward,
+              (*MESHES["band with a twist"], weight), name="loop")

@@ -57,8 +57,7 @@ def test_the_grid_fills_the_cube_with_tetrahedra_that_fit(n):
     points, tetrahedra = marching_tetrahedra.tetrahedral_grid(n)
     assert points.shape == ((n + 1)**3, 3) and tetrahedra.shape == (6 * n**3, 4)
     a, b, c, d = points[tetrahedra.T]
-    volumes = ((b - a) * np.cross(c - a, d - a)).sum(-1) / 6
-    np.testing.assert_allclose(volumes, 8 / (6 * n**3))
+    np.testing.assert_allclose(((b - a) * np.cross(c - a, d - a)).sum(-1) / 6, 8 / (6 * n**3))
     triangles = np.sort(tetrahedra[:, [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]].reshape(-1, 3))
     triangles, count = np.unique(triangles, axis=0, return_counts=True)
     on_border = (np.abs(points[triangles].sum(1)) > 3 - 1e-9).any(-1)

@@ -3,11 +3,11 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from look_up_goldens import configs, require_look_ups
+from look_up_goldens import configs, require_chunks_change_nothing, require_look_ups
 
 from course.checks import assert_close
 from course.given.gradcheck import gradcheck
-from reference import arrays, mipmapping, texturing
+from reference import mipmapping, texturing
 
 GOLDEN = np.load("tests/golden/texture.npz")
 
@@ -82,14 +82,10 @@ def test_a_scalar_bias_collects_all_pixels():
 def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
     """A point is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     image, uv, jacobian, bias = scene(np.random.default_rng(9), filter)
-    upstream = np.ones((4, 5, 3))
-    whole = (mipmapping.texture(image, uv, jacobian, bias, filter),
-             *mipmapping.texture_backward(upstream, image, uv, jacobian, bias, filter))
-    monkeypatch.setattr(arrays, "ROWS", 3)
     line = image, uv.reshape(-1, 2), jacobian.reshape(-1, 2, 2), bias.reshape(-1), filter
-    parts = mipmapping.texture(*line), *mipmapping.texture_backward(upstream.reshape(-1, 3), *line)
-    for one, other in zip(whole, parts, strict=True):
-        np.testing.assert_allclose(one, other.reshape(one.shape), rtol=1e-12, atol=1e-15)
+    require_chunks_change_nothing(mipmapping.texture, mipmapping.texture_backward,
+                                  np.ones((4, 5, 3)), (image, uv, jacobian, bias, filter), line,
+                                  monkeypatch)
 
 
 @pytest.mark.parametrize("filter", mipmapping.FILTERS)
@@ -227,7 +223,7 @@ def test_a_clamped_level_has_no_gradient(impl):
     """
     level = np.array([-np.inf, -0.5, 0.25, 1.0, 2.75, 3.5, np.inf])
     got = impl.blend_levels_backward(np.arange(1.0, 8.0), level, 3)
-    assert_close(got, np.array([0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0]))
+    assert_close(got, [0.0, 0.0, 3.0, 4.0, 5.0, 0.0, 0.0])
     level = np.array([0.0, 1.0, 2.0, 4.0, 5.0])
-    assert_close(impl.blend_levels_backward(np.ones(5), level, 5), np.array([0.0, 1, 1, 1, 0]))
+    assert_close(impl.blend_levels_backward(np.ones(5), level, 5), [0.0, 1, 1, 1, 0])
     assert_close(impl.blend_levels_backward(np.ones(5), level, 0), np.zeros(5))

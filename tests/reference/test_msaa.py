@@ -47,6 +47,9 @@ def below_line(slope, height_at_0, width, height):
                       [right, slope * right + height_at_0]], width, height)
 
 
+BELOW = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])  # clip and faces, for 12 x 8 pixels
+
+
 # --- samples -----------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("count", [2, 4, 8, 16])
@@ -67,23 +70,21 @@ def test_a_count_without_a_standard_pattern_is_told(count):
 
 def test_a_picture_needs_a_sample():
     """NumPy's error about a shape, or a division by 0, that does not say what is missing."""
-    clip, faces = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
     shade, background = flat(np.ones((1, 3))), np.zeros(3)
     with pytest.raises(ValueError, match="at least one sample, got none: give regular_grid"):
-        msaa.msaa(clip, faces, 12, 8, np.zeros((0, 2)), shade, background)
+        msaa.msaa(*BELOW, 12, 8, np.zeros((0, 2)), shade, background)
     for n in (0, -1):
         with pytest.raises(ValueError, match=f"n of 1 or more, got n = {n}"):
-            msaa.supersample(clip, faces, 12, 8, n, shade, background)
+            msaa.supersample(*BELOW, 12, 8, n, shade, background)
 
 
 @pytest.mark.parametrize(("width", "height"), [(0, 0), (12, 0), (0, 8)])
 def test_a_picture_without_pixels_is_empty(width, height):
     """One pixel of a picture 0 wide is 2 / 0 of ndc, or NumPy cannot guess the channels."""
-    clip, faces = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
     shade, background = flat(np.ones((1, 3))), np.zeros(3)
     with np.errstate(all="raise"):
-        few = msaa.msaa(clip, faces, width, height, msaa.regular_grid(2), shade, background)
-        many = msaa.supersample(clip, faces, width, height, 2, shade, background)
+        few = msaa.msaa(*BELOW, width, height, msaa.regular_grid(2), shade, background)
+        many = msaa.supersample(*BELOW, width, height, 2, shade, background)
     assert few.shape == many.shape == (height, width, 3)
 
 
@@ -135,8 +136,7 @@ def test_samples_cut_to_whole_numbers_are_one_sample():
     """Erratum of homework 2, insideTriangle(int x, int y): four samples that smooth nothing."""
     pattern = msaa.regular_grid(2)
     assert (np.trunc(pattern) == 0).all()
-    clip, one = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
-    cut, right = (msaa.coverage(msaa.rasterize_samples(clip, one, 12, 8, offsets)[0])
+    cut, right = (msaa.coverage(msaa.rasterize_samples(*BELOW, 12, 8, offsets)[0])
                   for offsets in (np.trunc(pattern), pattern))
     assert set(np.unique(cut)) == {0.0, 1.0}
     assert {0.25, 0.5, 0.75} & set(np.unique(right))
@@ -179,10 +179,9 @@ def test_the_shortcut_of_homework_2_leaves_a_dark_seam():
 
 def test_a_silhouette_over_a_bright_background_is_dark_in_the_shortcut():
     """The known mistake mixes with black instead of with the background."""
-    clip, one = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
     white, pattern = np.ones((1, 3)), msaa.regular_grid(2)
-    wrong = msaa.rate_times_colour(clip, one, white, 12, 8, pattern, np.ones(3))
-    right = msaa.msaa(clip, one, 12, 8, pattern, flat(white), np.ones(3))
+    wrong = msaa.rate_times_colour(*BELOW, white, 12, 8, pattern, np.ones(3))
+    right = msaa.msaa(*BELOW, 12, 8, pattern, flat(white), np.ones(3))
     assert (right == 1).all() and wrong.min() == 0.25
 
 
@@ -261,20 +260,20 @@ def coverage_errors(slopes, n, width=12, height=8):
     return np.concatenate(errors)
 
 
+def order_of_error(slopes):
+    n = np.array([1, 2, 4, 8, 16])
+    rms = [np.sqrt(np.mean(coverage_errors(slopes, k) ** 2)) for k in n]
+    return msaa.observed_order(n, np.array(rms))
+
+
 def test_the_error_falls_with_order_three_halves():
     """Samples are missing or not centred: then the order is lower."""
-    slopes, n = np.random.default_rng(2).uniform(-1, 1, 300), np.array([1, 2, 4, 8, 16])
-    rms = [np.sqrt(np.mean(coverage_errors(slopes, k) ** 2)) for k in n]
-    order = msaa.observed_order(n, np.array(rms))
-    assert 1.4 < order < 1.6, order
+    assert 1.4 < order_of_error(np.random.default_rng(2).uniform(-1, 1, 300)) < 1.6
 
 
 def test_along_a_row_of_samples_the_order_is_one():
     """The worst case: a nearly horizontal edge jumps over n samples at once."""
-    n = np.array([1, 2, 4, 8, 16])
-    rms = [np.sqrt(np.mean(coverage_errors(np.full(60, 1e-9), k) ** 2)) for k in n]
-    order = msaa.observed_order(n, np.array(rms))
-    assert 0.9 < order < 1.1, order
+    assert 0.9 < order_of_error(np.full(60, 1e-9)) < 1.1
 
 
 def test_on_a_nearly_horizontal_edge_the_rotated_grid_has_twice_the_levels():
@@ -315,9 +314,8 @@ def test_fxaa_softens_a_staircase_and_keeps_a_straight_edge(upright):
 
 def test_taa_of_a_still_scene_comes_near_the_mean_of_its_samples():
     """The newest frame is all, or the first one never fades."""
-    clip, one = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])
     pattern = msaa.standard_pattern(8)
-    face_index, _ = msaa.rasterize_samples(clip, one, 12, 8, pattern)
+    face_index, _ = msaa.rasterize_samples(*BELOW, 12, 8, pattern)
     frames = np.tile((face_index >= 0)[..., None] * 1.0, (40, 1, 1, 1))
     still = msaa.taa(frames, 0.02)[..., 0]
     np.testing.assert_allclose(still, msaa.coverage(face_index), rtol=0, atol=0.05)

@@ -94,8 +94,7 @@ def test_gradients_of_weights_and_depth_are_central_differences(rng):
 def test_gradients_of_corners_are_central_differences(rng):
     """w without its part in x / w, or z. Or a vertex of several faces that keeps one of them."""
     clip, faces = rng.uniform(1, 2, (5, 4)), np.array([[0, 1, 2], [2, 1, 3], [3, 0, 2]])
-    gradcheck(lambda clip: neural_renderer.corners_of(clip, faces),
-              lambda grad, clip: (neural_renderer.corners_backward(grad, clip, faces),), (clip,),
+    gradcheck(neural_renderer.corners_of, neural_renderer.corners_backward, (clip, faces),
               name="corners")
 
 
@@ -120,8 +119,7 @@ def test_it_does_not_matter_with_which_corner_a_face_begins(impl, turn):
     """Only one corner's angle is looked at, or one z."""
     z = np.array([[1.0, 2.0, 3.0], [1.0, 2.0, -0.5], [1.0, 2.0, 0.0], [-1.0, -2.0, -3.0]])
     screen = np.repeat(np.roll(SLANTED, turn, 0)[None], 4, 0)
-    assert_equal(impl.front_faces(screen, np.roll(z, turn, 1)),
-                 np.array([True, False, False, False]))
+    assert_equal(impl.front_faces(screen, np.roll(z, turn, 1)), [True, False, False, False])
 
 
 def test_a_face_without_area_is_not_drawn(impl):

@@ -88,9 +88,9 @@ def test_vertices_on_screen_on_paper(impl):
     """y is flipped, width and height are swapped, or |w| stands for w."""
     clip = np.array([[0.0, 2.0, 9.0, 2.0], [-1.0, -1.0, 9.0, 1.0], [3.0, 0.5, 9.0, -1.0]])
     x, y, w = impl.screen_points(clip, 9, 5)
-    assert_close(x, np.array([4.5, 0.0, -9.0]))
-    assert_close(y, np.array([5.0, 0.0, 1.25]))
-    assert_close(w, np.array([2.0, 1.0, -1.0]))
+    assert_close(x, [4.5, 0.0, -9.0])
+    assert_close(y, [5.0, 0.0, 1.25])
+    assert_close(w, [2.0, 1.0, -1.0])
 
 
 def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
@@ -99,10 +99,9 @@ def test_a_vertex_in_the_camera_plane_lies_far_out(impl):
                      [-1.0, 0.3, 0.0, 0.0]])
     for unit in 1e-13, 1.0, 1e5:
         x, y, w = impl.screen_points(unit * clip, 8, 4)
-        assert_close(w / unit, np.array([1e-10, 1e-10, -1e-10, 1e-10]),
-                     given=f"clip scaled by {unit}")
-        assert_close(x, np.array([4e10, 2e10, -4e10, -4e10]), rtol=1e-6)
-        assert_close(y, np.array([-2e10, -2e10, 4e9, 6e9]), rtol=1e-6)
+        assert_close(w / unit, [1e-10, 1e-10, -1e-10, 1e-10], given=f"clip scaled by {unit}")
+        assert_close(x, [4e10, 2e10, -4e10, -4e10], rtol=1e-6)
+        assert_close(y, [-2e10, -2e10, 4e9, 6e9], rtol=1e-6)
 
 
 def test_a_small_w_is_not_yet_the_camera_plane(impl):

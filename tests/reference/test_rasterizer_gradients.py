@@ -52,17 +52,15 @@ def scene():
 def test_barycentrics_have_a_gradient(scene):
     """Width and height are swapped, a vertex behind the camera, or the share of w."""
     clip, faces, face_index, _, _ = scene
-    gradcheck(lambda clip: rasterization.barycentrics(face_index, clip, faces),
-              lambda grad, clip: gradients.barycentrics_backward(grad, face_index, clip, faces),
-              (clip,), name="barycentrics")
+    gradcheck(rasterization.barycentrics, gradients.barycentrics_backward,
+              (face_index, clip, faces), name="barycentrics")
 
 
 def test_their_derivatives_have_a_gradient(scene):
     """x and y are swapped, or derivatives are taken by ndc."""
     clip, faces, face_index, _, _ = scene
-    gradcheck(lambda clip: rasterization.barycentrics_derivatives(face_index, clip, faces),
-              lambda grad, clip: gradients.barycentrics_derivatives_backward(
-                  grad, face_index, clip, faces), (clip,), name="barycentrics_derivatives")
+    gradcheck(rasterization.barycentrics_derivatives, gradients.barycentrics_derivatives_backward,
+              (face_index, clip, faces), name="barycentrics_derivatives")
 
 
 def test_depth_has_a_gradient(scene):

@@ -31,8 +31,7 @@ def test_a_flip_takes_an_edge_from_two_vertices_and_gives_it_to_two_others():
     """After less before, squares instead of sums, or 6 for all."""
     valence = np.array([[7, 7, 5, 5], [6, 6, 6, 6], [7, 6, 6, 5], [5, 5, 7, 7], [9, 6, 5, 6]])
     target = np.array([[6, 6, 6, 6], [6, 6, 4, 6], [6, 6, 6, 6], [6, 6, 6, 6], [6, 6, 6, 6]])
-    got = remeshing.valence_gain(valence, target)
-    np.testing.assert_array_equal(got, [4, -4, 0, -4, 0])
+    np.testing.assert_array_equal(remeshing.valence_gain(valence, target), [4, -4, 0, -4, 0])
 
 
 def test_flips_in_the_plane_end_at_the_delaunay_triangulation():
@@ -132,50 +131,23 @@ def test_what_may_leave_a_surface_is_found():
 
 BOX, BOX_FACES = mesh.cube(48)
 BOX = BOX + np.random.default_rng(4).normal(0, 0.02, BOX.shape)
+A, B, C = BOX_FACES[0]
+BROKEN = {
+    "without a face": (BOX, BOX_FACES[1:]),
+    "with an isolated vertex": (np.vstack([BOX, [5.0, 5.0, 5.0]]), BOX_FACES),
+    "with a third face at an edge": (np.vstack([BOX, [3.0, 3.0, 3.0]]),
+                                     np.vstack([BOX_FACES, [A, B, len(BOX)]])),
+    "with a face twice": (BOX, np.vstack([BOX_FACES, BOX_FACES[0]])),
+    "with a vertex twice": (np.vstack([BOX, BOX[A]]), np.vstack([[len(BOX), B, C], BOX_FACES[1:]])),
+    "with a face turned round": (BOX, np.vstack([[C, B, A], BOX_FACES[1:]])),
+    "with a face without area": (np.insert(np.delete(BOX, A, 0), A, BOX[[B, C]].mean(0), 0),
+                                 BOX_FACES),
+}
 
 
-def without_a_face():
-    return BOX, BOX_FACES[1:]
-
-
-def with_an_isolated_vertex():
-    return np.concatenate([BOX, [[5.0, 5.0, 5.0]]]), BOX_FACES
-
-
-def with_a_third_face_at_an_edge():
-    a, b, _ = BOX_FACES[0]
-    return np.concatenate([BOX, [[3.0, 3.0, 3.0]]]), np.vstack([BOX_FACES, [a, b, len(BOX)]])
-
-
-def with_a_face_twice():
-    return BOX, np.vstack([BOX_FACES, BOX_FACES[:1]])
-
-
-def with_a_vertex_twice():
-    faces = BOX_FACES.copy()
-    faces[0, 0] = len(BOX)
-    return np.concatenate([BOX, BOX[BOX_FACES[:1, 0]]]), faces
-
-
-def with_a_face_turned_round():
-    faces = BOX_FACES.copy()
-    faces[0] = faces[0, ::-1]
-    return BOX, faces
-
-
-def with_a_face_without_area():
-    vertices = BOX.copy()
-    a, b, c = BOX_FACES[0]
-    vertices[a] = (vertices[b] + vertices[c]) / 2
-    return vertices, BOX_FACES
-
-
-@pytest.mark.parametrize("broken", [without_a_face, with_an_isolated_vertex, with_a_face_twice,
-                                    with_a_third_face_at_an_edge, with_a_vertex_twice,
-                                    with_a_face_turned_round, with_a_face_without_area])
-def test_a_broken_mesh_is_smoothed_and_relaxed(broken):
+@pytest.mark.parametrize("vertices, faces", BROKEN.values(), ids=BROKEN)
+def test_a_broken_mesh_is_smoothed_and_relaxed(vertices, faces):
     """NaN, an error, or vertices beside the broken place that slide into it."""
-    vertices, faces = broken()
     edges, weights, areas = regularization.cotangent_laplacian(vertices, faces)
     for smooth in regularization.smooth_explicit, regularization.smooth_implicit:
         assert np.isfinite(smooth(vertices, edges, weights, areas, 1e-3)).all()

@@ -44,8 +44,7 @@ def test_errors_are_counted_by_kind():
 def test_places_fill_the_disc_evenly():
     """More places to an area in the middle than at the rim, or they lean to one side."""
     offsets = ray_casting.disc_offsets(400)
-    from_middle = np.sort(np.hypot(*offsets.T))
-    np.testing.assert_allclose(from_middle, np.sqrt((np.arange(400) + 0.5) / 400))
+    np.testing.assert_allclose(np.sort(np.hypot(*offsets.T)), np.sqrt((np.arange(400) + 0.5) / 400))
     np.testing.assert_allclose(offsets.mean(0), 0, atol=0.005)
     apart = np.linalg.norm(offsets[:, None] - offsets, axis=-1) + 9 * np.eye(400)
     assert apart.min() > 1.4 / np.sqrt(400)              # a grid would have sqrt(pi / 400)
@@ -227,6 +226,5 @@ def test_outside_the_map_nothing_is_stored():
     """A negative index reads the other side of the map, or the border belongs to the map."""
     x = np.array([-0.01, 4.0, 1.0, 1.0, -0.5, 99.0, 3.5, 4.0 - 1e-9])
     y = np.array([0.5, 1.0, -1e-9, 3.0, -0.5, 1.0, 1.5, 3.0 - 1e-9])
-    expected = np.array([np.inf] * 7 + [12.0])
     stored = shadow_mapping.stored_distance(MAP, np.stack([x, y], -1))
-    np.testing.assert_array_equal(stored, expected)
+    np.testing.assert_array_equal(stored, np.array([np.inf] * 7 + [12.0]))

@@ -104,7 +104,7 @@ def test_a_row_counts_if_its_centre_is_at_an_end(impl):
     """An edge that ends on a centre does not count there."""
     row, crossing, share = impl.edge_lines(np.array([2.0, 0.5]), np.array([10.0, 4.5]), 9)
     assert_equal(row, np.arange(5))
-    assert_close(crossing, np.array([2.0, 4.0, 6.0, 8.0, 10.0]))
+    assert_close(crossing, [2.0, 4.0, 6.0, 8.0, 10.0])
     assert_close(share, np.array([[4, 0], [3, 1], [2, 2], [1, 3], [0, 4]]) / 4)
 
 
@@ -136,7 +136,7 @@ def test_a_pixel_on_the_edge_is_inside_and_pulls_it_in(impl, side):
     """The original's sign: its eps is negative at distance 0, whichever side is outside."""
     colour, sees = line(9, 4, 4)
     got = impl.sweep_line(asking(9, 4, 1.0), colour, sees, 4.5, side, np.array([1.0, 0.0]), 0.01)
-    assert_close(got, np.array([side * 100.0, 0.0]))
+    assert_close(got, [side * 100.0, 0.0])
 
 
 @pytest.mark.parametrize("side", [1, -1])

@@ -8,14 +8,8 @@ from loose_faces import camera, some_corners
 from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import (
-    interpolation,
-    neural_renderer,
-    pipeline,
-    rasterization,
-    sweep_gradient,
-    texture_cubes,
-)
+from reference import interpolation, neural_renderer, pipeline, rasterization, texture_cubes
+from reference.sweep_gradient import sweep_backward
 
 WIDTH, HEIGHT = 23, 17
 BACKGROUND = np.array([0.1, 0.2])
@@ -120,7 +114,6 @@ def test_gradients_inside_of_faces_are_central_differences(rng):
 
 
 LIGHTS = texture_cubes.Lights(np.array([0.3, 0.2]), np.array([0.6, 0.9]), np.array([0.4, 0.7, 0.5]))
-SWEEP = sweep_gradient.sweep_backward
 
 
 def ball(rng):
@@ -146,16 +139,14 @@ def test_gradients_of_texels_and_lights_are_central_differences(rng):
     def lit(textures, lights):
         return scene._replace(textures=textures, lights=texture_cubes.Lights(*lights))
 
-    def picture(textures, *lights):
-        return texture_cubes.render(lit(textures, lights), view)[0]
-
     def backward(grad_picture, textures, *lights):
         changed = lit(textures, lights)
         _, buffers = texture_cubes.render(changed, view)
-        grads = texture_cubes.render_backward(grad_picture, buffers, changed, view, SWEEP)
+        grads = texture_cubes.render_backward(grad_picture, buffers, changed, view, sweep_backward)
         return grads.textures, *grads.lights
 
-    gradcheck(picture, backward, (scene.textures, *LIGHTS), name="render")
+    gradcheck(lambda textures, *lights: texture_cubes.render(lit(textures, lights), view)[0],
+              backward, (scene.textures, *LIGHTS), name="render")
 
 
 def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences(rng):
@@ -165,17 +156,15 @@ def test_where_no_edge_is_in_sight_gradients_of_vertices_are_central_differences
     scene = texture_cubes.LitMesh(vertices, faces, textures, LIGHTS)
     view = pipeline.View(camera((0.0, 0.3, 9.0)), 9, 7, BACKGROUND)
 
-    def render(vertices):
-        return texture_cubes.render(scene._replace(vertices=vertices), view)
-
     def backward(grad_picture, vertices):
-        _, buffers = render(vertices)
         moved = scene._replace(vertices=vertices)
-        grads = texture_cubes.render_backward(grad_picture, buffers, moved, view, SWEEP)
+        _, buffers = texture_cubes.render(moved, view)
+        grads = texture_cubes.render_backward(grad_picture, buffers, moved, view, sweep_backward)
         return (grads.vertices,)
 
-    assert (render(vertices)[1].maps.face_index == 0).all()
-    gradcheck(lambda vertices: render(vertices)[0], backward, (vertices,), name="vertices")
+    assert (texture_cubes.render(scene, view)[1].maps.face_index == 0).all()
+    gradcheck(lambda vertices: texture_cubes.render(scene._replace(vertices=vertices), view)[0],
+              backward, (vertices,), name="vertices")
 
 
 def test_edges_have_the_gradient_that_outline_gives(rng):
@@ -207,7 +196,7 @@ def test_an_empty_picture_has_no_gradient(rng):
     picture, buffers = texture_cubes.render(away, view._replace(width=6, height=4))
     np.testing.assert_allclose(picture, np.tile(BACKGROUND, (4, 6, 1)))
     grad_picture = rng.normal(size=picture.shape)
-    grads = texture_cubes.render_backward(grad_picture, buffers, away, view, SWEEP)
+    grads = texture_cubes.render_backward(grad_picture, buffers, away, view, sweep_backward)
     assert not grads.vertices.any() and not grads.textures.any()
 
 
@@ -224,7 +213,7 @@ def test_a_vertex_in_the_camera_plane_has_no_gradient(rng):
     picture, buffers = texture_cubes.render(scene, view)
     assert buffers.clip[12, 3] == 0 and (buffers.maps.face_index >= 0).any()
     grad_picture = rng.normal(size=picture.shape)
-    grads = texture_cubes.render_backward(grad_picture, buffers, scene, view, SWEEP)
+    grads = texture_cubes.render_backward(grad_picture, buffers, scene, view, sweep_backward)
     assert np.isfinite(grads.vertices).all() and grads.vertices[:12].any()
     np.testing.assert_array_equal(grads.vertices[12], 0)
 
@@ -276,7 +265,5 @@ def test_gradients_of_samples_are_central_differences(impl, rng):
     textures, face = rng.normal(size=(4, 3, 3, 3, 2)), rng.integers(0, 4, 9)
     index, tap = rng.integers(0, 27, (9, 8)), rng.random((9, 8))
     index[5] = index[3, 0]  # pixels that read one texel, one of them eight times
-    gradcheck(lambda textures, tap: impl.sample_cubes(textures, face, index, tap),
-              lambda grad, textures, tap: impl.sample_cubes_backward(grad, textures, face, index,
-                                                                     tap),
-              (textures, tap), name="cubes")
+    gradcheck(impl.sample_cubes, impl.sample_cubes_backward, (textures, face, index, tap),
+              name="cubes")

@@ -40,16 +40,16 @@ def test_points_may_have_any_leading_axes(impl, rng):
 def test_a_translation_moves_points_and_not_directions(impl):
     """The offset stands in the last row (row vectors) instead of the last column."""
     matrix = impl.translate(np.array([5.0, 6.0, 7.0]))
-    assert_close(matrix @ np.ones(4), np.array([6.0, 7.0, 8.0, 1.0]))
-    assert_close(matrix @ np.array([1.0, 1.0, 1.0, 0.0]), np.array([1.0, 1.0, 1.0, 0.0]))
+    assert_close(matrix @ np.ones(4), [6.0, 7.0, 8.0, 1.0])
+    assert_close(matrix @ np.array([1.0, 1.0, 1.0, 0.0]), [1.0, 1.0, 1.0, 0.0])
 
 
 def test_a_scaling_stretches_each_axis(impl):
     """w is scaled, too, or one factor serves all axes."""
-    assert_close(impl.scale(np.array([2.0, 3.0, -4.0])), np.array([[2.0, 0.0, 0.0, 0.0],
-                                                                   [0.0, 3.0, 0.0, 0.0],
-                                                                   [0.0, 0.0, -4.0, 0.0],
-                                                                   [0.0, 0.0, 0.0, 1.0]]))
+    assert_close(impl.scale(np.array([2.0, 3.0, -4.0])), [[2.0, 0.0, 0.0, 0.0],
+                                                          [0.0, 3.0, 0.0, 0.0],
+                                                          [0.0, 0.0, -4.0, 0.0],
+                                                          [0.0, 0.0, 0.0, 1.0]])
 
 
 def test_screen_points_of_ndc_points(impl, rng):

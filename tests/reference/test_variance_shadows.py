@@ -6,6 +6,7 @@ from shadow_scenes import LIGHTS, PLACE, camera, scene, small_scene
 from course.given import mesh, ray_casting
 from course.given.gradcheck import gradcheck
 from reference import inverse_rendering, lights, mipmapping, shadow_mapping, variance_shadows
+from tests.labs.test_variance_shadows import each_square
 
 
 def slab():
@@ -189,14 +190,6 @@ def test_a_fit_of_no_steps_stays():
     path = variance_shadows.fit_position(np.ones(len(points)), points, vertices, faces, PLACE,
                                          variance_shadows.Settings(8, 1, 1e-3), [])
     np.testing.assert_array_equal(path, [PLACE])
-
-
-def each_square(picture, radius, of):
-    """of(the pixels up to radius rows and columns away) for each pixel of a picture (H, W, C)."""
-    height, width = picture.shape[:2]
-    return np.array([[of(picture[max(i - radius, 0):i + radius + 1,
-                                 max(j - radius, 0):j + radius + 1])
-                      for j in range(width)] for i in range(height)])
 
 
 @pytest.mark.parametrize("radius", [0, 1, 2, 3, 9])
