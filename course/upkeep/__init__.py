@@ -6,8 +6,12 @@
     pictures   the pictures of a lecture: packed, described, compared
     origins    what a lecture was made from: must it run again?
     notebooks  runs the lectures, and writes them back
+    comparing  does a lecture's run give what its file has?
     hours      how long a lab takes
     weight     how much code stands around the code that is taught
+    changes    the notation of wrong functions: what is different from the right one
+    mutations  the changes that a machine can make of a function
+    trials     runs checks on wrong functions, one after another
     mutants    small mistakes made by machine: do the checks catch them?
     mistakes   mistakes that people make: are they caught, and what hints do they give?
     feedback   how often a report names what is wrong
