@@ -6,6 +6,7 @@
     pictures   the pictures of a lecture: packed, described, compared
     origins    what a lecture was made from: must it run again?
     notebooks  runs the lectures, and writes them back
+    comparing  does a lecture's run give what its file has?
     hours      how long a lab takes
     weight     how much code stands around the code that is taught
     changes    a wrong function, written as what is different from the right one

@@ -8,6 +8,9 @@
     ->   face, wing = (area(i, j, p) for p in (own, across))
           Two changes that together make one mistake. A long one goes on below, after the arrow.
 
+    6.5  look_up(texels, index, weight) -> texels[index].sum(1)
+          The whole function, with all its parameters, and what it returns instead.
+
 On both sides of the arrow stands an expression, or one or more statements ("a = 1; b = 2").
 "pass" on the right takes a statement away, and what stands there twice adds one. Where the left
 side is in the function more than once, "(#2)" at the end takes the second place.
@@ -90,6 +93,8 @@ def change(text):
 def found_at(function, wanted):
     """Where a Change's left side stands in a function: [[node, ...]], in the order of the text."""
     old, nodes = wanted.old, list(ast.walk(function))
+    if is_whole(old, function):
+        return [function.body]
     if is_expression(old) and is_expression(wanted.new):
         groups = [[node] for node in nodes if same(node, old[0].value)]
     else:
@@ -98,6 +103,12 @@ def found_at(function, wanted):
         windows = [block[k:k + len(old)] for block in blocks for k in range(len(block))]
         groups = [window for window in windows if same(window, old)]
     return sorted(groups, key=lambda group: (group[0].lineno, group[0].col_offset))
+
+
+def is_whole(old, function):
+    """Is this the function itself, with its parameters? Its body is changed then."""
+    parameters = ", ".join(parameter.arg for parameter in function.args.args)
+    return same(old, ast.parse(f"{function.name}({parameters})").body)
 
 
 def is_expression(statements):
@@ -134,8 +145,11 @@ def changed(function, wanted):
     tree, others = copy.deepcopy(function), {}
     tree.body = tree.body[1:]
     for one in wanted:
-        nodes = the_place(tree, one)
-        new = one.new[0].value if isinstance(nodes[0], ast.expr) else one.new
+        nodes, new = the_place(tree, one), one.new
+        if nodes is tree.body and is_expression(new):
+            new = [ast.Return(new[0].value)]
+        elif isinstance(nodes[0], ast.expr):
+            new = new[0].value
         others |= {nodes[0]: new} | dict.fromkeys(nodes[1:])
     changer = Changed(others)
     text = ast.unparse(changer.visit(tree))

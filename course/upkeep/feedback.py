@@ -10,10 +10,11 @@ after "told by:", how one recognises a sentence that says so: words joined by & 
     wrong    a hint that is certain tells something else
     passes   all checks pass
 
-This is a measurement, and 210 answers are enough: one for each exercise, the one whose text had the
-least SHA-256 of all 737 that were written. A share of 98 % has a standard error of 1 % with them.
-All 737 were named in the end, and so are these. An exercise gets no second one; a better one may
-take its place.
+This is a measurement: one answer for each core exercise measures enough. It is the one whose text
+had the least SHA-256 of the 737 that were written. The standard error of a share of 98 % is 1.3 %
+with 108 answers, and 1.0 % with the 210 that there were when the extras had theirs. All 737 were
+named in the end, and so are these. An exercise gets no second one, and an extra none. A better one
+may take an answer's place.
 """
 import re
 from collections import Counter
@@ -91,12 +92,8 @@ def measured(topic):
 def run(target=None):
     """Print each topic's counts, and what is not named. -> 0 if nothing is wrong or passes."""
     total = Counter()
-    for topic in exercises.topics():
-        if target not in (None, topic, str(exercises.lab_number(topic))):
-            continue
+    for topic in exercises.asked_for(target)[0]:
         found = measured(topic)
-        if not found:
-            continue
         counts = Counter(verdict for _, verdict, _ in found)
         total += counts
         print(line(topic, counts))

@@ -6,10 +6,10 @@ tests/mistakes/<topic>.txt:
     2.4  (e >= 0).all(0) | (e <= 0).all(0) -> (e > 0).all(0) | (e < 0).all(0)
           the border does not count as inside: > 0 for >= 0
 
-changes.py has the rules. Only what is written in another way altogether is a whole function, in
-tests/mistakes/<topic>.py. That file is only read, never imported: each function takes the place of
-the one of its name. The words below a change, and the docstring of a function, go on after "this is
-what comes out when".
+changes.py has the rules. Only what takes several lines, written in another way altogether, is a
+function in tests/mistakes/<topic>.py. That file is only read, never imported: each function takes
+the place of the one of its name. The words below a change, and the docstring of a function, go on
+after "this is what comes out when".
 
 Mistakes serve twice. Each must be caught by its exercise's own checks. And where a student's
 function does in all checks what a known mistake does there, the report tells the sentence.
@@ -118,16 +118,15 @@ def run(target=None):
     -> 0 if all are caught, else 1.
     """
     made, alive = dict(known_mistakes()) if target else {}, []
-    for topic in exercises.topics():
-        found = tried(topic) if target in (None, topic, str(exercises.lab_number(topic))) else []
-        for exercise in dict.fromkeys(mistake.exercise for mistake, _ in found):
+    for topic in exercises.asked_for(target)[0]:
+        found = tried(topic)
+        asked = list(dict.fromkeys(mistake.exercise for mistake, _ in found))
+        for exercise in asked:
             own = [pair for pair in found if pair[0].exercise == exercise]
             made[exercise.number] = patterns(own)
         alive += [mistake for mistake, caught in found if not caught]
-        if found:
-            numbers = {mistake.exercise.number for mistake, _ in found}
-            print(f"{topic:20} {plural(len(found), 'mistake'):>13} "
-                  f"in {plural(len(numbers), 'exercise')}")
+        print(f"{topic:20} {plural(len(found), 'mistake'):>13} "
+              f"in {plural(len(asked), 'exercise')}")
     for mistake in alive:
         print(f"{mistake.exercise.number} is not caught: when {mistake.sentence}\n"
               f"{textwrap.indent(mistake.text, '    ')}")

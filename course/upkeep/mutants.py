@@ -12,9 +12,7 @@ stand with their reason in tests/equivalents/<topic>.txt, and do not count:
     3.12  a < b -> a <= b (#2)
           At a = b both branches give the same point.
 """
-import json
 import os
-import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
@@ -41,7 +39,6 @@ class Score(NamedTuple):
     survivors: list
     known: int
     stale: list
-    seconds: float
 
 
 def equivalents(topic):
@@ -69,7 +66,7 @@ def listed(exercise, function, reasons):
 
 def score(topic, exercise, reasons):
     """Let the checks of an exercise judge its mutants -> Score."""
-    start, function = time.perf_counter(), function_of(topic, exercise)
+    function = function_of(topic, exercise)
     tried, excused = mutants(function), listed(exercise, function, reasons)
     verdicts = caught_by(topic, [Trial(exercise, mutant.text) for mutant in tried])
     alive = [mutant for mutant, verdict in zip(tried, verdicts, strict=True) if not verdict]
@@ -79,15 +76,14 @@ def score(topic, exercise, reasons):
     known = len(alive) - len(survivors)
     fine = sum(bool(verdict) and verdict[0].fine_print for verdict in verdicts)
     counted = len(tried) - known - fine
-    return Score(topic, exercise, counted, counted - len(survivors), fine, survivors, known, stale,
-                 time.perf_counter() - start)
+    return Score(topic, exercise, counted, counted - len(survivors), fine, survivors, known, stale)
 
 
 def run(target=None):
     """Try the mutants of a lab (2 or rasterization), of an exercise (2.3), or of all.
 
-    Prints a table, then every mutant that lives with its line. The same goes to out/mutants/ as
-    JSON. -> 0 if 95 % of each exercise's mutants and 98 % of the core's are caught, else 1.
+    Prints a table, then every mutant that lives with its line. -> 0 if 95 % of each exercise's
+    mutants and 98 % of the core's are caught, else 1.
     """
     labs, asked = exercises.asked_for(target)
     wanted = [(topic, exercise, equivalents(topic))
@@ -99,20 +95,16 @@ def run(target=None):
             scores.append(found)
             print(row(found.exercise.number, found.exercise.name, found), flush=True)
     core, extra = ([s for s in scores if s.exercise.is_extra == kind] for kind in (False, True))
-    path = places.out("mutants", f"{target or 'all'}.json")
-    places.write_whole(path, as_json(scores).encode("utf-8"))
     print(*(row(name, plural(len(found), "exercise"), all_together(found))
             for name, found in (("core", core), ("extra", extra)) if found),
-          *(text for found in scores for text in remarks(found)),
-          places.shown_path(path), sep="\n")
+          *(text for found in scores for text in remarks(found)), sep="\n")
     too_low = any(share(s) < GOAL_EXERCISE for s in scores)
     return int(too_low or share(all_together(core)) < GOAL_COURSE)
 
 
 def all_together(scores):
     return Score("", None, sum(s.mutants for s in scores), sum(s.caught for s in scores),
-                 sum(s.fine_print for s in scores), [], sum(s.known for s in scores), [],
-                 sum(s.seconds for s in scores))
+                 sum(s.fine_print for s in scores), [], sum(s.known for s in scores), [])
 
 
 def share(found):
@@ -133,17 +125,3 @@ def remarks(found):
               for mutant in found.survivors),
             *(f"{number}  {change}\n      is listed as equivalent, but is caught, or is no mutant"
               for change in found.stale)]
-
-
-def as_json(scores):
-    """{"mutants", "caught", "exercises": [{number, name, extra, mutants, caught, fine print,
-    equivalent, seconds, alive}]}.
-    """
-    total = all_together(scores)
-    exercises = [{"number": s.exercise.number, "name": s.exercise.name,
-                  "extra": s.exercise.is_extra, "mutants": s.mutants, "caught": s.caught,
-                  "fine print": s.fine_print, "equivalent": s.known, "seconds": round(s.seconds, 1),
-                  "alive": [{"line": mutant.line, "change": mutant.change}
-                            for mutant in s.survivors]} for s in scores]
-    return json.dumps({"mutants": total.mutants, "caught": total.caught, "exercises": exercises},
-                      indent=2) + "\n"

@@ -24,7 +24,6 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
 import ast
 import asyncio
 import contextlib
-import itertools
 import json
 import os
 import platform
@@ -52,8 +51,6 @@ AT_A_TIME = 2
 TIME_LIMIT = 180                                   # seconds for a notebook
 SIZE_LIMIT = 1_500_000                             # bytes of a notebook, its pictures included
 LINE_LIMIT = 88                                    # letters of a line of code
-NUMBER_LIMIT = 0.01                                # between two printed numbers
-ROUNDING = 1e-9                                    # numbers below it are rounding errors
 
 KERNEL_ENVIRONMENT = {
     "PYTHONHASHSEED": "0",                         # one order of sets
@@ -62,8 +59,6 @@ KERNEL_ENVIRONMENT = {
     "MPLBACKEND": "module://matplotlib_inline.backend_inline",
     "PYTHONWARNINGS": "", "PYDEVD_DISABLE_FILE_VALIDATION": "1",
 }
-
-NUMBER = re.compile(r"[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?")
 
 # What the text of a lecture must not hold: a pattern, and what to say.
 UNWANTED = [
@@ -85,7 +80,7 @@ def run(names, everything=False):
     paths = find(names)
     if not names and not everything:
         paths = [path for path in paths if origins.stale(path)]
-    refusals = _wait_for(_run_all(paths))
+    refusals = wait_for(_run_all(paths))
     for refusal in refusals:
         print(refusal)
     if not is_handout():
@@ -135,7 +130,7 @@ async def _run_one(path, free):
     print(f"{path.stem}: {state}, {len(content) / 1000:.0f} kB", flush=True)
 
 
-def _wait_for(work):
+def wait_for(work):
     # The selector's loop, because the one that Windows prefers does not serve Jupyter's sockets.
     with asyncio.Runner(loop_factory=asyncio.SelectorEventLoop) as runner:
         return runner.run(work)
@@ -283,24 +278,24 @@ def _objection(cell):
     """The first thing in the cell that must not be written, as a clause, or None."""
     shown = []
     for output in cell.outputs:
-        contents = _contents(output)
-        text = "\n".join(contents[kind] for kind in contents if kind.startswith("text/"))
+        parts = contents(output)
+        text = "\n".join(parts[kind] for kind in parts if kind.startswith("text/"))
         if output.get("name") == "stderr":
             line = text.strip().split("\n")[0]
             return f"warns on stderr ({line}): mend the cause, a lecture shows no warnings"
-        for kind in contents:
+        for kind in parts:
             if not kind.startswith(("text/", "image/")):
                 return f'shows {kind}, which a page cannot: begin the cell with "# live"'
         for pattern, clause in UNWANTED:
             if re.search(pattern, text):
                 return clause
-        shown += [contents[kind] for kind in contents if kind.startswith("image/")]
+        shown += [parts[kind] for kind in parts if kind.startswith("image/")]
     if len(set(shown)) < len(shown):
         return "shows one picture twice: end its last line with a semicolon"
     return pictures.objection(cell)
 
 
-def _contents(output):
+def contents(output):
     """What an output shows, by its kind: {"text/plain": ..., "image/png": in base64, ...}."""
     contents = output.get("data", {"text/plain": output.get("text", "")})
     return {kind: "".join(content) for kind, content in contents.items()}
@@ -320,64 +315,3 @@ def _content(notebook, path):
             f"the limit: draw fewer or smaller pictures, first in code cell "
             f"[{largest.get('execution_count')}], whose outputs are {max(sizes) / 1000:.0f} kB")
     return content
-
-
-# Does a run give what the file has?
-
-def compare(path):
-    """Run the notebook again and hold it against the file -> list of differences, in sentences.
-
-    Text and pictures must be equal byte for byte where the file was written with the versions and
-    the rounding of this environment. Elsewhere fonts and roundings differ a little: there a number
-    may be off by NUMBER_LIMIT of itself or by one in its last digit, and below ROUNDING all numbers
-    are the same. For pictures see `pictures.difference`.
-    """
-    try:
-        was, now = json.loads(read_whole(path)), json.loads(_wait_for(execute(path)))
-    except (ValueError, OSError) as error:
-        return [str(error)]
-    here = was["metadata"].get("written_with") == now["metadata"]["written_with"]
-    return [f"{path.name}: {difference}" for pair in zip(was["cells"], now["cells"], strict=True)
-            for difference in _cell_differences(*pair, here)]
-
-
-def _cell_differences(was, now, here):
-    before, after = was.pop("outputs", []), now.pop("outputs", [])
-    if was != now:
-        yield f"{now['id']} has a name, count, source or metadata that the command does not write"
-    if [_form(output) for output in before] != [_form(output) for output in after]:
-        yield f"{now['id']} has {len(after)} outputs, and in the file {len(before)} or other ones"
-        return
-    for old, new in zip(map(_contents, before), map(_contents, after), strict=True):
-        for kind in old:
-            difference = (pictures.difference(old[kind], new[kind], here) if kind == "image/png"
-                          else _text_difference(old[kind], new[kind], here))
-            if difference:
-                yield f"{now['id']} {difference}"
-
-
-def _form(output):
-    """All of an output but what it shows, and how large."""
-    told = output.get("metadata", {}).get("image/png", {}).get("alt")
-    return {**output, "text": None, "data": sorted(_contents(output)), "metadata": told}
-
-
-def _text_difference(was, now, here):
-    for old, new in itertools.zip_longest(was.splitlines(), now.splitlines(), fillvalue=""):
-        if old != new and (here or not _says_the_same(old, new)):
-            return f"prints {new!r}, and the file says {old!r}"
-
-
-def _says_the_same(old, new):
-    """Are two lines equal but for spaces and for numbers that another rounding explains?"""
-    words = [re.sub(r"\s+", "", NUMBER.sub("#", line)) for line in (old, new)]
-    return words[0] == words[1] and all(
-        abs(float(one) - float(other)) <= max(ROUNDING, NUMBER_LIMIT * abs(float(one)),
-                                              _last_digit(one), _last_digit(other))
-        for one, other in zip(NUMBER.findall(old), NUMBER.findall(new), strict=True))
-
-
-def _last_digit(number):
-    """A little more than one in the last digit of a printed number: "1.25e-3" -> 1.1e-05."""
-    digits, _, exponent = number.lower().partition("e")
-    return 1.1 * 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2]))

@@ -1,17 +1,6 @@
 """Mistakes of lab 12; each docstring goes on after "this is what comes out when"."""
 
 
-def plane_quadrics(planes):
-    """d is left out of the last column"""
-    return (planes[..., :, None] * planes[..., None, :]) * [1, 1, 1, 0]
-
-
-def plane_quadrics(planes):
-    """p is divided by the length of its normal first; (2) takes p as it is, without normalising"""
-    p = planes / np.linalg.norm(planes[..., :3], axis=-1, keepdims=True)
-    return p[..., :, None] * p[..., None, :]
-
-
 def vertex_quadrics(face_quadrics, faces, vertex_count):
     """a vertex that stands several times in one column of faces gets only the last of its faces: +=
     with an array of indices does not add up, np.add.at does"""
@@ -34,26 +23,6 @@ def quadric_error(q, x):
     """the linear term counts once: it is x . A x + b . x + c, and b . x needs the factor 2"""
     A, b, c = q[..., :3, :3], q[..., :3, 3], q[..., 3, 3]
     return ((A @ x[..., None])[..., 0] * x).sum(-1) + (b * x).sum(-1) + c
-
-
-def best_anywhere(q):
-    """b is multiplied by A; the system A x = -b is to be solved"""
-    return -(q[:, :3, :3] @ q[:, :3, 3:])[..., 0]
-
-
-def best_anywhere(q):
-    """the last axis of the solution (N, 3, 1) is left; x is (N, 3)"""
-    return np.linalg.solve(q[:, :3, :3], -q[:, :3, 3:])
-
-
-def collapse_faces(faces, a, b):
-    """faces with both vertices are kept, where they name a twice; they must go"""
-    return np.where(faces == b, a, faces)
-
-
-def satisfies_link_condition(faces, a, b):
-    """every edge may be collapsed, always True, whatever its ends share"""
-    return True
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):

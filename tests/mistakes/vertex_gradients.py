@@ -6,8 +6,3 @@ def gauss_newton_step(residuals, jacobian):
     return np.linalg.solve(
         jacobian.T @ jacobian + 0.001 * np.eye(jacobian.shape[1]), -jacobian.T @ residuals
     )
-
-
-def gauss_newton_step(residuals, jacobian):
-    """the step is divided by the number of residuals: a mean stands for the sum, J^T r"""
-    return -np.linalg.lstsq(jacobian, residuals)[0] / len(residuals)

@@ -296,6 +296,8 @@ def f(x, y):
     ("return z -> return x, z", "z = x - y; for k in range(2): z += (x - y) * k; return (x, z)"),
     ("x - y -> x (#1) and range(2) -> [0]",
      "z = x; for k in [0]: z += (x - y) * k; return z"),
+    ("f(x, y) -> y, x", "return (y, x)"),
+    ("f(x, y) -> z = y - x; return z", "z = y - x; return z"),
 ])
 def test_a_change_is_made_where_it_says(wanted, text):
     """In the docstring, in another place, or in all; or one of two changes is lost."""
@@ -305,6 +307,7 @@ def test_a_change_is_made_where_it_says(wanted, text):
 
 @pytest.mark.parametrize(("wanted", "told"), [
     ("x - y -> x", '"x - y" stands in 2 places in f; end the line with (#1) for the first'),
+    ("f(y, x) -> x", '"f(y, x)" stands nowhere in f; write what is there'),
     ("x - y -> x (#3)", '"x - y" stands in less than 3 places in f; write what is there'),
     ("(x - y) * k -> k and x - y -> y (#2)", "lies in what another change takes away"),
 ])

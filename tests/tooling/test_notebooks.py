@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from course.given.places import ROOT
-from course.upkeep import notebooks, origins, pictures
+from course.upkeep import comparing, notebooks, origins, pictures
 
 LECTURES = sorted(notebooks.FOLDER.glob("*.ipynb"))
 FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
@@ -30,7 +30,7 @@ def test_a_lecture_was_made_from_this_code(path):
 ]], ids=lambda path: path.stem)
 def test_a_lecture_is_what_its_code_draws_and_prints(path):
     """Numbers that another NumPy or another processor changes; a random number without a seed."""
-    assert notebooks.compare(path) == []
+    assert comparing.compare(path) == []
 
 
 @pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
@@ -261,7 +261,7 @@ def test_a_notebook_that_does_not_end_is_ended(tmp_path, monkeypatch):
     path = save(tmp_path / "endless.ipynb", "1", "while True: pass")
     monkeypatch.setattr(notebooks, "TIME_LIMIT", 2)
     start = time.monotonic()
-    assert notebooks.compare(path) == [
+    assert comparing.compare(path) == [
         "endless.ipynb, code cell [2] was running when the 2 seconds of a notebook ended: "
         "let it do less"]
     assert time.monotonic() - start < 20
@@ -332,7 +332,7 @@ def edited(written, tmp_path, monkeypatch, edit):
     edit(notebook)
     path = tmp_path / "copy.ipynb"
     path.write_text(notebooks._text(notebook), encoding="utf-8")
-    return notebooks.compare(path)
+    return comparing.compare(path)
 
 
 def set_picture(notebook, picture=lambda pixels: pixels):
@@ -405,8 +405,8 @@ OTHER = [("off by 3e-15", "off by 3e-05"), ("0.25 px", "0.27 px"), ("100 faces",
 def test_a_number_written_elsewhere_may_be_rounded_otherwise(old, new):
     """A lecture that is wrong on every other processor; a stale number that nobody sees."""
     same = (old, new) in SAME
-    assert (notebooks._text_difference(old, new, here=False) is None) == same
-    assert notebooks._text_difference(old, new, here=True) is not None
+    assert (comparing.text_difference(old, new, here=False) is None) == same
+    assert comparing.text_difference(old, new, here=True) is not None
 
 
 def from_elsewhere(picture):

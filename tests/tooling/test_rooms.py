@@ -4,12 +4,13 @@ A room is a folder of course/, also one in another folder, or a module that stan
 docstring of its __init__.py is its sign: each thing in it on a line, below what it imports.
 """
 import ast
+import functools
 import graphlib
 import importlib.util
 import re
-import shutil
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -37,19 +38,28 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
-def modules_of(root):
-    """{full name: path} of the modules of reference and of the course."""
-    paths = [path for folder in ("reference", "course") for path in root.glob(f"{folder}/**/*.py")
+class Module(NamedTuple):
+    """A module's text. The __init__.py of a folder stands for the folder."""
+
+    text: str
+    is_folder: bool
+
+
+def modules_there():
+    """{full name: Module} of reference and of the course."""
+    paths = [path for folder in ("reference", "course") for path in ROOT.glob(f"{folder}/**/*.py")
              if (path.parent / "__init__.py").exists()]  # elsewhere are files to hand out
-    return {".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__"): path
-            for path in paths}
+    return {".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"):
+            Module(path.read_text(encoding="utf-8"), path.name == "__init__.py") for path in paths}
+
+
+parsed = functools.cache(ast.parse)  # a text is looked at in many tests
 
 
 def imports(name, modules):
     """The full names of what a module imports, in functions as well."""
-    path = modules[name]
-    package = name if path.name == "__init__.py" else name.rpartition(".")[0]
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    package = name if modules[name].is_folder else name.rpartition(".")[0]
+    for node in ast.walk(parsed(modules[name].text)):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         if isinstance(node, ast.ImportFrom):
@@ -62,8 +72,7 @@ def imports(name, modules):
 
 def room(name, modules):
     """course.checks.report -> checks, course.board -> board, reference.msaa -> reference."""
-    is_folder = modules[name].name == "__init__.py"
-    folder = name if is_folder else name.rpartition(".")[0]
+    folder = name if modules[name].is_folder else name.rpartition(".")[0]
     return (name if folder == "course" else folder).removeprefix("course.")
 
 
@@ -73,9 +82,8 @@ def may_import(importer, imported):
                for allowed in (importer, *ROOMS.get(importer, ())))
 
 
-def wrong(root):
+def wrong(modules):
     """A sentence for each import that breaks a rule, and for each circle."""
-    modules = modules_of(root)
     needs = {name: set(imports(name, modules)) for name in modules}
     for name, imported in needs.items():
         here = room(name, modules)
@@ -92,14 +100,12 @@ def wrong(root):
         yield f"a circle: {', '.join(error.args[1])}"
 
 
-def wrong_signs(root):
+def wrong_signs(modules):
     """A sentence for each thing that a room's sign leaves out, invents, or names too early."""
-    modules = modules_of(root)
     needs = {name: set(imports(name, modules)) for name in modules}
-    folders = {name for name, path in modules.items() if path.name == "__init__.py"}
+    folders = {name for name, module in modules.items() if module.is_folder}
     for folder in folders - {"reference"}:
-        text = ast.parse(modules[folder].read_text(encoding="utf-8"))
-        sign = ast.get_docstring(text, clean=False) or ""
+        sign = ast.get_docstring(parsed(modules[folder].text), clean=False) or ""
         named = re.findall(r"^    (\w+)  ", sign, re.MULTILINE)
         there = {name_in(folder, name) for name in modules} - {None}
         for name in {*named} ^ there:
@@ -127,53 +133,43 @@ def test_a_room_stands_on_those_before_it():
 
 def test_imports_go_one_way():
     """A room needs one above it: neither is understood, moved or handed out without the other."""
-    assert list(wrong(ROOT)) == []
-    modules = modules_of(ROOT)
-    there = {room(name, modules) for name, path in modules.items() if path.name != "__init__.py"}
+    modules = modules_there()
+    assert list(wrong(modules)) == []
+    there = {room(name, modules) for name, module in modules.items() if not module.is_folder}
     assert there == set(ROOMS), "a room is not listed"
 
 
-@pytest.mark.parametrize(("file", "line", "sentence"), [
-    ("course/given/inputs.py", "from reference import msaa",
-     "course.given.inputs imports reference.msaa"),
-    ("course/given/inputs.py", "from .. import exercises",
-     "course.given.inputs imports course.exercises"),
-    ("reference/msaa.py", "from course.experiments.scenes import demo",
-     "reference.msaa imports course.experiments.scenes.demo"),
-    ("reference/msaa.py", "import matplotlib.pyplot",
-     "reference.msaa imports matplotlib.pyplot"),
-    ("reference/msaa.py", "from . import multi_view_fit", "a circle: "),
-    ("course/experiments/scenes/demo.py", "def late():\n    from reference import msaa",
-     "course.experiments.scenes.demo imports reference.msaa"),
-    ("course/experiments/folder/hulls.py", "from ..scenes import drawing",
-     "course.experiments.folder.hulls imports course.experiments.scenes.drawing"),
-    ("course/checks/loader.py", "import reference.msaa",
-     "course.checks.loader imports reference.msaa"),
-    ("course/checks/showing.py", "from .report import claim", "a circle: "),
-    ("course/board.py", "from .grading.pages.report import page",
-     "course.board imports course.grading.pages.report"),
-    ("course/grading/apart/wire.py", "def late():\n    import reference.msaa as module",
-     "course.grading.apart.wire imports reference.msaa"),
-    ("course/grading/apart/wire.py", "from ..grade import run",
-     "course.grading.apart.wire imports course.grading.grade"),
-    ("course/grading/gradebook/worth.py", "from ..pages import report",
-     "course.grading.gradebook.worth imports course.grading.pages.report"),
-    ("course/grading/handing/pack.py", "from ... import cli",
-     "course.grading.handing.pack imports course.cli"),
+@pytest.mark.parametrize(("module", "line", "imported"), [
+    ("course.given.inputs", "from reference import msaa", "reference.msaa"),
+    ("course.given.inputs", "from .. import exercises", "course.exercises"),
+    ("reference.msaa", "from course.experiments.scenes import demo",
+     "course.experiments.scenes.demo"),
+    ("reference.msaa", "import matplotlib.pyplot", "matplotlib.pyplot"),
+    ("reference.msaa", "from . import multi_view_fit", ""),
+    ("course.experiments.scenes.demo", "def late():\n    from reference import msaa",
+     "reference.msaa"),
+    ("course.experiments.folder.hulls", "from ..scenes import drawing",
+     "course.experiments.scenes.drawing"),
+    ("course.checks.loader", "import reference.msaa", "reference.msaa"),
+    ("course.checks.showing", "from .report import claim", ""),
+    ("course.board", "from .grading.pages.report import page", "course.grading.pages.report"),
+    ("course.grading.apart.wire", "def late():\n    import reference.msaa as module",
+     "reference.msaa"),
+    ("course.grading.apart.wire", "from ..grade import run", "course.grading.grade"),
+    ("course.grading.gradebook.worth", "from ..pages import report", "course.grading.pages.report"),
+    ("course.grading.handing.pack", "from ... import cli", "course.cli"),
 ])
-def test_an_import_that_breaks_a_rule_is_found(tmp_path, file, line, sentence):
+def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
     """The test above passes, whatever is imported."""
-    for folder in ("course", "reference"):
-        shutil.copytree(ROOT / folder, tmp_path / folder,
-                        ignore=shutil.ignore_patterns("__pycache__", "data"))
-    with open(tmp_path / file, "a", encoding="utf-8") as planted:
-        planted.write(f"\n{line}\n")
-    assert any(found.startswith(sentence) for found in wrong(tmp_path))
+    modules = modules_there()
+    modules[module] = Module(f"{modules[module].text}\n{line}\n", False)
+    sentence = f"{module} imports {imported}" if imported else "a circle: "
+    assert any(found.startswith(sentence) for found in wrong(modules))
 
 
 def test_every_room_has_its_sign():
     """Who comes in has to open every module to know what is where, and in which order to read."""
-    assert sorted(wrong_signs(ROOT)) == []
+    assert sorted(wrong_signs(modules_there())) == []
 
 
 @pytest.mark.parametrize(("old", "new", "sentence"), [
@@ -182,10 +178,8 @@ def test_every_room_has_its_sign():
     ("    showing  ", "    report  above\n    showing  ",
      "the sign of course.checks has report above showing, which it imports"),
 ])
-def test_a_wrong_sign_is_found(tmp_path, old, new, sentence):
+def test_a_wrong_sign_is_found(old, new, sentence):
     """The test above passes, whatever the signs say."""
-    shutil.copytree(ROOT / "course", tmp_path / "course",
-                    ignore=shutil.ignore_patterns("__pycache__", "data"))
-    sign = tmp_path / "course" / "checks" / "__init__.py"
-    sign.write_text(sign.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
-    assert sentence in wrong_signs(tmp_path)
+    modules = modules_there()
+    modules["course.checks"] = Module(modules["course.checks"].text.replace(old, new), True)
+    assert sentence in wrong_signs(modules)

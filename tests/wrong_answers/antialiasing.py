@@ -35,43 +35,6 @@ def silhouette_edges(x, y, w, faces, opposite):
     return out
 
 
-def neighbour_pairs(face_index, outlined):
-    """both pixels of a pair must be outlined, although one is enough
-
-    told by: both & outlined | one & outlined | either & outlined | at least one
-    """
-    height, width = face_index.shape
-    number = np.arange(height * width).reshape(height, width)
-    right = (face_index[:, :-1] != face_index[:, 1:]) & outlined[:, :-1] & outlined[:, 1:]
-    above = (face_index[:-1] != face_index[1:]) & outlined[:-1] & outlined[1:]
-    first = np.concatenate([number[:, :-1][right], number[:-1][above]])
-    second = np.concatenate([number[:, 1:][right], number[1:][above]])
-    return first, second
-
-
-def pair_frame(screen_x, screen_y, owner, other, width):
-    """it measures from the pixel's corner, not from its centre: the half pixel is missing
-
-    told by: centre | 0.5 | half | 1/2 | corner & pixel
-    """
-    dx, dy = pair_step(owner, other, width)
-    u = screen_x - owner % width
-    v = screen_y - owner // width
-    along = np.where(dx != 0, dx * u, dy * v)
-    beside = np.where(dx != 0, v, u)
-    return along, beside
-
-
-def pair_frame_backward(grad_x, grad_y, owner, other, width):
-    """the sign s is left out: grad_x keeps its sign where the other pixel comes before the owner
-
-    told by: sign | s = -1 | before the owner | minus | direction | negative | s & left out | s & missing
-    """
-    dx, _ = pair_step(owner, other, width)
-    beside = dx != 0
-    return np.where(beside, grad_x, grad_y), np.where(beside, grad_y, grad_x)
-
-
 def crossing(x0, y0, x1, y1):
     """x and y are exchanged: where the line meets x = 0
 
@@ -90,31 +53,6 @@ def crossing_backward(grad_c, x0, y0, x1, y1, epsilon=0.0):
     k = grad_c / (h + np.copysign(epsilon, h))
     c = (x0 * y1 - x1 * y0) / (h + np.copysign(epsilon, h))
     return k * y1, k * (c - x1), k * y0, -k * (c - x0)
-
-
-def last_crossing(x, y, w):
-    """it takes the first crossing, the one with the least c, not the last
-
-    told by: least c | least & greatest | smallest | first crossing | argmin | minimum | greatest | enters | nearest & owner
-    """
-    up = y * w
-    where = np.full(x.shape, np.inf)
-    for k, (i, j) in enumerate(EDGES):
-        hit = (up[i] < 0) ^ (up[j] < 0)
-        hit &= w[i] * abs(up[j]) + w[j] * abs(up[i]) > 0
-        where[k, hit] = crossing(x[i, hit], y[i, hit], x[j, hit], y[j, hit])
-    edge = np.argmin(where, 0)
-    c = where.min(0)
-    return edge, np.where(np.isinf(c), -np.inf, c)
-
-
-def is_blended(c, is_silhouette, x0, y0, x1, y1):
-    """the comparison is the wrong way round: it keeps the flat edges, not the steep ones
-
-    told by: flat | steep | longer in x | as long in y | shallow | comparison
-    """
-    wide, high = abs(x1 - x0), abs(y1 - y0)
-    return is_silhouette & (wide >= high) & (-WINDOW < c) & (c < 1 + WINDOW)
 
 
 def blend_weight(c):

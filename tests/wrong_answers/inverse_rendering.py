@@ -24,18 +24,6 @@ def adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999, 1e-8))
     return x - rate * m_hat / (np.sqrt(s_hat) + tiny), mean, square
 
 
-def quaternion_product(p, q):
-    """the order is exchanged: this is q p, not p q
-
-    told by: q p | order | exchanged | swapped | reversed | commut | first by p | cross product & sign
-    """
-    first, second = np.broadcast_arrays(q, p)
-    w, u = first[..., :1], first[..., 1:]
-    s, v = second[..., :1], second[..., 1:]
-    scalar = w * s - (u * v).sum(-1, keepdims=True)
-    return np.concatenate([scalar, w * v + s * u + np.cross(u, v)], -1)
-
-
 def quaternion_matrix(q):
     """the matrix is transposed: the rotated axes are its rows, not its columns, so it turns backwards
 
@@ -49,29 +37,6 @@ def quaternion_matrix(q):
         turned = quaternion_product(quaternion_product(q, unit), conj) / (q * q).sum()
         matrix[axis, :3] = turned[1:]
     return matrix
-
-
-def quaternion_matrix_backward(grad_matrix, q):
-    """the derivative of 2 / |q|^2 is left out, so grad_q is not at right angles to q
-
-    told by: right angle | length | |q|^2 | normali | perpendicular | orthogonal | along q
-    """
-    R = grad_matrix[:3, :3]
-    w, K, s = q[0], cross_matrix(q[1:]), 2 / np.sum(q**2)
-    by_K = w * R + R @ K.T + K.T @ R
-    grad = [np.sum(R * K), by_K[2, 1] - by_K[1, 2], by_K[0, 2] - by_K[2, 0],
-            by_K[1, 0] - by_K[0, 1]]
-    return s * np.array(grad)
-
-
-def rotation_angle(p, q):
-    """it is forgotten that q and -q are the same rotation: angles beyond pi come out
-
-    told by: -q | above pi | greater than pi | more than pi | beyond pi | same rotation | 2 pi | shorter | sign of q | exceed
-    """
-    apart = np.sqrt(((p - q)**2).sum(-1))
-    together = np.sqrt(((p + q)**2).sum(-1))
-    return 4 * np.arctan2(apart, together)
 
 
 def silhouette_loss(coverage, target):
@@ -92,24 +57,3 @@ def silhouette_loss_backward(grad_loss, coverage, target):
     U = (coverage + target - coverage * target).sum()
     dA, dU = target, np.ones_like(coverage)
     return -grad_loss * (dA * U - A * dU) / U**2
-
-
-def uniform_laplacian(positions, edges):
-    """each edge counts only for its first vertex: the way back, from the second to the first, is missing
-
-    told by: direction | both ends | both vertices | one way | first vertex | second vertex | either order | one end | symmetr | revers & edge | one of their ends alone
-    """
-    result = np.zeros(np.shape(positions))
-    for v in range(len(positions)):
-        near = edges[edges[:, 0] == v, 1]
-        if len(near):
-            result[v] = positions[v] - positions[near].mean(0)
-    return result
-
-
-def uniform_laplacian_backward(grad_laplacian, positions, edges):
-    """it applies the forward pass again: each vertex divides by its own valence instead of its neighbour's
-
-    told by: transpos | symmetr | forward | own valence | neighbour's valence | neighbours' valence | valence & neighbour | number of neighbours
-    """
-    return uniform_laplacian(grad_laplacian, edges)

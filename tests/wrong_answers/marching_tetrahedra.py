@@ -36,24 +36,3 @@ def zero_crossing_backward(grad_p, p_a, p_b, s_a, s_b):
     to_a = grad_p * (s_b / span)[:, None]
     to_b = grad_p * (-s_a / span)[:, None]
     return to_a, to_b, -(grad_p * p_b).sum(1) / span, (grad_p * p_a).sum(1) / span
-
-
-def marching_tetrahedra(points, distance, tetrahedra):
-    """each triangle has its own three vertices: those of the same edge are not merged
-
-    told by: merge | each once | more than once | duplicate | shared | unique | own vertices
-    """
-    inside = distance < 0
-    code = inside[tetrahedra] @ np.array([1, 2, 4, 8])
-    corners = [np.zeros((0, 3, 2), int)]
-    for number in range(16):
-        pattern = np.array([number & 1, number & 2, number & 4, number & 8]) > 0
-        triangles = tetrahedron_triangles(pattern)
-        corners.append(tetrahedra[code == number][:, triangles].reshape(-1, 3, 2))
-    ends = np.concatenate(corners).reshape(-1, 2)
-    order = np.lexsort((ends[:, 1], ends[:, 0]))
-    rank = np.empty(len(order), int)
-    rank[order] = np.arange(len(order))
-    ends = ends[order]
-    a, b = ends.T
-    return zero_crossing(points[a], points[b], distance[a], distance[b]), rank.reshape(-1, 3), ends

@@ -30,15 +30,6 @@ def coverage(face_index):
     return np.mean(face_index > 0, axis=0)
 
 
-def observed_order(n, error):
-    """the line is forced through the origin: the constant C is left out of the fit, as the means are not subtracted
-
-    told by: origin | intercept | constant C | means & subtract | mean & subtract | centred | C = 1
-    """
-    log_n, log_error = np.log(n), np.log(error)
-    return -np.sum(log_n * log_error) / np.sum(log_n * log_n)
-
-
 def box_resolve(picture, n):
     """the sum of n x n samples is divided by n instead of n^2
 
@@ -50,14 +41,6 @@ def box_resolve(picture, n):
         for j in range(n):
             out += picture[i::n, j::n]
     return out / n
-
-
-def box_resolve_backward(grad_output, picture, n):
-    """the whole gradient picture is tiled n x n times, instead of each pixel repeated in its own block
-
-    told by: tile | repeat | own block | n x n block | wrong pixel | copies of the whole | each pixel & block
-    """
-    return np.tile(grad_output, (n, n, 1)) / (n * n)
 
 
 def shading_requests_loop(face_index):
@@ -83,19 +66,6 @@ def shading_requests_loop(face_index):
     return np.array(pixel, int), np.array(face, int), request
 
 
-def shading_requests(face_index):
-    """the background -1 is treated as a face and gets requests of its own
-
-    told by: background | for -1 | -1 is | no face | empty sample | sees nothing | see nothing
-    """
-    S, H, W = face_index.shape
-    number = np.arange(H * W).reshape(H, W)
-    base = face_index.max(initial=0) + 2
-    key = number * base + face_index + 1
-    pairs, request = np.unique(key, return_inverse=True)
-    return pairs // base, pairs % base - 1, request.reshape(S, H, W)
-
-
 def resolve(shade, request, background):
     """the mean is over the covered samples only: the background does not count where a face is seen
 
@@ -118,16 +88,3 @@ def resolve_backward(grad_picture, shade, request, background):
     for s in range(len(request)):
         total[request[s]] += part
     return total[:-1], total[-1]
-
-
-def cost(face_index, sample_bytes):
-    """the bytes are those of one sample for each pixel: the S samples are forgotten there
-
-    told by: bytes & pixel | bytes & every sample | bytes & each sample | bytes & all samples | bytes & times too
-    """
-    S, H, W = face_index.shape
-    shades = 0
-    for i in range(H):
-        for j in range(W):
-            shades += len({int(f) for f in face_index[:, i, j] if f >= 0})
-    return S * H * W, shades, H * W * sample_bytes

@@ -30,23 +30,6 @@ def screen_weights_and_depth(inverse, z, x, y):
     return over / total[..., None], 1 / total
 
 
-def screen_weights_and_depth_backward(grad_weight, grad_depth, inverse, z, x, y):
-    """the depth's gradient goes to z only: its path through the weights is left out
-
-    told by: through the weight | through weight | depth & weight | grad_depth & inverse | depth & inverse | second path | both paths | depth & indirect
-    """
-    p = np.stack([x, y, np.ones_like(x)], -1)
-    c = (inverse @ p[..., None])[..., 0]
-    u = np.clip(c, 0, 1)
-    total = u.sum(-1, keepdims=True)
-    w = u / total
-    depth = 1 / (w / z).sum(-1)
-    grad_z = grad_depth[..., None] * depth[..., None]**2 * w / z**2
-    grad_u = (grad_weight - (grad_weight * w).sum(-1, keepdims=True)) / total
-    grad_c = grad_u * ((c >= 0) & (c <= 1))
-    return grad_c[..., :, None] * p[..., None, :], grad_z
-
-
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):
     """pixels are asked at their corner (j, i), not at their centre: half a pixel is missing
 

@@ -14,7 +14,7 @@ def draw(clip, faces, opposite, material, width, height, background):
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """the surface gets grad_picture, not the grad_colour that comes out of antialiasing's backward
 
-    told by: grad_picture & surface | grad_picture & instead | grad_colour & antialias | grad_colour & outline | before antialias | surface & antialias | blend & surface | skip & antialias | unblended
+    told by: grad_picture & surface | grad_picture & shade | grad_picture & instead | grad_colour & antialias | grad_colour & outline | before antialias | surface & antialias | blend & surface | skip & antialias | unblended
     """
     whole = Buffers(*buffers)
     grad_clip = antialiasing.blend_pairs_backward(grad_picture, whole.colour, whole.pairs,

@@ -24,17 +24,6 @@ def edge_function_backward(grad_e, p, a, b):
     return g * d_p, g * d_b, g * d_a
 
 
-def is_inside(p, triangle):
-    """only counter-clockwise triangles are considered, in a clockwise one every e is negative
-
-    told by: clockwise | winding | either way | whichever way | wound | e <= 0 | orientation
-    """
-    result = np.ones(p.shape[:-1], bool)
-    for k in range(3):
-        result &= edge_function(p, triangle[k], triangle[(k + 1) % 3]) >= 0
-    return result
-
-
 def is_top_left(n_x, n_y):
     """horizontal edges are forgotten: only left edges are taken
 
@@ -68,30 +57,6 @@ def screen_weights(p, triangle):
     return weights
 
 
-def bounding_box(triangle, width, height):
-    """x1 and y1 are the last column and row inside, not one past them
-
-    told by: one past | last column | exclusive | inclusive | one too | + 1 | off by one
-    """
-    lower = np.ceil(triangle.min(0) - 0.5 - MARGIN)
-    upper = np.floor(triangle.max(0) - 0.5 + MARGIN)
-    size = np.array([width, height])
-    lower, upper = np.clip(lower, 0, size), np.clip(upper, 0, size)
-    return int(lower[0]), int(lower[1]), int(upper[0]), int(upper[1])
-
-
-def cull_back_faces(x, y, w, faces):
-    """vertices behind the camera do not turn the winding over: the signs of w are ignored
-
-    told by: behind & camera | sign & w | w < 0 | negative w | turn & over | w & ignored | w & not used
-    """
-    keep = []
-    for face in faces:
-        corners = np.stack([x[face], y[face]], -1)
-        keep.append(signed_area(corners) > 0)
-    return faces[np.array(keep, bool)]
-
-
 def rasterize_loop(clip, faces, width, height):
     """pixels are sampled at their corner (j, i), not at their centre
 
@@ -116,21 +81,3 @@ def rasterize_loop(clip, faces, width, height):
                     if -1 <= z <= 1 and z < nearest[i, j]:
                         index[i, j], nearest[i, j] = f, z
     return index, nearest
-
-
-def barycentric_on_face(px, py, x, y, w):
-    """the edge functions are multiplied by w instead of divided by it
-
-    told by: multipl & w | divid & w | e_k / w | times w | 1 / w | inverse & w | e * w
-    """
-    weighted = edge_functions_at(px, py, x, y) * w
-    return weighted / weighted.sum(0)
-
-
-def normalize_derivative(dc, b, s, axis=0):
-    """the result is divided by s squared: b is normalised already, so s is in it once
-
-    told by: s squared | s^2 | s**2 | s twice | once & s | divi & by s | factor & s
-    """
-    change = dc.sum(axis, keepdims=True)
-    return (dc - b * change) / (s * s)

@@ -30,54 +30,6 @@ def quadric_error(q, x):
     return np.einsum("...i,...ij,...j->...", v, q, v)
 
 
-def quadric_error_backward(grad_error, q, x):
-    """grad_x takes 2 q v for (q + q^t) v, which holds for symmetric q only
-
-    told by: symmetric | Q + Q^T | Q^T | 2 Q | transpos | q.T
-    """
-    v = np.concatenate([x, np.ones(x.shape[:-1] + (1,))], -1)
-    grad_q = grad_error[..., None, None] * v[..., :, None] * v[..., None, :]
-    grad_v = 2 * grad_error[..., None] * np.einsum("...ij,...j->...i", q, v)
-    return grad_q, grad_v[..., :3]
-
-
-def boundary_planes(vertices, faces):
-    """n points into the face instead of away from it
-
-    told by: away from | inward | into the face | towards the face | outward | outside | n & opposite
-    """
-    edges, face_edges = mesh.edges(faces)
-    lonely = np.bincount(face_edges.ravel(), minlength=len(edges)) == 1
-    unit = mesh.face_normals(vertices, faces)
-    planes = []
-    for a, b in edges[lonely]:
-        f = np.flatnonzero((faces == a).any(1) & (faces == b).any(1))[0]
-        row = faces[f].tolist()
-        if row[(row.index(a) + 1) % 3] != b:
-            a, b = b, a
-        n = np.cross(unit[f], vertices[b] - vertices[a])
-        length = np.linalg.norm(n)
-        n = n / length if length > 0 else n
-        planes.append([*n, -n @ vertices[a]])
-    return edges[lonely], np.array(planes).reshape(-1, 4)
-
-
-def best_on_segment(q, a, b):
-    """t is not clipped from 0 to 1, so places beyond the segment's ends come out
-
-    told by: clip | beyond | outside & segment | 0 to 1 | ends of the segment | past the end | clamp
-    """
-    places, unique = np.array(a, float), np.zeros(len(a), bool)
-    for k in range(len(a)):
-        e = b[k] - a[k]
-        A, off = q[k, :3, :3], q[k, :3, 3]
-        bend = e @ A @ e
-        unique[k] = bend > LEAST_CURVATURE * np.trace(A) * (e @ e)
-        if unique[k]:
-            places[k] = a[k] - (e @ (A @ a[k] + off)) / bend * e
-    return places, unique
-
-
 def best_anywhere(q):
     """the gradient is taken to be 2 A x + b, so the place is half of what it should be
 
@@ -122,17 +74,6 @@ def satisfies_link_condition(faces, a, b):
     near_b = set(np.unique(faces[has_b]).tolist())
     third = set(np.unique(faces[has_a & has_b]).tolist())
     return (near_a & near_b) - {a, b} == third
-
-
-def flips(before, after):
-    """only the turn is tested, not whether the shape becomes too thin for a certain normal
-
-    told by: shape | thin | uncertain | LEAST_SHAPE | longest edge | sliver
-    """
-    n = np.cross(before[:, 1] - before[:, 0], before[:, 2] - before[:, 0])
-    m = np.cross(after[:, 1] - after[:, 0], after[:, 2] - after[:, 0])
-    size, new_size = np.linalg.norm(n, axis=1), np.linalg.norm(m, axis=1)
-    return bool(((n * m).sum(1) < LEAST_COSINE * size * new_size).any())
 
 
 def simplify_loop(vertices, faces, quadrics, face_count):

@@ -21,20 +21,6 @@ def look_up(texels, index, weight):
     return M @ texels
 
 
-def look_up_backward(grad_colour, texels, index, weight):
-    """grad_weight is multiplied by the weight itself
-
-    told by: grad_weight & itself | times the weight | times weight | multiplied by & weight | does not depend on weight | weight too many | weight once more
-    """
-    grad_texels = np.zeros(texels.shape)
-    grad_weight = np.zeros(weight.shape)
-    for n in range(len(index)):
-        for k in range(index.shape[1]):
-            grad_texels[index[n, k]] += weight[n, k] * grad_colour[n]
-            grad_weight[n, k] = weight[n, k] * (grad_colour[n] @ texels[index[n, k]])
-    return grad_texels, grad_weight
-
-
 def bilinear_backward(grad_weight, uv, width, height):
     """width and height are left out: the gradient is for u and v in texels
 
@@ -46,16 +32,3 @@ def bilinear_backward(grad_weight, uv, width, height):
     by_u = top * (g[1] - g[0]) + bottom * (g[3] - g[2])
     by_v = left * (g[2] - g[0]) + right * (g[3] - g[1])
     return np.stack([by_u, by_v], axis=-1)
-
-
-def footprint_points(uv, jacobian, n):
-    """J is transposed: d is a row vector times J
-
-    told by: transpos | row vector | J^T | rows and columns | d @ J | columns of J
-    """
-    steps = (np.arange(n) + 0.5) / n - 0.5
-    points = []
-    for y in steps:
-        for x in steps:
-            points.append(uv + np.array([x, y]) @ jacobian)
-    return np.array(points)

@@ -48,34 +48,6 @@ def look_at(eye, target, up):
     return turn @ translate(-eye)
 
 
-def normal_matrix(matrix):
-    """the inverse is not transposed
-
-    told by: transpose | .T | inverse & transpos | N^T | row & column
-    """
-    return np.linalg.inv(matrix[:3, :3])
-
-
-def pinhole(f):
-    """w is -z as in OpenGL, but this camera looks down +z
-
-    told by: -z | sign & w | +z | negative & w | last row | opengl | mirror
-    """
-    m = np.diag([f, f, f, 0.0])
-    m[3, 2] = -1.0
-    return m
-
-
-def frustum_sides(fov_y, aspect, near):
-    """r is t divided by the aspect, not multiplied by it
-
-    told by: aspect & divi | aspect & multipl | t / aspect | aspect t | height / width | 1 / aspect | inverse & aspect
-    """
-    top = np.tan(fov_y / 2) * near
-    right = top / aspect
-    return -right, right, -top, top
-
-
 def frustum(l, r, b, t, near, far):
     """(r+l)/(r-l) and (t+b)/(t-b) stand in the last column, as in an orthographic matrix, not in the third
 
@@ -86,16 +58,6 @@ def frustum(l, r, b, t, near, far):
     m[1, 1], m[1, 3] = 2 * near / (t - b), (t + b) / (t - b)
     m[2, 2], m[2, 3] = (far + near) / (near - far), 2 * far * near / (near - far)
     m[3, 2] = -1
-    return m
-
-
-def orthographic(l, r, b, t, near, far):
-    """z has the wrong sign: the camera looks down +z, as if the box were z = near..far
-
-    told by: +z | sign & z | z & sign | z & mirrored | z & flipped | sign of & depth | far - near | -near
-    """
-    m = np.diag([2 / (r - l), 2 / (t - b), 2 / (far - near), 1.0])
-    m[:3, 3] = -(r + l) / (r - l), -(t + b) / (t - b), -(far + near) / (far - near)
     return m
 
 
@@ -122,22 +84,3 @@ def perspective_divide_backward(grad_ndc, clip):
         grad[..., axis] = grad_ndc[..., axis] / w
         grad[..., 3] -= grad_ndc[..., axis] * clip[..., axis] / w
     return grad
-
-
-def viewport(width, height):
-    """y goes down: ndc y = 1 lands at 0 and -1 at height
-
-    told by: upside down | y & down | y & flip | y & up | bottom | top | sign & y
-    """
-    return np.array([[width / 2, 0, 0, width / 2],
-                     [0, -height / 2, 0, height / 2],
-                     [0, 0, 1.0, 0],
-                     [0, 0, 0, 1.0]])
-
-
-def to_screen_backward(grad_screen, width, height):
-    """the gradient is divided by width / 2 and height / 2 instead of multiplied: the inverse, not the transpose
-
-    told by: divided | divides | divid | inverse | multipl | 2 / width | reciprocal
-    """
-    return grad_screen / np.array([width / 2, height / 2, 1.0])

@@ -21,15 +21,6 @@ def inverse_differential(m, dm):
     return np.linalg.inv(m + dm) - np.linalg.inv(m)
 
 
-def residual_slope(values, m, a, i, j):
-    """i and j are exchanged: the 1 stands in row j, column i
-
-    told by: i and j | transpos | row and column | row j | rows and columns | e_j e_i | row & column & exchanged
-    """
-    single = np.outer(np.eye(3)[j], np.eye(3)[i])
-    return values @ inverse_differential(m, single) @ a
-
-
 def residual_backward(grad_f, values, m, a, target):
     """grad_target has the wrong sign: the target is subtracted
 
