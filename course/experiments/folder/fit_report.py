@@ -139,8 +139,7 @@ def upwards(cameras):
 
 def turntable(labs, found, photos, path):
     """Write the object, turning, as an animated PNG on nothing."""
-    reach = np.linalg.norm(found.surface.vertices, axis=1).max()
-    cameras = turning(labs, photos, FRAMES, 3 * max(reach, 0.4))
+    cameras = turning(labs, photos, FRAMES, 3 * max(reach(found), 0.4))
     frames = [clear(frame) for frame in rendered(labs, found, cameras, np.zeros(3),
                                                  (FRAME_SIZE, FRAME_SIZE))]
     image.write_animation(path, frames, SECONDS)
@@ -189,7 +188,7 @@ def write(labs, judged, photos, path):
         turntable=as_uri("image/png", path.with_name("turntable.png").read_bytes()),
         loss=as_uri("image/svg+xml", loss_curve(judged.found.kept.losses, judged.stages)),
         mesh=as_uri("model/gltf-binary", path.read_bytes()),
-        scene=scene(labs, judged.found.look, photos),
+        scene=scene(labs, judged.found, photos),
         numbers=rows(numbers(judged)), views="\n".join(map(figure, judged.views)),
         kept_out=about_kept_out(judged.views),
         assumed="\n".join(f"<li>{html.escape(each)}</li>" for each in
@@ -197,15 +196,22 @@ def write(labs, judged, photos, path):
     places.write_whole(path.with_name("report.html"), page.encode())
 
 
-def scene(labs, look, photos):
-    """What the page's viewer needs besides the mesh, as JSON: light, the way up, and the grid.
+def scene(labs, found, photos):
+    """What the page's viewer needs besides the mesh, as JSON: light, the way up, the mesh's middle
+    and reach in the world.
 
     It draws no shadows. So the sun joins the nine numbers.
     """
-    light = look.light + labs.reconstruction.distant_light(look.sun[:1], look.sun[1:])
-    return json.dumps({"light": light.round(5).tolist(),
+    sun = labs.reconstruction.distant_light(found.look.sun[:1], found.look.sun[1:])
+    return json.dumps({"light": (found.look.light + sun).round(5).tolist(),
                        "up": upwards(photos.cameras).round(5).tolist(),
-                       "worldFromGrid": photos.world_from_grid.tolist()})
+                       "centre": photos.world_from_grid[:3, 3].tolist(),
+                       "reach": photos.world_from_grid[0, 0] * reach(found)})
+
+
+def reach(found):
+    """How far the mesh goes from the middle of the grid."""
+    return np.linalg.norm(found.surface.vertices, axis=1).max()
 
 
 def numbers(judged):
