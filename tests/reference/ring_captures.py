@@ -3,8 +3,10 @@ import functools
 import json
 
 import numpy as np
+import pytest
 from scipy.spatial.transform import Rotation
 
+from course.experiments.folder import captures
 from course.experiments.scenes import demo
 from course.given import image, mesh
 
@@ -49,18 +51,27 @@ def photograph(folder, pictures=None):
         image.write(folder / f"{k}.png", picture(k) if pictures is None else pictures[k])
 
 
+def views(matrices, picture="{}.png"):
+    """What cameras.json says of pictures with these matrices."""
+    return [{"picture": picture.format(k), "world_from_camera": np.asarray(matrix).tolist()}
+            for k, matrix in enumerate(matrices)]
+
+
+def frames(matrices, picture="./{}"):
+    """What transforms.json says of them."""
+    return [{"file_path": picture.format(k), "transform_matrix": np.asarray(matrix).tolist()}
+            for k, matrix in enumerate(matrices)]
+
+
 def ours(folder, **changes):
     """Write cameras.json, and give its folder."""
-    views = [{"picture": name, "world_from_camera": pose.tolist()}
-             for name, pose in zip(names(), POSES, strict=True)]
-    return written(folder, "cameras.json", {"fov_y": FOV_Y, "views": views, **changes})
+    return written(folder, "cameras.json", {"fov_y": FOV_Y, "views": views(POSES), **changes})
 
 
 def nerf(folder, **changes):
     """Write transforms.json, and give its folder."""
-    frames = [{"file_path": f"./{k}", "transform_matrix": pose.tolist()}
-              for k, pose in enumerate(POSES)]
-    scene = {"camera_angle_x": 2 * np.arctan(WIDTH / 2 / F), "frames": frames, **changes}
+    angle = 2 * np.arctan(WIDTH / 2 / F)
+    scene = {"camera_angle_x": angle, "frames": frames(POSES), **changes}
     return written(folder, "transforms.json", scene)
 
 
@@ -85,3 +96,11 @@ def written(folder, file, scene):
     folder.mkdir(exist_ok=True)
     (folder / file).write_text(json.dumps(scene))
     return folder
+
+
+def told(folder):
+    """The one sentence on what is wrong with a folder."""
+    with pytest.raises((ValueError, OSError)) as error:
+        captures.read(LABS, folder)
+    assert "\n" not in str(error.value)
+    return str(error.value)

@@ -17,9 +17,7 @@ def folder(tmp_path):
 
 
 def with_poses(folder, poses):
-    views = [{"picture": f"{k}.png", "world_from_camera": np.asarray(pose).tolist()}
-             for k, pose in enumerate(poses)]
-    return ring.ours(folder, views=views)
+    return ring.ours(folder, views=ring.views(poses))
 
 
 def facing(*places):
@@ -127,32 +125,31 @@ def test_one_camera_that_is_wrong_is_named(folder):
     """All of a hundred cameras are to be looked at."""
     poses = np.array(ring.POSES)
     poses[4, :3, 3] += poses[4, :3, 0] * 1.6
-    with pytest.raises(ValueError, match=r"no point of space is in the silhouettes of all "
-                       r"pictures, but without 4.png there is one: look at the camera"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    sentence = ("no point of space is in the silhouettes of all pictures, but without 4.png there "
+                "is one: look at the camera")
+    assert sentence in ring.told(with_poses(folder, poses))
     poses[4] = ring.POSES[4] * [-1, 1, -1, 1]  # it looks back
-    with pytest.raises(ValueError, match=r"but without 4.png there is one: look at the camera"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    assert sentence in ring.told(with_poses(folder, poses))
 
 
 def test_cameras_of_which_none_is_right_are_told(folder):
     """A search that cannot find anything."""
     poses = np.array(ring.POSES)
     poses[:, :3, 3] += 3 * np.random.default_rng(1).normal(size=(6, 3))
-    with pytest.raises(ValueError, match="and leaving one out does not help: does each matrix"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    sentence = "and leaving one out does not help: does each matrix"
+    assert sentence in ring.told(with_poses(folder, poses))
 
 
 def test_cameras_at_one_place_are_told(folder):
     """A turned object: without its turns there is nothing to find."""
     poses = np.array(ring.POSES)
     poses[3] = poses[1]
-    with pytest.raises(ValueError, match=r"3.png and 1.png have the same camera in cameras.json"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    sentence = "3.png and 1.png have the same camera in cameras.json"
+    assert sentence in ring.told(with_poses(folder, poses))
     poses = np.array(ring.POSES)
     poses[:, :3, 3] = [0, 0, 4]
-    with pytest.raises(ValueError, match=r"all cameras in cameras.json are at one place: is"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    sentence = "all cameras in cameras.json are at one place: is"
+    assert sentence in ring.told(with_poses(folder, poses))
 
 
 @pytest.mark.parametrize(("degrees", "sentence"), [
