@@ -17,6 +17,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from PIL import Image
 
 from ...given import image, places, plot
+from . import photographs
 
 HERE = Path(__file__).parent
 SAMPLES = 2        # squared: how many in a pixel of a rendering
@@ -68,13 +69,8 @@ def judged(labs, found, photos, stages, kept_out):
 
 def rendered(labs, found, cameras, background, shape):
     """Yield what was Found as cameras see it, in the light that was found: linear (H, W, 4)."""
-    solid = labs.pipeline.make_mesh(found.surface.vertices, found.surface.faces)
-    surface = labs.multi_view_fit.covering(found.colours)
-    height, width = shape
-    for camera in cameras:
-        view = labs.pipeline.View(camera, SAMPLES * width, SAMPLES * height,
-                                  np.append(background, 0.0))
-        yield labs.msaa.box_resolve(labs.pipeline.render(solid, surface, view)[0], SAMPLES)
+    return photographs.seen(labs, found.surface, photographs.covering(found.colours), cameras,
+                            shape, np.append(background, 0.0), SAMPLES)
 
 
 def on_screen(picture):

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...given import image, places
-from ..folder import captures, hulls, searches
+from ..folder import captures, hulls, photographs, searches
 from . import reconstruct
 from .drawing import save
 
@@ -87,12 +87,10 @@ def judged(labs, surface, look, name, photos):
 
 def seen(labs, surface, colours, albedo, photos):
     """The unseen views, rendered: (8, H, W, 6), colours and albedo on black."""
-    shape = labs.pipeline.make_mesh(surface.vertices, surface.faces)
-    both = labs.pipeline.Colours(np.hstack([colours, albedo]))
-    side = 2 * photos.pictures[0].shape[1]
-    return np.stack([labs.msaa.box_resolve(labs.pipeline.render(
-        shape, both, labs.pipeline.View(camera, side, side, np.zeros(6)))[0], 2)
-        for camera in reconstruct.new_cameras(labs) @ photos.world_from_grid])
+    cameras = reconstruct.new_cameras(labs) @ photos.world_from_grid
+    return np.stack(list(photographs.seen(
+        labs, surface, np.hstack([colours, albedo]), cameras, photos.pictures[0].shape[:2],
+        np.zeros(6), 2)))
 
 
 def compared(pictures, truth):
