@@ -1,11 +1,9 @@
 """What lab 16's search writes: GLB, OBJ, and the last good mesh."""
-import io
 import json
 
 import numpy as np
 import pytest
-import trimesh
-from found_objects import painted_ball
+from found_objects import painted_ball, read_glb
 
 from course.experiments.folder import exports, searches
 from course.experiments.scenes import demo
@@ -31,9 +29,7 @@ def test_glb_and_obj_hold_the_mesh_and_its_colours(tmp_path):
     exports.save(LABS, x, tmp_path / "found.glb", place)
     vertices, faces, _, _, albedo = multi_view_fit.surface(x)
     vertices = 2 * vertices + [1, 2, 3]
-    scene = trimesh.load(io.BytesIO((tmp_path / "found.glb").read_bytes()), file_type="glb",
-                         process=False)
-    (found,) = scene.geometry.values()
+    found = read_glb(tmp_path / "found.glb")
     np.testing.assert_allclose(found.vertices, vertices, atol=1e-6)
     np.testing.assert_array_equal(found.faces, faces)
     np.testing.assert_allclose(found.visual.vertex_attributes["color"][:, :3] / 255, albedo,

@@ -12,7 +12,7 @@ import urllib.parse
 
 import numpy as np
 import pytest
-from found_objects import found_of
+from found_objects import found_of, painted_ball
 from PIL import Image
 
 from course.experiments.folder import captures, command, exports, fit_report
@@ -49,10 +49,8 @@ const wait = ms => new Promise(done => setTimeout(done, ms));
 
 def painted(n=8):
     """A Scene of n^3 cells: a ball in three colours, in uneven light."""
-    x = multi_view_fit.start(n)
-    light = x.light + 0.2 * np.random.default_rng(1).uniform(-1, 1, (9, 3))
-    albedo = np.random.default_rng(0).uniform(0.2, 0.8, x.albedo.shape)
-    return x._replace(albedo=albedo, light=light)
+    x = painted_ball(n)
+    return x._replace(light=x.light + 0.2 * np.random.default_rng(1).uniform(-1, 1, (9, 3)))
 
 
 @pytest.fixture(scope="module")
