@@ -45,10 +45,11 @@ def names(folder="."):
 
 
 def photograph(folder, pictures=None):
-    """Write the pictures 0.png, 1.png, ... into a folder."""
+    """Write the pictures 0.png, 1.png, ... into a folder, and give it."""
     folder.mkdir(exist_ok=True)
     for k in range(len(SIDES)):
         image.write(folder / f"{k}.png", picture(k) if pictures is None else pictures[k])
+    return folder
 
 
 def views(matrices, picture="{}.png"):

@@ -10,8 +10,7 @@ from course.given import image
 @pytest.fixture
 def folder(tmp_path):
     """Six pictures, 48 x 32 pixels, and no cameras."""
-    ring.photograph(tmp_path)
-    return tmp_path
+    return ring.photograph(tmp_path)
 
 
 def test_a_camera_of_colmap_on_paper():
@@ -180,9 +179,7 @@ def test_one_format_is_there_or_it_is_said(tmp_path):
 
 def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
     """EXIF's rotation is ignored: the object lies on its side, seen by a standing camera."""
-    straight, turned = ring.ours(tmp_path / "a"), ring.ours(tmp_path / "b")
-    ring.photograph(straight)
-    ring.photograph(turned)
+    straight, turned = (ring.ours(ring.photograph(tmp_path / name)) for name in "ab")
     lay_down(turned / "1.png")
     assert image.size(turned / "1.png") == (32, 48)
     expected, found = (captures.read(ring.LABS, folder) for folder in (straight, turned))
@@ -191,8 +188,7 @@ def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
 
 def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
     """COLMAP ignores EXIF, so a picture that EXIF turns no longer fits its camera."""
-    folder = ring.colmap(tmp_path)
-    ring.photograph(folder)
+    folder = ring.colmap(ring.photograph(tmp_path))
     expected = captures.read(ring.LABS, folder)
     for k in range(6):
         tag(folder / f"{k}.png", 6 if k else 3)

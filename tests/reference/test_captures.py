@@ -11,8 +11,7 @@ from course.given import image, mesh
 @pytest.fixture
 def folder(tmp_path):
     """Six pictures, 48 x 32 pixels, of a ring at (1, 2, 3), and their cameras, in cameras.json."""
-    ring.photograph(tmp_path)
-    return ring.ours(tmp_path, centre=[1, 2, 3], radius=0.8)
+    return ring.ours(ring.photograph(tmp_path), centre=[1, 2, 3], radius=0.8)
 
 
 def test_a_folder_on_paper(folder):
@@ -36,9 +35,8 @@ def test_three_formats_of_one_capture_give_the_same_cameras(tmp_path):
     """An axis, the quaternion's order or the inverse is another in one of them."""
     found = []
     for write in ring.ours, ring.nerf, ring.colmap:
-        folder = write(tmp_path / write.__name__)
-        ring.photograph(folder)
-        found.append(captures.read(ring.LABS, folder))
+        folder = ring.photograph(tmp_path / write.__name__)
+        found.append(captures.read(ring.LABS, write(folder)))
     for photos in found[1:]:
         assert photos.names == found[0].names
         np.testing.assert_allclose(photos.cameras, found[0].cameras, atol=1e-6)

@@ -47,9 +47,9 @@ const wait = ms => new Promise(done => setTimeout(done, ms));
 </script>"""
 
 
-def painted(n=8):
-    """A Scene of n^3 cells: a ball in three colours, in uneven light."""
-    x = painted_ball(n)
+def painted():
+    """A Scene of 8^3 cells: a ball in many colours, in uneven light."""
+    x = painted_ball(8)
     return x._replace(light=x.light + 0.2 * np.random.default_rng(1).uniform(-1, 1, (9, 3)))
 
 

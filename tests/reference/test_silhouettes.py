@@ -12,8 +12,7 @@ GREY = 51 / 255  # a background's colour, which a file with 8 bits holds exactly
 @pytest.fixture
 def folder(tmp_path):
     """Six pictures with alpha, 48 x 32 pixels, and their cameras."""
-    ring.photograph(tmp_path)
-    return ring.ours(tmp_path)
+    return ring.ours(ring.photograph(tmp_path))
 
 
 def opaque(folder, background=GREY, ending="png"):

@@ -27,17 +27,12 @@ DIFFERENCE = 4     # how often a difference is enlarged
 
 
 class View(NamedTuple):
-    """A picture of the folder, and its rendering: (H, W, 4), sRGB and coverage, and how well they
-    agree: PSNR in dB over all pixels and over the object's, and the silhouettes' IoU.
-    """
+    """A picture of the folder, and its rendering: (H, W, 4), sRGB and coverage."""
 
     name: str
     kept_out: bool
     picture: np.ndarray
     rendering: np.ndarray
-    whole: float
-    on_object: float
-    iou: float
 
 
 class Judged(NamedTuple):
@@ -61,7 +56,7 @@ def judged(labs, found, photos, stages, kept_out):
     faces = found.surface.faces
     renderings = rendered(labs, found, photos.cameras, photos.background,
                           photos.pictures[0].shape[:2])
-    views = [compared(name, k in kept_out, on_screen(picture), on_screen(rendering))
+    views = [View(name, k in kept_out, on_screen(picture), on_screen(rendering))
              for k, (name, picture, rendering) in enumerate(
                  zip(photos.names, photos.pictures, renderings, strict=True))]
     return Judged(found, views, stages, len(faces), *labs.reconstruction.genus(faces))
@@ -78,29 +73,24 @@ def on_screen(picture):
     return np.dstack([image.to_srgb(np.clip(picture[..., :3], 0, 1)), picture[..., 3]])
 
 
-def compared(name, kept_out, picture, rendering):
-    """A View and its numbers. The object's pixels are those that the picture shows it in."""
-    return View(name, kept_out, picture, rendering, *(
-        psnr([(picture, rendering)], only) for only in (False, True)),
-        image.intersection_over_union(picture[..., 3] >= 0.5, rendering[..., 3] >= 0.5))
+def psnr(views, on_object):
+    """The PSNR of views in dB, over all pixels, or over those in which pictures show the object."""
+    squared = [((picture - rendering)**2)[..., :3][picture[..., 3] > 0 if on_object else ...]
+               for _, _, picture, rendering in views]
+    return image.decibels(max(np.concatenate([each.reshape(-1, 3) for each in squared]).mean(),
+                              1e-10))
 
 
-def psnr(pairs, on_object):
-    """The PSNR in dB over all pixels, or the object's, of pairs of a picture and its rendering."""
-    squared = [((a - b)**2)[..., :3][a[..., 3] > 0 if on_object else ...].reshape(-1, 3)
-               for a, b in pairs]
-    return float(image.decibels(max(np.concatenate(squared).mean(), 1e-10)))
-
-
-def of_all(views, on_object):
-    """The PSNR over all pixels of several views, in dB."""
-    return psnr([(view.picture, view.rendering) for view in views], on_object)
+def iou(view):
+    """The intersection over union of the silhouettes."""
+    picture, rendering = (each[..., 3] >= 0.5 for each in view[2:])
+    return image.intersection_over_union(picture, rendering)
 
 
 def summary(judged):
     """The numbers, in a line."""
     views = [view for view in judged.views if view.kept_out]
-    new = (f", {of_all(views, True):.1f} dB on the object in {len(views)} new views" if views
+    new = (f", {psnr(views, True):.1f} dB on the object in {len(views)} new views" if views
            else "")
     loss = judged.found.kept.losses[-1]
     return (f"loss {loss:.4f}, {judged.faces:,} faces, pieces {judged.pieces}, "
@@ -217,9 +207,9 @@ def numbers(judged):
     for name, views in ("new views", kept_out), ("views of the search", [
             view for view in judged.views if not view.kept_out]):
         if views:
-            found[f"PSNR, {name}, on the object"] = f"{of_all(views, True):.2f} dB"
-            found[f"PSNR, {name}, whole pictures"] = f"{of_all(views, False):.2f} dB"
-    mean = np.mean([view.iou for view in judged.views])
+            found[f"PSNR, {name}, on the object"] = f"{psnr(views, True):.2f} dB"
+            found[f"PSNR, {name}, whole pictures"] = f"{psnr(views, False):.2f} dB"
+    mean = np.mean([iou(view) for view in judged.views])
     found["IoU of the silhouettes, mean of all"] = f"{mean:.4f}"
     minutes, seconds = divmod(round(judged.found.kept.seconds), 60)
     return {**found, "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
@@ -250,8 +240,8 @@ def figure(view):
                      for kind, each in pictures)
     mark = ' <b class=new>new</b>' if view.kept_out else ""
     return (f"<figure><div>{images}</div><figcaption>{name}{mark}<br><small>"
-            f"{view.on_object:.1f} dB on the object, {view.whole:.1f} in all, "
-            f"IoU {view.iou:.3f}</small></figcaption></figure>")
+            f"{psnr([view], True):.1f} dB on the object, {psnr([view], False):.1f} in all, "
+            f"IoU {iou(view):.3f}</small></figcaption></figure>")
 
 
 def jpeg(picture):
