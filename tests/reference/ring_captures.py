@@ -20,6 +20,7 @@ SIDES = np.array([[0, 0, 4], [4, 1, 0], [-3, 2, -1.5], [0.5, -4, 0.5], [1, 1.5, 
 VIEWS = [LABS.transforms.look_at(CENTRE + side, CENTRE, np.array([0.0, 1.0, 0.0]))
          for side in SIDES]  # OpenGL's camera_from_world
 POSES = [np.linalg.inv(view) for view in VIEWS]
+NAMES = [f"{k}.png" for k in range(len(SIDES))]
 
 
 @functools.cache
@@ -38,10 +39,6 @@ def picture(k, width=WIDTH, height=HEIGHT, left=0.0, down=0.0):
     clip = LABS.pipeline.to_clip(vertices + CENTRE, clip_from_camera @ VIEWS[k])
     seen = LABS.scanline.rasterize(clip, faces, width, height)[0] >= 0
     return np.dstack([np.full((height, width, 3), 0.5), seen])
-
-
-def names(folder="."):
-    return [f"{folder}/{k}.png".removeprefix("./") for k in range(len(SIDES))]
 
 
 def photograph(folder, pictures=None):
@@ -81,7 +78,7 @@ def colmap(folder, camera=f"1 SIMPLE_PINHOLE {WIDTH} {HEIGHT} {F!r} {WIDTH / 2} 
     """Write COLMAP's cameras.txt and images.txt, and give their folder."""
     folder.mkdir(exist_ok=True, parents=True)
     lines = ["# Image list with two lines of data per image:"]
-    for k, (name, view) in enumerate(zip(pictures or names(), VIEWS, strict=False)):
+    for k, (name, view) in enumerate(zip(pictures or NAMES, VIEWS, strict=False)):
         opencv = np.diag([1, -1, -1, 1]) @ view
         x, y, z, w = Rotation.from_matrix(opencv[:3, :3]).as_quat()
         numbers = " ".join(repr(float(number)) for number in (w, x, y, z, *opencv[:3, 3]))

@@ -65,7 +65,7 @@ def test_colmaps_folders_are_found(tmp_path, model, pictures):
     for k in range(6):
         (tmp_path / f"{k}.png").rename(tmp_path / pictures / f"{k}.png")
     scene = camera_files.read(tmp_path)
-    assert [shot.name for shot in scene.shots] == ring.names()
+    assert [shot.name for shot in scene.shots] == ring.NAMES
     assert all(shot.path.exists() for shot in scene.shots)
 
 

@@ -33,10 +33,9 @@ def test_a_folder_on_paper(folder):
 
 def test_three_formats_of_one_capture_give_the_same_cameras(tmp_path):
     """An axis, the quaternion's order or the inverse is another in one of them."""
-    found = []
-    for write in ring.ours, ring.nerf, ring.colmap:
-        folder = ring.photograph(tmp_path / write.__name__)
-        found.append(captures.read(ring.LABS, write(folder)))
+    folders = [write(ring.photograph(tmp_path / write.__name__))
+               for write in (ring.ours, ring.nerf, ring.colmap)]
+    found = [captures.read(ring.LABS, folder) for folder in folders]
     for photos in found[1:]:
         assert photos.names == found[0].names
         np.testing.assert_allclose(photos.cameras, found[0].cameras, atol=1e-6)

@@ -196,11 +196,8 @@ def test_the_viewer_draws_and_turns_by_keys(page):
             self.send_response(204)
             self.end_headers()
 
-        def log_message(self, *_):
-            pass
-
     server = http.server.HTTPServer(("127.0.0.1", 0), Listener)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
+    threading.Thread(target=server.handle_request, daemon=True).start()
     script = LOOK_AND_TURN.replace("ADDRESS", f"http://127.0.0.1:{server.server_port}")
     watched = page.with_name("watched.html")
     watched.write_text(page.read_text().replace("<h1>", f"{script}<h1>", 1))
@@ -213,5 +210,4 @@ def test_the_viewer_draws_and_turns_by_keys(page):
     finally:
         running.terminate()
         running.wait()
-        server.shutdown()
         server.server_close()

@@ -64,8 +64,9 @@ def judged(labs, found, photos, stages, kept_out):
 
 def rendered(labs, found, cameras, background, shape):
     """Yield what was Found as cameras see it, in the light that was found: linear (H, W, 4)."""
-    return photographs.seen(labs, found.surface, photographs.covering(found.colours), cameras,
-                            shape, np.append(background, 0.0), SAMPLES)
+    paint = labs.multi_view_fit.covering(found.colours)
+    return photographs.seen(labs, found.surface, paint, cameras, shape,
+                            np.append(background, 0.0), SAMPLES)
 
 
 def on_screen(picture):

@@ -16,20 +16,15 @@ class Painted(NamedTuple):
     albedo: np.ndarray
 
 
-def seen(labs, surface, colours, cameras, shape, background, samples):
-    """Yield a surface with colours (V, C) as cameras see it, before a background (C,), as pictures
+def seen(labs, surface, paint, cameras, shape, background, samples):
+    """Yield a surface with Colours (V, C) as cameras see it, before a background (C,), as pictures
     of a shape (H, W): each pixel is a mean of samples^2.
     """
     solid, (height, width) = labs.pipeline.make_mesh(surface.vertices, surface.faces), shape
     for camera in cameras:
         view = labs.pipeline.View(camera, samples * width, samples * height, background)
-        picture, _ = labs.pipeline.render(solid, labs.pipeline.Colours(colours), view)
+        picture, _ = labs.pipeline.render(solid, paint, view)
         yield labs.msaa.box_resolve(picture, samples)
-
-
-def covering(colours):
-    """Colours (V, 3), and coverage 1 beside them: (V, 4)."""
-    return np.column_stack([colours, np.ones(len(colours))])
 
 
 def photographs(labs, painted, light, cameras, size, samples=4):
@@ -37,8 +32,8 @@ def photographs(labs, painted, light, cameras, size, samples=4):
     pixel.
     """
     normals = mesh.vertex_normals(painted.vertices, painted.faces)
-    colours = labs.reconstruction.shade(painted.albedo, normals, light)
-    return list(seen(labs, painted, covering(colours), cameras, (size, size), ON_WHITE, samples))
+    paint = labs.multi_view_fit.covering(labs.reconstruction.shade(painted.albedo, normals, light))
+    return list(seen(labs, painted, paint, cameras, (size, size), ON_WHITE, samples))
 
 
 def portrait(labs, x, camera, size, samples=2):

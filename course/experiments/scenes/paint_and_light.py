@@ -88,9 +88,9 @@ def judged(labs, surface, look, name, photos):
 def seen(labs, surface, colours, albedo, photos):
     """The unseen views, rendered: (8, H, W, 6), colours and albedo on black."""
     cameras = reconstruct.new_cameras(labs) @ photos.world_from_grid
-    return np.stack(list(photographs.seen(
-        labs, surface, np.hstack([colours, albedo]), cameras, photos.pictures[0].shape[:2],
-        np.zeros(6), 2)))
+    both = labs.pipeline.Colours(np.hstack([colours, albedo]))
+    shape = photos.pictures[0].shape[:2]
+    return np.stack(list(photographs.seen(labs, surface, both, cameras, shape, np.zeros(6), 2)))
 
 
 def compared(pictures, truth):
