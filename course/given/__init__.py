@@ -4,7 +4,6 @@
     inputs             what functions expect: one sentence for what does not fit
     contract           what goes into an exercise, and what may come out
     image              pictures as arrays, and as files
-    mesh_files         meshes from OBJ and PLY files, and into them
     mesh               triangle meshes: simple shapes, normals, edges
     distances          how far points are from a mesh, and meshes from each other
     ray_casting        exact shadows, without a map

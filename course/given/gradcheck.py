@@ -16,14 +16,7 @@ from . import places
 from .contract import called, unchanged
 from .gradcheck_picture import draw
 from .suspicions import suspicion
-from .sweeps import (
-    RTOL,
-    STEPS,
-    direction_part,
-    element_part,
-    relative_error,
-    sweep,
-)
+from .sweeps import RTOL, STEPS, direction_part, element_part, relative_error, sweep
 
 LEFT_OUT_LIMIT = 0.10  # a check that leaves out a larger share says too little
 

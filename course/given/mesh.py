@@ -4,9 +4,10 @@ vertices (V, 3) float64   positions, one row per vertex
 faces    (F, 3) int64     three vertex indices from 0, counter-clockwise seen from outside
 
 Functions that make a mesh return the tuple `vertices, faces`. Functions that measure one expect
-what `check` accepts.
+what `inputs.require_mesh` accepts.
 """
 import math
+import re
 
 import numpy as np
 import scipy.sparse
@@ -27,8 +28,13 @@ def teapot():
 
 
 def _read(name):
-    from . import mesh_files  # here, for a worker that grades has no files to read
-    return mesh_files.read(places.DATA / name)
+    """A PLY file as trimesh writes it: binary, of float32 and triangles. -> vertices, faces"""
+    header, _, rows = places.read_whole(places.DATA / name).partition(b"end_header\n")
+    vertex_count, face_count = map(int, re.findall(rb"element \w+ (\d+)", header))
+    vertices = np.frombuffer(rows, "<f4", 3 * vertex_count).reshape(-1, 3)
+    row = [("length", "u1"), ("corners", "<i4", 3)]
+    faces = np.frombuffer(rows, row, face_count, offset=vertices.nbytes)
+    return vertices.astype(np.float64), faces["corners"].astype(np.intp)
 
 
 # Shapes

@@ -3,8 +3,10 @@ import functools
 import json
 
 import numpy as np
+import pytest
 from scipy.spatial.transform import Rotation
 
+from course.experiments.folder import captures
 from course.experiments.scenes import demo
 from course.given import image, mesh
 
@@ -18,6 +20,7 @@ SIDES = np.array([[0, 0, 4], [4, 1, 0], [-3, 2, -1.5], [0.5, -4, 0.5], [1, 1.5, 
 VIEWS = [LABS.transforms.look_at(CENTRE + side, CENTRE, np.array([0.0, 1.0, 0.0]))
          for side in SIDES]  # OpenGL's camera_from_world
 POSES = [np.linalg.inv(view) for view in VIEWS]
+NAMES = [f"{k}.png" for k in range(len(SIDES))]
 
 
 @functools.cache
@@ -38,29 +41,35 @@ def picture(k, width=WIDTH, height=HEIGHT, left=0.0, down=0.0):
     return np.dstack([np.full((height, width, 3), 0.5), seen])
 
 
-def names(folder="."):
-    return [f"{folder}/{k}.png".removeprefix("./") for k in range(len(SIDES))]
-
-
 def photograph(folder, pictures=None):
-    """Write the pictures 0.png, 1.png, ... into a folder."""
+    """Write the pictures 0.png, 1.png, ... into a folder, and give it."""
     folder.mkdir(exist_ok=True)
     for k in range(len(SIDES)):
         image.write(folder / f"{k}.png", picture(k) if pictures is None else pictures[k])
+    return folder
+
+
+def views(matrices, picture="{}.png"):
+    """What cameras.json says of pictures with these matrices."""
+    return [{"picture": picture.format(k), "world_from_camera": np.asarray(matrix).tolist()}
+            for k, matrix in enumerate(matrices)]
+
+
+def frames(matrices, picture="./{}"):
+    """What transforms.json says of them."""
+    return [{"file_path": picture.format(k), "transform_matrix": np.asarray(matrix).tolist()}
+            for k, matrix in enumerate(matrices)]
 
 
 def ours(folder, **changes):
     """Write cameras.json, and give its folder."""
-    views = [{"picture": name, "world_from_camera": pose.tolist()}
-             for name, pose in zip(names(), POSES, strict=True)]
-    return written(folder, "cameras.json", {"fov_y": FOV_Y, "views": views, **changes})
+    return written(folder, "cameras.json", {"fov_y": FOV_Y, "views": views(POSES), **changes})
 
 
 def nerf(folder, **changes):
     """Write transforms.json, and give its folder."""
-    frames = [{"file_path": f"./{k}", "transform_matrix": pose.tolist()}
-              for k, pose in enumerate(POSES)]
-    scene = {"camera_angle_x": 2 * np.arctan(WIDTH / 2 / F), "frames": frames, **changes}
+    angle = 2 * np.arctan(WIDTH / 2 / F)
+    scene = {"camera_angle_x": angle, "frames": frames(POSES), **changes}
     return written(folder, "transforms.json", scene)
 
 
@@ -69,7 +78,7 @@ def colmap(folder, camera=f"1 SIMPLE_PINHOLE {WIDTH} {HEIGHT} {F!r} {WIDTH / 2} 
     """Write COLMAP's cameras.txt and images.txt, and give their folder."""
     folder.mkdir(exist_ok=True, parents=True)
     lines = ["# Image list with two lines of data per image:"]
-    for k, (name, view) in enumerate(zip(pictures or names(), VIEWS, strict=False)):
+    for k, (name, view) in enumerate(zip(pictures or NAMES, VIEWS, strict=False)):
         opencv = np.diag([1, -1, -1, 1]) @ view
         x, y, z, w = Rotation.from_matrix(opencv[:3, :3]).as_quat()
         numbers = " ".join(repr(float(number)) for number in (w, x, y, z, *opencv[:3, 3]))
@@ -85,3 +94,11 @@ def written(folder, file, scene):
     folder.mkdir(exist_ok=True)
     (folder / file).write_text(json.dumps(scene))
     return folder
+
+
+def told(folder):
+    """The one sentence on what is wrong with a folder."""
+    with pytest.raises((ValueError, OSError)) as error:
+        captures.read(LABS, folder)
+    assert "\n" not in str(error.value)
+    return str(error.value)

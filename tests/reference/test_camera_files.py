@@ -10,8 +10,7 @@ from course.given import image
 @pytest.fixture
 def folder(tmp_path):
     """Six pictures, 48 x 32 pixels, and no cameras."""
-    ring.photograph(tmp_path)
-    return tmp_path
+    return ring.photograph(tmp_path)
 
 
 def test_a_camera_of_colmap_on_paper():
@@ -38,8 +37,8 @@ def test_a_camera_of_nerf_on_paper(folder):
     shot = camera_files.read(ring.nerf(folder, camera_angle_x=2 * np.arctan(0.5))).shots[2]
     np.testing.assert_allclose(shot[2:8], [48, 32, 48, 48, 24, 16])
     assert shot.name == "2.png"
-    frames = [{"file_path": f"{k}.png", "transform_matrix": pose.tolist(), "fl_x": 50 + k}
-              for k, pose in enumerate(ring.POSES)]
+    frames = [{**frame, "fl_x": 50 + k}
+              for k, frame in enumerate(ring.frames(ring.POSES, "{}.png"))]
     scene = ring.nerf(folder, frames=frames, fl_x=40, fl_y=70, cx=20, cy=17, w=96, h=64, k1=0)
     shot = camera_files.read(scene).shots[2]
     np.testing.assert_allclose(shot[2:8], [96, 64, 52, 70, 20, 17])
@@ -66,7 +65,7 @@ def test_colmaps_folders_are_found(tmp_path, model, pictures):
     for k in range(6):
         (tmp_path / f"{k}.png").rename(tmp_path / pictures / f"{k}.png")
     scene = camera_files.read(tmp_path)
-    assert [shot.name for shot in scene.shots] == ring.names()
+    assert [shot.name for shot in scene.shots] == ring.NAMES
     assert all(shot.path.exists() for shot in scene.shots)
 
 
@@ -95,14 +94,6 @@ WRONG = (
 )
 
 
-def views(matrix):
-    return [{"picture": "0.png", "world_from_camera": np.asarray(matrix).tolist()}] * 4
-
-
-def frames(matrix):
-    return [{"file_path": "0", "transform_matrix": np.asarray(matrix).tolist()}] * 4
-
-
 @pytest.mark.parametrize(("changes", "sentence"), [
     ({"fov_y": "wide"}, "fov_y in cameras.json must be a finite number, and is wide"),
     ({"fov_y": 190}, "fov_y in cameras.json must be from 1 to 170, and is 190"),
@@ -110,49 +101,47 @@ def frames(matrix):
     ({"centre": [1, 2]}, "centre in cameras.json must be 3 finite numbers"),
     ({"views": 7}, "cameras.json must be"),
     ({"views": []}, "at least 4 views are needed, 20 are better, and cameras.json has 0"),
-    ({"views": views(MATRIX)[:3]}, "at least 4 views are needed, 20 are better, and cameras.json "),
+    ({"views": ring.views([MATRIX] * 3)}, "at least 4 views are needed, 20 are better, and camer"),
     ({"views": [{}, {}]}, 'view 0 in cameras.json needs a "picture"'),
     ({"views": [{"picture": "0.png"}] * 2}, 'view 0 (0.png) in cameras.json needs a "world_from_'),
-    *(({"views": views(matrix)}, sentence) for matrix, sentence in WRONG),
-    ({"views": views(MATRIX)}, "0.png and 0.png have the same camera in cameras.json"),
+    *(({"views": ring.views([matrix] * 4)}, sentence) for matrix, sentence in WRONG),
+    ({"views": ring.views([MATRIX] * 4, "0.png")},
+     "0.png and 0.png have the same camera in cameras.json"),
     ({"fov_y": None}, "fov_y in cameras.json must be a finite number, and is missing"),
     ({"fov_y": True}, "must be a finite number, and is True"),
     ({"fov_y": 10**400}, "must be a finite number, and is 1000"),
     ({"background": [300, 0, 0]}, "three numbers from 0 to 255"),
-    ({"views": [{**views(MATRIX)[0], "picture": "a\0.png"}] * 4}, "no file can have such a name"),
-    ({"views": [{**views(MATRIX)[0], "picture": "9.png"}] * 4}, "there is no file"),
+    ({"views": ring.views([MATRIX] * 4, "a\0.png")}, "no file can have such a name"),
+    ({"views": ring.views([MATRIX] * 4, "9.png")}, "there is no file"),
 ])
 def test_what_is_wrong_with_cameras_json_is_told_in_one_sentence(folder, changes, sentence):
     """A traceback, or a search that cannot find anything."""
-    assert sentence in told(ring.ours(folder, **changes))
+    assert sentence in ring.told(ring.ours(folder, **changes))
 
 
 @pytest.mark.parametrize(("changes", "sentence"), [
     ({"frames": {}}, 'transforms.json must be {"camera_angle_x": ..., "frames": [...]}'),
     ({"frames": [7] * 4}, 'frame 0 in transforms.json needs a "file_path"'),
     ({"frames": [{"file_path": "0"}]}, 'frame 0 (0) in transforms.json needs a "transform_matrix"'),
-    *(({"frames": frames(matrix)}, f"transform_matrix of 0 in transforms.json {sentence}")
-      for matrix, sentence in WRONG),
+    *(({"frames": ring.frames([matrix] * 4, "0")},
+       f"transform_matrix of 0 in transforms.json {sentence}") for matrix, sentence in WRONG),
     ({"camera_angle_x": None}, "needs a camera_angle_x in radians, or a fl_x in pixels"),
     ({"camera_angle_x": 40}, "camera_angle_x in transforms.json must be from 0.01 to 3.1, and is"),
     ({"k1": 0.1, "p2": -0.01}, "k1, p2 in transforms.json must be 0: the lens bends"),
     ({"camera_model": "OPENCV_FISHEYE"}, "camera_model in transforms.json must be PINHOLE"),
     ({"w": 48, "h": 40}, "0.png has 48 x 32 pixels, and transforms.json says 48 x 40, which is"),
-    ({"frames": [{**frames(MATRIX)[0], "file_path": "9"}] * 4}, "there is no file"),
+    ({"frames": ring.frames([MATRIX] * 4, "9")}, "there is no file"),
     ({"background": "white"}, "background in transforms.json must be 3 finite numbers"),
-    ({"frames": [{"file_path": str(k), "transform_matrix": (pose * [1, -1, -1, 1]).tolist()}
-                 for k, pose in enumerate(ring.POSES)]},
+    ({"frames": ring.frames(ring.POSES * np.array([1, -1, -1, 1]))},
      "matrices are OpenCV's, along +z: change the signs of their second and third columns"),
-    ({"frames": [{"file_path": str(k), "transform_matrix": view.tolist()}
-                 for k, view in enumerate(ring.VIEWS)]},
+    ({"frames": ring.frames(ring.VIEWS)},
      "these matrices lead from the world to the camera: give their inverses"),
-    ({"frames": [{"file_path": str(k), "transform_matrix": (OPENCV @ view).tolist()}
-                 for k, view in enumerate(ring.VIEWS)]},
+    ({"frames": ring.frames(OPENCV @ ring.VIEWS)},
      "these matrices lead from the world to OpenCV's camera"),
 ])
 def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, changes, sentence):
     """A traceback, or a search that cannot find anything."""
-    assert sentence in told(ring.nerf(folder, **changes))
+    assert sentence in ring.told(ring.nerf(folder, **changes))
 
 
 @pytest.mark.parametrize(("file", "old", "new", "sentence"), [
@@ -173,26 +162,24 @@ def test_what_is_wrong_with_colmaps_files_is_told_in_one_sentence(folder, file, 
     """A traceback, or a search that cannot find anything."""
     path = ring.colmap(folder) / file
     path.write_text(path.read_text().replace(old, new, 1))
-    assert sentence in told(folder)
+    assert sentence in ring.told(folder)
 
 
 def test_one_format_is_there_or_it_is_said(tmp_path):
     """A file is taken that the user has forgotten, or a traceback."""
-    assert "there is no folder" in told(tmp_path / "none")
-    assert "there is no file cameras.json, transforms.json or cameras.txt" in told(tmp_path)
+    assert "there is no folder" in ring.told(tmp_path / "none")
+    assert "there is no file cameras.json, transforms.json or cameras.txt" in ring.told(tmp_path)
     (tmp_path / "cameras.bin").write_bytes(b"\1")
-    assert "`colmap model_converter --output_type TXT` writes it as text" in told(tmp_path)
+    assert "`colmap model_converter --output_type TXT` writes it as text" in ring.told(tmp_path)
     (tmp_path / "cameras.json").write_text("{")
-    assert "cameras.json is no JSON: " in told(tmp_path)
+    assert "cameras.json is no JSON: " in ring.told(tmp_path)
     (tmp_path / "transforms.json").write_text("{}")
-    assert "cameras.json and transforms.json in" in told(tmp_path)
+    assert "cameras.json and transforms.json in" in ring.told(tmp_path)
 
 
 def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
     """EXIF's rotation is ignored: the object lies on its side, seen by a standing camera."""
-    straight, turned = ring.ours(tmp_path / "a"), ring.ours(tmp_path / "b")
-    ring.photograph(straight)
-    ring.photograph(turned)
+    straight, turned = (ring.ours(ring.photograph(tmp_path / name)) for name in "ab")
     lay_down(turned / "1.png")
     assert image.size(turned / "1.png") == (32, 48)
     expected, found = (captures.read(ring.LABS, folder) for folder in (straight, turned))
@@ -201,8 +188,7 @@ def test_a_turned_picture_has_the_camera_of_what_is_shown(tmp_path):
 
 def test_colmaps_picture_is_read_as_it_is_stored(tmp_path):
     """COLMAP ignores EXIF, so a picture that EXIF turns no longer fits its camera."""
-    folder = ring.colmap(tmp_path)
-    ring.photograph(folder)
+    folder = ring.colmap(ring.photograph(tmp_path))
     expected = captures.read(ring.LABS, folder)
     for k in range(6):
         tag(folder / f"{k}.png", 6 if k else 3)
@@ -233,14 +219,6 @@ def require_same(found, expected):
     np.testing.assert_array_equal(found.pictures, expected.pictures)
     np.testing.assert_array_equal(found.cameras, expected.cameras)
     assert found.assumed == expected.assumed
-
-
-def told(folder):
-    """What a user reads."""
-    with pytest.raises((ValueError, OSError)) as error:
-        captures.read(ring.LABS, folder)
-    assert "\n" not in str(error.value)
-    return str(error.value)
 
 
 def tag(path, orientation):

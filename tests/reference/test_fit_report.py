@@ -12,7 +12,7 @@ import urllib.parse
 
 import numpy as np
 import pytest
-from found_objects import found_of
+from found_objects import found_of, painted_ball
 from PIL import Image
 
 from course.experiments.folder import captures, command, exports, fit_report
@@ -47,12 +47,10 @@ const wait = ms => new Promise(done => setTimeout(done, ms));
 </script>"""
 
 
-def painted(n=8):
-    """A Scene of n^3 cells: a ball in three colours, in uneven light."""
-    x = multi_view_fit.start(n)
-    light = x.light + 0.2 * np.random.default_rng(1).uniform(-1, 1, (9, 3))
-    albedo = np.random.default_rng(0).uniform(0.2, 0.8, x.albedo.shape)
-    return x._replace(albedo=albedo, light=light)
+def painted():
+    """A Scene of 8^3 cells: a ball in many colours, in uneven light."""
+    x = painted_ball(8)
+    return x._replace(light=x.light + 0.2 * np.random.default_rng(1).uniform(-1, 1, (9, 3)))
 
 
 @pytest.fixture(scope="module")
@@ -198,11 +196,8 @@ def test_the_viewer_draws_and_turns_by_keys(page):
             self.send_response(204)
             self.end_headers()
 
-        def log_message(self, *_):
-            pass
-
     server = http.server.HTTPServer(("127.0.0.1", 0), Listener)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
+    threading.Thread(target=server.handle_request, daemon=True).start()
     script = LOOK_AND_TURN.replace("ADDRESS", f"http://127.0.0.1:{server.server_port}")
     watched = page.with_name("watched.html")
     watched.write_text(page.read_text().replace("<h1>", f"{script}<h1>", 1))
@@ -215,5 +210,4 @@ def test_the_viewer_draws_and_turns_by_keys(page):
     finally:
         running.terminate()
         running.wait()
-        server.shutdown()
         server.server_close()

@@ -1,10 +1,10 @@
 """From a folder of pictures to a mesh and a report: the whole command, its options, and Ctrl-C."""
-import json
 import subprocess
 import sys
 
 import numpy as np
 import pytest
+import ring_captures as ring
 from found_objects import found_of
 
 from course import cli
@@ -22,16 +22,15 @@ def folder(tmp_path_factory):
     path, x = tmp_path_factory.mktemp("ball"), multi_view_fit.start(8)
     sides = drawing.directions(np.linspace(0, 1, 9, endpoint=False), np.linspace(0.3, 0.7, 9))
     clip_from_view = LABS.transforms.perspective(np.radians(40), 1.0, 0.5, 10.0)
-    views = []
+    poses = []
     for k, side in enumerate(sides):
         view = LABS.transforms.look_at(3 * side, np.zeros(3), np.array([0.0, 1.0, 0.0]))
         (picture,) = fit_report.rendered(LABS, found_of(x), [clip_from_view @ view], np.zeros(3),
                                          (32, 32))
         image.write(path / f"{k}.png", fit_report.clear(picture))
-        views.append({"picture": f"{k}.png", "world_from_camera": np.linalg.inv(view).tolist()})
-    scene = {"fov_y": 40.0, "radius": 1.0, "background": [255, 255, 255], "views": views}
-    (path / "cameras.json").write_text(json.dumps(scene))
-    return path
+        poses.append(np.linalg.inv(view))
+    return ring.ours(path, fov_y=40.0, radius=1.0, background=[255, 255, 255],
+                     views=ring.views(poses))
 
 
 @pytest.fixture(scope="module")

@@ -12,14 +12,15 @@ from course.given import distances, image, mesh
 @pytest.fixture
 def folder(tmp_path):
     """Six pictures, 48 x 32 pixels, and their cameras."""
-    ring.photograph(tmp_path)
-    return ring.ours(tmp_path)
+    return ring.ours(ring.photograph(tmp_path))
 
 
 def with_poses(folder, poses):
-    views = [{"picture": f"{k}.png", "world_from_camera": np.asarray(pose).tolist()}
-             for k, pose in enumerate(poses)]
-    return ring.ours(folder, views=views)
+    return ring.ours(folder, views=ring.views(poses))
+
+
+def told(folder, poses):
+    return ring.told(with_poses(folder, poses))
 
 
 def facing(*places):
@@ -127,32 +128,28 @@ def test_one_camera_that_is_wrong_is_named(folder):
     """All of a hundred cameras are to be looked at."""
     poses = np.array(ring.POSES)
     poses[4, :3, 3] += poses[4, :3, 0] * 1.6
-    with pytest.raises(ValueError, match=r"no point of space is in the silhouettes of all "
-                       r"pictures, but without 4.png there is one: look at the camera"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    sentence = ("no point of space is in the silhouettes of all pictures, but without 4.png there "
+                "is one: look at the camera")
+    assert sentence in told(folder, poses)
     poses[4] = ring.POSES[4] * [-1, 1, -1, 1]  # it looks back
-    with pytest.raises(ValueError, match=r"but without 4.png there is one: look at the camera"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    assert sentence in told(folder, poses)
 
 
 def test_cameras_of_which_none_is_right_are_told(folder):
     """A search that cannot find anything."""
     poses = np.array(ring.POSES)
     poses[:, :3, 3] += 3 * np.random.default_rng(1).normal(size=(6, 3))
-    with pytest.raises(ValueError, match="and leaving one out does not help: does each matrix"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    assert "and leaving one out does not help: does each matrix" in told(folder, poses)
 
 
 def test_cameras_at_one_place_are_told(folder):
     """A turned object: without its turns there is nothing to find."""
     poses = np.array(ring.POSES)
     poses[3] = poses[1]
-    with pytest.raises(ValueError, match=r"3.png and 1.png have the same camera in cameras.json"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    assert "3.png and 1.png have the same camera in cameras.json" in told(folder, poses)
     poses = np.array(ring.POSES)
     poses[:, :3, 3] = [0, 0, 4]
-    with pytest.raises(ValueError, match=r"all cameras in cameras.json are at one place: is"):
-        captures.read(ring.LABS, with_poses(folder, poses))
+    assert "all cameras in cameras.json are at one place: is" in told(folder, poses)
 
 
 @pytest.mark.parametrize(("degrees", "sentence"), [
@@ -169,26 +166,26 @@ def test_views_from_one_side_are_told(degrees, sentence):
     shots = facing(*9 * np.column_stack([ring_of, np.full(4, np.cos(angle))]))
     outlines = [hulls.outline(shot, square(3)) for shot in shots]
     try:
-        told, = hulls.sides(outlines) or [""]
+        said, = hulls.sides(outlines) or [""]
     except ValueError as error:
-        told = str(error)
+        said = str(error)
         assert degrees == 15
-    assert told.startswith(sentence) and bool(told) == bool(sentence)
+    assert said.startswith(sentence) and bool(said) == bool(sentence)
 
 
 def test_pixels_finer_than_the_grid_are_filled(folder):
     """Between the hull's points there seems to be nothing: good cameras are said to be bad."""
     ring.photograph(folder, [ring.picture(k, 240, 160) for k in range(6)])
-    told = captures.read(ring.LABS, folder, longest=240).assumed
-    assert [sentence[:21] for sentence in told] == ["the object is taken t"]
+    assumed = captures.read(ring.LABS, folder, longest=240).assumed
+    assert [sentence[:21] for sentence in assumed] == ["the object is taken t"]
 
 
 def test_silhouettes_that_agree_badly_are_told(folder):
     """Someone else's picture lies in the folder: the object is what is left of it."""
     image.write(folder / "1.png", np.roll(ring.picture(1), (5, -9), axis=(0, 1)))
-    told = captures.read(ring.LABS, folder).assumed[-1]
-    assert told.startswith("the silhouettes agree badly: ")
-    assert told.endswith(", and 1.png leaves out most: look at its camera and its mask")
+    doubt = captures.read(ring.LABS, folder).assumed[-1]
+    assert doubt.startswith("the silhouettes agree badly: ")
+    assert doubt.endswith(", and 1.png leaves out most: look at its camera and its mask")
 
 
 def test_the_search_begins_with_the_hull():

@@ -16,8 +16,8 @@ def test_a_capture_shows_its_object_from_all_sides(name):
     assert len(photos.pictures) == 24
     eyes = drawing.cameras_around(LABS, 24) @ photos.world_from_grid
     np.testing.assert_allclose(photos.cameras[:, [0, 1, 3]], eyes[:, [0, 1, 3]], atol=1e-5)
-    capture = LABS.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
-    found = LABS.multi_view_fit.surface(hulls.start(LABS, capture, 24))
+    begin = hulls.start(LABS, captures.capture_of(LABS, photos), 24)
+    found = LABS.multi_view_fit.surface(begin)
     truth = paint_and_light.unseen(name)
     for camera, coverage in zip(reconstruct.new_cameras(LABS), truth.coverage, strict=True):
         seen = drawing.seen_mask(LABS, found.vertices, found.faces, camera @ photos.world_from_grid,
@@ -40,17 +40,9 @@ def test_albedo_is_judged_up_to_one_factor():
 @pytest.mark.parametrize("name", ["duck", "rings"])
 def test_paint_is_nearer_to_the_truth_once_it_is_told_from_light(name):
     """The light takes the paint's colour, or a shadow is taken for paint. The search is short."""
-    photos = captures.read(LABS, paint_and_light.folder(name))
-    capture = LABS.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
-    search = LABS.multi_view_fit.fit(capture, [LABS.multi_view_fit.Stage(24, 2, 1, 60, 1.0)],
-                                     after=(hulls.start(LABS, capture, 24), 0))
-    for x, _ in search:  # noqa: B007
-        pass
-    surface = LABS.multi_view_fit.surface(x)
-    colours = LABS.reconstruction.shade(surface.albedo, surface.normals, x.light)
-    before, _ = paint_and_light.compared(
-        paint_and_light.seen(LABS, surface, colours, surface.albedo, photos),
-        paint_and_light.unseen(name))
+    stage = LABS.multi_view_fit.Stage(24, 2, 1, 60, 1.0)
+    photos, x, surface = paint_and_light.found(LABS, name, [stage])
+    before, _ = paint_and_light.as_found(LABS, x, surface, name, photos)
     look = LABS.intrinsic_decomposition.decompose(
         surface, paint_and_light.targets_of(LABS, photos), steps=200)
     after, _ = paint_and_light.judged(LABS, surface, look, name, photos)

@@ -1,5 +1,4 @@
 """The texture of the mesh that lab 16 found, and the files that hold it."""
-import io
 import json
 import os
 import shutil
@@ -8,8 +7,7 @@ import subprocess
 import numpy as np
 import pytest
 import scipy.ndimage
-import trimesh
-from found_objects import painted_ball
+from found_objects import painted_ball, read_glb
 
 from course.experiments.folder import exports, textures
 from course.experiments.scenes import demo
@@ -30,13 +28,6 @@ def saved(tmp_path_factory):
     place = np.array([[0.0, -2, 0, 1], [2, 0, 0, 2], [0, 0, 2, 3], [0, 0, 0, 1]])
     exports.save_textured(LABS, multi_view_fit.surface(painted_ball()), path, place)
     return path
-
-
-def loaded(path):
-    """The mesh in a GLB file, as trimesh reads it."""
-    scene = trimesh.load(io.BytesIO(path.read_bytes()), file_type="glb", process=False)
-    (found,) = scene.geometry.values()
-    return found
 
 
 def parts(path):
@@ -65,7 +56,7 @@ def looked_up(texture, uv):
 
 def test_the_glb_has_the_shape_and_the_normals(saved):
     """Vertices stay in the grid's space, normals are not turned with them, or a cut loses faces."""
-    found = loaded(saved)
+    found = read_glb(saved)
     ball, origin = originals(found.vertices)
     turned = ball.normals[:, [1, 0, 2]] * [-1, 1, 1]
     np.testing.assert_allclose(found.vertex_normals, turned[origin], atol=1e-5)
@@ -129,10 +120,16 @@ def test_the_obj_s_texture_has_the_albedo_at_the_vertices(saved):
     np.testing.assert_allclose(np.linalg.norm(rows["vn"], axis=1), 1, atol=1e-5)
 
 
-def test_no_two_triangles_overlap_in_the_texture(saved):
-    """Two parts of the surface share texels, and show each other's colours."""
+@pytest.fixture(scope="module")
+def charts():
+    """The painted ball, and how it is cut into charts."""
     ball = multi_view_fit.surface(painted_ball())
-    unwrapped = textures.unwrap(ball.vertices, ball.faces)
+    return ball, textures.unwrap(ball.vertices, ball.faces)
+
+
+def test_no_two_triangles_overlap_in_the_texture(charts):
+    """Two parts of the surface share texels, and show each other's colours."""
+    ball, unwrapped = charts
     np.testing.assert_array_equal(unwrapped.origin[unwrapped.faces], ball.faces)
     size = 256
     times = np.zeros((size, size), int)
@@ -144,30 +141,22 @@ def test_no_two_triangles_overlap_in_the_texture(saved):
     assert times.max() == 1 and times.mean() > 0.4
 
 
-def test_texels_between_charts_have_the_colour_of_the_nearest(saved):
+def test_texels_between_charts_have_the_colour_of_the_nearest(charts):
     """Black seams: a filter at a chart's border mixes in what was never painted."""
-    ball = multi_view_fit.surface(painted_ball())
-    unwrapped = textures.unwrap(ball.vertices, ball.faces)
+    ball, unwrapped = charts
     texture = textures.bake(LABS, unwrapped, ball.albedo, 128)
     assert texture.min() >= ball.albedo.min() and texture.max() <= ball.albedo.max()
     even = textures.bake(LABS, unwrapped, np.full(ball.albedo.shape, 0.3), 128)
     np.testing.assert_allclose(even, 0.3, atol=1e-12)
 
 
-def validator():
-    """Where node finds Khronos' validator: the folder in NODE_PATH. Skips the test without it."""
-    node = shutil.which("node")
-    folder = os.environ.get("NODE_PATH", "node_modules")
-    if not node or not os.path.isdir(os.path.join(folder, "gltf-validator")):
-        pytest.skip("needs node, and NODE_PATH with the npm package gltf-validator")
-    return node, {**os.environ, "NODE_PATH": os.path.abspath(folder)}
-
-
 def test_khronos_finds_no_mistake_in_the_glb(saved):
     """A strict viewer refuses what a lenient one opens."""
-    node, environment = validator()
-    told = subprocess.run([node, "-e", VALIDATE, str(saved)], env=environment, check=True,
-                          capture_output=True, text=True).stdout
-    issues = json.loads(told)
-    worst = [issue["message"] for issue in issues["messages"] if issue["severity"] < 3]
-    assert worst == []
+    node = shutil.which("node")
+    folder = os.path.abspath(os.environ.get("NODE_PATH", "node_modules"))
+    if not node or not os.path.isdir(os.path.join(folder, "gltf-validator")):
+        pytest.skip("needs node, and NODE_PATH with the npm package gltf-validator")
+    told = subprocess.run([node, "-e", VALIDATE, str(saved)], check=True, capture_output=True,
+                          env={**os.environ, "NODE_PATH": folder}, text=True).stdout
+    messages = json.loads(told)["messages"]
+    assert [message["message"] for message in messages if message["severity"] < 3] == []

@@ -70,6 +70,13 @@ def read(labs, folder: str | Path, longest: int = 128) -> Photos:
                   background, world_from_grid, notes + found)
 
 
+def capture_of(labs, photos, chosen=None):
+    """The Capture that lab 16's search takes: of all pictures, or of those with these numbers."""
+    chosen = range(len(photos.pictures)) if chosen is None else chosen
+    return labs.multi_view_fit.Capture([photos.pictures[k] for k in chosen],
+                                       photos.cameras[list(chosen)], photos.background)
+
+
 def camera(labs, shot, centre, radius):
     """clip_from_world (4, 4) of a Shot, which must have the ball before it."""
     depth = hulls.seen_at(shot, centre[None])[2][0]

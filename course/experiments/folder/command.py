@@ -113,8 +113,7 @@ def steps(labs, photos, path, stages, kept):
 def seen(labs, photos):
     """The Capture of the pictures that the search sees."""
     chosen = [k for k in range(len(photos.pictures)) if k not in kept_out(photos)]
-    return labs.multi_view_fit.Capture([photos.pictures[k] for k in chosen],
-                                       photos.cameras[chosen], photos.background)
+    return captures.capture_of(labs, photos, chosen)
 
 
 def told_apart(labs, kept, capture):

@@ -4,12 +4,12 @@
 const VERTEX = `#version 300 es
   in vec3 position, normal;
   in vec2 uv;
-  uniform mat4 clipFromWorld;
-  uniform mat3 gridFromWorld;
+  uniform vec3 right, above, back, eye; uniform vec2 depth;
   out vec3 n; out vec2 at;
   void main() {
-    n = gridFromWorld * normal, at = uv;
-    gl_Position = clipFromWorld * vec4(position, 1.0);
+    n = normal, at = uv;
+    vec3 seen = (position - eye) * mat3(right, above, back);
+    gl_Position = vec4(2.7474774 * seen.xy, depth.x * seen.z + depth.y, -seen.z);
   }`;
 
 // Light: nine numbers for each colour, as lab 16's eq. (1) and (3).
@@ -17,7 +17,7 @@ const FRAGMENT = `#version 300 es
   precision highp float;
   in vec3 n; in vec2 at;
   uniform sampler2D albedo;
-  uniform vec3 light[9], eye; uniform int kind;
+  uniform vec3 light[9], back; uniform int kind;
   out vec4 colour;
   void main() {
     vec3 d = normalize(n), linear = texture(albedo, at).rgb;
@@ -26,7 +26,7 @@ const FRAGMENT = `#version 300 es
       + 1.0925484 * (d.x * d.y * light[4] + d.y * d.z * light[5] + d.x * d.z * light[7])
       + 0.3153916 * (3.0 * d.z * d.z - 1.0) * light[6]
       + 0.5462742 * (d.x * d.x - d.y * d.y) * light[8];
-    if (kind == 2) linear = vec3(0.75) * (0.15 + 0.85 * max(dot(d, eye), 0.0));
+    if (kind == 2) linear = vec3(0.75) * (0.15 + 0.85 * max(dot(d, back), 0.0));
     linear = clamp(linear, 0.0, 1.0);
     vec3 low = 12.92 * linear, high = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
     colour = vec4(mix(high, low, lessThan(linear, vec3(0.0031308))), 1.0);
@@ -42,32 +42,18 @@ function readGlb(uri) {
     const { byteOffset = 0, byteLength } = gltf.bufferViews[view];
     return bytes.slice(28 + length + byteOffset, 28 + length + byteOffset + byteLength);
   };
-  const kinds = { 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array };
-  const array = index => new kinds[gltf.accessors[index].componentType](
-    part(gltf.accessors[index].bufferView).buffer);
+  const array = index => part(gltf.accessors[index].bufferView).buffer;
   const { attributes, indices } = gltf.meshes[0].primitives[0];
-  const image = new Blob([part(gltf.images[0].bufferView)], { type: "image/png" });
-  const [position, normal, uv] = ["POSITION", "NORMAL", "TEXCOORD_0"].map(name =>
-    array(attributes[name]));
-  return { position, normal, uv, index: Uint32Array.from(array(indices)), image };
+  return { position: array(attributes.POSITION), normal: array(attributes.NORMAL),
+    uv: array(attributes.TEXCOORD_0), index: new Uint32Array(array(indices)),
+    image: new Blob([part(gltf.images[0].bufferView)], { type: "image/png" }) };
 }
 
-// --- vectors and matrices, column by column as WebGL takes them ---------------------------------
+// --- vectors ------------------------------------------------------------------------------------
 
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [1, 2, 0].map((i, k) => a[i] * b[(i + 1) % 3] - a[(i + 1) % 3] * b[i]);
 const unit = a => a.map(x => x / Math.hypot(...a));
 const sum = (...terms) => [0, 1, 2].map(i => terms.reduce((s, [f, v]) => s + f * v[i], 0));
-
-function clipFromWorld(back, up, centre, away, radius) {
-  const right = unit(cross(up, back)), above = cross(back, right);
-  const eye = sum([1, centre], [away, back]), f = 1 / Math.tan(Math.PI / 9);
-  const near = Math.max(away - 2 * radius, 0.02 * radius), far = away + 2 * radius;
-  const c = (far + near) / (near - far), d = 2 * far * near / (near - far);
-  const rows = [[right, f, 0], [above, f, 0], [back, c, d], [back, -1, 0]].map(([axis, s, shift]) =>
-    [...axis.map(x => x * s), shift - dot(axis, eye) * s]);
-  return [0, 1, 2, 3].flatMap(column => rows.map(row => row[column]));
-}
 
 // --- drawing ------------------------------------------------------------------------------------
 
@@ -98,20 +84,13 @@ function upload(gl, shaders, mesh, picture) {
   [gl.DEPTH_TEST, gl.CULL_FACE].forEach(test => gl.enable(test));
 }
 
-function painter(gl, canvas, mesh, scene, state) {
+// The grid is the world, moved and scaled but not turned: normals, light and up are those of both.
+function painter(gl, canvas, mesh, { light, up, centre, reach }, state) {
   const shaders = gl.getParameter(gl.CURRENT_PROGRAM);
   const at = name => gl.getUniformLocation(shaders, name);
-  const m = scene.worldFromGrid, column = k => [m[0][k], m[1][k], m[2][k]];
-  const radius = Math.hypot(...column(0)), centre = column(3);
-  const whole = 3 * mesh.position.reduce((most, _, k, all) => k % 3 ? most : Math.max(most,
-    Math.hypot(...sum([1, all.subarray(k, k + 3)], [-1, centre]))), 0);
-  const turn = v => sum(...v.map((x, k) => [x / radius, column(k)]));
-  const up = unit(turn(scene.up));
   const side = unit(cross(up, Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]));
   const ahead = cross(side, up);
-  gl.uniformMatrix3fv(at("gridFromWorld"), false, [0, 1, 2].flatMap(i =>
-    [0, 1, 2].map(k => m[i][k] / radius)));
-  gl.uniform3fv(at("light"), scene.light.flat());
+  gl.uniform3fv(at("light"), light.flat());
   return () => {
     const size = Math.round(canvas.clientWidth * Math.min(devicePixelRatio, 2));
     if (canvas.width !== size) canvas.width = canvas.height = size;
@@ -119,9 +98,11 @@ function painter(gl, canvas, mesh, scene, state) {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const flat = Math.cos(state.tilt), back = sum([flat * Math.cos(state.turn), ahead],
       [flat * Math.sin(state.turn), side], [Math.sin(state.tilt), up]);
-    gl.uniformMatrix4fv(at("clipFromWorld"), false,
-      clipFromWorld(back, up, centre, state.away * whole, radius));
-    gl.uniform3fv(at("eye"), [0, 1, 2].map(k => dot(column(k), back) / radius));
+    const right = unit(cross(up, back)), away = 3 * reach * state.away;
+    const eye = sum([1, centre], [away, back]), axes = { right, above: cross(back, right), back };
+    Object.entries({ ...axes, eye }).forEach(([name, v]) => gl.uniform3fv(at(name), v));
+    const near = Math.max(away - 2 * reach, 0.02 * reach), far = away + 2 * reach;
+    gl.uniform2f(at("depth"), (far + near) / (near - far), 2 * far * near / (near - far));
     gl.uniform1i(at("kind"), state.kind);
     gl.drawElements(gl.TRIANGLES, mesh.index.length, gl.UNSIGNED_INT, 0);
   };

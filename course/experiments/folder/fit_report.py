@@ -17,6 +17,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from PIL import Image
 
 from ...given import image, places, plot
+from . import photographs
 
 HERE = Path(__file__).parent
 SAMPLES = 2        # squared: how many in a pixel of a rendering
@@ -26,17 +27,12 @@ DIFFERENCE = 4     # how often a difference is enlarged
 
 
 class View(NamedTuple):
-    """A picture of the folder, and its rendering: (H, W, 4), sRGB and coverage, and how well they
-    agree: PSNR in dB over all pixels and over the object's, and the silhouettes' IoU.
-    """
+    """A picture of the folder, and its rendering: (H, W, 4), sRGB and coverage."""
 
     name: str
     kept_out: bool
     picture: np.ndarray
     rendering: np.ndarray
-    whole: float
-    on_object: float
-    iou: float
 
 
 class Judged(NamedTuple):
@@ -60,7 +56,7 @@ def judged(labs, found, photos, stages, kept_out):
     faces = found.surface.faces
     renderings = rendered(labs, found, photos.cameras, photos.background,
                           photos.pictures[0].shape[:2])
-    views = [compared(name, k in kept_out, on_screen(picture), on_screen(rendering))
+    views = [View(name, k in kept_out, on_screen(picture), on_screen(rendering))
              for k, (name, picture, rendering) in enumerate(
                  zip(photos.names, photos.pictures, renderings, strict=True))]
     return Judged(found, views, stages, len(faces), *labs.reconstruction.genus(faces))
@@ -68,13 +64,9 @@ def judged(labs, found, photos, stages, kept_out):
 
 def rendered(labs, found, cameras, background, shape):
     """Yield what was Found as cameras see it, in the light that was found: linear (H, W, 4)."""
-    solid = labs.pipeline.make_mesh(found.surface.vertices, found.surface.faces)
-    surface = labs.multi_view_fit.covering(found.colours)
-    height, width = shape
-    for camera in cameras:
-        view = labs.pipeline.View(camera, SAMPLES * width, SAMPLES * height,
-                                  np.append(background, 0.0))
-        yield labs.msaa.box_resolve(labs.pipeline.render(solid, surface, view)[0], SAMPLES)
+    paint = labs.multi_view_fit.covering(found.colours)
+    return photographs.seen(labs, found.surface, paint, cameras, shape,
+                            np.append(background, 0.0), SAMPLES)
 
 
 def on_screen(picture):
@@ -82,29 +74,24 @@ def on_screen(picture):
     return np.dstack([image.to_srgb(np.clip(picture[..., :3], 0, 1)), picture[..., 3]])
 
 
-def compared(name, kept_out, picture, rendering):
-    """A View and its numbers. The object's pixels are those that the picture shows it in."""
-    return View(name, kept_out, picture, rendering, *(
-        psnr([(picture, rendering)], only) for only in (False, True)),
-        image.intersection_over_union(picture[..., 3] >= 0.5, rendering[..., 3] >= 0.5))
+def psnr(views, on_object):
+    """The PSNR of views in dB, over all pixels, or over those in which pictures show the object."""
+    squared = [((picture - rendering)**2)[..., :3][picture[..., 3] > 0 if on_object else ...]
+               for _, _, picture, rendering in views]
+    return image.decibels(max(np.concatenate([each.reshape(-1, 3) for each in squared]).mean(),
+                              1e-10))
 
 
-def psnr(pairs, on_object):
-    """The PSNR in dB over all pixels, or the object's, of pairs of a picture and its rendering."""
-    squared = [((a - b)**2)[..., :3][a[..., 3] > 0 if on_object else ...].reshape(-1, 3)
-               for a, b in pairs]
-    return float(image.decibels(max(np.concatenate(squared).mean(), 1e-10)))
-
-
-def of_all(views, on_object):
-    """The PSNR over all pixels of several views, in dB."""
-    return psnr([(view.picture, view.rendering) for view in views], on_object)
+def iou(view):
+    """The intersection over union of the silhouettes."""
+    picture, rendering = (each[..., 3] >= 0.5 for each in view[2:])
+    return image.intersection_over_union(picture, rendering)
 
 
 def summary(judged):
     """The numbers, in a line."""
     views = [view for view in judged.views if view.kept_out]
-    new = (f", {of_all(views, True):.1f} dB on the object in {len(views)} new views" if views
+    new = (f", {psnr(views, True):.1f} dB on the object in {len(views)} new views" if views
            else "")
     loss = judged.found.kept.losses[-1]
     return (f"loss {loss:.4f}, {judged.faces:,} faces, pieces {judged.pieces}, "
@@ -139,8 +126,7 @@ def upwards(cameras):
 
 def turntable(labs, found, photos, path):
     """Write the object, turning, as an animated PNG on nothing."""
-    reach = np.linalg.norm(found.surface.vertices, axis=1).max()
-    cameras = turning(labs, photos, FRAMES, 3 * max(reach, 0.4))
+    cameras = turning(labs, photos, FRAMES, 3 * max(reach(found), 0.4))
     frames = [clear(frame) for frame in rendered(labs, found, cameras, np.zeros(3),
                                                  (FRAME_SIZE, FRAME_SIZE))]
     image.write_animation(path, frames, SECONDS)
@@ -189,7 +175,7 @@ def write(labs, judged, photos, path):
         turntable=as_uri("image/png", path.with_name("turntable.png").read_bytes()),
         loss=as_uri("image/svg+xml", loss_curve(judged.found.kept.losses, judged.stages)),
         mesh=as_uri("model/gltf-binary", path.read_bytes()),
-        scene=scene(labs, judged.found.look, photos),
+        scene=scene(labs, judged.found, photos),
         numbers=rows(numbers(judged)), views="\n".join(map(figure, judged.views)),
         kept_out=about_kept_out(judged.views),
         assumed="\n".join(f"<li>{html.escape(each)}</li>" for each in
@@ -197,15 +183,22 @@ def write(labs, judged, photos, path):
     places.write_whole(path.with_name("report.html"), page.encode())
 
 
-def scene(labs, look, photos):
-    """What the page's viewer needs besides the mesh, as JSON: light, the way up, and the grid.
+def scene(labs, found, photos):
+    """What the page's viewer needs besides the mesh, as JSON: light, the way up, the mesh's middle
+    and reach in the world.
 
     It draws no shadows. So the sun joins the nine numbers.
     """
-    light = look.light + labs.reconstruction.distant_light(look.sun[:1], look.sun[1:])
-    return json.dumps({"light": light.round(5).tolist(),
+    sun = labs.reconstruction.distant_light(found.look.sun[:1], found.look.sun[1:])
+    return json.dumps({"light": (found.look.light + sun).round(5).tolist(),
                        "up": upwards(photos.cameras).round(5).tolist(),
-                       "worldFromGrid": photos.world_from_grid.tolist()})
+                       "centre": photos.world_from_grid[:3, 3].tolist(),
+                       "reach": photos.world_from_grid[0, 0] * reach(found)})
+
+
+def reach(found):
+    """How far the mesh goes from the middle of the grid."""
+    return np.linalg.norm(found.surface.vertices, axis=1).max()
 
 
 def numbers(judged):
@@ -215,9 +208,9 @@ def numbers(judged):
     for name, views in ("new views", kept_out), ("views of the search", [
             view for view in judged.views if not view.kept_out]):
         if views:
-            found[f"PSNR, {name}, on the object"] = f"{of_all(views, True):.2f} dB"
-            found[f"PSNR, {name}, whole pictures"] = f"{of_all(views, False):.2f} dB"
-    mean = np.mean([view.iou for view in judged.views])
+            found[f"PSNR, {name}, on the object"] = f"{psnr(views, True):.2f} dB"
+            found[f"PSNR, {name}, whole pictures"] = f"{psnr(views, False):.2f} dB"
+    mean = np.mean([iou(view) for view in judged.views])
     found["IoU of the silhouettes, mean of all"] = f"{mean:.4f}"
     minutes, seconds = divmod(round(judged.found.kept.seconds), 60)
     return {**found, "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
@@ -248,8 +241,8 @@ def figure(view):
                      for kind, each in pictures)
     mark = ' <b class=new>new</b>' if view.kept_out else ""
     return (f"<figure><div>{images}</div><figcaption>{name}{mark}<br><small>"
-            f"{view.on_object:.1f} dB on the object, {view.whole:.1f} in all, "
-            f"IoU {view.iou:.3f}</small></figcaption></figure>")
+            f"{psnr([view], True):.1f} dB on the object, {psnr([view], False):.1f} in all, "
+            f"IoU {iou(view):.3f}</small></figcaption></figure>")
 
 
 def jpeg(picture):

@@ -37,15 +37,9 @@ class Outline(NamedTuple):
     away: np.ndarray
 
 
-class Ball(NamedTuple):
-    """centre (3,), radius."""
-
-    centre: np.ndarray
-    radius: float
-
-
 def ball(scene, shots, pictures):
-    """The Ball around the object, as the Scene gives it or as it is found, and sentences on that.
+    """The centre (3,) and the radius of a ball around the object, as the Scene gives them or as
+    they are found, and sentences on that.
 
     ValueError where cameras and silhouettes cannot be right.
     """
@@ -55,13 +49,13 @@ def ball(scene, shots, pictures):
     points, reach = hull_around(outlines)
     require(len(points), disagreement(outlines, scene))
     centre = (points.min(0) + points.max(0)) / 2 if scene.centre is None else scene.centre
-    size = size_around(outlines, centre, points, reach) if scene.radius is None else scene.radius
-    found = Ball(centre, size)
+    radius = size_around(outlines, centre, points, reach) if scene.radius is None else scene.radius
     if scene.centre is None or scene.radius is None:
-        middle = ", ".join(f"{number:.3g}" for number in found.centre)
-        notes.append(f"the object is taken to lie in a ball of radius {found.radius:.3g} around "
+        middle = ", ".join(f"{number:.3g}" for number in centre)
+        notes.append(f"the object is taken to lie in a ball of radius {radius:.3g} around "
                      f"({middle}), found from the silhouettes")
-    return found, notes + crops(outlines, found, scene) + doubts(outlines, points, reach)
+    notes += crops(outlines, centre, radius, scene) + doubts(outlines, points, reach)
+    return (centre, radius), notes
 
 
 def outline(shot, picture):
@@ -260,14 +254,13 @@ def is_filled(outline, points, reach):
     return away <= 1 + 2 * reach * outline.shot.fx / depth.min()
 
 
-def crops(outlines, ball, scene):
-    """A warning in a list if the Ball does not hold the object. ValueError if it is elsewhere."""
-    aside = [distance_of(one.shot, one.pixels.mean(0, keepdims=True), ball.centre)[0] > ball.radius
+def crops(outlines, centre, radius, scene):
+    """A warning in a list if the ball does not hold the object. ValueError if it is elsewhere."""
+    aside = [distance_of(one.shot, one.pixels.mean(0, keepdims=True), centre)[0] > radius
              for one in outlines]
     require(2 * sum(aside) <= len(outlines), f"most pictures do not show the object in the ball "
             f"that {scene.file} gives: leave centre and radius out, and they are found")
-    parts = [(distance_of(one.shot, one.pixels, ball.centre) > ball.radius).mean()
-             for one in outlines]
+    parts = [(distance_of(one.shot, one.pixels, centre) > radius).mean() for one in outlines]
     cropped = sum(part > CROPPED for part in parts)
     worst = outlines[int(np.argmax(parts))].shot.name
     advice = ("look at its camera and mask" if scene.centre is None and scene.radius is None else

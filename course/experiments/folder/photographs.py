@@ -16,27 +16,33 @@ class Painted(NamedTuple):
     albedo: np.ndarray
 
 
+def seen(labs, surface, paint, cameras, shape, background, samples):
+    """Yield a surface with Colours (V, C) as cameras see it, before a background (C,), as pictures
+    of a shape (H, W): each pixel is a mean of samples^2.
+    """
+    solid, (height, width) = labs.pipeline.make_mesh(surface.vertices, surface.faces), shape
+    for camera in cameras:
+        view = labs.pipeline.View(camera, samples * width, samples * height, background)
+        picture, _ = labs.pipeline.render(solid, paint, view)
+        yield labs.msaa.box_resolve(picture, samples)
+
+
 def photographs(labs, painted, light, cameras, size, samples=4):
     """Pictures (size, size, 4) of a Painted on white: colour and coverage, samples^2 to a
     pixel.
     """
     normals = mesh.vertex_normals(painted.vertices, painted.faces)
-    colours = labs.reconstruction.shade(painted.albedo, normals, light)
-    given = (labs.pipeline.make_mesh(painted.vertices, painted.faces),
-             labs.pipeline.Colours(np.hstack([colours, np.ones((len(colours), 1))])))
-    views = [labs.pipeline.View(camera, samples * size, samples * size, ON_WHITE)
-             for camera in cameras]
-    return [labs.msaa.box_resolve(labs.pipeline.render(*given, view)[0], samples)
-            for view in views]
+    paint = labs.multi_view_fit.covering(labs.reconstruction.shade(painted.albedo, normals, light))
+    return list(seen(labs, painted, paint, cameras, (size, size), ON_WHITE, samples))
 
 
 def portrait(labs, x, camera, size, samples=2):
     """What is found, in the light that is found, and as white clay: (size, 2 size, 3), as shown."""
     painted = found_object(labs, x)
     clay = painted._replace(albedo=np.full(painted.albedo.shape, 0.8))
-    seen = [photographs(labs, each, lamp, [camera], size, samples)[0][..., :3]
+    both = [photographs(labs, each, lamp, [camera], size, samples)[0][..., :3]
             for each, lamp in ((painted, x.light), (clay, daylight(labs)))]
-    return image.to_srgb(np.clip(np.hstack(seen), 0, 1))
+    return image.to_srgb(np.clip(np.hstack(both), 0, 1))
 
 
 def found_object(labs, x):

@@ -4,17 +4,7 @@ import time
 import numpy as np
 
 from ...given import image, mesh
-from .drawing import (
-    cameras_around,
-    clip_positions,
-    descended,
-    on_black,
-    random_cameras,
-    save,
-    seen_mask,
-    smooth,
-    unit_bunny,
-)
+from . import drawing
 from .portrait import BUNNY_EYE
 
 
@@ -25,7 +15,7 @@ def fit_bunny(labs):
         path, _ = fit(labs, weight)
         yield f"{name} a regularizer, {time.process_time() - start:.0f} s:", None
         yield from seen_anew(labs, path, "0.97" if weight else None)
-        yield "  steps 0, 30, 100, 300", save("fit_bunny", name, stages(labs, path))
+        yield "  steps 0, 30, 100, 300", drawing.save("fit_bunny", name, stages(labs, path))
 
 
 def fit(labs, weight, steps=300, size=128, seed=0):
@@ -50,8 +40,8 @@ def carve(labs, penalty_backward, update, schedule, size, seed):
     -> vertices (steps + 1, V, 3), the losses (steps,) of the silhouettes, each a mean of 4.
     """
     lab9, rng, (start, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
-    cameras = cameras_around(labs, 20)
-    targets = silhouettes(labs, *unit_bunny(), cameras, size)
+    cameras = drawing.cameras_around(labs, 20)
+    targets = silhouettes(labs, *drawing.unit_bunny(), cameras, size)
     white = labs.pipeline.make_mesh(start, faces)
 
     def gradient(x):
@@ -63,7 +53,7 @@ def carve(labs, penalty_backward, update, schedule, size, seed):
             grad_x += labs.pipeline.render_backward(grad_picture, *given).positions
         return loss, grad_x
 
-    path, losses = descended(labs, start, gradient, schedule, update)
+    path, losses = drawing.descended(labs, start, gradient, schedule, update)
     return np.array(path), losses
 
 
@@ -81,19 +71,20 @@ def silhouettes(labs, vertices, faces, cameras, size):
 
 def silhouette(labs, white, clip_from_world, size):
     """A Mesh in white on black: the picture (size, size, 1), and what `render_backward` takes."""
-    return on_black(labs, white, np.ones((len(white.positions), 1)), clip_from_world, size)
+    return drawing.on_black(labs, white, np.ones((len(white.positions), 1)), clip_from_world, size)
 
 
 def shared_silhouettes(labs, shape, other, cameras, size=256):
     """Intersection over union of two meshes' silhouettes, for each of the cameras (N,)."""
-    return np.array([image.intersection_over_union(*(
-        seen_mask(labs, *each, camera, size) for each in (shape, other))) for camera in cameras])
+    return np.array([image.intersection_over_union(
+        drawing.seen_mask(labs, *shape, camera, size),
+        drawing.seen_mask(labs, *other, camera, size)) for camera in cameras])
 
 
 def new_views(labs, vertices):
     """Intersection over union with the bunny in 50 views that the fit did not have: (50,)."""
-    cameras, (_, faces) = random_cameras(labs, 50), ball()
-    return shared_silhouettes(labs, (vertices, faces), unit_bunny(), cameras)
+    cameras, (_, faces) = drawing.random_cameras(labs, 50), ball()
+    return shared_silhouettes(labs, (vertices, faces), drawing.unit_bunny(), cameras)
 
 
 def seen_anew(labs, path, goal=None):
@@ -114,5 +105,8 @@ def folded_edges(vertices, faces):
 def stages(labs, path):
     """The ball on its way, after 0, 30, 100 and all steps, side by side."""
     _, faces = ball()
-    return np.hstack([smooth(labs, vertices, faces, clip_positions(labs, vertices, BUNNY_EYE))
-                      for vertices in path[[0, 30, 100, -1]]])
+    pictures = []
+    for vertices in path[[0, 30, 100, -1]]:
+        clip = drawing.clip_positions(labs, vertices, BUNNY_EYE)
+        pictures.append(drawing.smooth(labs, vertices, faces, clip))
+    return np.hstack(pictures)

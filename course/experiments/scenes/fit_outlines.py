@@ -10,14 +10,7 @@ import numpy as np
 
 from ...given import image, mesh
 from . import fit_triangle
-from .drawing import (
-    SIZE,
-    clip_from_world,
-    descended,
-    enlarged,
-    save,
-    seen_mask,
-)
+from .drawing import SIZE, clip_from_world, descended, enlarged, save, seen_mask
 
 
 def fit_outlines(labs):

@@ -43,8 +43,9 @@ def fit_volume(labs):
     points, tetrahedra = lab15.tetrahedral_grid(n)
     outside = surface(volume.density, points)
     vertices, faces, _ = lab15.marching_tetrahedra(points, outside, tetrahedra)
-    yield f"its mesh: {len(faces):,} faces", save("fit_volume", "mesh", mesh_seen(
-        labs, vertices, faces, wheel_camera(labs)))
+    clip = labs.pipeline.to_clip(vertices, wheel_camera(labs))
+    yield (f"its mesh: {len(faces):,} faces",
+           save("fit_volume", "mesh", smooth(labs, vertices, faces, clip, SIZE // 2)))
 
 
 def fit(labs, rays, n, steps, seed=0, batch=1000):
@@ -128,9 +129,3 @@ def surface(density, points, level=5.0):
     They are positive outside, and at the border of the grid.
     """
     return np.where((np.abs(points) == 1).any(1), level, level - density)
-
-
-def mesh_seen(labs, vertices, faces, clip_from_world):
-    """A mesh with a light, SIZE / 2 wide and high."""
-    clip = labs.pipeline.to_clip(vertices, clip_from_world)
-    return smooth(labs, vertices, faces, clip, SIZE // 2)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...given import image, places
-from ..folder import captures, hulls, searches
+from ..folder import captures, hulls, photographs, searches
 from . import reconstruct
 from .drawing import save
 
@@ -45,9 +45,10 @@ def paint_and_light(labs):
             "no patches": {"priors": lab.PRIORS._replace(patches=0.0)},
             "no sun": {"with_sun": False}}
     for name in NAMES:
-        photos, x, surface, seconds = found(labs, name)
-        yield f"{name}: {seconds:.0f} s", None
-        sheets = [as_found(labs, x, surface, name, photos)]
+        start = time.process_time()
+        photos, x, surface = found(labs, name, searches.fine_stages(labs))
+        yield f"{name}: {time.process_time() - start:.0f} s", None
+        sheets = [as_found(labs, x, surface, name, photos)[1]]
         for way, settings in ways.items():
             look = lab.decompose(surface, targets_of(labs, photos), **settings)
             numbers, sheet = judged(labs, surface, look, name, photos)
@@ -58,27 +59,24 @@ def paint_and_light(labs):
                save("paint_and_light", name, image.to_srgb(np.clip(np.vstack(sheets), 0, 1))))
 
 
-def found(labs, name):
-    """Lab 16's search in a capture: its Photos, the Scene, its Surface, and the seconds."""
-    photos, start = captures.read(labs, folder(name)), time.process_time()
-    capture = labs.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
-    stages = searches.fine_stages(labs)
+def found(labs, name, stages):
+    """Lab 16's search in a capture: its Photos, the Scene, and its Surface."""
+    photos = captures.read(labs, folder(name))
+    capture = captures.capture_of(labs, photos)
     begin = hulls.start(labs, capture, stages[0].cells)
-    search = labs.multi_view_fit.fit(capture, stages, after=(begin, 0))
-    for x, _ in search:  # noqa: B007
+    for x, _ in labs.multi_view_fit.fit(capture, stages, after=(begin, 0)):  # noqa: B007
         pass
-    return photos, x, labs.multi_view_fit.surface(x), time.process_time() - start
+    return photos, x, labs.multi_view_fit.surface(x)
 
 
 def targets_of(labs, photos):
-    capture = labs.multi_view_fit.Capture(photos.pictures, photos.cameras, photos.background)
-    return labs.multi_view_fit.targets_of(capture, 1, 1)
+    return labs.multi_view_fit.targets_of(captures.capture_of(labs, photos), 1, 1)
 
 
 def as_found(labs, x, surface, name, photos):
-    """The sheet of the search alone, before its colours are told apart."""
+    """As `judged`, of the search alone, before its colours are told apart."""
     colours = labs.reconstruction.shade(surface.albedo, surface.normals, x.light)
-    return compared(seen(labs, surface, colours, surface.albedo, photos), unseen(name))[1]
+    return compared(seen(labs, surface, colours, surface.albedo, photos), unseen(name))
 
 
 def judged(labs, surface, look, name, photos):
@@ -89,12 +87,10 @@ def judged(labs, surface, look, name, photos):
 
 def seen(labs, surface, colours, albedo, photos):
     """The unseen views, rendered: (8, H, W, 6), colours and albedo on black."""
-    shape = labs.pipeline.make_mesh(surface.vertices, surface.faces)
+    cameras = reconstruct.new_cameras(labs) @ photos.world_from_grid
     both = labs.pipeline.Colours(np.hstack([colours, albedo]))
-    side = 2 * photos.pictures[0].shape[1]
-    return np.stack([labs.msaa.box_resolve(labs.pipeline.render(
-        shape, both, labs.pipeline.View(camera, side, side, np.zeros(6)))[0], 2)
-        for camera in reconstruct.new_cameras(labs) @ photos.world_from_grid])
+    shape = photos.pictures[0].shape[:2]
+    return np.stack(list(photographs.seen(labs, surface, both, cameras, shape, np.zeros(6), 2)))
 
 
 def compared(pictures, truth):

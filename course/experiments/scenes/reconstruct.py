@@ -9,14 +9,7 @@ import numpy as np
 
 from ...given import distances, image, mesh, places
 from ..folder import searches
-from ..folder.photographs import (
-    Painted,
-    daylight,
-    found_object,
-    lamps,
-    photographs,
-    portrait,
-)
+from ..folder.photographs import Painted, daylight, found_object, lamps, photographs, portrait
 from .drawing import WHITE, cameras_around, save, unit_bunny
 
 TWO_RINGS = ("smooth union", 0.1, *(("moved", np.array([x, 0.0, 0.0]), ("torus", 0.34, 0.15))
