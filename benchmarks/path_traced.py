@@ -22,12 +22,12 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 mitsuba.set_variant("scalar_rgb")
 
-from course.experiments.scenes import demo, drawing, reconstruct  # noqa: E402
+from course.experiments.scenes import demo, reconstruct, viewing  # noqa: E402
 from course.given import image, mesh, places  # noqa: E402
 
 LABS = demo.Labs("reference")
 SIZE, SAMPLES, BOUNCES = 128, 128, 6
-FOV, AWAY = 40, 3.0  # degrees; the cameras of drawing.cameras_around
+FOV, AWAY = 40, 3.0  # degrees; the cameras of viewing.cameras_around
 
 
 class Lamps(NamedTuple):
@@ -131,13 +131,13 @@ def as_file(colour, coverage):
 
 
 def sides(count, longitude=0.0):
-    """Where the cameras of `drawing.cameras_around` stand (count, 3)."""
-    rows = drawing.cameras_around(LABS, count, longitude)[:, [0, 1, 3]]
+    """Where the cameras of `viewing.cameras_around` stand (count, 3)."""
+    rows = viewing.cameras_around(LABS, count, longitude)[:, [0, 1, 3]]
     return np.linalg.solve(rows[..., :3], -rows[..., 3:])[..., 0]
 
 
 def world_from_camera(eye):
-    return np.linalg.inv(LABS.transforms.look_at(eye, np.zeros(3), drawing.UP))
+    return np.linalg.inv(LABS.transforms.look_at(eye, np.zeros(3), viewing.UP))
 
 
 # --- the three formats --------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from scipy.spatial import KDTree
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from course.experiments.folder import exports
-from course.experiments.scenes import drawing, portrait
+from course.experiments.scenes import drawing, portrait, viewing
 from course.experiments.scenes.demo import Labs
 from course.given import image, mesh
 from course.given.places import ROOT
@@ -36,7 +36,7 @@ def main():
     normals = mesh.vertex_normals(vertices, faces)
     MADE.write_bytes(exports.glb(vertices, faces, normals, albedo))
 
-    clip = drawing.clip_positions(Labs("reference"), vertices, portrait.BUNNY_EYE)
+    clip = viewing.clip_positions(Labs("reference"), vertices, portrait.BUNNY_EYE)
     face_index, _ = scanline.rasterize(clip, faces, drawing.SIZE, drawing.SIZE)
     seen = face_index >= 0
     weights = rasterization.barycentrics(face_index, clip, faces)[seen][..., None]

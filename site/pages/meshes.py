@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import trimesh
 
-from course.experiments.scenes import drawing, levels, portrait
+from course.experiments.scenes import drawing, levels, portrait, viewing
 from course.experiments.scenes.demo import Labs
 from course.given import image, mesh
 from course.given.places import ROOT, read_whole
@@ -104,6 +104,6 @@ def faces_of(path):
 def still(labs, turned, vertices, faces):
     """A mesh as its lab draws it: a picture (512, 512, 3)."""
     if turned.shading == "smooth":
-        clip = drawing.clip_positions(labs, vertices, turned.eye)
+        clip = viewing.clip_positions(labs, vertices, turned.eye)
         return drawing.smooth(labs, vertices, faces, clip)
     return levels.faceted(labs, vertices, faces, turned.eye)

@@ -16,7 +16,7 @@ from found_objects import found_of, painted_ball
 from PIL import Image
 
 from course.experiments.folder import captures, command, exports, fit_report
-from course.experiments.scenes import demo, drawing
+from course.experiments.scenes import demo, viewing
 from reference import multi_view_fit, reconstruction
 
 LABS = demo.Labs("reference")
@@ -56,7 +56,7 @@ def painted():
 @pytest.fixture(scope="module")
 def made():
     """Ten pictures of a smaller, brighter ball than the one that was found."""
-    cameras = drawing.cameras_around(LABS, 10)
+    cameras = viewing.cameras_around(LABS, 10)
     truth = painted()._replace(distance=painted().distance + 0.1, light=1.1 * painted().light)
     pictures = list(fit_report.rendered(LABS, found_of(truth), cameras, np.ones(3), (24, 32)))
     return captures.Photos([f"<{k}>.png" for k in range(10)], pictures, cameras, np.ones(3),
@@ -178,7 +178,7 @@ def test_the_turntable_turns_on_nothing(page):
 def test_up_is_what_is_up_in_the_pictures():
     """The object lies on its side in the turntable, since z is up in the folder's world."""
     turn = np.array([[0.0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
-    cameras = drawing.cameras_around(LABS, 12)
+    cameras = viewing.cameras_around(LABS, 12)
     np.testing.assert_allclose(fit_report.upwards(cameras), [0, 1, 0], atol=0.1)
     np.testing.assert_allclose(fit_report.upwards(cameras @ turn), [0, 0, 1], atol=0.1)
 

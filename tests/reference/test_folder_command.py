@@ -9,7 +9,7 @@ from found_objects import found_of
 
 from course import cli
 from course.experiments.folder import captures, checkpoints, command, fit_report, searches
-from course.experiments.scenes import demo, drawing
+from course.experiments.scenes import demo, viewing
 from course.given import image, places
 from reference import multi_view_fit
 
@@ -20,7 +20,7 @@ LABS = demo.Labs("reference")
 def folder(tmp_path_factory):
     """Nine pictures, 32 x 32, of a grey ball, and their cameras."""
     path, x = tmp_path_factory.mktemp("ball"), multi_view_fit.start(8)
-    sides = drawing.directions(np.linspace(0, 1, 9, endpoint=False), np.linspace(0.3, 0.7, 9))
+    sides = viewing.directions(np.linspace(0, 1, 9, endpoint=False), np.linspace(0.3, 0.7, 9))
     clip_from_view = LABS.transforms.perspective(np.radians(40), 1.0, 0.5, 10.0)
     poses = []
     for k, side in enumerate(sides):

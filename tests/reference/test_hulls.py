@@ -5,7 +5,7 @@ import ring_captures as ring
 from scipy.spatial.transform import Rotation
 
 from course.experiments.folder import camera_files, captures, hulls, silhouettes
-from course.experiments.scenes import drawing
+from course.experiments.scenes import drawing, viewing
 from course.given import distances, image, mesh
 
 
@@ -191,7 +191,7 @@ def test_silhouettes_that_agree_badly_are_told(folder):
 def test_the_search_begins_with_the_hull():
     """The hull is mirrored, shifted by half a pixel, or its hole is closed."""
     labs = ring.LABS
-    cameras = drawing.cameras_around(labs, 20)
+    cameras = viewing.cameras_around(labs, 20)
     vertices, faces = mesh.torus(4000, 0.6, 0.2)
     moved = vertices + [0.1, -0.05, 0.15]
     pictures = [drawing.seen_mask(labs, moved, faces, camera, 64)[..., None].repeat(4, 2)

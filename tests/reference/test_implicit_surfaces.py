@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.experiments.scenes import demo, drawing, fit_volume, representations
+from course.experiments.scenes import demo, fit_volume, representations, viewing
 from course.given.gradcheck import gradcheck
 from reference import implicit_surfaces, transforms
 
@@ -144,9 +144,9 @@ def test_colours_converge_as_the_samples_get_denser():
 def test_a_density_grid_is_found_from_pictures():
     """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
     labs, size = demo.Labs("reference"), 12
-    given = fit_volume.saturn_rays(labs, drawing.cameras_around(labs, 16, longitude=0.2), size)
+    given = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 16, longitude=0.2), size)
     volume, losses = fit_volume.fit(labs, given, 12, 100, batch=300)
-    new = fit_volume.saturn_rays(labs, drawing.cameras_around(labs, 3, longitude=0.7), size)
+    new = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 3, longitude=0.7), size)
     picture = fit_volume.seen(labs, new, volume)
     assert np.mean(losses[-10:]) < losses[0] / 15
     assert -10 * np.log10(np.mean((picture - new.colours)**2)) > 20

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from found_objects import NO_SUN
 
-from course.experiments.scenes import demo, drawing, reconstruct
+from course.experiments.scenes import demo, drawing, reconstruct, viewing
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import intrinsic_decomposition as lab
@@ -37,7 +37,7 @@ def photographed(count=6, size=48):
     colours = 0.5 + 0.3 * np.sin(4 * vertices[:, [1, 2, 0]])
     even = np.zeros((9, 3))
     even[0] = 1 / reconstruction.C0
-    cameras = drawing.cameras_around(LABS, count)
+    cameras = viewing.cameras_around(LABS, count)
     pictures = reconstruct.photographs(LABS, reconstruct.Painted(vertices, faces, colours), even,
                                        cameras, size)
     capture = multi_view_fit.Capture(pictures, cameras, drawing.WHITE)
@@ -196,7 +196,7 @@ def test_a_yellow_thing_in_grey_light_is_yellow():
     light = reconstruction.distant_light(towards, np.full((1, 3), 0.7))
     light[0] += 0.3 / reconstruction.C0
     painted = reconstruct.Painted(vertices, faces, np.tile(yellow, (len(vertices), 1)))
-    cameras = drawing.cameras_around(LABS, 8)
+    cameras = viewing.cameras_around(LABS, 8)
     capture = multi_view_fit.Capture(
         reconstruct.photographs(LABS, painted, light, cameras, 48), cameras, drawing.WHITE)
     targets = multi_view_fit.targets_of(capture, 1, 1)

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 
-from course.experiments.scenes import demo, drawing, fit_triangle, reconstruct
+from course.experiments.scenes import demo, drawing, fit_triangle, reconstruct, viewing
 from course.given import image, mesh
 from course.given.gradcheck import gradcheck
 from reference import marching_tetrahedra, multi_view_fit, reconstruction
@@ -26,7 +26,7 @@ def unknowns(n, seed=0):
 def capture(count=2, size=40):
     """Pictures of a ring that is another shape than the unknowns'."""
     vertices, faces = mesh.torus(400, 0.5, 0.25)
-    cameras = drawing.cameras_around(LABS, count)
+    cameras = viewing.cameras_around(LABS, count)
     ring = reconstruct.Painted(vertices, faces, reconstruct.paint(vertices))
     pictures = reconstruct.photographs(LABS, ring, reconstruct.daylight(LABS), cameras, size)
     return multi_view_fit.Capture(pictures, cameras, BEHIND)
@@ -83,7 +83,7 @@ def test_sign_changes_count_in_cells():
 def test_carving_pushes_the_surface_in_where_nothing_should_be_seen():
     """The sign of eq. (6): a ball before an empty picture must shrink, and only where it is seen.
     """
-    x, camera = multi_view_fit.start(8), drawing.cameras_around(LABS, 2)[0]
+    x, camera = multi_view_fit.start(8), viewing.cameras_around(LABS, 2)[0]
     empty = np.broadcast_to(np.append(BEHIND, 0), (30, 30, 4))
     targets = multi_view_fit.targets_of(multi_view_fit.Capture([empty], [camera], BEHIND), 1, 1)
     grads = [multi_view_fit.loss_and_gradients(x, targets, weights(carving=weight))[1].distance
@@ -180,7 +180,7 @@ def test_without_edges_outlines_have_no_gradient():
     renderer = fit_triangle.without_edges(LABS)
     scene = (LABS.pipeline.make_mesh(vertices, faces),
              LABS.pipeline.Colours(np.ones((len(vertices), 1))),
-             LABS.pipeline.View(drawing.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
+             LABS.pipeline.View(viewing.cameras_around(LABS, 1)[0], 20, 20, np.zeros(1)))
     picture, buffers = renderer.render(*scene)
     assert set(np.unique(picture.round(9))) == {0, 1}
     upstream = np.random.default_rng(0).normal(size=picture.shape)

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from course.experiments.folder import captures, hulls
-from course.experiments.scenes import demo, drawing, paint_and_light, reconstruct
+from course.experiments.scenes import demo, drawing, paint_and_light, reconstruct, viewing
 from course.given import image
 
 LABS = demo.Labs("reference")
@@ -14,7 +14,7 @@ def test_a_capture_shows_its_object_from_all_sides(name):
     """Another format, other cameras, or pictures that are upside down."""
     photos = captures.read(LABS, paint_and_light.folder(name), 64)
     assert len(photos.pictures) == 24
-    eyes = drawing.cameras_around(LABS, 24) @ photos.world_from_grid
+    eyes = viewing.cameras_around(LABS, 24) @ photos.world_from_grid
     np.testing.assert_allclose(photos.cameras[:, [0, 1, 3]], eyes[:, [0, 1, 3]], atol=1e-5)
     begin = hulls.start(LABS, captures.capture_of(LABS, photos), 24)
     found = LABS.multi_view_fit.surface(begin)

@@ -6,7 +6,6 @@ import pytest
 
 from course.experiments.scenes import (
     demo,
-    drawing,
     fit_bunny,
     fit_cube,
     fit_mirror,
@@ -16,6 +15,7 @@ from course.experiments.scenes import (
     fit_triangle,
     large_steps,
     reflections,
+    viewing,
 )
 from course.given import mesh
 
@@ -86,7 +86,7 @@ def test_the_cube_is_found_step_by_step_and_the_same_again():
 
 def test_random_poses_are_rotations_and_shifts(rng):
     """A pose that mirrors or shears what it moves."""
-    pose = drawing.random_pose(LABS, rng, 0.25)
+    pose = viewing.random_pose(LABS, rng, 0.25)
     np.testing.assert_allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3), atol=1e-12)
     assert np.linalg.det(pose[:3, :3]) == pytest.approx(1)
     assert 0 < np.abs(pose[:3, 3]).max() <= 0.25
@@ -116,7 +116,7 @@ def test_the_globe_is_a_closed_sphere_with_its_texture_outside():
     assert len(faces) == 2 * 8 * 16 - 2 * 16
     outward = (mesh.face_normals(vertices, faces) * vertices[faces].mean(1)).sum(1)
     assert outward.min() > 0.9
-    np.testing.assert_allclose(drawing.directions(*uv.T), vertices)
+    np.testing.assert_allclose(viewing.directions(*uv.T), vertices)
     assert np.ptp(uv[faces], axis=1).max() < 0.13
 
 
@@ -159,7 +159,7 @@ def test_the_ball_grows_towards_the_bunny_and_does_not_fold(fit, settings):
 
 def test_a_silhouette_is_shared_with_itself():
     """An intersection over union above or below 1 for equal shapes; pairs of other cameras."""
-    cameras = drawing.cameras_around(LABS, 2)
+    cameras = viewing.cameras_around(LABS, 2)
     small = fit_bunny.ball()
     large = small[0] * np.sqrt(2), small[1]
     np.testing.assert_array_equal(fit_bunny.shared_silhouettes(LABS, small, small, cameras, 64), 1)
@@ -169,7 +169,7 @@ def test_a_silhouette_is_shared_with_itself():
 
 def test_random_cameras_look_at_the_origin():
     """Cameras all on one side, or that look elsewhere."""
-    cameras = drawing.random_cameras(LABS, 40)
+    cameras = viewing.random_cameras(LABS, 40)
     origin = cameras @ [0.0, 0.0, 0.0, 1.0]
     np.testing.assert_allclose(origin[:, [0, 1, 3]], [[0, 0, 3]] * 40, atol=1e-12)
     towards = cameras[:, 3, :3]  # w grows along the view
@@ -245,7 +245,7 @@ def test_the_mirrored_direction_and_its_change_are_right(rng):
 def test_rays_go_through_their_pixels_centres():
     """A background that is shifted by half a pixel, upside down, or of another camera."""
     eye = np.array([0.5, 0.7, 2.5])
-    camera = drawing.clip_from_world(LABS, eye)
+    camera = viewing.clip_from_world(LABS, eye)
     rays, change = reflections.rays(LABS, camera, eye, 8)
     points = eye + 0.7 * rays.reshape(-1, 3) / np.linalg.norm(rays.reshape(-1, 3), axis=1)[:, None]
     clip = LABS.pipeline.to_clip(points, camera)
@@ -259,7 +259,7 @@ def test_rays_go_through_their_pixels_centres():
 def test_the_footprints_of_a_picture_are_steps_to_neighbouring_pixels():
     """The change of a reflection is that of another place, or its sign is flipped."""
     eye = np.array([0.3, 0.6, 2.7])
-    camera = drawing.clip_from_world(LABS, eye)
+    camera = viewing.clip_from_world(LABS, eye)
     seen, directions, change = reflections.view(LABS, camera, eye, 384)
     step = directions[:, 2:] - directions[:, :-2]
     off = np.linalg.norm(step - 2 * change[:, 1:-1, :, 0], axis=-1)

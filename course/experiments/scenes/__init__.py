@@ -1,6 +1,7 @@
 """The scenes of `python3 -m course demo`, in the order of the labs, and what they share.
 
-    drawing            cameras, smooth shading, fits, and pictures on disk
+    viewing            cameras and poses
+    drawing            smooth shading, fits, and pictures on disk
     portrait           the bunny and the teapot, as pictures
     flight             a camera flies into the bunny
     aliasing           a zone plate made smaller in three ways

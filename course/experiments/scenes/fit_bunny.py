@@ -4,7 +4,7 @@ import time
 import numpy as np
 
 from ...given import image, mesh
-from . import drawing
+from . import drawing, viewing
 from .portrait import BUNNY_EYE
 
 
@@ -40,7 +40,7 @@ def carve(labs, penalty_backward, update, schedule, size, seed):
     -> vertices (steps + 1, V, 3), the losses (steps,) of the silhouettes, each a mean of 4.
     """
     lab9, rng, (start, faces) = labs.inverse_rendering, np.random.default_rng(seed), ball()
-    cameras = drawing.cameras_around(labs, 20)
+    cameras = viewing.cameras_around(labs, 20)
     targets = silhouettes(labs, *drawing.unit_bunny(), cameras, size)
     white = labs.pipeline.make_mesh(start, faces)
 
@@ -83,7 +83,7 @@ def shared_silhouettes(labs, shape, other, cameras, size=256):
 
 def new_views(labs, vertices):
     """Intersection over union with the bunny in 50 views that the fit did not have: (50,)."""
-    cameras, (_, faces) = drawing.random_cameras(labs, 50), ball()
+    cameras, (_, faces) = viewing.random_cameras(labs, 50), ball()
     return shared_silhouettes(labs, (vertices, faces), drawing.unit_bunny(), cameras)
 
 
@@ -107,6 +107,6 @@ def stages(labs, path):
     _, faces = ball()
     pictures = []
     for vertices in path[[0, 30, 100, -1]]:
-        clip = drawing.clip_positions(labs, vertices, BUNNY_EYE)
+        clip = viewing.clip_positions(labs, vertices, BUNNY_EYE)
         pictures.append(drawing.smooth(labs, vertices, faces, clip))
     return np.hstack(pictures)

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from rich.progress import track
 
-from .drawing import SIZE, descended, enlarged, on_black, random_pose, save
+from .drawing import SIZE, descended, enlarged, on_black, save
+from .viewing import random_pose
 
 CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
 SQUARES = np.array([[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5],

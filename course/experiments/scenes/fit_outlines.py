@@ -10,7 +10,8 @@ import numpy as np
 
 from ...given import image, mesh
 from . import fit_triangle
-from .drawing import SIZE, clip_from_world, descended, enlarged, save, seen_mask
+from .drawing import SIZE, descended, enlarged, save, seen_mask
+from .viewing import clip_from_world
 
 
 def fit_outlines(labs):

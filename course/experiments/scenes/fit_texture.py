@@ -3,7 +3,8 @@
 import numpy as np
 
 from ...given import image
-from .drawing import directions, enlarged, random_pose, save
+from .drawing import enlarged, save
+from .viewing import directions, random_pose
 
 SAMPLES = 4  # along each side of a pixel, in the views that are given
 

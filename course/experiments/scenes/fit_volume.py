@@ -4,8 +4,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...given import image
-from .drawing import SIZE, WHITE, cameras_around, enlarged, save, smooth
+from .drawing import SIZE, WHITE, enlarged, save, smooth
 from .representations import wheel_camera
+from .viewing import cameras_around
 
 SATURN = ("union", ("torus", 0.68, 0.22), ("sphere", 0.32))
 

@@ -3,7 +3,8 @@ import numpy as np
 from rich.progress import track
 
 from ...given import image, places
-from .drawing import SIZE, clip_positions, smooth, unit_bunny
+from .drawing import SIZE, smooth, unit_bunny
+from .viewing import clip_positions
 
 
 def flight(labs):

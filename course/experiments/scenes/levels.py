@@ -2,8 +2,9 @@
 import numpy as np
 
 from ...given import image, mesh
-from .drawing import BRASS, LIGHT, SIZE, clip_positions, painted, save, size_in_words, unit_bunny
+from .drawing import BRASS, LIGHT, SIZE, painted, save, size_in_words, unit_bunny
 from .portrait import BUNNY_EYE
+from .viewing import clip_positions
 
 RING_EYE = np.array([1.5, 1.75, 2.35])
 

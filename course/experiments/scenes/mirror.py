@@ -1,8 +1,9 @@
 """A teapot that is a mirror: each pixel looks up a direction in a cube map (extras of lab 6)."""
 import numpy as np
 
-from .drawing import SIZE, clip_from_world, save, size_in_words
+from .drawing import SIZE, save, size_in_words
 from .reflections import environment, teapot, unfolded, view
+from .viewing import clip_from_world
 
 EYE = np.array([0.55, 0.75, 2.6])
 SAMPLES = 4  # along each side of a pixel, in the truth that filters are compared with

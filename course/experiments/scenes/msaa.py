@@ -2,17 +2,9 @@
 import numpy as np
 
 from ...given import image, mesh
-from .drawing import (
-    BACKGROUND,
-    SIZE,
-    clip_positions,
-    enlarged,
-    lit,
-    save,
-    size_in_words,
-    unit_bunny,
-)
+from .drawing import BACKGROUND, SIZE, enlarged, lit, save, size_in_words, unit_bunny
 from .portrait import BUNNY_EYE
+from .viewing import clip_positions
 
 EARS = slice(340, 420), slice(150, 230)  # rows and columns for a close up of the bunny
 

@@ -2,7 +2,8 @@
 import numpy as np
 
 from ...given import mesh, plot
-from .drawing import SIZE, clip_positions, painted, save, shaded, size_in_words, wireframe
+from .drawing import SIZE, painted, save, shaded, size_in_words, wireframe
+from .viewing import clip_positions
 
 BUNNY_EYE = np.array([-1.3, 0.7, 2.2])
 TEAPOT_EYE = np.array([0.6, 1.2, 2.2])

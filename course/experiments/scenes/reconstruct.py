@@ -10,7 +10,8 @@ import numpy as np
 from ...given import distances, image, mesh, places
 from ..folder import searches
 from ..folder.photographs import Painted, daylight, found_object, lamps, photographs, portrait
-from .drawing import WHITE, cameras_around, save, unit_bunny
+from .drawing import WHITE, save, unit_bunny
+from .viewing import cameras_around
 
 TWO_RINGS = ("smooth union", 0.1, *(("moved", np.array([x, 0.0, 0.0]), ("torus", 0.34, 0.15))
                                     for x in (-0.4, 0.4)))

@@ -5,7 +5,7 @@ For the scenes mirror and fit_mirror, and for lecture 06. It uses labs 1, 2, 5 a
 import numpy as np
 
 from ...given import mesh
-from .drawing import clip_from_world
+from .viewing import clip_from_world
 
 SUN = np.array([0.12, 0.62, 0.60])  # towards it
 PANELS = (  # east and height of the middle, width and height in radians, colour

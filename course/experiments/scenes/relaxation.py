@@ -2,8 +2,9 @@
 import numpy as np
 
 from ...given import mesh
-from .drawing import SIZE, clip_positions, save, wireframe
+from .drawing import SIZE, save, wireframe
 from .portrait import TEAPOT_EYE
+from .viewing import clip_positions
 
 
 def relaxation(labs):

@@ -1,7 +1,8 @@
 """One shape as signed distance, as volume and as mesh (lab 15): a hand wheel with five holes."""
 import numpy as np
 
-from .drawing import BACKGROUND, BRASS, LIGHT, clip_from_world, enlarged, save
+from .drawing import BACKGROUND, BRASS, LIGHT, enlarged, save
+from .viewing import clip_from_world
 
 WHEEL = ("intersection",
          ("smooth union", 0.1, ("torus", 0.72, 0.14),

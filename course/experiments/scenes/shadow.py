@@ -2,7 +2,8 @@
 import numpy as np
 
 from ...given import image, mesh, plot, ray_casting
-from .drawing import BRASS, SIZE, clip_from_world, painted, save, size_in_words, unit_bunny
+from .drawing import BRASS, SIZE, painted, save, size_in_words, unit_bunny
+from .viewing import clip_from_world
 
 GROUND = np.array([0.62, 0.66, 0.70])
 
