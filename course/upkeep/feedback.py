@@ -10,11 +10,10 @@ after "told by:", how one recognises a sentence that says so: words joined by & 
     wrong    a hint that is certain tells something else
     passes   all checks pass
 
-This is a measurement: one answer for each core exercise measures enough. It is the one whose text
-had the least SHA-256 of the 737 that were written. The standard error of a share of 98 % is 1.3 %
-with 108 answers, and 1.0 % with the 210 that there were when the extras had theirs. All 737 were
-named in the end, and so are these. An exercise gets no second one, and an extra none. A better one
-may take an answer's place.
+This is a measurement of 108 answers, one for each core exercise that there was when they were
+drawn: of the 737 that had been written, the one whose text has the least SHA-256. The standard error
+of a share of 98 % is 1.3 % with 108 answers. All 737 were named in the end, and so are these. A new
+exercise needs none. A better answer may take another one's place.
 """
 import re
 from collections import Counter
