@@ -78,9 +78,11 @@ def wireframe(seen, barycentric, derivatives):
 
 def descended(labs, start, gradient, rates, *update, **settings):
     """Lab 9's `descend` to its end -> [start, x after each step], losses (steps,)."""
-    steps = labs.inverse_rendering.descend(start, gradient, rates, *update, **settings)
-    x, losses = zip(*steps, strict=True)
-    return [start, *x], np.array(losses)
+    path, losses = [start], []
+    for x, loss in labs.inverse_rendering.descend(start, gradient, rates, *update, **settings):
+        path.append(x)
+        losses.append(loss)
+    return path, np.array(losses)
 
 
 # --- pictures -----------------------------------------------------------------------------------
