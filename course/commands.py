@@ -137,7 +137,7 @@ def handout(asked):
     """Write what students get to a folder: no solutions but those released."""
     import course.grading.handing.handout
     return course.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
-                                       extra=asked.extra)
+                                              extra=asked.extra)
 
 
 @command(option("labs", metavar="LABS", help="of these labs, as in 1-2"),

@@ -179,15 +179,16 @@ def points(board: list[Entry]) -> tuple[int, int]:
 
 def as_json(board: list[Entry]) -> str:
     """{"points", "of", "exercises": [{number, name, topic, points, extra, verdict, told,
-    checks}]}.
+    fine_print_open, checks}]}.
     """
     reached, of = points(board)
     lines = [{**dict(zip(KEYS, entry, strict=False)), "told": entry.told,
+              "fine_print_open": entry.fine_print_open,
               "checks": [check._asdict() for check in entry.checks]} for entry in board]
     return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"
 
 
 def entry_of(line: dict) -> Entry:
     """The Entry that a line of the JSON was made of."""
-    return Entry(*(line[key] for key in KEYS), line["told"] != line["verdict"],
+    return Entry(*(line[key] for key in KEYS), line["fine_print_open"],
                  [Check(**check) for check in line["checks"]])

@@ -250,7 +250,7 @@ def resolve(shade, request, background):  # exercise 4.10 (2 points)
 def resolve_backward(grad_picture, shade, request, background):  # exercise 4.11 (3 points)
     """Backward of `resolve`: grad_picture (H, W, C) -> grad_shade (N, C), grad_background (C,).
 
-    What `resolve` gathers is scattered. `scatter` is given.
+    What `resolve` gathers is scattered. `scatter` of arrays.py is given.
 
     >>> request = np.array([[[0, 0, -1]], [[1, 0, -1]]])
     >>> resolve_backward(np.ones((1, 3, 1)), np.zeros((2, 1)), request, np.zeros(1))

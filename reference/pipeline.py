@@ -167,6 +167,7 @@ def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 po
     >>> clip = np.array([[-0.125, -9.0, 0.0, 1.0], [-0.125, 9.0, 0.0, 1.0], [-9.0, 0.0, 0.0, 1.0]])
     >>> faces, colours = np.array([[0, 1, 2]]), Colours(np.ones((3, 1)))
     >>> picture, buffers = draw(clip, faces, np.full((1, 3), -1), colours, 4, 1, np.zeros(1))
+    >>> buffers = Buffers(*buffers)  # whatever tuple your `draw` returns
     >>> grad_material, grad_clip = draw_backward(np.ones((1, 4, 1)), buffers, faces, colours)
     >>> grad_material.colours.sum().round(9), grad_clip[:, 0].round(9)
     (np.float64(1.75), array([1., 1., 0.]))
@@ -233,7 +234,7 @@ def shade_backward(grad_colour, buffers, faces, material):
     return coloured_backward(grad_colour, buffers, faces, material)
 
 
-def inside_backward(grad_colour, buffers, faces, material):
+def interior_backward(grad_colour, buffers, faces, material):
     """The way back without antialiasing: grad_colour (H, W, C) -> grad_material, grad_clip."""
     grad_material, *grad_weights = shade_backward(grad_colour, buffers, faces, material)
     grad_clip = rasterizer_gradients.rasterize_backward(

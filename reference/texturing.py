@@ -127,7 +127,7 @@ def look_up_backward(grad_colour, texels, index, weight):  # extra 6.6 (3 points
            [30., 30.]]))
     """
     # colour = M texels, so grad_texels = M^T grad_colour: what was gathered is scattered. This is
-    # `scatter` of lab 2, four times as fast. The derivative of colour[n] with respect to
+    # `scatter` of arrays.py, four times as fast. The derivative of colour[n] with respect to
     # weight[n, k] is texels[index[n, k]].
     matrix = look_up_matrix(len(texels), index, weight)
 

@@ -1,4 +1,5 @@
 """The code under test: its folder, its modules, and what every call to it must keep to."""
+import contextlib
 import copy
 import functools
 import importlib
@@ -116,13 +117,24 @@ def load_topic(path):
         sys.dont_write_bytecode = writes
 
 
-def make_package(code):
-    """A package of the code under test, so that `from . import x` works there."""
-    package = types.ModuleType(PACKAGE)
-    package.__path__ = [str(code)]
-    for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
-        del sys.modules[name]  # what an earlier run in this process has left
-    sys.modules[PACKAGE] = package
+@contextlib.contextmanager
+def package(code):
+    """A package of the code under test, so that `from . import x` works there.
+
+    Afterwards, it is again that of the run in which this one takes place.
+    """
+    before = taken_out()
+    sys.modules[PACKAGE] = types.ModuleType(PACKAGE)
+    sys.modules[PACKAGE].__path__ = [str(code)]
+    yield
+    taken_out()
+    sys.modules.update(before)
+
+
+def taken_out():
+    """{name: module} of the package of the code under test, which is known no longer."""
+    return {name: sys.modules.pop(name) for name in list(sys.modules)
+            if name.split(".")[0] == PACKAGE}
 
 
 def finder(code):
@@ -130,8 +142,6 @@ def finder(code):
 
     Mismatch: there is none.
     """
-    make_package(code)
-
     @functools.cache
     def module_or_mismatch(topic):
         try:

@@ -45,8 +45,11 @@ def pytest_runtest_makereport(item, call):
 def find_function(pytestconfig):
     """(topic, name) -> what has that name in the code under test, see loader.finder."""
     if loader.FIND in pytestconfig.stash:
-        return pytestconfig.stash[loader.FIND]
-    return loader.finder(loader.folder(pytestconfig.option.impl))
+        yield pytestconfig.stash[loader.FIND]
+        return
+    code = loader.folder(pytestconfig.option.impl)
+    with loader.package(code):
+        yield loader.finder(code)
 
 
 @pytest.fixture

@@ -172,7 +172,7 @@ def test_without_antialiasing_a_mesh_of_one_colour_has_exactly_no_gradient(name)
     material.colours[:] = 0.1, 0.7
     _, buffers = pipeline.render(shape, material, view)
     upstream = np.random.default_rng(0).normal(size=buffers.colour.shape)
-    grad_material, grad_clip = pipeline.inside_backward(upstream, buffers, shape.faces, material)
+    grad_material, grad_clip = pipeline.interior_backward(upstream, buffers, shape.faces, material)
     np.testing.assert_array_equal(grad_clip, 0)
     assert grad_material.colours.any()
 
@@ -189,7 +189,7 @@ def test_a_triangle_finds_its_template_with_antialiasing_alone():
         moved = shape._replace(positions=positions)
         picture, buffers = pipeline.render(moved, white, view)
         grad_aliased = inverse_rendering.squared_error_backward(1.0, buffers.colour, target)
-        _, grad_clip = pipeline.inside_backward(grad_aliased, buffers, shape.faces, white)
+        _, grad_clip = pipeline.interior_backward(grad_aliased, buffers, shape.faces, white)
         np.testing.assert_array_equal(grad_clip, 0)
         grad_picture = inverse_rendering.squared_error_backward(1.0, picture, target)
         return (inverse_rendering.squared_error(picture, target),
@@ -212,7 +212,7 @@ def test_the_two_paths_to_a_position_add_up():
     assert len(untouched) > 20
     inside.reshape(-1, 2)[untouched] = 1.0
     got = pipeline.render_backward(inside, buffers, shape, material, view).positions
-    _, grad_clip = pipeline.inside_backward(inside, buffers, shape.faces, material)
+    _, grad_clip = pipeline.interior_backward(inside, buffers, shape.faces, material)
     np.testing.assert_allclose(got, (grad_clip @ view.clip_from_model)[:, :3], rtol=1e-12,
                                atol=1e-12)
 
@@ -258,15 +258,15 @@ def test_faces_may_be_integers_of_any_kind(dtype):
     shape, colours, view = scene("torus")
     image = np.random.default_rng(0).random((8, 4, 2))
 
-    def there_and_back(faces):
+    def rendered_and_back(faces):
         same = pipeline.make_mesh(shape.positions, faces)._replace(faces=faces)
         for material in (colours, Texture(shape.positions[:, :2], faces, image)):
             picture, buffers = pipeline.render(same, material, view)
             yield picture
             yield pipeline.render_backward(picture, buffers, same, material, view).positions
 
-    expected = there_and_back(shape.faces)
-    for got, wanted in zip(there_and_back(shape.faces.astype(dtype)), expected, strict=True):
+    expected = rendered_and_back(shape.faces)
+    for got, wanted in zip(rendered_and_back(shape.faces.astype(dtype)), expected, strict=True):
         np.testing.assert_array_equal(got, wanted)
 
 
@@ -374,7 +374,7 @@ def test_render_says_what_does_not_fit_a_texture(name, bad, sentence):
         rendered({**GOOD, **TEXTURED, name: bad})
 
 
-def test_a_bare_array_is_no_surface():
+def test_a_bare_array_is_no_material():
     """An AttributeError, where somebody forgot whether the array holds colours or a texture."""
     shape, material, view = scene("cube")
     with pytest.raises(ValueError, match=r"a material, Colours or a Texture.*got a ndarray"):

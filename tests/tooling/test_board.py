@@ -127,7 +127,7 @@ def test_the_json_holds_the_board_and_every_check(whole):
     half = found["exercises"][1]
     assert half | {"checks": []} == {"number": "1.2", "name": "half", "topic": "transforms",
                                      "points": 3, "extra": False, "verdict": "failing",
-                                     "told": "failing", "checks": []}
+                                     "told": "failing", "fine_print_open": False, "checks": []}
     passed, failed = half["checks"]
     assert passed["verdict"] == "passed" and passed["message"] == ""
     assert failed["seconds"] >= 0 and failed["picture"] is None

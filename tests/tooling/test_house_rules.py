@@ -134,7 +134,7 @@ def test_the_house_is_no_heavier_than_it_may_be():
 
 @pytest.mark.parametrize(("text", "lines"), [
     ('"""Title."""\n\n# A comment\na = 1  # one\n\n\ndef f():\n    """What."""\n    return (1 +\n\n'
-     '            2)\n', 5),
+     '            2)\n', 4),
     ('a = """two\nlines"""\n', 2), ("a = (\n", 1), ("\n\n", 0),
 ])
 def test_lines_of_code_hold_code(text, lines):

@@ -66,7 +66,7 @@ def without_edges(labs):
         return buffers.colour, buffers
 
     def render_backward(grad_picture, buffers, mesh, material, view):
-        grad_material, grad_clip = pipeline.inside_backward(grad_picture, buffers, mesh.faces,
+        grad_material, grad_clip = pipeline.interior_backward(grad_picture, buffers, mesh.faces,
                                                             material)
         grad_positions, grad_matrix = pipeline.to_clip_backward(grad_clip, mesh.positions,
                                                                 view.clip_from_model)

@@ -197,12 +197,12 @@ class Examination:
         self.show(answer[-1])
         if kind == "missing":
             raise Mismatch(("wrong", f"labs/{topic}.py has no function {name}; "
-                                            "keep the names that the skeleton gives"))
+                                     "keep the names that the skeleton gives"))
         if kind == "raised":
             self.raise_here(topic, *answer[:3])
         if kind == "returned":
-            for position, array in answer[1]:
-                change(inputs, position, array)
+            for changed in answer[1]:
+                change(inputs, changed)
         return shortened(answer[0])
 
     def show(self, printed):
@@ -326,12 +326,15 @@ def shortened(value):
         return value[:MOST_STRING]
     if isinstance(value, tuple):
         return mapped(shortened, value)
+    if isinstance(value, dict):
+        return {shortened(key): shortened(part) for key, part in value.items()}
     return list(map(shortened, value)) if isinstance(value, list) else value
 
 
-def change(inputs, position, array):
-    """Do to an input what the worker says was done to its copy."""
-    with contextlib.suppress(IndexError, TypeError, ValueError):
+def change(inputs, changed):
+    """Do to an input what the worker says was done to its copy: its position, and the array."""
+    with contextlib.suppress(IndexError, TypeError, ValueError, OverflowError):
+        position, array = changed
         inputs[position][...] = array
 
 
