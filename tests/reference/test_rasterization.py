@@ -6,7 +6,7 @@ import pytest
 from half_planes import half_plane_loop
 
 from course.checks import assert_close, assert_equal
-from reference import arrays, rasterization
+from reference import rasterization
 
 GOLDEN = np.load(Path(__file__).parents[1] / "golden" / "rasterize.npz")
 
@@ -61,17 +61,6 @@ def test_the_derivatives_are_central_differences(rng):
         largest = np.abs([by_x, by_y]).max()
         assert_close(db_dx[:, n], by_x, rtol=1e-5, atol=1e-5 * largest)
         assert_close(db_dy[:, n], by_y, rtol=1e-5, atol=1e-5 * largest)
-
-
-@pytest.mark.parametrize(("index", "columns"), [((7,), ()), ((4, 3), ()), ((4, 3), (2,)),
-                                                ((0, 3), (2,)), ((5,), (2, 4))])
-def test_a_scatter_is_the_transpose_of_a_gather(rng, index, columns):
-    """A row that several values go to keeps the last one alone, or no values give integers."""
-    index = rng.integers(0, 6, index)
-    values, x = (rng.normal(size=(*rows, *columns)) for rows in (index.shape, (6,)))
-    total = arrays.scatter(values, index, 6)
-    assert total.shape == x.shape and total.dtype == float
-    np.testing.assert_allclose((values * x[index]).sum(), (total * x).sum(), rtol=1e-12, atol=1e-12)
 
 
 def test_areas_are_those_of_the_shoelace_formula(impl, rng):
