@@ -72,7 +72,7 @@ class Capture(NamedTuple):
 class Target(NamedTuple):
     """A picture (H, W, 4) to be matched, and the View that renders it, samples times as wide and
     high. outside (H, W): the pixels that are certain to show nothing of the object. renderer: what
-    takes the place of the pipeline, with a `render` and a `render_backward` like it.
+    takes the place of the pipeline, with a `render` and a `render_backward` like it, or None.
     """
 
     picture: np.ndarray

@@ -130,7 +130,7 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
                                              grad_depth)
     grad_positions, grad_clip_from_model = to_clip_backward(grad_clip, mesh.positions,
                                                             view.clip_from_model)
-    return Gradients(grad_positions, grad_material, grad_clip_from_model)
+    return Gradients(grad_positions, type(material)(*grad_material), grad_clip_from_model)
 
 
 def draw(clip, faces, opposite, material, width, height, background):  # exercise 9.12 (3 points)

@@ -42,9 +42,19 @@ def test_render_is_made_by_the_exercises(monkeypatch):
         pipeline.render(*SCENE)
 
 
-def test_a_picture__s_buffers_have_names_whatever_draw_returned(monkeypatch):
-    """A draw that returns a plain tuple passes its checks, and no fit runs on it."""
+def test_buffers_and_gradients_have_names_whatever_was_returned(monkeypatch):
+    """Plain tuples pass the checks of draw and its backward pass, and no fit runs on them."""
     expected, buffers = pipeline.render(*SCENE)
+    gradients = pipeline.render_backward(expected, buffers, *SCENE)
+    backward = pipeline.draw_backward
+
+    def plain(*given):
+        grad_material, grad_clip = backward(*given)
+        return tuple(grad_material), grad_clip
+
     monkeypatch.setattr(pipeline, "draw", lambda *_: (expected, tuple(buffers)))
+    monkeypatch.setattr(pipeline, "draw_backward", plain)
     picture, named = pipeline.render(*SCENE)
-    assert pipeline.render_backward(picture, named, *SCENE).clip_from_model.any()
+    got = pipeline.render_backward(picture, named, *SCENE)
+    np.testing.assert_array_equal(got.material.colours, gradients.material.colours)
+    assert got.clip_from_model.any()
