@@ -1,0 +1,80 @@
+"""Compiled: loops that numba turns into machine code, where it is installed, and all cores.
+
+    @kernel            a function of loops over arrays: compiled by numba, else plain Python
+    @has_kernels(room) a function of NumPy that room's compiled function of its name may replace
+    each_band          bands of a picture's rows, on all cores, their results in order
+
+numba is never needed. With it, what is drawn is the same to the bit, and sooner. Only the reference
+is replaced: labs/ runs what a student wrote, and what is checked or graded is plain Python, where a
+wrong index is an error. Compiled code reads on in memory.
+
+numba keeps machine code beside a module, in __pycache__, until that one file changes. So a kernel
+calls kernels of its own file only.
+"""
+import concurrent.futures
+import functools
+import importlib.util
+import os
+
+CHECKED = "implementation"  # the package of the code under test
+
+
+def kernel(function):
+    """The function, compiled when it is first called, for the types that it is called with.
+
+    It takes and returns arrays and numbers. No other thread waits for it, and a division by 0 gives
+    inf or nan as in NumPy.
+    """
+    if not is_installed() or function.__module__.split(".")[0] == CHECKED:
+        return function
+    import numba
+    compiled = functools.partial(numba.njit, nogil=True, error_model="numpy")
+    try:
+        return compiled(cache=True)(function)
+    except RuntimeError:  # there is no folder that may be written to
+        return compiled()(function)
+
+
+def has_kernels(room):
+    """A decorator for functions of the reference: where numba is installed, the function of the
+    same name in reference/ROOM.py takes their place. `__wrapped__` is the one of NumPy.
+    """
+    def decorate(function):
+        package, _, _ = function.__module__.partition(".")
+        if package != "reference" or not is_installed():
+            return function
+
+        @functools.wraps(function)
+        def compiled(*args, **kwargs):
+            kernels = importlib.import_module(f"{package}.{room}")  # numba's import takes a while
+            return getattr(kernels, function.__name__)(*args, **kwargs)
+
+        return compiled
+    return decorate
+
+
+@functools.cache
+def is_installed():
+    return importlib.util.find_spec("numba") is not None
+
+
+def cores():
+    """How many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@functools.cache
+def pool(threads):
+    return concurrent.futures.ThreadPoolExecutor(threads)
+
+
+def each_band(function, bands, threads):
+    """function(*band) for each of the bands -> the results in their order, on so many threads.
+
+    The functions must not write to the same place. Kernels run at the same time, Python does not.
+    """
+    if threads == 1 or len(bands) == 1:
+        return (function(*band) for band in bands)
+    return pool(threads).map(lambda band: function(*band), bands)
