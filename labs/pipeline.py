@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from course.given import inputs
+from course.given.compiled import has_kernels
 
 from . import (
     antialiasing,
@@ -113,7 +114,7 @@ def render(mesh, material, view):
     clip = to_clip(mesh.positions, view.clip_from_model)
     picture, buffers = draw(clip, mesh.faces, mesh.opposite, material, int(view.width),
                             int(view.height), view.background)
-    return picture, Buffers(*buffers)
+    return picture, buffers if isinstance(buffers, Buffers) else Buffers(*buffers)
 
 
 def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None):
@@ -121,8 +122,9 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
     A loss may look at the buffer depth, too: grad_depth (H, W) is its gradient.
     """
-    inputs.require((buffers.weights is None) == isinstance(material, Texture), "the Buffers of a "
-                   "picture with this material", "those of a picture with another kind of material")
+    of_another = buffers.weights if isinstance(material, Texture) else buffers.derivatives
+    inputs.require(of_another is None, "the Buffers of a picture with this material",
+                   "those of a picture with another kind of material")
     inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
@@ -133,6 +135,7 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
     return Gradients(grad_positions, type(material)(*grad_material), grad_clip_from_model)
 
 
+@has_kernels("compiled_pipeline")
 def draw(clip, faces, opposite, material, width, height, background):  # exercise 9.12 (3 points)
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
@@ -150,6 +153,7 @@ def draw(clip, faces, opposite, material, width, height, background):  # exercis
     raise NotImplementedError("exercise 9.12: draw")
 
 
+@has_kernels("compiled_pipeline")
 def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points)
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
@@ -182,6 +186,7 @@ def to_clip_backward(grad_clip, positions, clip_from_model):
     return grad_points[:, :3], grad_clip_from_model
 
 
+@has_kernels("compiled_pipeline")
 def visible(clip, faces, width, height):
     """What each pixel sees at its centre: Buffers without derivatives and colour.
 

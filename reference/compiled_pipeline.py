@@ -1,38 +1,49 @@
-"""The compiled pipeline: what pipeline.py draws and differentiates, by kernels, on all cores.
+"""The compiled pipeline: what pipeline.py draws and differentiates, by kernels on all cores.
 
     project, draw_faces   ->  colour_rows    ->  find_pairs, blend         `draw`
     add_runs              <-  gradient_rows  <-  blend_backward            `draw_backward`
 
-Each function stands for the one of its name in pipeline.py. What it finds is the same to the bit,
-gradients to rounding. Barycentrics and colours before antialiasing are not kept: the way back finds
-them again, and so does whoever asks for them.
+Each function stands for the one of its name in another module. What it finds is the same to the
+bit, and gradients to rounding. Barycentrics, and colours before antialiasing, are not kept: the way
+back finds them again, and so does whoever asks for them.
 
-The rows of a picture are cut into bands, and each thread draws some. What they find is put together
-in the order of the bands, so that a result does not depend on the number of threads.
+A picture is cut into bands of rows, one for each thread, or the faces into shares where they are
+more than the pixels. What the threads find is put together in the order of the bands. So no result
+depends on how many there are.
 """
 import functools
 
 import numpy as np
 
+from course.given import inputs
 from course.given.compiled import cores, each_band
 
-from . import face_kernels, interpolation, outlines, pair_kernels, pipeline, pixel_kernels
+from . import (
+    face_kernels,
+    interpolation,
+    outlines,
+    pair_kernels,
+    pipeline,
+    pixel_kernels,
+    rasterizer_gradients,
+)
 
-BAND = 1 << 15  # pixels, about: enough work for a thread
+SMALL = 1 << 14  # pixels, or faces: for fewer, a second thread costs more than it gains
+BAND = 1 << 15   # pixels, whose pairs or runs are found at once
 
 
 class Drawn(pipeline.Buffers):
     """The Buffers of a picture of Colours. What is not kept is found again when asked for."""
 
-    def __new__(cls, clip, points, face_index, depth, faces, colours, background):
+    def __new__(cls, clip, face_index, depth, points, faces, colours, background):
         drawn = super().__new__(cls, clip, face_index, depth, None)
-        drawn.points, drawn.faces, drawn.colours = points, faces, colours
-        drawn.background = background
+        drawn.points, drawn.faces = points, faces
+        drawn.colours, drawn.background = colours, background
         return drawn
 
     @functools.cached_property
     def barycentric(self):
-        return barycentrics(self.points, self.face_index, self.faces)
+        return barycentrics(self.face_index, self.points, self.faces)
 
     @functools.cached_property
     def weights(self):
@@ -40,121 +51,209 @@ class Drawn(pipeline.Buffers):
 
     @functools.cached_property
     def colour(self):
-        return coloured(self.points, self.face_index, self.faces, self.colours, self.background)
+        return coloured(self.face_index, self.points, self.faces, self.colours, self.background)
 
     @property
     def pairs(self):
-        owner, other, *ends, face, edge, _ = self.numbers.T
-        return outlines.Pairs(owner, other, self.places[:, 0], np.stack(ends),
+        owner, other, start, end, face, edge, _ = self.numbers.T
+        return outlines.Pairs(owner, other, self.places[:, 0], np.stack([start, end]),
                               self.places[:, 1:3].T, self.places[:, 3:].T, face, edge)
 
 
-def bands_of(width, height):
-    """The rows of a picture as bands (bottom, top) of about BAND pixels."""
-    rows = max(1, BAND // width)
-    return [(bottom, min(bottom + rows, height)) for bottom in range(0, height, rows)]
+def on_all_cores(function, size, work):
+    """function(first, end) for parts of size, one for each thread that so much work is worth."""
+    threads = 1 if work <= SMALL else cores()
+    return list(each_band(function, parts(size, threads), threads))
+
+
+def parts(size, count):
+    """0 to size in count parts (first, end) of nearly one size."""
+    return [(size * k // count, size * (k + 1) // count) for k in range(count)]
+
+
+def in_bands(function, width, height):
+    """function(bottom, top) for bands of about BAND pixels, from bottom to top."""
+    bands = parts(height, min(height, 1 + width * height // BAND))
+    return each_band(function, bands, 1 if len(bands) == 1 else cores())
 
 
 def project(clip, width, height):
-    """points (V, 4): x, y, z / w and w of `screen_points`; outcode (V,)."""
+    """x, y, z / w and w of `screen_points` as points (V, 4), and outcode (V,)."""
     points, outcode = np.empty((len(clip), 4)), np.empty(len(clip), np.uint8)
-    face_kernels.project(clip, width, height, 0, len(clip), points, outcode)
+
+    def some(first, end):
+        face_kernels.project(clip, width, height, first, end, points, outcode)
+
+    on_all_cores(some, len(clip), len(clip))
     return points, outcode
 
 
-def seen_faces(points, outcode, faces, width, height):
-    """`rasterize` of the vertices of `project` -> face_index, depth (H W,)."""
+def seen(clip, faces, width, height):
+    """points of `project`, and face_index, depth (height, width) of `rasterize`.
+
+    ValueError for faces that name vertices that are not there.
+    """
+    points, outcode = project(clip, width, height)
+    draw = draw_shares if len(faces) > width * height else draw_bands
+    is_sound, face_index, depth = draw(faces, points, outcode, width, height)
+    if not is_sound:
+        inputs.require_faces(faces, len(clip))
+    return points, face_index.reshape(height, width), depth.reshape(height, width)
+
+
+def draw_bands(faces, points, outcode, width, height):
+    """A band of rows for each thread -> whether the faces are sound, face_index, depth (H W,)."""
     face_index, depth = np.empty(width * height, np.int32), np.empty(width * height)
 
-    def draw_band(bottom, top):
-        face_kernels.draw_faces(faces, points, outcode, width, height, bottom, top, face_index,
-                                depth)
+    def band(bottom, top):
+        return face_kernels.draw_faces(faces, points, outcode, width, height, 0, len(faces),
+                                       bottom, top, face_index, depth)
 
-    for _ in each_band(draw_band, thread_bands(width, height), cores()):
-        pass
-    return face_index, depth
-
-
-def thread_bands(width, height):
-    return [(height * i // cores(), height * (i + 1) // cores()) for i in range(cores())]
+    is_sound = all(on_all_cores(band, height, max(len(faces), width * height)))
+    return is_sound, face_index, depth
 
 
-def barycentrics(points, face_index, faces):
+def draw_shares(faces, points, outcode, width, height):
+    """A share of the faces for each thread, with a z-buffer of its own: otherwise `draw_bands`."""
+    def share(first, end):
+        face_index, depth = np.empty(width * height, np.int32), np.empty(width * height)
+        is_sound = face_kernels.draw_faces(faces, points, outcode, width, height, first, end,
+                                           0, height, face_index, depth)
+        return is_sound, face_index, depth
+
+    (is_sound, *nearest), *others = on_all_cores(share, len(faces), len(faces))
+    for other_is_sound, *other in others:
+        is_sound &= other_is_sound
+        face_kernels.keep_nearest(*nearest, *other)
+    return is_sound, *nearest
+
+
+def rasterize(clip, faces, width, height):
+    """`scanline.rasterize`."""
+    clip, faces = arrays_of(clip, faces)
+    return seen(clip, faces, width, height)[1:]
+
+
+def arrays_of(clip, faces):
+    """clip and faces as kernels take them. ValueError for faces that are not integers."""
+    if faces.dtype != np.intp:
+        inputs.require_faces(faces, len(clip))
+    return np.ascontiguousarray(clip, float), np.ascontiguousarray(faces, np.intp)
+
+
+def barycentrics(face_index, points, faces):
+    """`rasterization.barycentrics`, from the points of `project`."""
     height, width = face_index.shape
     barycentric = np.empty((height, width, 3))
-    pixel_kernels.barycentric_rows(face_index.ravel(), points, faces, width, 0, height,
-                                   barycentric.reshape(-1, 3))
+
+    def band(bottom, top):
+        pixel_kernels.barycentric_rows(face_index.ravel(), points, faces, width, bottom, top,
+                                       barycentric.reshape(-1, 3))
+
+    on_all_cores(band, height, face_index.size)
     return barycentric
 
 
-def coloured(points, face_index, faces, colours, background):
+def coloured(face_index, points, faces, colours, background):
+    """The colour (H, W, C) at each pixel's centre, from the points of `project`."""
     height, width = face_index.shape
     picture = np.empty((height, width, len(background)))
-    def colour_band(bottom, top):
+
+    def band(bottom, top):
         pixel_kernels.colour_rows(face_index.ravel(), points, faces, colours, background, width,
                                   bottom, top, picture.ravel())
-    for _ in each_band(colour_band, thread_bands(width, height), cores()):
-        pass
+
+    on_all_cores(band, height, face_index.size)
     return picture
 
 
-def find_pairs(points, face_index, depth, faces, opposite):
+def find_pairs(face_index, depth, points, faces, opposite):
+    """`outlines.blended_pairs` as numbers (N, 7) and places (N, 5) of pair_kernels.py."""
     height, width = face_index.shape
     face_index, depth = face_index.ravel(), depth.ravel()
     silhouettes = np.zeros(len(faces), np.uint8)
-    bands = [(axis, bottom, top - (axis == 1 and top == height))
-             for axis in (0, 1) for bottom, top in thread_bands(width, height)]
 
-    def find(axis, bottom, top):
-        size = (top - bottom) * width
-        numbers, places = np.empty((size, 7), np.intp), np.empty((size, 5))
-        count = pair_kernels.find_pairs(axis, face_index, depth, points, faces, opposite,
-                                        silhouettes, width, bottom, top, numbers, places)
-        return numbers[:count].copy(), places[:count].copy()
+    def band(bottom, top):
+        room = 2 * (top - bottom) * width
+        numbers, places = np.empty((room, 7), np.intp), np.empty((room, 5))
+        beside, count = pair_kernels.find_pairs(face_index, depth, points, faces, opposite,
+                                                silhouettes, width, bottom, top, numbers, places)
+        return numbers[:count].copy(), places[:count].copy(), beside
 
-    found = list(each_band(find, bands, cores()))
-    return tuple(map(np.concatenate, zip(*found)))
+    found = list(in_bands(band, width, height))
+    if len(found) == 1:
+        return found[0][:2]
+    numbers = [numbers[:k] for numbers, _, k in found] + [numbers[k:] for numbers, _, k in found]
+    places = [places[:k] for _, places, k in found] + [places[k:] for _, places, k in found]
+    return np.concatenate(numbers), np.concatenate(places)
+
+
+def visible(clip, faces, width, height):
+    """`pipeline.visible`."""
+    clip, faces = arrays_of(clip, faces)
+    points, face_index, depth = seen(clip, faces, width, height)
+    return pipeline.Buffers(clip, face_index, depth, barycentrics(face_index, points, faces))
 
 
 def draw(clip, faces, opposite, material, width, height, background):
     """`pipeline.draw`."""
-    clip = np.ascontiguousarray(clip, float)
-    points, outcode = project(clip, width, height)
-    face_index, depth = seen_faces(points, outcode, faces, width, height)
-    face_index, depth = face_index.reshape(height, width), depth.reshape(height, width)
-    background = tuple(map(float, background))
+    if not isinstance(material, pipeline.Colours):
+        return pipeline.draw.__wrapped__(clip, faces, opposite, material, width, height, background)
+    clip, faces = arrays_of(clip, faces)
+    points, face_index, depth = seen(clip, faces, width, height)
     colours = np.ascontiguousarray(material.colours, float)
-    picture = coloured(points, face_index, faces, colours, background)
-    drawn = Drawn(clip, points, face_index, depth, faces, colours, background)
-    drawn.numbers, drawn.places = find_pairs(points, face_index, depth, faces, opposite)
+    background = tuple(map(float, background))
+    picture = coloured(face_index, points, faces, colours, background)
+    drawn = Drawn(clip, face_index, depth, points, faces, colours, background)
+    drawn.numbers, drawn.places = find_pairs(face_index, depth, points, faces, opposite)
     drawn.jump = np.empty((len(drawn.places), len(background)))
     pair_kernels.blend(picture.ravel(), drawn.numbers, drawn.places, background, drawn.jump)
     return picture, drawn
 
 
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
+    """`pipeline.draw_backward`."""
+    if not isinstance(buffers, Drawn):
+        return pipeline.draw_backward.__wrapped__(grad_picture, buffers, faces, material,
+                                                  grad_depth)
     height, width = buffers.face_index.shape
-    clip, background, channels = buffers.clip, buffers.background, len(buffers.background)
     grad_picture = np.ascontiguousarray(grad_picture, float).ravel()
-    grad = np.zeros((len(clip), 4 + channels))
-    face_index = buffers.face_index.ravel()
+    grad = np.zeros((len(buffers.clip), 4 + len(buffers.background)))
+    through_colours(grad_picture, buffers, grad)
+    through_edges(grad_picture, buffers, grad)
+    if grad_depth is not None:
+        grad[:, :4] += rasterizer_gradients.depth_backward(grad_depth, buffers.face_index,
+                                                           buffers.clip, buffers.faces)
+    return pipeline.Colours(grad[:, 4:]), grad[:, :4]
 
-    def gradients(bottom, top):
+
+def through_colours(grad_picture, buffers, grad):
+    """Adds to grad (V, 4 + C), of clip and colours, what comes through the pixels' own colours."""
+    height, width = buffers.face_index.shape
+    face_index, channels = buffers.face_index.ravel(), len(buffers.background)
+
+    def band(bottom, top):
         size = (top - bottom) * width
         run_face, record = np.empty(size, np.int32), np.empty((size, 9 + 3 * channels))
-        runs = pixel_kernels.gradient_rows(grad_picture, face_index, clip, faces, buffers.colours,
-                                           background, width, height, bottom, top, run_face, record)
+        runs = pixel_kernels.gradient_rows(
+            grad_picture, face_index, buffers.clip, buffers.faces, buffers.colours,
+            buffers.background, width, height, bottom, top, run_face, record)
         return runs, run_face, record
 
-    for found in each_band(gradients, bands_of(width, height), cores()):
-        pixel_kernels.add_runs(faces, *found, grad)
-    count = len(buffers.jump)
+    for found in in_bands(band, width, height):
+        pixel_kernels.add_runs(buffers.faces, *found, grad)
+
+
+def through_edges(grad_picture, buffers, grad):
+    """Adds to grad (V, 4 + C) what comes through the blended pairs: edges, and other colours."""
+    height, width = buffers.face_index.shape
+    count, channels = buffers.jump.shape
     pixels, grad_pixels = np.empty(2 * count, np.intp), np.empty(2 * count * channels)
     pair_kernels.blend_backward(grad_picture, buffers.numbers, buffers.places, buffers.jump,
-                                background, clip, width, height, grad, pixels, grad_pixels)
+                                buffers.background, buffers.clip, width, height, grad, pixels,
+                                grad_pixels)
     run_face, record = np.empty(2 * count, np.int32), np.empty((2 * count, 9 + 3 * channels))
-    runs = pixel_kernels.gradient_pixels(grad_pixels, pixels, face_index, clip, faces,
-                                         buffers.colours, background, width, height, run_face,
-                                         record)
-    pixel_kernels.add_runs(faces, runs, run_face, record, grad)
-    return pipeline.Colours(grad[:, 4:]), grad[:, :4]
+    runs = pixel_kernels.gradient_pixels(
+        grad_pixels, pixels, buffers.face_index.ravel(), buffers.clip, buffers.faces,
+        buffers.colours, buffers.background, width, height, run_face, record)
+    pixel_kernels.add_runs(buffers.faces, runs, run_face, record, grad)

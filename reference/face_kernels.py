@@ -173,30 +173,39 @@ def draw_face(face, points, corners, columns, rows, centres, face_index, depth):
 
 
 @kernel
-def draw_faces(faces, points, outcode, width, height, bottom, top, face_index, depth):
-    """All faces, on the rows bottom <= row < top of the picture."""
+def draw_faces(faces, points, outcode, width, height, first, end, bottom, top, face_index, depth):
+    """The faces first <= face < end, on the rows bottom <= row < top of the flat picture.
+
+    -> whether all of them name vertices that are there. The others are left out.
+    """
     centres = np.arange(width) + 0.5
     face_index[bottom * width:top * width] = -1
     depth[bottom * width:top * width] = np.inf
-    for face in range(len(faces)):
+    is_sound = True
+    for face in range(first, end):
         a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
+        if min(a, b, c) < 0 or max(a, b, c) >= len(points):
+            is_sound = False
+            continue
         if outcode[a] & outcode[b] & outcode[c] != FINITE:
             continue
         left, right, low, high = box(points, a, b, c, width, height)
         low, high = max(low, bottom), min(high, top)
         if left >= right or low >= high:
             continue
-        is_small = right - left <= NARROW and (outcode[a] | outcode[b] | outcode[c]) < BEHIND
-        if not (is_small and draw_small(face, points, (a, b, c), (left, right), (low, high), centres,
-                                        face_index, depth)):
-            draw_face(face, points, (a, b, c), (left, right), (low, high), centres, face_index,
-                      depth)
+        corners, columns, rows = (a, b, c), (left, right), (low, high)
+        is_small = right - left <= NARROW and outcode[a] | outcode[b] | outcode[c] < BEHIND
+        if not (is_small and draw_small(face, points, corners, columns, rows, centres, face_index,
+                                        depth)):
+            draw_face(face, points, corners, columns, rows, centres, face_index, depth)
+    return is_sound
 
 
-def rasterize(clip, faces, width, height, threads=None):
-    threads = threads or cores()
-    points, outcode = np.empty((len(clip), 4)), np.empty(len(clip), np.uint8)
-    project(clip, width, height, 0, len(clip), points, outcode)
-    face_index, depth = np.empty(height * width, np.int32), np.empty(height * width)
-    draw_faces(faces, points, outcode, width, height, 0, height, face_index, depth)
-    return face_index.reshape(height, width), depth.reshape(height, width)
+@kernel
+def keep_nearest(face_index, depth, other_index, other_depth):
+    """Two z-buffers become one, the first. Where they are equally deep, it keeps its face."""
+    for pixel in range(len(depth)):
+        before, face = depth[pixel], face_index[pixel]
+        is_nearer = other_depth[pixel] < before
+        depth[pixel] = other_depth[pixel] if is_nearer else before
+        face_index[pixel] = other_index[pixel] if is_nearer else face

@@ -78,17 +78,11 @@ def last_crossing(points, corners, px, py, dx, dy):
 
 
 @kernel
-def find_pairs(axis, face_index, depth, points, faces, opposite, silhouettes, width, bottom, top,
-               numbers, places):
-    """The blended pairs of rows bottom <= row < top with the next pixel to the right (axis 0) or
-    above (axis 1) -> how many.
-
-    numbers (N, 7): owner, other, the edge's ends, face, edge, axis. places (N, 5): c, and x and y
-    of both ends in the pair's frame.
-    """
+def pairs_along(axis, face_index, depth, points, faces, opposite, silhouettes, width, bottom, top,
+                numbers, places, found):
+    """The pairs along x (axis 0) or y (axis 1), after the first found -> how many there are now."""
     step, columns = (1, width - 1) if axis == 0 else (width, width)
-    found = 0
-    for row in range(bottom, top):
+    for row in range(bottom, min(top, len(depth) // width - axis)):
         for first in range(np.uintp(row * width), np.uintp(row * width + columns)):
             second = first + np.uintp(step)
             if face_index[first] == face_index[second]:
@@ -117,6 +111,21 @@ def find_pairs(axis, face_index, depth, points, faces, opposite, silhouettes, wi
                 places[found, 3], places[found, 4] = y_i, y_j
                 found += 1
     return found
+
+
+@kernel
+def find_pairs(face_index, depth, points, faces, opposite, silhouettes, width, bottom, top,
+               numbers, places):
+    """The blended pairs of rows bottom <= row < top with the next pixel to the right, and then
+    those with the one above -> how many there are of the first, and in all.
+
+    numbers (N, 7): owner, other, the edge's ends, face, edge, axis. places (N, 5): c, and x and y
+    of both ends in the pair's frame.
+    """
+    beside = pairs_along(0, face_index, depth, points, faces, opposite, silhouettes, width, bottom,
+                         top, numbers, places, 0)
+    return beside, pairs_along(1, face_index, depth, points, faces, opposite, silhouettes, width,
+                               bottom, top, numbers, places, beside)
 
 
 @kernel

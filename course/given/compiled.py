@@ -11,9 +11,11 @@ wrong index is an error. Compiled code reads on in memory.
 numba keeps machine code beside a module, in __pycache__, until that one file changes. So a kernel
 calls kernels of its own file only.
 """
+import collections
 import concurrent.futures
 import functools
 import importlib.util
+import itertools
 import os
 
 CHECKED = "implementation"  # the package of the code under test
@@ -70,11 +72,26 @@ def pool(threads):
     return concurrent.futures.ThreadPoolExecutor(threads)
 
 
-def each_band(function, bands, threads):
-    """function(*band) for each of the bands -> the results in their order, on so many threads.
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=pool.cache_clear)  # a fork has none of its parent's threads
 
-    The functions must not write to the same place. Kernels run at the same time, Python does not.
+
+def each_band(function, bands, threads):
+    """function(*band) for each of the bands, an iterator in their order, by so many threads.
+
+    Two bands must not write to one place. Kernels run at the same time, Python does not.
     """
     if threads == 1 or len(bands) == 1:
-        return (function(*band) for band in bands)
-    return pool(threads).map(lambda band: function(*band), bands)
+        return itertools.starmap(function, bands)
+    return in_threads(function, bands, threads)
+
+
+def in_threads(function, bands, threads):
+    """`each_band`, begun only a little ahead, so that few results are in memory at a time."""
+    begun = collections.deque()
+    for band in bands:
+        begun.append(pool(threads).submit(function, *band))
+        if len(begun) > 2 * threads:
+            yield begun.popleft().result()
+    while begun:
+        yield begun.popleft().result()
