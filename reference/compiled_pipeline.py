@@ -16,7 +16,7 @@ import functools
 import numpy as np
 
 from course.given import inputs
-from course.given.compiled import cores, each_band
+from course.given.compiled import cores, each_band, without_kernels
 
 from . import (
     face_kernels,
@@ -198,7 +198,8 @@ def visible(clip, faces, width, height):
 def draw(clip, faces, opposite, material, width, height, background):
     """`pipeline.draw`."""
     if not isinstance(material, pipeline.Colours):
-        return pipeline.draw.__wrapped__(clip, faces, opposite, material, width, height, background)
+        return without_kernels(pipeline.draw)(clip, faces, opposite, material, width, height,
+                                             background)
     clip, faces = arrays_of(clip, faces)
     points, face_index, depth = seen(clip, faces, width, height)
     colours = np.ascontiguousarray(material.colours, float)
@@ -214,8 +215,8 @@ def draw(clip, faces, opposite, material, width, height, background):
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """`pipeline.draw_backward`."""
     if not isinstance(buffers, Drawn):
-        return pipeline.draw_backward.__wrapped__(grad_picture, buffers, faces, material,
-                                                  grad_depth)
+        return without_kernels(pipeline.draw_backward)(grad_picture, buffers, faces, material,
+                                                       grad_depth)
     height, width = buffers.face_index.shape
     grad_picture = np.ascontiguousarray(grad_picture, float).ravel()
     grad = np.zeros((len(buffers.clip), 4 + len(buffers.background)))

@@ -98,11 +98,6 @@ def cut(start, end, edge, reciprocal, y):
 
 
 @kernel
-def sign_of(value):
-    return (value > 0) - (value < 0)
-
-
-@kernel
 def depth_plane(points, a, b, c):
     """Eq. (4): x, y, z of the first corner, and how the depth changes along x and along y."""
     x, y, z = points[a, 0], points[a, 1], points[a, 2]
@@ -147,12 +142,12 @@ def draw_small(face, points, corners, columns, rows, centres, face_index, depth)
 def draw_face(face, points, corners, columns, rows, centres, face_index, depth):
     """One face, in the columns and rows of its box. The picture is one long row."""
     a, b, c = farthest_first(points, *corners)
-    winding = sign_of(twice_area(points, a, b, c))
+    winding = np.sign(twice_area(points, a, b, c))
     if winding == 0:
         return
-    edge_0 = half_plane(points, b, c, winding * sign_of(points[a, 3]))
-    edge_1 = half_plane(points, c, a, winding * sign_of(points[b, 3]))
-    edge_2 = half_plane(points, a, b, winding * sign_of(points[c, 3]))
+    edge_0 = half_plane(points, b, c, winding * np.sign(points[a, 3]))
+    edge_1 = half_plane(points, c, a, winding * np.sign(points[b, 3]))
+    edge_2 = half_plane(points, a, b, winding * np.sign(points[c, 3]))
     reciprocal_0, reciprocal_1, reciprocal_2 = 1 / edge_0[1], 1 / edge_1[1], 1 / edge_2[1]
     x, y, z, dz_dx, dz_dy = depth_plane(points, a, b, c)
     for row in range(*rows):

@@ -39,7 +39,7 @@ def kernel(function):
 
 def has_kernels(room):
     """A decorator for functions of the reference: where numba is installed, the function of the
-    same name in reference/ROOM.py takes their place. `__wrapped__` is the one of NumPy.
+    same name in reference/ROOM.py takes their place.
     """
     def decorate(function):
         package, _, _ = function.__module__.partition(".")
@@ -53,6 +53,11 @@ def has_kernels(room):
 
         return compiled
     return decorate
+
+
+def without_kernels(function):
+    """The function of NumPy that `has_kernels` decorates."""
+    return getattr(function, "__wrapped__", function)
 
 
 @functools.cache

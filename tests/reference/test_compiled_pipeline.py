@@ -1,0 +1,152 @@
+"""The kernels, with and without numba, are the pipeline of NumPy: the same bits, and gradients."""
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from course.given import compiled, mesh, places
+from course.given.compiled import without_kernels
+from reference import antialiasing, compiled_pipeline, pipeline, transforms
+from reference.pipeline import Colours
+
+WIDTH, HEIGHT = 13, 11
+SCENES = 300 if compiled.is_installed() else 25  # kernels of plain Python are slow
+BUFFERS = "clip", "face_index", "depth", "barycentric", "colour"
+
+
+def hostile(rng):
+    """Few vertices, on a coarse grid: corners on pixels' centres, slivers, equal depths. Some w are
+    negative or 0, and some numbers nan.
+    """
+    x, y = rng.integers(-2, 2 * WIDTH + 3, 12) / 2, rng.integers(-2, 2 * HEIGHT + 3, 12) / 2
+    w = rng.choice([1.0, 1.0, 2.0, 0.5], 12)
+    clip = np.stack([2 * x / WIDTH - 1, 2 * y / HEIGHT - 1, rng.integers(-5, 6, 12) / 4,
+                     np.ones(12)], -1) * w[:, None]
+    kind = rng.integers(4)
+    if kind == 1:
+        clip = rng.normal(size=(12, 4)) * [1, 1, 0.3, 1]
+    if kind == 2:
+        clip[rng.integers(12), 3] *= rng.choice([0.0, -1.0, 1e-13])
+    if kind == 3:
+        clip[rng.integers(12), rng.integers(4)] = rng.choice([np.nan, np.inf, 1e200])
+    return clip, rng.integers(0, 12, (rng.integers(1, 20), 3))
+
+
+def ball(rng):
+    """Many small faces, half of them hidden."""
+    positions, faces = mesh.icosphere(2000 if compiled.is_installed() else 80)
+    camera = transforms.perspective(0.9, WIDTH / HEIGHT, 0.1, 20.0)
+    camera = camera @ transforms.translate(np.array([0.1, -0.2, -3.0]))
+    return pipeline.to_clip(positions, camera), faces
+
+
+def scenes():
+    rng = np.random.default_rng(3)
+    for build in [ball] + [hostile] * SCENES:
+        clip, faces = build(rng)
+        colours = Colours(rng.normal(size=(len(clip), rng.choice([1, 3]))))
+        background = rng.normal(size=colours.colours.shape[1])
+        yield (clip, faces, antialiasing.opposite_vertices(faces), colours, WIDTH, HEIGHT,
+               background), rng
+
+
+def is_sound(clip, faces, drawn):
+    """No number is huge, no vertex near the camera plane, no sliver seen: they lose digits."""
+    if not np.abs(clip).max() < 1e3 or np.abs(clip[:, 3]).min() < 1e-2:
+        return False
+    corners = drawn.points[faces[np.unique(drawn.face_index[drawn.face_index >= 0])]][..., :2]
+    sides = np.roll(corners, 1, 1) - corners
+    area = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+    return (area > 1e-2 * (sides**2).sum(2).max(1)).all()
+
+
+def same(found, expected):
+    return np.array_equal(found, expected, equal_nan=True)
+
+
+def test_pictures_and_buffers_are_the_same_bits():
+    """A tie is decided otherwise, or a sum is rounded otherwise, on one pixel of many."""
+    blended = 0
+    for scene, _ in scenes():
+        with np.errstate(all="ignore"):
+            expected, buffers = without_kernels(pipeline.draw)(*scene)
+            picture, drawn = compiled_pipeline.draw(*scene)
+            assert same(picture, expected)
+            for name in BUFFERS:
+                assert same(getattr(drawn, name), getattr(buffers, name)), name
+            for found, pairs in zip(drawn.pairs, buffers.pairs, strict=True):
+                assert same(found, pairs)
+        blended += len(buffers.pairs.c)
+    assert blended > SCENES
+
+
+def test_gradients_are_the_same_but_for_the_order_of_sums():
+    """A run's sum, an edge's end or the pixels of a pair are left out or counted twice."""
+    compared = 0
+    for scene, rng in scenes():
+        clip, faces, _, colours, *_ = scene
+        with np.errstate(all="ignore"):
+            _, buffers = without_kernels(pipeline.draw)(*scene)
+            _, drawn = compiled_pipeline.draw(*scene)
+            if not is_sound(clip, faces, drawn):
+                continue
+        compared += 1
+        upstream = rng.normal(size=buffers.colour.shape)
+        depth = rng.normal(size=buffers.depth.shape)
+        expected, grad_clip = without_kernels(pipeline.draw_backward)(
+            upstream, buffers, faces, colours, depth)
+        found, clip_found = compiled_pipeline.draw_backward(upstream, drawn, faces, colours, depth)
+        for gradient, other in (expected.colours, found.colours), (grad_clip, clip_found):
+            assert np.abs(gradient - other).max() <= 1e-12 * np.abs(gradient).max()
+    assert compared > SCENES / 5
+
+
+def all_of(scene, threads, monkeypatch):
+    """What a scene gives with so many threads, as arrays."""
+    monkeypatch.setattr(compiled_pipeline, "cores", lambda: threads)
+    picture, drawn = compiled_pipeline.draw(*scene)
+    upstream = np.sin(np.arange(picture.size)).reshape(picture.shape)
+    material, grad_clip = compiled_pipeline.draw_backward(upstream, drawn, *scene[1:4:2])
+    return picture, drawn.face_index, drawn.depth, drawn.numbers, drawn.places, *material, grad_clip
+
+
+@pytest.mark.parametrize("by_faces", [False, True])
+def test_two_threads_find_the_same_bits_as_one(by_faces, monkeypatch):
+    """Threads add to one vertex in the order in which they come, or two faces are equally deep."""
+    monkeypatch.setattr(compiled_pipeline, "SMALL", 0)
+    monkeypatch.setattr(compiled_pipeline, "BAND", 20)
+    for (scene, _), _ in zip(scenes(), range(12), strict=False):
+        scene = list(scene)
+        if by_faces:
+            repeated = 1 + WIDTH * HEIGHT // len(scene[1])
+            scene[1] = np.tile(scene[1], (repeated, 1))
+            scene[2] = np.tile(scene[2], (repeated, 1))
+        with np.errstate(all="ignore"):
+            one, two = (all_of(scene, threads, monkeypatch) for threads in (1, 2))
+        assert all(map(same, one, two))
+
+
+def test_faces_without_their_vertices_are_refused():
+    """A kernel reads on in memory."""
+    clip = np.ones((3, 4))
+    for faces in np.array([[0, 1, 3]]), np.array([[0, -1, 2]]), np.array([[0.0, 1.0, 2.0]]):
+        with pytest.raises(ValueError, match="faces"):
+            compiled_pipeline.visible(clip, faces, 4, 4)
+
+
+@pytest.mark.parametrize("numba", ["None", "sys.modules.get('numba')"])
+def test_the_reference_uses_kernels_where_numba_is(numba):
+    """Nobody uses them, or labs and what is checked do, which run what a student wrote."""
+    code = f"""
+import sys, importlib.util
+installed = importlib.util.find_spec("numba") is not None and {numba} is not None
+from course.given import compiled
+compiled.is_installed = lambda: installed
+from reference import pipeline
+from labs import pipeline as own
+print(installed == hasattr(pipeline.draw, "__wrapped__"), hasattr(own.draw, "__wrapped__"))
+"""
+    told = subprocess.run([sys.executable, "-c", code], cwd=places.ROOT, capture_output=True,
+                          text=True, check=True).stdout
+    assert told.split() == ["True", "False"]
