@@ -28,8 +28,9 @@ from . import (
     rasterizer_gradients,
 )
 
-SMALL = 1 << 14  # pixels, or faces: for fewer, a second thread costs more than it gains
-BAND = 1 << 15   # pixels, whose pairs or runs are found at once
+SMALL = 1 << 14   # pixels, or faces: for fewer, a second thread costs more than it gains
+BAND = 1 << 15    # pixels, whose pairs or runs are found at once
+CACHED = 1 << 18  # pixels, whose z-buffer stays in the cache
 
 
 class Drawn(pipeline.Buffers):
@@ -62,8 +63,12 @@ class Drawn(pipeline.Buffers):
 
 def on_all_cores(function, size, work):
     """function(first, end) for parts of size, one for each thread that so much work is worth."""
-    threads = 1 if work <= SMALL else cores()
+    threads = threads_for(work)
     return list(each_band(function, parts(size, threads), threads))
+
+
+def threads_for(work):
+    return 1 if work <= SMALL else cores()
 
 
 def parts(size, count):
@@ -102,15 +107,20 @@ def seen(clip, faces, width, height):
 
 
 def draw_bands(faces, points, outcode, width, height):
-    """A band of rows for each thread -> whether the faces are sound, face_index, depth (H W,)."""
-    face_index, depth = np.empty(width * height, np.int32), np.empty(width * height)
+    """Bands of rows, each drawn by one thread -> whether the faces are sound, face_index, depth.
+
+    Each band looks at all faces. That is worth it where its pixels then stay in the cache.
+    """
+    size = width * height
+    face_index, depth = np.empty(size, np.int32), np.empty(size)
 
     def band(bottom, top):
         return face_kernels.draw_faces(faces, points, outcode, width, height, 0, len(faces),
                                        bottom, top, face_index, depth)
 
-    is_sound = all(on_all_cores(band, height, max(len(faces), width * height)))
-    return is_sound, face_index, depth
+    threads = threads_for(max(len(faces), size))
+    count = max(threads, min(size // CACHED, size // (8 * len(faces) + 1)))
+    return all(list(each_band(band, parts(height, count), threads))), face_index, depth
 
 
 def draw_shares(faces, points, outcode, width, height):
