@@ -39,10 +39,11 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
     ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
     ("reconstruction", "multi_view_fit", "intrinsic_decomposition"),
+    ("kernels", "face_kernels", "pixel_kernels", "pair_kernels", "compiled_pipeline"),
 )
 TOPICS = tuple(itertools.chain(*LABS))
 
-GIVEN = "mesh", "inputs", "distances", "ray_casting", "places"  # what labs import of course.given
+GIVEN = "mesh", "inputs", "distances", "ray_casting", "places", "compiled"  # what labs import of course.given
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(rf"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)(?(1)({OPEN})?|)")
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)

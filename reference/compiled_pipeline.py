@@ -227,7 +227,6 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     if not isinstance(buffers, Drawn):
         return without_kernels(pipeline.draw_backward)(grad_picture, buffers, faces, material,
                                                        grad_depth)
-    height, width = buffers.face_index.shape
     grad_picture = np.ascontiguousarray(grad_picture, float).ravel()
     grad = np.zeros((len(buffers.clip), 4 + len(buffers.background)))
     through_colours(grad_picture, buffers, grad)

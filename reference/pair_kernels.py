@@ -147,7 +147,7 @@ def blend(picture, numbers, places, background, jump):
 
 @kernel
 def end_backward(grad_along, grad_across, dx, dy, clip, vertex, width, height, grad):
-    """Adds the gradient of an edge's end, in the pair's frame, to its x, y and w in grad[vertex]."""
+    """Adds the gradient of an edge's end, in the pair's frame, to its x, y, w in grad[vertex]."""
     grad_x = (dx * grad_along + abs(dy) * grad_across) * (width / 2)
     grad_y = (dy * grad_along + abs(dx) * grad_across) * (height / 2)
     x, y, w = clip[vertex, 0], clip[vertex, 1], clip[vertex, 3]

@@ -3,6 +3,7 @@
     places             where things lie, and files read and written whole
     inputs             what functions expect: one sentence for what does not fit
     contract           what goes into an exercise, and what may come out
+    compiled           loops that numba compiles where it is installed, and all cores
     image              pictures as arrays, and as files
     mesh               triangle meshes: simple shapes, normals, edges
     distances          how far points are from a mesh, and meshes from each other

@@ -18,6 +18,8 @@ import importlib.util
 import itertools
 import os
 
+from .contract import UNFINISHED
+
 CHECKED = "implementation"  # the package of the code under test
 
 
@@ -27,7 +29,9 @@ def kernel(function):
     It takes and returns arrays and numbers. No other thread waits for it, and a division by 0 gives
     inf or nan as in NumPy.
     """
-    if not is_installed() or function.__module__.split(".")[0] == CHECKED:
+    is_written = not any(UNFINISHED.fullmatch(text) for text in function.__code__.co_consts
+                         if isinstance(text, str))
+    if not (is_written and is_installed()) or function.__module__.split(".")[0] == CHECKED:
         return function
     import numba
     compiled = functools.partial(numba.njit, nogil=True, error_model="numpy")

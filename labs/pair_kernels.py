@@ -1,0 +1,190 @@
+"""Pair kernels: lab 8's antialiasing as loops over pairs of pixels, there and back.
+
+    a thread a band    find_pairs         pairs that see different faces, (1) to (3)
+    one thread         blend              (4) and (5), in the pairs' order
+                       blend_backward     gradients of edges' ends, and of the pixels of each pair
+
+The numbers are equations of antialiasing.py, and the decisions are those of outlines.py, to the
+last bit. Most pairs lie between two faces of one surface. So a face's silhouette comes first, found
+when the first of its pairs asks for it. Threads may find one twice, and write the same byte.
+"""
+import numpy as np
+
+from course.given.compiled import kernel
+
+from .antialiasing import WINDOW
+from .rasterization import CAMERA_PLANE
+
+KNOWN = np.uint8(8)  # a face's silhouette has been found: bits 0 to 2 are its edges
+
+
+@kernel
+def is_clockwise(points, a, b, c):
+    """`edge_function` of a and the edge from b to c, its roundings too; mirrored where w < 0."""
+    x, y, x0, y0, x1, y1 = (points[a, 0], points[a, 1], points[b, 0], points[b, 1],
+                            points[c, 0], points[c, 1])
+    from_y = y0 if x0 <= x1 else y1
+    e = (y0 - y1) * (x - min(x0, x1)) + (x1 - x0) * (y - from_y)
+    return e * (np.sign(points[a, 3]) * np.sign(points[b, 3]) * np.sign(points[c, 3])) < 0
+
+
+@kernel
+def silhouette_of(points, corners, across):
+    """Eq. (1) for one face: bit k for edge k, and KNOWN."""
+    a, b, c = corners
+    across_a, across_b, across_c = across
+    own = is_clockwise(points, a, b, c)
+    at_0 = across_a < 0 or is_clockwise(points, across_a, b, c) == own
+    at_1 = across_b < 0 or is_clockwise(points, across_b, c, a) == own
+    at_2 = across_c < 0 or is_clockwise(points, across_c, a, b) == own
+    return np.uint8(at_0 | at_1 << 1 | at_2 << 2 | KNOWN)
+
+
+@kernel
+def crossing(x0, y0, w0, x1, y1, w1):
+    """Eq. (3) where the edge crosses y = 0 in front of the camera, else -inf."""
+    above0, above1 = y0 * w0, y1 * w1
+    if (above0 < 0) == (above1 < 0) or not w0 * abs(above1) + w1 * abs(above0) > 0:
+        return -np.inf
+    is_nearer = abs(y1) < abs(y0)
+    x, y = x1 if is_nearer else x0, y1 if is_nearer else y0
+    return x - y * (x1 - x0) / (y1 - y0)
+
+
+@kernel
+def in_frame(points, vertex, px, py, dx, dy):
+    """Eq. (2): a vertex in the frame of a pair, which begins at px, py and runs along dx, dy."""
+    x, y = points[vertex, 0] - px, points[vertex, 1] - py
+    return dx * x + dy * y, abs(dy) * x + abs(dx) * y
+
+
+@kernel
+def last_crossing(points, corners, px, py, dx, dy):
+    """The edge that the pair's line crosses last -> edge, c, its ends, and x, y of both ends."""
+    a, b, c = corners
+    w0, w1, w2 = points[a, 3], points[b, 3], points[c, 3]
+    x0, y0 = in_frame(points, a, px, py, dx, dy)
+    x1, y1 = in_frame(points, b, px, py, dx, dy)
+    x2, y2 = in_frame(points, c, px, py, dx, dy)
+    at_0 = crossing(x1, y1, w1, x2, y2, w2)
+    at_1 = crossing(x2, y2, w2, x0, y0, w0)
+    at_2 = crossing(x0, y0, w0, x1, y1, w1)
+    found = 0, at_0, b, c, x1, y1, x2, y2
+    if at_1 > at_0:
+        found = 1, at_1, c, a, x2, y2, x0, y0
+    if at_2 > found[1]:
+        found = 2, at_2, a, b, x0, y0, x1, y1
+    return found
+
+
+@kernel
+def pairs_along(axis, face_index, depth, points, faces, opposite, silhouettes, width, bottom, top,
+                numbers, places, found):
+    """The pairs along x (axis 0) or y (axis 1), after the first found -> how many there are now."""
+    step, columns = (1, width - 1) if axis == 0 else (width, width)
+    for row in range(bottom, min(top, len(depth) // width - axis)):
+        for first in range(np.uintp(row * width), np.uintp(row * width + columns)):
+            second = first + np.uintp(step)
+            if face_index[first] == face_index[second]:
+                continue
+            is_first = depth[first] < depth[second]
+            owner, other = (first, second) if is_first else (second, first)
+            face = face_index[owner]
+            corners = faces[face, 0], faces[face, 1], faces[face, 2]
+            if silhouettes[face] == 0:
+                across = opposite[face, 0], opposite[face, 1], opposite[face, 2]
+                silhouettes[face] = silhouette_of(points, corners, across)
+            if silhouettes[face] == KNOWN:
+                continue
+            along = 1.0 if is_first else -1.0
+            edge, c, i, j, x_i, y_i, x_j, y_j = last_crossing(
+                points, corners, int(owner) % width + 0.5, int(owner) // width + 0.5,
+                along * (1 - axis), along * axis)
+            is_steep = abs(y_j - y_i) >= abs(x_j - x_i)
+            is_dropped = c == 0.5 and is_first
+            if (silhouettes[face] >> edge & 1 and is_steep and -WINDOW < c < 1 + WINDOW
+                    and not is_dropped):
+                numbers[found, 0], numbers[found, 1], numbers[found, 2] = owner, other, i
+                numbers[found, 3], numbers[found, 4], numbers[found, 5] = j, face, edge
+                numbers[found, 6] = axis
+                places[found, 0], places[found, 1], places[found, 2] = c, x_i, x_j
+                places[found, 3], places[found, 4] = y_i, y_j
+                found += 1
+    return found
+
+
+@kernel
+def find_pairs(face_index, depth, points, faces, opposite, silhouettes, width, bottom, top,
+               numbers, places):
+    """The blended pairs of rows bottom <= row < top with the next pixel to the right, and then
+    those with the one above -> how many there are of the first, and in all.
+
+    numbers (N, 7): owner, other, the edge's ends, face, edge, axis. places (N, 5): c, and x and y
+    of both ends in the pair's frame.
+    """
+    beside = pairs_along(0, face_index, depth, points, faces, opposite, silhouettes, width, bottom,
+                         top, numbers, places, 0)
+    return beside, pairs_along(1, face_index, depth, points, faces, opposite, silhouettes, width,
+                               bottom, top, numbers, places, beside)
+
+
+@kernel
+def blend(picture, numbers, places, background, jump):
+    """Eqs. (4) and (5): changes the picture, flat, C numbers a pixel; jump (N, C) becomes the
+    difference of each pair's colours, other - owner, before any blend.
+    """
+    channels = len(background)
+    for n in range(len(jump)):
+        for k in range(channels):
+            jump[n, k] = (picture[numbers[n, 1] * channels + k]
+                          - picture[numbers[n, 0] * channels + k])
+    for n in range(len(jump)):
+        alpha = 0.5 - min(max(places[n, 0], 0.0), 1.0)
+        changed = numbers[n, 0] if alpha > 0 else numbers[n, 1]
+        for k in range(channels):
+            picture[changed * channels + k] += alpha * jump[n, k]
+
+
+@kernel
+def end_backward(grad_along, grad_across, dx, dy, clip, vertex, width, height, grad):
+    """Adds the gradient of an edge's end, in the pair's frame, to its x, y, w in grad[vertex]."""
+    grad_x = (dx * grad_along + abs(dy) * grad_across) * (width / 2)
+    grad_y = (dy * grad_along + abs(dx) * grad_across) * (height / 2)
+    x, y, w = clip[vertex, 0], clip[vertex, 1], clip[vertex, 3]
+    least = CAMERA_PLANE * max(abs(x), abs(y))
+    if abs(w) < least:
+        w = -least if w < 0 else least
+    grad[vertex, 0] += grad_x / w
+    grad[vertex, 1] += grad_y / w
+    grad[vertex, 3] -= (grad_x * x / w + grad_y * y / w) / w
+
+
+@kernel
+def blend_backward(grad_picture, numbers, places, jump, background, clip, width, height, grad,
+                   pixels, grad_pixels):
+    """Backward of `blend`: the edges' ends in grad (V, 4 + C), and what their pixels get beside
+    grad_picture: pixels (2 N,), grad_pixels flat, C numbers for each.
+    """
+    channels = len(background)
+    for n in range(len(jump)):
+        owner, other = numbers[n, 0], numbers[n, 1]
+        at, x0, x1, y0, y1 = (places[n, 0], places[n, 1], places[n, 2], places[n, 3], places[n, 4])
+        alpha = 0.5 - min(max(at, 0.0), 1.0)
+        changed = owner if alpha >= 0 else other
+        pixels[2 * n], pixels[2 * n + 1] = owner, other
+        grad_alpha = 0.0
+        for k in range(channels):
+            grad_changed = grad_picture[changed * channels + k]
+            grad_alpha += grad_changed * jump[n, k]
+            grad_pixels[2 * n * channels + k] = -alpha * grad_changed
+            grad_pixels[(2 * n + 1) * channels + k] = alpha * grad_changed
+        if 0 < at < 1:
+            r = 1 / (y1 - y0)
+            c = (x0 * y1 - x1 * y0) * r
+            slope = -grad_alpha * r
+            along, axis = 1.0 if other > owner else -1.0, numbers[n, 6]
+            dx, dy = along * (1 - axis), along * axis
+            end_backward(slope * y1, slope * (c - x1), dx, dy, clip, numbers[n, 2], width, height,
+                         grad)
+            end_backward(-slope * y0, slope * (x0 - c), dx, dy, clip, numbers[n, 3], width, height,
+                         grad)
