@@ -1,7 +1,7 @@
 """The compiled pipeline: what pipeline.py draws and differentiates, by kernels on all cores.
 
-    project, draw_faces   ->  colour_rows    ->  find_pairs, blend         `draw`
-    add_runs              <-  gradient_rows  <-  blend_backward            `draw_backward`
+    project_vertices, draw_faces  ->  colour_rows    ->  find_pairs, blend      `draw`
+    add_runs                      <-  gradient_rows  <-  blend_backward         `draw_backward`
 
 Each function stands for the one of its name in another module. What it finds is the same to the
 bit, and gradients to rounding. Barycentrics, and colours before antialiasing, are not kept: the way
@@ -36,9 +36,9 @@ CACHED = 1 << 18  # pixels, whose z-buffer stays in the cache
 class Drawn(pipeline.Buffers):
     """The Buffers of a picture of Colours. What is not kept is found again when asked for."""
 
-    def __new__(cls, clip, face_index, depth, points, faces, colours, background):
-        drawn = super().__new__(cls, clip, face_index, depth, None)
-        drawn.points, drawn.faces = points, faces
+    def __new__(cls, clip, screen, faces, colours, background):
+        drawn = super().__new__(cls, clip, *screen[1:], None)
+        drawn.points, drawn.faces = screen[0], faces
         drawn.colours, drawn.background = colours, background
         return drawn
 
@@ -68,6 +68,7 @@ def on_all_cores(function, size, work):
 
 
 def threads_for(work):
+    """As many as there are cores, unless the pixels or faces are few."""
     return 1 if work <= SMALL else cores()
 
 
@@ -82,23 +83,23 @@ def in_bands(function, width, height):
     return each_band(function, bands, 1 if len(bands) == 1 else cores())
 
 
-def project(clip, width, height):
+def screen_vertices(clip, width, height):
     """x, y, z / w and w of `screen_points` as points (V, 4), and outcode (V,)."""
     points, outcode = np.empty((len(clip), 4)), np.empty(len(clip), np.uint8)
 
     def some(first, end):
-        face_kernels.project(clip, width, height, first, end, points, outcode)
+        face_kernels.project_vertices(clip, width, height, first, end, points, outcode)
 
     on_all_cores(some, len(clip), len(clip))
     return points, outcode
 
 
 def seen(clip, faces, width, height):
-    """points of `project`, and face_index, depth (height, width) of `rasterize`.
+    """points of `screen_vertices`, and face_index, depth (height, width) of `rasterize`.
 
     ValueError for faces that name vertices that are not there.
     """
-    points, outcode = project(clip, width, height)
+    points, outcode = screen_vertices(clip, width, height)
     draw = draw_shares if len(faces) > width * height else draw_bands
     is_sound, face_index, depth = draw(faces, points, outcode, width, height)
     if not is_sound:
@@ -140,11 +141,11 @@ def draw_shares(faces, points, outcode, width, height):
 
 def rasterize(clip, faces, width, height):
     """`scanline.rasterize`."""
-    clip, faces = arrays_of(clip, faces)
+    clip, faces = contiguous(clip, faces)
     return seen(clip, faces, width, height)[1:]
 
 
-def arrays_of(clip, faces):
+def contiguous(clip, faces):
     """clip and faces as kernels take them. ValueError for faces that are not integers."""
     if faces.dtype != np.intp:
         inputs.require_faces(faces, len(clip))
@@ -152,7 +153,7 @@ def arrays_of(clip, faces):
 
 
 def barycentrics(face_index, points, faces):
-    """`rasterization.barycentrics`, from the points of `project`."""
+    """`rasterization.barycentrics`, from the points of `screen_vertices`."""
     height, width = face_index.shape
     barycentric = np.empty((height, width, 3))
 
@@ -165,7 +166,7 @@ def barycentrics(face_index, points, faces):
 
 
 def coloured(face_index, points, faces, colours, background):
-    """The colour (H, W, C) at each pixel's centre, from the points of `project`."""
+    """The colour (H, W, C) at each pixel's centre, from the points of `screen_vertices`."""
     height, width = face_index.shape
     picture = np.empty((height, width, len(background)))
 
@@ -177,7 +178,7 @@ def coloured(face_index, points, faces, colours, background):
     return picture
 
 
-def find_pairs(face_index, depth, points, faces, opposite):
+def blended_pairs(face_index, depth, points, faces, opposite):
     """`outlines.blended_pairs` as numbers (N, 7) and places (N, 5) of pair_kernels.py."""
     height, width = face_index.shape
     face_index, depth = face_index.ravel(), depth.ravel()
@@ -200,7 +201,7 @@ def find_pairs(face_index, depth, points, faces, opposite):
 
 def visible(clip, faces, width, height):
     """`pipeline.visible`."""
-    clip, faces = arrays_of(clip, faces)
+    clip, faces = contiguous(clip, faces)
     points, face_index, depth = seen(clip, faces, width, height)
     return pipeline.Buffers(clip, face_index, depth, barycentrics(face_index, points, faces))
 
@@ -210,13 +211,13 @@ def draw(clip, faces, opposite, material, width, height, background):
     if not isinstance(material, pipeline.Colours):
         return without_kernels(pipeline.draw)(clip, faces, opposite, material, width, height,
                                              background)
-    clip, faces = arrays_of(clip, faces)
-    points, face_index, depth = seen(clip, faces, width, height)
+    clip, faces = contiguous(clip, faces)
+    screen = points, face_index, depth = seen(clip, faces, width, height)
     colours = np.ascontiguousarray(material.colours, float)
     background = tuple(map(float, background))
     picture = coloured(face_index, points, faces, colours, background)
-    drawn = Drawn(clip, face_index, depth, points, faces, colours, background)
-    drawn.numbers, drawn.places = find_pairs(face_index, depth, points, faces, opposite)
+    drawn = Drawn(clip, screen, faces, colours, background)
+    drawn.numbers, drawn.places = blended_pairs(face_index, depth, points, faces, opposite)
     drawn.jump = np.empty((len(drawn.places), len(background)))
     pair_kernels.blend(picture.ravel(), drawn.numbers, drawn.places, background, drawn.jump)
     return picture, drawn

@@ -1,13 +1,16 @@
 """Face kernels: lab 2's rasterizer as loops over vertices, faces, rows and columns.
 
-    a thread a vertex   where it is on screen, and beyond which planes            project
+    a thread a vertex   where it is on screen, and beyond which planes            project_vertices
     a thread a band     for each face, for each row of it in the band             draw_faces
                         an interval of columns, the nearest depth stays
 
-They take the decisions of scanline.py to the last bit: the numbers in brackets are its equations.
-No two bands have a pixel in common, so the threads need no lock, and any number of them draws the
-same picture. A face of at most a few columns is tested at each of them. On wider ones a quotient
-finds where an edge crosses the row, which costs more and is needed once for each row.
+They take the decisions of scanline.py to the last bit: functions of one name do the same, and the
+numbers in brackets are its equations. No two bands have a pixel in common. So the threads need no
+lock, and any number of them draws the same picture.
+
+Most faces of a large mesh are small. One of a few columns is tested pixel by pixel, by edge
+functions that are only nearly right. Where all signs are certain that is enough. All other faces
+take the exact way: on each row a quotient finds where an edge crosses, and the exact sum decides.
 """
 import numpy as np
 
@@ -16,13 +19,13 @@ from course.given.compiled import kernel
 from .rasterization import CAMERA_PLANE, MARGIN
 from .scanline import FINITE, TINY
 
-BEHIND = 1 << 7
-NARROW = 4       # columns: up to so many, each is tested
-CERTAIN = 1e-9   # square pixels: an edge function of a pixel's neighbourhood that has a sign
+BEHIND = 1 << 7  # the bit of an outcode for w <= 0
+NARROW = 4      # columns of a small face
+CERTAIN = 1e-9  # square pixels: within NARROW columns, no rounding turns the sign of more than this
 
 
 @kernel
-def project(clip, width, height, first, end, points, outcode):
+def project_vertices(clip, width, height, first, end, points, outcode):
     """`screen_points` and `outcodes` of vertices, first <= v < end: points[v] = x, y, z / w, w."""
     for v in range(first, end):
         x, y, z, w = clip[v, 0], clip[v, 1], clip[v, 2], clip[v, 3]
@@ -37,7 +40,7 @@ def project(clip, width, height, first, end, points, outcode):
 
 
 @kernel
-def box(points, a, b, c, width, height):
+def sample_box(points, a, b, c, width, height):
     """The samples that a face may cover: left <= column < right, bottom <= row < top."""
     if min(points[a, 3], points[b, 3], points[c, 3]) <= 0:
         return 0, width, 0, height
@@ -61,6 +64,7 @@ def farthest_first(points, a, b, c):
 
 @kernel
 def twice_area(points, a, b, c):
+    """2A of a face: positive if it is counter-clockwise."""
     x, y = points[a, 0], points[a, 1]
     return ((points[b, 0] - x) * (points[c, 1] - y) - (points[c, 0] - x) * (points[b, 1] - y))
 
@@ -93,6 +97,7 @@ def first_column(edge, reciprocal, y):
 
 @kernel
 def cut(start, end, edge, reciprocal, y):
+    """The part of a row's interval that lies inside of an edge."""
     column = first_column(edge, reciprocal, y)
     return (max(start, column if edge[0] else start), min(end, end if edge[0] else column))
 
@@ -109,7 +114,7 @@ def depth_plane(points, a, b, c):
 
 @kernel
 def draw_small(face, points, corners, columns, rows, centres, face_index, depth):
-    """A face in front of the camera -> whether each pixel of its box is certain."""
+    """`draw_face` for a small face in front of the camera -> whether all its signs are certain."""
     a, b, c = corners
     x0, y0, x1, y1, x2, y2 = (points[a, 0], points[a, 1], points[b, 0], points[b, 1],
                               points[c, 0], points[c, 1])
@@ -184,7 +189,7 @@ def draw_faces(faces, points, outcode, width, height, first, end, bottom, top, f
             continue
         if outcode[a] & outcode[b] & outcode[c] != FINITE:
             continue
-        left, right, low, high = box(points, a, b, c, width, height)
+        left, right, low, high = sample_box(points, a, b, c, width, height)
         low, high = max(low, bottom), min(high, top)
         if left >= right or low >= high:
             continue

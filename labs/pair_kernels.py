@@ -52,7 +52,7 @@ def crossing(x0, y0, w0, x1, y1, w1):
 
 
 @kernel
-def in_frame(points, vertex, px, py, dx, dy):
+def in_pair_frame(points, vertex, px, py, dx, dy):
     """Eq. (2): a vertex in the frame of a pair, which begins at px, py and runs along dx, dy."""
     x, y = points[vertex, 0] - px, points[vertex, 1] - py
     return dx * x + dy * y, abs(dy) * x + abs(dx) * y
@@ -63,9 +63,9 @@ def last_crossing(points, corners, px, py, dx, dy):
     """The edge that the pair's line crosses last -> edge, c, its ends, and x, y of both ends."""
     a, b, c = corners
     w0, w1, w2 = points[a, 3], points[b, 3], points[c, 3]
-    x0, y0 = in_frame(points, a, px, py, dx, dy)
-    x1, y1 = in_frame(points, b, px, py, dx, dy)
-    x2, y2 = in_frame(points, c, px, py, dx, dy)
+    x0, y0 = in_pair_frame(points, a, px, py, dx, dy)
+    x1, y1 = in_pair_frame(points, b, px, py, dx, dy)
+    x2, y2 = in_pair_frame(points, c, px, py, dx, dy)
     at_0 = crossing(x1, y1, w1, x2, y2, w2)
     at_1 = crossing(x2, y2, w2, x0, y0, w0)
     at_2 = crossing(x0, y0, w0, x1, y1, w1)

@@ -10,16 +10,13 @@
     c = M_f^-1 (x, y, 1),  depth = 1 / sum c_k / z_k  pass 2, a thread a pixel: all faces    (8)
     picture = depth sum c_k A_k / z_k                 pass 3, a thread a pixel               (9)
 
-A thread is one call of the body. Nobody says which comes first, so the result must not depend on
-it. These functions are loops over numbers, as a graphics card runs them, and @kernel compiles them
-where numba is installed. In plain Python they are right, and slow. (7) to (9) are the three passes
-of neural_renderer, with lab 10's M^-1. A face covers a sample where all c_k >= 0.
+A thread is one call of the body. Nobody says which comes first. @kernel compiles these loops where
+numba is installed. (7) to (9) are neural_renderer's passes, with lab 10's M^-1. A face covers a
+sample where all c_k >= 0. The whole pipeline in this form is in face_kernels.py, pixel_kernels.py
+and pair_kernels.py, and compiled_pipeline.py starts their threads.
 
-The rooms behind this one, face_kernels.py, pixel_kernels.py and pair_kernels.py, are the whole
-pipeline in this form, and compiled_pipeline.py starts their threads.
-
-Sources: a reading of neural_renderer's rasterizer; Laine and Karras 2011 (tiles, and the order of
-fragments); Laine et al. 2020; Williams, Waterman and Patterson 2009 (4).
+Sources: a reading of neural_renderer's rasterizer; Laine and Karras 2011 (5); Williams, Waterman
+and Patterson 2009 (4).
 """
 import numpy as np
 

@@ -27,13 +27,14 @@ def run_end(face_index, start, end):
 
 
 @kernel
-def corners_on_screen(points, a, b, c):
+def screen_corners(points, a, b, c):
+    """x, y and w of three vertices."""
     return (points[a, 0], points[a, 1], points[a, 3], points[b, 0], points[b, 1], points[b, 3],
             points[c, 0], points[c, 1], points[c, 3])
 
 
 @kernel
-def barycentric_at(px, py, x0, y0, w0, x1, y1, w1, x2, y2, w2):
+def weights_at(px, py, x0, y0, w0, x1, y1, w1, x2, y2, w2):
     """Eq. (5) of rasterization.py."""
     x0, y0, x1, y1, x2, y2 = x0 - px, y0 - py, x1 - px, y1 - py, x2 - px, y2 - py
     c0, c1, c2 = (x1 * y2 - y1 * x2) / w0, (x2 * y0 - y2 * x0) / w1, (x0 * y1 - y0 * x1) / w2
@@ -51,8 +52,8 @@ def barycentric_rows(face_index, points, faces, width, bottom, top, barycentric)
             b0, b1, b2 = 0.0, 0.0, 0.0
             if face >= 0:
                 a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-                b0, b1, b2 = barycentric_at(column + 0.5, row + 0.5,
-                                            *corners_on_screen(points, a, b, c))
+                b0, b1, b2 = weights_at(column + 0.5, row + 0.5,
+                                            *screen_corners(points, a, b, c))
             barycentric[pixel, 0], barycentric[pixel, 1], barycentric[pixel, 2] = b0, b1, b2
 
 
@@ -75,9 +76,9 @@ def colour_rows(face_index, points, faces, colours, background, width, bottom, t
                         picture[pixel * channels + k] = background[k]
             else:
                 a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
-                corners = corners_on_screen(points, a, b, c)
+                corners = screen_corners(points, a, b, c)
                 for column in range(start - first, end - first):
-                    b0[column], b1[column], b2[column] = barycentric_at(
+                    b0[column], b1[column], b2[column] = weights_at(
                         np.int32(column) + 0.5, row + 0.5, *corners)
                 for column in range(start - first, end - first):
                     pixel = (first + column) * channels
