@@ -43,7 +43,8 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
 )
 TOPICS = tuple(itertools.chain(*LABS))
 
-GIVEN = "mesh", "inputs", "distances", "ray_casting", "places", "compiled"  # what labs import of course.given
+GIVEN = (  # what labs import of course.given
+    "mesh", "inputs", "distances", "ray_casting", "places", "compiled")
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(rf"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)(?(1)({OPEN})?|)")
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
