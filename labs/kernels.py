@@ -27,8 +27,8 @@ from course.given.compiled import kernel
 def writers(boxes, width, height):  # exercise 17.1 (2 points)
     """Eq. (2) for a thread a face: how many threads write to each pixel?
 
-    boxes (F, 4) integers: left, bottom, right, top, all within the picture. The thread of a face
-    writes to the columns left <= j < right of the rows bottom <= i < top -> (height, width).
+    boxes (F, 4) integers: left, bottom, right, top. A face writes to the columns left <= j < right
+    of the rows bottom <= i < top -> (height, width).
 
     >>> writers(np.array([[0, 0, 2, 2], [1, 0, 3, 1]]), 4, 2)
     array([[1, 2, 1, 0],
@@ -64,10 +64,8 @@ def race(face, depth, schedule):
 def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
     """Eq. (3): the face that each of count pixels sees, whatever the order of the fragments.
 
-    pixel, depth, face (N,): fragments, with depth from -1 to 1 -> face (count,), -1 where none
-    comes. For each fragment there is one minimum of integers, which hardware does without a race:
-    key[p] = min(key[p], its key). In the end the face is found in the key. Of two faces with the
-    same floor in (3), the one of lower number is seen.
+    pixel, depth, face (N,): fragments, depth from -1 to 1 -> face (count,), -1 where none comes.
+    Each fragment does key[p] = min(key[p], its key), all in integers. The face is found in the key.
 
     >>> nearest_faces(np.array([2, 0, 2]), np.array([0.5, -1.0, 0.25]), np.array([7, 8, 9]), 4)
     array([ 8, -1,  9, -1])
@@ -90,8 +88,7 @@ def mixed_in_passes(e, a):
 
 @kernel
 def mixed_at_once(e, a):  # exercise 17.3 (2 points)
-    """Eq. (4): `mixed_in_passes` as one kernel. Each of e and a is read once, and no array is made
-    but the result.
+    """Eq. (4): `mixed_in_passes` as one loop over n, which makes no array but the result.
 
     e, a (3, N) -> sum e_k a_k / sum e_k (N,).
 
@@ -106,9 +103,8 @@ def mixed_at_once(e, a):  # exercise 17.3 (2 points)
 def bins(bin_of, count):  # exercise 17.4 (3 points)
     """Eq. (5): which items are in each of count bins?
 
-    bin_of (N,): the bin of each item n -> start (count + 1,), item (N,). The items of bin k are
-    item[start[k]:start[k + 1]], in the order of their numbers. Do it in three loops: count the
-    items of each bin, add the counts up, and put each item into the next free place of its bin.
+    bin_of (N,): the bin of each item n -> start (count + 1,), item (N,). A bin's items stand in the
+    order of their numbers. Three loops do it: count, add the counts up, fill.
 
     >>> bins(np.array([2, 0, 2, 2, 0]), 4)
     (array([0, 2, 2, 5, 5]), array([1, 4, 0, 2, 3]))
@@ -141,9 +137,9 @@ def tiles_of(boxes, size, across):
 
 @kernel
 def gathered(start, item, values):  # exercise 17.5 (2 points)
-    """Eq. (6): for each bin, the sum of its items' values. A thread a bin: no two write together.
+    """Eq. (6): for each bin, the sum of its items' values, added in their order.
 
-    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C). Add the items in their order.
+    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C).
 
     >>> start, item = np.array([0, 2, 2, 3]), np.array([0, 2, 1])
     >>> gathered(start, item, np.array([[1.0, 5.0], [10.0, 6.0], [100.0, 7.0]]))
@@ -179,12 +175,10 @@ def invert_face(face, screen, inverse):
 def three_passes(screen, z, colours, width, height):  # exercise 17.6 (5 points)
     """Eqs. (7) to (9): the whole of neural_renderer's forward pass as kernels.
 
-    screen (F, 3, 2): where the corners of faces are, in pixels. z (F, 3) > 0: how far they are in
-    front of the camera. colours (F, 3, C) at the corners -> picture (height, width, C), 0 where no
-    face is seen. Pixels are sampled at their centres, (j + 0.5, i + 0.5). The first of two equally
-    deep faces is seen. Pass 1 is a loop over faces, with the given `invert_face`. Passes 2 and 3
-    are a loop over pixels. The thread of a pixel keeps the nearest face in variables of its own.
-    So it writes to its pixel alone, and nothing races.
+    screen (F, 3, 2): the faces' corners in pixels, z (F, 3) > 0, colours (F, 3, C) -> picture
+    (height, width, C), 0 where no face is seen. Pass 1 is the given `invert_face` for each face.
+    Passes 2 and 3 are one loop over pixels, sampled at (j + 0.5, i + 0.5), whose threads keep the
+    nearest face in variables. The first of two equally deep faces is seen.
 
     >>> screen, z = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]]), np.array([[1.0, 1.0, 2.0]])
     >>> three_passes(screen, z, np.array([[[8.0], [4.0], [4.0]]]), 4, 2).round(3)[..., 0]
