@@ -11,7 +11,7 @@ finds where an edge crosses the row, which costs more and is needed once for eac
 """
 import numpy as np
 
-from course.given.compiled import cores, kernel
+from course.given.compiled import cores, each_band, kernel
 
 from .rasterization import CAMERA_PLANE, MARGIN
 from .scanline import FINITE, TINY
