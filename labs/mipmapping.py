@@ -18,6 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from course.given.compiled import has_kernels
+
 from .texturing import (
     BOUNDARIES,
     Footprint,
@@ -272,6 +274,7 @@ def footprint_level_backward(grad_level, footprint, mipmap):
     return grad_jacobian.reshape(jacobian.shape), grad_bias
 
 
+@has_kernels("texel_kernels")
 def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap", max_level=None):
     """The colour at (u, v), for each pixel of a picture.
 
@@ -296,6 +299,7 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
     return colour.reshape(*footprint.uv.shape[:-1], image.shape[2])
 
 
+@has_kernels("texel_kernels")
 def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="linear",
                      boundary="wrap", max_level=None):
     """Backward of `texture`: grad_colour (..., C) -> grad_image, grad_uv, grad_jacobian, grad_bias.

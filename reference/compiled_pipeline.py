@@ -20,11 +20,13 @@ from course.given.compiled import cores, each_band, without_kernels
 
 from . import (
     face_kernels,
+    footprint_kernels,
     interpolation,
     outlines,
     pair_kernels,
     pipeline,
     pixel_kernels,
+    rasterization,
     rasterizer_gradients,
 )
 
@@ -34,12 +36,12 @@ CACHED = 1 << 18  # pixels, whose z-buffer stays in the cache
 
 
 class Drawn(pipeline.Buffers):
-    """The Buffers of a picture of Colours. What is not kept is found again when asked for."""
+    """The Buffers of a picture. What is not kept is found again when asked for."""
 
-    def __new__(cls, clip, screen, faces, colours, background):
+    def __new__(cls, clip, screen, faces, material, background):
         drawn = super().__new__(cls, clip, *screen[1:], None)
         drawn.points, drawn.faces = screen[0], faces
-        drawn.colours, drawn.background = colours, background
+        drawn.material, drawn.background = material, background
         return drawn
 
     @functools.cached_property
@@ -48,11 +50,19 @@ class Drawn(pipeline.Buffers):
 
     @functools.cached_property
     def weights(self):
+        if isinstance(self.material, pipeline.Texture):
+            return None
         return interpolation.weight_rows(self.faces, self.face_index, self.barycentric)
 
     @functools.cached_property
+    def derivatives(self):
+        if not isinstance(self.material, pipeline.Texture):
+            return None
+        return rasterization.barycentrics_derivatives(self.face_index, self.clip, self.faces)
+
+    @functools.cached_property
     def colour(self):
-        return coloured(self.face_index, self.points, self.faces, self.colours, self.background)
+        return shaded(self)
 
     @property
     def pairs(self):
@@ -206,20 +216,27 @@ def visible(clip, faces, width, height):
     return pipeline.Buffers(clip, face_index, depth, barycentrics(face_index, points, faces))
 
 
+def shaded(drawn):
+    """The colour (H, W, C) at each pixel's centre."""
+    if not isinstance(drawn.material, pipeline.Texture):
+        return coloured(drawn.face_index, drawn.points, drawn.faces, drawn.material.colours,
+                        drawn.background)
+    colour = footprint_kernels.textured(drawn.clip, drawn.face_index, drawn.material, drawn.faces)
+    colour[drawn.face_index < 0] = drawn.background
+    return colour
+
+
 def draw(clip, faces, opposite, material, width, height, background):
     """`pipeline.draw`."""
-    if not isinstance(material, pipeline.Colours):
-        return without_kernels(pipeline.draw)(clip, faces, opposite, material, width, height,
-                                             background)
     clip, faces = contiguous(clip, faces)
+    if isinstance(material, pipeline.Colours):
+        material = pipeline.Colours(np.ascontiguousarray(material.colours, float))
     screen = points, face_index, depth = seen(clip, faces, width, height)
-    colours = np.ascontiguousarray(material.colours, float)
-    background = tuple(map(float, background))
-    picture = coloured(face_index, points, faces, colours, background)
-    drawn = Drawn(clip, screen, faces, colours, background)
+    drawn = Drawn(clip, screen, faces, material, tuple(map(float, background)))
+    picture = shaded(drawn)
     drawn.numbers, drawn.places = blended_pairs(face_index, depth, points, faces, opposite)
-    drawn.jump = np.empty((len(drawn.places), len(background)))
-    pair_kernels.blend(picture.ravel(), drawn.numbers, drawn.places, background, drawn.jump)
+    drawn.jump = np.empty((len(drawn.places), len(drawn.background)))
+    pair_kernels.blend(picture.ravel(), drawn.numbers, drawn.places, drawn.background, drawn.jump)
     return picture, drawn
 
 
@@ -228,43 +245,59 @@ def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     if not isinstance(buffers, Drawn):
         return without_kernels(pipeline.draw_backward)(grad_picture, buffers, faces, material,
                                                        grad_depth)
-    grad_picture = np.ascontiguousarray(grad_picture, float).ravel()
-    grad = np.zeros((len(buffers.clip), 4 + len(buffers.background)))
-    through_colours(grad_picture, buffers, grad)
-    through_edges(grad_picture, buffers, grad)
+    grad_picture = np.ascontiguousarray(grad_picture, float)
+    way = through_texture if isinstance(buffers.material, pipeline.Texture) else through_colours
+    grad_material, grad_clip = way(grad_picture, buffers)
     if grad_depth is not None:
-        grad[:, :4] += rasterizer_gradients.depth_backward(grad_depth, buffers.face_index,
-                                                           buffers.clip, buffers.faces)
-    return pipeline.Colours(grad[:, 4:]), grad[:, :4]
+        grad_clip += rasterizer_gradients.depth_backward(grad_depth, buffers.face_index,
+                                                         buffers.clip, buffers.faces)
+    return grad_material, grad_clip
 
 
-def through_colours(grad_picture, buffers, grad):
-    """Adds to grad (V, 4 + C), of clip and colours, what comes through the pixels' own colours."""
-    height, width = buffers.face_index.shape
-    face_index, channels = buffers.face_index.ravel(), len(buffers.background)
-
-    def band(bottom, top):
-        size = (top - bottom) * width
-        run_face, record = np.empty(size, np.int32), np.empty((size, 9 + 3 * channels))
-        runs = pixel_kernels.gradient_rows(
-            grad_picture, face_index, buffers.clip, buffers.faces, buffers.colours,
-            buffers.background, width, height, bottom, top, run_face, record)
-        return runs, run_face, record
-
-    for found in in_bands(band, width, height):
-        pixel_kernels.add_runs(buffers.faces, *found, grad)
+def through_texture(grad_picture, buffers):
+    """The way back through a texture, and through the blended pairs."""
+    grad_edges = np.zeros(buffers.clip.shape)
+    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad_edges)
+    grad_colour = grad_picture.copy()
+    channels = grad_picture.shape[2]
+    np.add.at(grad_colour.reshape(-1, channels), pixels, grad_pixels.reshape(-1, channels))
+    grad_material, grad_clip = footprint_kernels.textured_backward(
+        grad_colour, buffers.clip, buffers.face_index, buffers.material, buffers.faces)
+    return grad_material, grad_clip + grad_edges
 
 
-def through_edges(grad_picture, buffers, grad):
-    """Adds to grad (V, 4 + C) what comes through the blended pairs: edges, and other colours."""
+def pairs_backward(grad_picture, buffers, grad):
+    """Adds the gradients of the blended edges to grad (V, 4 or more), and finds those of their
+    pixels' colours, beside grad_picture: pixels (2 N,), grad_pixels, C numbers for each.
+    """
     height, width = buffers.face_index.shape
     count, channels = buffers.jump.shape
     pixels, grad_pixels = np.empty(2 * count, np.intp), np.empty(2 * count * channels)
-    pair_kernels.blend_backward(grad_picture, buffers.numbers, buffers.places, buffers.jump,
-                                buffers.background, buffers.clip, width, height, grad, pixels,
-                                grad_pixels)
-    run_face, record = np.empty(2 * count, np.int32), np.empty((2 * count, 9 + 3 * channels))
-    runs = pixel_kernels.gradient_pixels(
-        grad_pixels, pixels, buffers.face_index.ravel(), buffers.clip, buffers.faces,
-        buffers.colours, buffers.background, width, height, run_face, record)
-    pixel_kernels.add_runs(buffers.faces, runs, run_face, record, grad)
+    pair_kernels.blend_backward(grad_picture.ravel(), buffers.numbers, buffers.places,
+                                buffers.jump, buffers.background, buffers.clip, width, height,
+                                grad, pixels, grad_pixels)
+    return pixels, grad_pixels
+
+
+def through_colours(grad_picture, buffers):
+    """The way back through colours of the vertices, and through the blended pairs."""
+    height, width = buffers.face_index.shape
+    channels, colours = len(buffers.background), buffers.material.colours
+    mesh = buffers.face_index.ravel(), buffers.clip, buffers.faces, colours, buffers.background
+    grad = np.zeros((len(buffers.clip), 4 + channels))  # of clip, and of colours
+
+    def room(size):
+        return np.empty(size, np.int32), np.empty((size, 9 + 3 * channels))
+
+    def band(bottom, top):
+        found = room((top - bottom) * width)
+        return pixel_kernels.gradient_rows(grad_picture.ravel(), *mesh, width, height, bottom, top,
+                                           *found), *found
+
+    for runs in in_bands(band, width, height):
+        pixel_kernels.add_runs(buffers.faces, *runs, grad)
+    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad)
+    found = room(len(pixels))
+    runs = pixel_kernels.gradient_pixels(grad_pixels, pixels, *mesh, width, height, *found)
+    pixel_kernels.add_runs(buffers.faces, runs, *found, grad)
+    return pipeline.Colours(grad[:, 4:]), grad[:, :4]

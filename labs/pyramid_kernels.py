@@ -1,0 +1,128 @@
+"""Pyramid kernels: a texture's pyramid and the level of each pixel, for texel_kernels.py.
+
+Level 0 of the pyramid is the image itself. The other levels follow each other in one array. All
+arrays are flat: texel t of a level is C numbers at start + C t. channels is any tuple of C numbers,
+so that compiled code knows C.
+"""
+from typing import NamedTuple
+
+import numpy as np
+
+from course.given.compiled import each_band, kernel
+
+from . import mipmapping
+
+BAND = 1 << 14  # pixels, or texels, that a thread takes at a time
+
+
+class Pyramid(NamedTuple):
+    """The levels of a texture, or their gradients."""
+
+    image: np.ndarray    # level 0
+    smaller: np.ndarray  # the others
+    width: np.ndarray    # (L,) of each level
+    height: np.ndarray   # (L,)
+    start: np.ndarray    # (L,) where it begins
+
+
+@kernel
+def halve_rows(texels, at, width, height, first, end, halves, to, channels):
+    """Eq. (5): rows first <= i < end of the level at halves[to], from the one at texels[at]."""
+    size, columns, rows = len(channels), min(width, 2), min(height, 2)
+    beside, above = np.uintp((columns - 1) * size), np.uintp((rows - 1) * width * size)
+    for i in range(first, end):
+        low, half = at + i * rows * width * size, to + i * (width // columns) * size
+        for j in range(width // columns):
+            for k in range(size):
+                a = np.uintp(low + j * columns * size + k)
+                b = a + beside
+                halves[np.uintp(half + j * size + k)] = (
+                    (texels[a] + texels[a + above]) + (texels[b] + texels[b + above])) / 4
+
+
+@kernel
+def halve_rows_backward(texels, at, width, height, first, end, halves, to, channels):
+    """Adds the gradient of the level at halves[to] to rows first <= i < end of that at texels[at].
+    """
+    size, columns, rows = len(channels), min(width, 2), min(height, 2)
+    for i in range(first, end):
+        low, half = at + i * width * size, to + (i // rows) * (width // columns) * size
+        for j in range(width):
+            for k in range(size):
+                texels[np.uintp(low + j * size + k)] += (
+                    halves[np.uintp(half + (j // columns) * size + k)] / (rows * columns))
+
+
+@kernel
+def squared_sizes(jacobian, width, height, first, end, squared):
+    """The square of eq. (6)'s greatest singular value, of pixels first <= n < end."""
+    for n in range(np.uintp(first), np.uintp(end)):
+        at = np.uintp(4) * n
+        s_x, s_y = jacobian[at] * width, jacobian[at + np.uintp(1)] * width
+        t_x, t_y = jacobian[at + np.uintp(2)] * height, jacobian[at + np.uintp(3)] * height
+        A, B = s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y
+        C = s_x * s_y + t_x * t_y
+        squared[n] = (A + B) / 2 + np.sqrt((A - B) * (A - B) / 4 + C * C)
+
+
+@kernel
+def squared_sizes_backward(grad_level, jacobian, width, height, first, end, grad_jacobian):
+    """`mip_level_backward` of pixels first <= n < end."""
+    for n in range(np.uintp(first), np.uintp(end)):
+        x, y = np.uintp(4) * n, np.uintp(4) * n + np.uintp(1)
+        u, v = x + np.uintp(2), y + np.uintp(2)
+        s_x, s_y = jacobian[x] * width, jacobian[y] * width
+        t_x, t_y = jacobian[u] * height, jacobian[v] * height
+        A, B = s_x * s_x + t_x * t_x, s_y * s_y + t_y * t_y
+        C = s_x * s_y + t_x * t_y
+        S, R = (A + B) / 2, np.sqrt((A - B) * (A - B) / 4 + C * C)
+        grad_sum = grad_level[n] / (2 * np.log(2.0) * (S + R if S > 0 else np.inf))
+        by_root = grad_sum / (R if R > 0 else np.inf)
+        grad_A = grad_sum + by_root * (A - B) / 2  # twice the gradients of A and B
+        grad_B = grad_sum - by_root * (A - B) / 2
+        grad_C = by_root * C
+        grad_jacobian[x] = width * (grad_A * s_x + grad_C * s_y)
+        grad_jacobian[y] = width * (grad_B * s_y + grad_C * s_x)
+        grad_jacobian[u] = height * (grad_A * t_x + grad_C * t_y)
+        grad_jacobian[v] = height * (grad_B * t_y + grad_C * t_x)
+
+
+def in_bands(function, count, step, threads):
+    """function(first, end) for bands of count, step in each -> the list of what it returns."""
+    bands = [(first, min(first + step, count)) for first in range(0, count, step)]
+    return list(each_band(function, bands, threads))
+
+
+def between_levels(halve, pyramid, level, rows, channels, threads):
+    """halve: `halve_rows` or its backward pass, for as many rows."""
+    texels = pyramid.smaller if level > 1 else pyramid.image
+    below = pyramid.start[level - 1], pyramid.width[level - 1], pyramid.height[level - 1]
+    half = pyramid.smaller, pyramid.start[level], channels
+    in_bands(lambda first, end: halve(texels, *below, first, end, *half),
+             rows, max(BAND // int(below[1]), 1), threads)
+
+
+def make_pyramid(image, sampler, channels, threads):
+    """`mipmapping.pyramid`, of image (h, w, C), for a sampler."""
+    levels = mipmapping.pyramid(image[..., :0], sampler.max_level if "mipmap" in sampler.filter
+                                else 0)  # only their shapes
+    height, width, _ = np.transpose([level.shape for level in levels])
+    count = height * width * image.shape[2]
+    start = np.append([0, 0], np.cumsum(count[1:]))[:len(levels)]
+    pyramid = Pyramid(image.ravel(), np.empty(count[1:].sum()), width, height, start)
+    for level in range(1, len(levels)):
+        between_levels(halve_rows, pyramid, level, height[level], channels, threads)
+    return pyramid
+
+
+def levels_of(footprint, sizes, first, end, level):
+    """`footprint_level` of pixels first <= n < end. footprint: its parts are flat. The logarithm is
+    NumPy's, because numba's may round otherwise.
+    """
+    _, jacobian, bias = footprint
+    part = slice(first, end)
+    if jacobian is not None:
+        squared_sizes(jacobian, *sizes, first, end, level)
+        with np.errstate(divide="ignore"):
+            level[part] = np.log2(level[part]) / 2
+    level[part] += bias[part] if len(bias) > 1 else bias
