@@ -42,6 +42,7 @@ import sys
 from pathlib import Path
 
 from course.commands import COMMANDS
+from course.given import memory
 from course.given.places import ROOT, is_handout
 
 FOR_TEACHERS = ("handout", "solutions", "grade", "autograder", "skeleton", "mistakes", "feedback",
@@ -53,6 +54,7 @@ def main(argv: list[str] | None = None) -> int:
 
     What the user can mend is said in one line. Everything else is a defect: traceback.
     """
+    memory.hold()
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="replace")  # for consoles that lack a character
     asked = arguments(sys.argv[1:] if argv is None else argv)

@@ -4,6 +4,7 @@
     inputs             what functions expect: one sentence for what does not fit
     contract           what goes into an exercise, and what may come out
     compiled           loops that numba compiles where it is installed, and all cores
+    memory             freed arrays stay with the process
     image              pictures as arrays, and as files
     mesh               triangle meshes: simple shapes, normals, edges
     distances          how far points are from a mesh, and meshes from each other

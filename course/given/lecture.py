@@ -19,7 +19,7 @@ import types
 import matplotlib.pyplot as plt
 from IPython import get_ipython
 
-from . import plot
+from . import memory, plot
 from .contract import UNFINISHED
 
 SCOPES = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp
@@ -27,6 +27,7 @@ SCOPES = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp
 
 def begin():
     """Call this at the end of the first code cell. Outside of Jupyter it only sets the style."""
+    memory.hold()
     plot.style()
     shell = get_ipython()
     if shell:
