@@ -40,7 +40,8 @@ def rounds(calls, runs):
     names = list(calls)
     took = {name: [] for name in names}
     for start in range(runs + 1):
-        for name in np.roll(names, start).tolist():
+        turn = start % len(names)
+        for name in names[turn:] + names[:turn]:
             begin = time.process_time()
             calls[name]()
             took[name].append(1000 * (time.process_time() - begin))

@@ -1,15 +1,18 @@
 """This course beside compiled renderers, in one process: python3 benchmarks/peers.py
 
 Three works, on icospheres of 1,000 to a million faces and screens of 512 x 512 to 4,096 x 4,096
-pixels. Milliseconds of processor time on one core. All renderers take turns, in another order each
-round. "x" is our time divided by the peer's: the median of the rounds, each divided by itself.
+pixels, and on a cube of 12 faces in 16 x 16 pixels, as in the fits. Milliseconds of processor time
+on one core. All works of all renderers take turns, in another order each round. "NumPy x" and
+"compiled x" are our times divided by a peer's: medians of the rounds, each divided by itself.
 
 Writes benchmarks/results/peers.json and benchmarks/peers.png, which README.md shows.
 """
 import json
+import os
 import statistics
+import subprocess
 import sys
-import tracemalloc
+import time
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -18,64 +21,136 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure, renderers
+from course.experiments.scenes import fit_cube
 from course.given import places, plot
+from reference import compiled_pipeline, pipeline, transforms
 
 FACES = 1_000, 10_000, 100_000, 1_000_000
 SIZES = 512, 1024, 2048, 4096
 ROUNDS = 15, 5  # of scenes up to 100,000 faces or 1,024 x 1,024 pixels, and of larger ones
-COLOURS = {"ours": plot.BLACK, "DRTK": plot.BLUE, "llvmpipe": plot.ORANGE, "DEODR": plot.GREEN}
+OURS = "NumPy", "compiled"
+COLOURS = {"NumPy": plot.BLACK, "compiled": plot.RED, "DRTK": plot.BLUE, "llvmpipe": plot.ORANGE,
+           "DEODR": plot.GREEN}
+TINY = 16, 50  # pixels on a side, and calls that are timed together: as in a fit, caches are warm
 
 
 def main():
     facts = measure.begin()
     peers = renderers.installed()
     scenes = [(count, 512) for count in FACES] + [(10_000, size) for size in SIZES[1:]]
-    rows = [line for scene in scenes for line in lines_of(peers, *scene)]
+    rows = lines_of(peers, *tiny_cube())
+    rows += [line for scene in scenes for line in lines_of(peers, *ball(*scene))]
     measure.show(rows)
     by_faces = [line for line in rows if line["pixels"] == 512**2]
     by_pixels = [line for line in rows if 10_000 <= line["faces"] < 20_000]
-    growth = {"exponent in faces": exponent(by_faces, "faces"),
-              "exponent in pixels": exponent(by_pixels, "pixels"),
-              "peak memory, MB": peak_memory()}
-    for name, value in growth.items():
-        print(f"forward and backward, {name}: {value:.3g}")
-    content = json.dumps({**facts, "milliseconds": rows, **growth}, indent=1)
+    growth = {f"{name}, exponent in {key}": exponent(lines, key, name)
+              for name in OURS if name in rows[0]
+              for key, lines in (("faces", by_faces), ("pixels", by_pixels))}
+    memory = {name: peak_memory(name) for name in ["NumPy", *peers]}
+    for name, value in {**growth, **memory}.items():
+        print(f"{name}: {value:.3g}")
+    content = json.dumps({**facts, "milliseconds": rows, **growth, "peak memory, MB": memory,
+                          "two threads": two_threads() if "compiled" in peers else []}, indent=1)
     places.write_whole(Path(__file__).parent / "results" / "peers.json", content.encode())
     draw(by_faces, by_pixels)
 
 
-def lines_of(peers, face_count, size):
-    """The lines of the table for one scene, one for each work."""
+def ball(face_count, size):
+    """A Scene, how many rounds it gets, and how many calls are timed together."""
     _, faces, clip = measure.sphere(face_count)
-    found = renderers.prepare(peers, renderers.scene(faces, clip, size))
-    count = ROUNDS[face_count > 100_000 or size > 1024]
+    return renderers.scene(faces, clip, size), ROUNDS[face_count > 100_000 or size > 1024], 1
+
+
+def tiny_cube():
+    """`ball` for the cube of the fits."""
+    turned = measure.CLIP_FROM_WORLD @ transforms.rotate(np.array([1.0, 1.0, 0.2]), 0.9)
+    clip = pipeline.to_clip(fit_cube.TRUTH.positions, turned)
+    return renderers.scene(fit_cube.FACES, clip, TINY[0]), ROUNDS[0], TINY[1]
+
+
+def lines_of(peers, scene, count, repeats):
+    """The lines of the table for one scene, one for each work."""
+    found = renderers.prepare(peers, scene)
+    took = measure.rounds({(work, name): repeated(calls[work], repeats)
+                           for name, calls in found.items() for work in renderers.WORK
+                           if work in calls}, count)
     lines = []
     for work in renderers.WORK:
-        calls = {name: calls[work] for name, calls in found.items() if work in calls}
-        took = measure.rounds(calls, count)
-        line = {"work": work, "faces": len(faces), "pixels": size**2}
-        for name, times in took.items():
-            line[name] = statistics.median(times)
-            if name != "ours":
-                line[f"x {name}"] = statistics.median(np.divide(took["ours"], times))
+        line = {"work": work, "faces": len(scene.faces), "pixels": scene.gradient[..., 0].size}
+        times = {name: times for (done, name), times in took.items() if done == work}
+        for name in times:
+            line[name] = statistics.median(times[name]) / repeats
+        for own in OURS:
+            for name in times:
+                if name not in OURS and own in times:
+                    line[f"{own} x {name}"] = statistics.median(np.divide(times[own], times[name]))
         lines.append(line)
     return lines
 
 
-def exponent(lines, key):
+def repeated(call, times):
+    """The call, so many times."""
+    def calls():
+        for _ in range(times):
+            call()
+    return calls
+
+
+def exponent(lines, key, name):
     """p in time = const * key^p of forward and backward, by least squares."""
-    size, took = np.transpose([(line[key], line["ours"]) for line in lines
+    size, took = np.transpose([(line[key], line[name]) for line in lines
                                if line["work"] == "both ways"])
     return np.polyfit(np.log(size), np.log(took), 1)[0]
 
 
-def peak_memory():
-    """Megabytes in use at most in forward and backward: 10,000 faces, 2048 x 2048 pixels."""
-    _, faces, clip = measure.sphere(10_000)
-    call = renderers.ours(renderers.scene(faces, clip, 2048))["both ways"]
-    tracemalloc.start()
-    call()
-    return tracemalloc.get_traced_memory()[1] / 1e6
+PEAK = """
+from pathlib import Path
+from benchmarks import peers, renderers
+def kilobytes(of):
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return int(next(line for line in lines if line.startswith(of)).split()[1])
+found = renderers.PEERS.get({name!r}, (renderers.plain,))[0]
+warm, _, _ = peers.ball(1000, 64)
+scene, _, _ = peers.ball(10_000, 2048)
+for some in warm, scene:
+    calls = found(some)
+    Path("/proc/self/clear_refs").write_text("5")  # the peak begins anew
+    before = kilobytes("VmRSS")
+    kept = calls.get("both ways", calls["interpolated"])()
+print((kilobytes("VmHWM") - before) / 1000)
+"""
+
+
+def peak_memory(name):
+    """Megabytes above the inputs, at most, in forward and backward: 10,000 faces, 2048 x 2048
+    pixels, a process of its own.
+    """
+    done = subprocess.run([sys.executable, "-c", PEAK.format(name=name)], text=True,
+                          capture_output=True, check=True,
+                          env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    return float(done.stdout.split()[-1])
+
+
+def two_threads():
+    """Wall time of forward and backward by kernels, one thread against two in turn."""
+    os.sched_setaffinity(0, range(os.cpu_count()))
+    lines = []
+    for face_count, size in [(count, 512) for count in FACES] + [(10_000, 2048)]:
+        scene, _, _ = ball(face_count, size)
+        took = {1: [], 2: []}
+        for _ in range(11):
+            for threads, times in took.items():
+                compiled_pipeline.cores = lambda threads=threads: threads
+                begin = time.perf_counter()
+                renderers.compiled(scene)["both ways"]()
+                times.append(1000 * (time.perf_counter() - begin))
+        one, two = took[1][1:], took[2][1:]
+        lines.append({"faces": len(scene.faces), "pixels": size**2, "one": statistics.median(one),
+                      "two": statistics.median(two),
+                      "gain": statistics.median(np.divide(one, two)),
+                      "gain of minima": min(one) / min(two)})
+    measure.show(lines)
+    return lines
 
 
 def draw(by_faces, by_pixels):

@@ -1,13 +1,22 @@
-"""The renderers of benchmarks/peers.py: ours, DRTK, DEODR and llvmpipe, each in its own way.
+"""The renderers of benchmarks/peers.py: ours twice, DRTK, DEODR and llvmpipe, each in its own way.
 
-Each is a function scene -> {work: call}. WORK names what a call can do. None does quite the same as
-another; its docstring says what differs. "face index" is a call, too, and tells what was seen.
+Each is a function scene -> {work: call}. WORK names what a call can do, from clip positions on. None
+does quite the same as another; its docstring says what differs. "covered" is a call, too, and tells
+what was seen: a face index, or a mask of pixels.
 """
 from typing import NamedTuple
 
 import numpy as np
 
-from reference import antialiasing, interpolation, pipeline, rasterization, scanline
+from course.given.compiled import is_installed, without_kernels
+from reference import (
+    antialiasing,
+    compiled_pipeline,
+    interpolation,
+    pipeline,
+    rasterization,
+    scanline,
+)
 
 WORK = {"visible": "Face index and depth",
         "interpolated": "With barycentrics and 3 attributes",
@@ -31,23 +40,48 @@ def scene(faces, clip, size):
                  antialiasing.opposite_vertices(faces))
 
 
-def ours(scene):
+def plain(scene):
     """This course: NumPy, float64."""
     faces, clip, attributes, gradient, opposite = scene
     size = len(gradient)
     material = pipeline.Colours(attributes)
 
     def interpolated():
-        seen = pipeline.visible(clip, faces, size, size)
+        seen = without_kernels(pipeline.visible)(clip, faces, size, size)
         return interpolation.interpolate(attributes, faces, seen.face_index, seen.barycentric)
 
     def both_ways():
-        _, buffers = pipeline.draw(clip, faces, opposite, material, size, size, np.zeros(3))
-        return pipeline.draw_backward(gradient, buffers, faces, material)
+        _, buffers = without_kernels(pipeline.draw)(clip, faces, opposite, material, size, size,
+                                                    np.zeros(3))
+        return without_kernels(pipeline.draw_backward)(gradient, buffers, faces, material)
 
     return {"visible": lambda: scanline.rasterize(clip, faces, size, size),
             "interpolated": interpolated, "both ways": both_ways,
-            "face index": lambda: scanline.rasterize(clip, faces, size, size)[0]}
+            "covered": lambda: scanline.rasterize(clip, faces, size, size)[0]}
+
+
+def compiled(scene):
+    """This course: its kernels, compiled by numba, float64. It keeps no barycentrics: the way back
+    finds them again.
+    """
+    if not is_installed():
+        raise ImportError("numba is not there")
+    faces, clip, attributes, gradient, opposite = scene
+    size = len(gradient)
+    material = pipeline.Colours(attributes)
+
+    def interpolated():
+        points, face_index, _ = compiled_pipeline.seen(clip, faces, size, size)
+        return compiled_pipeline.coloured(face_index, points, faces, attributes, (0.0, 0.0, 0.0))
+
+    def both_ways():
+        _, buffers = compiled_pipeline.draw(clip, faces, opposite, material, size, size,
+                                            np.zeros(3))
+        return compiled_pipeline.draw_backward(gradient, buffers, faces, material)
+
+    return {"visible": lambda: compiled_pipeline.rasterize(clip, faces, size, size),
+            "interpolated": interpolated, "both ways": both_ways,
+            "covered": lambda: compiled_pipeline.rasterize(clip, faces, size, size)[0]}
 
 
 def drtk(scene):
@@ -57,34 +91,39 @@ def drtk(scene):
     torch.set_num_threads(1)
     faces, clip, attributes, gradient, _ = scene
     size = len(gradient)
-    x, y, w = rasterization.screen_points(clip, size, size)
-    points = np.stack([x - 0.5, y - 0.5, w], -1)  # its pixels' centres are whole numbers
-    v, a, g = (torch.tensor(values, dtype=torch.float32)[None]
-               for values in (points, attributes, gradient.transpose(2, 0, 1)))
+    c, a, g = (torch.tensor(values, dtype=torch.float32)[None]
+               for values in (clip, attributes, gradient.transpose(2, 0, 1)))
     vi = torch.tensor(faces.astype(np.int32))[None]
 
+    def on_screen(clip):
+        x, y, _, w = clip.unbind(-1)
+        half = size / 2
+        return torch.stack([x / w * half + half - 0.5, y / w * half + half - 0.5, w], -1)
+
     def interpolated():
+        v = on_screen(c)
         index = drtk.rasterize(v, vi, size, size)
         _, weights = drtk.render(v, vi, index)
         return drtk.interpolate(a, vi, index, weights)
 
     def both_ways():
-        position, colours = (tensor.clone().requires_grad_() for tensor in (v, a))
+        vertices, colours = (tensor.clone().requires_grad_() for tensor in (c, a))
+        position = on_screen(vertices)
         index = drtk.rasterize(position, vi, size, size)
         _, weights = drtk.render(position, vi, index)
         picture = drtk.interpolate(colours, vi, index, weights) * (index >= 0)[:, None]
         picture = drtk.edge_grad_estimator(position, vi, weights, picture, index)
         picture.backward(g)
-        return colours.grad, position.grad
+        return colours.grad, vertices.grad
 
-    return {"visible": lambda: drtk.rasterize_with_depth(v, vi, size, size),
+    return {"visible": lambda: drtk.rasterize_with_depth(on_screen(c), vi, size, size),
             "interpolated": interpolated, "both ways": both_ways,
-            "face index": lambda: drtk.rasterize(v, vi, size, size)[0].numpy()}
+            "covered": lambda: drtk.rasterize(on_screen(c), vi, size, size)[0].numpy()}
 
 
 def deodr(scene):
-    """C++, float64. No perspective; silhouettes are overdrawn by a pixel, and are given to it. Its
-    way back includes a squared error.
+    """C++, float64. It starts from points on the screen, culls back faces and knows no perspective.
+    Silhouettes are overdrawn by a pixel, and given to it. Its way back includes a squared error.
     """
     from deodr.differentiable_renderer import Scene2D
     faces, clip, attributes, gradient, opposite = scene
@@ -106,7 +145,8 @@ def deodr(scene):
     target = np.zeros((size, size, 3))
     return {"interpolated": lambda: peer.render(sigma=0),
             "both ways": lambda: peer.render_compare_and_backward(
-                sigma=1, antialiase_error=False, obs=target)}
+                sigma=1, antialiase_error=False, obs=target),
+            "covered": lambda: (peer.render(sigma=0)[0] != 0).any(-1)}
 
 
 FACE = ("""#version 430
@@ -117,21 +157,17 @@ void main() { face = gl_PrimitiveID + 1; }""")
 INTERPOLATED = ("""#version 430
 in vec4 position;
 in vec3 given;
-in vec3 corner;
 out vec3 colour;
-out vec3 weights;
-void main() { gl_Position = position; colour = given; weights = corner; }""", """#version 430
+void main() { gl_Position = position; colour = given; }""", """#version 430
 in vec3 colour;
-in vec3 weights;
 layout(location = 0) out int face;
 layout(location = 1) out vec3 mixed;
-layout(location = 2) out vec3 barycentric;
-void main() { face = gl_PrimitiveID + 1; mixed = colour; barycentric = weights; }""")
+void main() { face = gl_PrimitiveID + 1; mixed = colour; }""")
 
 
 def llvmpipe(scene):
     """OpenGL on the processor (Mesa), float32, vertices rounded to 1/256 pixel. Its time includes
-    sending the positions and reading the pictures back.
+    sending the positions and reading the pictures back. Attributes come without barycentrics.
     """
     import moderngl
     context = moderngl.create_context(standalone=True, backend="egl")
@@ -141,25 +177,23 @@ def llvmpipe(scene):
     faces, clip, attributes, gradient, _ = scene
     size = gradient.shape[:2]
     face = context.texture(size, 1, dtype="i4")
-    others = [context.texture(size, 3, dtype="f4") for _ in range(2)]
+    colour = context.texture(size, 3, dtype="f4")
     depth = context.depth_texture(size)
-    corners = faces.reshape(-1)
-    at_corners = np.tile(np.eye(3), (len(faces), 1))  # the weights there
+    indices = context.buffer(faces.astype("i4"))
 
-    def drawing(shaders, pictures, positions, indices, **values):
+    def drawing(shaders, pictures, **values):
         """A call that sends the positions, draws, and reads the pictures and the depth back."""
-        buffer = context.buffer(positions.astype("f4"))
+        buffer = context.buffer(clip.astype("f4"))
         content = [(buffer, "4f", "position")]
         content += [(context.buffer(value.astype("f4")), "3f", name)
                     for name, value in values.items()]
-        indices = None if indices is None else context.buffer(indices.astype("i4"))
         mesh = context.vertex_array(context.program(*shaders), content, index_buffer=indices)
         target = context.framebuffer(pictures, depth)
         found = {texture: np.empty((*size, texture.components), texture.dtype)
                  for texture in [*pictures, depth]}
 
         def call():
-            buffer.write(positions.astype("f4"))
+            buffer.write(clip.astype("f4"))
             target.use()
             target.clear()
             mesh.render()
@@ -169,13 +203,13 @@ def llvmpipe(scene):
 
         return call
 
-    visible = drawing(FACE, [face], clip, corners)
-    return {"visible": visible, "face index": visible, "interpolated": drawing(
-        INTERPOLATED, [face, *others], clip[corners], None, given=attributes[corners],
-        corner=at_corners)}
+    visible = drawing(FACE, [face])
+    return {"visible": visible, "covered": visible,
+            "interpolated": drawing(INTERPOLATED, [face, colour], given=attributes)}
 
 
 PEERS = {
+    "compiled": (compiled, "pip install -r requirements-numba.txt"),
     "DRTK": (drtk, "build github.com/facebookresearch/DRTK, not the package of this name on PyPI"),
     "llvmpipe": (llvmpipe, "pip install moderngl, and Mesa (apt install libegl1 libgl1-mesa-dri)"),
     "DEODR": (deodr, "pip install deodr"),
@@ -198,11 +232,14 @@ def installed():
 
 
 def prepare(peers, scene):
-    """{name: calls} of this course and of peers. RuntimeError if one draws another picture."""
-    found = {name: peer(scene) for name, peer in {"ours": ours, **peers}.items()}
-    expected = found["ours"]["face index"]()
+    """{name: calls} of NumPy and of peers. RuntimeError if one draws another picture."""
+    found = {name: peer(scene) for name, peer in {"NumPy": plain, **peers}.items()}
+    expected = found["NumPy"]["covered"]()
     for name, calls in found.items():
-        different = (calls["face index"]() != expected).mean() if "face index" in calls else 0
+        seen = calls["covered"]()
+        wanted = expected >= 0 if seen.dtype == bool else expected
+        different = (seen != wanted).mean()
         if different > 0.01:  # more than where vertices are rounded
-            raise RuntimeError(f"{name} sees other faces than ours in {different:.1%} of pixels")
+            raise RuntimeError(f"{name} sees something else than NumPy in {different:.1%} of "
+                               "pixels")
     return found
