@@ -31,12 +31,11 @@ def is_clockwise(points, a, b, c):
 @kernel
 def silhouette_of(points, corners, across):
     """Eq. (1) for one face: bit k for edge k, and KNOWN."""
-    a, b, c = corners
-    across_a, across_b, across_c = across
+    (a, b, c), count = corners, len(points)
     own = is_clockwise(points, a, b, c)
-    at_0 = across_a < 0 or is_clockwise(points, across_a, b, c) == own
-    at_1 = across_b < 0 or is_clockwise(points, across_b, c, a) == own
-    at_2 = across_c < 0 or is_clockwise(points, across_c, a, b) == own
+    at_0 = not 0 <= across[0] < count or is_clockwise(points, across[0], b, c) == own
+    at_1 = not 0 <= across[1] < count or is_clockwise(points, across[1], c, a) == own
+    at_2 = not 0 <= across[2] < count or is_clockwise(points, across[2], a, b) == own
     return np.uint8(at_0 | at_1 << 1 | at_2 << 2 | KNOWN)
 
 

@@ -3,8 +3,11 @@
 A shape, such as (V, 3), has a number for a length that is known, a letter for one that is free.
 """
 import numbers
+import weakref
 
 import numpy as np
+
+_sound = {}  # id(opposite): the faces that it was found to belong to
 
 
 def require(fits, expected, came):
@@ -15,6 +18,8 @@ def require(fits, expected, came):
 
 def require_reals(name, array, *shape, hint=""):
     """An array of finite real numbers, of which there may be none."""
+    if _fits(array, shape, "iuf") and np.isfinite(array).all():
+        return
     expected = f"{_shown(name, shape)} of finite numbers{hint}"
     _require_array(array, shape, "iuf", expected)
     require(np.isfinite(array).all(), expected, "NaN or infinity")
@@ -48,12 +53,19 @@ def require_faces(faces, vertex_count):
 
 
 def require_opposite(faces, opposite, vertex_count):
-    """The vertices across the edges of faces (F, 3), such as a Mesh has them."""
+    """The vertices across the edges of faces (F, 3), such as a Mesh has them.
+
+    What has been found sound together is not looked at again: a fit draws one mesh many times.
+    """
+    if id(opposite) in _sound and _sound[id(opposite)]() is faces:
+        return
     made = ", made by antialiasing.opposite_vertices(faces)"
     require_indices("opposite", opposite, *faces.shape, first=-1, count=vertex_count,
                     of="-1 for none", hint=made)
     require(_answer_each_other(faces, opposite), f"opposite{made}, of these faces in this order; "
             "make_mesh does that", "vertices that do not lie across these edges")
+    _sound[id(opposite)] = weakref.ref(faces)
+    weakref.finalize(opposite, _sound.pop, id(opposite))
 
 
 def _answer_each_other(faces, opposite):
@@ -132,12 +144,15 @@ def require_gradient(name, gradient, shape):
             np.shape(gradient))
 
 
+def _fits(array, shape, kinds):
+    return isinstance(array, np.ndarray) and len(array.shape) == len(shape) and all(
+        isinstance(length, str) or length == came
+        for length, came in zip(shape, array.shape, strict=True)) and array.dtype.kind in kinds
+
+
 def _require_array(array, shape, kinds, expected):
     require(isinstance(array, np.ndarray), expected, f"a {type(array).__name__}")
-    fits = len(array.shape) == len(shape) and all(
-        isinstance(length, str) or length == came
-        for length, came in zip(shape, array.shape, strict=True))
-    require(fits, expected, array.shape)
+    require(_fits(array, shape, array.dtype.kind), expected, array.shape)
     require(array.dtype.kind in kinds, expected, array.dtype)
 
 

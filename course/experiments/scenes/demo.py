@@ -44,7 +44,8 @@ class Labs:
         if topic.startswith("_"):
             raise AttributeError(topic)
         try:
-            return importlib.import_module(f"{self.package}.{topic}")
+            module = vars(self)[topic] = importlib.import_module(f"{self.package}.{topic}")
+            return module
         except ModuleNotFoundError as error:
             package, _, module = error.name.partition(".")
             if package != self.package:
