@@ -282,22 +282,43 @@ def pairs_backward(grad_picture, buffers, grad):
 def through_colours(grad_picture, buffers):
     """The way back through colours of the vertices, and through the blended pairs."""
     height, width = buffers.face_index.shape
-    channels, colours = len(buffers.background), buffers.material.colours
-    mesh = buffers.face_index.ravel(), buffers.clip, buffers.faces, colours, buffers.background
-    grad = np.zeros((len(buffers.clip), 4 + channels))  # of clip, and of colours
+    colours, background = buffers.material.colours, buffers.background
+    grad = through_pixels(grad_picture, buffers, colours, background)
+    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad)
+    found = room(len(pixels), len(background))
+    runs = pixel_kernels.gradient_pixels(grad_pixels, pixels, buffers.face_index.ravel(),
+                                         buffers.clip, buffers.faces, colours, background, width,
+                                         height, *found)
+    pixel_kernels.add_runs(buffers.faces, runs, *found, grad)
+    return pipeline.Colours(grad[:, 4:]), grad[:, :4]
 
-    def room(size):
-        return np.empty(size, np.int32), np.empty((size, 9 + 3 * channels))
+
+def through_pixels(grad_picture, buffers, colours, background):
+    """The way back through the pixels' own colours: grad (V, 4 + C), of clip and of colours."""
+    height, width = buffers.face_index.shape
+    face_index, grad_picture = buffers.face_index.ravel(), grad_picture.ravel()
+    grad = np.zeros((len(buffers.clip), 4 + len(background)))
 
     def band(bottom, top):
-        found = room((top - bottom) * width)
-        return pixel_kernels.gradient_rows(grad_picture.ravel(), *mesh, width, height, bottom, top,
-                                           *found), *found
+        found = room((top - bottom) * width, len(background))
+        return pixel_kernels.gradient_rows(
+            grad_picture, face_index, buffers.clip, buffers.faces, colours, background, width,
+            height, bottom, top, *found), *found
 
     for runs in in_bands(band, width, height):
         pixel_kernels.add_runs(buffers.faces, *runs, grad)
-    pixels, grad_pixels = pairs_backward(grad_picture, buffers, grad)
-    found = room(len(pixels))
-    runs = pixel_kernels.gradient_pixels(grad_pixels, pixels, *mesh, width, height, *found)
-    pixel_kernels.add_runs(buffers.faces, runs, *found, grad)
-    return pipeline.Colours(grad[:, 4:]), grad[:, :4]
+    return grad
+
+
+def room(size, channels):
+    """Room for the faces and the records of so many runs."""
+    return np.empty(size, np.int32), np.empty((size, 9 + 3 * channels))
+
+
+def to_vertices(grad_pixels, buffers, vertex_count):
+    """`pipeline.to_vertices`."""
+    if not isinstance(buffers, Drawn) or vertex_count != len(buffers.clip):
+        return without_kernels(pipeline.to_vertices)(grad_pixels, buffers, vertex_count)
+    channels = grad_pixels.shape[-1]
+    return through_pixels(np.ascontiguousarray(grad_pixels, float), buffers,
+                          np.zeros((vertex_count, channels)), (0.0,) * channels)[:, 4:]

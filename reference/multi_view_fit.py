@@ -20,7 +20,7 @@ import numpy as np
 
 from course.given import mesh
 
-from . import interpolation, marching_tetrahedra, msaa, pipeline, reconstruction
+from . import marching_tetrahedra, msaa, pipeline, reconstruction
 from .inverse_rendering import adam_step, descend
 from .regularization import uniform_adam_step
 
@@ -235,8 +235,7 @@ def carving_backward(grad_carving, target, vertex_count, buffers):
     # s is an attribute of the vertices, seen by the pixels: back as any other attribute of lab 5.
     grad_picture = -grad_carving / target.outside.size * target.outside[..., None]
     grad_fine = msaa.box_resolve_backward(grad_picture, buffers.colour[..., :1], target.samples)
-    weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
-    return weights.T @ grad_fine.reshape(-1)
+    return pipeline.to_vertices(grad_fine, buffers, vertex_count)[:, 0]
 
 
 def views_loss_and_gradients(vertices, faces, albedo, light, views,  # exercise 16.15 (6 points)

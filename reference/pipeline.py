@@ -251,9 +251,7 @@ def coloured_backward(grad_colour, buffers, faces, material):
     """grad_colour (H, W, C) -> Colours of gradients, grad_barycentric (H, W, 3) less the value at
     corner 0, and None for the derivatives.
     """
-    vertex_count, channels = material.colours.shape
-    weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
-    grad_colours = weights.T @ grad_colour.reshape(-1, channels)
+    grad_colours = to_vertices(grad_colour, buffers, len(material.colours))
     grad_barycentric = interpolation.barycentric_gradient(grad_colour, material.colours, faces,
                                                           buffers.face_index)
     # The weights sum to 1, so only differences matter: a face of one colour gets exactly 0. Corner
@@ -261,6 +259,16 @@ def coloured_backward(grad_colour, buffers, faces, material):
     for corner in 2, 1, 0:
         grad_barycentric[..., corner] -= grad_barycentric[..., 0]
     return Colours(grad_colours), grad_barycentric, None
+
+
+@has_kernels("compiled_pipeline")
+def to_vertices(grad_pixels, buffers, vertex_count):
+    """Eq. (8) of lab 5, B^T: grad_pixels (H, W, C) -> what attributes of the vertices get (V, C).
+
+    buffers: those of a picture of Colours.
+    """
+    weights = interpolation.sparse_matrix(vertex_count, *buffers.weights)
+    return weights.T @ grad_pixels.reshape(-1, grad_pixels.shape[-1])
 
 
 def footprints(uv, uv_faces, buffers):
