@@ -22,8 +22,8 @@ from matplotlib.ticker import LogLocator, NullFormatter
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks import measure, renderers
 from course.experiments.scenes import fit_cube
-from course.given import places, plot
-from reference import compiled_pipeline, pipeline, transforms
+from course.given import compiled, places, plot
+from reference import pipeline, transforms
 
 FACES = 1_000, 10_000, 100_000, 1_000_000
 SIZES = 512, 1024, 2048, 4096
@@ -140,7 +140,7 @@ def two_threads():
         took = {1: [], 2: []}
         for _ in range(11):
             for threads, times in took.items():
-                compiled_pipeline.cores = lambda threads=threads: threads
+                compiled.cores = lambda threads=threads: threads
                 begin = time.perf_counter()
                 renderers.compiled(scene)["both ways"]()
                 times.append(1000 * (time.perf_counter() - begin))

@@ -1,8 +1,8 @@
 """The renderers of benchmarks/peers.py: ours twice, DRTK, DEODR and llvmpipe, each in its own way.
 
-Each is a function scene -> {work: call}. WORK names what a call can do, from clip positions on. None
-does quite the same as another; its docstring says what differs. "covered" is a call, too, and tells
-what was seen: a face index, or a mask of pixels.
+Each is a function scene -> {work: call}. WORK names what a call can do, from clip positions on.
+None does quite the same as another; its docstring says what differs. "covered" is a call, too, and
+tells what was seen: a face index, or a mask of pixels.
 """
 from typing import NamedTuple
 

@@ -12,7 +12,7 @@ from course.given.compiled import each_band, kernel
 
 from . import mipmapping
 
-BAND = 1 << 14  # pixels, or texels, that a thread takes at a time
+STEP = 1 << 14  # pixels, or texels, that a thread takes at a time
 
 
 class Pyramid(NamedTuple):
@@ -87,22 +87,22 @@ def squared_sizes_backward(grad_level, jacobian, width, height, first, end, grad
         grad_jacobian[v] = height * (grad_B * t_y + grad_C * t_x)
 
 
-def in_bands(function, count, step, threads):
+def in_steps(function, count, step):
     """function(first, end) for bands of count, step in each -> the list of what it returns."""
     bands = [(first, min(first + step, count)) for first in range(0, count, step)]
-    return list(each_band(function, bands, threads))
+    return list(each_band(function, bands))
 
 
-def between_levels(halve, pyramid, level, rows, channels, threads):
+def between_levels(halve, pyramid, level, rows, channels):
     """halve: `halve_rows` or its backward pass, for as many rows."""
     texels = pyramid.smaller if level > 1 else pyramid.image
     below = pyramid.start[level - 1], pyramid.width[level - 1], pyramid.height[level - 1]
     half = pyramid.smaller, pyramid.start[level], channels
-    in_bands(lambda first, end: halve(texels, *below, first, end, *half),
-             rows, max(BAND // int(below[1]), 1), threads)
+    in_steps(lambda first, end: halve(texels, *below, first, end, *half),
+             rows, max(STEP // int(below[1]), 1))
 
 
-def make_pyramid(image, sampler, channels, threads):
+def make_pyramid(image, sampler, channels):
     """`mipmapping.pyramid`, of image (h, w, C), for a sampler."""
     levels = mipmapping.pyramid(image[..., :0], sampler.max_level if "mipmap" in sampler.filter
                                 else 0)  # only their shapes
@@ -111,8 +111,14 @@ def make_pyramid(image, sampler, channels, threads):
     start = np.append([0, 0], np.cumsum(count[1:]))[:len(levels)]
     pyramid = Pyramid(image.ravel(), np.empty(count[1:].sum()), width, height, start)
     for level in range(1, len(levels)):
-        between_levels(halve_rows, pyramid, level, height[level], channels, threads)
+        between_levels(halve_rows, pyramid, level, height[level], channels)
     return pyramid
+
+
+def add_to_image(grads, channels):
+    """`mipmapping.pyramid_backward`: the gradients of all levels are added to the image's."""
+    for level in range(len(grads.start) - 1, 0, -1):
+        between_levels(halve_rows_backward, grads, level, grads.height[level - 1], channels)
 
 
 def levels_of(footprint, sizes, first, end, level):
@@ -125,4 +131,4 @@ def levels_of(footprint, sizes, first, end, level):
         squared_sizes(jacobian, *sizes, first, end, level)
         with np.errstate(divide="ignore"):
             level[part] = np.log2(level[part]) / 2
-    level[part] += bias[part] if len(bias) > 1 else bias
+    level[part] += bias[part]

@@ -265,3 +265,12 @@ def require_footprint(footprint, axes=2):
                 f"a jacobian {(*pixels, axes, 2)} of numbers below {LARGEST:g}, or None",
                 f"{jacobian.shape}, or a larger number or NaN in it")
     return Footprint(uv, jacobian, bias)
+
+
+def require_gradient(grad_colour, image, footprint):
+    """The rows (N, C) of grad_colour, as float64. ValueError unless it has the colours' shape."""
+    grad_colour = np.asarray(grad_colour, float)
+    shape = *footprint.uv.shape[:-1], image.shape[2]
+    require(grad_colour.shape == shape, f"a grad_colour with the colours' shape {shape}",
+            grad_colour.shape)
+    return grad_colour.reshape(-1, image.shape[2])

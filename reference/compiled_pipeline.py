@@ -15,8 +15,8 @@ import functools
 
 import numpy as np
 
-from course.given import inputs
-from course.given.compiled import cores, each_band, without_kernels
+from course.given import compiled, inputs
+from course.given.compiled import each_band, without_kernels
 
 from . import (
     face_kernels,
@@ -35,14 +35,12 @@ BAND = 1 << 15    # pixels, whose pairs or runs are found at once
 CACHED = 1 << 18  # pixels, whose z-buffer stays in the cache
 
 
-class Drawn(pipeline.Buffers):
-    """The Buffers of a picture. What is not kept is found again when asked for."""
+class Drawn:
+    """The `pipeline.Buffers` of a picture. What is not kept is found again when asked for."""
 
-    def __new__(cls, clip, screen, faces, material, background):
-        drawn = super().__new__(cls, clip, *screen[1:], None)
-        drawn.points, drawn.faces = screen[0], faces
-        drawn.material, drawn.background = material, background
-        return drawn
+    def __init__(self, clip, screen, faces, material, background):
+        self.clip, self.faces, self.material, self.background = clip, faces, material, background
+        self.points, self.face_index, self.depth = screen
 
     @functools.cached_property
     def barycentric(self):
@@ -79,7 +77,7 @@ def on_all_cores(function, size, work):
 
 def threads_for(work):
     """As many as there are cores, unless the pixels or faces are few."""
-    return 1 if work <= SMALL else cores()
+    return 1 if work <= SMALL else compiled.cores()
 
 
 def parts(size, count):
@@ -89,8 +87,7 @@ def parts(size, count):
 
 def in_bands(function, width, height):
     """function(bottom, top) for bands of about BAND pixels, from bottom to top."""
-    bands = parts(height, min(height, 1 + width * height // BAND))
-    return each_band(function, bands, 1 if len(bands) == 1 else cores())
+    return each_band(function, parts(height, min(height, 1 + width * height // BAND)))
 
 
 def screen_vertices(clip, width, height):

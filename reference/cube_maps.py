@@ -28,7 +28,6 @@ from .mipmapping import (
     pack,
     pyramid,
     pyramid_backward,
-    require_gradient,
     require_texture,
     taps_backward,
     unpack,
@@ -42,6 +41,7 @@ from .texturing import (
     look_up_backward,
     nearest_texel,
     require,
+    require_gradient,
 )
 
 FRAMES = np.array([  # right, down, out

@@ -32,6 +32,7 @@ from .texturing import (
     near_texture,
     require,
     require_footprint,
+    require_gradient,
     texels_at,
 )
 
@@ -342,12 +343,3 @@ def require_texture(image, footprint, sampler, axes=2):
     require(image.ndim == 3 and image.size, "an image (h, w, C) with at least one texel; "
             "give a grey one as image[..., None]", image.shape)
     return image, require_footprint(footprint, axes)
-
-
-def require_gradient(grad_colour, image, footprint):
-    """The rows (N, C) of grad_colour, as float64. ValueError unless it has the colours' shape."""
-    grad_colour = np.asarray(grad_colour, float)
-    shape = *footprint.uv.shape[:-1], image.shape[2]
-    require(grad_colour.shape == shape, f"a grad_colour with the colours' shape {shape}",
-            grad_colour.shape)
-    return grad_colour.reshape(-1, image.shape[2])

@@ -114,7 +114,7 @@ def render(mesh, material, view):
     clip = to_clip(mesh.positions, view.clip_from_model)
     picture, buffers = draw(clip, mesh.faces, mesh.opposite, material, int(view.width),
                             int(view.height), view.background)
-    return picture, buffers if isinstance(buffers, Buffers) else Buffers(*buffers)
+    return picture, Buffers(*buffers) if isinstance(buffers, tuple) else buffers
 
 
 def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None):
@@ -125,7 +125,8 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
     of_another = buffers.weights if isinstance(material, Texture) else buffers.derivatives
     inputs.require(of_another is None, "the Buffers of a picture with this material",
                    "those of a picture with another kind of material")
-    inputs.require_gradient("grad_picture", grad_picture, buffers.colour.shape)
+    channels = (material.image if isinstance(material, Texture) else material.colours).shape[-1]
+    inputs.require_gradient("grad_picture", grad_picture, (*buffers.depth.shape, channels))
     if grad_depth is not None:
         inputs.require_gradient("grad_depth", grad_depth, buffers.depth.shape)
     grad_material, grad_clip = draw_backward(grad_picture, buffers, mesh.faces, material,

@@ -12,19 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from course.given.compiled import cores, each_band, kernel
+from course.given.compiled import each_band, kernel
 
-from .mipmapping import Sampler, blend_levels_backward, require_gradient, require_texture
-from .pyramid_kernels import (
-    BAND,
-    between_levels,
-    halve_rows_backward,
-    in_bands,
-    levels_of,
-    make_pyramid,
-    squared_sizes_backward,
-)
-from .texturing import BOUNDARIES, Footprint
+from . import pyramid_kernels
+from .mipmapping import Sampler, blend_levels_backward, require_texture
+from .texturing import BOUNDARIES, Footprint, require_gradient
 
 RUN = 1 << 8
 WRAP, CLAMP = BOUNDARIES.index("wrap"), BOUNDARIES.index("clamp")
@@ -108,7 +100,7 @@ def along_axis(uv, axis, first, end, size, boundary, number, weight, slope):
 
 
 @kernel
-def room():
+def room_for_run():
     """number, weight and slope of a run: left, right, below and above of each pixel."""
     return np.empty((4, RUN), np.int32), np.empty((4, RUN)), np.empty((4, RUN))
 
@@ -137,7 +129,7 @@ def mix(looks, pyramid, colour, channels):
     size = np.uintp(len(channels))
     uv, boundary, _, fraction, jobs = looks
     image, smaller, width, height, start = pyramid
-    number, weight, slope = room()
+    number, weight, slope = room_for_run()
     for job in range(len(jobs)):
         first, end, level, is_upper = jobs[job, 0], jobs[job, 1], jobs[job, 2], jobs[job, 3]
         texels = image if level == 0 else smaller
@@ -159,7 +151,7 @@ def add_texels(looks, pyramid, grad_colour, channels):
     size = np.uintp(len(channels))
     uv, boundary, _, fraction, jobs = looks
     image, smaller, width, height, start = pyramid
-    number, weight, slope = room()
+    number, weight, slope = room_for_run()
     for job in range(len(jobs)):
         first, end, level, is_upper = jobs[job, 0], jobs[job, 1], jobs[job, 2], jobs[job, 3]
         texels = image if level == 0 else smaller
@@ -184,7 +176,7 @@ def add_slopes(looks, pyramid, grad_colour, grad_uv, grad_fraction, channels):
     size = np.uintp(len(channels))
     uv, boundary, _, fraction, jobs = looks
     image, smaller, width, height, start = pyramid
-    number, weight, slope = room()
+    number, weight, slope = room_for_run()
     for job in range(len(jobs)):
         first, end, level, is_upper = jobs[job, 0], jobs[job, 1], jobs[job, 2], jobs[job, 3]
         texels = image if level == 0 else smaller
@@ -247,7 +239,7 @@ def constant(count):
     return (0.0,) * count if count <= 4 else np.zeros(count)
 
 
-def make_looks(flat, pyramid, sampler, threads):
+def make_looks(flat, pyramid, sampler):
     """Looks for each band of pixels, which share all but the jobs. flat: their footprint."""
     level, fraction = np.zeros(len(flat.uv) // 2), np.empty(len(flat.uv) // 2)
     looks = Looks(flat.uv, BOUNDARIES.index(sampler.boundary), level, fraction)
@@ -258,47 +250,47 @@ def make_looks(flat, pyramid, sampler, threads):
 
     def band(first, end):
         if "mipmap" in sampler.filter:
-            levels_of(flat, (pyramid.width[0], pyramid.height[0]), first, end, level)
+            pyramid_kernels.levels_of(flat, (pyramid.width[0], pyramid.height[0]), first, end,
+                                      level)
         return looks._replace(jobs=find_runs(level, top, blends, always, first, end, fraction))
 
-    return in_bands(band, len(level), BAND, threads)
+    return pyramid_kernels.in_steps(band, len(level), pyramid_kernels.STEP)
 
 
-def flattened(footprint):
-    return Footprint(*(part if part is None else part.ravel() for part in footprint))
+def prepared(image, footprint, sampler):
+    """Looks for each band of pixels, the pyramid, the footprint, also flat, and the channels."""
+    image, footprint = require_texture(image, footprint, sampler)
+    bias = np.broadcast_to(footprint.bias, footprint.uv.shape[:-1])
+    flat = Footprint(*(part if part is None else part.ravel() for part in
+                       footprint._replace(bias=bias)))
+    channels = constant(image.shape[2])
+    pyramid = pyramid_kernels.make_pyramid(image, sampler, channels)
+    return make_looks(flat, pyramid, sampler), pyramid, footprint, flat, channels
 
 
-def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap", max_level=None,
-            threads=None):
+def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap", max_level=None):
     """As `mipmapping.texture`."""
-    sampler = Sampler(filter, boundary, max_level)
-    image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
-    channels, threads = constant(image.shape[2]), threads or cores()
-    pyramid = make_pyramid(image, sampler, channels, threads)
-    bands = make_looks(flattened(footprint), pyramid, sampler, threads)
-    colour = np.zeros((*footprint.uv.shape[:-1], image.shape[2]))
+    bands, pyramid, footprint, _, channels = prepared(image, Footprint(uv, jacobian, bias),
+                                                      Sampler(filter, boundary, max_level))
+    colour = np.zeros((*footprint.uv.shape[:-1], len(channels)))
     look_up = pick if filter == "nearest" else mix
 
     def band(looks):
         look_up(looks, pyramid, colour.reshape(-1), channels)
 
-    list(each_band(band, [(looks,) for looks in bands], threads))
+    list(each_band(band, [(looks,) for looks in bands]))
     return colour
 
 
 def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="linear",
-                     boundary="wrap", max_level=None, threads=None):
+                     boundary="wrap", max_level=None):
     """As `mipmapping.texture_backward`."""
-    sampler = Sampler(filter, boundary, max_level)
-    image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
+    bands, pyramid, footprint, flat, channels = prepared(image, Footprint(uv, jacobian, bias),
+                                                         Sampler(filter, boundary, max_level))
     grad_colour = require_gradient(grad_colour, image, footprint).ravel()
-    channels, threads = constant(image.shape[2]), threads or cores()
-    pyramid = make_pyramid(image, sampler, channels, threads)
-    flat = flattened(footprint)
-    bands = make_looks(flat, pyramid, sampler, threads)
-    grads = pyramid._replace(image=np.zeros(image.size), smaller=np.zeros(pyramid.smaller.shape))
-    grad_uv, grad_level = np.zeros(flat.uv.shape), np.zeros(len(flat.uv) // 2)
-    grad_jacobian = None if jacobian is None else np.zeros(flat.jacobian.shape)
+    grads = pyramid._replace(image=np.zeros(pyramid.image.size),
+                             smaller=np.zeros(pyramid.smaller.size))
+    grad_flat = Footprint(*(part if part is None else np.zeros(part.shape) for part in flat))
     add = pick_backward if filter == "nearest" else add_texels
 
     def texels():
@@ -306,22 +298,24 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
             add(looks, grads, grad_colour, channels)
 
     def pixels(looks):
-        first, end = looks.jobs[0, 0], looks.jobs[-1, 1]
-        part = slice(first, end)
-        add_slopes(looks, pyramid, grad_colour, grad_uv, grad_level, channels)
-        top = len(pyramid.start) - 1 if filter == "linear-mipmap-linear" else 0
-        grad_level[part] = blend_levels_backward(grad_level[part], looks.level[part], top)
-        if jacobian is not None:
-            squared_sizes_backward(grad_level, flat.jacobian, pyramid.width[0], pyramid.height[0],
-                                   first, end, grad_jacobian)
+        add_slopes(looks, pyramid, grad_colour, grad_flat.uv, grad_flat.bias, channels)
+        levels_backward(looks, pyramid, flat.jacobian, grad_flat, filter)
 
     tasks = [(texels,)] + [(pixels, looks) for looks in bands if filter != "nearest"]
-    list(each_band(lambda task, *looks: task(*looks), tasks, threads))
-    for level in range(len(pyramid.start) - 1, 0, -1):
-        between_levels(halve_rows_backward, grads, level, pyramid.height[level - 1], channels,
-                       threads)
+    list(each_band(lambda task, *looks: task(*looks), tasks))
+    pyramid_kernels.add_to_image(grads, channels)
+    grad_uv, grad_jacobian, grad_bias = grad_flat
+    return (grads.image.reshape(np.shape(image)), grad_uv.reshape(np.shape(uv)),
+            None if jacobian is None else grad_jacobian.reshape(np.shape(jacobian)),
+            grad_bias.reshape(np.shape(bias)) if np.shape(bias) else grad_bias.sum())
+
+
+def levels_backward(looks, pyramid, jacobian, grad_flat, filter):
+    """The way back from the share of the upper level, in grad_flat.bias, to bias and jacobian."""
+    first, end = looks.jobs[0, 0], looks.jobs[-1, 1]
+    grad_level, part = grad_flat.bias, slice(first, end)
+    top = len(pyramid.start) - 1 if filter == "linear-mipmap-linear" else 0
+    grad_level[part] = blend_levels_backward(grad_level[part], looks.level[part], top)
     if jacobian is not None:
-        grad_jacobian = grad_jacobian.reshape(footprint.jacobian.shape)
-    shape = footprint.bias.shape
-    return (grads.image.reshape(image.shape), grad_uv.reshape(footprint.uv.shape), grad_jacobian,
-            grad_level.reshape(shape) if shape else grad_level.sum())
+        pyramid_kernels.squared_sizes_backward(grad_level, jacobian, pyramid.width[0],
+                                               pyramid.height[0], first, end, grad_flat.jacobian)

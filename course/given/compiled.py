@@ -85,12 +85,14 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=pool.cache_clear)  # a fork has none of its parent's threads
 
 
-def each_band(function, bands, threads):
-    """function(*band) for each of the bands, an iterator in their order, by so many threads.
+def each_band(function, bands, threads=None):
+    """function(*band) for each of the bands, an iterator in their order, by so many threads: None
+    for one a core.
 
     Two bands must not write to one place. Kernels run at the same time, Python does not.
     """
-    if threads == 1 or len(bands) == 1:
+    threads = threads or cores()
+    if threads == 1 or len(bands) <= 1:
         return itertools.starmap(function, bands)
     return in_threads(function, bands, threads)
 

@@ -104,7 +104,7 @@ def test_gradients_are_the_same_but_for_the_order_of_sums():
 
 def all_of(scene, threads, monkeypatch):
     """What a scene gives with so many threads, as arrays."""
-    monkeypatch.setattr(compiled_pipeline, "cores", lambda: threads)
+    monkeypatch.setattr(compiled, "cores", lambda: threads)
     picture, drawn = compiled_pipeline.draw(*scene)
     upstream = np.sin(np.arange(picture.size)).reshape(picture.shape)
     material, grad_clip = compiled_pipeline.draw_backward(upstream, drawn, *scene[1:4:2])

@@ -48,9 +48,10 @@ def require_near(got, expected, what=""):
                                        atol=1e-12 * np.abs(other).max() + 1e-15)
 
 
-def in_small_bands(monkeypatch):
-    for module in texel_kernels, pyramid_kernels, footprint_kernels:
-        monkeypatch.setattr(module, "BAND", 7)
+def by_threads(threads, monkeypatch):
+    """Small bands, on so many threads."""
+    monkeypatch.setattr(pyramid_kernels, "STEP", 7)
+    monkeypatch.setattr(compiled, "cores", lambda: threads)
 
 
 @anywhere
@@ -99,13 +100,15 @@ def test_gradients_are_numpys(filter, boundary):
 @whole
 def test_no_number_of_threads_changes_a_bit(filter, monkeypatch):
     """Two threads add to one texel, or in another order."""
-    in_small_bands(monkeypatch)
     rng = np.random.default_rng(3)
     given = rng.normal(size=(8, 16, 3)), *places(rng), filter, "wrap", None
     upstream = rng.normal(size=(24, 3))
-    one, *others = ([texel_kernels.texture(*given, threads),
-                     *texel_kernels.texture_backward(upstream, *given, threads)]
-                    for threads in (1, 2, 3))
+
+    def drawn(threads):
+        by_threads(threads, monkeypatch)
+        return [texel_kernels.texture(*given), *texel_kernels.texture_backward(upstream, *given)]
+
+    one, *others = map(drawn, (1, 2, 3))
     for other in others:
         assert [array.tobytes() for array in other] == [array.tobytes() for array in one]
 
@@ -169,7 +172,8 @@ def require_the_pipelines_numbers(monkeypatch, seen, faces, material):
     at, footprint, colour, grads, grad_clip = through_numpy(monkeypatch, seen, faces, material,
                                                             grad_colour)
     given = seen.clip, seen.face_index
-    got = footprint_kernels.footprints(*given, faces, material.uv, material.uv_faces)
+    got = footprint_kernels.footprints(*given, faces, material.uv, material.uv_faces,
+                                       footprint_kernels.runs_in_bands(seen.face_index))
     assert [array.tobytes() for array in got] == [at.tobytes(), footprint.tobytes()]
     got = footprint_kernels.textured(*given, material, faces)
     assert got.shape == colour.shape and got.tobytes() == colour.tobytes()
@@ -197,18 +201,18 @@ def test_a_larger_picture_is_the_pipelines(monkeypatch):
 
 def test_no_number_of_threads_changes_a_bit_of_a_textured_picture(monkeypatch):
     """Two threads add to one vertex, or a band's first pixel is another one's."""
-    in_small_bands(monkeypatch)
     seen, faces, material = inside_a_sphere()
     given = seen.clip, seen.face_index, material, faces
     upstream = np.random.default_rng(8).normal(size=(13, 17, 3))
-    one, *others = ((footprint_kernels.textured(*given, threads),
-                     footprint_kernels.textured_backward(upstream, *given, threads))
-                    for threads in (1, 2, 3))
-    for colour, (grads, grad_clip) in others:
-        got, expected = ([part.tobytes() for part in (first, *parts)] for first, parts in (
-            (colour, (grads.uv, grads.image, grad_clip)),
-            (one[0], (one[1][0].uv, one[1][0].image, one[1][1]))))
-        assert got == expected
+
+    def drawn(threads):
+        by_threads(threads, monkeypatch)
+        grads, grad_clip = footprint_kernels.textured_backward(upstream, *given)
+        return [array.tobytes() for array in (footprint_kernels.textured(*given), grads.uv,
+                                              grads.image, grad_clip)]
+
+    one, *others = map(drawn, (1, 2, 3))
+    assert others == [one, one]
 
 
 def test_a_seen_face_with_a_corner_that_does_not_exist_is_an_index_error():
@@ -219,7 +223,8 @@ def test_a_seen_face_with_a_corner_that_does_not_exist_is_an_index_error():
     for face in (hidden, shown):
         uv_faces = material.uv_faces.copy()
         uv_faces[face, 1] = 60
-        given = seen.clip, seen.face_index, faces, material.uv, uv_faces
+        given = (seen.clip, seen.face_index, faces, material.uv, uv_faces,
+                 footprint_kernels.runs_in_bands(seen.face_index))
         if face == shown:
             with pytest.raises(IndexError, match="faces name rows"):
                 footprint_kernels.footprints(*given)
