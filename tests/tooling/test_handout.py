@@ -74,7 +74,7 @@ BEFORE_8 = "transforms", "arrays", "rasterization", "scanline", "sampling"
 
 
 @pytest.mark.parametrize(("labs", "given", "lectures"), [
-    ("1-4", (), range(5)), ("8", BEFORE_8, (0, 8)), (None, (), range(17))])
+    ("1-4", (), range(5)), ("8", BEFORE_8, (0, 8)), (None, (), range(18))])
 def test_labs_what_they_need_their_checks_and_lectures_are_there(
         labs, given, lectures, tmp_path, capsys):
     """A lab that cannot be imported, or that has no checks; a lecture of labs that come later; a

@@ -276,7 +276,8 @@ class Examination:
         worker = self.start()
         modules = tuple((topic, exercises.read(exercises.reference(topic)), ())
                         for topic in exercises.topics())
-        worker.exchange(("open", modules, ()), 60)
+        opened = worker.exchange(("open", modules, ()), 60)
+        assert opened[0] == "opened", opened  # topics are loaded in the order of exercises.LABS
         return worker
 
     def finish(self):
