@@ -23,8 +23,8 @@ def seen_runs(face_index, width):
     among those that see a face.
     """
     runs, count, number = np.empty((len(face_index), 3), np.int32), 0, 0
-    for row in range(len(face_index) // width):
-        start, last = row * width, (row + 1) * width
+    for first in range(0, len(face_index), max(width, 1)):
+        start, last = first, first + width
         while start < last:
             end = start + 1
             while end < last and face_index[end] == face_index[start]:

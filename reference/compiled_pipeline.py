@@ -16,7 +16,7 @@ import functools
 import numpy as np
 
 from course.given import compiled, inputs
-from course.given.compiled import each_band, without_kernels
+from course.given.compiled import each_band
 
 from . import (
     face_kernels,
@@ -41,6 +41,9 @@ class Drawn:
     def __init__(self, clip, screen, faces, material, background):
         self.clip, self.faces, self.material, self.background = clip, faces, material, background
         self.points, self.face_index, self.depth = screen
+
+    def __iter__(self):
+        return (getattr(self, name) for name in pipeline.Buffers._fields)
 
     @functools.cached_property
     def barycentric(self):
@@ -87,7 +90,7 @@ def parts(size, count):
 
 def in_bands(function, width, height):
     """function(bottom, top) for bands of about BAND pixels, from bottom to top."""
-    return each_band(function, parts(height, min(height, 1 + width * height // BAND)))
+    return each_band(function, parts(height, max(min(height, width * height // BAND), 1)))
 
 
 def screen_vertices(clip, width, height):
@@ -240,8 +243,7 @@ def draw(clip, faces, opposite, material, width, height, background):
 def draw_backward(grad_picture, buffers, faces, material, grad_depth=None):
     """`pipeline.draw_backward`."""
     if not isinstance(buffers, Drawn):
-        return without_kernels(pipeline.draw_backward)(grad_picture, buffers, faces, material,
-                                                       grad_depth)
+        return NotImplemented
     grad_picture = np.ascontiguousarray(grad_picture, float)
     way = through_texture if isinstance(buffers.material, pipeline.Texture) else through_colours
     grad_material, grad_clip = way(grad_picture, buffers)
@@ -315,7 +317,7 @@ def room(size, channels):
 def to_vertices(grad_pixels, buffers, vertex_count):
     """`pipeline.to_vertices`."""
     if not isinstance(buffers, Drawn) or vertex_count != len(buffers.clip):
-        return without_kernels(pipeline.to_vertices)(grad_pixels, buffers, vertex_count)
+        return NotImplemented
     channels = grad_pixels.shape[-1]
     return through_pixels(np.ascontiguousarray(grad_pixels, float), buffers,
                           np.zeros((vertex_count, channels)), (0.0,) * channels)[:, 4:]

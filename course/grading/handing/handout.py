@@ -15,7 +15,7 @@ from . import archives
 WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folder/*.*",
          "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
          "tests/labs/[!t]*.py",  # what checks share
-         "notebooks/errata.md", "notebooks/00_start_here.ipynb", "LICENSE", "requirements.txt",
+         "notebooks/errata.md", "notebooks/00_start_here.ipynb", "LICENSE", "requirements*.txt",
          "pyproject.toml", ".gitattributes", ".gitignore")
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
