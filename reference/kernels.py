@@ -70,7 +70,8 @@ def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
     """Eq. (3): the face that each of count pixels sees, whatever the order of the fragments.
 
     pixel, depth, face (N,): fragments, depth from -1 to 1 -> face (count,), -1 where none comes.
-    Each fragment does key[p] = min(key[p], its key), all in integers. The face is found in the key.
+    Each fragment does key[p] = min(key[p], its key), all in integers, of which the largest is
+    2^62 + face. The face is found in the key.
 
     >>> nearest_faces(np.array([2, 0, 2]), np.array([0.5, -1.0, 0.25]), np.array([7, 8, 9]), 4)
     array([ 8, -1,  9, -1])
@@ -208,9 +209,9 @@ def three_passes(screen, z, colours, width, height):  # exercise 17.6 (5 points)
     """Eqs. (7) to (9): the whole of neural_renderer's forward pass as kernels.
 
     screen (F, 3, 2): the faces' corners in pixels, z (F, 3) > 0, colours (F, 3, C) -> picture
-    (height, width, C), 0 where no face is seen. Pass 1 is the given `invert_face` for each face.
-    Passes 2 and 3 are one loop over pixels, sampled at (j + 0.5, i + 0.5), whose threads keep the
-    nearest face in variables. The first of two equally deep faces is seen.
+    (height, width, C), 0 where no face is seen. Pass 1 is the given `invert_face` for each face:
+    nan marks one without area, which covers nothing. Passes 2 and 3 are fused in one loop over
+    pixels, sampled at (j + 0.5, i + 0.5). Of equally deep faces, the first is seen.
 
     >>> screen, z = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]]), np.array([[1.0, 1.0, 2.0]])
     >>> three_passes(screen, z, np.array([[[8.0], [4.0], [4.0]]]), 4, 2).round(3)[..., 0]

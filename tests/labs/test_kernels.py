@@ -58,6 +58,15 @@ def test_of_equal_depths_the_lower_number_is_seen(impl):
 
 
 @exercise("17.2")
+def test_depths_are_rounded_down(impl):
+    """They are rounded to the nearest key, or cut off towards a depth of 0."""
+    unit = 2.0**-29
+    found = impl.nearest_faces(np.array([0, 0, 1, 1]), np.array([0.6, 1.4, -0.6, 0.6]) * unit,
+                               np.array([7, 2, 7, 2]), 2)
+    assert_equal(found, np.array([7, 7]))
+
+
+@exercise("17.2")
 def test_the_ends_of_the_depth_are_seen(impl):
     """A depth of exactly 1 is taken for no fragment, or runs over into the sign."""
     found = impl.nearest_faces(np.array([0, 2]), np.array([1.0, -1.0]), np.array([6, 0]), 3)
@@ -153,6 +162,15 @@ def test_one_face_on_paper(impl):
     by_hand /= (np.array([[76, 60, 44], [52, 36, 20]]) + np.array([[8, 24, 40], [8, 24, 40]]) / 2
                 + np.array([[12, 12, 12], [36, 36, 36]]) / 4)
     assert_close(slanted, by_hand)
+
+
+@exercise("17.6")
+def test_a_sample_on_an_edge_is_covered(impl):
+    """c_k > 0 is asked for, so that pixels on an edge or a corner see nothing."""
+    screen = np.array([[[0.5, 0.5], [2.5, 0.5], [0.5, 4.5]]])  # no rounding: its area is 4
+    picture = impl.three_passes(screen, np.ones((1, 3)), np.full((1, 3, 1), 2.0), 3, 5)
+    assert_close(picture[..., 0], np.array([[2.0, 2.0, 2.0], [2.0, 2.0, 0.0], [2.0, 2.0, 0.0],
+                                            [2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]))
 
 
 @exercise("17.6")
