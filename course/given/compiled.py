@@ -102,8 +102,25 @@ def in_threads(function, bands, threads):
     """`each_band`, begun only a little ahead, so that few results are in memory at a time."""
     begun = collections.deque()
     for band in bands:
-        begun.append(pool(threads).submit(function, *band))
+        begun.append((pool(threads - 1).submit(function, *band), band))
         if len(begun) > 2 * threads:
-            yield begun.popleft().result()
+            yield first_of(function, begun)
     while begun:
-        yield begun.popleft().result()
+        yield first_of(function, begun)
+
+
+def first_of(function, begun):
+    """The result of the first of the bands. If no other thread is at it, this one does it, or else
+    later ones meanwhile: it waits only where there is nothing to do.
+    """
+    future, band = begun.popleft()
+    if future.cancel():
+        return function(*band)
+    for k in reversed(range(len(begun))):
+        if future.done():
+            break
+        if begun[k][0].cancel():
+            ahead = concurrent.futures.Future()
+            ahead.set_result(function(*begun[k][1]))
+            begun[k] = ahead, None
+    return future.result()

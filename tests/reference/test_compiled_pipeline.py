@@ -1,6 +1,7 @@
 """The kernels, with and without numba, are the pipeline of NumPy: the same bits, and gradients."""
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -150,3 +151,21 @@ print(installed == hasattr(pipeline.draw, "__wrapped__"), hasattr(own.draw, "__w
     told = subprocess.run([sys.executable, "-c", code], cwd=places.ROOT, capture_output=True,
                           text=True, check=True).stdout
     assert told.split() == ["True", "False"]
+
+
+@pytest.mark.parametrize("slow", [0, 1, 6])
+def test_the_results_of_bands_come_in_their_order(slow):
+    """What was done ahead, while a slow band was waited for, comes before it, twice or not at all."""
+    def band(k):
+        time.sleep(0.03 * (k == slow))
+        return k
+
+    for threads in (1, 2, 3):
+        bands = [(k,) for k in range(12)]
+        assert list(compiled.each_band(band, bands, threads)) == list(range(12))
+
+
+def test_an_error_in_a_band_is_raised():
+    """It stays in a thread, and the picture lacks some rows."""
+    with pytest.raises(ZeroDivisionError):
+        list(compiled.each_band(lambda k: 1 / k, [(k,) for k in (3, 2, 1, 0)], 2))
