@@ -155,7 +155,7 @@ print(installed == hasattr(pipeline.draw, "__wrapped__"), hasattr(own.draw, "__w
 
 @pytest.mark.parametrize("slow", [0, 1, 6])
 def test_the_results_of_bands_come_in_their_order(slow):
-    """What was done ahead, while a slow band was waited for, comes before it, twice or not at all."""
+    """What was done ahead during a slow band comes before it, twice, or not at all."""
     def band(k):
         time.sleep(0.03 * (k == slow))
         return k
