@@ -1,7 +1,8 @@
 """Memory: freed arrays stay with the process, where the C library is glibc.
 
 It would give the pages of each large array back, and take and clear them again for the next one.
-For pictures of 512 x 512 pixels and more, that costs a tenth to a third of the time.
+For pictures of 512 x 512 pixels that costs next to nothing on one machine, a third of the time on
+another.
 """
 import contextlib
 import ctypes
