@@ -80,7 +80,9 @@ def questions(found):
     both = chosen(peers["milliseconds"], work="both ways")
     most, beside = both[-1], row_at(both, HUNDRED)
     others = ", ".join(f"{name} {number(beside[name])} ms" for name in beside
-                       if f"x {name}" in beside)
+                       if f"NumPy x {name}" in beside)
+    memory = ", ".join(f"{name} {number(most)} MB"
+                       for name, most in peers["peak memory, MB"].items())
     return f"""\
 All times are for {number(seen["faces"])} faces in {screen(seen)} pixels, where nothing else is
 said.
@@ -100,13 +102,13 @@ so only {row["blended"]} pairs of pixels are blended. In {screen(wide)} pixels \
 
 **How does it grow?** {grown(pipeline["faces"], "faces")} {grown(pipeline["pixels"], "pixels")} \
 Both together, up to {number(max(row["faces"] for row in both))} faces, grow as the faces to the \
-power of {number(peers["exponent in faces"])}, and up to {screen(most)} pixels as the pixels to \
-the power of {number(peers["exponent in pixels"])}. [Up to a million faces](#peers)
+power of {number(peers["NumPy, exponent in faces"])}, and up to {screen(most)} pixels as the pixels \
+to the power of {number(peers["NumPy, exponent in pixels"])}. [Up to a million faces](#peers)
 
-**Beside which renderers?** Both ways, with silhouettes: this course {number(beside["ours"])} ms, \
-{others}. The others are compiled. [All of them](#peers)
+**Beside which renderers?** Both ways, with silhouettes: this course {number(beside["NumPy"])} ms, \
+compiled by numba {number(beside["compiled"])} ms, {others}. [All of them](#peers)
 
-**How much memory?** {number(peers["peak memory, MB"])} MB. {docstrings("peers")["peak_memory"]}"""
+**How much memory?** {memory}. {docstrings("peers")["peak_memory"]}"""
 
 
 def grown(rows, key):

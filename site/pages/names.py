@@ -26,11 +26,12 @@ def topics_of_functions():
 def function_page(name, lab):
     """The address of a function as a lab's lecture means it, or None: that lab's, or the only one.
 
-    lab: a number, as the first lecture's is 0.
+    lab: a number, as the first lecture's is 0. Lab 17's kernels have the names of what they stand
+    for, which is meant elsewhere.
     """
     topics = topics_of_functions().get(name, [])
     near = [topic for topic in topics if exercises.lab_number(topic) == lab]
-    meant = near or topics
+    meant = near or [topic for topic in topics if topic not in exercises.LABS[-1]] or topics
     if len(meant) != 1:
         return None
     return f"reference/{meant[0]}.html#reference.{meant[0]}.{name}"
