@@ -264,7 +264,7 @@ def coloured_backward(grad_colour, buffers, faces, material):
 
 @has_kernels("compiled_pipeline")
 def to_vertices(grad_pixels, buffers, vertex_count):
-    """The transpose of lab 5's B: grad_pixels (H, W, C) -> what the vertices' attributes get (V, C).
+    """The transpose of lab 5's B: grad_pixels (H, W, C) -> what the vertices get (V, C).
 
     buffers: those of a picture of Colours.
     """

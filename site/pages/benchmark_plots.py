@@ -133,7 +133,8 @@ def growth(rows, name):
 def peers(work, title, x="faces", **wanted):
     """A plot of benchmarks/peers.py."""
     return Lines(lambda found: chosen(found["milliseconds"], work=work, **wanted), x,
-                 ("NumPy", "compiled", "DRTK", "llvmpipe", "DEODR"), lambda rows: f"{title}: {against(rows, x)}")
+                 ("NumPy", "compiled", "DRTK", "llvmpipe", "DEODR"),
+                 lambda rows: f"{title}: {against(rows, x)}")
 
 
 def against(rows, x):

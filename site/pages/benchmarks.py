@@ -102,8 +102,8 @@ so only {row["blended"]} pairs of pixels are blended. In {screen(wide)} pixels \
 
 **How does it grow?** {grown(pipeline["faces"], "faces")} {grown(pipeline["pixels"], "pixels")} \
 Both together, up to {number(max(row["faces"] for row in both))} faces, grow as the faces to the \
-power of {number(peers["NumPy, exponent in faces"])}, and up to {screen(most)} pixels as the pixels \
-to the power of {number(peers["NumPy, exponent in pixels"])}. [Up to a million faces](#peers)
+power of {number(peers["NumPy, exponent in faces"])}, and up to {screen(most)} pixels as the \
+pixels to the power of {number(peers["NumPy, exponent in pixels"])}. [Up to a million faces](#peers)
 
 **Beside which renderers?** Both ways, with silhouettes: this course {number(beside["NumPy"])} ms, \
 compiled by numba {number(beside["compiled"])} ms, {others}. [All of them](#peers)

@@ -39,7 +39,8 @@ class Module(NamedTuple):
 
     @property
     def lab(self):
-        return exercises.lab_number(self.topic) if self.folder == "reference" else None
+        known = self.folder == "reference" and self.topic in exercises.TOPICS
+        return exercises.lab_number(self.topic) if known else None
 
 
 class Lecture(NamedTuple):
@@ -82,6 +83,7 @@ def read():
     """The course as it is in the working folder."""
     texts = {f"reference.{topic}": exercises.read(exercises.reference(topic))
              for topic in exercises.TOPICS}
+    texts |= {"reference.tiny": exercises.read(exercises.reference("tiny"))}  # of no lab
     given = places.ROOT / "course" / "given"
     texts |= {f"course.given.{path.stem}": exercises.read(path)
               for path in sorted(given.glob("*.py")) if path.stem != "__init__"}

@@ -1,0 +1,59 @@
+"""The whole idea on one page draws and differentiates as the pipeline does."""
+import ast
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from reference import pipeline, tiny
+
+CAMERA = np.array([[3, 0, 0.2, 0.1], [0, 2.5, 0, -0.1], [0, 0, -1, 3], [0, 0, -1, 4.0]])
+
+
+def lumps(steps=2):
+    """A mesh that hides parts of itself, with two colours a vertex."""
+    x, faces = tiny.ball(steps)
+    rng = np.random.default_rng(1)
+    return x * rng.uniform(0.5, 1.3, (len(x), 1)), rng.uniform(size=(len(x), 2)), faces
+
+
+@pytest.mark.parametrize("size", [9, 40])
+def test_pictures_and_gradients_are_the_pipelines(size):
+    """One page of code that draws nearly the same, with nearly the gradient of a neighbour."""
+    positions, colours, faces = lumps()
+    scene = (pipeline.make_mesh(positions, faces), pipeline.Colours(colours),
+             pipeline.View(CAMERA, size, size, np.zeros(2)))
+    expected, buffers = pipeline.render(*scene)
+    picture, kept = tiny.render(positions, colours, faces, CAMERA, size)
+    np.testing.assert_allclose(picture, expected, rtol=0, atol=1e-14)
+    assert len(kept[-1][0]) == len(buffers.pairs.c) > size
+
+    upstream = np.random.default_rng(2).normal(size=picture.shape)
+    gradients = pipeline.render_backward(upstream, buffers, *scene)
+    found = tiny.render_backward(upstream, kept, colours, CAMERA)
+    for gradient, other in zip(found, (gradients.positions, gradients.material.colours),
+                               strict=True):
+        np.testing.assert_allclose(gradient, other, rtol=0, atol=1e-11 * np.abs(other).max())
+
+
+def test_it_runs_as_its_first_lines_say(tmp_path, monkeypatch, capsys):
+    """The derivative is another one than the difference, the descent climbs, the file is no BMP."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(tiny.descend, "__defaults__", (60,))
+    tiny.main(64)
+    derivative, losses = capsys.readouterr().out.splitlines()
+    backward, difference = (float(part.split()[-1]) for part in derivative.split(",")[1:])
+    assert backward == pytest.approx(difference, rel=1e-6) and backward > 1e-3
+    before, after = map(float, losses.split()[-2:])
+    assert after < 0.3 * before
+    content = (tmp_path / "tiny.bmp").read_bytes()
+    assert content[:2] == b"BM" and int.from_bytes(content[2:6], "little") == len(content)
+
+
+def test_it_is_a_page_that_needs_numpy_alone():
+    """It grows, or leans on what a reader would have to open as well."""
+    text = Path(tiny.__file__).read_text(encoding="utf-8")
+    imports = [node for node in ast.walk(ast.parse(text))
+               if isinstance(node, ast.Import | ast.ImportFrom)]
+    assert len(text.splitlines()) <= 200
+    assert [ast.unparse(node) for node in imports] == ["import numpy as np"]
