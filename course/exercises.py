@@ -166,6 +166,7 @@ def closed_extras(lab: list[Exercise], text: str) -> set[str]:
 
 
 @functools.cache
+@functools.cache
 def text_exercises(text: str) -> tuple[Exercise, ...]:
     """The exercises of a module's text, from top to bottom. ValueError: a mark is wrong."""
     lines = text_lines(text)

@@ -3,8 +3,8 @@
     gamma + delta > pi                          the edge is not Delaunay: flip it            (8)
     x' = x + rate (I - n n^T) (mean of the neighbours - x)       tangential relaxation       (9)
 
-(1) to (7) and (10) are in `regularization.py`. An edge ab has the faces abc and bad, and a flip
-replaces it by the edge cd. gamma is the angle at c, and delta is the angle at d.
+(1) to (7) and (10) are in `regularization.py`. An edge a b has the faces a b c and b a d. A flip
+replaces it by the edge c d. gamma is the angle at c, and delta is the angle at d.
 
 A mesh is vertices (V, 3) and faces (F, 3), none of which names a vertex twice. Any number of faces
 may share an edge. Only an edge between two faces that wind alike can flip. All others are held.

@@ -116,8 +116,10 @@ def screen_weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
     inverse (..., 3, 3) is M^-1, z (..., 3) are the z_k, x, y (...).
 
     >>> inverse = np.array([[-0.25, -0.5, 1.0], [0.25, 0.0, 0.0], [0.0, 0.5, 0.0]])
-    >>> screen_weights_and_depth(inverse, np.array([1.0, 1.0, 4.0]), np.array(1.0), np.array(1.0))
-    (array([0.25, 0.25, 0.5 ]), np.float64(1.6))
+    >>> x, y = np.array([1.0, 0.0]), np.array([1.0, 0.0])  # two points
+    >>> screen_weights_and_depth(inverse, np.array([1.0, 1.0, 4.0]), x, y)
+    (array([[0.25, 0.25, 0.5 ],
+           [1.  , 0.  , 0.  ]]), array([1.6, 1. ]))
     """
     c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     clamped = np.clip(c, 0, 1)
@@ -181,8 +183,8 @@ def pixel_box(screen, width, height):
 def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.5 (4 points)
     """Your picture of a mesh: which face is the nearest that covers each pixel's centre?
 
-    corners (F, 3, 3) -> face_index, weight, depth, as `Maps` has them. Only `front_faces` with
-    near < depth < far are seen. `on_screen`, `pixel_box` and `covers` are given.
+    corners (F, 3, 3) -> face_index, weight, depth, as `Maps` has them. Only `front_faces` are seen,
+    at pixels with near < depth < far. `on_screen`, `pixel_box` and `covers` are given.
 
     >>> corners = np.array([[[-1.0, -1.0, 2.0], [1.0, -1.0, 2.0], [-1.0, 1.0, 2.0]]])
     >>> face_index, weight, depth = rasterize_loop(corners, 4, 2)

@@ -255,6 +255,8 @@ def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (1 point)
 def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     """Eq. (6) with the parameters of `smooth_explicit`, by `spsolve` -> x' (V, C).
 
+    Of one column, C = 1, `spsolve` makes (V,).
+
     >>> x, mass = np.array([[0.0], [3.0]]), np.array([1.0, 2.0])
     >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), mass, 2.0)
     array([[1.5 ],
@@ -270,7 +272,7 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
 def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13.11 (1 point)
     """Smoothing that keeps the size: in each round eq. (5) with s = shrink, then with s = -grow.
 
-    x (V, C) -> (V, C), with 0 < shrink < grow. The lecture's section 4 shows the bunny after it.
+    x (V, C) -> (V, C), with 0 < shrink < grow. The lecture's section 5 shows the bunny after it.
 
     >>> x, edges = np.array([[0.0], [4.0], [10.0]]), np.array([[0, 1], [1, 2]])
     >>> smooth_taubin(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5, 1.0, 1)[:, 0]

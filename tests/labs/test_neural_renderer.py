@@ -295,6 +295,18 @@ def test_only_depths_between_near_and_far_are_seen(impl, near, far, expected):
 
 
 @exercise("10.5")
+def test_near_and_far_cut_a_face_where_its_pixels_are(impl):
+    """near and far are asked of a face: of its nearest or farthest corner, or of their mean."""
+    large = np.array([[-8.0, -8.0], [24.0, -8.0], [-8.0, 24.0]])
+    corners = corners_of_screen(large[None], np.array([[1.0, 9.0, 3.0]]), 9, 7)
+    expected = maps_by_search(corners, 9, 7, 2.0, 3.0)
+    assert 9 < (expected[0] >= 0).sum() < 54
+    found = maps(impl.rasterize_loop(corners, 9, 7, 2.0, 3.0))
+    assert_picture(found[0], expected[0])
+    assert_picture(found[2], expected[2], atol=1e-9)
+
+
+@exercise("10.5")
 def test_the_maps_are_those_of_a_search(impl, rng):
     """Output 2, weight, stays that of a hidden face. depth is a mean of z. Faces behind the camera,
     with a z below 0, are drawn. face_index counts the drawn faces alone.
