@@ -253,9 +253,7 @@ def smooth_explicit(x, edges, weights, mass, step):  # exercise 13.9 (1 point)
 
 
 def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
-    """Eq. (6) with the parameters of `smooth_explicit`, by `spsolve` -> x' (V, C).
-
-    Of one column, C = 1, `spsolve` makes (V,).
+    """Eq. (6) with the parameters of `smooth_explicit`, by `spsolve` -> x' (V, C), also for C = 1.
 
     >>> x, mass = np.array([[0.0], [3.0]]), np.array([1.0, 2.0])
     >>> smooth_implicit(x, np.array([[0, 1]]), np.ones(1), mass, 2.0)
