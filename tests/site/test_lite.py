@@ -107,7 +107,7 @@ for path in sorted(Path(".").glob("[01]*.ipynb")):
     shell.run_cell("".join(first["source"])).raise_error()
     print(path.name)
 """)
-    assert len(told.split()) == 17
+    assert len(told.split()) == 18
 
 
 def test_what_is_collected_is_small_and_has_nothing_for_teachers(tmp_path):
