@@ -14,7 +14,7 @@ from collections import Counter
 
 from ..given import places
 
-MOST = 8.7  # on the way to 8: this number may only become smaller
+MOST = 6.8  # this number may only become smaller
 TAUGHT = "reference"
 NOT_COUNTED = "labs/", "site/", "tests/site/", "benchmarks/"
 CODE = ".py", ".js", ".html", ".css", ".sh", "/run"
