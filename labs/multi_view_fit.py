@@ -217,7 +217,7 @@ def render_views_backward(grad_pictures, buffers, shape, colours, views):
     """
     found = []
     for grad_picture, seen, target in zip(grad_pictures, buffers, views, strict=True):
-        fine = np.empty((*seen.depth.shape, 4))
+        fine = np.empty((*seen.depth.shape, 4))  # only its shape is asked for
         grad_fine = msaa.box_resolve_backward(grad_picture, fine, target.samples)
         renderer = target.renderer or pipeline
         gradients = renderer.render_backward(grad_fine, seen, shape, covering(colours), target.view)
@@ -235,7 +235,7 @@ def carving_backward(grad_carving, target, vertex_count, buffers):
     """Backward of eq. (6): grad_carving, a number -> grad_level (V,), of s at the vertices."""
     # s is an attribute of the vertices, seen by the pixels: back as any other attribute of lab 5.
     grad_picture = -grad_carving / target.outside.size * target.outside[..., None]
-    fine = buffers.depth[..., None]
+    fine = buffers.depth[..., None]  # only its shape is asked for
     grad_fine = msaa.box_resolve_backward(grad_picture, fine, target.samples)
     return pipeline.to_vertices(grad_fine, buffers, vertex_count)[:, 0]
 

@@ -31,9 +31,10 @@ def test_pictures_and_gradients_are_the_pipelines(size):
     upstream = np.random.default_rng(2).normal(size=picture.shape)
     gradients = pipeline.render_backward(upstream, buffers, *scene)
     found = tiny.render_backward(upstream, kept, colours, CAMERA)
+    # 6e-16 of the greatest is measured, 2e-14 at 48 x 48 pixels on another mesh.
     for gradient, other in zip(found, (gradients.positions, gradients.material.colours),
                                strict=True):
-        np.testing.assert_allclose(gradient, other, rtol=0, atol=1e-11 * np.abs(other).max())
+        np.testing.assert_allclose(gradient, other, rtol=0, atol=1e-13 * np.abs(other).max())
 
 
 def test_it_runs_as_its_first_lines_say(tmp_path, monkeypatch, capsys):
