@@ -1,7 +1,7 @@
 """Differentiable rasterization in plain NumPy: labs, their checks, and the code to compare with.
 
 to look and to read
-  demo [NAME ...]       render the course's scenes into out/
+  demo [NAME ...]       render the course's scenes into out/, also of your own mesh or photo
   notebooks [NAME ...]  run the lectures in notebooks/ and save them with their figures
 
 to do the labs
@@ -26,6 +26,7 @@ to work on the course
 
 examples
   python3 -m course demo                     all scenes that take seconds
+  python3 -m course demo rounded cow.obj     a scene with your own mesh
   python3 -m course check                    the board of all labs
   python3 -m course check rasterization      one lab, by its topic
   python3 -m course check 2.3                one exercise

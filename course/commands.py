@@ -41,7 +41,7 @@ SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
 TRIED = option("target", nargs="?", metavar="TARGET",
                help="a topic or a lab; without, everything")
 OPENED = option("target", metavar="TARGET",
-                help="an exercise (2.14), a lab (2) or a topic (scanline)")
+                help="an exercise (2.14), a lab (2), labs (1-3) or a topic (scanline)")
 
 
 # --- to look and to read ------------------------------------------------------------------------
@@ -49,7 +49,9 @@ OPENED = option("target", metavar="TARGET",
 
 @command(
     option("names", nargs="*", metavar="NAME",
-           help="a scene, or: reconstruct FOLDER; without a name, all quick scenes"),
+           help="a scene; after bunny, rounded, simplified or relaxation your own mesh file, "
+                "after aliasing your own picture, after reconstruct a folder of pictures; without "
+                "a name, all quick scenes"),
     option("--list", action="store_true", help="say which scenes there are"),
     option("--impl", choices=("reference", "labs"),
            help="whose code renders: the reference's, or yours in labs/; without, the reference's "

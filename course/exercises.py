@@ -97,14 +97,15 @@ def labs_in(part, there):
 
 
 def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]:
-    """A lab (2, rasterization), an exercise (2.3), None for all -> ({topic: its exercises}, the
-    numbers of those that are asked for). ValueError: there is no such thing.
+    """A lab (2, rasterization), labs (1-4), an exercise (2.3), None for all -> ({topic: its
+    exercises}, the numbers of those that are asked for). ValueError: there is no such thing.
     """
     topics = {topic: str(lab_number(topic)) for topic in asking_topics()}
+    several = topics_of(target) if re.search(r"\d[-,]", target or "") else []
     labs = {topic: topic_exercises(topic) for topic, lab in topics.items()
-            if target is None or target == topic or target.split(".")[0] == lab}
+            if target is None or topic in (target, *several) or target.split(".")[0] == lab}
     asked = [exercise.number for lab in labs.values() for exercise in lab
-             if target in (None, *labs, exercise.number) or target in topics.values()]
+             if several or target in (None, *labs, exercise.number) or target in topics.values()]
     if not asked:
         numbers = list(dict.fromkeys(topics.values()))
         raise ValueError(f'there is no lab or exercise "{target}"; give a lab '

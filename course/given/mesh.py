@@ -53,7 +53,7 @@ def cube(face_count):
     back = front * [-1, 1, -1]
     sides = [np.roll(points, k, axis=1) for points in (front, back) for k in range(3)]
     faces = np.concatenate([side + k * len(front) for k in range(6)])
-    vertices, faces = _merge(np.concatenate(sides), faces)
+    vertices, faces = merge(np.concatenate(sides), faces)
     return vertices / n, faces
 
 
@@ -72,7 +72,7 @@ def icosphere(face_count):
     for k, weight in enumerate((n - i - j, i, j)):
         weights[np.arange(20)[:, None], np.arange(len(i)), triangles[:, k, None]] = weight
     faces = np.concatenate([small + k * len(i) for k in range(20)])
-    weights, faces = _merge(weights.reshape(-1, 12), faces)
+    weights, faces = merge(weights.reshape(-1, 12), faces)
     vertices = weights @ corners
     return vertices / np.linalg.norm(vertices, axis=1, keepdims=True), faces
 
@@ -160,8 +160,8 @@ def _icosahedron():
     return corners, triangles[counterclockwise & starts_lowest]
 
 
-def _merge(points, faces):
-    """Equal rows of integers become one. -> distinct points, faces"""
+def merge(points, faces):
+    """Equal rows of points (N, C) become one. -> distinct points, faces"""
     points, index = np.unique(points, axis=0, return_inverse=True)
     return points, index.reshape(-1)[faces]
 

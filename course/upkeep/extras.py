@@ -11,7 +11,7 @@ from ..given import places
 
 
 def open_extras(target: str) -> int:
-    """Open an extra (2.14), or all of a lab (2 or scanline) -> 0. ValueError: there is none."""
+    """Open an extra (2.14), or all of labs (2, 1-3 or scanline) -> 0. ValueError: there is none."""
     found = [pair for pair in asked(target) if pair[1].exercise.is_extra]
     if not found:
         raise ValueError(f"{target} has no extra; what belongs to the core is open from the start")
@@ -45,12 +45,13 @@ def close(target: str, core: bool = False) -> int:
             print(f"{named(answer)} stays open: its solution is not released in this copy")
         else:
             replace(topic, answer, known, is_open=False)
-            print(f"{named(answer)} is complete again")
+            again = " again" * (answer.exercise.number in kept_answers())
+            print(f"{named(answer)} is complete{again}")
     return 0
 
 
 def asked(target):
-    """[(topic, Answer)] in labs/ of a lab, a topic or an exercise, the last one of a file first."""
+    """[(topic, Answer)] in labs/ of labs, a topic or an exercise, the last one of a file first."""
     labs, numbers = exercises.asked_for(target)
     return [(topic, answer) for topic in labs
             for answer in reversed(exercises.answers(exercises.read(lab_path(topic))))

@@ -89,7 +89,7 @@ def test_a_bad_real_mesh_becomes_round_and_stays_where_it_is():
     """The teapot's triangles have a mean least angle of 23 degrees. At least 40 are asked for, and
     that neither surface is 0.5 % of the diagonal away from the other one, at any of its samples.
     """
-    vertices, faces = relaxation.split_in_four(*relaxation.closed_seams(*mesh.teapot()))
+    vertices, faces = relaxation.split_in_four(*mesh.merge(*mesh.teapot()))
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
     moved, flipped = remeshing.relax(vertices, faces, 0.004 * diagonal)
     before, after = (regularization.corner_angles(x[f]).min(1) for x, f in
@@ -105,7 +105,7 @@ def test_no_surface_moves_by_more_than_twice_the_tolerance(name, fraction, steps
     """Flips of bent quads, which moved the bunny by 3.4 tolerances and both without any. Or slides
     that are measured from the last surface, not from the first.
     """
-    vertices, faces = relaxation.closed_seams(*getattr(mesh, name)())
+    vertices, faces = mesh.merge(*getattr(mesh, name)())
     tolerance = fraction * np.linalg.norm(np.ptp(vertices, axis=0))
     moved, flipped = remeshing.relax(vertices, faces, tolerance, steps)
     assert np.array_equal(flipped, faces) == (fraction == 0)

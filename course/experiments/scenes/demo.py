@@ -5,16 +5,15 @@ Where there is a goal, it yields a third thing: (the goal, whether it is met). E
 of its own, with its numbers and its pictures. All of the rendering is the labs' own code.
 """
 import contextlib
+import functools
 import importlib
 import re
 import time
-
-from rich import box
-from rich.console import Console
-from rich.table import Table
+from pathlib import Path
 
 from ...given import places
 from ..folder import command
+from . import own
 
 FILES = {"bunny": "portrait", "teapot": "portrait", "rounded": "levels", "simplified": "levels"}
 NAMES = ("bunny", "teapot", "flight", "aliasing", "msaa", "mirror", "fit_triangle", "fit_cube",
@@ -25,6 +24,10 @@ SCENES = {name: getattr(importlib.import_module(f"{__package__}.{FILES.get(name,
           for name in NAMES}  # a scene's file has its name, unless FILES says another
 SLOW = ("fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny", "fit_outlines",
         "large_steps", "fit_volume", "reconstruct", "ablations", "paint_and_light")
+TAKES = {"bunny": functools.partial(own.shape, most=200_000), "aliasing": own.photo,
+         "rounded": functools.partial(own.surface, most=10_000),
+         "simplified": functools.partial(own.shape, most=50_000),
+         "relaxation": functools.partial(own.shape, most=50_000)}  # what reads one's own FILE
 
 
 class Lacking(ValueError):
@@ -86,6 +89,7 @@ def when_written():
 def run(names: list[str], implementation: str | None = None, **wishes) -> int:
     """Render the named scenes, or all quick ones -> exit status: 1 if a goal was missed, else 0.
 
+    A file after a name, as in ["rounded", "cow.obj"], takes the place of what the scene shows.
     Without names, scenes that lack something are left out, and what they lack is said; 1 if all do.
     ["reconstruct", FOLDER] is what `folder.command` does, and wishes, as `command.Wishes` has them,
     are for it alone. ValueError: a name that is no scene's, or wishes for another scene. Lacking.
@@ -96,58 +100,63 @@ def run(names: list[str], implementation: str | None = None, **wishes) -> int:
             return command.run(labs, names[1], command.Wishes(**wishes))
     if wishes:
         raise ValueError("--steps, --size and --resume are only for: reconstruct FOLDER")
-    unknown = [name for name in names if name not in SCENES]
-    if unknown:
-        raise ValueError(f"there is no scene {unknown[0]}: choose from {', '.join(SCENES)}")
-    wanted, console = names or [name for name in SCENES if name not in SLOW], Console()
-    missed, lacks = rendered(labs, wanted, console, may_lack=not names)
+    wanted = with_files(names) or [(name, None) for name in SCENES if name not in SLOW]
+    missed, lacks = rendered(labs, wanted, may_lack=not names)
     for lack, without in lacks.items():
-        console.print(f"{', '.join(without)} left out: {lack}", soft_wrap=True, highlight=False)
+        print(f"{', '.join(without)} left out: {lack}")
     if sum(map(len, lacks.values())) == len(wanted):
         return 1
-    console.print(f"The pictures are in {places.out('demo')}", soft_wrap=True)
+    print(f"The pictures are in {places.out('demo')}")
     if not names:
-        console.print("Half a minute to five minutes each, asked for by name: "
-                      f"python3 -m course demo {' '.join(SLOW)}", soft_wrap=True)
+        print("Half a minute to five minutes each, asked for by name: "
+              f"python3 -m course demo {' '.join(SLOW)}")
     return 1 if missed else 0
 
 
-def rendered(labs, names, console, may_lack):
-    """Render scenes and print their tables -> how many goals were missed, {lack: scenes}."""
-    missed, lacks = 0, {}
+def with_files(names):
+    """["rounded", "cow.obj", "msaa"] -> [("rounded", "cow.obj"), ("msaa", None)]."""
+    found = []
     for name in names:
+        if name in SCENES:
+            found.append((name, None))
+        elif not Path(name).suffix and not Path(name).exists():
+            raise ValueError(f"there is no scene {name}: choose from {', '.join(SCENES)}")
+        elif found and found[-1][0] in TAKES and found[-1][1] is None:
+            found[-1] = found[-1][0], name
+        else:
+            raise ValueError(f"{name} does not follow a scene that takes a file: write it after "
+                             f"{', '.join(TAKES)}, as in: rounded cow.obj")
+    return found
+
+
+def rendered(labs, wanted, may_lack):
+    """Render [(scene, file or None)], and tell each step -> how many goals were missed, {lack:
+    scenes}.
+    """
+    missed, lacks = 0, {}
+    for name, file in wanted:
+        given = (own.folder(name, file), TAKES[name](file)) if file else ()
+        print(f"{name} {file}" if file else f"{name}: {scenes()[name]}", flush=True)
         try:
             with exercises_named():
-                rows = list(timed(SCENES[name](labs)))
+                for line in timed(SCENES[name](labs, *given)):
+                    print(line, flush=True)
+                    missed += "MISSED" in line
         except Lacking as error:
             if not may_lack:
                 raise
             lacks.setdefault(str(error), []).append(name)
-        else:
-            missed += sum("MISSED" in row[1] for row in rows)
-            console.print(table(name, rows))
     return missed, lacks
 
 
-def table(name, rows):
-    """A scene's rows, as they are printed."""
-    made = Table(title=f"{name}: {scenes()[name]}", box=box.SIMPLE_HEAD, title_justify="left",
-                 title_style="bold", pad_edge=False, min_width=72)
-    for column in "step", "goal" if any(row[1] for row in rows) else "", "ms", "picture":
-        made.add_column(column, justify="right" if column == "ms" else "left")
-    for row in rows:
-        made.add_row(*row)
-    return made
-
-
 def timed(steps):
-    """What a scene yields, as rows of text: step, goal, milliseconds, picture."""
+    """What a scene yields, as lines of text: milliseconds, step, goal, picture."""
     start = time.perf_counter()
     for step, path, *goals in steps:
         milliseconds = 1000 * (time.perf_counter() - start)
-        picture = str(path.relative_to(places.ROOT)) if path else ""
-        goal = " ".join(goal if met else f"{goal} MISSED" for goal, met in goals)
-        yield step, goal, f"{milliseconds:.1f}", picture
+        told = [f"{milliseconds:10.1f} ms  {step}"]
+        told += [f"(goal: {goal})" if met else f"(goal: {goal} MISSED)" for goal, met in goals]
+        yield "  ".join([*told, str(path.relative_to(places.ROOT))] if path else told)
         start = time.perf_counter()
 
 

@@ -1,5 +1,6 @@
 """What the scenes share: smooth shading, fits, and pictures on disk."""
 import numpy as np
+from matplotlib.figure import Figure
 
 from ...given import image, mesh, places
 
@@ -104,4 +105,17 @@ def save(scene, name, picture):
     """Write a picture of a scene -> its path."""
     path = places.out("demo", scene, f"{name}.png")
     image.write(path, picture)
+    return path
+
+
+def save_labelled(scene, name, columns):
+    """As `save`, of pictures {label: (H, W, 3)}, side by side, each below its label."""
+    sheet = np.hstack(list(columns.values()))
+    height, width = sheet.shape[:2]
+    figure = Figure((width / 100, height / 100 + 0.3), dpi=100)
+    figure.figimage(sheet, origin="lower")
+    for k, label in enumerate(columns):
+        figure.text((k + 0.5) / len(columns), 0.995, label, ha="center", va="top", fontsize=14)
+    path = places.out("demo", scene, f"{name}.png")
+    figure.savefig(path, metadata={"Software": None})
     return path

@@ -10,26 +10,26 @@ TEAPOT_EYE = np.array([0.6, 1.2, 2.2])
 SMALL = 96  # pixels on a side of the loop's picture, which takes a second or two
 
 
-def bunny(labs):
-    """The Stanford bunny through labs 1 and 2."""
-    yield from portrait(labs, "bunny", mesh.bunny, BUNNY_EYE)
+def bunny(labs, out="bunny", shape=None):
+    """The Stanford bunny, or FILE, through labs 1 and 2."""
+    yield from portrait(labs, out, shape or mesh.bunny(), BUNNY_EYE)
 
 
 def teapot(labs):
     """The Utah teapot through labs 1 and 2."""
-    yield from portrait(labs, "teapot", mesh.teapot, TEAPOT_EYE)
+    yield from portrait(labs, "teapot", mesh.teapot(), TEAPOT_EYE)
 
 
-def portrait(labs, name, load, eye):
+def portrait(labs, out, shape, eye):
     """What lab 2 says about a mesh, pixel by pixel, as pictures."""
-    vertices, faces = load()
+    vertices, faces = shape
     vertices = mesh.normalize(vertices)
     yield size_in_words(vertices, faces), None
 
     clip = clip_positions(labs, vertices, eye)
     yield "vertices to clip space", None
     by_loop, _ = labs.rasterization.rasterize_loop(clip, faces, SMALL, SMALL)
-    yield f"lab 2's loop, {SMALL} x {SMALL}", save(name, "loop", plot.face_colours(by_loop))
+    yield f"lab 2's loop, {SMALL} x {SMALL}", save(out, "loop", plot.face_colours(by_loop))
     face_index, depth = labs.scanline.rasterize(clip, faces, SIZE, SIZE)
     yield "rasterize: face index and depth", None
     barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
@@ -37,9 +37,9 @@ def portrait(labs, name, load, eye):
     derivatives = labs.rasterization.barycentrics_derivatives(face_index, clip, faces)
     yield "derivatives of the barycentrics", None
 
-    yield "face index", save(name, "face_index", plot.face_colours(face_index))
-    yield "depth", save(name, "depth", plot.depth_colours(depth))
+    yield "face index", save(out, "face_index", plot.face_colours(face_index))
+    yield "depth", save(out, "depth", plot.depth_colours(depth))
     seen = face_index >= 0
-    yield "barycentrics", save(name, "barycentric", painted(seen, barycentric[seen]))
-    yield "wireframe", save(name, "wireframe", wireframe(seen, barycentric, derivatives))
-    yield "normals", save(name, "normals", shaded(vertices, faces, face_index, barycentric))
+    yield "barycentrics", save(out, "barycentric", painted(seen, barycentric[seen]))
+    yield "wireframe", save(out, "wireframe", wireframe(seen, barycentric, derivatives))
+    yield "normals", save(out, "normals", shaded(vertices, faces, face_index, barycentric))

@@ -10,7 +10,7 @@ import numpy as np
 from ...given import distances, image, mesh, places
 from ..folder import searches
 from ..folder.photographs import Painted, daylight, found_object, lamps, photographs, portrait
-from .drawing import WHITE, save, unit_bunny
+from .drawing import WHITE, save_labelled, unit_bunny
 from .viewing import cameras_around
 
 TWO_RINGS = ("smooth union", 0.1, *(("moved", np.array([x, 0.0, 0.0]), ("torus", 0.34, 0.15))
@@ -51,10 +51,12 @@ def compared(labs, x, name, genus, percent):
         yield f"  {title}: {found[title]:.1f} dB", None, (f"{least} dB", found[title] >= least)
     scale = " ".join(f"{factor:.2f}" for factor in found["scale"])
     yield f"  light {found['light']:.0%} off, up to factors {scale}", None
-    sheet = np.hstack([np.vstack([picture[..., :3] for picture in pictures[::2]])
-                       for pictures in found["pictures"]])
-    yield ("  fit, truth; relit, truth",
-           save("reconstruct", name.replace(" ", "_"), image.to_srgb(np.clip(sheet, 0, 1))))
+    columns = [np.vstack([picture[..., :3] for picture in pictures[::2]])
+               for pictures in found["pictures"]]
+    yield "  new views, beside the truth", save_labelled(
+        "reconstruct", name.replace(" ", "_"),
+        {label: image.to_srgb(np.clip(column, 0, 1)) for label, column in zip(
+            ("found", "truth", "found, relit", "truth, relit"), columns, strict=True)})
 
 
 def fit(labs, name, stages, size=128, count=24, **settings):
@@ -107,9 +109,9 @@ def evening(labs):
 
 
 def judged(labs, x, name, size=128):
-    """How good x is, and the pictures of both new kinds, as found and as they are.
+    """How good x is, and pictures (2 size, 2 size, 4) of both new kinds, as found and as they are.
 
-    The numbers: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of these in
+    The numbers, of pictures half as large: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of these in
     the evening's light, relative error of the light.
     """
     truth, found = unseen(labs, name), found_object(labs, x)
@@ -117,11 +119,12 @@ def judged(labs, x, name, size=128):
     scale = labs.reconstruction.best_scale(found.albedo, paint(at_truth))
     scaled = found._replace(albedo=scale * found.albedo)
     light, other_light = daylight(labs), evening(labs)
-    pictures = [photographs(labs, each, lamp, new_cameras(labs), size) for each, lamp in (
+    pictures = [photographs(labs, each, lamp, new_cameras(labs), 2 * size, 2) for each, lamp in (
         (found, x.light), (truth, light), (scaled, other_light), (truth, other_light))]
+    views = [[labs.msaa.box_resolve(picture, 2) for picture in kind] for kind in pictures]
     return {"pieces, genus": labs.reconstruction.genus(found.faces),
             "distance": relative_distance(found, truth),
-            "new views": decibels(*pictures[:2]), "relit": decibels(*pictures[2:]),
+            "new views": decibels(*views[:2]), "relit": decibels(*views[2:]),
             "light": np.linalg.norm(x.light / scale - light) / np.linalg.norm(light),
             "scale": scale, "pictures": pictures}
 

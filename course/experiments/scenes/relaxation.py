@@ -7,9 +7,9 @@ from .portrait import TEAPOT_EYE
 from .viewing import clip_positions
 
 
-def relaxation(labs):
-    """The teapot's thin triangles made rounder, its surface kept (lab 13)."""
-    vertices, faces = split_teapot()
+def relaxation(labs, out="relaxation", shape=None):
+    """The thin triangles of the teapot, or FILE, made rounder, the surface kept (lab 13)."""
+    vertices, faces = shape or split_teapot()
     size = np.linalg.norm(np.ptp(vertices, axis=0))
     yield f"{len(vertices):,} vertices, {len(faces):,} faces", None
     moved, flipped = labs.remeshing.relax(vertices, faces, 0.004 * size)
@@ -17,18 +17,12 @@ def relaxation(labs):
     for name, shape, triangles in ("before", vertices, faces), ("after", moved, flipped):
         angle = np.degrees(labs.regularization.corner_angles(shape[triangles]).min(1).mean())
         yield (f"{name}: mean least angle {angle:.1f} degrees",
-               save("relaxation", name, drawn(labs, shape, triangles)))
+               save(out, name, drawn(labs, shape, triangles)))
 
 
 def split_teapot():
     """The teapot without seams, each face split in four -> vertices, faces."""
-    return split_in_four(*closed_seams(*mesh.teapot()))
-
-
-def closed_seams(vertices, faces):
-    """A mesh whose vertices at the same place became one."""
-    vertices, index = np.unique(vertices, axis=0, return_inverse=True)
-    return vertices, index.reshape(-1)[faces]
+    return split_in_four(*mesh.merge(*mesh.teapot()))
 
 
 def split_in_four(vertices, faces):
