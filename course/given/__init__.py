@@ -7,6 +7,7 @@
     memory             freed arrays stay with the process
     image              pictures as arrays, and as files
     mesh               triangle meshes: simple shapes, normals, edges
+    mesh_files         triangle meshes from files
     distances          how far points are from a mesh, and meshes from each other
     ray_casting        exact shadows, without a map
     suspicions         common mistakes that show in the numbers alone

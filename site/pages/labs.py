@@ -83,7 +83,9 @@ def page(course, lab):
     modules = [course.modules[f"reference.{topic}"] for topic in exercises.LABS[lab - 1]]
     links = " · ".join([f'<a href="../lectures/{lecture.page}.html">Lecture {lab}</a>',
                         *(f'<a href="{course.address(module.name)}">'
-                          f"<code>{module.topic}.py</code></a>" for module in modules)])
+                          f"<code>{module.topic}.py</code></a>" for module in modules),
+                        '<a href="../lectures/00_start_here.html#draw-your-own-mesh">'
+                        "Draw your own mesh</a>"])
     return "\n".join([f"# {lab_title(lab)}\n",
                       summary(course, lab),
                       as_myst(f'<p class="belongs">{links}</p>'),

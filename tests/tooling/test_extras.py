@@ -88,7 +88,7 @@ def test_an_extra_is_opened_and_closed_again(root, lab, run):
     assert "0 of 2" in board and "1.2 half extra not started" in board and "extra more" not in board
     assert run("close", "1.2") == "1.2 half is complete again"
     assert lab.read_text() == LAB
-    run("open", "1.2")
+    run("open", "1-1")
     mine = OPENED.replace('raise NotImplementedError("exercise 1.2: half")', "return 0.5 * x")
     lab.write_text(mine)
     assert run("close", "1") == "1.2 half was worked on, and stays as it is"
@@ -97,13 +97,15 @@ def test_an_extra_is_opened_and_closed_again(root, lab, run):
 
 
 def test_a_released_solution_is_put_in_when_asked_for(root, lab, run):
-    """Who is stuck cannot go on; or an answer is given away to who only closes extras."""
+    """Who is stuck cannot go on; or an answer is given away to who only closes extras; or labs are
+    named as everywhere else, 1-4, and refused; or what never was complete is so "again".
+    """
     assert run("close", "1", status=2) == (
         "course: 1 has no extra that is open; with --core, released solutions are put into the "
         "exercises of the core")
     assert run("open", "1.1", status=2) == (
         "course: 1.1 has no extra; what belongs to the core is open from the start")
-    assert run("close", "1.1", "--core") == "1.1 double is complete again"
+    assert run("close", "1-1", "--core") == "1.1 double is complete"
     assert lab.read_text() == REFERENCE
     shutil.rmtree(root / "reference")
     lab.write_text(LAB)

@@ -2,6 +2,7 @@
 
     viewing            cameras and poses
     drawing            smooth shading, fits, and pictures on disk
+    own                one's own mesh or photo in a scene's place
     portrait           the bunny and the teapot, as pictures
     flight             a camera flies into the bunny
     aliasing           a zone plate made smaller in three ways

@@ -2,7 +2,8 @@
 
 A scene is a function of the labs' modules that yields (what was made, path or None) as it goes.
 Where there is a goal, it yields a third thing: (the goal, whether it is met). Each scene has a file
-of its own, with its numbers and its pictures. All of the rendering is the labs' own code.
+of its own, with its numbers and its pictures. All of the rendering is the labs' own code. A scene
+in TAKES can be given two things more: a folder in out/demo, and what it shows, read from a file.
 """
 import contextlib
 import functools

@@ -38,7 +38,7 @@ def loop_step(labs, vertices, faces):
 
 
 def simplified(labs, out="simplified", shape=None):
-    """The bunny, or FILE, in ever fewer faces, the last ones by the loop without a heap (lab 12)."""
+    """The bunny, or FILE, in ever fewer faces, at the end by the loop without a heap (lab 12)."""
     vertices, faces = shape or unit_bunny()
     yield (size_in_words(vertices, faces),
            save(out, "0", faceted(labs, vertices, faces, BUNNY_EYE)))

@@ -111,8 +111,8 @@ def evening(labs):
 def judged(labs, x, name, size=128):
     """How good x is, and pictures (2 size, 2 size, 4) of both new kinds, as found and as they are.
 
-    The numbers, of pictures half as large: pieces, genus, distance in parts of the diagonal, dB of 8 new views, dB of these in
-    the evening's light, relative error of the light.
+    The numbers: pieces, genus, distance in parts of the diagonal, dB of 8 new views of half this
+    size, dB of these in the evening's light, relative error of the light.
     """
     truth, found = unseen(labs, name), found_object(labs, x)
     at_truth = distances.closest_points(found.vertices, truth.vertices, truth.faces)
