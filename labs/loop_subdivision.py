@@ -52,7 +52,8 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
 
     vertices (V, C), faces (F, 3), u (V,) -> (V + E, C). w = 1/8. `ring_of` tells who is near.
 
-    Your own smooth mesh: python3 -m course demo --impl labs rounded
+    While this is checked, `loop`, `loop_matrix` and `loop_step` refuse. Your own smooth mesh:
+    `python3 -m course demo --impl labs rounded`.
 
     >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     >>> loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))

@@ -124,7 +124,8 @@ def barycentric_from_screen_derivatives(de, e, w):
 def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
     """Eq. (5), pixel by pixel: the picture (H, W, C) of attributes (V, C), 0 where no face is seen.
 
-    faces (F, 3), face_index (H, W), barycentric (H, W, 3).
+    faces (F, 3), face_index (H, W), barycentric (H, W, 3). While this is checked,
+    `interpolate`, `interpolation_matrix` and `weight_rows` refuse.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
@@ -144,7 +145,8 @@ def interpolate_backward_loop(grad_output, attributes, faces, face_index,  # exe
     """Eq. (8), pixel by pixel: the backward pass of `interpolate_loop`.
 
     grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
-    grad_barycentric (H, W, 3), 0 where no face is seen.
+    grad_barycentric (H, W, 3), 0 where no face is seen. While this is checked,
+    `interpolate_backward`, `interpolation_matrix` and `weight_rows` refuse.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])

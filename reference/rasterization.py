@@ -190,7 +190,8 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points)
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
     seen. Turn clockwise faces round. Draw depths (4) from -1 to 1.
-    To look at yours: `python3 -m course demo --impl labs bunny`.
+    To look at yours: `python3 -m course demo --impl labs bunny`. While this is checked,
+    `scanline.rasterize` and `compiled_pipeline.rasterize` refuse.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)
