@@ -102,9 +102,11 @@ def labs_in(part, there):
     return numbers
 
 
-def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]:
+def asked_for(target: str | None, spine: bool = False
+              ) -> tuple[dict[str, list[Exercise]], list[str]]:
     """A lab (2, rasterization), an exercise (2.3), None for all -> ({topic: its exercises}, the
-    numbers of those that are asked for). ValueError: there is no such thing.
+    numbers of those that are asked for). spine: of these, the spine's alone. ValueError: there is
+    no such thing.
     """
     topics = {topic: str(lab_number(topic)) for topic in asking_topics()}
     labs = {topic: topic_exercises(topic) for topic, lab in topics.items()
@@ -116,7 +118,19 @@ def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]
         raise ValueError(f'there is no lab or exercise "{target}"; give a lab '
                          f"({', '.join(numbers)}), a file of it ({', '.join(topics)}), or an "
                          "exercise, as in 2.1")
+    if spine:
+        asked = [exercise.number for lab in labs.values() for exercise in lab
+                 if exercise.is_spine and exercise.number in asked]
+        if not asked:
+            raise ValueError(f"{target} has no exercise of the spine; it goes through the labs "
+                             f"{spine_labs()}")
     return labs, asked
+
+
+def spine_labs() -> str:
+    """The labs with exercises of the spine, as `topics_of` takes them: "1,2,5"."""
+    return ",".join(dict.fromkeys(str(lab_number(topic)) for topic in asking_topics()
+                                  if any(one.is_spine for one in topic_exercises(topic))))
 
 
 def lecture(topic: str) -> Path:

@@ -334,16 +334,27 @@ LECTURE = {"cells": [
 def test_the_section_of_an_exercise_is_found(tmp_path, number, section):
     """A student is sent to the section before, to that of 2.15, or to a number that is none."""
     (tmp_path / "lecture.ipynb").write_text(json.dumps(LECTURE))
-    assert board.section_of(tmp_path / "lecture.ipynb", number) == section
+    found = board.sections(tmp_path / "lecture.ipynb")
+    assert found.get(number) == section
+    assert list(found) == ["2.15", "2.2", "2.3", "2.4", "2.1"]
 
 
 def test_each_exercise_of_the_course_has_its_section():
     """A lecture leads to no exercise, or "7.10 to 7.16" to its two ends only."""
     for topic in exercises.asking_topics():
         for exercise in exercises.topic_exercises(topic):
-            assert board.section_of(exercises.lecture(topic), exercise.number), exercise.number
-    assert board.numbers_in("*Extras 7.10 to 7.12 and 8.2.*\n(extra 1.4) 2.2") == {
-        "7.10", "7.11", "7.12", "8.2", "1.4"}
+            assert board.sections(exercises.lecture(topic))[exercise.number]
+    assert list(board.numbers_in("*Extras 7.10 to 7.12 and 8.2.*\n(extra 1.4) 2.2")) == [
+        "7.10", "7.11", "7.12", "8.2", "1.4"]
+
+
+def test_the_next_exercise_is_the_one_that_the_lecture_reaches_next(monkeypatch):
+    """After 1.2 comes 1.3 by its number, and the lecture teaches 1.6 first."""
+    monkeypatch.setattr(board, "sections", lambda _: dict.fromkeys(["1.2", "1.6", "1.3"]))
+    entries = [verdicts.Entry(number, "f", "transforms", 1, False, "not started", False, [])
+               for number in ("2.1", "1.9", "1.3", "1.6")]
+    assert [entry.number for entry in board.in_the_lecture__s_order(entries)] == [
+        "1.6", "1.3", "1.9", "2.1"]
 
 
 def test_an_import_that_graders_do_not_have_is_told(house, run_here):
