@@ -255,7 +255,8 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     array([[1.5 ],
            [2.25]])
 
-    Fine print. A vertex of mass 0 stays where it is. Do not let its row make the matrix singular.
+    Fine print. A vertex of mass 0 goes to the weighted mean of its neighbours, as (6) says. Without
+    an edge it stays: do not let its row make the matrix singular.
     """
     raise NotImplementedError("exercise 13.10: smooth_implicit")
 

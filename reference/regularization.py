@@ -260,10 +260,12 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     array([[1.5 ],
            [2.25]])
 
-    Fine print. A vertex of mass 0 stays where it is. Do not let its row make the matrix singular.
+    Fine print. A vertex of mass 0 goes to the weighted mean of its neighbours, as (6) says. Without
+    an edge it stays: do not let its row make the matrix singular.
     """
-    mass = np.where(mass > 0, mass, 1)  # of no edge: x' = x whatever its mass
-    system = scipy.sparse.diags_array(mass) + step * laplacian(edges, weights, len(x))
+    L = laplacian(edges, weights, len(x))
+    mass = np.where((mass > 0) | (L.diagonal() != 0), mass, 1)  # without an edge x' = x
+    system = scipy.sparse.diags_array(mass) + step * L
     return spsolve(system.tocsc(), mass[:, None] * x).reshape(x.shape)
 
 
