@@ -168,10 +168,10 @@ def is_lit(distance_map, place, distance, bias):  # extra 14.7 (1 point)
 
 
 def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8 (4 points)
-    """Eq. (4): how fast does a plane recede, to the texel? -> slope (N, 2), by x and by y.
+    """Eq. (4): how fast does a plane recede from texel to texel? -> slope (N, 2), by x and by y.
 
-    Of the plane through q (N, 3) with the unit normal n (N, 3), in the light's frame. `w_of` gives
-    w. ray = (-C_32 q_x / w, -C_32 q_y / w, -1) points along the light, whichever of the two it is.
+    normal n (N, 3), of unit length, and q (N, 3) are in the light's frame. `w_of` gives w.
+    ray = (-C_32 q_x / w, -C_32 q_y / w, -1) points along either light.
 
     >>> C = np.diag([0.5, 0.25, -1.0, 1.0])                          # parallel light
     >>> normal, q = np.array([[0.6, 0.0, 0.8]]), np.array([[2.5, 2.0, -5.0]])
@@ -198,7 +198,7 @@ def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8
 def slope_scaled_bias(slope, constant, factor, most):  # exercise 14.9 (1 point)
     """Eq. (5), but never above most: slope (N, 2), three numbers -> bias (N,).
 
-    With factor 1 and constant 0 it is just enough that no plane shadows itself.
+    With factor 1 it is just enough for a plane.
 
     >>> slope_scaled_bias(np.array([[0.2, -0.4], [-0.2, 0.0], [9.0, 0.0]]), 0.5, 2.0, 1.5)
     array([1.1, 0.7, 1.5])

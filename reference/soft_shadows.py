@@ -84,8 +84,7 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
                     width):
     """Eq. (7)'s radius: how wide is the soft border, in texels? -> (N,).
 
-    R is light_radius. distance, blocker (N,). Where nothing blocks, blocker is np.inf, or no nearer
-    than the point. There it is 0.
+    R is light_radius. distance, blocker (N,). It is 0 unless the blocker is nearer. np.inf: none.
     `python3 -m course demo --impl labs shadow` then draws your own shadows, hard and soft.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
