@@ -260,11 +260,11 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     array([[1.5 ],
            [2.25]])
 
-    Fine print. A vertex of mass 0 goes to the weighted mean of its neighbours, as (6) says. Without
-    an edge it stays: do not let its row make the matrix singular.
+    Fine print. A vertex of mass 0 moves as (6) says. If it has no edge, it stays: its row is all 0,
+    so the matrix has no inverse.
     """
     L = laplacian(edges, weights, len(x))
-    mass = np.where((mass > 0) | (L.diagonal() != 0), mass, 1)  # without an edge x' = x
+    mass = np.where(abs(L).sum(1) > 0, mass, 1)  # without an edge x' = x, whatever its mass
     system = scipy.sparse.diags_array(mass) + step * L
     return spsolve(system.tocsc(), mass[:, None] * x).reshape(x.shape)
 
@@ -296,9 +296,7 @@ def enclosed_volume(triangles):
 
 
 def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
-    """Backward of eq. (7): grad_volume, a number -> grad_triangles (F, 3, 3).
-
-    With it, `restore_volume` gives a smoothed surface its volume back.
+    """Backward of eq. (7), for `restore_volume`: grad_volume, a number -> grad_triangles (F, 3, 3).
 
     >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
     >>> enclosed_volume_backward(6.0, triangle[None])
