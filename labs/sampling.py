@@ -94,7 +94,8 @@ def band_pass(picture, low, high):  # extra 3.6 (2 points)
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
-    h and w are odd, and kernel[h // 2, w // 2] is g_0.
+    h and w are odd, and kernel[h // 2, w // 2] is g_0. While this is checked,
+    `convolve_by_spectrum` refuses.
 
     >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
     array([[3., 0., 1., 2.]])
@@ -215,7 +216,8 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
     Clip it by the pixel's four sides. The triangle may be clockwise. Your own, without stairs:
-    `python3 -m course demo --impl labs aliasing`.
+    `python3 -m course demo --impl labs aliasing`. While this is checked, `pixel_coverage`
+    refuses.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
     array([[0.   , 0.375, 0.5  , 0.   ],

@@ -20,7 +20,7 @@ import numpy as np
 from .interpolation import normalize_backward
 
 
-def vertex_matrix(triangle):  # exercise 7.1 (1 point)
+def vertex_matrix(triangle):  # exercise 7.1 (1 point), spine
     """Eq. (1): the matrix M of a triangle, one vertex in each column.
 
     triangle (3, 2), one vertex in each row -> M (3, 3).
@@ -134,7 +134,7 @@ def barycentric(m, a):
     return c / c.sum()
 
 
-def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points)
+def barycentric_backward(grad_b, m, a):  # exercise 7.9 (3 points), spine
     """Eq. (6), backward of `barycentric`: grad_b (3,) -> grad_m (3, 3), grad_a (3,).
 
     m (3, 3), a (3,). All of their numbers are variables.

@@ -8,7 +8,7 @@ import re
 import textwrap
 from pathlib import Path
 
-from ... import exercises
+from ... import exercises, lab_text
 from ...given import places
 from . import archives
 
@@ -81,7 +81,7 @@ def labs_of(asked, released, extra):
     """Yield (name, bytes) of what belongs to each topic that is asked for."""
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        lab = exercises.skeleton(text, extra).encode("utf-8")
+        lab = lab_text.skeleton(text, extra).encode("utf-8")
         yield f"labs/{topic}.py", lab
         yield exercises.handed_out(topic).relative_to(places.ROOT).as_posix(), lab
         if exercises.topic_exercises(topic):
