@@ -173,7 +173,7 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spi
     """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
-    seen. Turn clockwise faces round. Draw depths (4) from -1 to 1.
+    seen. Turn clockwise faces round, z too. Draw depths (4) from -1 to 1.
     To look at yours: `python3 -m course demo --impl labs bunny`. While this is checked,
     `scanline.rasterize` and `compiled_pipeline.rasterize` refuse.
 

@@ -85,7 +85,8 @@ def front_faces(screen, z):
 def face_inverse(screen):  # exercise 10.2 (1 point)
     """The inverse of M in eq. (1): screen (..., 3, 2), one corner in each row -> (..., 3, 3).
 
-    >>> face_inverse(np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]))
+    >>> small = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
+    >>> face_inverse(np.array([small, 10 * small]))[0]  # of two faces
     array([[-0.25, -0.5 ,  1.  ],
            [ 0.25,  0.  ,  0.  ],
            [ 0.  ,  0.5 ,  0.  ]])

@@ -260,10 +260,12 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     array([[1.5 ],
            [2.25]])
 
-    Fine print. A vertex of mass 0 stays where it is. Do not let its row make the matrix singular.
+    Fine print. A vertex of mass 0 moves as (6) says. If it has no edge, it stays: its row is all 0,
+    so the matrix has no inverse.
     """
-    mass = np.where(mass > 0, mass, 1)  # of no edge: x' = x whatever its mass
-    system = scipy.sparse.diags_array(mass) + step * laplacian(edges, weights, len(x))
+    L = laplacian(edges, weights, len(x))
+    mass = np.where(abs(L).sum(1) > 0, mass, 1)  # without an edge x' = x, whatever its mass
+    system = scipy.sparse.diags_array(mass) + step * L
     return spsolve(system.tocsc(), mass[:, None] * x).reshape(x.shape)
 
 
@@ -294,9 +296,7 @@ def enclosed_volume(triangles):
 
 
 def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
-    """Backward of eq. (7): grad_volume, a number -> grad_triangles (F, 3, 3).
-
-    With it, `restore_volume` gives a smoothed surface its volume back.
+    """Backward of eq. (7), for `restore_volume`: grad_volume, a number -> grad_triangles (F, 3, 3).
 
     >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
     >>> enclosed_volume_backward(6.0, triangle[None])

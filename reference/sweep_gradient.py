@@ -5,7 +5,7 @@ line of pixels that an edge crosses. How far must the edge go to reach pixel j, 
 the loss fall if I_j became I_beyond, the colour on the other side of the edge?
 
     g_i = -sum_j max(0, (I_j - I_beyond) . dL/dI_j) / (d_j + eps_j)    for end i of the edge   (7)
-    d_j = way_j / share_i,   way_j = (2 / W) (x_j - x_edge)            eps_j has way_j's sign
+    d_j = way_j / share_i,   way_j = (2 / W) (x_j - x_edge)   eps has the sign of the edge's motion
     share_b = (y - a_y) / (b_y - a_y) = 1 - share_a,   x_edge = share_a a_x + share_b b_x      (8)
 
 Moving end i alone by 1 moves the crossing by share_i. Rows of pixels give the gradients in x.
@@ -42,7 +42,7 @@ def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 
     """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), (P, 2).
 
     The minus is included: their sum over the pixels is g. grad_colour, colour, beyond (P, C):
-    dL/dI_j, I_j and I_beyond. way (P,), eps (P,) with its sign, share (P, 2).
+    dL/dI_j, I_j and I_beyond. way (P,), share (P, 2). eps (P,) has the sign of the edge's motion.
 
     >>> colour, beyond = np.array([[0.0], [0.5]]), np.array([[1.0], [1.0]])
     >>> grad_colour, share = np.array([[-3.0], [2.0]]), np.array([[0.25, 0.75], [0.5, 0.5]])
@@ -80,7 +80,7 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
     inner is the last pixel that is not outside, and outer is its neighbour outside. Unless both are
     in the picture, the gradient is 0. If inner sees the face, the edge can move out to all pixels
     outside, whatever they see, and I_beyond is inner's colour. It can move in to those pixels that
-    see the face, and I_beyond is outer's colour. eps gets the sign of the edge's motion. The sum of
+    see the face, and I_beyond is outer's colour. eps has the sign of the edge's motion. The sum of
     the `edge_pulls` of all these pixels is the gradient.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
