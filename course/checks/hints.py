@@ -45,7 +45,7 @@ def suspected(compared, call, returned):
     found = found or of_inputs(compared, call, place)
     if found and place is not WHOLE:
         found = found._replace(sentence=f"in output {place + 1} {found.sentence}")
-    return found or NOTHING
+    return found or (NOTHING if compared.expected.any() else None)
 
 
 def is_made_of(got, returned):
@@ -134,15 +134,25 @@ def hint(exercise, checks):
         return known
     said = [Suspicion(*check.suspected) for check in checks
             if check.suspected is not None and name(check.nodeid) in found.failed]
-    said.sort(key=lambda one: not one.certain)
-    if len({kernel(one.sentence) for one in said}) != 1 or not (said[0].certain or len(said) > 1):
+    return told(said, sure=any(one.certain for one in said))
+
+
+def told(said, sure):
+    """The sentence of several Suspicions that say one thing, each of its own numbers, or None.
+
+    Where they say it of several places, or with several factors, it is that of the first.
+    """
+    sentences = [one.sentence for one in said]
+    if not all(sentences) or len({*map(kernel, sentences)}) != 1 or not (sure or len(said) > 1):
         return None
-    return str(said[0]) if said[0].sentence else None
+    same = len({*sentences}) == 1
+    return str(Suspicion(sentences[0] if same else re.split("[,;:] ", sentences[0])[0], sure))
 
 
 def kernel(sentence):
-    """What a suspicion says, without the place."""
-    return re.sub(r"^in output \d+ | (in|where) [^:;]*$", "", sentence)
+    """What a suspicion says, without the place, and without how much more or how many times."""
+    return re.sub(r"^in output \d+ | (in|where) [^:;]*$|[\d.e-]+ (?=times|more|less)|[,;:] .*$", "",
+                  sentence)
 
 
 def is_sure(said):

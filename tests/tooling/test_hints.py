@@ -220,7 +220,9 @@ def failed(nodeid, suspected, fine_print=False):
     ([("the sign is flipped", False)] * 2, "it may be that the sign is flipped"),
     ([("the sign is flipped", False), ("", False)], None),
     ([("in output 2 the sign is flipped", False), ("the sign is flipped in [..., 1]", True)],
-     "the sign is flipped in [..., 1]"),
+     "in output 2 the sign is flipped"),
+    ([("all is 4 times as large; width is 4", True), ("all is 9 times as large", True)],
+     "all is 4 times as large"),
     ([None, None], None),
 ])
 def test_a_suspicion_is_certain_where_no_other_check_speaks_against_it(suspected, hint):
