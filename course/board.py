@@ -23,6 +23,7 @@ from .checks.showing import layout, plural
 from .given import places
 
 BAR = 20  # characters of a whole lab's bar
+MOST_CLAIMS = 3  # shown of the other claims that fail
 LOOK = 0.3  # seconds between two looks at the files that are watched
 STYLES = {"done": "green", "failing": "red"}
 
@@ -147,7 +148,17 @@ def next_to_do(entries, implementation, seed):
         lines.append(layout([("claim", wrong[0].claim)]))
     if wrong and entry.verdict != "not started":
         lines.append(wrong[0].message)
-    return "\n".join([*lines, layout(ways_on(entry, implementation, seed))])
+    return "\n".join([*lines, layout([*also(wrong), *ways_on(entry, implementation, seed)])])
+
+
+def also(wrong):
+    """A row, or none: which other claims fail, where the first one has no hint."""
+    if wrong and not wrong[0].message.startswith("hint"):
+        _, *others = dict.fromkeys(check.claim.partition(" [")[0] for check in wrong
+                                   if check.fine_print == wrong[0].fine_print)
+        more = [f"{len(others) - MOST_CLAIMS} more"] if len(others) > MOST_CLAIMS else []
+        if others and wrong[0].verdict == "failed":
+            yield "fails too", "; ".join([*others[:MOST_CLAIMS], *more])
 
 
 def in_the_lecture__s_order(entries):

@@ -31,7 +31,7 @@ def squared_error(picture, target):
     return ((picture - target)**2).mean()
 
 
-def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point)
+def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point), spine
     """Backward of eq. (2): grad_loss, a number -> grad_picture, of the picture's shape.
 
     >>> squared_error_backward(10.0, np.array([[1.0, 2.0, 3.0, 8.0]]), np.array([[1.0, 0, 3, 4]]))

@@ -20,7 +20,7 @@ import numpy as np
 from .interpolation import normalize_backward
 
 
-def vertex_matrix(triangle):  # exercise 7.1 (1 point), spine
+def vertex_matrix(triangle):  # exercise 7.1 (1 point)
     """Eq. (1): the matrix M of a triangle, one vertex in each column.
 
     triangle (3, 2), one vertex in each row -> M (3, 3).
