@@ -3,6 +3,7 @@
     given         below reference: meshes, pictures, plots, gradient check
     experiments   above reference: scenes, fits, and the tool for a folder of pictures
     exercises     what exercises there are
+    lab_text      their answers, taken out of a module and put back
     checks        assertions, hints, the report: the pytest plugin
     verdicts      what became of an exercise: done, failing, blocked by 2.1
     board         a screen: what is done, and what to do next

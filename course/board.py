@@ -1,5 +1,6 @@
 """The progress board, a screen: what is done, what is not, and what to do next."""
 import contextlib
+import functools
 import json
 import os
 import re
@@ -22,21 +23,23 @@ from .checks.showing import layout, plural
 from .given import places
 
 BAR = 20  # characters of a whole lab's bar
+MOST_CLAIMS = 3  # shown of the other claims that fail
 LOOK = 0.3  # seconds between two looks at the files that are watched
 STYLES = {"done": "green", "failing": "red"}
 
 
 def check(target: str | None = None, implementation: str = "labs", json_file: str | None = None,
-          seed: int = 0, pictures: bool = False, extra: bool = False) -> int:
+          seed: int = 0, pictures: bool = False, extra: bool = False,
+          spine: bool = False) -> int:
     """Run the checks of a lab (2, rasterization), an exercise (2.3) or all, and show the board.
 
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
-    extra: extras that are closed are checked as well.
+    extra: extras that are closed are checked as well. spine: its exercises alone are checked.
     -> 0 if all that was asked for is done, else 1.
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
-    found = verdicts.run(target, implementation, seed, extra)
+    found = verdicts.run(target, implementation, seed, extra, spine)
     Console(force_jupyter=False).print(table(found.asked))
     print(*below(found, target, implementation, seed), sep="\n")
     if pictures:
@@ -132,7 +135,7 @@ def next_to_do(entries, implementation, seed):
 
     The fine print comes when there is nothing else to do.
     """
-    entries = sorted(entries, key=lambda entry: tuple(map(int, entry.number.split("."))))
+    entries = in_the_lecture__s_order(entries)
     undone = [entry for entry in entries if entry.verdict != "done"]
     ready = [entry for entry in undone if "blocked" not in entry.verdict]
     entry = (ready or undone or [entry for entry in entries if entry.fine_print_open])[0]
@@ -145,7 +148,29 @@ def next_to_do(entries, implementation, seed):
         lines.append(layout([("claim", wrong[0].claim)]))
     if wrong and entry.verdict != "not started":
         lines.append(wrong[0].message)
-    return "\n".join([*lines, layout(ways_on(entry, implementation, seed))])
+    return "\n".join([*lines, layout([*also(wrong), *ways_on(entry, implementation, seed)])])
+
+
+def also(wrong):
+    """A row, or none: which other claims fail, where the first one has no hint."""
+    if wrong and not wrong[0].message.startswith("hint"):
+        _, *others = dict.fromkeys(check.claim.partition(" [")[0] for check in wrong
+                                   if check.fine_print == wrong[0].fine_print)
+        more = [f"{len(others) - MOST_CLAIMS} more"] if len(others) > MOST_CLAIMS else []
+        if others and wrong[0].verdict == "failed":
+            yield "fails too", "; ".join([*others[:MOST_CLAIMS], *more])
+
+
+def in_the_lecture__s_order(entries):
+    """Lab by lab, in the order in which a lecture reaches its exercises."""
+    reached = {number: place for topics in exercises.LABS
+               for place, number in enumerate(sections(exercises.lecture(topics[0])))}
+
+    def place(entry):
+        lab, rank = map(int, entry.number.split("."))
+        return lab, reached.get(entry.number, len(reached)), rank
+
+    return sorted(entries, key=place)
 
 
 def headline(entry, wrong):
@@ -179,7 +204,7 @@ def reading(entry, code):
     lecture = exercises.lecture(entry.topic)
     if not lecture.exists():
         return question
-    section = section_of(lecture, entry.number)
+    section = sections(lecture).get(entry.number)
     titled = f", section\n  {section}" if section else ""
     return f"{question}\n{places.shown_path(lecture)}{titled}"
 
@@ -194,26 +219,25 @@ def line_of(entry, code):
     return lines[0] if lines else 1
 
 
-def section_of(lecture, number):
-    """The title of the lecture's section that leads to an exercise, or None."""
-    title = None
+@functools.cache
+def sections(lecture):
+    """{exercise: title of the section that leads to it}, in the lecture's order."""
+    title, found = None, {}
     with contextlib.suppress(OSError, ValueError, KeyError):  # a student may have changed it
         for cell in json.loads(lecture.read_bytes())["cells"]:
             for line in "".join(cell["source"]).splitlines():
                 if cell["cell_type"] == "markdown" and line.startswith("##"):
                     title = line.lstrip("# ")
-                if number in numbers_in(line):
-                    return title
-    return None
+                for number in numbers_in(line):
+                    found.setdefault(number, title)
+    return found
 
 
 def numbers_in(line):
-    """The numbers in a line that says which exercises a section leads to, as 7.10 to 7.16."""
-    numbers = set()
+    """Yield the numbers in a line that says which exercises a section leads to, as 7.10 to 7.16."""
     for part in re.findall(r"\*(?:Exercise|Extra)s? \d.*|\((?:`\w+`, )?extra \d[^)]*", line):
         for lab, first, last in re.findall(r"(\d+)\.(\d+)(?: to (?:\d+\.)?(\d+))?", part):
-            numbers |= {f"{lab}.{k}" for k in range(int(first), int(last or first) + 1)}
-    return numbers
+            yield from (f"{lab}.{k}" for k in range(int(first), int(last or first) + 1))
 
 
 def open_pictures(board, seed):

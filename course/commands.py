@@ -96,13 +96,14 @@ def notebooks(asked):
            help="open a page with all that failed, and pictures"),
     option("--json", metavar="FILE", help="write the board to this file as well"),
     SEED,
-    option("--extra", action="store_true", help="check extras that are not open as well"))
+    option("--extra", action="store_true", help="check extras that are not open as well"),
+    option("--spine", action="store_true", help="check the spine alone: the exercises for a week"))
 def check(asked):
     """Check the labs and show the board. Status 0 only if all that was asked for passes."""
     import course.board
     run = course.board.watch if asked.watch else course.board.check
     return run(asked.target, asked.impl, json_file=asked.json, seed=asked.seed,
-               pictures=asked.pictures, extra=asked.extra)
+               pictures=asked.pictures, extra=asked.extra, spine=asked.spine)
 
 
 @command(OPENED)
@@ -134,12 +135,14 @@ def pack(asked):
     option("folder", metavar="DIR", help="a new folder"),
     option("--labs", metavar="1-4", help="hand out these labs; without, all of them"),
     option("--solutions", metavar="1-2", help="and the reference of these"),
-    option("--extra", action="store_true", help="with the extras open, too"))
+    option("--extra", action="store_true", help="with the extras open, too"),
+    option("--spine", action="store_true",
+           help="the spine alone: what a week holds, the rest complete"))
 def handout(asked):
     """Write what students get to a folder: no solutions but those released."""
     import course.grading.handing.handout
     return course.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
-                                              extra=asked.extra)
+                                              extra=asked.extra, spine=asked.spine)
 
 
 @command(option("labs", metavar="LABS", help="of these labs, as in 1-2"),

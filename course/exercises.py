@@ -2,11 +2,13 @@
 
 An exercise is a whole function with a mark on its def line, and nowhere else:
 
-    def edge_function(p, a, b):  # exercise 2.1 (2 points)   the core: for everybody to write
+    def is_covered(p, triangle):  # exercise 2.6 (2 points)          the core: for all to write
+    def edge_function(p, a, b):  # exercise 2.1 (2 points), spine    the part of it for a week
     def first_column(...):  # extra 2.14 (3 points)          complete in labs/, until it is opened
     def first_column(...):  # extra 2.14 (3 points), open    so marked in labs/ when it is
 
-Its docstring is the question, its body is the answer. Functions without a mark are given.
+Its docstring is the question, its body is the answer. Functions without a mark are given. What
+returns an exercise's answer is named in its question, and refuses meanwhile, see `twins_in`.
 """
 import ast
 import functools
@@ -47,7 +49,9 @@ TOPICS = tuple(itertools.chain(*LABS))
 GIVEN = (  # what labs import of course.given
     "mesh", "inputs", "distances", "ray_casting", "places", "compiled")
 OPEN = ", open"  # the end of an opened extra's mark
-MARK = re.compile(rf"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)(?(1)({OPEN})?|)")
+MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
+                  rf"(?(1)({OPEN})?|(, spine)?)")
+TWINS = re.compile(r"While this is checked, ((?:`[\w.]+`(?:, | and )?)+) refuses?\.")
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
 
 
@@ -61,6 +65,8 @@ class Exercise(NamedTuple):
     calls: tuple
     is_extra: bool = False
     is_open: bool = True  # an extra is not, until it is opened: its answer is there
+    is_spine: bool = False
+    twins: tuple = ()     # of functions, as "scanline.rasterize": they refuse while it is checked
 
 
 def topics() -> tuple[str, ...]:
@@ -96,9 +102,11 @@ def labs_in(part, there):
     return numbers
 
 
-def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]:
+def asked_for(target: str | None, spine: bool = False
+              ) -> tuple[dict[str, list[Exercise]], list[str]]:
     """A lab (2, rasterization), labs (1-4), an exercise (2.3), None for all -> ({topic: its
-    exercises}, the numbers of those that are asked for). ValueError: there is no such thing.
+    exercises}, the numbers of those that are asked for). spine: of these, the spine's alone.
+    ValueError: there is no such thing.
     """
     topics = {topic: str(lab_number(topic)) for topic in asking_topics()}
     several = topics_of(target) if re.search(r"\d[-,]", target or "") else []
@@ -111,7 +119,19 @@ def asked_for(target: str | None) -> tuple[dict[str, list[Exercise]], list[str]]
         raise ValueError(f'there is no lab or exercise "{target}"; give a lab '
                          f"({', '.join(numbers)}), a file of it ({', '.join(topics)}), or an "
                          "exercise, as in 2.1")
+    if spine:
+        asked = [exercise.number for lab in labs.values() for exercise in lab
+                 if exercise.is_spine and exercise.number in asked]
+        if not asked:
+            raise ValueError(f"{target} has no exercise of the spine; it goes through the labs "
+                             f"{spine_labs()}")
     return labs, asked
+
+
+def spine_labs() -> str:
+    """The labs with exercises of the spine, as `topics_of` takes them: "1,2,5"."""
+    return ",".join(dict.fromkeys(str(lab_number(topic)) for topic in asking_topics()
+                                  if any(one.is_spine for one in topic_exercises(topic))))
 
 
 def lecture(topic: str) -> Path:
@@ -156,7 +176,8 @@ def topic_exercises(topic: str) -> list[Exercise]:
             raise ValueError(f"{place}, line {exercise.line}: {exercise.name} is marked as "
                              f"exercise {exercise.number}, but {topic} is lab "
                              f"{lab_number(topic)}; number it {lab_number(topic)}.{rank}")
-    return found
+    return [exercise._replace(twins=tuple(name if "." in name else f"{topic}.{name}"
+                                          for name in exercise.twins)) for exercise in found]
 
 
 def closed_extras(lab: list[Exercise], text: str) -> set[str]:
@@ -166,7 +187,6 @@ def closed_extras(lab: list[Exercise], text: str) -> set[str]:
     return {number for number, mark in marks.items() if mark and not mark[1]}
 
 
-@functools.cache
 @functools.cache
 def text_exercises(text: str) -> tuple[Exercise, ...]:
     """The exercises of a module's text, from top to bottom. ValueError: a mark is wrong."""
@@ -184,7 +204,8 @@ def text_exercises(text: str) -> tuple[Exercise, ...]:
             raise ValueError(f"line {line}: exercise {number} has {points} points; "
                              "give it 1 or more")
         require_question_and_answer(lines, functions[line], number)
-        found[number] = Exercise(number, functions[line].name, points, line, (), *kind)
+        found[number] = Exercise(number, functions[line].name, points, line, (), *kind,
+                                 twins_in(ast.get_docstring(functions[line])))
     needs = calls(text, [exercise.name for exercise in found.values()])
     return tuple(exercise._replace(calls=needs[exercise.name]) for exercise in found.values())
 
@@ -201,7 +222,7 @@ def top_level_functions(text: str) -> tuple[ast.FunctionDef, ...]:
 
 
 def marks(text):
-    """Yield line, number, points, is_extra, is_open of every mark.
+    """Yield line, number, points, is_extra, is_open, is_spine of every mark.
 
     ValueError: a comment that is almost a mark.
     """
@@ -212,8 +233,15 @@ def marks(text):
                 raise ValueError(f'line {line}: the comment "{token.string}" is not a mark; write '
                                  'it like "# exercise 2.1 (2 points)" or "# extra 2.1 (2 points)", '
                                  "or in other words")
-            extra, number, points, opened = mark.groups()
-            yield line, number, int(points), bool(extra), not extra or bool(opened)
+            extra, number, points, opened, spine = mark.groups()
+            yield line, number, int(points), bool(extra), not extra or bool(opened), bool(spine)
+
+
+def twins_in(question):
+    """The functions that a question names as its answer's twins: given code and extras that return
+    the answer, such as its fast version. What only calls them refuses with them.
+    """
+    return tuple(re.findall(r"`([\w.]+)`", " ".join(TWINS.findall(" ".join(question.split())))))
 
 
 def require_question_and_answer(lines, function, number):
@@ -270,67 +298,6 @@ def foreign_imports(text: str) -> list[tuple[int, str]]:
 def text_lines(text: str) -> list[str]:
     """The lines as Python counts them, each with its line end."""
     return list(io.StringIO(text, newline=""))
-
-
-# --- the text of a lab ----------------------------------------------------------------------------
-
-
-class Answer(NamedTuple):
-    """An exercise's answer: lines[start:end] of a module's text."""
-
-    exercise: Exercise
-    start: int
-    end: int
-    text: str
-    todo: str  # the line that stands in its place in a lab
-
-
-def skeleton(text: str, extra: bool = False) -> str:
-    """The lab's text, from the reference's. With extra, its extras are opened.
-
-    ValueError: a mark is wrong.
-    """
-    lines = text_lines(text)
-    for answer in reversed(answers(text)):  # upwards: lines above stay put
-        if extra or not answer.exercise.is_extra:
-            put(lines, answer, answer.todo, is_open=True)
-    return "".join(lines)
-
-
-def answers(text: str) -> list[Answer]:
-    """The Answer to each exercise of a module's text. ValueError: a mark is wrong."""
-    lines = text_lines(text)
-    functions = {function.lineno: function for function in top_level_functions(text)}
-
-    def answer(exercise):
-        function = functions[exercise.line]
-        question, end = function.body[0], answer_end(lines, function)
-        indent = lines[question.lineno - 1][:question.col_offset]
-        newline = lines[end - 1].removeprefix(lines[end - 1].rstrip("\r\n"))
-        todo = f'raise NotImplementedError("exercise {exercise.number}: {exercise.name}")'
-        return Answer(exercise, question.end_lineno, end,
-                      "".join(lines[question.end_lineno:end]), f"{indent}{todo}{newline}")
-
-    return [answer(exercise) for exercise in text_exercises(text)]
-
-
-def put(lines: list[str], answer: Answer, text: str, is_open: bool) -> None:
-    """Put another text in an answer's place; of an extra, let the mark say whether it is open."""
-    lines[answer.start:answer.end] = [text]
-    mark = answer.exercise.line - 1
-    lines[mark] = re.sub(rf"(# extra [^)]*\))(?:{OPEN})?",
-                         rf"\1{OPEN if is_open else ''}", lines[mark])
-
-
-def answer_end(lines, function):
-    """The last line of an answer; an indented comment below the last statement belongs to it."""
-    end = function.end_lineno
-    for number, line in enumerate(lines[end:], end + 1):
-        if re.match(r"[ \t]+#", line):
-            end = number
-        elif line.strip():
-            break
-    return end
 
 
 def digest(text: str) -> str:

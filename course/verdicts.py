@@ -50,12 +50,14 @@ class Found(NamedTuple):
         return all(entry.verdict == "done" for entry in self.asked)
 
 
-def run(target: str | None, implementation: str, seed: int, extra: bool) -> Found:
-    """Run the checks of a lab, an exercise or all, and of what these call.
+def run(target: str | None, implementation: str, seed: int, extra: bool = False,
+        spine: bool = False) -> Found:
+    """Run the checks of a lab, an exercise or all, and of what these call. spine: of its exercises
+    alone.
 
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
-    labs, asked = exercises.asked_for(target)
+    labs, asked = exercises.asked_for(target, spine)
     code = folder(implementation)
     closed = set() if extra else closed_extras(labs, code)
     if not set(asked) - closed:

@@ -73,7 +73,7 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
-def barycentric_from_screen(e, w):  # exercise 5.5 (1 point)
+def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
     e, w and b are (..., 3), with the w of each corner.
@@ -84,7 +84,7 @@ def barycentric_from_screen(e, w):  # exercise 5.5 (1 point)
     raise NotImplementedError("exercise 5.5: barycentric_from_screen")
 
 
-def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points)
+def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points), spine
     """Backward of b = n / s, s = sum n, the quotient rule: grad_b -> grad_n.
 
     The three weights lie along the axis, and s broadcasts with them.
@@ -118,10 +118,11 @@ def barycentric_from_screen_derivatives(de, e, w):
     return normalize_derivative(de / w[..., None], n / s, s, axis=-2)
 
 
-def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points)
+def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points), spine
     """Eq. (5), pixel by pixel: the picture (H, W, C) of attributes (V, C), 0 where no face is seen.
 
-    faces (F, 3), face_index (H, W), barycentric (H, W, 3).
+    faces (F, 3), face_index (H, W), barycentric (H, W, 3). While this is checked,
+    `interpolate`, `interpolation_matrix` and `weight_rows` refuse.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
@@ -132,12 +133,13 @@ def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.
     raise NotImplementedError("exercise 5.8: interpolate_loop")
 
 
-def interpolate_backward_loop(grad_output, attributes, faces, face_index,  # exercise 5.9 (3 points)
-                              barycentric):
+def interpolate_backward_loop(grad_output, attributes,  # exercise 5.9 (3 points), spine
+                              faces, face_index, barycentric):
     """Eq. (8), pixel by pixel: the backward pass of `interpolate_loop`.
 
     grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
-    grad_barycentric (H, W, 3), 0 where no face is seen.
+    grad_barycentric (H, W, 3), 0 where no face is seen. While this is checked,
+    `interpolate_backward`, `interpolation_matrix` and `weight_rows` refuse.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])

@@ -91,7 +91,8 @@ def mixed_in_passes(e, a):
 def mixed_at_once(e, a):  # exercise 17.3 (2 points)
     """Eq. (4): `mixed_in_passes` as one loop over n, which makes no array but the result.
 
-    e, a (3, N) -> sum e_k a_k / sum e_k (N,).
+    e, a (3, N) -> sum e_k a_k / sum e_k (N,). While this is checked, `mixed_in_passes`
+    refuses.
 
     >>> mixed_at_once(np.array([[1.0, 2.0], [1.0, 0.0], [2.0, 2.0]]),
     ...               np.array([[4.0, 1.0], [8.0, 5.0], [0.0, 3.0]]))

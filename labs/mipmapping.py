@@ -121,6 +121,11 @@ def in_texels(jacobian, width, height):
     return np.multiply(np.moveaxis(jacobian, 0, -1), scale, order="C")  # long rows are faster
 
 
+def column_products(s, t):
+    """A, B and C of eq. (6): both columns of J, squared, and their product. s, t (2, N)."""
+    return (*(s**2 + t**2), s[0] * s[1] + t[0] * t[1])
+
+
 def mip_level(jacobian, width, height):  # exercise 6.12 (2 points)
     """Eq. (6): the level whose texels are as large as the footprint is long -> (N,).
 
@@ -147,9 +152,8 @@ def mip_level_backward(grad_level, jacobian, width, height):  # extra 6.13 (3 po
     Fine print. Where R = 0, the footprint is a square, and R has a corner as |x| has at 0. There,
     and only there, the derivatives of R count as 0. Where J = 0, the whole gradient is 0.
     """
-    (s_x, s_y), (t_x, t_y) = in_texels(jacobian, width, height)
-    A, B = s_x**2 + t_x**2, s_y**2 + t_y**2
-    C = s_x * s_y + t_x * t_y
+    (s_x, s_y), (t_x, t_y) = s, t = in_texels(jacobian, width, height)
+    A, B, C = column_products(s, t)
     S = (A + B) / 2
     R = np.sqrt((A - B)**2 / 4 + C**2)
     # level = ln(S + R) / (2 ln 2), with dS = (dA + dB)/2 and dR = (A - B)/(4 R) (dA - dB) + C/R dC.

@@ -163,7 +163,7 @@ def level_backward(grad_level, ends, distance):  # extra 16.9 (2 points)
 def sign_changes(distance, edges):  # exercise 16.10 (2 points)
     """Eq. (7), summed over the crossed edges: what does it cost to change sign? -> a number.
 
-    distance (G,), edges (E, 2): pairs in any order. Each end costs log(1 + e^|s|).
+    distance (G,), edges (E, 2). Either end of an edge may come first.
 
     >>> round(sign_changes(np.array([-1.0, 2.0, 0.5]), np.array([[0, 1], [1, 2], [2, 0]])), 6)
     np.float64(5.727528)

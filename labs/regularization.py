@@ -100,16 +100,16 @@ def cotangents_backward(grad_cotangents, triangles):  # extra 13.4 (4 points)
 
     Fine print. It is 0 for a triangle whose cotangents are set to 0.
     """
-    # cot_k = p_k . q_k / s, where s = |p_0 x q_0| = 2 A is the same at all corners. A corner that
-    # rises over the opposite side makes s grow by that side: ds/dx_k = n x (q_k - p_k), |n| = 1.
+    # d cot_k = (dp_k . q_k + p_k . dq_k - cot_k ds) / s, with one s = 2 A for all corners. A corner
+    # that rises over the opposite side makes s grow by it: ds/dx_k = n x (q_k - p_k), |n| = 1.
     p, q = sides(triangles)
-    area_vector = area_vectors(triangles)[..., None, :]
+    cot, area_vector = cotangents(triangles)[..., None], area_vectors(triangles)[..., None, :]
     s = np.linalg.norm(area_vector, axis=-1, keepdims=True)
-    flat = s <= NO_AREA * (p**2).sum(-1).max(-1)[..., None, None]
+    flat = (cot == 0).all(-2, keepdims=True)  # no triangle has three right angles
     s = np.where(flat, 1, s)
     by_dot = np.where(flat, 0, grad_cotangents[..., None] / s)
     by_p, by_q = by_dot * q, by_dot * p
-    by_s = -(by_dot * (p * q).sum(-1, keepdims=True)).sum(-2, keepdims=True) / s
+    by_s = -(by_dot * cot).sum(-2, keepdims=True)
     return (np.roll(by_p, 1, -2) + np.roll(by_q, 2, -2) - by_p - by_q
             + by_s * np.cross(area_vector / s, q - p))
 
@@ -255,12 +255,13 @@ def smooth_implicit(x, edges, weights, mass, step):  # exercise 13.10 (2 points)
     array([[1.5 ],
            [2.25]])
 
-    Fine print. A vertex of mass 0 stays where it is. Do not let its row make the matrix singular.
+    Fine print. A vertex of mass 0 moves as (6) says. If it has no edge, it stays: its row is all 0,
+    so the matrix has no inverse.
     """
     raise NotImplementedError("exercise 13.10: smooth_implicit")
 
 
-def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13.11 (1 point)
+def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # extra 13.11 (1 point)
     """Smoothing that keeps the size: in each round eq. (5) with s = shrink, then with s = -grow.
 
     x (V, C) -> (V, C), with 0 < shrink < grow. The lecture's section 5 shows the bunny after it.
@@ -269,7 +270,10 @@ def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):  # exercise 13
     >>> smooth_taubin(x, edges, np.ones(2), np.array([1.0, 2.0, 1.0]), 0.5, 1.0, 1)[:, 0]
     array([-0.5,  4.5,  9.5])
     """
-    raise NotImplementedError("exercise 13.11: smooth_taubin")
+    for _ in range(rounds):
+        x = smooth_explicit(x, edges, weights, mass, shrink)
+        x = smooth_explicit(x, edges, weights, mass, -grow)
+    return x
 
 
 def enclosed_volume(triangles):
@@ -284,9 +288,7 @@ def enclosed_volume(triangles):
 
 
 def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
-    """Backward of eq. (7): grad_volume, a number -> grad_triangles (F, 3, 3).
-
-    With it, `restore_volume` gives a smoothed surface its volume back.
+    """Backward of eq. (7), for `restore_volume`: grad_volume, a number -> grad_triangles (F, 3, 3).
 
     >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
     >>> enclosed_volume_backward(6.0, triangle[None])
@@ -320,7 +322,7 @@ def uniform_adam_step(x, grad_x, mean, square, step, rate, constants=(0.9, 0.999
     return x - rate * mean / (1 - beta_1**step) / steepest, mean, square
 
 
-def large_step(x, grad_x, mean, square, step, rate, spread):  # extra 13.16 (3 points)
+def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.16 (3 points)
     """Eq. (10): go downhill in u instead of x, by `uniform_adam_step` -> the new x, mean, square.
 
     x, grad_x (V, C). mean, square (V, C) and step belong to grad_u, and the rate to u. spread is
@@ -332,8 +334,4 @@ def large_step(x, grad_x, mean, square, step, rate, spread):  # extra 13.16 (3 p
     >>> x[:, 0].round(6)  # grad_u = (1, 2), u moves by (-1, -2), and x by a third of (-4, -5)
     array([-1.333333, -1.666667])
     """
-    edges, weights, amount = spread
-    u = x + amount * laplacian(edges, weights, len(x)) @ x
-    grad_u = precondition(grad_x, *spread)
-    u, mean, square = uniform_adam_step(u, grad_u, mean, square, step, rate)
-    return precondition(u, *spread), mean, square
+    raise NotImplementedError("exercise 13.16: large_step")

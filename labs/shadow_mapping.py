@@ -6,8 +6,8 @@ picture is the map: in each texel the distance of the nearest surface.
     q = rotation (p - position),   distance = -q_z               the light's frame           (1)
     x = (C_00 q_x / w + 1) width / 2,   w = C_32 q_z + C_33      place on the map, y alike   (2)
     lit  <=>  distance <= stored + bias,   stored = map[floor y, floor x]                    (3)
-    slope_x = d distance / dx = -w n_x / (n . ray) 2 / (C_00 width),   n . q = constant      (4)
-    bias = constant + factor (|slope_x| + |slope_y|) / 2                                     (5)
+    slope_x = d distance / dx   where n . q = constant           a plane recedes, y alike    (4)
+    bias = constant + factor times how far a plane recedes from its texel's centre at most   (5)
 
 Each distance is an axial depth: along the light's axis, in the world's unit, not along the ray.
 Light from a direction has an orthographic C and w = 1. Light from a point has a perspective C and
@@ -51,7 +51,7 @@ class Receivers(NamedTuple):
     slope: np.ndarray
 
 
-def to_light(points, position, rotation):  # exercise 14.1 (1 point)
+def to_light(points, position, rotation):  # extra 14.1 (1 point)
     """Eq. (1): points (N, 3) in the light's frame -> q (N, 3).
 
     position (3,), rotation (3, 3), whose rows are the light's axes.
@@ -60,7 +60,7 @@ def to_light(points, position, rotation):  # exercise 14.1 (1 point)
     >>> to_light(np.array([[1.0, 2.0, 3.0]]), np.array([0.0, 6.0, 0.0]), rotation)
     array([[ 1., -3., -4.]])
     """
-    raise NotImplementedError("exercise 14.1: to_light")
+    return (points - position) @ rotation.T
 
 
 def to_light_backward(grad_q, points, position, rotation):  # extra 14.2 (2 points)
@@ -86,7 +86,7 @@ def w_of(q, clip_from_light):
 def map_position(q, clip_from_light, width, height):  # exercise 14.3 (2 points)
     """Eq. (2): where on the light's map are q (N, 3)? -> x and y in texels (N, 2).
 
-    y = (C_11 q_y / w + 1) height / 2. `w_of` gives w.
+    `w_of` gives w.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 4, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])
     >>> map_position(np.array([[1.0, 0.0, -4.0], [0.0, -0.5, -2.0]]), C, 8, 6)
@@ -151,7 +151,7 @@ def stored_distance(distance_map, place):
     return stored
 
 
-def is_lit(distance_map, place, distance, bias):  # exercise 14.7 (1 point)
+def is_lit(distance_map, place, distance, bias):  # extra 14.7 (1 point)
     """Eq. (3): does light reach these points? -> bool (N,).
 
     distance_map (H, W), place (N, 2), distance, bias (N,). `stored_distance` is given.
@@ -161,43 +161,38 @@ def is_lit(distance_map, place, distance, bias):  # exercise 14.7 (1 point)
     >>> is_lit(distance_map, place, np.array([4.0, 4.5, 4.6, 4.6]), 0.5)
     array([ True,  True, False,  True])
     """
-    raise NotImplementedError("exercise 14.7: is_lit")
+    return distance <= stored_distance(distance_map, place) + bias
 
 
-def distance_slopes(normal, q, clip_from_light, width, height):  # extra 14.8 (4 points)
-    """Eq. (4): how fast does a surface recede from texel to texel? -> slope (N, 2), by x and by y.
+def distance_slopes(normal, q, clip_from_light, width, height):  # exercise 14.8 (4 points)
+    """Eq. (4): how fast does a plane recede from texel to texel? -> slope (N, 2), by x and by y.
 
-    normal n (N, 3) of unit length and q (N, 3), both in the light's frame. slope_y has n_y, C_11
-    and height. ray = (-C_32 q_x / w, -C_32 q_y / w, -1) points along the light.
+    normal n (N, 3), of unit length, and q (N, 3) are in the light's frame. `w_of` gives w.
+    ray = (-C_32 q_x / w, -C_32 q_y / w, -1) points along either light.
 
     >>> C = np.diag([0.5, 0.25, -1.0, 1.0])                          # parallel light
-    >>> normal, q = np.array([[0.6, 0.0, 0.8]]), np.array([[1.0, 2.0, -5.0]])
+    >>> normal, q = np.array([[0.6, 0.0, 0.8]]), np.array([[2.5, 2.0, -5.0]])
     >>> distance_slopes(normal, q, C, 4, 2).round(9) + 0.0           # a texel is 1 x 4
     array([[0.75, 0.  ]])
+    >>> C[3, 2:] = -1.0, 0.0                                         # a cone
+    >>> distance_slopes(normal, q, C, 4, 2).round(9) + 0.0
+    array([[6., 0.]])
 
     Fine print. A plane seen edge-on would recede without a bound. Where |n . ray| < GRAZING, put
     GRAZING with its sign in its place. 0 counts as positive.
     """
-    w = w_of(q, clip_from_light)
-    # Parallel light: n . dq = 0 with dq = (du, 0, -dd), so dd/du = n_x / n_z.
-    # A cone: q = d ray and ray = (u, v, -1), so dd (n . ray) + d n_x du = 0.
-    across = normal[:, 0] * q[:, 0] + normal[:, 1] * q[:, 1]
-    along = across * -clip_from_light[3, 2] / w - normal[:, 2]
-    along = np.where(np.abs(along) < GRAZING, np.where(along < 0, -GRAZING, GRAZING), along)
-    slope_x = -w * normal[:, 0] / along * (2 / (clip_from_light[0, 0] * width))
-    slope_y = -w * normal[:, 1] / along * (2 / (clip_from_light[1, 1] * height))
-    return np.stack([slope_x, slope_y]).T
+    raise NotImplementedError("exercise 14.8: distance_slopes")
 
 
-def slope_scaled_bias(slope, constant, factor, most):  # extra 14.9 (1 point)
+def slope_scaled_bias(slope, constant, factor, most):  # exercise 14.9 (1 point)
     """Eq. (5), but never above most: slope (N, 2), three numbers -> bias (N,).
+
+    With factor 1 it is just enough for a plane.
 
     >>> slope_scaled_bias(np.array([[0.2, -0.4], [-0.2, 0.0], [9.0, 0.0]]), 0.5, 2.0, 1.5)
     array([1.1, 0.7, 1.5])
     """
-    # A point is at most half a texel in x and half in y from the centre where its texel was
-    # measured. So with factor 1 a plane does not shadow itself.
-    return np.minimum(constant + factor * np.abs(slope).sum(1) / 2, most)
+    raise NotImplementedError("exercise 14.9: slope_scaled_bias")
 
 
 # --- maps, receivers and their shadow ---------------------------------------------------------

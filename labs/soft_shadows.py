@@ -4,7 +4,8 @@ A shadow map answers yes or no. These are means of its answers over places aroun
 lights, receivers and eqs. (1) to (5) are those of `shadow_mapping`.
 
     PCF:  the mean of (3) around (x, y), each at the distance of the plane there             (6)
-    PCSS: (6) over a disc of radius max(R (1/blocker - 1/distance), 0) C_00 width / 2        (7)
+    PCSS: (6) over the lamp's disc as the receiver sees it at the blocker:
+          its radius there is R (distance - blocker) / distance, in texels on the map        (7)
 
 PCF is percentage-closer filtering, PCSS percentage-closer soft shadows. Each distance is an axial
 depth, as there.
@@ -39,7 +40,7 @@ def steps_around(offsets, radius):
 
 def percentage_closer(distance_map, place, distance, slope,  # exercise 14.11 (3 points)
                       bias, offsets, radius):
-    """Eq. (6): which share of the places around (x, y) does light reach? -> (N,).
+    """Eq. (6): light reaches what share of the places around (x, y)? -> (N,).
 
     `steps_around` gives the steps, `on_plane` each place and its distance, `is_lit` is eq. (3).
     place, slope (N, 2), distance (N,), bias, radius (N,) or numbers, offsets (K, 2).
@@ -80,7 +81,7 @@ def penumbra_radius(distance, blocker, light_radius, clip_from_light,  # exercis
                     width):
     """Eq. (7)'s radius: how wide is the soft border, in texels? -> (N,).
 
-    distance, blocker (N,). Where nothing blocks, blocker is np.inf.
+    R is light_radius. distance, blocker (N,). It is 0 unless the blocker is nearer. np.inf: none.
     `python3 -m course demo --impl labs shadow` then draws your own shadows, hard and soft.
 
     >>> C = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]])

@@ -38,7 +38,7 @@ def warren_weight(n):
     return np.where(n == 3, 3 / 16, 3 / (8 * n))
 
 
-def loop_weight(n):  # exercise 11.4 (1 point)
+def loop_weight(n):  # extra 11.4 (1 point)
     """Eq. (4), Loop's own: valences n (...), integers >= 1 -> u (...).
 
     >>> loop_weight(np.array([3, 4, 6]))
@@ -52,7 +52,8 @@ def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
 
     vertices (V, C), faces (F, 3), u (V,) -> (V + E, C). w = 1/8. `ring_of` tells who is near.
 
-    Your own smooth mesh: python3 -m course demo --impl labs rounded
+    While this is checked, `loop`, `loop_matrix` and `loop_step` refuse. Your own smooth mesh:
+    `python3 -m course demo --impl labs rounded`.
 
     >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     >>> loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
@@ -162,7 +163,7 @@ def loop_backward(grad_new, vertices, faces, weight=warren_weight):
 # The limit
 
 
-def limit_weight(n, u):  # exercise 11.14 (1 point)
+def limit_weight(n, u):  # extra 11.14 (1 point)
     """Eq. (6): valences n (...) and their weights u (...) of eq. (4) -> m (...).
 
     >>> limit_weight(np.array([6]), np.array([1 / 16])).round(9)
@@ -180,3 +181,37 @@ def loop_limit_matrix(faces, vertex_count, weight=warren_weight):
     n = np.maximum(valences(edges, vertex_count), 1)
     m = limit_weight(n, weight(n))
     return as_matrix(vertex_rows(edges, is_boundary, m, 1 / 6), (vertex_count, vertex_count))
+
+
+def loop_surface(cage, faces, steps):
+    """A cage's surface: so many steps, then each vertex at its limit.
+
+    cage (V, C), faces (F, 3) -> vertices (V', C), faces (4^steps F, 3). ValueError: see `topology`.
+    """
+    for _ in range(steps):
+        cage, faces = loop(cage, faces)
+    return loop_limit_matrix(faces, len(cage)) @ cage, faces
+
+
+def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.16 (3 points)
+    """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
+
+    grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. Section
+    8 pulls a cage with it.
+
+    >>> tetrahedron = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]])
+    >>> grad_surface = np.zeros((10, 1))
+    >>> grad_surface[0] = 160.0  # of the vertex 0, where one step has led it
+    >>> loop_surface_backward(grad_surface, tetrahedron, 4, 1)[:, 0].round(9)
+    array([64., 32., 32., 32.])
+    """
+    maps = []
+    for _ in range(steps):
+        S, faces = loop_step(faces, vertex_count)
+        maps.append(S)
+        vertex_count = S.shape[0]
+    # The surface is L S_2 S_1 times the cage, so the gradient is S_1^T S_2^T L^T times its own.
+    grad = loop_limit_matrix(faces, vertex_count).T @ np.asarray(grad_surface)
+    for S in reversed(maps):
+        grad = S.T @ grad
+    return grad

@@ -85,7 +85,8 @@ def front_faces(screen, z):
 def face_inverse(screen):  # exercise 10.2 (1 point)
     """The inverse of M in eq. (1): screen (..., 3, 2), one corner in each row -> (..., 3, 3).
 
-    >>> face_inverse(np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]]))
+    >>> small = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])
+    >>> face_inverse(np.array([small, 10 * small]))[0]  # of two faces
     array([[-0.25, -0.5 ,  1.  ],
            [ 0.25,  0.  ,  0.  ],
            [ 0.  ,  0.5 ,  0.  ]])
@@ -128,7 +129,7 @@ def screen_weights_and_depth(inverse, z, x, y):  # exercise 10.3 (2 points)
     return weight, 1 / (part[..., 0] + part[..., 1] + part[..., 2])
 
 
-def screen_weights_and_depth_backward(grad_weight, grad_depth,  # extra 10.4 (3 points)
+def screen_weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 (3 points)
                                       inverse, z, x, y):
     """Backward of eqs. (2) and (3): grad_weight (..., 3), grad_depth (...) -> grad_inverse
     (..., 3, 3), grad_z (..., 3).
@@ -145,19 +146,18 @@ def screen_weights_and_depth_backward(grad_weight, grad_depth,  # extra 10.4 (3 
     Fine print. Where the clamp changes c_k, c_k has no gradient. A c_k of exactly 0 or 1 is not
     changed.
     """
-    c = inverse[..., 0] * x[..., None] + inverse[..., 1] * y[..., None] + inverse[..., 2]
     weight, depth = screen_weights_and_depth(inverse, z, x, y)
     # depth = 1 / q with q = sum w_k / z_k: d depth = -depth^2 dq.
     grad_q = (-grad_depth * depth**2)[..., None]
     grad_weight = grad_weight + grad_q / z
     grad_z = -grad_q * weight / z**2
-    # w = u / s, s = sum u, and u = c but where it is clamped.
+    # c = M^-1 p, w = u / s, s = sum u, and u = c but where it is clamped.
+    p = np.stack([x, y, np.ones_like(x)], -1)[..., None, :]
+    c = (inverse * p).sum(-1)
     s = np.clip(c, 0, 1).sum(-1, keepdims=True)
     grad_u = interpolation.normalize_backward(grad_weight, weight, s, axis=-1)
     grad_c = np.where((c < 0) | (c > 1), 0, grad_u)
-    # c = M^-1 p: dc = dM^-1 p.
-    p = np.stack([x, y, np.ones_like(x)], -1)
-    return grad_c[..., None] * p[..., None, :], grad_z
+    return grad_c[..., None] * p, grad_z  # dc = dM^-1 p
 
 
 def covers(screen, x, y):
@@ -180,7 +180,7 @@ def pixel_box(screen, width, height):
     return low[..., 0], low[..., 1], high[..., 0], high[..., 1]
 
 
-def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # exercise 10.5 (4 points)
+def rasterize_loop(corners, width, height, near=0.1, far=100.0):  # extra 10.5 (4 points)
     """Your picture of a mesh: which face is the nearest that covers each pixel's centre?
 
     corners (F, 3, 3) -> face_index, weight, depth, as `Maps` has them. Only `front_faces` are seen,

@@ -137,7 +137,8 @@ def render_backward(grad_picture, buffers, mesh, material, view, grad_depth=None
 
 
 @has_kernels("compiled_pipeline")
-def draw(clip, faces, opposite, material, width, height, background):  # exercise 9.12 (3 points)
+def draw(clip, faces, opposite, material,  # exercise 9.12 (3 points), spine
+         width, height, background):
     """Your own picture: rasterize, find the barycentrics, shade, antialias.
 
     clip (V, 4), faces, opposite (F, 3), background (C,) -> picture (H, W, C), Buffers. The
@@ -160,7 +161,7 @@ def draw(clip, faces, opposite, material, width, height, background):  # exercis
 
 
 @has_kernels("compiled_pipeline")
-def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points)
+def draw_backward(grad_picture, buffers, faces, material,  # exercise 9.13 (3 points), spine
                   grad_depth=None):
     """Backward of `draw`, in reverse: grad_picture (H, W, C) -> grad_material, grad_clip (V, 4).
 

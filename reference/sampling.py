@@ -96,7 +96,8 @@ def band_pass(picture, low, high):  # extra 3.6 (2 points)
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
-    h and w are odd, and kernel[h // 2, w // 2] is g_0.
+    h and w are odd, and kernel[h // 2, w // 2] is g_0. While this is checked,
+    `convolve_by_spectrum` refuses.
 
     >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
     array([[3., 0., 1., 2.]])
@@ -187,8 +188,8 @@ def sample_then_blur(picture, step, width=3):
 def clip_polygon(polygon, a, b, c):  # exercise 3.12 (4 points)
     """The part of a convex polygon (N, 2) where a x + b y + c >= 0 -> (M, 2), perhaps (0, 2).
 
-    From the first vertex on: each one inside stays, and an edge that crosses the line adds its
-    crossing.
+    Go around it: a vertex inside stays, and an edge that crosses the line adds its crossing. You
+    may start anywhere.
 
     >>> clip_polygon(np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]), -1.0, 0.0, 1.0)  # x <= 1
     array([[0., 0.],
@@ -236,7 +237,8 @@ def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
     Clip it by the pixel's four sides. The triangle may be clockwise. Your own, without stairs:
-    `python3 -m course demo --impl labs aliasing`.
+    `python3 -m course demo --impl labs aliasing`. While this is checked, `pixel_coverage`
+    refuses.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
     array([[0.   , 0.375, 0.5  , 0.   ],

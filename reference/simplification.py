@@ -24,6 +24,7 @@ from scipy.spatial import cKDTree
 from course.given import mesh
 
 from .arrays import scatter
+from .transforms import to_homogeneous
 
 LEAST_CURVATURE = 1e-6  # of the greatest eigenvalue of A: less is rounding, or flat
 BOUNDARY_WEIGHT = 10    # of a plane through a boundary edge, times the square of its length
@@ -76,7 +77,7 @@ def quadric_error(q, x):  # exercise 12.4 (1 point)
     >>> quadric_error(plane_quadrics(np.array([0.0, 0.0, 1.0, -2.0])), np.array([7.0, 8.0, 5.0]))
     np.float64(9.0)
     """
-    v = np.concatenate([x, np.ones_like(x[..., :1])], -1)
+    v = to_homogeneous(x)
     return ((q @ v[..., None])[..., 0] * v).sum(-1)
 
 
@@ -92,7 +93,7 @@ def quadric_error_backward(grad_error, q, x):  # extra 12.5 (2 points)
     >>> grad_q[0], grad_x
     (array([4., 0., 2., 2.]), array([17.,  0.,  2.]))
     """
-    v = np.concatenate([x, np.ones_like(x[..., :1])], -1)
+    v = to_homogeneous(x)
     # d(v^T Q v) = v^T dQ v + v^T (Q + Q^T) dv, and the last number of v is fixed.
     grad_q = grad_error[..., None, None] * plane_quadrics(v)
     grad_v = grad_error[..., None] * ((q + q.swapaxes(-1, -2)) @ v[..., None])[..., 0]

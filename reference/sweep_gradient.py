@@ -5,7 +5,7 @@ line of pixels that an edge crosses. How far must the edge go to reach pixel j, 
 the loss fall if I_j became I_beyond, the colour on the other side of the edge?
 
     g_i = -sum_j max(0, (I_j - I_beyond) . dL/dI_j) / (d_j + eps_j)    for end i of the edge   (7)
-    d_j = way_j / share_i,   way_j = (2 / W) (x_j - x_edge)            eps_j has way_j's sign
+    d_j = way_j / share_i,   way_j = (2 / W) (x_j - x_edge)   eps has the sign of the edge's motion
     share_b = (y - a_y) / (b_y - a_y) = 1 - share_a,   x_edge = share_a a_x + share_b b_x      (8)
 
 Moving end i alone by 1 moves the crossing by share_i. Rows of pixels give the gradients in x.
@@ -25,7 +25,7 @@ from . import neural_renderer
 from .arrays import EDGES, chunks, expand, scatter
 
 
-def edge_crossing(a, b, y):  # exercise 10.12 (1 point)
+def edge_crossing(a, b, y):  # extra 10.12 (1 point)
     """Eq. (8): where does the edge from a to b cross the row y? -> x_edge (...), share (..., 2).
 
     a, b (..., 2), y (...), shapes that broadcast. share is share_a, share_b.
@@ -42,7 +42,7 @@ def edge_pulls(grad_colour, colour, beyond, way, share, eps):  # exercise 10.13 
     """How do P pixels pull on both ends of their edges? -> the terms of eq. (7), (P, 2).
 
     The minus is included: their sum over the pixels is g. grad_colour, colour, beyond (P, C):
-    dL/dI_j, I_j and I_beyond. way (P,), eps (P,) with its sign, share (P, 2).
+    dL/dI_j, I_j and I_beyond. way (P,), share (P, 2). eps (P,) has the sign of the edge's motion.
 
     >>> colour, beyond = np.array([[0.0], [0.5]]), np.array([[1.0], [1.0]])
     >>> grad_colour, share = np.array([[-3.0], [2.0]]), np.array([[0.25, 0.75], [0.5, 0.5]])
@@ -69,16 +69,24 @@ def edge_lines(a, b, height):
     return row, *edge_crossing(a, b, row + 0.5)
 
 
-def sweep_line(grad_colour, colour, sees, crossing, side, share, eps=1e-4):
-    """Which pixels of a line pull on an edge, and how: the gradient (2,) of its ends, in ndc.
+def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
+               side, share, eps=1e-4):
+    """Kato's gradient of one line of pixels that an edge crosses: what both ends get, (2,), in ndc.
 
-    grad_colour, colour (W, C) are the line's. sees (W,) says which pixels see the edge's face.
-    Outside of the edge is where j grows if side is 1, and where it falls if side is -1.
+    grad_colour, colour (W, C) are the line's. sees (W,) says which pixels see the edge's face. The
+    edge crosses at x = crossing, and pixel j's centre is at j + 0.5. Outside of the edge is where j
+    grows if side is 1, and where it falls if side is -1. share (2,) is that of eq. (8).
 
     inner is the last pixel that is not outside, and outer is its neighbour outside. Unless both are
     in the picture, the gradient is 0. If inner sees the face, the edge can move out to all pixels
     outside, whatever they see, and I_beyond is inner's colour. It can move in to those pixels that
-    see the face, and I_beyond is outer's colour. eps has the sign of the edge's motion.
+    see the face, and I_beyond is outer's colour. eps has the sign of the edge's motion. The sum of
+    the `edge_pulls` of all these pixels is the gradient.
+
+    >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
+    >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])
+    >>> sweep_line(grad_colour, colour, sees, 2.25, 1, share, eps=0.0)  # pixel 2 is asked to shine
+    array([-2., -6.])
     """
     inner = int(np.floor(crossing - 0.5) if side > 0 else np.ceil(crossing - 0.5))
     outer = inner + side

@@ -172,7 +172,7 @@ def both_sides(faces, textures):
 # --- light --------------------------------------------------------------------------------------
 
 
-def face_light(corners, ambient, directional, towards):  # exercise 10.10 (2 points)
+def face_light(corners, ambient, directional, towards):  # extra 10.10 (2 points)
     """Eq. (6): the light (F, C) on faces with corners (F, 3, 3) in space.
 
     A = ambient (C,), D = directional (C,), l = towards (3,), as it is, without dividing by its

@@ -8,6 +8,7 @@ named only where a student's answer fails the same checks with the same numbers,
 import functools
 import hashlib
 import json
+import re
 from pathlib import Path
 from typing import NamedTuple
 
@@ -36,16 +37,21 @@ def suspected(compared, call, returned):
     got, expected, agrees, picture = compared
     found, place = suspicion(*compared[:3], arguments(*call), picture), place_in(returned, got)
     if place is None:
-        return found._replace(certain=False) if found and found.certain else None
-    if place is not WHOLE and any(is_right(output, compared) for output in returned):
-        return Suspicion("the outputs are in the wrong order",
-                         evidence(got, expected, agrees) >= ENOUGH)
-    if not got.any() and got.dtype.kind != "i":
-        return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
+        sure = found and found.certain
+        return found._replace(certain=is_made_of(got, returned)) if sure else None
+    if place is not WHOLE and evidence(got, expected, agrees) >= ENOUGH and any(
+            is_right(output, compared) for output in returned):
+        return Suspicion("the outputs are in the wrong order", True)
     found = found or of_inputs(compared, call, place)
     if found and place is not WHOLE:
         found = found._replace(sentence=f"in output {place + 1} {found.sentence}")
-    return found or NOTHING
+    return found or (NOTHING if compared.expected.any() else None)
+
+
+def is_made_of(got, returned):
+    """Are all numbers in got such as were returned? They may be a part, or several outputs."""
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    return bool(np.isin(got, np.concatenate([np.ravel(output) for output in outputs])).all())
 
 
 def is_right(output, compared):
@@ -118,8 +124,8 @@ def agree(known, found):
 def hint(exercise, checks):
     """The hint that holds for all these Checks, those of an exercise that fail, or None.
 
-    A known mistake explains all of them. A suspicion is certain of one, and no other speaks against
-    it.
+    A known mistake explains all of them. A suspicion is certain of one, or else that of several,
+    and no other speaks against it.
     """
     found = pattern(checks)
     if any("changed its input" in check.message for check in checks):
@@ -128,15 +134,30 @@ def hint(exercise, checks):
         return known
     said = [Suspicion(*check.suspected) for check in checks
             if check.suspected is not None and name(check.nodeid) in found.failed]
-    alone = len({suspected.sentence for suspected in said}) == 1
-    return said[0].sentence if alone and any(one.certain for one in said) else None
+    return told(said, sure=any(one.certain for one in said))
 
 
-def guess(check):
-    """The hint from a failed check's own numbers, which is not certain, or None."""
-    if check.suspected and check.suspected[0]:
-        return str(Suspicion(check.suspected[0], certain=False))
-    return None
+def told(said, sure):
+    """The sentence of several Suspicions that say one thing, each of its own numbers, or None.
+
+    Where they say it of several places, or with several factors, it is that of the first.
+    """
+    sentences = [one.sentence for one in said]
+    if not all(sentences) or len({*map(kernel, sentences)}) != 1 or not (sure or len(said) > 1):
+        return None
+    same = len({*sentences}) == 1
+    return str(Suspicion(sentences[0] if same else re.split("[,;:] ", sentences[0])[0], sure))
+
+
+def kernel(sentence):
+    """What a suspicion says, without the place, and without how much more or how many times."""
+    return re.sub(r"^in output \d+ | (in|where) [^:;]*$|[\d.e-]+ (?=times|more|less)|[,;:] .*$", "",
+                  sentence)
+
+
+def is_sure(said):
+    """Is a hint certain?"""
+    return "may be" not in said
 
 
 @functools.cache

@@ -131,6 +131,24 @@ def package(code):
     sys.modules.update(before)
 
 
+@contextlib.contextmanager
+def without_twins(code, exercise):
+    """The code under test, in which an exercise's twins refuse."""
+    for topic in {twin.split(".")[0] for twin in exercise.twins}:
+        with contextlib.suppress(Mismatch):  # what cannot be imported answers nothing
+            load_topic(code / f"{topic}.py")
+    refused = contract.refusals(loaded(), exercise.twins, exercise.number)
+    contract.replace(loaded(), refused)
+    yield
+    contract.replace(loaded(), {refusal: function for function, refusal in refused.items()})
+
+
+def loaded():
+    """{topic: module} of the code under test, as far as it was imported."""
+    return {name.removeprefix(f"{PACKAGE}."): module for name, module in sys.modules.items()
+            if name.startswith(f"{PACKAGE}.")}
+
+
 def taken_out():
     """{name: module} of the package of the code under test, which is known no longer."""
     return {name: sys.modules.pop(name) for name in list(sys.modules)

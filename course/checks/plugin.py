@@ -3,12 +3,14 @@
 The report of a failed check is short and shows the last call to the code under test. --tb=long
 gives pytest's own instead.
 """
+import contextlib
 import functools
 import zlib
 
 import numpy as np
 import pytest
 
+from .. import exercises
 from . import loader, report
 
 
@@ -53,10 +55,21 @@ def find_function(pytestconfig):
 
 
 @pytest.fixture
-def impl(request, find_function):
+def impl(request, find_function, pytestconfig):
     """The functions of the topic that the test's file is named after, see Implementation."""
     topic = request.path.stem.removeprefix("test_")
-    return loader.Implementation(functools.partial(find_function, topic), request.node.stash)
+    with contextlib.ExitStack() as stack:
+        if loader.FIND not in pytestconfig.stash:
+            code = loader.folder(pytestconfig.option.impl)
+            for exercise in checked_exercise(topic, request.node.get_closest_marker("exercise")):
+                stack.enter_context(loader.without_twins(code, exercise))
+        yield loader.Implementation(functools.partial(find_function, topic), request.node.stash)
+
+
+def checked_exercise(topic, mark):
+    """The exercise of a check, in a list, or none: a test without a mark is no check."""
+    return [exercise for exercise in (exercises.topic_exercises(topic) if mark else ())
+            if exercise.number == mark.args[0]]
 
 
 @pytest.fixture

@@ -15,7 +15,6 @@ import numpy as np
 
 from ..given import places
 from ..given.contract import UNFINISHED
-from ..given.suspicions import Suspicion
 from . import hints
 from .assertions import Mismatch
 from .loader import LAST_CALL, LAST_RETURN, folder
@@ -36,6 +35,7 @@ class Check(NamedTuple):
     mark: str | None = None  # of a failed one: the fingerprint of what was returned to it
     numbers: int = 0         # so many were returned
     suspected: tuple | None = None  # of a failed one: what hints.suspected says
+    catches: str = ""        # of a failed one: the mistakes that it was written for
 
 
 def judge(item, error, report, mark):
@@ -54,13 +54,14 @@ def judge(item, error, report, mark):
              else (hints.OTHER, 0))
     with contextlib.suppress(Exception):  # a report without a hint is better than none
         suspected = hints.suspected(compared, item.stash.get(LAST_CALL, None), returned)
+    catches = caught(item, error, rows) if verdict == "failed" else ""
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
                          getattr(error, "picture", None), report.duration,
                          is_fine_print(mark), *known,
-                         suspected and tuple(suspected))._asdict()
+                         suspected and tuple(suspected), catches)._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
-        hint = [("hint", str(Suspicion(*suspected)))] if suspected and suspected[0] else []
-        report.longrepr = layout([("claim", claim(item)), *rows, *hint,
+        perhaps = [("perhaps", catches)] if catches else []
+        report.longrepr = layout([("claim", claim(item)), *perhaps, *rows,
                                   ("again", "\n".join(commands(item, number)))])
 
 
@@ -91,7 +92,7 @@ def verdict_of(error, number):
 
 
 def explained(error, item):
-    """Rows: the mistake that the check catches, what it gave and what came of it, where, the seed.
+    """Rows: what a check gave, what came of it, and where.
 
     Assertion errors of other kinds, as the gradient check's, tell by themselves what was given.
     """
@@ -108,11 +109,14 @@ def explained(error, item):
     if "output" not in labels and "expected" in labels:
         place = labels.index("expected")
         rows[place:place] = output_row(error.compared, returned)
-    ran = not isinstance(error, Mismatch) or "expected" in dict(rows)
-    if item.function.__doc__ and ran:
-        paragraph = inspect.getdoc(item.function).partition("\n\n")[0]
-        rows.insert(0, ("catches", " ".join(paragraph.split())))
-    return [*rows, ("check", check_line(error, item)), ("seed", str(item.config.option.seed))]
+    return [*rows, ("check", check_line(error, item))]
+
+
+def caught(item, error, rows):
+    """The mistakes that a check was written for, where it came so far; else ""."""
+    if isinstance(error, Mismatch) and "expected" not in dict(rows):
+        return ""
+    return " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
 
 
 def output_row(compared, returned):

@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from ..given import places
-from .hints import guess, hint
+from .hints import hint, is_sure
 from .loader import Stopped, folder
 from .report import Check, claim, is_fine_print
 from .showing import error_text, layout
@@ -57,16 +57,22 @@ def undisturbed(said):
 
 
 def explained(found):
-    """The Checks, those that fail with the hint that explains them all."""
+    """The Checks. Before the message of one that fails stands what may be wrong.
+
+    That is the hint that explains all that fail in an exercise, said once, at the first of them.
+    Where there is none that is sure, it is the mistakes that a check was written for.
+    """
     failing = {}
-    for check in found:
+    for check in sorted(found, key=lambda check: check.fine_print):
         if check.verdict == "failed":
             failing.setdefault(check.exercise, []).append(check)
     hints = {exercise: hint(exercise, checks) for exercise, checks in failing.items()}
     for check in found:
-        said = check.verdict == "failed" and (hints[check.exercise] or guess(check))
-        row = f"\n{layout([('hint', said)])}" if said else ""
-        yield check._replace(message=check.message + row)
+        said = hints.get(check.exercise)
+        rows = [("hint", said)] if said and check is failing[check.exercise][0] else []
+        if check.catches and not (said and is_sure(said)):
+            rows.append(("perhaps", check.catches))
+        yield check._replace(message="\n".join(filter(None, [layout(rows), check.message])))
 
 
 class Collector:

@@ -9,10 +9,14 @@
               Several outputs are a tuple. In place of a NamedTuple a plain tuple will do.
     Warnings  do not count.
     To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.
+    Twins     Given code and extras that return its answer, such as its fast version, refuse while
+              an exercise is checked, see `refusals`.
 
 The checks call the code under test through `called`, and so does the gradient check.
 """
+import functools
 import re
+import types
 import warnings
 
 import numpy as np
@@ -25,6 +29,30 @@ def called(function, *args, **kwargs):
     """What function(*args, **kwargs) returns, in standard form. Its warnings are not shown."""
     with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
         return standard(function(*args, **kwargs))
+
+
+def refusals(modules, twins=(), number=""):
+    """{function: what refuses in its place} for the twins of the exercise with this number.
+
+    modules {topic: module}. twins: names such as "scanline.rasterize".
+    """
+    def refusal(name):
+        def refuse(*_, **__):
+            raise RuntimeError(f"{name} returns what exercise {number} asks for, so it refuses "
+                               f"while {number} is checked; write {number} without it")
+        return refuse
+
+    twins = [twin.split(".") for twin in twins]
+    return {getattr(modules[topic], name): refusal(name) for topic, name in twins
+            if hasattr(modules.get(topic), name)}
+
+
+def replace(modules, others):
+    """Put others in the place of functions, {function: other}, wherever modules know them."""
+    for module in modules.values():
+        for name, known in list(vars(module).items()):
+            if isinstance(known, types.FunctionType | functools.partial) and known in others:
+                setattr(module, name, others[known])
 
 
 def standard(value):

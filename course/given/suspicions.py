@@ -46,10 +46,11 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
     speaking = evidence(got, expected, agrees)
     found = [*whole_numbers(got, expected),
-            *["it is zero everywhere"] * (not got.any()), *scaled(got, expected, agrees, inputs),
+            *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
-            *in_a_part(got, expected, wrong, agrees), *by_index(wrong, inputs)]
+            *in_a_part(got, expected, wrong, agrees, inputs),
+            *by_index(wrong, inputs, np.isfinite(got).all())]
     sure = found and not found[0].endswith("?") and speaking >= ENOUGH
     return Suspicion(found[0], sure) if found else None
 
@@ -71,11 +72,16 @@ def is_numeric(*arrays):
     return all(array.dtype.kind in "iufc" for array in arrays)
 
 
+def has_sign(array):
+    """Integers may be indices, which have no sign, and no size: -1 means none."""
+    return array.dtype.kind in "fc"
+
+
 def mistakes(got, expected, picture):
     """Yield (a common mistake, what was expected with the mistake in it)."""
     if expected.dtype.kind == "b":
         yield "true and false are swapped", ~expected
-    if is_numeric(got, expected):
+    if is_numeric(got, expected) and has_sign(expected):
         yield "the sign is flipped", -expected
     if "c" in (got.dtype.kind, expected.dtype.kind):
         yield "the complex conjugate came", expected.conj()
@@ -84,6 +90,9 @@ def mistakes(got, expected, picture):
     yield from in_another_order(expected, not picture)
     if got.shape != expected.shape:
         yield from in_another_shape(got, expected)
+    elif got.dtype.kind == expected.dtype.kind == "f" and np.allclose(
+            np.sort(got, None), np.sort(expected, None), 1e-9, 0):
+        yield "the numbers are right, and stand in another order", got
 
 
 def misplaced(picture):
@@ -121,6 +130,10 @@ def in_another_shape(got, expected):
             got.ravel(), expected.ravel(), 1e-9, equal_nan=True):
         yield "the numbers are right, the shape is not", got
     for axis in range(got.ndim if got.ndim == expected.ndim + 1 and is_numeric(got) else 0):
+        for k in range(min(got.shape[axis], 4)):
+            part = np.take(got, k, axis)
+            if part.shape == expected.shape and np.allclose(part, expected, 1e-9):
+                yield f"it is number {k} along axis {axis} that was expected, alone", got
         for name in "sum", "mean":
             reduced = getattr(got, name)(axis)
             if reduced.shape == expected.shape and np.allclose(reduced, expected, 1e-9):
@@ -161,7 +174,7 @@ def scaled(got, expected, agrees, inputs):
     """Yield that all is off by one factor, one summand, or a factor that an input holds."""
     counted = np.count_nonzero(np.isfinite(expected) & (expected != 0))
     finite = np.isfinite(got) & np.isfinite(expected)
-    if counted >= 2 and finite.any():
+    if counted >= 2 and finite.any() and has_sign(expected):
         there = expected[finite]
         factor = np.real_if_close(np.vdot(there, got[finite]) / np.vdot(there, there))
         if factor and np.all(agrees(got, factor * expected)):
@@ -193,20 +206,25 @@ def named(factor, inputs):
 
 
 def times_an_input(got, expected, agrees, name, array):
-    """Yield that each number is off by its own factor, which stands in an input."""
+    """Yield that each number is off by its own factor or summand, which stands in an input."""
+    for title, column in columns(name, array):
+        for part in column, column[..., None]:
+            if np.ptp(part) == 0 or not broadcasts(part.shape, expected.shape):
+                continue
+            for verb, mistaken in (("multiplied by", expected * part),
+                                   ("divided by", expected / part),
+                                   ("plus", expected + part), ("minus", expected - part)):
+                if np.all(agrees(got, mistaken)):
+                    yield f"it is what was expected, {verb} {title}"
+
+
+def columns(name, array):
+    """[(name, array)] of an input of finite floats, and its columns, if it has no more than 4."""
     if array.dtype.kind != "f" or not array.ndim or not array.size or (
             not np.isfinite(array).all()):
-        return
-    factors = [(name, array), (name, array[..., None])]
-    if array.shape[-1] in (2, 3, 4):
-        factors += [(f"{name}[..., {k}]", array[..., k:k + 1]) for k in range(array.shape[-1])]
-        factors += [(f"{name}[..., {k}]", array[..., k]) for k in range(array.shape[-1])]
-    for title, factor in factors:
-        if np.ptp(factor) == 0 or not broadcasts(factor.shape, expected.shape):
-            continue
-        for verb, mistaken in (("multiplied", expected * factor), ("divided", expected / factor)):
-            if np.all(agrees(got, mistaken)):
-                yield f"it is what was expected, {verb} by {title}"
+        return []
+    width = array.shape[-1] if array.shape[-1] in (2, 3, 4) else 0
+    return [(name, array), *((f"{name}[..., {k}]", array[..., k]) for k in range(width))]
 
 
 def broadcasts(shape, other):
@@ -230,10 +248,11 @@ def imprecise(got, expected):
                    "finite difference")
 
 
-def in_a_part(got, expected, wrong, agrees):
+def in_a_part(got, expected, wrong, agrees, inputs):
     """Yield what is wrong in some of the numbers alone, and where."""
     part, right = got[wrong], expected[wrong]
-    if wrong.all() or not wrong.any() or not np.isfinite([part, right]).all():
+    if wrong.all() or not wrong.any() or not np.isfinite([part, right]).all() or (
+            not has_sign(expected)):
         return
 
     def holds(mistaken):
@@ -241,10 +260,11 @@ def in_a_part(got, expected, wrong, agrees):
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    place = where(wrong)
+    place, whole = next(places(wrong, inputs), ("", None))
     several = place or len(set(np.abs(right))) > 1  # else any number is a multiple
-    if place and holds(0 * right):
-        yield f"it is zero{place}"
+    if place and not part.any():
+        if not got[whole].any():
+            yield f"it is zero{place}"
         return
     place = place or " in all that is wrong"
     if several and holds(-right):
@@ -252,22 +272,34 @@ def in_a_part(got, expected, wrong, agrees):
     elif several and part.any() and len(right) >= 2 and np.all(right):
         factor = part[0] / right[0]
         if holds(factor * right):
-            yield f"it is {factor:.6g} times what was expected{place}"
+            yield f"it is {factor:.6g} times what was expected{place}{named(factor, inputs)}"
 
 
-def where(wrong):
-    """" in [..., 1]": the one place along a short axis where all is that is wrong; else ""."""
+def places(wrong, inputs):
+    """Yield (" in [..., 1]", all of it): a place along a short axis where all is that is wrong.
+
+    Then (" where w < 0", all of it): the sign of an input, if it is wrong just there.
+    """
     for axis in reversed(range(wrong.ndim)):
         others = tuple(k for k in range(wrong.ndim) if k != axis)
         along = np.flatnonzero(wrong.any(others))
         if len(along) == 1 < wrong.shape[axis] <= 4:
             after = [":"] * (wrong.ndim - 1 - axis)
-            return f" in [{', '.join(['...', str(along[0]), *after])}]"
-    return ""
+            whole = np.broadcast_to(wrong.any(others, keepdims=True), wrong.shape)
+            yield f" in [{', '.join(['...', str(along[0]), *after])}]", whole
+    for name, value in inputs:
+        for title, column in columns(name, as_array(value)):
+            rows = wrong.reshape(*wrong.shape[:column.ndim], -1).any(-1)
+            for sign, there in ("<", column < 0), (">", column > 0):
+                if 2 <= there.sum() <= there.size - 2 and np.array_equal(rows, there):
+                    yield f" where {title} {sign} 0", there
 
 
-def by_index(wrong, inputs):
-    """Yield what an input of indices tells about the rows or pixels that are wrong."""
+def by_index(wrong, inputs, finite):
+    """Yield what an input of indices tells about the rows or pixels that are wrong.
+
+    finite: no NaN came, and nothing infinite, which a row that is not added up does not become.
+    """
     for name, index in inputs:
         index = as_array(index)
         if index.dtype.kind not in "iu" or not index.ndim or not index.size:
@@ -281,7 +313,7 @@ def by_index(wrong, inputs):
         if wrong.ndim and 0 <= index.max() < len(wrong):
             rows = wrong.reshape(len(wrong), -1).any(-1)
             times = np.bincount(index[index >= 0], minlength=len(wrong))
-            if np.any(times == 1) and np.array_equal(rows, times > 1):
+            if finite and np.any(times == 1) and np.array_equal(rows, times > 1):
                 yield (f"it is right in rows that {name} names once, and wrong in those that it "
                        "names more often: is every one added, as np.add.at does, and not only "
                        "the last?")

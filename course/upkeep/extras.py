@@ -6,7 +6,7 @@ its solution is released, that is where reference/ has its module.
 """
 import json
 
-from .. import exercises
+from .. import exercises, lab_text
 from ..given import places
 
 
@@ -54,7 +54,7 @@ def asked(target):
     """[(topic, Answer)] in labs/ of labs, a topic or an exercise, the last one of a file first."""
     labs, numbers = exercises.asked_for(target)
     return [(topic, answer) for topic in labs
-            for answer in reversed(exercises.answers(exercises.read(lab_path(topic))))
+            for answer in reversed(lab_text.answers(exercises.read(lab_path(topic))))
             if answer.exercise.number in numbers]
 
 
@@ -64,13 +64,13 @@ def known_answer(topic, exercise):
     path = exercises.reference(topic)
     if path.exists():
         known |= {answer.exercise.number: answer.text
-                  for answer in exercises.answers(exercises.read(path))}
+                  for answer in lab_text.answers(exercises.read(path))}
     return known.get(exercise.number)
 
 
 def replace(topic, answer, text, is_open):
     lines = exercises.text_lines(exercises.read(lab_path(topic)))
-    exercises.put(lines, answer, text, is_open)
+    lab_text.put(lines, answer, text, is_open)
     write(lab_path(topic), "".join(lines))
 
 

@@ -5,7 +5,7 @@ checks nor the known mistakes. Each wrong function's docstring says what is wron
 after "told by:", how one recognises a sentence that says so: words joined by & stand all in it,
 | separates alternatives. The report's sentences are judged by these words:
 
-    named    a hint, or what the first failing check catches or says, tells what is wrong
+    named    a hint, or what the first failing check lists or says, tells what is wrong
     silent   nothing does
     wrong    a hint that is certain tells something else
     passes   all checks pass
@@ -20,11 +20,12 @@ from collections import Counter
 from typing import NamedTuple
 
 from .. import exercises
+from ..checks.hints import is_sure
 from ..checks.runner import explained
 from .mistakes import wrong_functions
 from .trials import Trial, caught_by
 
-LABELS = "claim", "catches", "hint", "wrong", "differs"  # of the rows that are read
+LABELS = "claim", "hint", "perhaps", "wrong", "differs"  # of the rows that are read
 
 
 class WrongAnswer(NamedTuple):
@@ -63,7 +64,7 @@ def verdict(answer, checks):
     hint = rows.get("hint", "")
     if tells(hint, answer.told_by):
         return "named"
-    if hint and "may be" not in hint:
+    if hint and is_sure(hint):
         return "wrong"
     return "named" if any(tells(row, answer.told_by) for row in rows.values()) else "silent"
 

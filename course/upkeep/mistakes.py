@@ -1,6 +1,6 @@
 """The mistakes that people really make, exercise by exercise, and the hints that they give.
 
-Each exercise has one to six. They are written as changes of the right answer, in
+Each exercise has one to eight. They are written as changes of the right answer, in
 tests/mistakes/<topic>.txt:
 
     2.4  (e >= 0).all(0) | (e <= 0).all(0) -> (e > 0).all(0) | (e < 0).all(0)

@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import NamedTuple
 
-from .. import exercises
+from .. import exercises, lab_text
 from ..given import places
 
 
@@ -55,7 +55,7 @@ def labs():
     def lab(topic):
         exercises.topic_exercises(topic)  # its errors name the file
         path = places.ROOT / "labs" / f"{topic}.py"
-        text = exercises.skeleton(exercises.read(exercises.reference(topic)))
+        text = lab_text.skeleton(exercises.read(exercises.reference(topic)))
         there = exercises.digest(exercises.read(path)) if path.exists() else None
         if there == exercises.digest(text):
             return Lab(path, text, "in step")

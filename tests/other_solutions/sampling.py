@@ -76,9 +76,6 @@ def clip_polygon(polygon, a, b, c):
             kept.append((f * p - e * q) / (f - e))
         if f >= 0:
             kept.append(q)
-    # The walk began with the edge to vertex 0: what lies on it comes last.
-    if len(polygon) and (distance[-1] >= 0) != (distance[0] >= 0):
-        kept = kept[1:] + kept[:1]
     return np.array(kept, float).reshape(-1, 2)
 
 

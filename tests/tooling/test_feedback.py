@@ -56,7 +56,7 @@ def test_the_corpus_has_the_size_that_measures():
     """Few answers, and a share says little; one more for each mistake, and a corpus grows that
     measures the same."""
     answers = [answer.exercise for topic in TOPICS for answer in feedback.corpus(topic)]
-    assert len(answers) == len(set(answers)) == 108
+    assert len(answers) == len(set(answers)) == 106
     assert not any(exercise.is_extra for exercise in answers)
 
 
@@ -76,11 +76,11 @@ def test_what_was_told_wrongly_once_is_not_told_again(topic, name, answer, told)
     ({"hint": "the sign is flipped"}, "named"),
     ({"hint": "everything is 2 times what was expected"}, "wrong"),
     ({"hint": "it may be that everything is 2 times what was expected"}, "silent"),
-    ({"hint": "this may be what comes out when it is tripled", "catches": "A sign."}, "named"),
-    ({"hint": "this is what comes out when it is tripled", "catches": "A sign."}, "wrong"),
-    ({"catches": "It is tripled."}, "silent"),
-    ({"catches": "Minus where plus should stand."}, "named"),
-    ({"catches": "Minus."}, "silent"),
+    ({"hint": "this may be what comes out when it is tripled", "perhaps": "A sign."}, "named"),
+    ({"hint": "this is what comes out when it is tripled", "perhaps": "A sign."}, "wrong"),
+    ({"perhaps": "It is tripled."}, "silent"),
+    ({"perhaps": "Minus where plus should stand."}, "named"),
+    ({"perhaps": "Minus."}, "silent"),
 ])
 def test_a_report_is_judged_by_its_sentences(monkeypatch, rows, verdict):
     """A wrong hint is overlooked because another row is right, or words of two rows are mixed."""

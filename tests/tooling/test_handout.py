@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from course import exercises
+from course import exercises, lab_text
 from course.grading.handing import handout
 
 PROBES = Path(__file__).with_name("texts")
@@ -29,7 +29,7 @@ def tidy(line):
 def solution_lines(topic):
     """The lines of a topic's answers that are in none of its questions."""
     text = exercises.read(exercises.reference(topic))
-    asked = set(map(tidy, exercises.skeleton(text).splitlines()))
+    asked = set(map(tidy, lab_text.skeleton(text).splitlines()))
     lines = set(map(tidy, text.splitlines())) - asked
     return {line for line in lines if len(line) >= LEAST} - ELSEWHERE
 
@@ -85,7 +85,7 @@ def test_labs_what_they_need_their_checks_and_lectures_are_there(
     assert files(tmp_path, "labs/*.py") == {f"labs/{topic}.py" for topic in (*asked, *given)}
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        assert exercises.read(tmp_path / f"labs/{topic}.py") == exercises.skeleton(text)
+        assert exercises.read(tmp_path / f"labs/{topic}.py") == lab_text.skeleton(text)
     for topic in given:
         text = exercises.read(tmp_path / f"labs/{topic}.py")
         assert exercises.text_exercises(text) == () and ast.dump(ast.parse(text)) == ast.dump(
@@ -134,7 +134,7 @@ def test_extras_are_handed_out_open(tmp_path):
     for topic in "rasterization", "scanline":
         text = exercises.read(exercises.reference(topic))
         lab = exercises.read(tmp_path / "new" / "labs" / f"{topic}.py")
-        assert lab == exercises.skeleton(text, extra=True) != exercises.skeleton(text)
+        assert lab == lab_text.skeleton(text, extra=True) != lab_text.skeleton(text)
 
 
 def test_solutions_of_labs_that_stay_here_are_refused(tmp_path):

@@ -54,7 +54,10 @@ def told(assertion, got, expected, *inputs):
      "it may be that everything is 1.23457 times what was expected: is a factor missing"),
     (assert_close, CORNER + 0.5, CORNER, "everything is 0.5 more than expected"),
     (assert_close, CORNER - 1, CORNER, "everything is 1 less than expected"),
-    (assert_close, 0 * CORNER, CORNER, "it is zero everywhere"),
+    (assert_close, CORNER[:, [2, 0, 1]][::-1], CORNER,
+     "the numbers are right, and stand in another order"),
+    (assert_close, np.stack([CORNER, CORNER + 1], -1), CORNER,
+     "it is number 0 along axis 2 that was expected, alone"),
     (assert_close, CORNER / 4 // 1, CORNER / 4, "the numbers are rounded down"),
     (assert_close, np.trunc(CORNER / 4), CORNER / 4, "the numbers are rounded toward 0"),
     (assert_close, np.clip(CORNER, 0, 1), CORNER, "the numbers are cut off at 0 and 1"),
@@ -114,6 +117,13 @@ def test_what_indices_tell_is_told():
     shaded = np.where(index < 0, 0.0, 0.5 + index)
     assert "only where face_index is -1" in told(
         assert_picture, np.array([0.5, 1.5, 2.5])[index], shaded, ("face_index", index))
+    nowhere = np.where(once != right, np.inf, right)
+    assert told(assert_close, nowhere, right, ("faces", faces)) == ""  # divided by a mass of 0
+    w = np.array([1.0, -2, 3, -4, 5])
+    mirrored = np.where(w < 0, -1, 1)[:, None] * right
+    assert told(assert_close, mirrored, right, ("w", w)) == "the sign is flipped where w < 0"
+    assert told(assert_close, right - w[:, None], right, ("w", w)) == (
+        "it is what was expected, minus w")
     last = right + np.array([[0], [0], [0], [0], [1]]) * [0.7, 0.3]
     assert "only the last row" in told(assert_close, last, right, ("face_index", index))
 
@@ -121,8 +131,12 @@ def test_what_indices_tell_is_told():
 @pytest.mark.parametrize(("got", "expected"), [
     (CORNER + CORNER ** 2, CORNER),
     (np.array([3.0, 5.0]), np.array([5.0, 7.0])),        # two numbers that are 2 less
+    (np.array([1, -1, -1, 1, -1]), np.array([-1, 1, 1, -1, 1])),  # an index has no sign
+    (np.maximum(CORNER, [[2.0], [-3.0]]) * [1, 0, 1], CORNER),
+    (np.array([[1, 0.0], [2, 0], [3, 5]]), np.array([[1, 7.0], [2, 8], [3, 5]])),
     (CORNER * [1, 1, 1.5] + [0, 0.1, 0], CORNER),
-], ids=["a sum of two powers", "two numbers", "two columns"])
+], ids=["a sum of two powers", "two numbers", "an index", "a column", "a part of a column",
+        "two columns"])
 def test_no_mistake_is_named_where_none_explains_the_numbers(got, expected):
     """A hint that is only a guess."""
     assert told(assert_close, got, expected) == ""
@@ -203,6 +217,12 @@ def failed(nodeid, suspected, fine_print=False):
     ([("the sign is flipped", True), ("rows and columns are swapped", True)], None),
     ([("the sign is flipped", False), ("the sign is flipped", True)], "the sign is flipped"),
     ([("the sign is flipped", False), None], None),
+    ([("the sign is flipped", False)] * 2, "it may be that the sign is flipped"),
+    ([("the sign is flipped", False), ("", False)], None),
+    ([("in output 2 the sign is flipped", False), ("the sign is flipped in [..., 1]", True)],
+     "in output 2 the sign is flipped"),
+    ([("all is 4 times as large; width is 4", True), ("all is 9 times as large", True)],
+     "all is 4 times as large"),
     ([None, None], None),
 ])
 def test_a_suspicion_is_certain_where_no_other_check_speaks_against_it(suspected, hint):
@@ -211,13 +231,15 @@ def test_a_suspicion_is_certain_where_no_other_check_speaks_against_it(suspected
     assert hints.hint("1.1", checks) == hint
 
 
-def test_what_is_not_certain_stands_under_its_own_check_alone():
-    """"It may be that" all is 2 times, below numbers that are 3 times."""
-    checks = [failed("test_0", ("the sign is flipped", True)), failed("test_1", ("", False)),
-              failed("test_2", ("it is zero everywhere", True)), failed("test_3", None)]
-    assert [check.message for check in explained(checks)] == [
-        "\nhint      it may be that the sign is flipped", "",
-        "\nhint      it may be that it is zero everywhere", ""]
+@pytest.mark.parametrize(("sure", "rows"), [
+    (True, ["hint      it is flipped\nwrong", "wrong"]),
+    (False, ["hint      it may be that it is flipped\nperhaps   A sign.\nwrong",
+             "perhaps   A sign.\nwrong"])])
+def test_a_hint_stands_first_and_once_and_a_list_only_where_it_is_not_sure(sure, rows):
+    """The cause stands below thirty lines of numbers, and beside a list of other causes."""
+    checks = [failed(name, ("it is flipped", sure))._replace(message="wrong", catches="A sign.")
+              for name in ("test_0", "test_1")]
+    assert [check.message for check in explained(checks)] == rows
 
 
 def test_what_a_check_made_of_the_result_is_not_certain():
@@ -242,6 +264,14 @@ def test_what_is_zero_everywhere_gives_no_hint():
     returned = np.arange(1.0, 9), np.zeros(8)
     compared = mismatch(returned[1], returned[0].copy() + 1).compared
     assert hints.suspected(compared, (edge, (), {}), returned) == hints.NOTHING
+
+
+def test_several_outputs_in_one_array_are_what_was_returned():
+    """A check stacks two gradients, and the sign of one, which is plain, is not named."""
+    returned = np.arange(1.0, 9), -np.arange(3.0, 11)
+    compared = mismatch(np.stack(returned), np.stack([returned[0], -returned[1]])).compared
+    assert hints.suspected(compared, (edge, (), {}), returned) == (
+        "the sign is flipped in [..., 1, :]", True)
 
 
 def mismatch(got, expected):

@@ -22,12 +22,13 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "experiments.folder": ("given",),  # reference or labs come in by name, when they run
     "experiments.scenes": ("given", "experiments.folder"),
     "exercises": ("given",),
-    "checks": ("given",),       # the code under test comes in by name, when they run
+    "lab_text": ("exercises",),
+    "checks": ("given", "exercises"),  # the code under test comes in by name, when they run
     "verdicts": ("given", "exercises", "checks"),
     "board": ("given", "exercises", "checks", "verdicts"),
-    "upkeep": ("given", "exercises", "checks"),
-    "grading.apart": ("given", "exercises", "checks", "verdicts"),
-    "grading.handing": ("given", "exercises", "board"),
+    "upkeep": ("given", "exercises", "lab_text", "checks"),
+    "grading.apart": ("given", "exercises", "lab_text", "checks", "verdicts"),
+    "grading.handing": ("given", "exercises", "lab_text", "board"),
     "grading.gradebook": ("given", "grading.apart", "grading.handing"),
     "grading.pages": ("given", "exercises", "checks", "grading.handing", "grading.gradebook"),
     "grading": ("given", "exercises"),

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from course import exercises
+from course import exercises, lab_text
 from course.given import places
 from course.upkeep import skeleton
 
@@ -78,12 +78,12 @@ def test_what_a_called_exercise_calls_is_its_own_affair():
 @pytest.mark.parametrize("newline", ["\n", "\r\n"], ids=["LF", "CRLF"])
 def test_only_the_answers_are_replaced(newline):
     """Comments, decorators, blank lines, line ends or a last line without an end get lost."""
-    assert exercises.skeleton(MODULE.replace("\n", newline)) == LAB.replace("\n", newline)
+    assert lab_text.skeleton(MODULE.replace("\n", newline)) == LAB.replace("\n", newline)
 
 
 def test_a_lab_is_the_lab_of_itself():
     """The generator cannot read what it has written."""
-    assert exercises.skeleton(LAB) == LAB
+    assert lab_text.skeleton(LAB) == LAB
     assert [found[:4] for found in exercises.text_exercises(LAB)] == [
         ("1.1", "first", 2, 11), ("1.2", "second", 1, 19), ("1.10", "third", 12, 33)]
 
@@ -92,7 +92,7 @@ def test_a_module_without_exercises_stays_as_it_is():
     """Functions without a mark lose their bodies."""
     text = MODULE.replace("# exercise", "# not an exercise")
     assert exercises.text_exercises(text) == ()
-    assert exercises.skeleton(text) == text
+    assert lab_text.skeleton(text) == text
 
 
 QUESTION = '    """A question."""\n    return 1\n'
@@ -121,7 +121,7 @@ NO_ANSWER = f"{OF_F} no answer on the lines below its docstring"
 ])
 def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
     """A mark is overlooked, and its answer stays in the lab."""
-    for read in exercises.text_exercises, exercises.skeleton:
+    for read in exercises.text_exercises, lab_text.skeleton:
         with pytest.raises(ValueError) as error:
             read(text.replace("MARK", "# exercise 1.1 (2 points)"))
         assert str(error.value).startswith(sentence)

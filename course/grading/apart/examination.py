@@ -42,6 +42,7 @@ class Examination:
         self.job = job
         self.limits = job.limits
         self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
+        self.twins = {exercise.number: exercise.twins for topic in labs for exercise in labs[topic]}
         self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
                         for found in labs.values() for k, exercise in enumerate(found)}
         self.checked = {}       # {exercise: whether all of its checks have passed}
@@ -130,7 +131,8 @@ class Examination:
                    (topic, self.job.texts[topic], self.stand_ins(self.earlier[self.running])))
         self.opened = self.running
         try:
-            self.outcome(topic, None, self.exchange(("open", modules, preloaded(topic))), [])
+            message = "open", modules, preloaded(topic), self.twins[self.running], self.running
+            self.outcome(topic, None, self.exchange(message), [])
             self.loaded.add(topic)
         except (sandbox.Lost, Mismatch, NotImplementedError) as error:
             why = dict(error.rows)["wrong"] if isinstance(error, Mismatch) else error

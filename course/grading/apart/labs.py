@@ -2,7 +2,7 @@
 import functools
 import re
 
-from ... import exercises
+from ... import exercises, lab_text
 
 
 @functools.cache
@@ -15,7 +15,7 @@ def before_it(topic):
 @functools.cache
 def given_text(topic):
     """A lab's text without answers."""
-    return exercises.skeleton(exercises.read(exercises.reference(topic)), extra=True)
+    return lab_text.skeleton(exercises.read(exercises.reference(topic)), extra=True)
 
 
 @functools.cache

@@ -137,12 +137,12 @@ def main():
         channel.contract = importlib.import_module("course.given.contract")
         channel.send("ready", confine.give_up(settings))
         while True:
-            _, modules, preloaded = channel.receive()
+            _, modules, preloaded, *refusing = channel.receive()
             codes = [(topic, compiled(topic, text), stand_ins)
                      for topic, text, stand_ins in modules]
             for name in preloaded:  # the reference imports it: once for all exercises, before fork
                 importlib.import_module(name)
-            serve_apart(channel, control, codes)
+            serve_apart(channel, control, codes, refusing)
 
 
 def opened_stream():
@@ -167,7 +167,7 @@ def file_name(topic):
     return f"{PACKAGE}/{topic}.py"
 
 
-def serve_apart(channel, control, codes):
+def serve_apart(channel, control, codes, refusing):
     """Serve one exercise in a process of its own, and end all that it leaves behind."""
     parent = os.getpid()
     child = 0 if WITHOUT_FORK else os.fork()
@@ -176,7 +176,7 @@ def serve_apart(channel, control, codes):
         confine.end_with_the_parent()
         if not WITHOUT_FORK and os.getppid() != parent:  # it has ended already
             os._exit(1)
-        serve(channel, codes)
+        serve(channel, codes, refusing)
         os._exit(0)
     _, status = os.waitpid(child, 0)
     if os.getpid() == 1:  # of a namespace of its own: here this means every process in the sandbox
@@ -200,12 +200,16 @@ def emptied():
     return not os.listdir()
 
 
-def serve(channel, codes):
-    """Load the modules, then answer calls to their functions until the grader closes."""
+def serve(channel, codes, refusing):
+    """Load the modules, then answer calls to their functions until the grader closes.
+
+    refusing: the twins of the exercise, and its number, see course/given/contract.py.
+    """
     sys.stdout = sys.stderr = printed = Printed()
     warnings.simplefilter("ignore")
     try:
         modules = load(channel, codes)
+        channel.contract.replace(modules, channel.contract.refusals(modules, *refusing))
     except BaseException as error:
         channel.send("raised", *error_parts(error), printed.taken())
     else:

@@ -8,7 +8,7 @@ import re
 import textwrap
 from pathlib import Path
 
-from ... import exercises
+from ... import exercises, lab_text
 from ...given import places
 from . import archives
 
@@ -24,11 +24,17 @@ TEACHERS = {f"course/upkeep/{name}.py" for name in (
 README = Path(__file__).parents[1] / "files" / "handout.md"
 
 
-def run(folder, labs=None, solutions=None, extra=False) -> int:
+def run(folder, labs=None, solutions=None, extra=False, spine=False) -> int:
     """Write the hand-out to a folder that is new or empty -> 0. extra: with the extras open.
+    spine: of the spine's labs, in which the rest of the core is extras.
 
     ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
     """
+    labs = labs or (exercises.spine_labs() if spine else None)
+    if spine and (other := set(exercises.topics_of(labs))
+                  - set(exercises.topics_of(exercises.spine_labs()))):
+        raise ValueError(f"{min(other)} has no exercise of the spine: name in --labs only "
+                         f"{exercises.spine_labs()}")
     folder = Path(folder)
     if folder.exists() and any(folder.iterdir()):
         raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
@@ -37,7 +43,7 @@ def run(folder, labs=None, solutions=None, extra=False) -> int:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
     given = [topic for topic in needed(asked) if topic not in asked]
-    content = dict(files(asked, given, released, extra))  # all is there, or nothing is written
+    content = dict(files(asked, given, released, extra, spine))  # all is there, or nothing is written
     for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -59,13 +65,13 @@ def release(labs, path) -> int:
     return 0
 
 
-def files(asked, given, released, extra):
+def files(asked, given, released, extra, spine):
     """Yield (name, bytes) of all that is handed out."""
     for path in (path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if not is_for_teachers(name):
             yield name, path.read_bytes()
-    yield from labs_of(asked, released, extra)
+    yield from labs_of(asked, released, extra, spine)
     for topic in given:
         text = exercises.read(exercises.reference(topic))
         yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
@@ -74,14 +80,15 @@ def files(asked, given, released, extra):
         if not released or not set(needed([], path)) <= set(released):
             text = switched(text)
         yield f"notebooks/{path.name}", text.encode()
-    yield "README.md", readme(asked, given, released).encode()
+    yield "README.md", readme(asked, given, released, spine).encode()
 
 
-def labs_of(asked, released, extra):
+def labs_of(asked, released, extra, spine):
     """Yield (name, bytes) of what belongs to each topic that is asked for."""
     for topic in asked:
         text = exercises.read(exercises.reference(topic))
-        lab = exercises.skeleton(text, extra).encode("utf-8")
+        text = lab_text.spine(text) if spine else text
+        lab = lab_text.skeleton(text, extra).encode("utf-8")
         yield f"labs/{topic}.py", lab
         yield exercises.handed_out(topic).relative_to(places.ROOT).as_posix(), lab
         if exercises.topic_exercises(topic):
@@ -96,9 +103,9 @@ def is_for_teachers(name):
     return name in TEACHERS or (name.startswith("course/grading/") and name not in PACKS)
 
 
-def readme(asked, given, released):
+def readme(asked, given, released, spine):
     first = next(exercise for topic in asked for exercise in exercises.topic_exercises(topic)
-                 if not exercise.is_extra)
+                 if (exercise.is_spine if spine else not exercise.is_extra))
 
     def listed(topics):
         return ", ".join(f"`{topic}`" for topic in topics)
@@ -107,6 +114,9 @@ def readme(asked, given, released):
     files = [f"    lab {lab:<4}{', '.join(f'{topic}.py' for topic in exercises.LABS[lab - 1])}"
              for lab in labs]
     about = "\n".join(["    the files in labs/", *files])
+    if spine:
+        about += ("\n\nThis copy is the spine: all that leads from a vertex to a picture, and back "
+                  "to a fit. The rest of the core is among the extras.")
     if given:
         about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"

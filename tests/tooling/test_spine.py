@@ -1,0 +1,54 @@
+"""The spine: the exercises from a vertex to a picture and back to a fit, in about twelve hours."""
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from course import exercises
+from course.experiments.scenes import by_loops, drawing, fit_bunny, viewing
+from course.experiments.scenes.demo import Labs
+
+
+def spine():
+    return [exercise for topic in exercises.asking_topics()
+            for exercise in exercises.topic_exercises(topic) if exercise.is_spine]
+
+
+def called(*works):
+    """The names of the reference's functions that run in what is done here."""
+    names = set()
+
+    def note(frame, event, _):
+        if event == "call" and Path(frame.f_code.co_filename).parent.name == "reference":
+            names.add(frame.f_code.co_name)
+
+    sys.setprofile(note)
+    try:
+        for work in works:
+            work()
+    finally:
+        sys.setprofile(None)
+    return names
+
+
+def test_it_fits_a_week():
+    """It grows, exercise by exercise, into a second course."""
+    assert 20 <= len(spine()) <= 30
+
+
+def test_each_of_its_exercises_is_on_the_way_to_a_fit():
+    """An exercise is marked that neither a picture nor a fit of the demo needs."""
+    labs = Labs("reference")
+
+    camera = viewing.clip_from_world(labs, by_loops.EYE)
+
+    def by_hand():
+        by_loops.loss_and_gradient(labs, camera, by_loops.moved(np.random.default_rng(0)), 0.0)
+
+    def whole_meshes():
+        shape = labs.pipeline.make_mesh(by_loops.POSITIONS, by_loops.FACES)
+        picture, *given = drawing.on_black(labs, shape, by_loops.COLOURS, camera, 32)
+        labs.pipeline.render_backward(picture, *given)
+
+    names = called(by_hand, whole_meshes, lambda: fit_bunny.fit(labs, 0.02, steps=1, size=32))
+    assert [one.number for one in spine() if one.name not in names] == []
