@@ -9,11 +9,12 @@ import importlib
 import re
 import time
 
+from IPython import get_ipython
 from rich import box
 from rich.console import Console
 from rich.table import Table
 
-from ...given import places
+from ...given import pale, places
 from ..folder import command
 
 FILES = {"bunny": "portrait", "teapot": "portrait", "rounded": "levels", "simplified": "levels"}
@@ -75,12 +76,16 @@ def exercises_named():
 
 @contextlib.contextmanager
 def when_written():
-    """In a notebook: a block that needs what is not there or not written says so, and no more."""
+    """In a notebook: a block that needs what is not there or not written says so.
+
+    The cell shows the picture that it came with, pale.
+    """
     try:
         with exercises_named():
             yield
     except Lacking as error:
-        print(f"Nothing to see yet: {error}")
+        print(f"Nothing of yours to see yet: {error}")
+        pale.show(get_ipython().history_manager.input_hist_raw[-1], after="that")
 
 
 def run(names: list[str], implementation: str | None = None, **wishes) -> int:
