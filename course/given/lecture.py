@@ -9,7 +9,8 @@
 A student reads a lecture before all its exercises are written. A cell that calls such an exercise
 prints a sentence that names it, and no traceback. What the cell makes is then not there, and a
 later cell that uses it says so, too. Jupyter takes neither for a failure and goes on with the next
-cell. All other errors are shown as always, those inside an exercise as well.
+cell. All other errors are shown as always, those inside an exercise as well. A waiting cell shows
+the picture that it came with, pale.
 """
 import ast
 import functools
@@ -19,7 +20,7 @@ import types
 import matplotlib.pyplot as plt
 from IPython import get_ipython
 
-from . import memory, plot
+from . import memory, pale, plot
 from .contract import UNFINISHED
 
 SCOPES = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp
@@ -38,6 +39,7 @@ def begin():
         if missing:
             print(f"Still to be written: {'; '.join(missing)}.\n"
                   "A cell that needs what is missing waits and says so.")
+            pale.came_with()  # before Jupyter saves over them
 
 
 def unfinished(module):
@@ -96,6 +98,7 @@ class Waiting:
         if reason:
             number, sentence = reason
             print(sentence)
+            pale.show(result.info.raw_cell, number)
             result.error_in_exec = None
             for name, is_value in made(ast.parse(self.shell.transform_cell(result.info.raw_cell))):
                 self.missing[name] = number

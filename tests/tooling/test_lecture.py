@@ -1,13 +1,17 @@
 """The beginning of a lecture: what a real kernel prints where labs are not finished."""
+import base64
+import io
 import os
 import re
 
 import matplotlib.pyplot as plt
 import nbformat
+import numpy as np
 import pytest
 from jupyter_client import AsyncKernelManager
 from made_up import exercise_text
 from nbclient import NotebookClient
+from PIL import Image, ImageSequence
 
 from course.given import lecture
 from course.upkeep.notebooks import KERNEL_ENVIRONMENT, ThisInterpreter
@@ -80,12 +84,16 @@ def outputs(house):
     for name, (source, *_) in WRONG.items():
         expected = {"tags": ["raises-exception"]}
         cells[name] = nbformat.v4.new_code_cell(source, metadata=expected)
-    notebook = nbformat.v4.new_notebook(cells=[*cells.values()])
+    run(nbformat.v4.new_notebook(cells=[*cells.values()]), root)
+    return {name: cell.outputs for name, cell in cells.items()}
+
+
+def run(notebook, root):
+    """As Jupyter does: from the folder notebooks/, each cell cleared before it runs."""
     manager = AsyncKernelManager(kernel_spec_manager=ThisInterpreter())
     environment = {**os.environ, **KERNEL_ENVIRONMENT, "IPYTHONDIR": str(root / "settings")}
     client = NotebookClient(notebook, km=manager, timeout=60)
     client.execute(cwd=str(root / "notebooks"), env=environment, cleanup_kc=True)
-    return {name: cell.outputs for name, cell in cells.items()}
 
 
 def printed(outputs):
@@ -133,6 +141,74 @@ def test_a_mistake_keeps_its_traceback(outputs, cell):
     assert shown.output_type == "error" and shown.ename == error
     text = "\n".join(shown.traceback)
     assert line in re.sub(r"\x1b\[[\d;]*m", "", text)
+
+
+# The pictures that a lecture came with
+
+FRAMES = np.random.default_rng(1).integers(0, 256, (3, 8, 8, 3), np.uint8)
+
+
+def shown(*frames, palette=True, **words):
+    """An output with a picture, or with a film."""
+    sheet = Image.fromarray(np.concatenate(frames))
+    sheet = sheet.quantize() if palette else sheet
+    first, *more = (sheet.crop((0, 8 * k, 8, 8 * k + 8)) for k in range(len(frames)))
+    content = io.BytesIO()
+    first.save(content, "PNG", save_all=bool(more), append_images=more)
+    data = {"image/png": base64.b64encode(content.getvalue()).decode()}
+    return nbformat.v4.new_output("display_data", data, metadata={"image/png": words})
+
+
+def frames_of(output):
+    content = io.BytesIO(base64.b64decode(output.data["image/png"]))
+    frames = ImageSequence.Iterator(Image.open(content))
+    return np.array([frame.convert("RGB") for frame in frames], float)
+
+
+@pytest.fixture(scope="module")
+def shown_again(house):
+    """The outputs of a lecture as it came, run twice, and run after an error had emptied it."""
+    root = house({"labs/__init__.py": "", "labs/rasterization.py": RASTERIZATION})
+    path = root / "notebooks" / "02_rasterization.ipynb"
+    path.parent.mkdir()
+    sources = [CELLS["all done"].replace("outlines", "rasterization"), "p = rasterization.edge(1)",
+               "print(p)", "p + 1"]
+    cells = [nbformat.v4.new_code_cell(source) for source in sources]
+    cells[1].outputs = [shown(FRAMES[0], alt="a picture"), shown(*FRAMES, alt="a film", width=8)]
+    cells[2].outputs = [shown(FRAMES[1], palette=False, alt="many colours")]
+    cells[3].outputs = [shown(FRAMES[2])]  # a student's, as Jupyter draws it
+    notebook = nbformat.v4.new_notebook(cells=cells)
+    states = []
+    for is_emptied in (False, False, True):
+        states.append([list(cell.outputs) for cell in cells])
+        if is_emptied:
+            for cell in cells:
+                cell.outputs = []
+        nbformat.write(notebook, path)
+        run(notebook, root)
+    return [*states, [list(cell.outputs) for cell in cells]]
+
+
+def test_a_waiting_cell_shows_the_picture_it_came_with_pale(shown_again):
+    """A lecture without pictures, saved by Jupyter; a film that is one frame; the words for those
+    who do not see it lost; a student's own picture that is called the reference's.
+    """
+    came, once, *_ = ([output for outputs in state[1:] for output in outputs
+                       if "data" in output] for state in shown_again)
+    assert [output.metadata["image/png"] for output in once] == [
+        {"alt": "a picture"}, {"alt": "a film", "width": 8}, {"alt": "many colours"}]
+    for new, old in zip(once, came, strict=False):
+        assert np.allclose(255 - frames_of(new), (255 - frames_of(old)) * 6 / 17, atol=1)
+    assert len(frames_of(once[1])) == 3
+    assert printed(shown_again[1][1][:1]).endswith(
+        "The pale picture was drawn with the reference. Yours comes after 2.1.\n")
+    assert "reference" not in printed(shown_again[1][3])
+
+
+def test_a_pale_picture_stays_as_it_is(shown_again):
+    """Paler with each run; gone for good after an error, for which Jupyter empties later cells."""
+    _, once, twice, after_an_error = shown_again
+    assert once == twice == after_an_error
 
 
 def test_outside_of_jupyter_only_the_style_is_set(capsys):

@@ -12,14 +12,16 @@ import re
 import time
 from pathlib import Path
 
-from ...given import places
+from IPython import get_ipython
+
+from ...given import pale, places
 from ..folder import command
 from . import own
 
 FILES = {"bunny": "portrait", "teapot": "portrait", "rounded": "levels", "simplified": "levels"}
 NAMES = ("bunny", "teapot", "flight", "aliasing", "msaa", "mirror", "by_loops", "fit_triangle",
-         "fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny", "fit_outlines", "rounded",
-         "simplified", "relaxation", "large_steps", "shadow", "representations", "fit_volume",
+         "fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny", "fit_outlines",
+         "rounded", "simplified", "relaxation", "large_steps", "shadow", "representations", "fit_volume",
          "reconstruct", "ablations", "paint_and_light")  # in the order of the labs
 SCENES = {name: getattr(importlib.import_module(f"{__package__}.{FILES.get(name, name)}"), name)
           for name in NAMES}  # a scene's file has its name, unless FILES says another
@@ -79,12 +81,16 @@ def exercises_named():
 
 @contextlib.contextmanager
 def when_written():
-    """In a notebook: a block that needs what is not there or not written says so, and no more."""
+    """In a notebook: a block that needs what is not there or not written says so.
+
+    The cell shows the picture that it came with, pale.
+    """
     try:
         with exercises_named():
             yield
     except Lacking as error:
-        print(f"Nothing to see yet: {error}")
+        print(f"Nothing of yours to see yet: {error}")
+        pale.show(get_ipython().history_manager.input_hist_raw[-1], after="that")
 
 
 def run(names: list[str], implementation: str | None = None, **wishes) -> int:
