@@ -21,8 +21,9 @@ def told(source):
 
 
 def pictures_of(cell):
-    """The cell's outputs that show a picture."""
-    return [output for output in cell.outputs if "image/png" in output.get("data", {})]
+    """The cell's outputs that show a picture, without pale ones, which have been packed before."""
+    return [output for output in cell.outputs
+            if "image/png" in output.get("data", {}) and "pale" not in output.metadata]
 
 
 def finish(cell):
@@ -38,7 +39,7 @@ def finish(cell):
 def objection(cell):
     """What a cell's pictures lack, as a clause, or None."""
     shown, said = pictures_of(cell), told(cell.source)
-    if shown and len(shown) != len(said):  # a cell that waits for an exercise shows none
+    if shown and len(shown) != len(said):  # a cell that waits for an exercise draws none
         return (f"shows {len(shown)} pictures and tells of {len(said)}: write a comment "
                 '"# figure: ..." for each, for those who do not see it')
     for size in (output.metadata["image/png"] for output in shown):

@@ -90,7 +90,8 @@ def when_written():
             yield
     except Lacking as error:
         print(f"Nothing of yours to see yet: {error}")
-        pale.show(get_ipython().history_manager.input_hist_raw[-1], after="that")
+        if shell := get_ipython():
+            pale.show(shell.history_manager.input_hist_raw[-1], after="that")
 
 
 def run(names: list[str], implementation: str | None = None, **wishes) -> int:
