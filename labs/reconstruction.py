@@ -32,13 +32,15 @@ A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
 # --- light and shading: eq. (1) to (3) ----------------------------------------------------------
 
 
-def sh_basis(normals):  # exercise 16.1 (2 points)
+def sh_basis(normals):  # extra 16.1 (2 points)
     """The spherical harmonics Y_0 ... Y_8 of eq. (1): normals (..., 3) -> (..., 9).
 
     >>> (sh_basis(np.array([0.0, 0.6, 0.8])) / [C0, C1, C1, C1, C2, C2, C3, C2, C4]).round(9)
     array([ 1.  ,  0.6 ,  0.8 ,  0.  ,  0.  ,  0.48,  0.92,  0.  , -0.36])
     """
-    raise NotImplementedError("exercise 16.1: sh_basis")
+    x, y, z = np.moveaxis(normals, -1, 0)
+    return np.stack([C0 + 0 * x, C1 * y, C1 * z, C1 * x, C2 * x * y, C2 * y * z,
+                     C3 * (3 * z**2 - 1), C2 * x * z, C4 * (x**2 - y**2)], -1)
 
 
 def sh_basis_backward(grad_basis, normals):  # extra 16.2 (2 points)

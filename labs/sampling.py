@@ -202,14 +202,19 @@ def polygon_area(polygon):
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
-def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (3 points)
+def polygon_area_backward(grad_area, polygon):  # extra 3.14 (3 points)
     """Backward of eq. (8): grad_area (...), polygon (..., N, 2) -> grad_polygon (..., N, 2).
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     >>> polygon_area_backward(np.array(2.0), square)[2]  # its upper right corner
     array([1., 1.])
     """
-    raise NotImplementedError("exercise 3.14: polygon_area_backward")
+    # x_n meets y_(n+1) and -y_(n-1), y_n meets x_(n-1) and -x_(n+1). The area does not depend on
+    # where it is measured from, so the first point is no exception.
+    x, y = polygon[..., 0], polygon[..., 1]
+    by_x = np.roll(y, -1, -1) - np.roll(y, 1, -1)
+    by_y = np.roll(x, 1, -1) - np.roll(x, -1, -1)
+    return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
 
 
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)

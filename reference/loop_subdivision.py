@@ -106,7 +106,7 @@ def loop_edge_rows(faces, edges, corner_edge):  # exercise 11.8 (3 points)
                 (corner_edge[inside], opposite[inside], np.full(inside.sum(), 1 / 8)))
 
 
-def loop_faces(faces, corner_edge, vertex_count):  # exercise 11.9 (2 points)
+def loop_faces(faces, corner_edge, vertex_count):  # extra 11.9 (2 points)
     """Each triangle A B C becomes (A, AB, CA), (AB, B, BC), (CA, BC, C), (AB, BC, CA).
 
     faces (F, 3), corner_edge (3 F,) of `edges_of` -> (4 F, 3), face by face. The new vertex on

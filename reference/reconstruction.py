@@ -32,7 +32,7 @@ A = np.pi * np.array([1, 2/3, 2/3, 2/3, 1/4, 1/4, 1/4, 1/4, 1/4])  # of eq. (2)
 # --- light and shading: eq. (1) to (3) ----------------------------------------------------------
 
 
-def sh_basis(normals):  # exercise 16.1 (2 points)
+def sh_basis(normals):  # extra 16.1 (2 points)
     """The spherical harmonics Y_0 ... Y_8 of eq. (1): normals (..., 3) -> (..., 9).
 
     >>> (sh_basis(np.array([0.0, 0.6, 0.8])) / [C0, C1, C1, C1, C2, C2, C3, C2, C4]).round(9)

@@ -218,7 +218,7 @@ def polygon_area(polygon):
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2
 
 
-def polygon_area_backward(grad_area, polygon):  # exercise 3.14 (3 points)
+def polygon_area_backward(grad_area, polygon):  # extra 3.14 (3 points)
     """Backward of eq. (8): grad_area (...), polygon (..., N, 2) -> grad_polygon (..., N, 2).
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])

@@ -93,7 +93,7 @@ def box_blur_backward(grad_output, radius):  # extra 14.16 (2 points)
     return window_sums(grad_output / count, radius)
 
 
-def chebyshev(distance, mean, mean_square, least_variance):  # exercise 14.17 (2 points)
+def chebyshev(distance, mean, mean_square, least_variance):  # extra 14.17 (2 points)
     """Eq. (9), with (8)'s variance: the largest share of the light that can come through -> (N,).
 
     distance, mean E_0, mean_square E_1 (N,).

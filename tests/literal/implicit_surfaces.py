@@ -1,11 +1,6 @@
 """Lab 15 as printed: what one types who has read the questions and the equations."""
 
 
-def smooth_union(a, b, k):
-    h = np.maximum(1 - abs(a - b) / k, 0)
-    return np.minimum(a, b) - k * h**2 / 4
-
-
 def sphere_trace(origins, directions, shape, far, lipschitz=1.0, epsilon=1e-5, most=200):
     hits, evaluations = np.full(len(origins), np.inf), np.zeros(len(origins), int)
     for r in range(len(origins)):

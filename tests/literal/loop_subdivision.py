@@ -1,10 +1,6 @@
 """Loop's exercises of lab 11 as printed."""
 
 
-def loop_weight(n):
-    return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
-
-
 def loop_slow(vertices, faces, u):
     at_edge = faces_at_edges(faces.ravel(), np.full(len(faces), 3))
     new = []
@@ -38,15 +34,3 @@ def loop_edge_rows(faces, edges, corner_edge):
             columns.append(faces[corner // 3, (corner + 2) % 3])
             weights.append(1 / 8)
     return np.array(rows), np.array(columns), np.array(weights)
-
-
-def loop_faces(faces, corner_edge, vertex_count):
-    edge = corner_edge.reshape(-1, 3) + vertex_count
-    rows = []
-    for (a, b, c), (ab, bc, ca) in zip(faces, edge, strict=True):
-        rows += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-    return np.array(rows)
-
-
-def limit_weight(n, u):
-    return 1 / (n + 3 / (8 * u))

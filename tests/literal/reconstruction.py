@@ -1,12 +1,6 @@
 """Lab 16 as printed: what one types who has read the questions and the equations."""
 
 
-def sh_basis(normals):
-    x, y, z = normals[..., 0], normals[..., 1], normals[..., 2]
-    return np.stack([np.full(x.shape, C0), C1 * y, C1 * z, C1 * x, C2 * x * y, C2 * y * z,
-                     C3 * (3 * z**2 - 1), C2 * x * z, C4 * (x**2 - y**2)], -1)
-
-
 def shade(albedo, normals, light):
     irradiance = 0
     for k in range(9):

@@ -24,13 +24,6 @@ def smooth_implicit(x, edges, weights, mass, step):
     return spsolve(system.tocsc(), mass[:, None] * x).reshape(x.shape)
 
 
-def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
-    for _ in range(rounds):
-        x = smooth_explicit(x, edges, weights, mass, shrink)
-        x = smooth_explicit(x, edges, weights, mass, -grow)
-    return x
-
-
 def enclosed_volume_backward(grad_volume, triangles):
     x0, x1, x2 = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     return grad_volume / 6 * np.stack([np.cross(x1, x2), np.cross(x2, x0), np.cross(x0, x1)], 1)

@@ -47,13 +47,6 @@ def clip_polygon(polygon, a, b, c):
     return np.array(points).reshape(-1, 2)
 
 
-def polygon_area_backward(grad_area, polygon):
-    x, y = polygon[..., 0], polygon[..., 1]
-    grad_x = (np.roll(y, -1, -1) - np.roll(y, 1, -1)) / 2
-    grad_y = (np.roll(x, 1, -1) - np.roll(x, -1, -1)) / 2
-    return grad_area[..., None, None] * np.stack([grad_x, grad_y], -1)
-
-
 def pixel_coverage_loop(triangle, width, height):
     coverage = np.zeros((height, width))
     for i in range(height):

@@ -1,15 +1,6 @@
 """Wrong answers to implicit_surfaces, written without a look at the checks."""
 
 
-def smooth_union(a, b, k):
-    """the absolute value of a - b is forgotten, so that a and b are not treated alike
-
-    told by: abs | symmetric | a and b & exchang | a and b & swap | sign of a - b | a and b & alike | order of a and b
-    """
-    h = np.maximum(1 - (a - b) / k, 0)
-    return np.minimum(a, b) - k * h**2 / 4
-
-
 def sphere_trace(origins, directions, shape, far, lipschitz=1.0, epsilon=1e-5, most=200):
     """the step is s times lipschitz, not s divided by it
 

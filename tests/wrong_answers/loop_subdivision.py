@@ -1,14 +1,6 @@
 """Wrong answers to loop_subdivision, written without a look at the checks."""
 
 
-def loop_weight(n):
-    """the whole is not divided by n
-
-    told by: / n & missing | divid & by n | by n & not | divid & valence | n times | times n | factor & n & large
-    """
-    return 5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2
-
-
 def loop_slow(vertices, faces, u):
     """the edge points are made from the moved vertices instead of the old ones
 
@@ -54,23 +46,3 @@ def loop_edge_rows(faces, edges, corner_edge):
             c += [a, b, tip[e]]
             weights += [3 / 8, 3 / 8, 1 / 8]
     return np.array(r), np.array(c), np.array(weights)
-
-
-def loop_faces(faces, corner_edge, vertex_count):
-    """corner_edge is read as the edge opposite to each corner, it is the edge to the next corner
-
-    told by: opposite | next corner | ab & bc | to the next | shifted | edges & cyclic | edges & order | edges & exchanged | edges & mixed
-    """
-    out = []
-    for (a, b, c), own in zip(faces, corner_edge.reshape(-1, 3)):
-        bc, ca, ab = own + vertex_count
-        out += [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-    return np.array(out)
-
-
-def limit_weight(n, u):
-    """the brackets are missing: 1/n + 3/(8 u) is not 1/(n + 3/(8 u))
-
-    told by: bracket | parenthes | 1/n | 1 / n | whole sum | reciprocal | denominator
-    """
-    return 1 / n + 3 / (8 * u)

@@ -28,27 +28,3 @@ def screen_weights_and_depth(inverse, z, x, y):
     over = u / z
     total = over.sum(-1)
     return over / total[..., None], 1 / total
-
-
-def rasterize_loop(corners, width, height, near=0.1, far=100.0):
-    """pixels are asked at their corner (j, i), not at their centre: half a pixel is missing
-
-    told by: half a pixel | centre | 1/2 | 0.5 | half & pixel | shift
-    """
-    index = np.full((height, width), -1)
-    weights = np.zeros((height, width, 3))
-    zbuffer = np.full((height, width), np.inf)
-    screen, z = on_screen(corners, width, height), corners[..., 2]
-    front = front_faces(screen, z)
-    for f in range(len(corners)):
-        if not front[f]:
-            continue
-        inv = face_inverse(screen[f])
-        for i in range(height):
-            for j in range(width):
-                x, y = np.array(float(j)), np.array(float(i))
-                if covers(screen[f], x, y):
-                    w, d = screen_weights_and_depth(inv, z[f], x, y)
-                    if near < d < far and d < zbuffer[i, j]:
-                        index[i, j], weights[i, j], zbuffer[i, j] = f, w, d
-    return index, weights, zbuffer

@@ -1,17 +1,6 @@
 """Wrong answers to reconstruction, written without a look at the checks."""
 
 
-def sh_basis(normals):
-    """Y_1, Y_2, Y_3 are in the order x, y, z instead of y, z, x
-
-    told by: order | x, y, z | y, z, x | exchanged | swapped | permut | y_1
-    """
-    x, y, z = normals[..., 0], normals[..., 1], normals[..., 2]
-    one = np.full(x.shape, C0)
-    return np.stack([one, C1 * x, C1 * y, C1 * z, C2 * x * y, C2 * y * z,
-                     C3 * (3 * z**2 - 1), C2 * x * z, C4 * (x**2 - y**2)], axis=-1)
-
-
 def shade(albedo, normals, light):
     """the colour is divided by pi, which eq. (3) does not do
 

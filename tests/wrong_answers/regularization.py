@@ -53,16 +53,6 @@ def smooth_implicit(x, edges, weights, mass, step):
     return np.linalg.solve(np.eye(len(x)) + step * dense, x)
 
 
-def smooth_taubin(x, edges, weights, mass, shrink, grow, rounds):
-    """a round is only one of the two steps: they take turns from round to round
-
-    told by: take turns | alternat | every other | both steps | each round & two | half as many | too few steps
-    """
-    for k in range(rounds):
-        x = smooth_explicit(x, edges, weights, mass, shrink if k % 2 == 0 else -grow)
-    return x
-
-
 def enclosed_volume_backward(grad_volume, triangles):
     """the factor 1/6 is missing
 

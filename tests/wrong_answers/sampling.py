@@ -60,21 +60,6 @@ def clip_polygon(polygon, a, b, c):
     return np.array(result).reshape(-1, 2)
 
 
-def polygon_area_backward(grad_area, polygon):
-    """the gradients of x and of y are exchanged in the last axis
-
-    told by: x and y | exchanged | swapped | mixed up | x & in place of & y | columns
-    """
-    x, y = polygon[..., 0], polygon[..., 1]
-    g = np.zeros(polygon.shape)
-    count = polygon.shape[-2]
-    for n in range(count):
-        nxt, prev = (n + 1) % count, n - 1
-        g[..., n, 1] = grad_area * (y[..., nxt] - y[..., prev]) / 2
-        g[..., n, 0] = grad_area * (x[..., prev] - x[..., nxt]) / 2
-    return g
-
-
 def pixel_coverage_loop(triangle, width, height):
     """only the centre is tested, covered or not: 0 or 1 instead of the area
 

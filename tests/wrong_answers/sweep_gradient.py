@@ -1,15 +1,6 @@
 """Wrong answers to sweep_gradient, written without a look at the checks."""
 
 
-def edge_crossing(a, b, y):
-    """x and y of the ends are exchanged: it finds where the edge crosses a column
-
-    told by: x and y | column | vertical | x instead of y | a_x & a_y | swap & coordinates | y instead of x
-    """
-    s = (y - a[..., 0]) / (b[..., 0] - a[..., 0])
-    return a[..., 1] + s * (b[..., 1] - a[..., 1]), np.stack([1 - s, s], -1)
-
-
 def edge_pulls(grad_colour, colour, beyond, way, share, eps):
     """each channel is clamped at 0 before the sum, but it is the sum over channels that is clamped
 

@@ -1,16 +1,6 @@
 """Wrong answers to variance_shadows, written without a look at the checks."""
 
 
-def chebyshev(distance, mean, mean_square, least_variance):
-    """points nearer than the mean are darkened too: the case distance <= E_0, where the share is 1, is missing
-
-    told by: nearer than | before the mean | beyond E_0 | beyond the mean | else 1 | one-sided | distance < E_0
-    """
-    spread = np.maximum(mean_square - mean * mean, least_variance)
-    gap = distance - mean
-    return spread / (spread + gap * gap)
-
-
 def chebyshev_backward(grad_lit, distance, mean, mean_square, least_variance):
     """the variance below the line is held: dp/dv is 1 / s instead of b^2 / s^2
 
