@@ -262,14 +262,11 @@ def in_a_part(got, expected, wrong, agrees, inputs):
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    place, whole = next(places(wrong, inputs), ("", None))
-    several = place or len(set(np.abs(right))) > 1  # else any number is a multiple
-    if place and not part.any():
-        if not got[whole].any():
-            yield f"it is zero{place}"
-        return
-    place = place or ANYWHERE
-    if several and holds(-right):
+    place, whole = next(places(wrong, inputs), (ANYWHERE, None))
+    several = whole is not None or len(set(np.abs(right))) > 1  # else any number is a multiple
+    if whole is not None and not got[whole].any():
+        yield f"it is zero{place}"
+    elif several and holds(-right):
         yield f"the sign is flipped{place}"
     elif several and part.any() and len(right) >= 2 and np.all(right):
         factor = part[0] / right[0]
