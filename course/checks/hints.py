@@ -145,8 +145,18 @@ def told(said, sure):
     sentences = [one.sentence for one in said]
     if not all(sentences) or len({*map(kernel, sentences)}) != 1 or not (sure or len(said) > 1):
         return None
-    same = len({*sentences}) == 1
-    return str(Suspicion(sentences[0] if same else re.split("[,;:] ", sentences[0])[0], sure))
+    if len({*sentences}) > 1:
+        sentences[0] = common(sentences)
+    return str(Suspicion(sentences[0], sure))
+
+
+def common(sentences):
+    """The first sentence, and of the inputs after its ";" those that the others have, too."""
+    named = [sentence.partition("; ")[2].partition(" is ")[0].split(" or ")
+             for sentence in sentences]
+    shared = " or ".join(name for name in named[0] if all(name in names for names in named))
+    value = sentences[0].rpartition(" is ")[2]
+    return re.split("[,;:] ", sentences[0])[0] + (f"; {shared} is {value}" if shared else "")
 
 
 def kernel(sentence):

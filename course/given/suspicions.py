@@ -16,6 +16,7 @@ from .contract import as_array
 TRUTHS = 4  # truth values say as much as one number
 ENOUGH = 4  # so many wrong numbers that a mistake explains are no chance
 DIGITS = 3e-7  # about the relative error of float32, and of a finite difference
+ANYWHERE = " in all that is wrong"  # here and there, which may be chance
 COMMON_FACTORS = ((2, ", twice as much: a factor of 2 too many"),
                   (0.5, ", half of it: a factor of 2 is missing"),
                   (180 / np.pi, ": degrees for radians"), (np.pi / 180, ": radians for degrees"))
@@ -38,20 +39,21 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
     got, expected: arrays that do not agree. agrees(got, other) -> booleans. inputs: [(name, value)]
     of the call, to name a factor by. picture: row 0 of both is at the bottom.
     """
+    speaking = evidence(got, expected, agrees)
     for sentence, mistaken in mistakes(got, expected, picture):
         if mistaken.shape == got.shape and np.all(agrees(got, mistaken)):
-            return Suspicion(sentence, evidence(got, expected, agrees) >= ENOUGH)
+            several = speaking >= 2 or got.shape != expected.shape
+            return Suspicion(sentence, speaking >= ENOUGH) if several else None
     if got.shape != expected.shape or not is_numeric(got, expected):
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
-    speaking = evidence(got, expected, agrees)
     found = [*whole_numbers(got, expected),
             *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),
             *in_a_part(got, expected, wrong, agrees, inputs),
             *by_index(wrong, inputs, np.isfinite(got).all())]
-    sure = found and not found[0].endswith("?") and speaking >= ENOUGH
+    sure = found and not found[0].endswith(("?", ANYWHERE)) and speaking >= ENOUGH
     return Suspicion(found[0], sure) if found else None
 
 
@@ -260,14 +262,11 @@ def in_a_part(got, expected, wrong, agrees, inputs):
         full[wrong] = mistaken
         return np.all(agrees(got, full))
 
-    place, whole = next(places(wrong, inputs), ("", None))
-    several = place or len(set(np.abs(right))) > 1  # else any number is a multiple
-    if place and not part.any():
-        if not got[whole].any():
-            yield f"it is zero{place}"
-        return
-    place = place or " in all that is wrong"
-    if several and holds(-right):
+    place, whole = next(places(wrong, inputs), (ANYWHERE, None))
+    several = whole is not None or len(set(np.abs(right))) > 1  # else any number is a multiple
+    if whole is not None and not got[whole].any():
+        yield f"it is zero{place}"
+    elif several and holds(-right):
         yield f"the sign is flipped{place}"
     elif several and part.any() and len(right) >= 2 and np.all(right):
         factor = part[0] / right[0]
