@@ -68,17 +68,15 @@ def edge_lines(a, b, height):
 
 def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
                side, share, eps=1e-4):
-    """Kato's gradient of one line of pixels that an edge crosses: what both ends get, (2,), in ndc.
+    """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.
 
-    grad_colour, colour (W, C) are the line's. sees (W,) says which pixels see the edge's face. The
-    edge crosses at x = crossing, and pixel j's centre is at j + 0.5. Outside of the edge is where j
-    grows if side is 1, and where it falls if side is -1. share (2,) is that of eq. (8).
+    grad_colour, colour (W, C) are the line's. sees (W,): which pixels see the edge's face. Pixel
+    j's centre is at j + 0.5. Outside of the edge is where j grows if side is 1, and where it falls
+    if side is -1. share (2,) is that of eq. (8). eps gets the sign of the edge's motion.
 
-    inner is the last pixel that is not outside, and outer is its neighbour outside. Unless both are
-    in the picture, the gradient is 0. If inner sees the face, the edge can move out to all pixels
-    outside, whatever they see, and I_beyond is inner's colour. It can move in to those pixels that
-    see the face, and I_beyond is outer's colour. eps has the sign of the edge's motion. The sum of
-    the `edge_pulls` of all these pixels is the gradient.
+    inner is the last pixel that is not outside, and outer is its neighbour outside. Without both in
+    the picture, the gradient is 0. Add up the `edge_pulls`: of the pixels outside if inner sees the
+    face, with inner's colour as I_beyond, and of those inside that see it, with outer's colour.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
     >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])

@@ -28,7 +28,7 @@ MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding move
 def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
-    p, a, b (..., 2), which broadcast -> e (...).
+    p, a, b (..., 2) broadcast -> e (...).
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..given import places
-from ..given.contract import UNFINISHED
+from ..given.contract import UNFINISHED, Refused
 from . import hints
 from .assertions import Mismatch
 from .loader import LAST_CALL, LAST_RETURN, folder
@@ -114,7 +114,8 @@ def explained(error, item):
 
 def caught(item, error, rows):
     """The mistakes that a check was written for, where it came so far; else ""."""
-    if isinstance(error, Mismatch) and "expected" not in dict(rows):
+    if isinstance(error, Refused) or (
+            isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     return " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
 

@@ -31,6 +31,10 @@ def called(function, *args, **kwargs):
         return standard(function(*args, **kwargs))
 
 
+class Refused(RuntimeError):
+    """A twin was called."""
+
+
 def refusals(modules, twins=(), number=""):
     """{function: what refuses in its place} for the twins of the exercise with this number.
 
@@ -38,7 +42,7 @@ def refusals(modules, twins=(), number=""):
     """
     def refusal(name):
         def refuse(*_, **__):
-            raise RuntimeError(f"{name} returns what exercise {number} asks for, so it refuses "
+            raise Refused(f"{name} returns what exercise {number} asks for, so it refuses "
                                f"while {number} is checked; write {number} without it")
         return refuse
 

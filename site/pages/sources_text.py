@@ -199,12 +199,12 @@ def badge(exercise):
 
 
 def kind(exercise):
-    return "extra" if exercise.is_extra else "core"
+    return "extra" if exercise.is_extra else "spine" if exercise.is_spine else "core"
 
 
 def mark(exercise):
     name = "extra" if exercise.is_extra else "exercise"
-    return f"{name} {exercise.number} ({points(exercise.points)})"
+    return f"{name} {exercise.number} ({points(exercise.points)}){', spine' * exercise.is_spine}"
 
 
 def points(count):

@@ -158,8 +158,8 @@ HALF = np.array([0.5, 0.5])
 def test_a_pixel_on_the_edge_is_inside_and_pulls_it_in(impl, side):
     """The original's sign: its eps is negative at distance 0, whichever side is outside."""
     colour, sees = line(9, 4, 4)
-    got = impl.sweep_line(asking(9, 4, 1.0), colour, sees, 4.5, side, np.array([1.0, 0.0]), 0.01)
-    assert_close(got, [side * 100.0, 0.0])
+    got = impl.sweep_line(asking(9, 4, 1.0), colour, sees, 4.5, side, HALF, 0.01)
+    assert_close(got, [side * 100.0, side * 100.0])
 
 
 @exercise("10.14")

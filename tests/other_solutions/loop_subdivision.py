@@ -4,7 +4,7 @@ from collections import defaultdict
 
 import numpy as np
 
-from .subdivision import as_entries, incidence, rings
+from .subdivision import as_entries, incidence, rings, sides
 
 
 def loop_weight(n):
@@ -57,3 +57,23 @@ def loop_faces(faces, corner_edge, vertex_count):
 
 def limit_weight(n, u):
     return 8 * u / (8 * n * u + 3)
+
+
+def loop_surface_backward(grad_surface, faces, vertex_count, steps):
+    """By one step, on the whole surface of each unit cage, and the rest by itself."""
+    at_edge = incidence(np.asarray(faces).tolist())
+    ring, border = rings(at_edge)
+    n = np.array([len(ring[v]) for v in range(vertex_count)])
+    u = np.where(n == 3, 3 / 16, 3 / (8 * np.maximum(n, 1)))
+    if steps:
+        edges = list(at_edge)
+        corner_edge = [edges.index(side) for face in np.asarray(faces).tolist()
+                       for side in sides(face)]
+        children = loop_faces(faces, np.array(corner_edge), vertex_count)
+        grad = loop_surface_backward(grad_surface, children, vertex_count + len(edges), steps - 1)
+        return loop_slow(np.eye(vertex_count), faces, u).T @ grad
+    limit = np.eye(vertex_count)
+    for v in ring:
+        near, m = (border[v], 1 / 6) if v in border else (ring[v], limit_weight(n[v], u[v]))
+        limit[v, v], limit[v, near] = 1 - m * len(near), m
+    return limit.T @ grad_surface

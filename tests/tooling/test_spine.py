@@ -1,12 +1,15 @@
-"""The spine: the exercises from a vertex to a picture and back to a fit, in about twelve hours."""
+"""The spine: the exercises from a vertex to a picture and back to a fit, in about ten hours."""
 import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 
-from course import exercises
+from course import board, exercises
 from course.experiments.scenes import by_loops, drawing, fit_bunny, viewing
 from course.experiments.scenes.demo import Labs
+from course.grading.handing import handout
+from course.upkeep import hours
 
 
 def spine():
@@ -52,3 +55,26 @@ def test_each_of_its_exercises_is_on_the_way_to_a_fit():
 
     names = called(by_hand, whole_meshes, lambda: fit_bunny.fit(labs, 0.02, steps=1, size=32))
     assert [one.number for one in spine() if one.name not in names] == []
+
+
+def test_a_lecture_names_the_sections_that_its_exercises_need():
+    """Who reads what the lecture names meets an exercise of another section, or nobody told."""
+    for topics in exercises.LABS:
+        path = exercises.lecture(topics[0])
+        reached = board.sections(path)
+        needed = {int(reached[one.number].partition(".")[0]) for topic in topics
+                  for one in exercises.topic_exercises(topic) if one.is_spine}
+        assert needed <= set(hours.spine_sections(path))
+        assert bool(needed) != ("**The spine** does not need this lecture." in exercises.read(path))
+
+
+def test_it_is_handed_out_alone(tmp_path):
+    """The rest of the core is open as well, or points are given for what came complete."""
+    handout.run(tmp_path / "week", spine=True)
+    for path in (tmp_path / "week" / "labs").glob("*.py"):
+        text = exercises.read(path)
+        for one in exercises.text_exercises(text):
+            is_todo = f'raise NotImplementedError("exercise {one.number}: ' in text
+            assert one.is_spine == is_todo == (not one.is_extra)
+    with pytest.raises(ValueError, match="name in --labs only 1,2,5,7,8,9"):
+        handout.run(tmp_path / "other", labs="2-3", spine=True)

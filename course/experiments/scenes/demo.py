@@ -21,8 +21,8 @@ from . import own
 FILES = {"bunny": "portrait", "teapot": "portrait", "rounded": "levels", "simplified": "levels"}
 NAMES = ("bunny", "teapot", "flight", "aliasing", "msaa", "mirror", "by_loops", "fit_triangle",
          "fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny", "fit_outlines",
-         "rounded", "simplified", "relaxation", "large_steps", "shadow", "representations", "fit_volume",
-         "reconstruct", "ablations", "paint_and_light")  # in the order of the labs
+         "rounded", "simplified", "relaxation", "large_steps", "shadow", "representations",
+         "fit_volume", "reconstruct", "ablations", "paint_and_light")  # in the order of the labs
 SCENES = {name: getattr(importlib.import_module(f"{__package__}.{FILES.get(name, name)}"), name)
           for name in NAMES}  # a scene's file has its name, unless FILES says another
 SLOW = ("by_loops", "fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny",

@@ -30,20 +30,13 @@ def run(folder, labs=None, solutions=None, extra=False, spine=False) -> int:
 
     ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
     """
-    labs = labs or (exercises.spine_labs() if spine else None)
-    if spine and (other := set(exercises.topics_of(labs))
-                  - set(exercises.topics_of(exercises.spine_labs()))):
-        raise ValueError(f"{min(other)} has no exercise of the spine: name in --labs only "
-                         f"{exercises.spine_labs()}")
-    folder = Path(folder)
-    if folder.exists() and any(folder.iterdir()):
-        raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
+    labs = labs_of_the_spine(labs) if spine else labs
     asked, released = exercises.topics_of(labs), exercises.topics_of(solutions) if solutions else []
     if other := [topic for topic in released if topic not in asked]:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
     given = [topic for topic in needed(asked) if topic not in asked]
-    content = dict(files(asked, given, released, extra, spine))  # all is there, or nothing is written
+    content = dict(files(asked, given, released, extra, spine))  # all, or nothing is written
     for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -53,6 +46,14 @@ def run(folder, labs=None, solutions=None, extra=False, spine=False) -> int:
         print(f"{', '.join(given)} came along, complete: the labs asked for, or their lectures, "
               "use them")
     return 0
+
+
+def labs_of_the_spine(labs):
+    """These labs, or without, all of the spine's. ValueError: one has no exercise of it."""
+    its = exercises.spine_labs()
+    if others := set(exercises.topics_of(labs or its)) - set(exercises.topics_of(its)):
+        raise ValueError(f"{min(others)} has no exercise of the spine: name in --labs only {its}")
+    return labs or its
 
 
 def release(labs, path) -> int:
