@@ -30,6 +30,9 @@ def run(folder, labs=None, solutions=None, extra=False, spine=False) -> int:
 
     ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
     """
+    folder = Path(folder)
+    if folder.exists() and any(folder.iterdir()):
+        raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
     labs = labs_of_the_spine(labs) if spine else labs
     asked, released = exercises.topics_of(labs), exercises.topics_of(solutions) if solutions else []
     if other := [topic for topic in released if topic not in asked]:
