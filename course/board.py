@@ -265,7 +265,9 @@ def all_done(board, target):
     later = [number for number in map(exercises.lab_number, exercises.asking_topics())
              if number > lab]
     coming = "python3 -m course check, for the rest"
-    if target not in (None, str(lab)):
+    if target is None and not later:
+        coming = "python3 -m course demo, your own pictures"
+    elif target not in (None, str(lab)):
         coming = f"python3 -m course check {lab}, for the rest of the lab"
     elif later:
         coming = f"lab {later[0]}, {exercises.LABS[later[0] - 1][0]}"

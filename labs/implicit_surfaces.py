@@ -256,7 +256,7 @@ def sphere_trace(origins, directions, shape, far,  # exercise 15.7 (4 points)
     """Eq. (4): where does each ray hit a shape? -> t, evaluations (R,).
 
     It starts at t = 0 and hits where s, the `signed_distance`, is less than epsilon. It misses,
-    t = np.inf, if t > far, or after `most` evaluations. Count how often each ray evaluates s.
+    t = np.inf, if t > far or after `most` evaluations. Count those of each ray.
 
     >>> origins = np.array([[0.0, 0.0, 5.0], [0.0, 3.0, 5.0]])
     >>> directions = np.array([[0.0, 0.0, -1.0], [0.0, 0.0, -1.0]])

@@ -76,7 +76,8 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
 def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
-    e, w and b are (..., 3), with the w of each corner.
+    e, w and b are (..., 3), with the w of each corner. While this is checked,
+    `rasterization.barycentric_on_face` and `vertex_gradients.barycentric` refuse.
 
     >>> barycentric_from_screen(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
     array([0.75, 0.25, 0.  ])
@@ -122,7 +123,7 @@ def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.
     """Eq. (5), pixel by pixel: the picture (H, W, C) of attributes (V, C), 0 where no face is seen.
 
     faces (F, 3), face_index (H, W), barycentric (H, W, 3). While this is checked,
-    `interpolate`, `interpolation_matrix` and `weight_rows` refuse.
+    `interpolate`, `interpolation_matrix`, `weight_rows` and `barycentric_gradient` refuse.
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
@@ -139,7 +140,8 @@ def interpolate_backward_loop(grad_output, attributes,  # exercise 5.9 (3 points
 
     grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
     grad_barycentric (H, W, 3), 0 where no face is seen. While this is checked,
-    `interpolate_backward`, `interpolation_matrix` and `weight_rows` refuse.
+    `interpolate_backward`, `barycentric_gradient`, `interpolation_matrix` and `weight_rows`
+    refuse.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])

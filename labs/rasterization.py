@@ -28,7 +28,8 @@ MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding move
 def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
-    p, a, b (..., 2), which broadcast -> e (...).
+    p, a, b (..., 2) broadcast -> e (...). While this is checked, `scanline.twice_area` and
+    `sampling.polygon_area` refuse.
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)
@@ -106,7 +107,8 @@ def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
 def screen_weights(p, triangle):  # exercise 2.7 (1 point), spine
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
-    p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
+    p (..., 2), triangle (3, 2), of either winding, of an area other than 0. While this is
+    checked, `barycentric_on_face` refuses.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
     >>> screen_weights(np.array([1.0, 0.0]), triangle)
@@ -175,7 +177,7 @@ def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spi
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
     seen. Turn clockwise faces round, z too. Draw depths (4) from -1 to 1.
     To look at yours: `python3 -m course demo --impl labs bunny`. While this is checked,
-    `scanline.rasterize` and `compiled_pipeline.rasterize` refuse.
+    `scanline.rasterize`, `scanline.fragments` and `compiled_pipeline.rasterize` refuse.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)

@@ -326,7 +326,7 @@ def large_step(x, grad_x, mean, square, step, rate, spread):  # exercise 13.16 (
     """Eq. (10): go downhill in u instead of x, by `uniform_adam_step` -> the new x, mean, square.
 
     x, grad_x (V, C). mean, square (V, C) and step belong to grad_u, and the rate to u. spread is
-    edges (E, 2), weights (E,) >= 0 and the amount lambda >= 0.
+    edges (E, 2), weights (E,) and lambda, all >= 0.
 
     >>> x, grad_x, zero = np.array([[0.0], [0.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
     >>> spread = np.array([[0, 1]]), np.ones(1), 1.0

@@ -25,7 +25,7 @@ import numpy as np
 def alias_frequency(frequency, rate):  # exercise 3.1 (1 point)
     """Eq. (1): the slowest frequency that has the same samples.
 
-    frequency (...), rate, a number -> (...). It is negative where a wheel seems to turn backwards.
+    frequency (...), rate, a number -> (...): negative where a wheel seems to turn backwards.
 
     >>> alias_frequency(np.array([1.0, 9.0, 10.0, 13.0]), 10.0)
     array([ 1., -1.,  0.,  3.])

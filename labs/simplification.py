@@ -317,7 +317,7 @@ def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 p
 
     `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
     quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces.
-    See python3 -m course demo --impl labs simplified
+    See `demo simplified`.
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = mesh_quadrics(vertices, faces)

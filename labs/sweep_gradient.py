@@ -70,13 +70,12 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
                side, share, eps=1e-4):
     """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.
 
-    grad_colour, colour (W, C) are the line's. sees (W,): which pixels see the edge's face. Pixel
-    j's centre is at j + 0.5. Outside of the edge is where j grows if side is 1, and where it falls
-    if side is -1. share (2,) is that of eq. (8). eps gets the sign of the edge's motion.
+    grad_colour, colour (W, C), sees (W,): does a pixel see the edge's face? share (2,) of eq. (8).
+    Pixel j's centre is j + 0.5. Outside is where j grows (side 1) or falls (side -1). inner is the
+    last pixel that is not outside, outer its neighbour there. Without both, the gradient is 0.
 
-    inner is the last pixel that is not outside, and outer is its neighbour outside. Without both in
-    the picture, the gradient is 0. Add up the `edge_pulls`: of the pixels outside if inner sees the
-    face, with inner's colour as I_beyond, and of those inside that see it, with outer's colour.
+    Add up `edge_pulls`: of all pixels outside if inner sees the face, I_beyond being inner's
+    colour, and of those inside that see it, with outer's. eps gets the sign of the edge's motion.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
     >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])

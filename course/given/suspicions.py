@@ -48,6 +48,7 @@ def suspicion(got, expected, agrees, inputs=(), picture=False):
         return None
     wrong = np.broadcast_to(~agrees(got, expected), got.shape)
     found = [*whole_numbers(got, expected),
+            *["it is zero everywhere"] * (has_sign(expected) and not got.any()),
             *scaled(got, expected, agrees, inputs),
             *(sentence for sentence, mistaken in distorted(got, expected)
               if speaking >= 2 and np.all(agrees(got, mistaken))), *imprecise(got, expected),

@@ -7,7 +7,7 @@ import json
 import pytest
 
 from course import exercises
-from course.exercises import skeleton
+from course.lab_text import skeleton
 
 EXERCISES = {exercise.number: (topic, exercise.name)
              for topic in exercises.topics() for exercise in exercises.topic_exercises(topic)}

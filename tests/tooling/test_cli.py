@@ -21,7 +21,7 @@ def stand_in(monkeypatch):
     return put
 
 
-BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
+BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine": False}
 
 
 @pytest.mark.parametrize(("line", "function", "arguments", "named"), [
@@ -31,6 +31,7 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
     ("check", "board.check", (None, "labs"), BOARD),
     ("check 2.3 --impl handed/in --json board.json --seed 7 --extra", "board.check",
      ("2.3", "handed/in"), BOARD | {"json_file": "board.json", "seed": 7, "extra": True}),
+    ("check --spine", "board.check", (None, "labs"), BOARD | {"spine": True}),
     ("check 2 --watch", "board.watch", ("2", "labs"), BOARD),
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
@@ -47,8 +48,9 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False}
     ("notebooks --all", "upkeep.notebooks.run", ([],), {"everything": True}),
     ("pack", "grading.handing.pack.run", ("labs.zip",), {}),
     ("handout new --labs 1-4 --solutions 1", "grading.handing.handout.run", ("new", "1-4", "1"),
-     {"extra": False}),
-    ("handout new --extra", "grading.handing.handout.run", ("new", None, None), {"extra": True}),
+     {"extra": False, "spine": False}),
+    ("handout new --extra", "grading.handing.handout.run", ("new", None, None),
+     {"extra": True, "spine": False}),
     ("solutions 1-2 a.zip", "grading.handing.handout.release", ("1-2", "a.zip"), {}),
     ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("autograder github .", "grading.autograder.github", (".",), {}),

@@ -20,7 +20,7 @@ from small_course import (
 from submitted import put
 
 from course import exercises
-from course.exercises import skeleton
+from course.lab_text import skeleton
 from course.grading import grade
 from course.grading.apart import running, sandbox
 from course.grading.request import Request

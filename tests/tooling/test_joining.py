@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from course import exercises
-from course.exercises import skeleton
+from course.lab_text import skeleton
 from reference import pipeline
 
 

@@ -175,6 +175,6 @@ def test_lines_that_are_repeated_are_found():
     """The test above passes, whatever stands there."""
     one, other = exercises.top_level_functions(
         "def f(a, b):\n    c = a[0] * b + a[1]\n    return np.sqrt(c)\n"
-        "def g(a, b, grad):\n    c = a[1] * b + a[0]\n    return grad / c + a[0] * b + a[1]\n")
+        "def g(a, b, grad):\n    c = a[1] * b + a[0]\n    return grad / c + (a[0] * b + a[1])\n")
     assert shared_part(one, other) > 1 / 2
     assert shared_part(other, one) == 0

@@ -84,12 +84,17 @@ def barycentrics(labs, face_index, clip):
     """Where on its face each pixel lies, (SIZE, SIZE, 3): by its screen weights, and each w."""
     x, y, w = labs.rasterization.screen_points(clip, SIZE, SIZE)
     barycentric = np.zeros((SIZE, SIZE, 3))
-    for i, j in np.argwhere(face_index >= 0):
-        corners = FACES[face_index[i, j]]
+    for i, j, corners in seen_pixels(face_index):
         triangle = np.stack([x[corners], y[corners]], -1)
         weights = labs.rasterization.screen_weights(np.array([j + 0.5, i + 0.5]), triangle)
         barycentric[i, j] = labs.interpolation.barycentric_from_screen(weights, w[corners])
     return barycentric
+
+
+def seen_pixels(face_index):
+    """Yield the row and column of each pixel that sees a face, and the corners of this face."""
+    for i, j in zip(*np.nonzero(face_index >= 0), strict=True):
+        yield i, j, FACES[face_index[i, j]]
 
 
 def drawn_backward(labs, grad_picture, seen, colours):
@@ -100,8 +105,7 @@ def drawn_backward(labs, grad_picture, seen, colours):
                                                                     clip)
     grad_colours, grad_barycentric = labs.interpolation.interpolate_backward_loop(
         grad_colour, colours, FACES, face_index, barycentric)
-    for i, j in np.argwhere(face_index >= 0):
-        corners = FACES[face_index[i, j]]
+    for i, j, corners in seen_pixels(face_index):
         m = clip[corners][:, [0, 1, 3]].T
         centre = np.array([(2 * j + 1) / SIZE - 1, (2 * i + 1) / SIZE - 1, 1.0])
         grad_m, _ = labs.vertex_gradients.barycentric_backward(grad_barycentric[i, j], m, centre)

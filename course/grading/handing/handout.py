@@ -83,7 +83,7 @@ def files(asked, given, released, extra, spine):
         text = exercises.read(path)
         if not released or not set(needed([], path)) <= set(released):
             text = switched(text)
-        yield f"notebooks/{path.name}", text.encode()
+        yield f"notebooks/{path.name}", unlinked(text, asked).encode()
     yield "README.md", readme(asked, given, released, spine).encode()
 
 
@@ -120,7 +120,8 @@ def readme(asked, given, released, spine):
     about = "\n".join(["    the files in labs/", *files])
     if spine:
         about += ("\n\nThis copy is the spine: all that leads from a vertex to a picture, and back "
-                  "to a fit. The rest of the core is among the extras.")
+                  "to a fit. The rest of the core is among the extras: what a lecture calls an "
+                  "exercise, and `check` does not list, is complete.")
     if given:
         about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
@@ -179,6 +180,13 @@ def without_marks(text):
     for line, *_ in exercises.marks(text):
         lines[line - 1] = re.sub(r"\s*#[^#\r\n]*(?=[\r\n]*$)", "", lines[line - 1])
     return "".join(lines)
+
+
+def unlinked(text, asked):
+    """A notebook whose links to lectures that are not handed out are their words alone."""
+    there = {path.name for path in lectures(asked)} | {"00_start_here.ipynb"}
+    return re.sub(r"\[([^][]*)\]\((\d\d_\w+\.ipynb)[^)]*\)",
+                  lambda link: link[0] if link[2] in there else link[1], text)
 
 
 def switched(text):
