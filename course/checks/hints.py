@@ -42,6 +42,8 @@ def suspected(compared, call, returned):
     if place is not WHOLE and evidence(got, expected, agrees) >= ENOUGH and any(
             is_right(output, compared) for output in returned):
         return Suspicion("the outputs are in the wrong order", True)
+    if not got.any() and got.dtype.kind != "i":
+        return NOTHING  # that it is zero everywhere is seen, and says nothing about the cause
     found = found or of_inputs(compared, call, place)
     if found and place is not WHOLE:
         found = found._replace(sentence=f"in output {place + 1} {found.sentence}")

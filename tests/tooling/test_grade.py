@@ -20,10 +20,10 @@ from small_course import (
 from submitted import put
 
 from course import exercises
-from course.lab_text import skeleton
 from course.grading import grade
 from course.grading.apart import running, sandbox
 from course.grading.request import Request
+from course.lab_text import skeleton
 
 FINE_PRINT = '''\
 @exercise("1.1", fine_print=True)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from course import exercises, lab_text
+from course import board, exercises, lab_text
 from course.grading.handing import handout
 
 PROBES = Path(__file__).with_name("texts")
@@ -43,10 +43,11 @@ def lines_of(path):
 
 
 def first_exercise(labs):
-    """The exercise of the core to begin with."""
-    core = [exercise for topic in exercises.topics_of(labs)
-            for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
-    return min(core, key=lambda exercise: [int(part) for part in exercise.number.split(".")])
+    """The exercise of the core to begin with: the first one that the lecture reaches."""
+    core = {exercise.number: exercise for topic in exercises.topics_of(labs)
+            for exercise in exercises.topic_exercises(topic) if not exercise.is_extra}
+    reached = board.sections(exercises.lecture(exercises.topics_of(labs)[0]))
+    return core[next(number for number in reached if number in core)]
 
 
 def files(folder, pattern):
