@@ -10,10 +10,10 @@ after "told by:", how one recognises a sentence that says so: words joined by & 
     wrong    a hint that is certain tells something else
     passes   all checks pass
 
-This is a measurement of 95 answers, one for each core exercise that there was when they were
-drawn: of the 737 that had been written, the one whose text has the least SHA-256. With 108 answers
-the standard error of a share of 98 % is 1.3 %. All 737 were named in the end, and so are these. A
-new exercise needs none. A better answer may take another one's place.
+This is a measurement of 95 answers, one for each exercise that was core when they were drawn, and
+is: of the 737 that had been written, the one whose text has the least SHA-256. With 95 answers the
+standard error of a share of 98 % is 1.4 %. All 737 were named in the end, and so are these. A new
+exercise needs none. A better answer may take another one's place.
 """
 import re
 from collections import Counter
