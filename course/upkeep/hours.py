@@ -83,8 +83,8 @@ def updated(text: str) -> str:
         name = "core" if part is whole else "spine"
         text = re.sub(rf"(The {name} is [^.:]*?)\d+ exercises, about \d+ hours",
                       rf"\g<1>{len(part)} exercises, about {hours_of_it:.0f} hours", text)
-    return re.sub(r"^(\| (\d+) \|.*\| )[\d.]+ \|$",
-                  lambda row: f"{row[1]}{hours(int(row[2])):g} |", text, flags=re.M)
+    return re.sub(r"(\| (\d+) \| \[.*\| )[\d.]+ \|",
+                  lambda row: f"{row[1]}{hours(int(row[2])):g} |", text)
 
 
 if __name__ == "__main__":
