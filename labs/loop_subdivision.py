@@ -176,7 +176,7 @@ def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise
     """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
 
     grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. Section
-    8 pulls a cage with it.
+    8 pulls a cage with it. While this is checked, `loop_surface` refuses.
 
     >>> tetrahedron = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]])
     >>> grad_surface = np.zeros((10, 1))

@@ -44,7 +44,8 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
 def edge_function_backward(grad_e, p, a, b):  # exercise 2.2 (2 points)
     """Backward of eq. (1): grad_e (...) -> grad_p, grad_a, grad_b, each (..., 2).
 
-    p, a, b (..., 2), all of one shape.
+    p, a, b (..., 2), all of one shape. While this is checked, `sampling.polygon_area_backward`
+    and `rasterizer_gradients.edge_normals_backward` refuse.
 
     >>> p, a, b = np.array([1.0, 4.0]), np.array([0.0, 0.0]), np.array([2.0, 1.0])
     >>> edge_function_backward(np.array(1.0), p, a, b)
@@ -82,6 +83,7 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
     points right) and lower horizontal ones (n points up: row 0, the top in memory, is our lowest).
+    While this is checked, `face_kernels.half_plane` refuses.
 
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
@@ -92,7 +94,7 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
 def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
     """Eq. (2): does the counter-clockwise triangle cover the sample p?
 
-    p (..., 2), triangle (3, 2) -> bool (...).
+    p (..., 2), triangle (3, 2) -> bool (...). While this is checked, `is_inside` refuses.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
     >>> is_covered(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle)

@@ -104,9 +104,8 @@ def cotangents_backward(grad_cotangents, triangles):  # extra 13.4 (4 points)
     # that rises over the opposite side makes s grow by it: ds/dx_k = n x (q_k - p_k), |n| = 1.
     p, q = sides(triangles)
     cot, area_vector = cotangents(triangles)[..., None], area_vectors(triangles)[..., None, :]
-    s = np.linalg.norm(area_vector, axis=-1, keepdims=True)
     flat = (cot == 0).all(-2, keepdims=True)  # no triangle has three right angles
-    s = np.where(flat, 1, s)
+    s = np.where(flat, 1, np.linalg.norm(area_vector, axis=-1, keepdims=True))
     by_dot = np.where(flat, 0, grad_cotangents[..., None] / s)
     by_p, by_q = by_dot * q, by_dot * p
     by_s = -(by_dot * cot).sum(-2, keepdims=True)
@@ -149,8 +148,8 @@ def vertex_areas_backward(grad_areas, triangles, faces):
 def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
-    edges (E, 2), weights (E,), vertex_count V. Entries may come in any order. A place may be
-    listed more than once: the matrix adds its values.
+    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up what one place
+    has. While this is checked, `subdivision.pull_entries` refuses.
 
     >>> rows, columns, values = laplacian_entries(np.array([[0, 2]]), np.array([5.0]), 3)
     >>> scipy.sparse.coo_array((values, (rows, columns)), shape=(3, 3)).toarray()
@@ -289,6 +288,7 @@ def enclosed_volume(triangles):
 
 def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
     """Backward of eq. (7), for `restore_volume`: grad_volume, a number -> grad_triangles (F, 3, 3).
+    While this is checked, `rasterizer_gradients.edge_normals` refuses.
 
     >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
     >>> enclosed_volume_backward(6.0, triangle[None])

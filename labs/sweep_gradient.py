@@ -76,6 +76,7 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
 
     Add up `edge_pulls`: of all pixels outside if inner sees the face, I_beyond being inner's
     colour, and of those inside that see it, with outer's. eps gets the sign of the edge's motion.
+    While this is checked, `pulls` refuses.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
     >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])

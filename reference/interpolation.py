@@ -40,7 +40,7 @@ def lerp(a, b, t):
 def fraction_in_space(t, w_0, w_1):  # exercise 5.2 (1 point)
     """Eq. (1): how far along a segment in space is the point at fraction t on the screen?
 
-    t, w_0, w_1: numbers or arrays.
+    t, w_0, w_1: numbers or arrays. While this is checked, `attribute_on_segment` refuses.
 
     >>> fraction_in_space(np.array([0.0, 0.5, 1.0]), 1.0, 3.0)
     array([0.  , 0.25, 1.  ])
@@ -89,7 +89,8 @@ def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
 def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points), spine
     """Backward of b = n / s, s = sum n, the quotient rule: grad_b -> grad_n.
 
-    The three weights lie along the axis, and s broadcasts with them.
+    The three weights lie along the axis, and s broadcasts with them. While this is checked,
+    `rasterization.normalize_derivative` refuses.
 
     >>> normalize_backward(np.array([8.0, 0.0, 0.0]), np.array([0.25, 0.25, 0.5]), 4.0)
     array([ 1.5, -0.5, -0.5])

@@ -28,7 +28,7 @@ def writers(boxes, width, height):  # exercise 17.1 (2 points)
     """Eq. (2) for a thread a face: how many threads write to each pixel?
 
     boxes (F, 4) integers: left, bottom, right, top. A face writes to the columns left <= j < right
-    of the rows bottom <= i < top -> (height, width).
+    of the rows bottom <= i < top -> (height, width). While this is checked, `tiles_of` refuses.
 
     >>> writers(np.array([[0, 0, 2, 2], [1, 0, 3, 1]]), 4, 2)
     array([[1, 2, 1, 0],
@@ -71,7 +71,8 @@ def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
 
     pixel, depth, face (N,): fragments, depth from -1 to 1 -> face (count,), -1 where none comes.
     Each fragment does key[p] = min(key[p], its key), all in integers, of which the largest is
-    2^62 + face. The face is found in the key.
+    2^62 + face. The face is found in the key. While this is checked, `arrays.scatter_first`
+    refuses.
 
     >>> nearest_faces(np.array([2, 0, 2]), np.array([0.5, -1.0, 0.25]), np.array([7, 8, 9]), 4)
     array([ 8, -1,  9, -1])
@@ -168,7 +169,8 @@ def tiles_of(boxes, size, across):
 def gathered(start, item, values):  # exercise 17.5 (2 points)
     """Eq. (6): for each bin, the sum of its items' values, added in their order.
 
-    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C).
+    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C). While this is checked,
+    `arrays.scatter` and `interpolation.sparse_matrix` refuse.
 
     >>> start, item = np.array([0, 2, 2, 3]), np.array([0, 2, 1])
     >>> gathered(start, item, np.array([[1.0, 5.0], [10.0, 6.0], [100.0, 7.0]]))

@@ -72,7 +72,7 @@ def vertex_quadrics(face_quadrics, faces, vertex_count):  # exercise 12.3 (2 poi
 def quadric_error(q, x):  # exercise 12.4 (1 point)
     """Eq. (2): the error v^T Q v of points x: q (..., 4, 4), x (..., 3) -> (...).
 
-    The leading shapes broadcast.
+    The leading shapes broadcast. While this is checked, `quadric_error_backward` refuses.
 
     >>> quadric_error(plane_quadrics(np.array([0.0, 0.0, 1.0, -2.0])), np.array([7.0, 8.0, 5.0]))
     np.float64(9.0)
@@ -325,7 +325,7 @@ def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 p
 
     `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
     quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces.
-    See `demo simplified`.
+    See `demo simplified`. While this is checked, `collapse_heap.simplify_heap` refuses.
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = mesh_quadrics(vertices, faces)
