@@ -41,7 +41,7 @@ def check(target: str | None = None, implementation: str = "labs", json_file: st
     """
     found = verdicts.run(target, implementation, seed, extra, spine)
     Console(force_jupyter=False).print(table(found.asked))
-    print(*below(found, target, implementation, seed), sep="\n")
+    print(*below(found, target, implementation, seed, spine), sep="\n")
     if pictures:
         open_pictures(found.asked, seed)
     if json_file:
@@ -49,7 +49,7 @@ def check(target: str | None = None, implementation: str = "labs", json_file: st
     return int(bool(found.problems) or not found.all_is_done)
 
 
-def below(found, target, implementation, seed):
+def below(found, target, implementation, seed, spine):
     """Yield what stands below the table: what was left out or is wrong, and what to do next."""
     if found.closed and target not in [entry.number for entry in found.asked]:
         lab = min(int(number.split(".")[0]) for number in found.closed)
@@ -57,7 +57,7 @@ def below(found, target, implementation, seed):
                f"python3 -m course open {lab} empties those of lab {lab}")
     yield from ("", *found.problems, *found.broken.values(), *found.warnings)
     if found.all_is_done:
-        yield all_done(found.asked, target)
+        yield all_done(found.asked, spine)
     if not found.broken and any(entry.told != "done" for entry in found.asked):
         yield next_to_do(found.needed, implementation, seed)
 
@@ -258,19 +258,24 @@ def open_pictures(board, seed):
     webbrowser.open(file.as_uri())
 
 
-def all_done(board, target):
-    """The points, and what comes next: another lab, or the rest of this one."""
+def all_done(board, spine):
+    """The points, and what comes next: the rest of the lab, or a later one, or the reward."""
     reached, of = verdicts.points(board)
-    lab = exercises.lab_number(board[-1].topic)
-    later = [number for number in map(exercises.lab_number, exercises.asking_topics())
-             if number > lab]
-    coming = "python3 -m course check, for the rest"
-    if target is None and not later:
-        coming = "python3 -m course demo, your own pictures"
-    elif target not in (None, str(lab)):
-        coming = f"python3 -m course check {lab}, for the rest of the lab"
-    elif later:
-        coming = f"lab {later[0]}, {exercises.LABS[later[0] - 1][0]}"
-    return f"All that was asked for is done, {reached} of {plural(of, 'point')}. Next: {coming}."
+    return (f"All that was asked for is done, {reached} of {plural(of, 'point')}. "
+            f"Next: {coming({entry.number for entry in board}, board[-1].topic, spine)}.")
 
 
+def coming(done, topic, spine):
+    """What comes after these exercises, the last of which is of this topic."""
+    lab = exercises.lab_number(topic)
+    left = [exercises.lab_number(topic) for topic in exercises.asking_topics()
+            for one in exercises.topic_exercises(topic) if one.number not in done
+            and (one.is_spine if spine else not one.is_extra)]
+    later = [other for other in left if other > lab]
+    if lab in left:
+        return f"python3 -m course check {lab}{' --spine' * spine}, for the rest of the lab"
+    if later:
+        return f"lab {later[0]}, {exercises.LABS[later[0] - 1][0]}"
+    if left:
+        return "python3 -m course check, for the rest"
+    return "python3 -m course demo, your own pictures"

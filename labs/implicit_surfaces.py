@@ -130,7 +130,7 @@ def intersection_backward(grad_distance, a, b):
 
 
 def smooth_union(a, b, k):  # extra 15.5 (1 point)
-    """Eq. (3): a union whose seam is filled where |a - b| < k. a, b (...), k a number -> (...).
+    """Eq. (3): a union whose seam is filled where |a - b| < k. a, b (...), k > 0 -> (...).
 
     >>> smooth_union(np.array([1.0, 1.0, 5.0]), np.array([1.0, 2.0, 1.0]), 2.0)
     array([0.5  , 0.875, 1.   ])

@@ -163,7 +163,7 @@ def loop_limit_matrix(faces, vertex_count, weight=warren_weight):
 
 
 def loop_surface(cage, faces, steps):
-    """A cage's surface: so many steps, then each vertex at its limit.
+    """A cage's surface: after this many steps, with each vertex moved to its limit.
 
     cage (V, C), faces (F, 3) -> vertices (V', C), faces (4^steps F, 3). ValueError: see `topology`.
     """
@@ -176,11 +176,11 @@ def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise
     """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
 
     grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. Section
-    8 pulls a cage with it. While this is checked, `loop_surface` refuses.
+    8 of the lecture pulls a cage with this gradient. While this is checked, `loop_surface` refuses.
 
     >>> tetrahedron = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]])
     >>> grad_surface = np.zeros((10, 1))
-    >>> grad_surface[0] = 160.0  # of the vertex 0, where one step has led it
+    >>> grad_surface[0] = 160.0  # of vertex 0, after one step
     >>> loop_surface_backward(grad_surface, tetrahedron, 4, 1)[:, 0].round(9)
     array([64., 32., 32., 32.])
     """

@@ -116,7 +116,7 @@ def cotangents_backward(grad_cotangents, triangles):  # extra 13.4 (4 points)
 def cotangent_weights(cotangents, face_edges, edge_count):
     """Eq. (3): the cotangents (F, 3) at all faces' corners -> the edges' weights (edge_count,).
 
-    An edge of one face has half of one cotangent. A weight is negative where gamma + delta > pi.
+    An edge of one face has half of one cotangent. A weight is negative where alpha + beta > pi.
 
     >>> cotangent_weights(np.array([[1.0, 2.0, 3.0], [5.0, 7.0, 9.0]]),
     ...                   np.array([[0, 1, 2], [3, 2, 4]]), 5)

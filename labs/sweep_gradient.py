@@ -71,12 +71,13 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
     """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.
 
     grad_colour, colour (W, C), sees (W,): does a pixel see the edge's face? share (2,) of eq. (8).
-    Pixel j's centre is j + 0.5. Outside is where j grows (side 1) or falls (side -1). inner is the
-    last pixel that is not outside, outer its neighbour there. Without both, the gradient is 0.
+    Pixel j's centre is j + 0.5. Side 1 means that the face's outside is where j grows, side -1
+    where it falls. inner is the last pixel that is not outside, outer its neighbour there. If one
+    of them is off the line, the gradient is 0.
 
-    Add up `edge_pulls`: of all pixels outside if inner sees the face, I_beyond being inner's
-    colour, and of those inside that see it, with outer's. eps gets the sign of the edge's motion.
-    While this is checked, `pulls` refuses.
+    Add up `edge_pulls` of two groups. Pixels outside count if inner sees the face, and I_beyond is
+    inner's colour. Pixels inside count if they see it themselves, and I_beyond is outer's colour.
+    eps gets the sign of the edge's motion. While this is checked, `pulls` refuses.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
     >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])

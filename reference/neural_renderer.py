@@ -151,7 +151,7 @@ def screen_weights_and_depth_backward(grad_weight, grad_depth,  # exercise 10.4 
     grad_q = (-grad_depth * depth**2)[..., None]
     grad_weight = grad_weight + grad_q / z
     grad_z = -grad_q * weight / z**2
-    # c = M^-1 p, w = u / s, s = sum u, and u = c but where it is clamped.
+    # c = M^-1 p, w = u / s, s = sum u, and u = c except where it is clamped.
     p = np.stack([x, y, np.ones_like(x)], -1)[..., None, :]
     c = (inverse * p).sum(-1)
     s = np.clip(c, 0, 1).sum(-1, keepdims=True)

@@ -132,15 +132,16 @@ def package(code):
 
 
 @contextlib.contextmanager
-def without_twins(code, exercise):
-    """The code under test, in which an exercise's twins refuse."""
-    for topic in {twin.split(".")[0] for twin in exercise.twins}:
+def without_twins(find, exercise):
+    """The code under test, in which an exercise's twins refuse. find: see `finder`."""
+    for twin in exercise.twins:
         with contextlib.suppress(Mismatch):  # what cannot be imported answers nothing
-            load_topic(code / f"{topic}.py")
-    refused = contract.refusals(loaded(), exercise.twins, exercise.number)
-    contract.replace(loaded(), refused)
-    yield
-    contract.replace(loaded(), {refusal: function for function, refusal in refused.items()})
+            find(*twin.split("."))
+    off = contract.switched_off(loaded(), exercise.twins, exercise.number)
+    try:
+        yield
+    finally:
+        contract.switch_on(off)
 
 
 def loaded():

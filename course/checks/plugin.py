@@ -58,22 +58,19 @@ def find_function(pytestconfig):
 def impl(request, find_function, pytestconfig):
     """The functions of the topic that the test's file is named after, see Implementation."""
     topic = request.path.stem.removeprefix("test_")
-    with contextlib.ExitStack() as stack:
-        if loader.FIND not in pytestconfig.stash:
-            code = loader.folder(pytestconfig.option.impl)
-            for exercise in checked_exercise(topic, request.node.get_closest_marker("exercise")):
-                stack.enter_context(loader.without_twins(code, exercise))
+    exercise = checked_exercise(topic, request.node.get_closest_marker("exercise"))
+    here = exercise and loader.FIND not in pytestconfig.stash  # and not in another process
+    with loader.without_twins(find_function, exercise) if here else contextlib.nullcontext():
         yield loader.Implementation(functools.partial(find_function, topic), request.node.stash)
 
 
 def checked_exercise(topic, mark):
-    """The exercise of a check, in a list, or none: a test without a mark is no check, and where
-    questions cannot be read, the check says so.
+    """The exercise of a check. None: a test without a mark is no check, and a topic whose questions
+    cannot be read has no twins, either.
     """
     with contextlib.suppress(OSError, ValueError):
-        return [exercise for exercise in (exercises.topic_exercises(topic) if mark else ())
-                if exercise.number == mark.args[0]]
-    return []
+        return next((exercise for exercise in (exercises.topic_exercises(topic) if mark else ())
+                     if exercise.number == mark.args[0]), None)
 
 
 @pytest.fixture

@@ -141,7 +141,8 @@ def said(error, item):
     if "unpack" in str(error):
         came = f"{len(returned)} outputs" if isinstance(returned, tuple) else "one array or number"
         expected = re.search(r"expected (\d+)", str(error))
-        return f"{name} returned {came}; a tuple of {expected[1] if expected else 2} is expected"
+        parts = f"of {expected[1]}" if expected else "of several outputs"
+        return f"{name} returned {came}; a tuple {parts} is expected"
     return f"what {name} returned does not fit: {text}"
 
 

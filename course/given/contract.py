@@ -10,11 +10,10 @@
     Warnings  do not count.
     To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.
     Twins     Given code and extras that return its answer, such as its fast version, refuse while
-              an exercise is checked, see `refusals`.
+              an exercise is checked, see `switched_off`.
 
 The checks call the code under test through `called`, and so does the gradient check.
 """
-import functools
 import re
 import types
 import warnings
@@ -35,28 +34,32 @@ class Refused(RuntimeError):
     """A twin was called."""
 
 
-def refusals(modules, twins=(), number=""):
-    """{function: what refuses in its place} for the twins of the exercise with this number.
+def refuse(*_, refusal, **__):
+    """What a twin does while it is switched off."""
+    raise refusal.with_traceback(None)
 
-    modules {topic: module}. twins: names such as "scanline.rasterize".
+
+def switched_off(modules, twins, number):
+    """Let the twins of the exercise with this number refuse -> what `switch_on` takes.
+
+    modules {topic: module}. twins: names such as "scanline.rasterize". It is their code that is
+    exchanged, so they refuse whatever they are called by.
     """
-    def refusal(name):
-        def refuse(*_, **__):
-            raise Refused(f"{name} returns what exercise {number} asks for, so it refuses "
-                               f"while {number} is checked; write {number} without it")
-        return refuse
+    off = []
+    for topic, name in (twin.split(".") for twin in twins):
+        twin = vars(modules[topic]).get(name) if topic in modules else None
+        if isinstance(twin, types.FunctionType):
+            refusal = Refused(f"{name} returns what exercise {number} asks for, so it refuses "
+                              f"while {number} is checked; write {number} without it")
+            off.append((twin, twin.__code__, twin.__defaults__, twin.__kwdefaults__))
+            switch_on([(twin, refuse.__code__, None, {"refusal": refusal})])
+    return off
 
-    twins = [twin.split(".") for twin in twins]
-    return {getattr(modules[topic], name): refusal(name) for topic, name in twins
-            if hasattr(modules.get(topic), name)}
 
-
-def replace(modules, others):
-    """Put others in the place of functions, {function: other}, wherever modules know them."""
-    for module in modules.values():
-        for name, known in list(vars(module).items()):
-            if isinstance(known, types.FunctionType | functools.partial) and known in others:
-                setattr(module, name, others[known])
+def switch_on(functions):
+    """functions: (function, its code, its defaults, its defaults of names alone)."""
+    for function, *parts in functions:
+        function.__code__, function.__defaults__, function.__kwdefaults__ = parts
 
 
 def standard(value):
@@ -94,7 +97,7 @@ def as_array(value):
 def unchanged(old, new):
     """Is what a function was given the same as before the call, to the bit?"""
     if isinstance(old, tuple | list):
-        return all(map(unchanged, old, new))
+        return len(old) == len(new) and all(map(unchanged, old, new))
     if isinstance(old, dict):
         return all(map(unchanged, old.values(), new.values()))
     return not isinstance(old, np.ndarray) or old.tobytes() == new.tobytes()

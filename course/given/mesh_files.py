@@ -1,5 +1,6 @@
 """Triangle meshes from files, such as other programs write them."""
 import io
+import re
 from pathlib import Path
 
 import numpy as np
@@ -12,15 +13,16 @@ KINDS = ".obj", ".ply", ".stl", ".off"
 def read(path):
     """A file -> vertices, faces: triangles, one vertex at each place, as large as in the file.
 
-    Polygons are cut into triangles. Faces without three different corners, repeated ones and
-    vertices of no face are left out. FileNotFoundError or OSError for a file that cannot be opened,
-    ValueError for one that is no mesh.
+    Polygons are cut into triangles, from their first corner. Faces without three different corners,
+    repeated ones and vertices of no face are left out. FileNotFoundError or OSError for a file that
+    cannot be opened, ValueError for one that is no mesh.
     """
     kind = Path(path).suffix.lower()
     if kind not in KINDS:
         raise ValueError(f"cannot read {path} as a mesh: expected a file with the ending "
                          f"{', '.join(KINDS)}, export it as one of these")
-    content = places.read_whole(path)
+    content = re.sub(rb"#.*", b"", places.read_whole(path)) if kind == ".obj" else (
+        places.read_whole(path))  # trimesh knows no comment at a line's end
     import trimesh  # it is not there in a browser, where lectures import this room
     try:
         found = trimesh.load_mesh(io.BytesIO(content), kind[1:], process=False, skip_materials=True)

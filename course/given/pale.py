@@ -4,6 +4,7 @@ Jupyter clears a cell when it runs, and saves what is then there. So the picture
 came with are kept in out/pictures.json, from the first time that a cell waits.
 """
 import base64
+import contextlib
 import functools
 import io
 import json
@@ -35,19 +36,28 @@ def came_with():
     """
     kept, found = places.out("pictures.json"), {}
     for path in places.ROOT.glob("notebooks/*.ipynb"):
-        for cell in json.loads(path.read_bytes())["cells"]:
-            pictures = [(output["data"], output["metadata"]) for output in cell.get("outputs", ())
-                        if "alt" in output.get("metadata", {}).get("image/png", {})]
-            if pictures:
-                found["".join(cell["source"])] = pictures
-    if kept.exists():
-        found |= json.loads(kept.read_bytes())  # the first that were there
-    places.write_whole(kept, json.dumps(found).encode())
+        with contextlib.suppress(OSError, ValueError, KeyError):  # a student may have changed it
+            found |= {"".join(cell["source"]): pictures
+                      for cell in json.loads(path.read_bytes())["cells"]
+                      if (pictures := [*with_words(cell)])}
+    before = json.loads(kept.read_bytes()) if kept.exists() else {}
+    found |= before  # the first that were there
+    if found != before:
+        places.write_whole(kept, json.dumps(found).encode())
     return found
 
 
+def with_words(cell):
+    """Yield the pictures of a cell that have words beside them: data, metadata."""
+    for output in cell.get("outputs", ()):
+        if "alt" in output.get("metadata", {}).get("image/png", {}):
+            yield [output["data"], output["metadata"]]
+
+
 def pale(png):
-    """A picture or film in base64, nearer to white. Its palette is changed, and no pixel."""
+    """A picture or film in base64, nearer to white: its palette is. A picture without one gets one
+    of 256 colours first.
+    """
     content = base64.b64decode(png)
     with Image.open(io.BytesIO(content)) as picture:
         if picture.mode != "P":

@@ -8,7 +8,7 @@ from reference import pipeline
 
 
 def test_picture_and_gradient_are_the_pipeline__s(rng):
-    """A student's loops draw another picture than `draw`, or go back another way."""
+    """The scene leaves the pipeline's way: a background not filled, a gradient of w lost."""
     labs, size = Labs("reference"), by_loops.SIZE
     camera = viewing.clip_from_world(labs, by_loops.EYE)
     clip, colours = by_loops.parts(labs, camera, by_loops.moved(rng))

@@ -108,6 +108,7 @@ def test_listed_twins_are_there():
              "    seen = visible(clip, faces, width, height)\n"
              "    return seen.face_index, seen.depth"),
     ("4.8", "return shading_requests(face_index)"),
+    ("4.8", "return fast(face_index)"),
 ])
 def test_a_twin_refuses_to_answer(tmp_path, number, call):
     """The list of twins is not asked, or what calls a twin, or imports it late, goes on."""
@@ -120,6 +121,7 @@ def test_a_twin_refuses_to_answer(tmp_path, number, call):
             lines = text.splitlines(keepends=True)
             lines[function.body[1].lineno - 1:function.end_lineno] = [f"    {call}\n"]
             text = "".join(lines)
+            text += "\nfast = [*map(lambda f: f, [shading_requests])][0]\n" * ("fast(" in call)
         (tmp_path / path.name).write_text(text, encoding="utf-8")
     [entry] = run(number, str(tmp_path), 0, False).asked
     assert entry.verdict == "failing"

@@ -1,9 +1,10 @@
-"""A tetrahedron finds a picture by loops alone: each pixel is drawn, and goes back, by itself.
+"""A tetrahedron finds its picture through the slow functions of labs 2, 5 and 7, pixel by pixel.
 
     rasterize_loop -> screen_weights, barycentric_from_screen -> interpolate_loop -> blend_pairs
     vertices <- barycentric_backward, pixel by pixel <- interpolate_backward_loop <- its backward
 
-It is what `pipeline.draw` does, in functions that were written before they were fast.
+It is what `pipeline.draw` does, in functions that were written before they were fast. Only the
+outlines (lab 8) are blended all at once.
 """
 from typing import NamedTuple
 
@@ -31,7 +32,7 @@ class Seen(NamedTuple):
 
 
 def by_loops(labs):
-    """A tetrahedron finds a picture through the loops of labs 2, 5, 7 and 8 alone."""
+    """A tetrahedron finds its picture, pixel by pixel (labs 1, 2, 5, 7, 8, 9)."""
     lab9 = labs.inverse_rendering
     camera, start = viewing.clip_from_world(labs, EYE), moved(np.random.default_rng(0))
     target, _ = drawn(labs, *parts(labs, camera, np.hstack([POSITIONS, COLOURS])))

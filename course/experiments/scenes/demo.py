@@ -8,13 +8,13 @@ in TAKES can be given two things more: a folder in out/demo, and what it shows, 
 import contextlib
 import functools
 import importlib
-import re
 import time
 from pathlib import Path
 
 from IPython import get_ipython
 
 from ...given import pale, places
+from ...given.contract import UNFINISHED
 from ..folder import command
 from . import own
 
@@ -52,6 +52,9 @@ class Labs:
         try:
             module = vars(self)[topic] = importlib.import_module(f"{self.package}.{topic}")
             return module
+        except SyntaxError as error:
+            raise Lacking(f"{self.package}/{topic}.py, line {error.lineno}: this is not Python "
+                          f"({error.msg}); mend it first") from None
         except ModuleNotFoundError as error:
             package, _, module = error.name.partition(".")
             if package != self.package:
@@ -72,7 +75,7 @@ def exercises_named():
     try:
         yield
     except NotImplementedError as error:
-        match = re.match(r"\w+ ([\d.]+): (\w+)", str(error))
+        match = UNFINISHED.fullmatch(str(error))
         if not match:
             raise
         raise Lacking(f"exercise {match[1]}, {match[2]}, is not written yet; "
@@ -108,7 +111,8 @@ def run(names: list[str], implementation: str | None = None, **wishes) -> int:
             return command.run(labs, names[1], command.Wishes(**wishes))
     if wishes:
         raise ValueError("--steps, --size and --resume are only for: reconstruct FOLDER")
-    wanted = with_files(names) or [(name, None) for name in SCENES if name not in SLOW]
+    wanted = [(name, file, TAKES[name](file) if file else None) for name, file in
+              with_files(names) or [(name, None) for name in SCENES if name not in SLOW]]
     missed, lacks = rendered(labs, wanted, may_lack=not names)
     for lack, without in lacks.items():
         print(f"{', '.join(without)} left out: {lack}")
@@ -138,18 +142,18 @@ def with_files(names):
 
 
 def rendered(labs, wanted, may_lack):
-    """Render [(scene, file or None)], and tell each step -> how many goals were missed, {lack:
-    scenes}.
+    """Render [(scene, file or None, what was read)], and tell each step -> how many goals were
+    missed, {lack: scenes}.
     """
     missed, lacks = 0, {}
-    for name, file in wanted:
-        given = (own.folder(name, file), TAKES[name](file)) if file else ()
+    for name, file, read in wanted:
+        given = (own.folder(name, file), read) if file else ()
         print(f"{name} {file}" if file else f"{name}: {scenes()[name]}", flush=True)
         try:
             with exercises_named():
-                for line in timed(SCENES[name](labs, *given)):
+                for line, misses in timed(SCENES[name](labs, *given)):
                     print(line, flush=True)
-                    missed += "MISSED" in line
+                    missed += misses
         except Lacking as error:
             if not may_lack:
                 raise
@@ -158,13 +162,16 @@ def rendered(labs, wanted, may_lack):
 
 
 def timed(steps):
-    """What a scene yields, as lines of text: milliseconds, step, goal, picture."""
+    """What a scene yields, as lines of text (milliseconds, step, goal, picture), and how many goals
+    were missed.
+    """
     start = time.perf_counter()
     for step, path, *goals in steps:
         milliseconds = 1000 * (time.perf_counter() - start)
         told = [f"{milliseconds:10.1f} ms  {step}"]
         told += [f"(goal: {goal})" if met else f"(goal: {goal} MISSED)" for goal, met in goals]
-        yield "  ".join([*told, str(path.relative_to(places.ROOT))] if path else told)
+        line = "  ".join([*told, str(path.relative_to(places.ROOT))] if path else told)
+        yield line, sum(not met for _, met in goals)
         start = time.perf_counter()
 
 

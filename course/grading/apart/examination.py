@@ -156,8 +156,9 @@ class Examination:
 
         So a mistake costs its own points alone, and work that is all right runs as it does at home.
         """
-        return tuple(name for name, number in numbers.items()
-                     if self.job.asks is None or not self.is_sound(number))
+        twins = {twin.split(".")[1] for twin in self.twins[self.running]}
+        return tuple(name for name, number in numbers.items() if name not in twins
+                     and (self.job.asks is None or not self.is_sound(number)))
 
     def is_sound(self, number):
         """Has an exercise passed all of its checks, without an answer of the reference?"""

@@ -209,7 +209,8 @@ def serve(channel, codes, refusing):
     warnings.simplefilter("ignore")
     try:
         modules = load(channel, codes)
-        channel.contract.replace(modules, channel.contract.refusals(modules, *refusing))
+        if refusing:
+            channel.contract.switched_off(modules, *refusing)
     except BaseException as error:
         channel.send("raised", *error_parts(error), printed.taken())
     else:

@@ -120,8 +120,8 @@ def readme(asked, given, released, spine):
     about = "\n".join(["    the files in labs/", *files])
     if spine:
         about += ("\n\nThis copy is the spine: all that leads from a vertex to a picture, and back "
-                  "to a fit. The rest of the core is among the extras: what a lecture calls an "
-                  "exercise, and `check` does not list, is complete.")
+                  "to a fit. The other core exercises come complete, as extras do. If a lecture "
+                  "names an exercise that `check` does not list, its answer is there already.")
     if given:
         about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
