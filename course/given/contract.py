@@ -51,8 +51,9 @@ def switched_off(modules, twins, number):
         if isinstance(twin, types.FunctionType):
             refusal = Refused(f"{name} returns what exercise {number} asks for, so it refuses "
                               f"while {number} is checked; write {number} without it")
+            code = refuse.__code__.replace(co_freevars=twin.__code__.co_freevars)  # of a decorator
             off.append((twin, twin.__code__, twin.__defaults__, twin.__kwdefaults__))
-            switch_on([(twin, refuse.__code__, None, {"refusal": refusal})])
+            switch_on([(twin, code, None, {"refusal": refusal})])
     return off
 
 
