@@ -8,7 +8,11 @@ An exercise is a whole function with a mark on its def line, and nowhere else:
     def first_column(...):  # extra 2.14 (3 points), open    so marked in labs/ when it is
 
 Its docstring is the question, its body is the answer. Functions without a mark are given. What
-returns an exercise's answer is named in its question, and refuses meanwhile, see `twins_in`.
+returns an exercise's answer, such as a fast version, is named above it and refuses while the
+exercise is checked. So does what calls it:
+
+    # Refuse meanwhile: scanline.rasterize, scanline.fragments
+    def rasterize_loop(...):  # exercise 2.13 (6 points), spine
 """
 import ast
 import functools
@@ -51,7 +55,7 @@ GIVEN = (  # what labs import of course.given
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
                   rf"(?(1)({OPEN})?|(, spine)?)")
-TWINS = re.compile(r"While this is checked, ((?:`[\w.]+`(?:, | and )?)+) refuses?\.")
+TWINS = re.compile(r"# Refuse meanwhile: (.+)")
 MEANT_AS_MARK = re.compile(r"\W*(exercise\b|extra \d)", re.IGNORECASE)
 
 
@@ -205,7 +209,7 @@ def text_exercises(text: str) -> tuple[Exercise, ...]:
                              "give it 1 or more")
         require_question_and_answer(lines, functions[line], number)
         found[number] = Exercise(number, functions[line].name, points, line, (), *kind,
-                                 twins_in(ast.get_docstring(functions[line])))
+                                 twins_above(lines, line))
     needs = calls(text, [exercise.name for exercise in found.values()])
     return tuple(exercise._replace(calls=needs[exercise.name]) for exercise in found.values())
 
@@ -237,11 +241,10 @@ def marks(text):
             yield line, number, int(points), bool(extra), not extra or bool(opened), bool(spine)
 
 
-def twins_in(question):
-    """The functions that a question names as its answer's twins: given code and extras that return
-    the answer, such as its fast version. What only calls them refuses with them.
-    """
-    return tuple(re.findall(r"`([\w.]+)`", " ".join(TWINS.findall(" ".join(question.split())))))
+def twins_above(lines, line):
+    """The functions that a comment above an exercise names: its answer's twins."""
+    comment = TWINS.match("".join(lines[line - 2:line - 1]))
+    return tuple(comment[1].strip().split(", ")) if comment else ()
 
 
 def require_question_and_answer(lines, function, number):

@@ -47,13 +47,12 @@ def loop_weight(n):  # extra 11.4 (1 point)
     return (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
 
 
+# Refuse meanwhile: loop, loop_matrix, loop_step
 def loop_slow(vertices, faces, u):  # exercise 11.5 (5 points)
     """Eqs. (3) and (5), point by point: the old vertices, then the edges of `faces_at_edges`.
 
     vertices (V, C), faces (F, 3), u (V,) -> (V + E, C). w = 1/8. `ring_of` tells who is near.
-
-    While this is checked, `loop`, `loop_matrix` and `loop_step` refuse. Your own smooth mesh:
-    `python3 -m course demo --impl labs rounded`.
+    Your own smooth mesh: `python3 -m course demo --impl labs rounded`
 
     >>> triangle = np.array([[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]])
     >>> loop_slow(triangle, np.array([[0, 1, 2]]), np.full(3, 3 / 16))
@@ -172,11 +171,12 @@ def loop_surface(cage, faces, steps):
     return loop_limit_matrix(faces, len(cage)) @ cage, faces
 
 
+# Refuse meanwhile: loop_surface
 def loop_surface_backward(grad_surface, faces, vertex_count, steps):  # exercise 11.16 (3 points)
     """Backward of `loop_surface`: the gradient with respect to the cage, (V, C).
 
     grad_surface (V', C), faces (F, 3) and vertex_count V of the cage. `loop_step` is given. Section
-    8 of the lecture pulls a cage with this gradient. While this is checked, `loop_surface` refuses.
+    8 of the lecture pulls a cage with this gradient.
 
     >>> tetrahedron = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]])
     >>> grad_surface = np.zeros((10, 1))

@@ -167,12 +167,12 @@ def supersample(clip, faces, width, height, n, shade, background):
     return box_resolve(picture, n)
 
 
+# Refuse meanwhile: shading_requests
 def shading_requests_loop(face_index):  # exercise 4.8 (3 points)
     """Eq. (7): what must be shaded? Each face that a pixel's samples see, once.
 
     face_index (S, H, W). N pairs in any order -> pixel (N,) = row * W + column, face (N,), and
-    request (S, H, W), the number of each sample's pair, or -1. While this is checked,
-    `shading_requests` refuses.
+    request (S, H, W), the number of each sample's pair, or -1.
 
     >>> shading_requests_loop(np.array([[[4, -1]], [[4, 6]], [[5, 4]]]))[2].tolist()
     [[[0, -1]], [[0, 2]], [[1, 3]]]

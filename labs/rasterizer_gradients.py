@@ -47,11 +47,12 @@ def edge_normals(corners):  # extra 7.10 (2 points)
     return np.stack([cross(corners[:, i], corners[:, j]) for i, j in EDGES])
 
 
+# Refuse meanwhile: edge_normals_backward
 def edge_functions_at_backward(grad_e, x, y):  # exercise 7.11 (3 points), spine
     """Backward of eq. (9): grad_e (3, N) -> grad_x, grad_y (3, N).
 
     x, y (3, N), row k of corner k, measured from the pixel. Each corner is in two of the e_k. The
-    given `cross` may help. While this is checked, `edge_normals_backward` refuses.
+    given `cross` may help.
 
     >>> x, y = np.array([[1.0], [2.0], [5.0]]), np.array([[3.0], [7.0], [4.0]])
     >>> grad_x, grad_y = edge_functions_at_backward(np.array([[1.0], [0.0], [0.0]]), x, y)

@@ -69,10 +69,9 @@ def vertex_quadrics(face_quadrics, faces, vertex_count):  # exercise 12.3 (2 poi
     raise NotImplementedError("exercise 12.3: vertex_quadrics")
 
 
+# Refuse meanwhile: quadric_error_backward
 def quadric_error(q, x):  # exercise 12.4 (1 point)
-    """Eq. (2): the error v^T Q v of points x: q (..., 4, 4), x (..., 3) -> (...).
-
-    The leading shapes broadcast. While this is checked, `quadric_error_backward` refuses.
+    """Eq. (2): the error v^T Q v of points x: q (..., 4, 4), x (..., 3) broadcast -> (...).
 
     >>> quadric_error(plane_quadrics(np.array([0.0, 0.0, 1.0, -2.0])), np.array([7.0, 8.0, 5.0]))
     np.float64(9.0)
@@ -312,12 +311,13 @@ def why_refused(vertices, faces, a, b, position):
     return FLIP if flips(before, np.where(moves, position, before)) else 0
 
 
+# Refuse meanwhile: collapse_heap.simplify_heap
 def simplify_loop(vertices, faces, quadrics, face_count):  # exercise 12.15 (4 points)
     """Down to face_count faces, collapse the cheapest edge with `why_refused` 0, if there is one.
 
     `pair_costs` of `mesh.edges` tells. The lower vertex gets the place and the sum of both
     quadrics. vertices (V, 3), closed faces (F, 3), quadrics (V, 4, 4) -> vertices (V, 3), faces.
-    See `demo simplified`. While this is checked, `collapse_heap.simplify_heap` refuses.
+    See `demo simplified`.
 
     >>> vertices, faces = mesh.icosphere(20)
     >>> q = mesh_quadrics(vertices, faces)

@@ -72,12 +72,12 @@ def residual_slope(values, m, a, i, j):  # extra 7.4 (2 points)
     return values @ inverse_differential(m, dm) @ a
 
 
+# Refuse meanwhile: rasterizer_gradients.depth_planes_backward
 def residual_backward(grad_f, values, m, a, target):  # exercise 7.5 (3 points)
     """Backward of eq. (2), with eq. (4): grad_f, a number -> grad_values (3,), grad_m (3, 3),
     grad_a (3,) and grad_target, a number.
 
     values (3,), m (3, 3), a (3,). All of their numbers are variables, even the 1s of eq. (1).
-    While this is checked, `rasterizer_gradients.depth_planes_backward` refuses.
 
     >>> m = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
     >>> a = np.array([1.0, 1.0, 1.0])

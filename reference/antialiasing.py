@@ -55,12 +55,12 @@ def opposite_vertices(faces):  # exercise 8.1 (3 points), spine
     return opposite
 
 
+# Refuse meanwhile: pair_kernels.silhouette_of
 def silhouette_edges(x, y, w, faces, opposite):  # exercise 8.2 (3 points), spine
     """Eq. (1): at which edges does the surface end, or fold on screen?
 
     x, y, w (V,) of `screen_points`, all w > 0, faces, opposite (F, 3) -> bool (F, 3). It folds if
-    vertex k and the one across lie on one side of edge k. While this is checked,
-    `pair_kernels.silhouette_of` refuses.
+    vertex k and the one across lie on one side of edge k.
 
     >>> x, y = np.array([0.0, 1.0, 0.0, 2.0]), np.array([0.0, 0.0, 1.0, 2.0])
     >>> faces, opposite = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[3, -1, -1], [-1, -1, 0]])
@@ -161,11 +161,11 @@ def pair_frame_backward(grad_x, grad_y, owner, other, width):  # extra 8.6 (1 po
     return dx * grad_x + np.abs(dy) * grad_y, dy * grad_x + np.abs(dx) * grad_y
 
 
+# Refuse meanwhile: sweep_gradient.edge_crossing, pair_kernels.crossing
 def crossing(x0, y0, x1, y1):  # exercise 8.7 (1 point), spine
     """Eq. (3): where the line through (x0, y0) and (x1, y1) meets y = 0: c (...).
 
-    x0, y0, x1, y1 (...), y0 and y1 different. While this is checked,
-    `sweep_gradient.edge_crossing` and `pair_kernels.crossing` refuse.
+    x0, y0, x1, y1 (...), y0 and y1 different.
 
     >>> crossing(np.array([1.0]), np.array([-1.0]), np.array([4.0]), np.array([2.0]))
     array([2.])

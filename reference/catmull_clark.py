@@ -35,12 +35,11 @@ from .subdivision import (
 # Point by point: slow and obvious
 
 
+# Refuse meanwhile: catmull_clark, catmull_clark_matrix, catmull_clark_step
 def catmull_clark_slow(vertices, corners, counts):  # exercise 11.10 (4 points)
     """Eqs. (7) to (9), point by point: old vertices, edges of `faces_at_edges`, then `polygons`.
 
-    vertices (V, C), corners, counts -> (V + E + F, C). `ring_of` tells who is near. While
-    this is checked, `catmull_clark`, `catmull_clark_matrix` and `catmull_clark_step`
-    refuse.
+    vertices (V, C), corners, counts -> (V + E + F, C). `ring_of` tells who is near.
 
     >>> square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
     >>> catmull_clark_slow(square, np.array([0, 1, 2, 3]), np.array([4]))[[0, 1, 4, 8]]

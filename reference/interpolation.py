@@ -37,10 +37,11 @@ def lerp(a, b, t):
     return (1 - t) * a + t * b
 
 
+# Refuse meanwhile: attribute_on_segment
 def fraction_in_space(t, w_0, w_1):  # exercise 5.2 (1 point)
     """Eq. (1): how far along a segment in space is the point at fraction t on the screen?
 
-    t, w_0, w_1: numbers or arrays. While this is checked, `attribute_on_segment` refuses.
+    t, w_0, w_1: numbers or arrays.
 
     >>> fraction_in_space(np.array([0.0, 0.5, 1.0]), 1.0, 3.0)
     array([0.  , 0.25, 1.  ])
@@ -73,11 +74,11 @@ def attribute_on_segment(t, a_0, a_1, w_0, w_1):  # extra 5.4 (2 points)
     return lerp(a_0 / w_0, a_1 / w_1, t) / lerp(1 / w_0, 1 / w_1, t)
 
 
+# Refuse meanwhile: rasterization.barycentric_on_face, vertex_gradients.barycentric
 def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     """Eq. (3): a pixel's screen weights e -> its barycentric b, corrected for perspective.
 
-    e, w and b are (..., 3), with the w of each corner. While this is checked,
-    `rasterization.barycentric_on_face` and `vertex_gradients.barycentric` refuse.
+    e, w and b are (..., 3), with the w of each corner.
 
     >>> barycentric_from_screen(np.array([0.5, 0.5, 0.0]), np.array([1.0, 3.0, 1.0]))
     array([0.75, 0.25, 0.  ])
@@ -86,11 +87,11 @@ def barycentric_from_screen(e, w):  # exercise 5.5 (1 point), spine
     return n / n.sum(-1, keepdims=True)
 
 
+# Refuse meanwhile: rasterization.normalize_derivative
 def normalize_backward(grad_b, b, s, axis=0):  # exercise 5.6 (2 points), spine
     """Backward of b = n / s, s = sum n, the quotient rule: grad_b -> grad_n.
 
-    The three weights lie along the axis, and s broadcasts with them. While this is checked,
-    `rasterization.normalize_derivative` refuses.
+    The three weights lie along the axis, and s broadcasts with them.
 
     >>> normalize_backward(np.array([8.0, 0.0, 0.0]), np.array([0.25, 0.25, 0.5]), 4.0)
     array([ 1.5, -0.5, -0.5])
@@ -123,11 +124,11 @@ def barycentric_from_screen_derivatives(de, e, w):
     return normalize_derivative(de / w[..., None], n / s, s, axis=-2)
 
 
+# Refuse meanwhile: interpolate, interpolation_matrix, weight_rows, barycentric_gradient
 def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.8 (2 points), spine
     """Eq. (5), pixel by pixel: the picture (H, W, C) of attributes (V, C), 0 where no face is seen.
 
-    faces (F, 3), face_index (H, W), barycentric (H, W, 3). While this is checked,
-    `interpolate`, `interpolation_matrix`, `weight_rows` and `barycentric_gradient` refuse.
+    faces (F, 3), face_index (H, W), barycentric (H, W, 3).
 
     >>> faces, seen = np.array([[0, 1, 2], [2, 1, 3]]), np.array([[1, -1]])
     >>> b = np.array([[[0.5, 0.25, 0.25], [0.5, 0.5, 0.0]]])
@@ -142,14 +143,13 @@ def interpolate_loop(attributes, faces, face_index, barycentric):  # exercise 5.
     return output
 
 
+# Refuse meanwhile: interpolate_backward, barycentric_gradient, interpolation_matrix, weight_rows
 def interpolate_backward_loop(grad_output, attributes,  # exercise 5.9 (3 points), spine
                               faces, face_index, barycentric):
     """Eq. (8), pixel by pixel: the backward pass of `interpolate_loop`.
 
     grad_output (H, W, C) -> grad_attributes (V, C), summed over the pixels, and
-    grad_barycentric (H, W, 3), 0 where no face is seen. While this is checked,
-    `interpolate_backward`, `barycentric_gradient`, `interpolation_matrix` and `weight_rows`
-    refuse.
+    grad_barycentric (H, W, 3), 0 where no face is seen.
 
     >>> attributes, faces = np.array([[9.0], [4.0], [6.0], [8.0]]), np.array([[2, 1, 3]])
     >>> b, grad_output = np.array([[[0.5, 0.25, 0.25]]]), np.array([[[8.0]]])

@@ -40,13 +40,13 @@ def squared_error_backward(grad_loss, picture, target):  # exercise 9.2 (1 point
     return grad_loss * 2 * (picture - target) / picture.size
 
 
+# Refuse meanwhile: regularization.uniform_adam_step
 def adam_step(x, grad_x, mean, square, step, rate,  # exercise 9.3 (3 points), spine
               constants=(0.9, 0.999, 1e-8)):
     """Eq. (3): step n of Adam, downhill -> x', mean m', square s'.
 
     x, grad_x (g), mean (m) and square (s) are arrays of one shape, step (n) and rate are numbers,
-    and the constants are b1, b2, epsilon. While this is checked,
-    `regularization.uniform_adam_step` refuses.
+    and the constants are b1, b2, epsilon.
 
     >>> x, grad_x, zero = np.array([5.0, 5.0]), np.array([4.0, -100.0]), np.zeros(2)
     >>> x, mean, square = adam_step(x, grad_x, zero, zero, 1, rate=0.25)

@@ -24,11 +24,12 @@ from course.given.compiled import kernel
 
 
 @kernel
+# Refuse meanwhile: tiles_of
 def writers(boxes, width, height):  # exercise 17.1 (2 points)
     """Eq. (2) for a thread a face: how many threads write to each pixel?
 
     boxes (F, 4) integers: left, bottom, right, top. A face writes to the columns left <= j < right
-    of the rows bottom <= i < top -> (height, width). While this is checked, `tiles_of` refuses.
+    of the rows bottom <= i < top -> (height, width).
 
     >>> writers(np.array([[0, 0, 2, 2], [1, 0, 3, 1]]), 4, 2)
     array([[1, 2, 1, 0],
@@ -66,13 +67,13 @@ def race(face, depth, schedule):
 
 
 @kernel
+# Refuse meanwhile: arrays.scatter_first
 def nearest_faces(pixel, depth, face, count):  # exercise 17.2 (3 points)
     """Eq. (3): the face that each of count pixels sees, whatever the order of the fragments.
 
     pixel, depth, face (N,): fragments, depth from -1 to 1 -> face (count,), -1 where none comes.
     Each fragment does key[p] = min(key[p], its key), all in integers, of which the largest is
-    2^62 + face. The face is found in the key. While this is checked, `arrays.scatter_first`
-    refuses.
+    2^62 + face. The face is found in the key.
 
     >>> nearest_faces(np.array([2, 0, 2]), np.array([0.5, -1.0, 0.25]), np.array([7, 8, 9]), 4)
     array([ 8, -1,  9, -1])
@@ -103,11 +104,11 @@ def mixed_in_passes(e, a):
 
 
 @kernel
+# Refuse meanwhile: mixed_in_passes
 def mixed_at_once(e, a):  # exercise 17.3 (2 points)
     """Eq. (4): `mixed_in_passes` as one loop over n, which makes no array but the result.
 
-    e, a (3, N) -> sum e_k a_k / sum e_k (N,). While this is checked, `mixed_in_passes`
-    refuses.
+    e, a (3, N) -> sum e_k a_k / sum e_k (N,).
 
     >>> mixed_at_once(np.array([[1.0, 2.0], [1.0, 0.0], [2.0, 2.0]]),
     ...               np.array([[4.0, 1.0], [8.0, 5.0], [0.0, 3.0]]))
@@ -166,11 +167,11 @@ def tiles_of(boxes, size, across):
 
 
 @kernel
+# Refuse meanwhile: arrays.scatter, interpolation.sparse_matrix
 def gathered(start, item, values):  # exercise 17.5 (2 points)
     """Eq. (6): for each bin, the sum of its items' values, added in their order.
 
-    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C). While this is checked,
-    `arrays.scatter` and `interpolation.sparse_matrix` refuse.
+    start (K + 1,), item (N,) of `bins`, values (N, C) -> (K, C).
 
     >>> start, item = np.array([0, 2, 2, 3]), np.array([0, 2, 1])
     >>> gathered(start, item, np.array([[1.0, 5.0], [10.0, 6.0], [100.0, 7.0]]))

@@ -25,11 +25,11 @@ CAMERA_PLANE = 1e-10  # the least |w| of a vertex, in units of its |x| or |y|
 MARGIN = 1 / 256      # pixels added to a face's bounds: more than rounding moves its edges
 
 
+# Refuse meanwhile: scanline.twice_area, sampling.polygon_area
 def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
     """Eq. (1): on which side of the line from a to b is p? Positive on its left.
 
-    p, a, b (..., 2) broadcast -> e (...). While this is checked, `scanline.twice_area` and
-    `sampling.polygon_area` refuse.
+    p, a, b (..., 2) broadcast -> e (...).
 
     >>> edge_function(np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.array([2.0, 0.0]))
     np.float64(2.0)
@@ -46,11 +46,11 @@ def edge_function(p, a, b):  # exercise 2.1 (2 points), spine
     return (y0 - y1) * (x - from_x) + (x1 - x0) * (y - from_y)
 
 
+# Refuse meanwhile: sampling.polygon_area_backward, rasterizer_gradients.edge_normals_backward
 def edge_function_backward(grad_e, p, a, b):  # exercise 2.2 (2 points)
     """Backward of eq. (1): grad_e (...) -> grad_p, grad_a, grad_b, each (..., 2).
 
-    p, a, b (..., 2), all of one shape. While this is checked, `sampling.polygon_area_backward`
-    and `rasterizer_gradients.edge_normals_backward` refuse.
+    p, a, b (..., 2), all of one shape.
 
     >>> p, a, b = np.array([1.0, 4.0]), np.array([0.0, 0.0]), np.array([2.0, 1.0])
     >>> edge_function_backward(np.array(1.0), p, a, b)
@@ -88,12 +88,12 @@ def is_inside(p, triangle):  # extra 2.4 (2 points)
     return (e >= 0).all(0) | (e <= 0).all(0)
 
 
+# Refuse meanwhile: face_kernels.half_plane
 def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
     """Is an edge a top-left edge, one that owns the samples exactly on it?
 
     n_x, n_y (...), its normal n of eq. (1), into the face -> bool (...). True for left edges (n
     points right) and lower horizontal ones (n points up: row 0, the top in memory, is our lowest).
-    While this is checked, `face_kernels.half_plane` refuses.
 
     >>> is_top_left(np.array([1.0, -1.0, 0.0, 0.0]), np.array([-5.0, 5.0, 1.0, -1.0]))
     array([ True, False,  True, False])
@@ -101,10 +101,11 @@ def is_top_left(n_x, n_y):  # exercise 2.5 (1 point), spine
     return (n_x > 0) | ((n_x == 0) & (n_y > 0))
 
 
+# Refuse meanwhile: is_inside
 def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
     """Eq. (2): does the counter-clockwise triangle cover the sample p?
 
-    p (..., 2), triangle (3, 2) -> bool (...). While this is checked, `is_inside` refuses.
+    p (..., 2), triangle (3, 2) -> bool (...).
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
     >>> is_covered(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 2.0]]), triangle)
@@ -121,11 +122,11 @@ def is_covered(p, triangle):  # exercise 2.6 (2 points), spine
     return covered
 
 
+# Refuse meanwhile: barycentric_on_face
 def screen_weights(p, triangle):  # exercise 2.7 (1 point), spine
     """Eq. (3): barycentric coordinates on the screen, l (..., 3): l @ triangle = p and sum l = 1.
 
-    p (..., 2), triangle (3, 2), of either winding, of an area other than 0. While this is
-    checked, `barycentric_on_face` refuses.
+    p (..., 2), triangle (3, 2), of either winding, of an area other than 0.
 
     >>> triangle = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])
     >>> screen_weights(np.array([1.0, 0.0]), triangle)
@@ -189,13 +190,13 @@ def cull_back_faces(x, y, w, faces):  # extra 2.10 (2 points)
     return faces[area * np.sign(w[faces]).prod(-1) > 0]
 
 
+# Refuse meanwhile: scanline.rasterize, scanline.fragments, compiled_pipeline.rasterize
 def rasterize_loop(clip, faces, width, height):  # exercise 2.13 (6 points), spine
     """The textbook's rasterizer: for each face, for each pixel of its box, keep the least depth.
 
     clip (V, 4), faces (F, 3) -> face_index, depth (height, width), -1 and np.inf where no face is
     seen. Turn clockwise faces round, z too. Draw depths (4) from -1 to 1.
-    To look at yours: `python3 -m course demo --impl labs bunny`. While this is checked,
-    `scanline.rasterize`, `scanline.fragments` and `compiled_pipeline.rasterize` refuse.
+    To look at yours: `python3 -m course demo --impl labs bunny`.
 
     >>> clip = np.array([[-1.0, -1.0, 0.5, 1.0], [1.0, -1.0, 0.5, 1.0], [-1.0, 1.0, 0.5, 1.0]])
     >>> rasterize_loop(clip, np.array([[0, 1, 2]]), 3, 2)

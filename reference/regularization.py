@@ -148,11 +148,11 @@ def vertex_areas_backward(grad_areas, triangles, faces):
     return grad_areas[faces].sum(1)[:, None, None] / 6 * np.cross(normal, q - p)
 
 
+# Refuse meanwhile: subdivision.pull_entries
 def laplacian_entries(edges, weights, vertex_count):  # exercise 13.6 (2 points)
     """Eq. (2) as a sparse matrix L: rows, columns (integers) and values of its entries, each (N,).
 
-    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up what one place
-    has. While this is checked, `subdivision.pull_entries` refuses.
+    edges (E, 2), weights (E,), vertex_count V. Any order will do: the matrix adds up.
 
     >>> rows, columns, values = laplacian_entries(np.array([[0, 2]]), np.array([5.0]), 3)
     >>> scipy.sparse.coo_array((values, (rows, columns)), shape=(3, 3)).toarray()
@@ -294,9 +294,9 @@ def enclosed_volume(triangles):
     return (x0 * np.cross(x1, x2)).sum() / 6
 
 
+# Refuse meanwhile: rasterizer_gradients.edge_normals
 def enclosed_volume_backward(grad_volume, triangles):  # exercise 13.13 (2 points)
     """Backward of eq. (7), for `restore_volume`: grad_volume, a number -> grad_triangles (F, 3, 3).
-    While this is checked, `rasterizer_gradients.edge_normals` refuses.
 
     >>> triangle = np.array([[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]])
     >>> enclosed_volume_backward(6.0, triangle[None])

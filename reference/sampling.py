@@ -93,11 +93,11 @@ def band_pass(picture, low, high):  # extra 3.6 (2 points)
     return picture_of(spectrum_of(picture) * ((low <= length) & (length < high)))
 
 
+# Refuse meanwhile: convolve_by_spectrum
 def convolve(picture, kernel):  # exercise 3.7 (3 points)
     """Eq. (3) along both axes: picture (H, W), kernel (h, w) -> (H, W).
 
-    h and w are odd, and kernel[h // 2, w // 2] is g_0. While this is checked,
-    `convolve_by_spectrum` refuses.
+    h and w are odd, and kernel[h // 2, w // 2] is g_0.
 
     >>> convolve(np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[1.0, 2.0, 3.0]]))
     array([[3., 0., 1., 2.]])
@@ -233,12 +233,12 @@ def polygon_area_backward(grad_area, polygon):  # extra 3.14 (3 points)
     return grad_area[..., None, None] * np.stack([by_x, by_y], -1) / 2
 
 
+# Refuse meanwhile: pixel_coverage
 def pixel_coverage_loop(triangle, width, height):  # exercise 3.15 (2 points)
     """Eq. (7): how much of each pixel does a triangle (3, 2) cover? -> (height, width).
 
     Clip it by the pixel's four sides. The triangle may be clockwise. Your own, without stairs:
-    `python3 -m course demo --impl labs aliasing`. While this is checked, `pixel_coverage`
-    refuses.
+    `python3 -m course demo --impl labs aliasing`.
 
     >>> pixel_coverage_loop(np.array([[1.0, 0.5], [3.0, 0.5], [3.0, 2.5]]), 4, 2)
     array([[0.   , 0.375, 0.5  , 0.   ],

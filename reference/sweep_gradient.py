@@ -69,6 +69,7 @@ def edge_lines(a, b, height):
     return row, *edge_crossing(a, b, row + 0.5)
 
 
+# Refuse meanwhile: pulls
 def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
                side, share, eps=1e-4):
     """One line of pixels that an edge crosses: the gradient (2,) of the edge's ends, in ndc.
@@ -80,7 +81,7 @@ def sweep_line(grad_colour, colour, sees, crossing,  # exercise 10.14 (4 points)
 
     Add up `edge_pulls` of two groups. Pixels outside count if inner sees the face, and I_beyond is
     inner's colour. Pixels inside count if they see it themselves, and I_beyond is outer's colour.
-    eps gets the sign of the edge's motion. While this is checked, `pulls` refuses.
+    eps gets the sign of the edge's motion.
 
     >>> colour, sees = np.array([[1.0], [1.0], [0.0], [0.0]]), np.array([True, True, False, False])
     >>> grad_colour, share = np.array([[0.0], [0.0], [-1.0], [0.0]]), np.array([0.25, 0.75])

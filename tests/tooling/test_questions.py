@@ -14,7 +14,6 @@ LITERAL = places.ROOT / "tests" / "literal"
 def words(text):
     """How many words a reader has to take in: a shape is one, and examples are looked at."""
     text = re.sub(r"^ *>>>.*(?:\n.*\S.*)*", "", text, flags=re.M)
-    text = exercises.TWINS.sub("", " ".join(text.split()))  # asks nothing
     return len(re.sub(r"\([^()]*,[^()]*\)|->", lambda part: "s" * (part[0] != "->"), text).split())
 
 
