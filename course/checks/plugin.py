@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from .. import exercises
+from ..given.gradcheck import gradcheck
 from . import loader, report
 
 
@@ -78,3 +79,9 @@ def rng(request):
     """This check's own random numbers, made from --seed, its file's name and its own."""
     name = zlib.crc32(f"{request.path.name}::{request.node.name}".encode())
     return np.random.default_rng([request.config.option.seed, name])
+
+
+@pytest.fixture(name="gradcheck")
+def seeded_gradcheck(rng):
+    """The gradient check of course/given, with this check's own random upstream gradient."""
+    return functools.partial(gradcheck, seed=int(rng.spawn(1)[0].integers(1 << 31)))

@@ -3,7 +3,6 @@ import numpy as np
 import pytest
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 HALF = np.array([0.5, 1.0, 1.5])
 
@@ -99,7 +98,7 @@ def test_on_the_surface_and_in_the_middle_of_a_box(impl):
 
 
 @exercise("15.2")
-def test_gradients_of_a_box_are_central_differences(impl, rng):
+def test_gradients_of_a_box_are_central_differences(impl, rng, gradcheck):
     """Near an edge outside, an axis on which the point lies between the sides has a part."""
     def forward(points, half):
         return np.array([[distance_to_box(point, half) for point in row] for row in points])
@@ -158,7 +157,7 @@ def test_on_the_axis_and_in_the_middle_of_the_tube_nothing_is_divided_by_0(impl)
 
 
 @exercise("15.4")
-def test_gradients_of_a_ring_are_central_differences(impl, rng):
+def test_gradients_of_a_ring_are_central_differences(impl, rng, gradcheck):
     """A factor of the chain is missing: right where x = 0 or z = 0."""
     gradcheck(lambda points, radius, tube: distance_to_ring(points, radius, tube),
               impl.torus_backward, (rng.uniform(-2, 2, (4, 6, 3)), 1.1, 0.3), differentiable=[0],
@@ -207,7 +206,7 @@ def test_shares_of_the_seam_on_paper(impl):
 
 
 @exercise("15.6")
-def test_gradients_of_the_smooth_union_are_central_differences(impl, rng):
+def test_gradients_of_the_smooth_union_are_central_differences(impl, rng, gradcheck):
     """k's factor is missing or twice there; or shares are swapped where b is the smaller."""
     a, b = rng.normal(size=(2, 5, 4))
     for k in 0.7, 4.0:
@@ -498,7 +497,7 @@ def test_a_longer_piece_of_ray_feels_its_density_more(impl):
 
 @exercise("15.9")
 @pytest.mark.parametrize("channels", [1, 2, 4])
-def test_gradients_of_volumes_are_central_differences(impl, rng, channels):
+def test_gradients_of_volumes_are_central_differences(impl, rng, channels, gradcheck):
     """Channels or rays are mixed; a sample feels those before it."""
     density, spacing = rng.gamma(1.0, 1.0, (3, 6)), rng.uniform(0.2, 1.2, (3, 6))
     colour, background = rng.random((3, 6, channels)), rng.random(channels)

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from course.checks import assert_close, assert_equal, assert_picture, exercise
-from course.given.gradcheck import gradcheck
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "interpolate.npz"
 each_golden = pytest.mark.parametrize(
@@ -138,7 +137,7 @@ def test_both_w_grow_alike_and_nothing_happens(impl, rng):
 
 
 @exercise("5.3")
-def test_gradients_of_the_fraction_are_central_differences(impl, rng):
+def test_gradients_of_the_fraction_are_central_differences(impl, rng, gradcheck):
     """The gradient of t is missing a w, or grad_q is not multiplied in."""
     inputs = rng.uniform(0.05, 0.95, (2, 4)), *rng.uniform(0.5, 4, (2, 2, 4))
     gradcheck(fraction, impl.fraction_in_space_backward, inputs, name="fraction_in_space")
@@ -254,7 +253,7 @@ def test_the_weights_may_lie_along_another_axis(impl):
     assert_close(got, SUM_GRADS.T)
 
 
-def check_quotients(impl, n, axis, more):
+def check_quotients(impl, gradcheck, n, axis, more):
     """The gradients of n / s, with s `more` than the sum of n."""
     def total(n):
         return n.sum(axis, keepdims=True) + more
@@ -267,16 +266,16 @@ def check_quotients(impl, n, axis, more):
 
 @exercise("5.6")
 @pytest.mark.parametrize("axis", [0, -1])
-def test_the_gradients_of_quotients_are_central_differences(impl, rng, axis):
+def test_the_gradients_of_quotients_are_central_differences(impl, rng, axis, gradcheck):
     """Sums run over the samples instead of the three weights."""
     n = rng.uniform(0.5, 2, (3, 4) if axis == 0 else (4, 2, 3)) * rng.choice([-1, 1])
-    check_quotients(impl, n, axis, more=0.0)
+    check_quotients(impl, gradcheck, n, axis, more=0.0)
 
 
 @exercise("5.6", fine_print=True)
-def test_the_weights_need_not_sum_to_1(impl, rng):
+def test_the_weights_need_not_sum_to_1(impl, rng, gradcheck):
     """b_0 + b_1 + b_2 is taken for 1."""
-    check_quotients(impl, rng.uniform(0.5, 2, (3, 4)), 0, more=0.3)
+    check_quotients(impl, gradcheck, rng.uniform(0.5, 2, (3, 4)), 0, more=0.3)
 
 
 # --- pictures, pixel by pixel ------------------------------------------------------------------
@@ -433,7 +432,7 @@ def test_the_gradients_are_those_of_the_definition(impl, rng, channels):
 
 
 @exercise("5.12")
-def test_the_gradients_are_central_differences(impl, rng):
+def test_the_gradients_are_central_differences(impl, rng, gradcheck):
     """B for B^T, or the attributes of another corner."""
     gradcheck(mixed, impl.interpolate_backward, buffers(rng, 4), name="interpolate")
 
@@ -516,7 +515,7 @@ def test_the_gradients_of_footprints_are_those_of_the_definition(impl, rng, chan
 
 
 @exercise("5.14")
-def test_the_gradients_of_footprints_are_central_differences(impl, rng):
+def test_the_gradients_of_footprints_are_central_differences(impl, rng, gradcheck):
     """A mean for a sum, or a sign."""
     gradcheck(mixed, impl.interpolate_derivatives_backward, buffers(rng, 3, trailing=(2,)),
               name="interpolate_derivatives")

@@ -4,7 +4,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from course.checks import Mismatch, assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 # Two triangles at an edge, a tail, and a vertex that is alone; every valence from 0 to 4.
 EDGES = np.array([[0, 1], [2, 0], [1, 2], [3, 1], [2, 3], [2, 4]])
@@ -63,7 +62,7 @@ def test_every_difference_pulls_by_twice_its_share(impl):
 
 
 @exercise("9.2")
-def test_the_gradient_of_the_error_is_central_differences(impl, rng):
+def test_the_gradient_of_the_error_is_central_differences(impl, rng, gradcheck):
     """It is divided by another number than that of all values: pixels times channels."""
     def forward(picture, target):
         return np.mean([(picture[p] - target[p])**2 for p in np.ndindex(picture.shape)])
@@ -282,7 +281,7 @@ def test_without_rotation_the_length_has_no_share(impl, w):
 
 @exercise("9.6")
 @pytest.mark.parametrize("length", [1.0, 0.1, 7.0])
-def test_the_gradient_of_a_rotation_is_central_differences(impl, rng, length):
+def test_the_gradient_of_a_rotation_is_central_differences(impl, rng, length, gradcheck):
     """It is right for length 1 alone: for others, a factor |q| or |q|^2 is missing."""
     def forward(q):
         matrix = np.eye(4)
@@ -423,7 +422,7 @@ def test_two_empty_silhouettes_have_no_gradient(impl):
 
 
 @exercise("9.9")
-def test_the_gradient_of_silhouettes_is_central_differences(impl, rng):
+def test_the_gradient_of_silhouettes_is_central_differences(impl, rng, gradcheck):
     """It is right where each pixel is covered or not, and wrong between. Or rows or channels have
     ratios of their own.
     """
@@ -516,7 +515,7 @@ def test_it_is_the_transposed_matrix(impl, rng, channels):
 
 
 @exercise("9.11")
-def test_the_gradient_of_the_laplacian_is_central_differences(impl, rng):
+def test_the_gradient_of_the_laplacian_is_central_differences(impl, rng, gradcheck):
     """It is right for a regular mesh alone, whose matrix is symmetric."""
     matrix = averaging(6)
     gradcheck(lambda x, edges: matrix @ x, impl.uniform_laplacian_backward,

@@ -6,7 +6,6 @@ import pytest
 from scipy.spatial import ConvexHull, Delaunay
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 CORNERS = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 CASES = [case for case in itertools.product([False, True], repeat=4) if any(case) and not all(case)]
@@ -193,7 +192,7 @@ def test_gradients_of_both_distances_on_paper(impl):
 
 
 @exercise("15.12")
-def test_gradients_of_crossings_are_central_differences(impl, rng):
+def test_gradients_of_crossings_are_central_differences(impl, rng, gradcheck):
     """Edges are mixed, or one coordinate alone counts: x, y and z all move the crossing."""
     def forward(p_a, p_b, s_a, s_b):
         return np.stack([(a * t - b * s) / (t - s)

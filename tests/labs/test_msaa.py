@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from course.checks import assert_close, assert_equal, assert_picture, exercise
-from course.given.gradcheck import gradcheck
 
 # Two rows of three pixels, four samples; the pixels in rows from the bottom, the samples across:
 #   [4, 4, 4, 4]  [4, 6, 6, 4]  [-1, 9, -1, 9]
@@ -187,14 +186,14 @@ def test_the_gradient_of_blocks_on_paper(impl):
 
 @exercise("4.7")
 @pytest.mark.parametrize("n", [1, 2, 3])
-def test_the_gradient_of_blocks_is_a_central_difference(impl, rng, n):
+def test_the_gradient_of_blocks_is_a_central_difference(impl, rng, n, gradcheck):
     """Divided by n, tiled instead of repeated, or one channel for all."""
     def forward(picture, n):
         blocks = [picture[i::n, j::n] for i in range(n) for j in range(n)]
         return sum(blocks) / n ** 2
 
     gradcheck(forward, impl.box_resolve_backward, (rng.random((2 * n, 3 * n, 2)), n),
-              seed=int(rng.integers(2**31)), name="box_resolve")
+              name="box_resolve")
 
 
 # --- one shade for each face in a pixel --------------------------------------------------------
@@ -438,7 +437,7 @@ def test_without_shades_the_background_has_all_of_the_gradient(impl):
 
 @exercise("4.11")
 @pytest.mark.parametrize("count", [1, 3, 4])
-def test_the_gradient_of_shades_is_a_central_difference(impl, rng, count):
+def test_the_gradient_of_shades_is_a_central_difference(impl, rng, count, gradcheck):
     """One channel for all. The two gradients are swapped. Or grad_picture is summed up before."""
     request = rng.integers(-1, 5, (count, 3, 4))
     request[0, 0, :2] = -1, 0  # whatever the seed: some see the background, some a shade

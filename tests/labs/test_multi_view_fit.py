@@ -2,7 +2,6 @@
 import numpy as np
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 Y0, Y1 = np.sqrt(np.array([1, 3]) / np.pi) / 2
 IN_FRONT = np.array([[2.0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, 0], [0, 0, -1, 3]])
@@ -113,7 +112,7 @@ def test_three_views_are_the_mean_of_each_alone(impl, rng):
         assert_close(got, sum(map(np.asarray, parts)) / 3)
 
 
-def check_gradient(impl, rng, of):
+def check_gradient(impl, rng, gradcheck, of):
     """Gradcheck the loss along a random direction of vertices (0), albedo (1), light (2), or of
     several together.
     """
@@ -137,29 +136,29 @@ def check_gradient(impl, rng, of):
 
 
 @exercise("16.15")
-def test_the_gradient_of_the_albedo_is_central_differences(impl, rng):
+def test_the_gradient_of_the_albedo_is_central_differences(impl, rng, gradcheck):
     """grad_albedo: grad_colours comes as it is, without the light of shade_backward; or views,
     pictures or the forward pass's normals are not those of the way there.
     """
-    check_gradient(impl, rng, [1])
+    check_gradient(impl, rng, gradcheck, [1])
 
 
 @exercise("16.15")
-def test_the_gradient_of_the_light_is_central_differences(impl, rng):
+def test_the_gradient_of_the_light_is_central_differences(impl, rng, gradcheck):
     """grad_light: it is wrong where light comes from several sides or the albedo is uneven."""
-    check_gradient(impl, rng, [2])
+    check_gradient(impl, rng, gradcheck, [2])
 
 
 @exercise("16.15")
-def test_the_gradient_of_the_vertices_is_central_differences(impl, rng):
+def test_the_gradient_of_the_vertices_is_central_differences(impl, rng, gradcheck):
     """grad_vertices: of its two ways, that through the normals or that through the pictures is
     missing, overwrites the other or has a minus: they are to be added. Coverage's weight is not
     passed to picture_loss_backward. render_views_backward gets the albedo for the colours.
     """
-    check_gradient(impl, rng, [0])
+    check_gradient(impl, rng, gradcheck, [0])
 
 
 @exercise("16.15")
-def test_the_whole_step_is_central_differences(impl, rng):
+def test_the_whole_step_is_central_differences(impl, rng, gradcheck):
     """A way back is missing: through outlines, normals, shading, or paint."""
-    check_gradient(impl, rng, [0, 1, 2])
+    check_gradient(impl, rng, gradcheck, [0, 1, 2])

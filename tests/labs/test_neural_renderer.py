@@ -3,7 +3,6 @@ import numpy as np
 import pytest
 
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
-from course.given.gradcheck import gradcheck
 
 SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, twice its area is 26
 
@@ -173,7 +172,7 @@ def test_what_is_clamped_has_no_gradient(impl):
 
 @exercise("10.4")
 @pytest.mark.parametrize("reach", [0.9, 3.0])
-def test_gradients_of_weights_and_depth_are_central_differences(impl, rng, reach):
+def test_gradients_of_weights_and_depth_are_central_differences(impl, rng, reach, gradcheck):
     """A term is left out: the sum's, that of depth through the weights, or outside of the face the
     clamp's.
     """

@@ -4,7 +4,6 @@ import pytest
 
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture, exercise
 from course.given import places
-from course.given.gradcheck import gradcheck
 
 GOLDEN = places.ROOT / "tests" / "golden" / "rasterize.npz"
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
@@ -379,7 +378,7 @@ def test_the_depth__s_gradient_reaches_the_vertices(impl, rng):
 
 
 @exercise("9.13")
-def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl):
+def test_the_gradients_of_a_picture_and_its_depth_are_central_differences(impl, gradcheck):
     """One of the two paths is left out, or counts twice. They meet where outlines cut colours.
     """
     def forward(clip, colours):

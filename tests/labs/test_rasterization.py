@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from course.checks import assert_close, assert_equal, assert_picture, exercise
-from course.given.gradcheck import gradcheck
 
 TRIANGLE = np.array([[1.0, 1.0], [7.0, 2.0], [3.0, 6.0]])  # counter-clockwise
 
@@ -102,7 +101,7 @@ def test_the_gradients_of_two_edges_on_paper(impl):
 
 
 @exercise("2.2")
-def test_the_gradients_of_edges_are_central_differences(impl, rng):
+def test_the_gradients_of_edges_are_central_differences(impl, rng, gradcheck):
     """grad_e is ignored or summed up before it reaches the points."""
     def forward(p, a, b):
         return (a[..., 1] - b[..., 1]) * (p[..., 0] - a[..., 0]) \

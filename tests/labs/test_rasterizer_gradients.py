@@ -4,7 +4,6 @@ import pytest
 from corner_matrices import MATRICES, NEAR
 
 from course.checks import assert_close, exercise
-from course.given.gradcheck import gradcheck
 
 # Numbers for paper: q_0 = (3, 2, 1), q_1 = (4, 1, 2), q_2 = (2, 5, 3). det(M) = -19.
 PAPER = np.array([[3.0, 4.0, 2.0], [2.0, 1.0, 5.0], [1.0, 2.0, 3.0]])
@@ -93,7 +92,7 @@ def test_each_edge_alone_on_paper(impl):
 
 @exercise("7.11")
 @pytest.mark.parametrize("count", [1, 5])
-def test_the_gradients_of_edges_at_pixels_are_central_differences(impl, rng, count):
+def test_the_gradients_of_edges_at_pixels_are_central_differences(impl, rng, count, gradcheck):
     """A corner gets the gradient of one of its two edges alone, or another pixel's. Or it is right
     for as many pixels as there are corners.
     """
@@ -127,7 +126,7 @@ def test_the_gradient_of_a_derivative_on_paper(impl):
 
 @exercise("7.15")
 @pytest.mark.parametrize("epsilon", [0.0, 0.3])
-def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon):
+def test_the_gradients_of_derivatives_are_central_differences(impl, rng, epsilon, gradcheck):
     """One of the three ways is left out by which c enters."""
     def padded(c):
         s = c.sum(0)
@@ -166,7 +165,7 @@ def test_a_depth_pulls_at_its_corners_on_paper(impl):
 
 
 @exercise("7.18")
-def test_the_gradients_of_planes_are_central_differences(impl, rng):
+def test_the_gradients_of_planes_are_central_differences(impl, rng, gradcheck):
     """A matrix is transposed, or one face's gradient goes to another."""
     def forward(z, corners):
         return np.stack([np.linalg.solve(corners[..., f].T, z[:, f]) for f in range(5)], -1)

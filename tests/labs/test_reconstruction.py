@@ -6,7 +6,6 @@ import pytest
 
 from course.checks import assert_close, assert_equal, exercise
 from course.given import mesh
-from course.given.gradcheck import gradcheck
 
 PI = np.pi
 Y0, Y1, Y2, Y20, Y22 = (np.sqrt(k / PI) / 2 for k in (1, 3, 15, 5 / 4, 15 / 4))
@@ -138,7 +137,7 @@ def test_slopes_of_squares_on_paper(impl):
 
 
 @exercise("16.2")
-def test_gradients_of_harmonics_are_central_differences(impl, rng):
+def test_gradients_of_harmonics_are_central_differences(impl, rng, gradcheck):
     """Directions are mixed, or taken for unit: the part along n is taken away, though n can move
     along itself.
     """
@@ -253,7 +252,7 @@ def test_gradients_of_the_light_on_paper(impl):
 
 
 @exercise("16.5")
-def test_gradients_of_shading_are_central_differences(impl, rng):
+def test_gradients_of_shading_are_central_differences(impl, rng, gradcheck):
     """A gradient's points or colours are mixed, or light beyond the first four numbers is left out.
     """
     def forward(albedo, normals, light):
@@ -342,7 +341,7 @@ def test_small_faces_turn_faster(impl):
 
 
 @exercise("16.6")
-def test_gradients_of_normals_are_central_differences(impl, rng):
+def test_gradients_of_normals_are_central_differences(impl, rng, gradcheck):
     """Faces at a vertex are averaged by number, not by area, or their shares do not add up; or one
     corner alone moves a face.
     """
@@ -380,7 +379,7 @@ def test_the_loss_of_several_pictures_has_one_mean_on_paper(impl):
 
 
 @exercise("16.8")
-def test_the_gradient_of_the_loss_is_central_differences(impl, rng):
+def test_the_gradient_of_the_loss_is_central_differences(impl, rng, gradcheck):
     """A channel or a pixel is left out."""
     def forward(picture, target, weight):
         d = (picture - target)**2
@@ -410,7 +409,7 @@ def test_the_level_where_the_surface_meets_a_point_of_the_grid(impl):
 
 
 @exercise("16.9")
-def test_the_level_where_the_vertex_is_held(impl, rng):
+def test_the_level_where_the_vertex_is_held(impl, rng, gradcheck):
     """t is differentiated, too: it is to be held, as s of a vertex that goes along is always 0. Or
     |s| is taken for s.
     """
@@ -528,7 +527,7 @@ def test_at_zero_and_far_away(impl):
 
 
 @exercise("16.11")
-def test_gradients_of_sign_changes_are_central_differences(impl, rng):
+def test_gradients_of_sign_changes_are_central_differences(impl, rng, gradcheck):
     """Ends of several edges get one edge's share, or grad_changes is left out."""
     gradcheck(changes, impl.sign_changes_backward,
               (rng.normal(size=12), rng.integers(12, size=(40, 2))),

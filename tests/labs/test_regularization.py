@@ -8,7 +8,6 @@ import pytest
 from regularization_graphs import angle, dense, graph
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 RIGHT = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]])
 EQUILATERAL = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, np.sqrt(3)]])
@@ -220,7 +219,7 @@ def test_gradients_of_cotangents_on_paper(impl):
 
 
 @exercise("13.4")
-def test_gradients_of_cotangents_are_central_differences(impl, rng):
+def test_gradients_of_cotangents_are_central_differences(impl, rng, gradcheck):
     """A term is missing: that of the area, or that of one of the two sides at a corner."""
     def forward(triangles):
         p, q = np.roll(triangles, -1, -2) - triangles, np.roll(triangles, -2, -2) - triangles
@@ -362,7 +361,7 @@ def test_gradients_of_the_energy_on_paper(impl):
 
 
 @exercise("13.8")
-def test_gradients_of_the_energy_are_central_differences(impl, rng):
+def test_gradients_of_the_energy_are_central_differences(impl, rng, gradcheck):
     """The gradient by the weights or by the mass; or channels are mixed up."""
     edges, weights = graph(rng)
     def backward(grad_energy, x, weights, mass):
@@ -529,7 +528,7 @@ def test_gradients_of_the_volume_on_paper(impl):
 
 
 @exercise("13.13")
-def test_gradients_of_the_volume_are_central_differences(impl, rng):
+def test_gradients_of_the_volume_are_central_differences(impl, rng, gradcheck):
     """grad_volume is left out, or one corner's gradient is that of another."""
     def backward(grad_volume, triangles):
         return impl.enclosed_volume_backward(float(grad_volume), triangles)

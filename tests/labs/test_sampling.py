@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from course.checks import assert_close, assert_equal, assert_picture, exercise
-from course.given.gradcheck import gradcheck
 
 SQUARE = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])
 TRIANGLE = np.array([[1.2, 0.7], [6.3, 2.1], [2.9, 5.8]])  # counter-clockwise
@@ -451,7 +450,7 @@ def test_the_gradient_of_a_pentagon_points_outwards(impl):
 
 
 @exercise("3.14")
-def test_the_gradients_of_areas_are_central_differences(impl, rng):
+def test_the_gradients_of_areas_are_central_differences(impl, rng, gradcheck):
     """grad_area is left out, or summed over the polygons. The axes of several polygons are mixed
     up. The first or the last point is an exception.
     """
@@ -636,7 +635,7 @@ def test_an_edge_along_a_side_pulls_once(impl):
 @exercise("3.18")
 @pytest.mark.parametrize("name", ["ordinary", "clockwise", "smaller than a pixel",
                                   "thinner than a pixel", "partly outside"])
-def test_the_gradients_of_clamped_areas_are_central_differences(impl, name):
+def test_the_gradients_of_clamped_areas_are_central_differences(impl, name, gradcheck):
     """grad_area is ignored or given to another square."""
     gradcheck(lambda polygon, x, y: exact_areas(polygon, 6, 5, float).ravel(),
               impl.clamped_area_backward, (TRIANGLES[name], *corners(6, 5)), differentiable=[0],

@@ -3,7 +3,6 @@ import numpy as np
 from shadow_lights import CONE, PARALLEL, each_light, point_at, projected
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 WIDTH, HEIGHT = 12, 7
 
@@ -69,7 +68,7 @@ def test_a_light_that_moves_pulls_all_points_on_paper(impl):
 
 
 @exercise("14.2")
-def test_the_gradients_of_the_frame_are_central_differences(impl, rng):
+def test_the_gradients_of_the_frame_are_central_differences(impl, rng, gradcheck):
     """The rotation is not transposed, or multiplies from the left, though gradients are rows."""
     rotation = rotation_of(rng)
     gradcheck(lambda points, position, rotation: (points - position) @ rotation.T,
@@ -121,7 +120,7 @@ def test_a_point_that_comes_nearer_moves_outwards(impl):
 
 @exercise("14.4")
 @each_light
-def test_the_gradients_of_places_are_central_differences(impl, rng, light):
+def test_the_gradients_of_places_are_central_differences(impl, rng, light, gradcheck):
     """A factor of one axis in the other's gradient; C_33 is left out of w."""
     light = light + np.array([[0], [0], [0], [0.3]]) * [0, 0, 0, 1]
     gradcheck(lambda q, *light_and_size: projected(q, *light_and_size)[0],

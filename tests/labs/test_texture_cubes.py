@@ -3,7 +3,6 @@ import numpy as np
 import pytest
 
 from course.checks import Mismatch, assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 # --- texture cubes -----------------------------------------------------------------------------
 
@@ -121,7 +120,7 @@ def test_places_pull_on_paper(impl):
 
 @exercise("10.7")
 @pytest.mark.parametrize("size", [2, 5])
-def test_gradients_of_the_taps_are_central_differences(impl, rng, size):
+def test_gradients_of_the_taps_are_central_differences(impl, rng, size, gradcheck):
     """The product rule lacks a factor, or a sign. Or T stands for T - 1."""
     gradcheck(taps, impl.cube_taps_backward, (*some_pixels(rng, 8), size),
               decisions=lambda *given: np.floor(place(*given)), name="taps")
@@ -232,7 +231,7 @@ def test_corners_pull_on_paper(impl):
 
 
 @exercise("10.11")
-def test_gradients_of_light_are_central_differences(impl, rng):
+def test_gradients_of_light_are_central_differences(impl, rng, gradcheck):
     """A term is left out: of a corner, of the length of N, or of faces that look away."""
     inputs = (rng.normal(size=(9, 3, 3)), *rng.random((2, 2)), rng.normal(size=3))
 

@@ -2,7 +2,6 @@
 import numpy as np
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 
 def weights_2d(uv, width, height):
@@ -123,7 +122,7 @@ def test_a_texel_that_a_row_names_twice_gets_both(impl):
 
 
 @exercise("6.6")
-def test_the_gradients_of_look_ups_are_central_differences(impl, rng):
+def test_the_gradients_of_look_ups_are_central_differences(impl, rng, gradcheck):
     """The sum over the channels or over the points is left out, or goes over the wrong axis."""
     for count, n, k, channels in (6, 7, 4, 3), (3, 5, 1, 2), (2, 3, 8, 1):
         index = rng.integers(0, count, (n, k))
@@ -157,7 +156,7 @@ def test_on_a_centre_the_upper_side_counts(impl):
     assert_close(impl.bilinear_backward(grad_weight, uv, 4, 2), [[4.0, 58.0], [24.0, -14.0]])
 
 
-def check_bilinear(impl, uv, width, height):
+def check_bilinear(impl, gradcheck, uv, width, height):
     """The gradient of the weights with respect to uv is that of central differences."""
     gradcheck(weights_2d, impl.bilinear_backward, (uv, width, height), differentiable=[0],
               decisions=lambda uv, width, height: (np.floor(uv[:, 0] * width - 0.5),
@@ -166,20 +165,20 @@ def check_bilinear(impl, uv, width, height):
 
 
 @exercise("6.7")
-def test_the_gradients_by_uv_are_central_differences(impl, rng):
+def test_the_gradients_by_uv_are_central_differences(impl, rng, gradcheck):
     """The weights are used as if a texel's border were its centre. Or one axis' weights are left
     out of the other's.
     """
-    check_bilinear(impl, rng.uniform(-1, 2, (9, 2)), 6, 5)
+    check_bilinear(impl, gradcheck, rng.uniform(-1, 2, (9, 2)), 6, 5)
 
 
 @exercise("6.7", fine_print=True)
-def test_every_pixel_may_look_at_its_own_level(impl, rng):
+def test_every_pixel_may_look_at_its_own_level(impl, rng, gradcheck):
     """One size for all pixels: arrays width and height (N,), one for each level, do not broadcast
     with grad_uv (N, 2).
     """
-    check_bilinear(impl, rng.uniform(-1, 2, (9, 2)), np.array([1, 2, 4, 8, 3, 7, 2, 2, 5]),
-                   np.array([9, 3, 1] * 3))
+    check_bilinear(impl, gradcheck, rng.uniform(-1, 2, (9, 2)),
+                   np.array([1, 2, 4, 8, 3, 7, 2, 2, 5]), np.array([9, 3, 1] * 3))
 
 
 # --- the footprint -------------------------------------------------------------------------

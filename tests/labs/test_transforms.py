@@ -4,7 +4,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from course.checks import assert_close, exercise
-from course.given.gradcheck import gradcheck
 
 # A matrix of which no part is symmetric, and whose inverse is not its transpose.
 MATRIX = np.array([[1.0, 2.0, 0.0, 3.0],
@@ -50,7 +49,7 @@ def test_three_points_worked_out_on_paper(impl):
 
 @exercise("1.3")
 @pytest.mark.parametrize("shape", [(4,), (6, 4), (2, 3, 4)], ids=str)
-def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape):
+def test_both_gradients_of_the_product_are_central_differences(impl, rng, shape, gradcheck):
     """Points of no leading axis, or of several, are not all counted in grad_matrix, or it is not
     summed over all of them. Or a gradient has another shape than its input.
     """
@@ -344,7 +343,7 @@ def test_the_gradient_by_w_on_paper(impl):
 
 @exercise("1.14")
 @pytest.mark.parametrize("shape", [(4,), (5, 4), (2, 3, 4)], ids=str)
-def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape):
+def test_the_gradient_of_the_divide_is_central_differences(impl, rng, shape, gradcheck):
     """Right for points (N, 4), but not for one point alone, or for several leading axes: w's
     gradient is summed over the points, too.
     """
@@ -387,7 +386,7 @@ def test_a_step_in_ndc_is_half_a_picture(impl):
 
 
 @exercise("1.17")
-def test_the_gradient_of_the_viewport_is_central_differences(impl, rng):
+def test_the_gradient_of_the_viewport_is_central_differences(impl, rng, gradcheck):
     """The constant part of the viewport leaks into the gradient."""
     width, height = rng.integers([100, 1000], [900, 9000]).tolist()
     gradcheck(lambda ndc: (ndc + np.array([1.0, 1.0, 0.0])) * [width / 2, height / 2, 1.0],

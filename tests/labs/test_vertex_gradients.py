@@ -6,7 +6,6 @@ import pytest
 from corner_matrices import MATRICES, NEAR
 
 from course.checks import assert_close, assert_equal, exercise
-from course.given.gradcheck import gradcheck
 
 # A triangle for paper: c = (1 - x/4 - y/2, x/4, y/2).
 PAPER = np.array([[0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
@@ -89,7 +88,7 @@ def test_nine_slopes_on_paper(impl):
 
 @exercise("7.4")
 @each_matrix
-def test_slopes_are_central_differences(impl, m, rng):
+def test_slopes_are_central_differences(impl, m, rng, gradcheck):
     """Right for the paper's triangle alone, whose last row is ones."""
     values = rng.normal(size=3)
     gradcheck(lambda m: brightness(values, m, PIXEL, 0.0),
@@ -115,7 +114,7 @@ def test_every_gradient_is_as_large_as_grad_f(impl):
 
 @exercise("7.5")
 @each_matrix
-def test_the_gradients_of_a_residual_are_central_differences(impl, m, rng):
+def test_the_gradients_of_a_residual_are_central_differences(impl, m, rng, gradcheck):
     """Right for the paper's triangle alone."""
     gradcheck(brightness, impl.residual_backward, (rng.normal(size=3), m, PIXEL, 0.3),
               name="residual")
@@ -141,7 +140,7 @@ def test_four_points_on_paper(impl):
 
 @exercise("7.6")
 @pytest.mark.parametrize("winding", [1, -1])
-def test_the_jacobian_is_central_differences(impl, rng, winding):
+def test_the_jacobian_is_central_differences(impl, rng, winding, gradcheck):
     """Right for a right angle at the origin alone, or for counter-clockwise triangles."""
     triangle = np.array([[1.2, 0.7], [6.3, 2.1], [2.9, 5.8]])[::winding].copy()
     points = rng.uniform(0, 7, (5, 2))
@@ -224,7 +223,7 @@ def test_the_sum_of_c_may_be_negative(impl):
 
 @exercise("7.9")
 @each_matrix
-def test_the_gradients_of_weights_are_central_differences(impl, m, rng):
+def test_the_gradients_of_weights_are_central_differences(impl, m, rng, gradcheck):
     """M or its gradient is transposed, or grad_b is taken for all ones or for one of them."""
     m = m * rng.uniform(0.8, 1.25, 3)
     gradcheck(shares, impl.barycentric_backward, (m, PIXEL), name="barycentric")
