@@ -1,5 +1,6 @@
 """Where things lie: the course's folder, its data, its output. Files are read and written whole."""
 import contextlib
+import functools
 import os
 import re
 from pathlib import Path
@@ -62,12 +63,16 @@ def read_whole(path):
                       "give the name of a file that you may read") from None
 
 
-def write_whole(path, content):
-    """Bytes -> the file, all or nothing: written beside it, then moved there. OSError if not."""
+def write_whole(path, content, mode=0o666):
+    """Bytes -> the file, all or nothing: written beside it, then moved there. OSError if not.
+
+    mode: who may read and write it, as in open, less what the system keeps back.
+    """
     path = Path(path)
     neighbour = path.with_name(f".{path.name}.{os.getpid()}")
     try:
-        neighbour.write_bytes(content)
+        with open(neighbour, "wb", opener=functools.partial(os.open, mode=mode)) as file:
+            file.write(content)
         os.replace(neighbour, path)
     except OSError as error:
         raise OSError(f"cannot write {path} ({error.strerror}): "

@@ -1,5 +1,6 @@
 """For other graders: a zip for Gradescope, files for GitHub Actions and Classroom 50."""
 import json
+import secrets
 import sys
 from pathlib import Path
 
@@ -24,13 +25,15 @@ def gradescope(path, labs=None) -> int:
     topics = exercises.topics_of(labs)
     grade.require_whole(topics)
     level, _ = sandbox.available()
-    settings = {"topics": topics, "asks": grade.rehearsed(topics, Job({}, {}, level))}
+    settings = {"topics": topics, "asks": grade.rehearsed(topics, Job({}, {}, level)),
+                "seed": secrets.randbits(128)}
     paths = sorted({path for pattern in NEEDED for path in places.ROOT.glob(pattern)})
     places.write_whole(path, archives.zipped([
         *((file.relative_to(places.ROOT).as_posix(), file.read_bytes()) for file in paths),
         *((name, (FILES / name).read_bytes()) for name in PROGRAMS),
         ("settings.json", json.dumps(settings).encode())], PROGRAMS))
-    print(f"{path}: upload it in Gradescope as the assignment's autograder ({', '.join(topics)})")
+    print(f"{path}: upload it in Gradescope as the assignment's autograder ({', '.join(topics)}), "
+          "and show it to nobody: it holds the seed of all random inputs")
     return 0
 
 
@@ -50,7 +53,7 @@ def main(folder, path):
     settings = json.loads((places.ROOT / "settings.json").read_bytes())
     level, about = sandbox.available()
     texts, missing, notes = archives.read(folder, settings["topics"])
-    job = Job(texts, missing, level, grade.own_seed(0, texts), asks=settings["asks"])
+    job = Job(texts, missing, level, grade.own_seed(settings["seed"], texts), asks=settings["asks"])
     result, _ = running.examine(job)
     if result.problem:
         raise SystemExit(f"could not be graded: {result.problem}")

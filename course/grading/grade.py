@@ -13,31 +13,40 @@ from .. import exercises
 from ..given import places
 from .apart import running, sandbox, typed_json
 from .apart.jobs import Job
-from .gradebook import earlier, lateness
+from .gradebook import earlier, lateness, people
 from .gradebook.book import Gradebook
 from .handing import archives, submissions
-from .request import Request
+from .request import Request, recalled, remember
 from .results import Results, Run
 
 
 def run(request: Request) -> int:
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
+    request, said = recalled(request)
     topics = exercises.topics_of(request.labs)
     require_whole(topics)
     limits = limits_of(request.seconds)
     level, about = level_to_use(request.isolation)
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if request.extra or not exercise.is_extra]
-    handed_in, not_understood = submissions.read(
-        request.submissions, topics, lateness.zone(request.book.due))
+    handed_in, persons, not_understood = read(request, topics)
     before = earlier.records(Path(request.out), handed_in, columns)
-    book = Gradebook(request.book, [*handed_in, *(record.work for record in before)], columns)
+    works = [*handed_in, *(record.work for record in before)]
+    book = Gradebook(request.book, works, columns, persons)
     results = Results(made(request.out), book, Run(
-        columns, level, about, request.seed, running.course_digest(), not_understood))
-    print(*said_before(results), sep="\n")
+        columns, level, about, running.course_digest(), not_understood))
+    print(*said, *said_before(results), sep="\n")
     todo = [(one, Job(one.texts, one.missing, level, own_seed(request.seed, one.texts), limits,
-                      request.extra)) for one in handed_in]
+                      bool(request.extra))) for one in handed_in]
     return grade_all(request, topics, todo, before, results)
+
+
+def read(request, topics):
+    """-> (submissions, one for each student; lines of people.csv; what was not understood)."""
+    zone = lateness.zone(request.book.due)
+    persons = people.read(request.book.people, zone) if request.book.people else []
+    handed_in, not_understood = submissions.read(request.submissions, topics, zone)
+    return people.with_members(handed_in, persons), persons, not_understood
 
 
 def said_before(results):
@@ -61,10 +70,8 @@ def grade_all(request, topics, todo, before, results):
     if todo:
         asks = rehearsed(topics, todo[0][1], request.jobs, request.scheduler)
         todo = [(one, job._replace(asks=asks)) for one, job in todo]
-    examined = running.examined(todo, request.jobs or os.cpu_count(), request.scheduler)
-    with contextlib.closing(examined) as steps:
-        for one, job, (result, pictures) in progress(steps, len(todo)):
-            results.add(one, job.seed, fingerprint(job), result, pictures)
+    remember(request)
+    examine(request, todo, results)
     files = results.close()
     failed = {name: problem for name in students
               if (problem := results.records[name].result.problem)}
@@ -73,6 +80,24 @@ def grade_all(request, topics, todo, before, results):
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
     print(*(f"{name}: {problem}" for name, problem in failed.items()), *files, sep="\n")
     return int(bool(failed))
+
+
+def examine(request, todo, results):
+    """Examine [(submission, its job)], and write each result when it is there."""
+    works = together(todo)
+    examined = running.examined(works, request.jobs or os.cpu_count(), request.scheduler)
+    with contextlib.closing(examined) as steps:
+        for group, job, (result, pictures) in progress(steps, len(works)):
+            for one in group:
+                results.add(one, job.seed, fingerprint(job), result, pictures)
+
+
+def together(todo):
+    """[(submissions of the same work, its job)]: a group's is examined once."""
+    groups = {}
+    for one, job in todo:
+        groups.setdefault(fingerprint(job), ([], job))[0].append(one)
+    return list(groups.values())
 
 
 def progress(steps, count):
@@ -130,9 +155,10 @@ def level_to_use(isolation) -> tuple[str, str]:
 
 
 def own_seed(seed, texts) -> int:
-    """The seed of a submission, from the run's seed and its hash: nobody can know it before.
+    """The seed of a submission, from the run's seed and its hash.
 
-    A table of right answers is part of the submission, so it changes the seed that it is for.
+    Nobody can know it before who does not know the run's. A table of right answers that somebody
+    makes from a seed in a report is part of the next submission, and so changes its seed.
     """
     text = f"{seed} {archives.digest(texts)}"
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4], "big") >> 1

@@ -1,20 +1,105 @@
-"""What is asked of `grade`."""
+"""What is asked of `grade`, and what its output folder remembers of that: DIR/asked.json.
+
+An option that is not given this time is as it was the last time, unless --drop names it. So nobody
+loses marks by a command that is typed anew. The file holds the run's seed, which is secret: whoever
+knows it can make a table of the right answers.
+"""
+import json
+import os
+import secrets
+from pathlib import Path
 from typing import NamedTuple
 
+from .. import exercises
+from ..given import places
 from .gradebook.book import Asked
+
+ONCE = {"previous"}  # options of the gradebook that are not remembered
+FILES = {"roster", "overrides", "people"}
+KEPT = ("labs", "extra", "seed", "seconds", *(name for name in Asked._fields if name not in ONCE))
 
 
 class Request(NamedTuple):
-    """The options of `grade`, as they were given."""
+    """The options of `grade`, as they were given. None: not given."""
 
     submissions: str
     out: str
     labs: str | None = None
     jobs: int | None = None      # at a time; None: one for each core
     resume: bool = False
-    seed: int = 0
+    seed: int | None = None
     isolation: str | None = None
     scheduler: str | None = None
-    seconds: float = 10.0        # the most that a call may take
-    extra: bool = False          # extras count as well: fair where they were handed out open
+    seconds: float | None = None  # the most that a call may take
+    extra: bool | None = None    # extras count as well: fair where they were handed out open
+    drop: str = ""               # names of options, to be forgotten
     book: Asked = Asked()        # what is asked for besides points
+
+
+def recalled(request) -> tuple[Request, list[str]]:
+    """The whole request, out of this one and those before; sentences on what comes from there.
+
+    ValueError: the folder is of other labs, or a file of the last time is not there any more.
+    """
+    dropped = dropped_names(request.drop)
+    before = {name: value for name, value in remembered(request.out).items() if name not in dropped}
+    given = {name: value for name, value in options(request).items() if value is not None}
+    if {"labs"} <= given.keys() & before.keys() and given["labs"] != before["labs"]:
+        raise ValueError(f"{request.out} holds grades of labs {before['labs']}, and not of "
+                         f"{given['labs']}: name another folder with --out")
+    again = {name: value for name, value in before.items() if name not in given}
+    for name in FILES & again.keys():
+        if not os.path.exists(again[name]):
+            raise ValueError(f"{again[name]}, the last run's --{name}, is not there any more: "
+                             f"give --{name} FILE, or forget it with --drop {name}")
+    whole = {"labs": numbers(None), "seed": secrets.randbits(128), "seconds": 10.0} | again | given
+    said = " ".join(f"--{name}" if value is True else f"--{name} {value}"
+                    for name, value in again.items() if name != "seed")
+    return with_options(request, whole), [f"as in the last run: {said}"] * bool(said)
+
+
+def remember(request) -> None:
+    """Write asked.json, for the eyes of its owner alone."""
+    path = Path(request.out, "asked.json")
+    asked = {name: value for name, value in options(request).items() if value is not None}
+    places.write_whole(path, json.dumps(asked, indent=1).encode(), 0o600)
+
+
+def remembered(out) -> dict:
+    """{option: value} of the last run into this folder."""
+    path = Path(out, "asked.json")
+    try:
+        return json.loads(path.read_bytes()) if path.exists() else {}
+    except ValueError:
+        raise ValueError(f"{path} cannot be read: restore it, because it holds the seed, or remove "
+                         "it and grade everything again") from None
+
+
+def dropped_names(text):
+    """'due,late' -> {'due', 'late'}. ValueError: one is no option that can be dropped."""
+    names, droppable = {*text.split(",")} - {""}, {*KEPT} - {"labs"}
+    if unknown := names - droppable:
+        raise ValueError(f"--drop {min(unknown)}: no such option is remembered; these are: "
+                         f"{', '.join(sorted(droppable))}")
+    return names
+
+
+def options(request):
+    """{name: value} of what is remembered, in a form in which two of them can be compared."""
+    every = request._asdict() | request.book._asdict()
+    found = {name: every[name] for name in KEPT}
+    found["labs"] = found["labs"] and numbers(found["labs"])
+    return found | {name: os.path.abspath(found[name]) for name in FILES if found[name]}
+
+
+def numbers(labs):
+    """'1-3' -> '1,2,3'. None: all labs."""
+    topics = exercises.topics_of(labs)
+    return ",".join(dict.fromkeys(str(exercises.lab_number(topic)) for topic in topics))
+
+
+def with_options(request, values):
+    """The request with these {name: value}, some of which belong to its book."""
+    of_book = {name: value for name, value in values.items() if name in Asked._fields}
+    rest = {name: value for name, value in values.items() if name not in of_book}
+    return request._replace(book=request.book._replace(**of_book), **rest)

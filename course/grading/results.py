@@ -24,7 +24,6 @@ class Run(NamedTuple):
     columns: list   # the exercises that count
     level: str
     about: str      # a sentence on the level
-    seed: int
     checks: str     # a hash of the course's own part
     not_understood: list = ()  # [(name, sentence)] of what is nobody's
 

@@ -14,7 +14,7 @@ def exercise(number, name, points, is_extra=False):
     return Exercise(number, name, points, 1, (), is_extra)
 
 
-def submission(student, platform="", late=False, notes=(), when=None, **about):
+def submission(student, platform="", late=None, notes=(), when=None, **about):
     """about: what the platform tells of the person."""
     return Submission(student, {}, {}, tuple(notes), Identity(platform, **about), when, late, "d")
 

@@ -55,11 +55,12 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
     ("autograder gradescope a.zip --labs 2", "grading.autograder.gradescope", ("a.zip", "2"), {}),
     ("autograder github .", "grading.autograder.github", (".",), {}),
     ("grade in --out out --labs 1 --jobs 2 --resume --seed 7 --isolation process "
-     "--scheduler tcp://a --seconds 3 --extra", "grading.grade.run",
-     (Request("in", "out", "1", 2, True, 7, "process", "tcp://a", 3.0, True),), {}),
+     "--scheduler tcp://a --seconds 3 --extra --drop due", "grading.grade.run",
+     (Request("in", "out", "1", 2, True, 7, "process", "tcp://a", 3.0, True, "due"),), {}),
     ("grade in --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
-     "--overrides o.csv --previous p.csv", "grading.grade.run",
-     (Request("in", "out", book=Asked("moodle", "a.csv", "A", "D", "L", "G", "o.csv", "p.csv")),),
+     "--overrides o.csv --people g.csv --previous p.csv", "grading.grade.run",
+     (Request("in", "out", book=Asked("moodle", "a.csv", "A", "D", "L", "G", "o.csv", "g.csv",
+                                       "p.csv")),),
      {}),
 ])
 def test_a_command_calls_its_function_and_passes_its_status_on(

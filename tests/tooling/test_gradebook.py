@@ -32,7 +32,7 @@ def found(*right):
     return result(*entries)
 
 
-RUN = Run(CORE, "process", "", 0, "c")
+RUN = Run(CORE, "process", "", "c")
 RIGHT, WRONG, BROKEN = found(True, True), found(True, False), result(problem="broke off")
 
 
@@ -244,7 +244,7 @@ def test_moodle_tells_in_its_worksheet_when_something_was_submission(tmp_path):
 def test_canvas_says_late_and_not_by_how_much(tmp_path):
     """A guess takes points off. Or a late submission looks like all others."""
     class_ = [submission("a", "canvas", id="50101", late=True),
-              submission("b", "canvas", id="50102"), submission("c")]
+              submission("b", "canvas", id="50102", late=False), submission("c")]
     known = book(class_, due=DUE, late="10%/day")
     cells = {name: tables.line(known.entered(graded(name)), CORE) for name in "abc"}
     assert [cells[name]["late by"] for name in "abc"] == [lateness.NOT_TOLD, "", lateness.NO_TIME]
@@ -304,17 +304,17 @@ def test_a_wrong_override_is_refused_by_its_line(tmp_path, line, sentence):
     """It is left out silently, or changes somebody else's points."""
     path = by_hand(tmp_path, "", 'ada,2.2,6,"a reason', 'in two lines"', line)
     with pytest.raises(ValueError, match=f"o.csv, line 5: .*{sentence}"):
-        overrides.read(path, {"ada"}, CORE)
+        overrides.read(path, {"ada": "ada"}, CORE)
     path = file(tmp_path, "o.csv", "student,exercise,points")
     with pytest.raises(ValueError, match="no column reason"):
-        overrides.read(path, {"ada"}, CORE)
+        overrides.read(path, {"ada": "ada"}, CORE)
 
 
 def test_points_by_hand_show_with_their_reason(tmp_path):
     """Nobody knows in May why Ada has 9.5 points."""
     path = file(tmp_path, "o.csv", "student;exercise;points;reason",
                 "ada;2.2;5,5;the <b>figure</b> was right", "ada;late;0;was ill")
-    given = overrides.read(path, {"ada"}, CORE)["ada"]
+    given = overrides.read(path, {"ada": "ada"}, CORE)["ada"]
     ada = graded("ada", WRONG, overrides=given, late=("2:00:00", 50))
     cells = tables.line(ada, CORE)
     assert (cells["2.2 cover"], cells["total"], cells["after lateness"]) == ("5.5", "9.5", "9.5")

@@ -3,6 +3,7 @@
     sheets       tables as CSV
     lateness     when something was handed in, and what that costs
     overrides    points by hand, each with its reason
+    people       groups, and due times of single students
     records      what is kept of one student's work
     worth        the points of a record
     tables       grades.csv

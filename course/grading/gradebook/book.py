@@ -5,7 +5,7 @@ All files that an instructor gives are read before anything is graded, so a mist
 from typing import NamedTuple
 
 from ...given import places
-from . import changes, lateness, overrides, rosters, sheets, worth
+from . import changes, lateness, overrides, people, rosters, sheets, worth
 from .records import Record
 
 
@@ -19,21 +19,26 @@ class Asked(NamedTuple):
     late: str | None = None
     grace: str | None = None
     overrides: str | None = None
+    people: str | None = None
     previous: str | None = None
 
 
 class Gradebook:
     """What is known of a class besides its work."""
 
-    def __init__(self, asked, handed_in, columns):
-        """columns: the exercises that count. ValueError: something that was given is wrong."""
+    def __init__(self, asked, handed_in, columns, persons=()):
+        """columns: the exercises that count. persons: the lines of people.csv.
+
+        ValueError: something that was given is wrong.
+        """
         if (asked.csv is None) != (asked.roster is None) or (asked.assignment and not asked.csv):
             raise ValueError("--csv PLATFORM and --roster FILE belong together, and --assignment "
                              "to both: the import file is made from the platform's own export")
         self.of = sum(exercise.points for exercise in columns)
         self.policy = lateness.policy(asked.due, asked.late, asked.grace)
         self.by_hand = {} if asked.overrides is None else overrides.read(
-            asked.overrides, {one.student for one in handed_in}, columns)
+            asked.overrides, people.names(handed_in), columns)
+        self.persons, self.due = persons, people.due_times(handed_in, persons)
         self.before = None if asked.previous is None else changes.read(asked.previous)
         self.roster, self.rows, self.unmatched = None, {}, {}
         if asked.csv:
@@ -45,10 +50,10 @@ class Gradebook:
         """The record, with what is known of its student besides the work, and without the texts."""
         one = self.handed_in[record.work.student]
         when = self.when(one)
-        is_late = one.late if one.identity.platform == "canvas" else None
+        policy = self.policy._replace(due=self.due.get(one.student, self.policy.due))
         return record._replace(
             work=one._replace(texts={}, missing={}, handed_in=when),
-            lateness=lateness.judged(self.policy, when, is_late),
+            lateness=lateness.judged(policy, when, one.late),
             overrides=self.by_hand.get(one.student, {}))
 
     def when(self, one):
@@ -58,7 +63,8 @@ class Gradebook:
 
     def moodle_says(self, one):
         """When it was handed in, as Moodle's worksheet has it, or an empty text."""
-        if one.identity.platform != "moodle" or one.student not in self.rows:
+        if (one.student not in self.rows or self.roster.platform != "moodle"
+                or one.identity.platform not in ("moodle", "people")):
             return ""
         return rosters.cell(self.roster, self.rows[one.student],
                             "Last modified (submission)").strip("-")
@@ -82,7 +88,7 @@ class Gradebook:
             if most not in (None, self.of):
                 lines.append(f"{title!r} is out of {sheets.number_text(most)} points there, and "
                              f"out of {self.of} here: make it {self.of} there before you import")
-        return lines + self.said_of_times()
+        return lines + self.said_of_times() + people.said(self.handed_in.values(), self.persons)
 
     def said_of_times(self):
         unread = {one.student: text for one in self.handed_in.values()
@@ -111,6 +117,8 @@ class Gradebook:
                       for student, row in self.rows.items() if worth.is_graded(records[student])}
             files[f"for-{self.roster.platform}.csv"] = rosters.filled(self.roster, points)
             files["unmatched.csv"] = sheets.written(self.without_partner())
+            files["replaced.csv"] = sheets.written([
+                ("name", "in the roster", "now"), *rosters.replaced(self.roster, points)])
         if self.before is not None:
             now = changes.by_student(table[0], table[1:])
             files["changes.csv"] = sheets.written(

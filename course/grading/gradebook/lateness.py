@@ -33,26 +33,26 @@ def policy(due=None, late=None, grace=None) -> Policy:
     if due is None and (late or grace):
         raise ValueError("--late and --grace need --due, as in --due 2026-11-22T23:59")
     percent, step = share(late) if late else (0.0, SECONDS["day"])
-    moment = deadline(due) if due else None
-    return Policy(moment and moment.timestamp(), moment and moment.tzinfo,
+    when = moment(due) if due else None
+    return Policy(when and when.timestamp(), when and when.tzinfo,
                   duration(grace) if grace else 0, percent, step)
 
 
 def zone(due) -> tzinfo | None:
     """The zone that a due time names, which is that of times which name none. None: it has none."""
-    return deadline(due).tzinfo if due else None
+    return moment(due).tzinfo if due else None
 
 
-def deadline(text):
-    """ISO -> the moment. Without a zone it is this machine's."""
+def moment(text, what="--due", zone=None):
+    """ISO -> the moment, in a zone where it names none. None: this machine's."""
     try:
-        moment = datetime.fromisoformat(text)
+        found = datetime.fromisoformat(text)
     except ValueError:
-        moment = None
-    if moment is None or not re.search(r"\d[T ]\d", text):
-        raise ValueError(f"--due {text} is no date with a time: write it as in 2026-11-22T23:59, "
+        found = None
+    if found is None or not re.search(r"\d[T ]\d", text):
+        raise ValueError(f"{what} {text} is no date with a time: write it as in 2026-11-22T23:59, "
                          "or 2026-11-22T23:59+01:00")
-    return moment
+    return found if found.tzinfo else found.replace(tzinfo=zone)
 
 
 def share(text):

@@ -23,7 +23,7 @@ class Override(NamedTuple):
 def read(path, students, exercises) -> dict[str, dict[str, Override]]:
     """{student: {exercise: Override}}. ValueError names the first line that is wrong.
 
-    students: those who handed in something. exercises: those that are graded.
+    students {what somebody is called: the student of grades.csv}. exercises: those that are graded.
     """
     sheet = sheets.read(path)
     if missing := [name for name in COLUMNS if name not in sheet.header]:
@@ -35,7 +35,7 @@ def read(path, students, exercises) -> dict[str, dict[str, Override]]:
     for row, line in zip(sheet.rows, sheet.lines, strict=True):
         cells = dict(zip(sheet.header, map(str.strip, row), strict=False))
         student, exercise, points, reason = (cells[name] for name in COLUMNS)
-        given = found.setdefault(student, {})
+        given = found.setdefault(students.get(student), {})
         if wrong := problem(student, exercise, reason, students, most, given):
             raise ValueError(f"{path}, line {line}: {wrong}")
         given[exercise] = Override(number(points, most[exercise], f"{path}, line {line}"), reason)
@@ -46,7 +46,7 @@ def problem(student, exercise, reason, students, most, given):
     """A sentence on what is wrong with a row, or None."""
     if student not in students:
         return (f"nobody called {student!r} handed in anything: write the name as in the column "
-                "student of grades.csv")
+                "student of grades.csv, or the platform's id")
     if exercise not in most:
         return (f"{exercise!r} is not graded: give an exercise such as {next(iter(most))}, "
                 "or total, or late")

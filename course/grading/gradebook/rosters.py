@@ -160,6 +160,15 @@ def kept_word(roster, row):
     return "" if text == "-" or NUMBER.fullmatch(text) else text
 
 
+def replaced(roster, points):
+    """Yield (name, points in the roster, points now) of those that are other ones."""
+    names = people(roster)
+    for row, now in points.items():
+        before = roster.sheet.rows[row][roster.column].strip()
+        if NUMBER.fullmatch(before) and float(before.replace(",", ".")) != float(now):
+            yield names[row], before, now
+
+
 def filled(roster, points) -> bytes:
     """The file to import, as bytes. points {row: text}. All other cells are as they came."""
     kept, sheet = PLATFORMS[roster.platform].kept, roster.sheet

@@ -49,7 +49,7 @@ class Sender(NamedTuple):
     identity: Identity
     order: float = 0               # the later it was handed in, the greater
     handed_in: float | None = None  # seconds since 1970 UTC
-    late: bool = False
+    late: bool | None = None  # as the platform says; None: it says nothing
 
 
 def senders(path, submitters, zone=None) -> list[Sender] | None:

@@ -7,6 +7,7 @@ Everything in the folder has a row, or is in the list of what was not understood
 """
 import hashlib
 import unicodedata
+from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
@@ -27,8 +28,9 @@ class Submission(NamedTuple):
     notes: tuple[str, ...]    # sentences for the report
     identity: platforms.Identity = platforms.Identity()
     handed_in: float | None = None  # seconds since 1970 UTC, as the platform tells it
-    late: bool = False        # so the platform says
+    late: bool | None = None  # as the platform says; None: it says nothing
     digest: str = ""          # the hash of all labs, as `pack` prints it; "": not known
+    group: str = ""           # whose members hand in the same
 
 
 def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
@@ -45,8 +47,9 @@ def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
         raise ValueError(f"nothing was handed in to {folder}: it should hold a folder, a zip or "
                          f"a file such as ada_{topics[0]}.py for each student"
                          + "".join(f"\n{name}: {sentence}" for name, sentence in not_understood))
-    names = distinct(found)
-    return [submission(names[student], found[student], topics)
+    names, senders = distinct(found), Counter(path for each in found.values() for _, path in each)
+    groups = {path: path.name for path, count in senders.items() if count > 1}
+    return [submission(names[student], found[student], topics, groups)
             for student in sorted(found)], not_understood
 
 
@@ -96,8 +99,8 @@ def cut_name(name, student):
     return f"{name.encode()[:LONGEST_NAME - 7].decode('utf-8', 'ignore')}_{tail}"
 
 
-def submission(name, found, topics):
-    """The newest file of each lab that a student has handed in."""
+def submission(name, found, topics, groups):
+    """The newest file of each lab that a student has handed in. groups {path: its group}."""
     notes, every = [], []
     for sender, path in found:
         there = archives.labs_in(path, path.name, notes)
@@ -110,6 +113,8 @@ def submission(name, found, topics):
     used = [sender for sender, there in zip(senders, labs, strict=True)
             if any(there[topic] is taken[topic] for topic in there)] or senders
     last = max(used, key=lambda sender: sender.order)
+    group = next((groups[path] for sender, path in found if sender is last and path in groups), "")
     texts, missing = archives.texts_of(taken, topics, notes)
     return Submission(name, texts, missing, tuple(notes), last.identity, last.handed_in,
-                      any(sender.late for sender in used), archives.digest(whole))
+                      max((sender.late for sender in used), key=bool), archives.digest(whole),
+                      group)

@@ -149,7 +149,7 @@ def number(reached):
 
 def lateness(record):
     """LATE where the platform says so, and by how much, where that is known."""
-    return " ".join(filter(None, ["LATE" * record.work.late, record.lateness.late_by]))
+    return " ".join(filter(None, ["LATE" * bool(record.work.late), record.lateness.late_by]))
 
 
 def alike_part(pairs):

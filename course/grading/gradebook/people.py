@@ -1,0 +1,97 @@
+"""Who works together, and who has more time: people.csv.
+
+    student,group,due
+    4711,blue_9001,               4711 gets what blue_9001 handed in, as others of that group do
+    ada,,2026-11-29T23:59         an extension
+
+A student who handed in is named as in grades.csv, or by the platform's id or e-mail. A member of a
+group did not, and is named as in the roster.
+"""
+from typing import NamedTuple
+
+from ..handing.platforms import Identity
+from ..handing.submissions import tidy
+from . import lateness, sheets
+
+COLUMNS = ("student", "group", "due")
+
+
+class Person(NamedTuple):
+    """A line of people.csv."""
+
+    name: str          # as it stands there
+    group: str         # "": none
+    due: float | None  # seconds since 1970. None: as for all
+    where: str         # of the line, for a sentence
+
+
+def read(path, zone=None) -> list[Person]:
+    """The lines of people.csv. zone: of times that name none. ValueError names a wrong line."""
+    sheet = sheets.read(path)
+    if missing := [name for name in COLUMNS if name not in sheet.header]:
+        raise ValueError(f"{path} has no column {missing[0]}: its first line should be "
+                         f"{','.join(COLUMNS)}")
+    found = []
+    for row, line in zip(sheet.rows, sheet.lines, strict=True):
+        cells = dict(zip(sheet.header, map(str.strip, row), strict=False))
+        name, group, due = (cells[column] for column in COLUMNS)
+        where = f"{path}, line {line}"
+        if not name or not (group or due):
+            raise ValueError(f"{where}: give a student, and a group or a due time")
+        if any(one.name == name for one in found):
+            raise ValueError(f"{where}: {name} has a line above, too: put group and due into one")
+        when = lateness.moment(due, f"{where}:", zone).timestamp() if due else None
+        found.append(Person(name, group, when, where))
+    return found
+
+
+def names(handed_in) -> dict[str, str]:
+    """{what a student is called: the student of grades.csv}, if nobody else is called so."""
+    found = {}
+    for one in handed_in:
+        for name in {one.student, one.identity.id, one.identity.email} - {""}:
+            found.setdefault(name, set()).add(one.student)
+    return {name: next(iter(each)) for name, each in found.items() if len(each) == 1} | {
+        one.student: one.student for one in handed_in}
+
+
+def with_members(handed_in, people) -> list:
+    """The submissions, those of groups once for each member.
+
+    ValueError: a member has handed in alone, too.
+    """
+    known, groups = names(handed_in), {one.student: [] for one in handed_in}
+    taken = {name.casefold() for name in known}
+    for person in people:
+        if person.group in known:
+            student = tidy(person.name)
+            if taken & {person.name.casefold(), student.casefold()}:
+                raise ValueError(f"{person.where}: {person.name} is there alone, too: take one of "
+                                 "the two out")
+            taken.add(student.casefold())
+            groups[known[person.group]].append((student, Identity(
+                "people", person.name, person.name, person.name)))
+    return sorted((one for group in handed_in for one in members(group, groups[group.student])),
+                  key=lambda one: one.student)
+
+
+def members(group, found):
+    """The Submission of a group, as that of each member (student, Identity). Without any, as it is.
+    """
+    return [group._replace(student=student, group=group.student,
+                           identity=identity._replace(file=group.identity.file))
+            for student, identity in found] or [group]
+
+
+def due_times(handed_in, people) -> dict[str, float]:
+    """{student of grades.csv: when it is due for this one}."""
+    known = names(handed_in)
+    return {known[person.name]: person.due for person in people
+            if person.due is not None and person.name in known}
+
+
+def said(handed_in, people):
+    """Sentences on lines that fit nobody: they have not handed in, or are misspelt."""
+    known = names(handed_in)
+    return [f"{person.where}: nothing was handed in by {person.group or person.name}"
+            for person in people if person.name not in known]

@@ -1,0 +1,85 @@
+"""What an output folder remembers of how it was asked for."""
+import json
+import os
+import sys
+
+import pytest
+
+from course.grading.gradebook.book import Asked
+from course.grading.request import Request, recalled, remember
+
+
+@pytest.fixture
+def ask(tmp_path):
+    """ask(labs="1-2", due="...") -> (the whole request, what is said), then remembered."""
+    def asked(**options):
+        book = Asked(**{name: options.pop(name) for name in Asked._fields if name in options})
+        request, said = recalled(Request("in", tmp_path, book=book, **options))
+        remember(request)
+        return request, " ".join(said)
+
+    return asked
+
+
+def test_an_option_that_is_not_given_again_is_as_it_was(ask, tmp_path):
+    """A deadline, lateness or points by hand are gone after the next command, without a word."""
+    by_hand = tmp_path / "o.csv"
+    by_hand.touch()
+    first, said = ask(labs="1-2", extra=True, due="2026-11-22T23:59", late="10%/day",
+                      overrides=os.path.relpath(by_hand))
+    assert said == "" and first.seconds == 10
+    again, said = ask(grace="1h", seconds=4.0)
+    assert again == first._replace(seconds=4.0, book=first.book._replace(
+        grace="1h", overrides=str(by_hand)))
+    assert said == ("as in the last run: --labs 1,2 --extra --due 2026-11-22T23:59 --late 10%/day "
+                    f"--overrides {by_hand}")
+    third, _ = ask()
+    assert third.seconds == 4 and third.book.grace == "1h"
+
+
+def test_an_option_is_dropped_by_its_name(ask):
+    """Nobody can take a deadline back. Or a name is misspelt, and nothing is dropped."""
+    ask(due="2026-11-22T23:59", late="10%/day", seed=7)
+    dropped, _ = ask(drop="due,late")
+    assert (dropped.book.due, dropped.book.late, dropped.seed) == (None, None, 7)
+    assert ask()[0].book.due is None
+    for wrong in ("labs", "dew", "previous"):
+        with pytest.raises(ValueError, match=f"--drop {wrong}: no such option is remembered"):
+            ask(drop=f"due,{wrong}")
+
+
+def test_other_labs_do_not_go_into_the_same_folder(ask):
+    """The table of labs 1 to 3 becomes one of lab 1; or 1-2 and 1,2 are two things."""
+    ask(labs="1-2")
+    assert ask(labs="1,2")[0].labs == "1,2"
+    with pytest.raises(ValueError, match="holds grades of labs 1,2, and not of 1: name another"):
+        ask(labs="1")
+
+
+def test_a_file_that_has_gone_since_is_told(ask, tmp_path):
+    """The overrides of the last run count no more."""
+    (tmp_path / "o.csv").touch()
+    ask(overrides=str(tmp_path / "o.csv"))
+    (tmp_path / "o.csv").unlink()
+    with pytest.raises(ValueError, match="the last run's --overrides, is not there any more"):
+        ask()
+    assert ask(drop="overrides")[0].book.overrides is None
+
+
+def test_the_seed_is_drawn_kept_and_secret(ask, tmp_path):
+    """A seed that everybody knows: a submission finds its own, and runs the public checks."""
+    first, _ = ask()
+    assert first.seed >> 64 and ask()[0].seed == first.seed
+    assert ask(drop="seed")[0].seed not in (first.seed, 0)
+    assert "seed" not in ask()[1]
+    kept = tmp_path / "asked.json"
+    assert json.loads(kept.read_text())["seed"] >> 64
+    if sys.platform != "win32":
+        assert kept.stat().st_mode & 0o777 == 0o600
+
+
+def test_a_memory_that_cannot_be_read_is_no_empty_one(ask, tmp_path):
+    """A new seed is drawn, and everybody gets other random inputs."""
+    (tmp_path / "asked.json").write_text("{")
+    with pytest.raises(ValueError, match=r"asked.json cannot be read: restore it"):
+        ask()
