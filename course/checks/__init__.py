@@ -11,6 +11,7 @@ course/given/contract.py: a check gets arrays and numbers, never lists.
 
     pictures     of a mismatch
     showing      how values, calls and errors are shown
+    alarm        a limit on time
     assertions   what a check asserts
     retries      which inputs a wrong answer mixes up
     hints        which common mistake explains a wrong answer

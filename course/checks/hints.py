@@ -8,6 +8,7 @@ named only where a student's answer fails the same checks with the same numbers,
 import functools
 import hashlib
 import json
+import math
 import re
 from pathlib import Path
 from typing import NamedTuple
@@ -208,8 +209,13 @@ def count(returned):
     """How many numbers or letters were returned; TRUTHS truth values say as much as one number."""
     outputs = returned if isinstance(returned, tuple) else (returned,)
     return sum(count(output) if isinstance(output, tuple) else
-               np.size(output) // (TRUTHS if as_array(output).dtype == bool else 1)
+               size(output) // (TRUTHS if as_array(output).dtype == bool else 1)
                for output in outputs)
+
+
+def size(output):
+    """The numbers in an array. Its rows count as well: without numbers, they are lists still."""
+    return math.prod(max(n, 1) for n in np.shape(output))
 
 
 def fingerprint(nodeid, returned):

@@ -3,15 +3,14 @@ import contextlib
 import copy
 import functools
 import importlib
-import signal
 import sys
-import threading
 import types
 from pathlib import Path
 
 import pytest
 
 from ..given import contract, places
+from .alarm import at_most
 from .assertions import Mismatch
 from .showing import arguments, error_text
 
@@ -189,26 +188,12 @@ class Stopped(TimeoutError):
 
 
 def limited(function):
-    """The function, whose calls are stopped after SECONDS: Stopped, where they are just then.
-
-    There is no limit in another thread than the main one, and none on Windows.
-    """
-    def stop(*_):
-        raise Stopped(f"after {SECONDS:g} s; does a loop never end, or go over "
-                      "far too much?")
-
+    """The function, whose calls are stopped after SECONDS: Stopped, where they are just then."""
     @functools.wraps(function)
     def call(*args, **kwargs):
-        if not hasattr(signal, "setitimer") or (
-                threading.current_thread() is not threading.main_thread()):
+        with at_most(SECONDS, Stopped(f"after {SECONDS:g} s; does a loop never end, or go over "
+                                      "far too much?")):
             return function(*args, **kwargs)
-        before = signal.signal(signal.SIGALRM, stop)
-        signal.setitimer(signal.ITIMER_REAL, SECONDS)
-        try:
-            return function(*args, **kwargs)
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, before)
 
     call.is_repeatable = True  # here, in this process: a hint may try other inputs
     return call

@@ -12,7 +12,7 @@ import pytest
 
 from .. import exercises
 from ..given.gradcheck import gradcheck
-from . import loader, report
+from . import alarm, loader, report
 
 
 def pytest_addoption(parser):
@@ -40,7 +40,11 @@ def pytest_runtest_makereport(item, call):
         item.repr_failure = str  # pytest's own text takes 0.2 s, and would be replaced
     made = yield
     if mark and (made.when == "call" or not made.passed):
-        report.judge(item, call.excinfo and call.excinfo.value, made, mark)
+        try:
+            with alarm.at_most(alarm.OURS, TimeoutError(), of_processor=True):
+                report.judge(item, call.excinfo and call.excinfo.value, made, mark)
+        except Exception as error:  # of one check, and not the end of all
+            report.without_report(item, error, made, mark)
     return made
 
 

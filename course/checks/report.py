@@ -65,6 +65,14 @@ def judge(item, error, report, mark):
                                   ("again", "\n".join(commands(item, number)))])
 
 
+def without_report(item, error, report, mark):
+    """Set what `judge` sets, where that was not possible. The check has failed."""
+    report.outcome, report.longrepr = "failed", layout([("wrong", "what was returned cannot be "
+                                                         f"reported: {type(error).__name__}")])
+    report.check = Check(mark.args[0], item.nodeid, claim(item), "failed", report.longrepr, None,
+                         report.duration, is_fine_print(mark))._asdict()
+
+
 def verdict_and_rows(item, error, report, number):
     """The verdict on a check, and the rows that say why. One that did not run has failed."""
     if report.skipped or hasattr(report, "wasxfail") or (report.failed and error is None):

@@ -10,7 +10,7 @@ from submitted import other_solution
 
 from course import exercises
 from course.given import places
-from course.grading.apart import examination, sandbox, wire
+from course.grading.apart import answers, examination, sandbox, wire
 from course.grading.apart.examine import examine
 from course.grading.apart.jobs import Job
 
@@ -27,17 +27,18 @@ def folder_for_pictures(monkeypatch, tmp_path):
 @pytest.fixture(scope="module", autouse=True)
 def one_reference():
     """One worker answers for the reference in all examinations here: it loads for half a second."""
-    start, workers, closes = examination.Examination.start_reference, {}, []
+    opened, workers, closes = answers.Answers.opened, {}, []
 
     def shared(self):
-        if self.job.level not in workers:
-            worker = workers[self.job.level] = start(self)
+        level = self.start.__self__.job.level
+        if level not in workers:
+            worker = workers[level] = opened(self)
             closes.append(worker.close)
             worker.close = lambda: None
-        return workers[self.job.level]
+        return workers[level]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(examination.Examination, "start_reference", shared)
+        patch.setattr(answers.Answers, "opened", shared)
         yield
     for close in closes:
         close()
@@ -110,3 +111,24 @@ def test_graders_take_numbers_in_every_form(topic):
     """What `check` accepts, `grade` refuses: a list does not survive the way, or a warning does."""
     needed = asks(exercises.lab_number(topic))
     all_right(Job({topic: in_other_forms(topic)}, {}, LEVEL, extra=True, asks=needed))
+
+
+@pytest.mark.parametrize(("busy", "sentence"), [
+    ("course.checks.hints.fingerprint", "what was returned cannot be reported"),
+    ("course.checks.assertions.distances", "takes the grader more than")])
+def test_what_is_returned_may_not_keep_the_grader_busy(busy, sentence, monkeypatch):
+    """Values that are slow to compare or to report hold everybody up, outside of all limits. Or
+    the error ends the examination, and other exercises lose their points.
+    """
+    def spin(*_):
+        while True:
+            pass
+
+    monkeypatch.setattr(busy, spin)
+    monkeypatch.setattr("course.checks.alarm.OURS", 0.5)
+    text = exercises.read(exercises.reference("transforms"))
+    wrong = text.replace("return clip[..., :3] / clip[..., 3:]", "return clip[..., :3]")
+    result = examine(Job({"transforms": wrong}, {}, "process"))
+    entry, = (one for one in result.entries if one.verdict != "done")
+    assert result.problem is None and entry.number == "1.13"
+    assert sentence in " ".join(entry.checks[0].message.split())

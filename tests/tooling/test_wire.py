@@ -92,6 +92,7 @@ def frame(header, rest=b""):
     frame({"array": ["<f8", [-1]]}, bytes(8)), frame({"array": ["<f8", [True]]}, bytes(8)),
     frame({"array": ["<f8", [1.0]]}, bytes(8)), frame({"array": ["<f8", "1"]}, bytes(8)),
     frame({"array": ["<f8", [10**6] * 3]}), frame({"array": ["<f8", [0, 10**30]]}),
+    frame({"array": ["<f8", [1 << 23, 0]]}), frame({"array": ["<f8", [0, 1 << 12, 1 << 12]]}),
     frame({"array": ["<f8", [1] * 100]}, bytes(8)), frame({"array": [["<f8"], [1]]}, bytes(8)),
     frame({"complex": "ab"}), frame({"dict": [1]}),
     frame({"named": 3}), frame({"named": []}), frame({"named": ["test_wire.Paint"]}),

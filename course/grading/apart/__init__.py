@@ -10,6 +10,7 @@
     processes    what the system tells of processes
     labs         what a worker is sent of the course's labs
     sandbox      starts a worker, keeps its limits from outside, ends it, knows this machine
+    answers      the reference's, to a worker that asks; what all of it may take
     examination  the course's checks, with workers in the place of the labs
     jobs         what is examined, and what comes of it
     typed_json   these as JSON, between our own processes

@@ -1,6 +1,26 @@
 """The checks of a submission, with a worker in the place of the labs: a plugin of pytest.
 
-What comes from the worker is believed in nothing. The checks and the reference are trusted.
+What comes from the worker is believed in nothing. The checks and the reference are trusted. One
+call, where f calls g, an earlier exercise in whose place there is a stand-in:
+
+    check            Examination           worker                   Answers, a worker
+      |  impl.f(x)        |                   |                     with the reference
+      |------------------>|  call f, x        |                             |
+      |                   |------------------>|  f runs, and calls g:       |
+      |                   |  ask g, y         |  the stand-in asks          |
+      |                   |<------------------|                             |
+      |                   |  ask g, y: as it came, its bytes are counted    |
+      |                   |------------------------------------------------>|
+      |                   |  returned g(y)    |                             |
+      |                   |<------------------------------------------------|
+      |                   |------------------>|  f goes on                  |
+      |  what f returned  |  returned         |
+      |<------------------|<------------------|
+
+g is sound if all of its checks have passed, and it asked for nothing: then it has no stand-in, and
+the student's own g answers. In the place of `returned`, a stand-in may be told `own`: it has asked
+too much, and the student's own g answers from then on. Where a check itself calls g, to make the
+inputs of f, Examination asks the reference at once.
 """
 import contextlib
 import functools
@@ -13,11 +33,12 @@ from pathlib import Path
 import pytest
 
 from ... import exercises
-from ...checks import Mismatch, loader
+from ...checks import Mismatch, alarm, loader
 from ...checks.report import is_fine_print
 from ...checks.showing import cut, shown_frames
 from ...given.contract import UNFINISHED, mapped
 from . import sandbox, wire
+from .answers import Answers, Budget, may_ask
 from .labs import before_it, exercise_numbers, given_text, preloaded
 
 MESSAGES = {  # what a worker may say, and the types of what follows
@@ -27,9 +48,10 @@ QUESTION = re.compile(rb'.{4}\{"tuple": \["ask", "(\w{1,60})", "(\w{1,60})", ', 
 MOST_FRAMES = 40
 MOST_TEXT = 4000      # characters of an error, or of what a check prints
 MOST_STRING = 200     # of a string that a call returns, and no exercise does
-MOST_RECEIVED = 1 << 30  # bytes of all answers to a submission's examination
-LOOPS = 10            # loops name the same numbers again, so a submission may send more of them
-FEW = 10_000          # bytes that each exercise may send to what another one of its lab asks
+
+
+class TookTooLong(Exception):
+    """Our own work on what was returned."""
 
 
 class Examination:
@@ -40,23 +62,21 @@ class Examination:
 
     def __init__(self, job, labs):
         self.job = job
-        self.limits = job.limits
         self.topic = {exercise.number: topic for topic in labs for exercise in labs[topic]}
         self.twins = {exercise.number: exercise.twins for topic in labs for exercise in labs[topic]}
         self.earlier = {exercise.number: {before.name: before.number for before in found[:k]}
                         for found in labs.values() for k, exercise in enumerate(found)}
         self.checked = {}       # {exercise: whether all of its checks have passed}
-        self.asked = {}         # {exercise: {"topic.name": bytes}}: the reference was asked for
-        self.received = 0       # bytes
+        self.budget = Budget(job.limits)
+        self.answers = Answers(job.asks, self.topic, self.budget, self.start)
         self.printed = 0        # characters, by the check that runs now
-        self.worker = self.reference = None
+        self.worker = None
         self.opened = None      # the exercise that the worker serves now
         self.running = None     # the exercise whose check runs now
         self.missing = dict(job.missing)
         self.loaded = set()     # labs that were seen to load
         self.lost = {}
         self.spoilt = set()     # those of them that were lost in a check of the question
-        self.spent = dict.fromkeys((None, *self.topic), 0.0)  # seconds; None: of all exercises
         self.pictures = 0       # so many were drawn
         self.problem = None     # why this submission could not be examined at all
 
@@ -87,10 +107,22 @@ class Examination:
             kept = Path(picture).with_name(f"{self.pictures}.png")
             report.check["picture"] = str(Path(picture).rename(kept))
 
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_call(self):
+        """A check, and what it does with what was returned. That is our time, so it is limited."""
+        try:
+            with alarm.at_most(alarm.OURS, TookTooLong(), of_processor=True):
+                return (yield)
+        except TookTooLong:
+            self.lose(self.running, f"what it returned takes the grader more than {alarm.OURS:g} s "
+                      "to compare with what was expected", not self.is_fine_print)
+            raise Mismatch(("wrong", self.lost[self.running])) from None
+
     def pytest_sessionfinish(self):
         self.finish()
-        for worker in filter(None, (self.worker, self.reference)):
-            worker.close()
+        self.answers.close()
+        if self.worker:
+            self.worker.close()
 
     # --- calls
 
@@ -112,7 +144,8 @@ class Examination:
         try:
             if name in self.earlier[self.running]:
                 question = wire.encode(("ask", topic, name, args, kwargs))
-                return wire.decode(self.referred(topic, name, question), named_tuples())[1]
+                payload = self.answers.returned(self.running, topic, name, question)
+                return wire.decode(payload, named_tuples())[1]
             self.open(topic)
             message = self.exchange(("call", topic, name, args, kwargs))
             inputs = list(wire.arrays_in((args, tuple(kwargs.values()))))
@@ -162,7 +195,7 @@ class Examination:
 
     def is_sound(self, number):
         """Has an exercise passed all of its checks, without an answer of the reference?"""
-        return self.checked.get(number) and number not in (*self.asked, *self.lost)
+        return self.checked.get(number) and number not in (*self.answers.asked, *self.lost)
 
     def ran(self, check):
         """Did what was handed in answer this check?"""
@@ -170,29 +203,23 @@ class Examination:
 
     def exchange(self, message):
         """A message to the worker, and the one back. What it asks in between is answered."""
-        payload = self.timed(self.worker, wire.encode(message))
+        payload = self.budget.timed(self.running, self.worker, wire.encode(message))
         while question := QUESTION.match(payload):
             answer = self.answer(*(name.decode() for name in question.groups()), payload)
-            payload = self.timed(self.worker, answer)
+            payload = self.budget.timed(self.running, self.worker, answer)
         kind, *content = answer = self.worker.decoded(payload, named_tuples())
         types = MESSAGES.get(kind)
         if types is None or len(content) != len(types) or not all(map(isinstance, content, types)):
             raise sandbox.Lost("what it sent is no message")
         return answer
 
-    def timed(self, worker, *payloads):
-        """Payloads to a worker and one back, in the time that is left."""
-        for what, most, each in ((self.running, self.limits.exercise, "this exercise"),
-                                 (None, self.limits.submission, "all exercises")):
-            if self.spent[what] >= most:
-                raise sandbox.Lost(f"the {most:g} s for {each} are used up")
-        payload = worker.relay(min(self.limits.call, self.limits.exercise), *payloads)
-        self.received += len(payload)
-        if self.received > MOST_RECEIVED:
-            raise sandbox.Lost(f"all answers together have more than {MOST_RECEIVED >> 20} MB")
-        for what in (self.running, None):
-            self.spent[what] += worker.spent
-        return payload
+    def answer(self, topic, name, question):
+        """What the worker is told that asks for a function of the reference."""
+        own = self.topic[self.running]
+        if name not in may_ask(own, topic, self.earlier[self.running]):
+            raise sandbox.Lost(f"it asked for {topic}.{name}, which is not an earlier exercise")
+        return self.answers.answer(self.running, topic, name, question,
+                                   topic == own or topic in self.loaded)
 
     def outcome(self, topic, name, message, inputs):
         """What a call returned, its inputs changed where it changed them. Or raise what it did."""
@@ -224,64 +251,14 @@ class Examination:
             cut(f"{printable(error[:60])}: {text}".removesuffix(": ")),
             *shown_frames(shown)])))
 
-    # --- the reference's answers
-
-    def answer(self, topic, name, question):
-        """What a worker is told that asks for a function of the reference: as much as is needed."""
-        own = self.topic[self.running]
-        earlier = (self.earlier[self.running] if topic == own else
-                   exercise_numbers(topic) if topic in before_it(own) else {})
-        if name not in earlier:
-            raise sandbox.Lost(f"it asked for {topic}.{name}, which is not an earlier exercise")
-        asked = self.asked.setdefault(self.running, {})
-        asked[f"{topic}.{name}"] = asked.get(f"{topic}.{name}", 0) + wire.size(question)
-        if asked[f"{topic}.{name}"] <= self.allowed(f"{topic}.{name}"):
-            return self.referred(topic, name, question)
-        if topic == own or topic in self.loaded:
-            return wire.encode(("own",))
-        return wire.encode(("raised", "RuntimeError", f"{topic}.{name} is not needed here, or not "
-                            "so often, so the grader does not answer any more", (), ""))
-
-    def allowed(self, name):
-        """How many bytes of numbers the exercise that runs may send to "topic.name"."""
-        if self.job.asks is None:
-            return MOST_RECEIVED
-        own = self.topic[self.running]
-        of_lab = any(name in asks for number, asks in self.job.asks.items()
-                     if self.topic.get(number) == own)
-        return LOOPS * self.job.asks.get(self.running, {}).get(name, 0) + FEW * (
-            of_lab and not name.startswith(f"{own}."))
-
-    def referred(self, topic, name, question):
-        """What the reference returns, found out in a worker of its own.
-
-        Question and answer are passed on as they came: only the two workers look inside.
-        """
-        self.reference = self.reference or self.start_reference()
-        try:
-            return self.timed(self.reference, wire.encode(("relay", topic, name)), question)
-        except sandbox.Lost as lost:
-            self.reference.close()
-            self.reference = None
-            raise sandbox.Lost(f"in {topic}.{name}, which it asked for: {lost}") from None
-
     # --- workers
 
     def start(self):
         try:
-            return sandbox.Worker(self.job.level, self.limits)
+            return sandbox.Worker(self.job.level, self.job.limits)
         except (sandbox.Lost, OSError) as error:
             self.problem = f"no worker could be started: {error}"
             raise pytest.exit.Exception(self.problem) from None
-
-    def start_reference(self):
-        """A worker that answers for the reference. It serves all exercises, in one process."""
-        worker = self.start()
-        modules = tuple((topic, exercises.read(exercises.reference(topic)), ())
-                        for topic in exercises.topics())
-        opened = worker.exchange(("open", modules, ()), 60)
-        assert opened[0] == "opened", opened  # topics are loaded in the order of exercises.LABS
-        return worker
 
     def finish(self):
         """Let the worker end the exercise that it serves, and be ready for the next one."""
@@ -293,7 +270,7 @@ class Examination:
             self.worker.finish()
         except sandbox.Lost as lost:
             self.lose(number, f"at its end: {lost}", True)
-        self.spent[None] += time.monotonic() - began
+        self.budget.spend(None, time.monotonic() - began)
 
     def lose(self, number, why, in_the_question):
         self.lost[number] = why

@@ -33,8 +33,8 @@ def examine(job: Job) -> Result:
                else entry for entry in verdicts.entries(labs, numbers, {}, found)]
     problems += defects(labs, [check for check in found if examination.ran(check)], job.seed)
     problem = examination.problem or "\n".join(problems) or None
-    return Result(entries, examination.lost, examination.missing, examination.asked, problem,
-                  time.monotonic() - started)
+    return Result(entries, examination.lost, examination.missing, examination.answers.asked,
+                  problem, time.monotonic() - started)
 
 
 def defects(labs, found, seed):

@@ -23,6 +23,7 @@ import numpy as np
 MOST_BYTES = 1 << 24   # of a payload: twice what any exercise returns
 MOST_HEADER = 1 << 22  # of it
 MOST_ANSWER = 1 << 17  # of the header of a worker's answer, where numbers are in arrays
+MOST_EMPTY = 1 << 16    # rows of an array without numbers
 USUAL = 300            # bytes of a header that holds no numbers
 DTYPES = {name: np.dtype(name) for name in (
     "|b1", "|i1", "|u1", "<i2", "<u2", "<f2", "<i4", "<u4", "<f4", "<i8", "<u8", "<f8", "<c8",
@@ -184,6 +185,8 @@ def built_array(name, shape, rest):
     dtype = DTYPES.get(name)
     if dtype is None or not all(type(n) is int and 0 <= n <= MOST_BYTES for n in shape):
         raise Garbled("an array of a wrong type or shape")
+    if math.prod(max(n, 1) for n in shape) > max(math.prod(shape), MOST_EMPTY):
+        raise Garbled("an array of too many rows without numbers")
     size = dtype.itemsize * math.prod(shape)
     if size > len(rest[0]):
         raise Garbled("an array with fewer bytes than its shape says")
