@@ -254,9 +254,14 @@ def test_the_labs_folder_is_taken_and_nothing_of_ours(handed_in):
                          "old/transforms.py",)
 
 
-def test_line_ends_and_a_mark_for_utf_8_do_not_matter(handed_in):
-    """A file from Windows cannot be read, or has another hash."""
-    found = handed_in({"ada/transforms.py": "\ufeffx = 1\r\n", "bob/transforms.py": "x = 1\n"})
+@pytest.mark.parametrize("written", ["x = 1\r\ny = 2\r\n", "x = 1\ry = 2\r", "x = 1\ny = 2\r\n",
+                                     "\ufeffx = 1\ny = 2\n"], ids=ascii)
+def test_line_ends_and_a_mark_for_utf_8_do_not_matter(handed_in, written):
+    """A file from Windows has another hash; or one hash, and so one seed, has many texts, whose
+    line ends tell the code that reads them the answers of an earlier report.
+    """
+    found = handed_in({"ada/transforms.py": written, "bob/transforms.py": "x = 1\ny = 2\n"})
+    assert found["ada"].texts == found["bob"].texts == {"transforms": "x = 1\ny = 2\n"}
     assert found["ada"].digest == found["bob"].digest
 
 

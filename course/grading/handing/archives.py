@@ -69,13 +69,16 @@ def texts_of(labs, topics, notes) -> tuple[dict, dict]:
 
 
 def text_of(content):
-    """A lab's bytes, or the error that they gave -> its text."""
+    """A lab's bytes, or the error that they gave -> its text, whose lines all end with \\n.
+
+    It is all that the code can read of its own file, so it is what the hash is made of.
+    """
     if isinstance(content, ValueError):
         raise content
     if len(content) > MOST_TEXT:
         raise ValueError(f"has more than {MOST_TEXT >> 10} kB; a lab has a tenth of that")
     try:
-        return content.decode("utf-8-sig")
+        return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         raise ValueError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8") from None
 
