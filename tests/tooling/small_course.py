@@ -32,5 +32,5 @@ def grade_command(folder, *options, isolation="process"):
 
 def grades(out):
     """{student: row} of grades.csv."""
-    with open(out / "grades.csv", encoding="utf-8") as file:
+    with open(out / "grades.csv", encoding="utf-8-sig") as file:
         return {row["student"]: row for row in csv.DictReader(file)}

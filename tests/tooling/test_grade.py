@@ -79,7 +79,8 @@ def test_the_table_has_points_of_each_exercise(graded):
         "ann": [0, 0, 0, 0, 0, 10], "zed": [0, 0, 0, 0, 0, 10]}
     assert {row["isolation"] for row in table.values()} == {"process"}
     assert len({row["hash"] for row in table.values()}) == 5
-    assert table["zed"]["notes"] == "'-1.rar is no archive that can be read here: hand in a zip"
+    assert table["zed"]["notes"] == ("'-1.rar cannot be read (File is not a zip file): pack it "
+                                     "again as a zip")
 
 
 def test_the_level_is_stated_wherever_marks_are(graded):

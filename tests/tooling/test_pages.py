@@ -100,6 +100,12 @@ def test_the_class_s_page_says_how_many_are_still_to_be_graded():
     assert "1 of 3 submissions graded" in text and "2 are still to be graded" in text
 
 
+def test_the_median_of_an_even_class_is_between_two_students():
+    """Of two students, the better one's points."""
+    text = class_page(graded("ada"), graded("bob", {"Zero stays": "no"}))
+    assert section(text, "Distribution").startswith("median 2 of 3 points")
+
+
 def test_a_class_of_which_nothing_could_be_graded_has_a_page():
     """The median of nothing."""
     text = class_page(record(submission("ada"), result(problem="no worker could be started\nno")))

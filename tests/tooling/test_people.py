@@ -49,7 +49,7 @@ def test_a_group_s_points_go_to_each_member(read, tmp_path, name):
     points = {row[1]: row[7] for row in rows if row[1].isdecimal()}
     assert points == {"50101": "9", "50102": "9", "50103": "9", "50104": "", "50105": "",
                       "50199": ""}
-    replaced = tmp_path.joinpath("replaced.csv").read_text(encoding="utf-8").splitlines()
+    replaced = tmp_path.joinpath("replaced.csv").read_text(encoding="utf-8-sig").splitlines()
     assert replaced == ["name,in the roster,now", '"Kraus, Jürgen",3.00,9']
 
 

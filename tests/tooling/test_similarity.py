@@ -146,7 +146,7 @@ def test_the_page_marks_what_is_shared_and_escapes_the_rest(tmp_path, only_refer
     assert "    é = &#x27;&lt;/pre&gt;&lt;script&gt;&#x27;  # é &lt;b&gt;\n" in page
     assert page.count("<mark>for first, second in EDGES:</mark>") == 2
     assert "plagiar" not in page.lower() and "It takes no points" in page
-    with open(tmp_path / "similar.csv", encoding="utf-8") as file:
+    with open(tmp_path / "similar.csv", encoding="utf-8-sig") as file:
         row, = csv.DictReader(file)
     assert (row["student"], row["other student"]) == ("ada", "bob")
     assert int(row["nodes beyond what is forced"]) == pairs[0].nodes

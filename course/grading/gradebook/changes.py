@@ -73,6 +73,5 @@ def changed_by_hand(what, old, new):
 
 def by_hand(row, what):
     """What the column "by hand" says of an exercise, or None: 2.3: 2 by hand (why); 2.4: ..."""
-    found = re.search(rf"(?:^|\); ){re.escape(what)}: (.*?\))(?=; (?:\d+\.\d+|total|late): |$)",
-                      row.get("by hand", ""), re.DOTALL)
-    return found and found[1]
+    return dict(sentence.partition(": ")[::2]
+                for sentence in row.get("by hand", "").split("; ")).get(what)

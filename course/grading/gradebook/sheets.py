@@ -1,6 +1,7 @@
 """Tables as CSV: read as any spreadsheet or platform saves them, written so that all can read them.
 
-UTF-8 and UTF-16 are read, with commas, semicolons or tabs. UTF-8 is written.
+UTF-8 and UTF-16 are read, with commas, semicolons or tabs. UTF-8 is written, with a byte order
+mark: without one, Excel shows no umlauts.
 """
 import codecs
 import csv
@@ -58,7 +59,7 @@ def parsed(text, delimiter):
     return csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
 
 
-def written(rows, delimiter=",", newline="\n", has_bom=False) -> bytes:
+def written(rows, delimiter=",", newline="\n", has_bom=True) -> bytes:
     """Rows of cells -> the bytes of a file."""
     text = io.StringIO(newline="")
     csv.writer(text, delimiter=delimiter, lineterminator=newline).writerows(rows)
@@ -69,6 +70,11 @@ def plain(cell):
     """A cell that no spreadsheet takes for a formula, whoever wrote it."""
     begins = isinstance(cell, str) and cell.startswith(("=", "+", "-", "@", "\t", "\r"))
     return f"'{cell}" if begins else cell
+
+
+def in_one_cell(sentences) -> str:
+    """Sentences, with semicolons between them and nowhere else."""
+    return "; ".join(sentence.replace(";", ",") for sentence in sentences)
 
 
 def number_text(points) -> str:

@@ -18,6 +18,7 @@ def line(record: Record, exercises) -> dict:
     work, how, result = record.work, record.how, record.result
     return {
         "student": work.student, "name": work.identity.name,
+        "id": work.identity.id, "email": work.identity.email,
         **{f"{one.number} {one.name}": number_text(got.get(one.number)) for one in exercises},
         **sums("core", [one for one in exercises if not one.is_extra], got),
         **sums("extras", [one for one in exercises if one.is_extra], got),
@@ -26,11 +27,11 @@ def line(record: Record, exercises) -> dict:
         "of": sum(one.points for one in exercises),
         "handed in": record.lateness.handed_in, "late by": record.lateness.late_by,
         "after lateness": number_text(worth.after_lateness(record) if graded else None),
-        "by hand": "; ".join(worth.override_sentences(record)),
+        "by hand": sheets.in_one_cell(worth.override_sentences(record)),
         "fine print open": " ".join(worth.open_fine_print(record)),
         "isolation": how.level, "seconds": f"{result.seconds:.1f}", "seed": how.seed,
         "checks": how.checks, "hash": work.digest, "problem": result.problem or "",
-        "notes": "; ".join(work.notes)}
+        "notes": sheets.in_one_cell(work.notes)}
 
 
 def sums(title, exercises, got):

@@ -4,14 +4,13 @@ In a folder or an archive, labs/transforms.py comes before transforms.py, then t
 things that were handed in apart, the newest counts, for each lab.
 """
 import functools
-import gzip
 import hashlib
 import io
 import itertools
 import os
 import re
 import stat
-import tarfile
+import unicodedata
 import zipfile
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
@@ -19,20 +18,17 @@ from typing import NamedTuple
 from ... import exercises
 
 MOST_TEXT = 1 << 18      # bytes of one lab
-MOST_BYTES = 1 << 30     # of an archive; of a tar archive, when it is unzipped
-MOST_AT_ONCE = 1 << 23   # bytes that are read at once, such as an archive's list of files
-MOST_FILES = 100_000     # of a folder
-MOST_READS = 200_000     # of an archive, a few for each file
-MOST_ARCHIVES = 20       # of a folder: each may take seconds
+BUDGET = 1 << 23         # bytes that are read of what one student has handed in. Among these,
+EACH_ARCHIVE = 1 << 19   # an archive counts as so many more, for what is unpacked,
+EACH_FILE = 200          # and a file of a folder as it would in an archive's list of files
 DEEPEST = 40             # folders in folders
 PACKED = re.compile(r"(.+?)(\.tar)?\.(zip|tar|tgz|gz|rar|7z|bz2|xz|zst|tbz2?|txz)", re.I | re.S)
-ATTRIBUTES = (tarfile.XHDTYPE, tarfile.XGLTYPE, tarfile.SOLARIS_XHDTYPE, tarfile.GNUTYPE_LONGNAME,
-              tarfile.GNUTYPE_LONGLINK)  # entries of a tar archive that are no files
 NOT_THEIRS = {"reference", "tests", "notebooks", "experiments", "handed_out",  # ours, and programs'
               "__MACOSX", "__pycache__", "env", "node_modules", "site-packages", "venv"}
-COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*"  # transforms (1), transforms-2
-LAB = re.compile(r"(?:(.*?)[\W_]+)??(" + "|".join(sorted(exercises.TOPICS, key=len, reverse=True))
-                 + rf"){COPY}\.py", re.I | re.S)
+COPY = r"(?:[\s_-]*\(\d+\)|[\s_-]+(?:v?\d+|copy|kopie|copie))*+"  # transforms (1), transforms-2
+LAB = re.compile(r"(?:(.*?)(?<![\W_])[\W_]++)??((?a:"
+                 + "|".join(sorted(exercises.TOPICS, key=len, reverse=True))
+                 + rf")){COPY}\.py", re.I | re.S)
 
 
 class Lab(NamedTuple):
@@ -43,13 +39,26 @@ class Lab(NamedTuple):
     content: bytes | ValueError  # or why there is none
 
 
+class Budget:
+    """How many bytes of what one student has handed in may still be read."""
+
+    def __init__(self):
+        self.left = BUDGET
+
+    def pay(self, count):
+        self.left -= count
+        if self.left < 0:
+            raise ValueError("holds too many files, or comes after too many others, so neither it "
+                             "nor what is older was read: hand in one zip of labs/ alone")
+
+
 def read(path, topics) -> tuple[dict, dict, list]:
     """What one student has handed in -> (texts, missing, notes), and what is to be said of it.
 
     texts {topic: text}, missing {topic: sentence}, notes: sentences.
     """
     notes = []
-    labs = labs_in(Path(path), Path(path).name, notes)
+    labs = labs_in(Path(path), Path(path).name, notes, Budget())
     return *texts_of(labs, topics, notes), notes
 
 
@@ -69,13 +78,16 @@ def texts_of(labs, topics, notes) -> tuple[dict, dict]:
 
 
 def text_of(content):
-    """A lab's bytes, or the error that they gave -> its text."""
+    """A lab's bytes, or the error that they gave -> its text, whose lines all end with \\n.
+
+    It is all that the code can read of its own file, so it is what the hash is made of.
+    """
     if isinstance(content, ValueError):
         raise content
     if len(content) > MOST_TEXT:
         raise ValueError(f"has more than {MOST_TEXT >> 10} kB; a lab has a tenth of that")
     try:
-        return content.decode("utf-8-sig")
+        return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         raise ValueError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8") from None
 
@@ -133,6 +145,13 @@ def named_lab(name) -> tuple[str, str | None]:
     return before, match[2].lower()
 
 
+def looks_like(name) -> str | None:
+    """The topic of a lab for which a person would take a name that is none: tran\u017fforms.py"""
+    if name.isascii() or len(name) > 80 or named_lab(name)[1]:
+        return None
+    return named_lab(unicodedata.normalize("NFKC", name))[1]
+
+
 def topic_at(place):
     """The topic of the lab at a place in a folder or archive. None: it is not a student's lab."""
     folders = place.parts[:-1]
@@ -159,24 +178,33 @@ def chosen(entries, name, notes):
 
     name: of the folder or archive that they are in.
     """
-    best, there, others = {}, {}, []
+    there, others, alike = {}, [], {}
     for entry, when, content in entries:
-        place, entry = PurePosixPath(entry.replace("\\", "/")), quoted(entry)
+        place = PurePosixPath(entry.replace("\\", "/"))
         if topic := topic_at(place):
-            there.setdefault(topic, []).append(entry)
-            order = rank(place, topic, when)
-            if topic not in best or order < best[topic][0]:
-                best[topic] = order, Lab(when, entry, careful(content))
-        elif len(others) < 3:
+            there.setdefault(topic, []).append((rank(place, topic, when), entry, when, content))
+        else:
             others.append(entry)
-    labs = {topic: lab for topic, (_, lab) in best.items()}
-    for topic, lab in labs.items():
-        if left := [entry for entry in there[topic] if entry != lab.source]:
-            notes.append(f"{lab.source} was taken, not {few(left)}")
+            alike.setdefault(looks_like(place.name), entry)
+    labs = {}
+    for topic, found in there.items():
+        _, entry, when, content = min(found, key=lambda one: one[0])
+        labs[topic] = Lab(when, quoted(entry), careful(content))
+        notes += passed_over(entry, [other for _, other, *_ in found])
+    notes += [f"{quoted(entry)} only looks like {topic}.py: rename it"
+              for topic, entry in alike.items() if topic]
     if not labs:
         what = f"holds no lab, only {few(others)}" if others else "is empty"
         notes.append(f"{quoted(name)} {what}")
     return labs
+
+
+def passed_over(taken, names):
+    """Sentences on the files that could have been taken in place of this one."""
+    if (times := names.count(taken)) > 1:
+        yield f"{quoted(taken)} is there {times} times: the last one was taken, as unzip would do"
+    if left := [name for name in names if name != taken]:
+        yield f"{quoted(taken)} was taken, not {few(left)}"
 
 
 def newest(found, notes) -> dict[str, Lab]:
@@ -193,7 +221,8 @@ def newest(found, notes) -> dict[str, Lab]:
 
 
 def few(names):
-    return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""
+    return ", ".join(map(quoted, names[:3])) + more
 
 
 def careful(function):
@@ -209,52 +238,53 @@ def careful(function):
 # --- folders, archives, files -----------------------------------------------------------------
 
 
-def labs_in(path, name, notes) -> dict[str, Lab]:
+def labs_in(path, name, notes, budget) -> dict[str, Lab]:
     """{topic: Lab} of a folder, an archive or a file. notes: grows by what cannot be read."""
-    found = careful(functools.partial(found_in, path, name, notes))
+    if budget.left < 0:  # it has been said
+        return {}
+    found = careful(functools.partial(found_in, path, name, notes, budget))
     if isinstance(found, ValueError):  # one student's trouble is no other's
         notes.append(f"{quoted(name)} {printable(found)}")
         return {}
     return found
 
 
-def found_in(path, name, notes):
+def found_in(path, name, notes, budget):
     if path.is_dir() and not path.is_symlink():
-        return labs_in_folder(path, name, notes)
+        return labs_in_folder(path, name, notes, budget)
     when = os.lstat(path).st_mtime
     if topic := named_lab(path.name)[1]:
-        return {topic: Lab(when, quoted(name), careful(functools.partial(content_of, path)))}
-    with opened(path) as file:
+        content = careful(functools.partial(content_of, path, budget))
+        return {topic: Lab(when, quoted(name), content)}
+    with opened(path, budget) as file:
         if not PACKED.fullmatch(path.name):
             raise ValueError("is neither a lab nor an archive: hand in the zip that "
                              "python3 -m course pack makes")
-        labs = chosen(entries_of(file, when), name, notes)
+        budget.pay(EACH_ARCHIVE)
+        with zipfile.ZipFile(file) as archive:
+            labs = chosen(entries_of(archive, when), name, notes)
     return {topic: lab._replace(source=quoted(name)) for topic, lab in labs.items()}
 
 
-def labs_in_folder(folder, folder_name, notes):
-    """The labs of its files, and those of each archive in it."""
+def labs_in_folder(folder, folder_name, notes, budget):
+    """The labs of its files, and those of each archive in it, the newest first."""
     entries, archives = [], []
-    for name, path in files_in(folder):
+    for name, path in files_in(folder, budget):
+        when = os.lstat(path).st_mtime
         if PACKED.fullmatch(path.name):
-            archives.append((name, path))
+            archives.append((-when, name, path))
         else:
-            entries.append((name, os.lstat(path).st_mtime, functools.partial(content_of, path)))
-    if len(archives) > MOST_ARCHIVES:
-        raise ValueError(f"holds more than {MOST_ARCHIVES} archives: hand in one zip")
+            entries.append((name, when, functools.partial(content_of, path, budget)))
     found = [chosen(entries, folder_name, notes)] if entries or not archives else []
-    found += [labs_in(path, name, notes) for name, path in archives]
+    found += [labs_in(path, name, notes, budget) for _, name, path in sorted(archives)]
     return newest(found, notes)
 
 
-def files_in(folder):
+def files_in(folder, budget):
     """Yield (name, path) of a folder's files. Links are not followed."""
-    count = 0
     for parent, folders, files in os.walk(folder, onerror=fail):
         folders[:] = sorted(name for name in folders if not is_not_theirs(name))
-        count += len(files)
-        if count > MOST_FILES:
-            raise ValueError(f"holds more than {MOST_FILES} files: hand in labs/ alone")
+        budget.pay(EACH_FILE * len(files))
         for file in sorted(files):
             yield Path(parent, file).relative_to(folder).as_posix(), Path(parent, file)
 
@@ -263,50 +293,38 @@ def fail(error):
     raise error
 
 
-class Guarded:
-    """A file that no archive can make us read for hours, or into all of the memory."""
+class Paid(io.BufferedReader):
+    """A file of which no more is read than a budget allows, whatever an archive says of itself."""
 
-    reads = 0
+    def __init__(self, path, budget):
+        super().__init__(io.FileIO(path))
+        self.budget = budget
 
     def read(self, size=-1):
-        self.reads += 1
-        size = MOST_AT_ONCE >> 6 if size is None or size < 0 else size  # zip: the end of the file
-        if size > MOST_AT_ONCE or self.reads > MOST_READS or self.tell() > MOST_BYTES:
-            raise ValueError("holds too much: hand in a zip of labs/ alone")
-        return super().read(size)
+        most = max(0, self.budget.left) + 1
+        content = super().read(min(size, most) if size >= 0 else most)
+        self.budget.pay(len(content))
+        return content
 
 
-class Plain(Guarded, io.BufferedReader):
-    pass
-
-
-class Unzipped(Guarded, gzip.GzipFile):
-    pass
-
-
-def opened(path):
+def opened(path, budget):
     """A regular file, opened. A link is not followed."""
     if not stat.S_ISREG(os.lstat(path).st_mode):
         raise ValueError("is not a file but a link or the like: put the file there")
-    return Plain(io.FileIO(path))
+    return Paid(path, budget)
 
 
-def content_of(path):
-    with opened(path) as file:
+def content_of(path, budget):
+    with opened(path, budget) as file:
         return file.read(MOST_TEXT + 1)
 
 
-def entries_of(file, when):
-    """Yield what `chosen` takes, of a zip or tar archive. The content tells which one it is."""
-    start = file.read(4)
-    file.seek(0)
-    if start[:2] != b"PK":
-        yield from tar_entries(Unzipped(fileobj=file) if start[:2] == b"\x1f\x8b" else file, when)
-        return
-    with zipfile.ZipFile(file) as archive:
-        for entry in archive.infolist():
-            if not entry.is_dir():
-                yield entry.filename, when, functools.partial(zip_entry, archive, entry)
+def entries_of(archive, when):
+    """Yield what `chosen` takes. Of entries of one name, the content is the last one's."""
+    for name in archive.namelist():
+        entry = archive.getinfo(name)
+        if not entry.is_dir():
+            yield name, when, functools.partial(zip_entry, archive, entry)
 
 
 def zip_entry(archive, entry):
@@ -318,30 +336,3 @@ def zip_entry(archive, entry):
         raise ValueError("is encrypted or packed in an unusual way: make a plain zip")
     with archive.open(entry) as file:
         return file.read(MOST_TEXT + 1)
-
-
-def tar_entries(file, when):
-    """The files of a tar archive. TarFile would follow what headers say, for hours where they lie.
-
-    Long names and other attributes stand in entries of their own, which are passed over.
-    """
-    while any(header := file.read(tarfile.BLOCKSIZE)):
-        try:
-            entry = tarfile.TarInfo.frombuf(header, "utf-8", "surrogateescape")
-        except tarfile.HeaderError:
-            raise ValueError("is no archive that can be read here: hand in a zip") from None
-        start = file.tell()
-        if not 0 <= entry.size <= MOST_BYTES - start:
-            raise ValueError("holds too much: hand in a zip of labs/ alone")
-        if entry.type not in (tarfile.DIRTYPE, *ATTRIBUTES):
-            yield entry.name, when, functools.partial(tar_entry, file, entry)
-        file.seek(start - -entry.size // tarfile.BLOCKSIZE * tarfile.BLOCKSIZE)
-
-
-def tar_entry(file, entry):
-    if entry.type not in (tarfile.REGTYPE, tarfile.AREGTYPE):
-        raise ValueError("is not a file in the archive but a link or the like: put the file there")
-    content = file.read(min(entry.size, MOST_TEXT + 1))
-    if len(content) < min(entry.size, MOST_TEXT + 1):
-        raise ValueError("ends too early in the archive: make a new zip")
-    return content

@@ -49,6 +49,7 @@ def read(folder, topics, zone=None) -> tuple[list[Submission], list]:
                          + "".join(f"\n{name}: {sentence}" for name, sentence in not_understood))
     names, senders = distinct(found), Counter(path for each in found.values() for _, path in each)
     groups = {path: path.name for path, count in senders.items() if count > 1}
+    print(f"reading {len(found)} submissions", flush=True)
     return [submission(names[student], found[student], topics, groups)
             for student in sorted(found)], not_understood
 
@@ -101,9 +102,10 @@ def cut_name(name, student):
 
 def submission(name, found, topics, groups):
     """The newest file of each lab that a student has handed in. groups {path: its group}."""
-    notes, every = [], []
+    notes, every, budget = [], [], archives.Budget()
+    found = sorted(found, key=lambda one: one[0].order, reverse=True)
     for sender, path in found:
-        there = archives.labs_in(path, path.name, notes)
+        there = archives.labs_in(path, path.name, notes, budget)
         every.append({topic: lab._replace(when=(sender.order, lab.when))
                       for topic, lab in there.items()})
     labs = [{topic: lab for topic, lab in there.items() if topic in topics} for there in every]

@@ -7,7 +7,7 @@ import re
 import statistics
 
 from ...checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
-from ..gradebook.sheets import number_text
+from ..gradebook.sheets import in_one_cell, number_text
 from ..gradebook.worth import after_lateness, is_graded, override_sentences, points, total
 from ..handing.submissions import tidy
 from .report import is_of_the_lab, missing
@@ -85,7 +85,7 @@ def distribution(graded, exercises):
     totals = [*map(total, graded)]
     counts = collections.Counter(min(9, int(10 * reached // max(of, 1))) for reached in totals)
     return "\n".join([
-        paragraph(f"median {number_text(statistics.median_high(totals))} of {of} points"),
+        paragraph(f"median {number_text(statistics.median(totals))} of {of} points"),
         rows([[f"{10 * tenth} to {10 * tenth + 10} %", counts[tenth],
                bar(counts[tenth], max(counts.values()))] for tenth in range(10)])])
 
@@ -128,10 +128,10 @@ def everybody(records, exercises):
         "handed in": lambda record: record.lateness.handed_in.replace("T", " "),
         "late": lateness,
         "points left": lambda record: number(after_lateness(record)) if lateness(record) else "",
-        "by hand": lambda record: "; ".join(override_sentences(record)),
+        "by hand": lambda record: in_one_cell(override_sentences(record)),
         "seed": lambda record: str(record.how.seed),
         "problem": lambda record: first_line(record.result.problem or ""),
-        "notes": lambda record: "; ".join(record.work.notes)}
+        "notes": lambda record: in_one_cell(record.work.notes)}
     table = {head: [cell(record) for record in records] for head, cell in columns.items()}
     table = {head: cells for head, cells in table.items() if any(cell != "" for cell in cells)}
     return list(zip(*table.values(), strict=True)), list(table)
