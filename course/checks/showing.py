@@ -14,6 +14,7 @@ from ..given.contract import as_array
 COLUMNS, LABEL = 80, 10  # of a report; of these, its labels take up
 MOST_NUMBERS = 36  # shown of an array; a larger one is shortened
 MOST_LINES = 12    # shown of an error's text, of frames, of printed output
+MOST_QUOTED = 200  # characters shown of a line of code: one can be as long as a file
 KIND_NAMES = {"b": "booleans", "i": "integers", "u": "integers", "f": "floats",
               "c": "complex numbers", "U": "strings"}  # by NumPy's dtype.kind
 
@@ -115,7 +116,7 @@ def error_text(error, code) -> str:
     lines += shapes_there(error.__traceback__, frames[-1]) if frames else []
     if isinstance(error, SyntaxError):
         where = f"{places.shown_path(error.filename)}:{error.lineno}"
-        lines += [f"{where}\n    {(error.text or '').strip()}"]
+        lines += [f"{where}\n    {quoted(error.text)}"]
         return "\n".join([f"{type(error).__name__}: {error.msg}", *lines])
     plain = not lines and isinstance(error, AssertionError | pytest.fail.Exception)
     text = str(error) if plain else f"{type(error).__name__}: {error}".removesuffix(": ")
@@ -127,7 +128,7 @@ def shapes_there(trace, last):
     frames = [frame for frame, line in traceback.walk_tb(trace)
               if (frame.f_code.co_filename, line) == (last.filename, last.lineno)]
     known = frames[-1].f_locals
-    names = dict.fromkeys(re.findall(r"(?<![.\w])[A-Za-z_]\w*", last.line))
+    names = dict.fromkeys(re.findall(r"(?<![.\w])[A-Za-z_]\w*", quoted(last.line)))
     shapes = [f"{name} {shape_name(known[name])}" for name in names
               if isinstance(known.get(name), np.ndarray)]
     return [f"    there: {', '.join(shapes)}"] if shapes else []
@@ -138,9 +139,16 @@ def cut(text):
     return "\n".join(lines[:MOST_LINES] + ["..."] * (len(lines) > MOST_LINES))
 
 
+def quoted(line):
+    """A line of code, as far as it is shown. None: it is not there any more."""
+    line = (line or "").strip()
+    return line[:MOST_QUOTED] + "..." * (len(line) > MOST_QUOTED)
+
+
 def shown_frames(frames):
     """(file, line, function, its text) of each call -> lines, the first and last of many."""
-    lines = [f"{file}:{line} in {function}\n    {text}" for file, line, function, text in frames]
+    lines = [f"{file}:{line} in {function}\n    {quoted(text)}"
+             for file, line, function, text in frames]
     if len(lines) > MOST_LINES:
         lines[4:-4] = [f"... {len(lines) - 8} more calls ..."]
     return lines
