@@ -197,6 +197,9 @@ def polygon_area(polygon):
     >>> polygon_area(np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]]))
     np.float64(6.0)
     """
+    polygon = np.asarray(polygon)
+    if not polygon.size:  # perhaps [], which has no x and y
+        return np.zeros(polygon.shape[:-2])
     # From one of its own points: far from the origin, x_n y_(n+1) is large, and the area is not.
     x, y = np.moveaxis(polygon - polygon[..., :1, :], -1, 0)
     return (x * np.roll(y, -1, -1) - np.roll(x, -1, -1) * y).sum(-1) / 2

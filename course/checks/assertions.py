@@ -89,14 +89,13 @@ def compare(got, expected, rows, kinds, agrees, allowed, picture=False):
     if isinstance(expected, tuple):
         compare_outputs(got, expected, rows, kinds, agrees, allowed)
         return
+    if is_nothing(got, expected):
+        return
     rows = [*rows, ("expected", shown(expected)), ("got", shown(got))]
     require_kind(got, expected, rows, kinds)
     got, expected = as_array(got), np.asarray(expected)
     compared = Compared(got, expected, agrees, picture)
-    if got.shape != expected.shape:
-        raise Mismatch(*rows, ("differs", f"in shape: {shape_name(got)} came, "
-                                          f"{shape_name(expected)} was expected"),
-                       compared=compared)
+    require_shape(compared, rows)
     wrong = ~np.asarray(agrees(got, expected))
     if not wrong.any():
         return
@@ -117,12 +116,27 @@ def compare_outputs(got, expected, rows, *how):
         compare(*pair, [*rows, ("output", f"{number} of {len(expected)}")], *how)
 
 
+def is_nothing(got, expected):
+    """Is it [] where an array without numbers is expected? What was never filled has no columns."""
+    return np.size(expected) == 0 and as_array(got).shape == (0,)
+
+
 def require_kind(got, expected, rows, kinds):
     """Mismatch unless got is of a kind that may come where expected's kind is expected."""
     __tracebackhide__ = True
     if as_array(got).dtype.kind not in kinds[np.asarray(expected).dtype.kind]:
         raise Mismatch(*rows, ("differs", f"in kind: {kind_name(got)} came, "
                                           f"{kind_name(expected)} were expected"))
+
+
+def require_shape(compared, rows):
+    """Mismatch unless got has the shape of what is expected."""
+    __tracebackhide__ = True
+    got, expected, *_ = compared
+    if got.shape != expected.shape:
+        raise Mismatch(*rows, ("differs", f"in shape: {shape_name(got)} came, "
+                                          f"{shape_name(expected)} was expected"),
+                       compared=compared)
 
 
 def drawn(compared, wrong, rows):

@@ -5,7 +5,8 @@
               NamedTuples of given code are such tuples, and their names may be used. An exercise
               leaves what it is given as it is.
     Returned  the right numbers, in any form: a list in place of an array, an array of the shape ()
-              in place of a number, any memory order, any type that holds the numbers exactly.
+              in place of a number, [] in place of any array without numbers, any memory order, any
+              type that holds the numbers exactly.
               Several outputs are a tuple. In place of a NamedTuple a plain tuple will do.
     Warnings  do not count.
     To do     An exercise that is not written yet raises NotImplementedError, see UNFINISHED.

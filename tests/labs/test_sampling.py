@@ -420,8 +420,8 @@ def test_crossings_lie_on_edge_and_line(impl, rng):
 
 @exercise("3.12")
 def test_all_or_nothing_stays(impl):
-    """A polygon that is not cut changes. Where nothing is left, the shape is not (0, 2). An empty
-    polygon ends in an error.
+    """A polygon that is not cut changes. Where nothing is left, something stays. An empty polygon
+    ends in an error.
     """
     assert_polygon(impl.clip_polygon(SQUARE, 1.0, 0.0, 1.0), SQUARE)
     assert_polygon(impl.clip_polygon(SQUARE, 1.0, 0.0, -9.0), np.zeros((0, 2)))

@@ -76,7 +76,7 @@ def clip_polygon(polygon, a, b, c):
             kept.append((f * p - e * q) / (f - e))
         if f >= 0:
             kept.append(q)
-    return np.array(kept, float).reshape(-1, 2)
+    return np.array(kept)  # perhaps []
 
 
 def polygon_area_backward(grad_area, polygon):

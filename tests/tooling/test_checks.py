@@ -14,7 +14,7 @@ from PIL import Image
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
 from course.checks.loader import Implementation
 from course.checks.pictures import GAP
-from course.checks.showing import layout, shown, shown_call, typed
+from course.checks.showing import error_text, layout, shown, shown_call, typed
 from course.given import contract, places
 
 
@@ -45,7 +45,7 @@ def pictures(tmp_path, monkeypatch):
     (math.inf, math.inf), (np.array([math.nan, 1]), np.array([math.nan, 1])),
     ((1.0, [2, 3]), (1, np.array([2.0, 3.0]))), ([1.0, 2.0], (1.0, 2.0)),
     (np.zeros((0, 3)), np.zeros((0, 3))), (1 + 2j, 1 + 2j), (1, 1 + 0j), (True, True),
-    ((1, (2, 3)), (1, (2, 3))),
+    ((1, (2, 3)), (1, (2, 3))), ([], np.zeros((0, 3))),
 ], ids=repr)
 def test_close_accepts(got, expected):
     """A right answer is refused because it came as a list, an integer or a float32."""
@@ -59,6 +59,8 @@ def test_close_accepts(got, expected):
     (1.0, math.nan, "by inf; allowed"),
     (np.ones(3), np.ones((1, 3)), "in shape: (3,) came, (1, 3) was expected"),
     (np.ones(1), 1.0, "in shape: (1,) came, () was expected"),
+    (np.zeros((0, 2)), np.zeros((0, 3)), "in shape: (0, 2) came, (0, 3) was expected"),
+    ([], np.ones((1, 3)), "in shape: (0,) came, (1, 3) was expected"),
     (1 + 0j, 1.0, "in kind: complex numbers came, floats were expected"),
     (True, 1.0, "in kind: booleans came, floats were expected"),
     ("1.0", 1.0, "in kind: strings came, floats were expected"),
@@ -93,6 +95,7 @@ def test_tolerances_are_those_that_were_given():
 @pytest.mark.parametrize(("got", "expected"), [
     (1, 1), (np.int32(1), 1), (True, True), ("nearest", "nearest"), ((1, "a"), (1, "a")),
     (np.array([1, -1]), [1, -1]), (0.1, 0.1), (np.array([math.nan, 1.0]), [math.nan, 1.0]),
+    ([], np.zeros((0, 3), int)),
 ], ids=repr)
 def test_equal_accepts(got, expected):
     """A right answer is refused."""
@@ -531,6 +534,19 @@ def test_an_input_can_be_pasted(value):
     """[0.5 2.0] is no Python, and [0.5, 2.0] no array."""
     pasted = eval(typed(value), {"np": np, "Paint": Paint})
     assert repr(pasted) == repr(value)
+
+
+@pytest.mark.parametrize("line", [
+    "x = '" + "1 + " * 50_000, "; ".join(["import numpy as np", *(
+        f"array_{k} = np.ones({k})" for k in range(5000)), "1 / 0"])], ids=["syntax", "error"])
+def test_of_a_line_as_long_as_a_file_the_beginning_is_quoted(tmp_path, line):
+    """One line of 200 kB, in each of its failing checks, makes a report of megabytes."""
+    path = tmp_path / "transforms.py"
+    path.write_text(line, "utf-8")
+    with pytest.raises((SyntaxError, ZeroDivisionError)) as error:
+        exec(compile(line, path, "exec"), {})
+    said = error_text(error.value, tmp_path)
+    assert line[:200] in said and len(said) < 1500
 
 
 def test_random_numbers_depend_on_check_and_seed_and_on_nothing_else(course, run_here):
