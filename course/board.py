@@ -36,7 +36,7 @@ def check(target: str | None = None, implementation: str = "labs", json_file: st
     implementation: labs, reference, or a folder with files like those in labs/.
     json_file: the board is written there, too. pictures: opens what failed, see `open_pictures`.
     extra: extras that are closed are checked as well. spine: its exercises alone are checked.
-    -> 0 if all that was asked for is done, else 1.
+    -> 0 if all that was asked for is done, and nothing of it would be lost in grading, else 1.
     ValueError: there is no such target or folder, or it is an extra that is not open.
     """
     found = verdicts.run(target, implementation, seed, extra, spine)
@@ -46,7 +46,7 @@ def check(target: str | None = None, implementation: str = "labs", json_file: st
         open_pictures(found.asked, seed)
     if json_file:
         places.write_whole(json_file, verdicts.as_json(found.asked).encode("utf-8"))
-    return int(bool(found.problems) or not found.all_is_done)
+    return int(bool(found.problems or found.losses) or not found.all_is_done)
 
 
 def below(found, target, implementation, seed, spine):
@@ -60,6 +60,7 @@ def below(found, target, implementation, seed, spine):
         yield all_done(found.asked, spine)
     if not found.broken and any(entry.told != "done" for entry in found.asked):
         yield next_to_do(found.needed, implementation, seed)
+    yield from found.losses
 
 
 def watch(target: str | None = None, implementation: str = "labs", **options) -> NoReturn:

@@ -52,6 +52,7 @@ TOPICS = tuple(itertools.chain(*LABS))
 
 GIVEN = (  # what labs import of course.given
     "mesh", "inputs", "distances", "ray_casting", "places", "compiled")
+WITHOUT_EFFECT = "matplotlib", "mpl_toolkits"  # where labs are graded, these do nothing
 OPEN = ", open"  # the end of an opened extra's mark
 MARK = re.compile(r"# (?:exercise|(extra)) ([1-9]\d*\.[1-9]\d*) \((\d+) points?\)"
                   rf"(?(1)({OPEN})?|(, spine)?)")
@@ -279,23 +280,30 @@ def calls(text: str, names: Iterable[str]) -> dict[str, tuple[str, ...]]:
     return {name: reached(name) for name in names}
 
 
-def foreign_imports(text: str) -> list[tuple[int, str]]:
-    """[(line, module)] of imports that a worker does not have. None where it is not Python."""
+def foreign_imports(text: str) -> list[tuple[int, str, bool]]:
+    """[(line, module, is it at the top, so that nothing works without)] of imports that a worker
+    does not have. [] where the text is not Python.
+    """
     try:
-        nodes = list(ast.walk(ast.parse(text)))
+        whole = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return []
-    found = [(node.lineno, alias.name) for node in nodes if isinstance(node, ast.Import)
-             for alias in node.names]
-    folders = "course", "course.given"
-    found += [(node.lineno, f"{node.module}.{alias.name}" if node.module in folders
-               else node.module)
-              for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0
-              for alias in node.names]
-    packages = {"numpy", "scipy", *sys.stdlib_module_names}
+    found = [(node.lineno, module, node in whole.body)
+             for node in ast.walk(whole) for module in imported(node)]
+    packages = {"numpy", "scipy", *WITHOUT_EFFECT, *sys.stdlib_module_names}
     modules = {"course", "course.given", *(f"course.given.{name}" for name in GIVEN)}
-    return [(line, module) for line, module in dict.fromkeys(found)
+    return [(line, module, at_the_top) for line, module, at_the_top in dict.fromkeys(found)
             if module.partition(".")[0] not in packages and module not in modules]
+
+
+def imported(node):
+    """The modules that a node of a syntax tree imports from elsewhere than from its folder."""
+    if isinstance(node, ast.Import):
+        return [alias.name for alias in node.names]
+    if not isinstance(node, ast.ImportFrom) or node.level:
+        return []
+    return [f"{node.module}.{alias.name}" if node.module in ("course", "course.given")
+            else node.module for alias in node.names]
 
 
 def text_lines(text: str) -> list[str]:

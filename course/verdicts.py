@@ -12,6 +12,7 @@ from . import exercises
 from .checks.loader import folder
 from .checks.report import Check
 from .checks.runner import run_checks
+from .checks.showing import plural
 from .given import places
 
 KEYS = "number", "name", "topic", "points", "extra", "verdict"  # of an Entry, and in its JSON
@@ -44,6 +45,7 @@ class Found(NamedTuple):
     broken: dict[str, str]   # {topic: what is wrong with its file} where Python cannot read it
     problems: list[str]      # sentences on checks that cannot be trusted
     warnings: list[str]      # sentences on what is not there where labs are graded
+    losses: list[str]        # those on what costs a whole file's points there
 
     @property
     def all_is_done(self) -> bool:
@@ -69,7 +71,7 @@ def run(target: str | None, implementation: str, seed: int, extra: bool = False,
                                   needed, implementation, seed)
     board = entries(labs, needed, called, checks, broken)
     return Found([entry for entry in board if entry.number in asked], board, closed, broken,
-                 problems, list(foreign_imports(labs, code)))
+                 problems, *foreign_imports(labs, code))
 
 
 def closed_extras(labs, code):
@@ -104,14 +106,19 @@ def not_python(labs, code):
 
 
 def foreign_imports(labs, code):
-    """Sentences on imports that are not there where labs are graded."""
-    for topic in labs:
+    """(warnings, losses): sentences on imports that are not there where labs are graded."""
+    warnings, losses = [], []
+    for topic, lab in labs.items():
+        path, worth = code / f"{topic}.py", sum(one.points for one in lab if not one.is_extra)
         with contextlib.suppress(OSError, UnicodeDecodeError):
-            path = code / f"{topic}.py"
-            for line, module in exercises.foreign_imports(exercises.read(path)):
-                yield (f"{places.shown_path(path)}, line {line}: {module} is not there when your "
-                       "labs are graded; import numpy, scipy, Python's own library and what was "
-                       "imported already")
+            for line, module, at_the_top in exercises.foreign_imports(exercises.read(path)):
+                costs = at_the_top and worth
+                so = f", so this file would lose all its {plural(worth, 'point')}" if costs else ""
+                (losses if costs else warnings).append(
+                    f"{places.shown_path(path)}, line {line}: {module} is not there when your labs "
+                    f"are graded{so}; import numpy, scipy, Python's own library and what was "
+                    "imported already")
+    return warnings, losses
 
 
 def called_exercises(labs, code, closed=()):

@@ -24,12 +24,12 @@ HOSTILE = Path(__file__).parent / "hostile"
 # Of 7 points, 1 for double, 2 for quadruple, 4 for split. Most attack double, so 6 are deserved.
 OTHER_POINTS = {
     0: {"exits_at_import", "exits_hard_at_import", "endless_import", "imports_the_reference",
-        "syntax_error", "deep_source", "missing_package", "matplotlib"},
+        "syntax_error", "deep_source", "missing_package"},
     2: {"asks_beside_the_point"},
     4: {"not_started", "asks_for_its_own_answer", "sets_attributes", "asks_much",
         "memory_between_questions"},
     5: {"left_files"},
-    7: {"honest", "output_flood", "thread", "daemon", "kills_by_number",
+    7: {"honest", "matplotlib", "output_flood", "thread", "daemon", "kills_by_number",
         "exits_hard_at_exit",  # all that it returned is right; how it ends does not matter
         "kills_its_parent"},   # the first process of a sandbox can't be killed from inside
 }

@@ -2,6 +2,7 @@
 
     worker       in the sandbox: the process that runs it, alone with NumPy and SciPy
     confine      in the sandbox: what that gives up before it loads what was handed in
+    finders      in the sandbox: what may be imported
     wire         on both sides: values as bytes, and back with nothing believed
     probe        in the sandbox: tries what must not work
     seccomp      the system calls that a worker may make

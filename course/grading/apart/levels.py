@@ -21,7 +21,7 @@ from . import seccomp
 
 LEVELS = ("strict", "process")
 WORKER = Path(__file__).with_name("worker.py")
-NEIGHBOURS = "worker.py", "confine.py", "wire.py"
+NEIGHBOURS = "worker.py", "confine.py", "finders.py", "wire.py"
 PACKAGES = Path(np.__file__).parent.parent
 SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache",
           "/etc/alternatives")  # Debian links libblas through it
