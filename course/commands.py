@@ -135,6 +135,7 @@ def pack(asked):
     option("folder", metavar="DIR", help="a new folder"),
     option("--labs", metavar="1-4", help="hand out these labs; without, all of them"),
     option("--solutions", metavar="1-2", help="and the reference of these"),
+    option("--after", metavar="1", help="only what these labs add to a hand-out of those"),
     option("--extra", action="store_true", help="with the extras open, too"),
     option("--spine", action="store_true",
            help="the spine alone: what a week holds, the rest complete"))
@@ -142,7 +143,8 @@ def handout(asked):
     """Write what students get to a folder: no solutions but those released."""
     import course.grading.handing.handout
     return course.grading.handing.handout.run(asked.folder, asked.labs, asked.solutions,
-                                              extra=asked.extra, spine=asked.spine)
+                                              extra=asked.extra, spine=asked.spine,
+                                              after=asked.after)
 
 
 @command(option("labs", metavar="LABS", help="of these labs, as in 1-2"),

@@ -197,6 +197,45 @@ def test_nothing_is_overwritten(tmp_path):
         handout.run(tmp_path)
 
 
+@pytest.mark.parametrize(("after", "labs"), [("1", "2"), ("1-2", "3"), ("1", "8"), ("8", "10")])
+def test_what_labs_add_to_an_earlier_hand_out_replaces_nothing_of_it(after, labs, tmp_path):
+    """A student's work is written over; or a check, a lecture or given code is left out."""
+    for folder, *asked in ("old", after), ("new", labs), ("whole", f"{after},{labs}"):
+        handout.run(tmp_path / folder, *asked, after=after if folder == "new" else None)
+    old, new, whole = ({path.relative_to(folder).as_posix(): path.read_bytes()
+                        for path in folder.rglob("*") if path.is_file()}
+                       for folder in (tmp_path / name for name in ("old", "new", "whole")))
+    assert f"labs/{exercises.LABS[int(labs) - 1][0]}.py" in new and not old.keys() & new.keys()
+    assert (old | new).keys() == whole.keys()
+    with_links = {"README.md", *(name for name in old if name.endswith(".ipynb"))}
+    assert {name for name, part in (old | new).items() if part != whole[name]} <= with_links
+
+
+def test_who_has_done_lab_1_goes_on_in_the_same_folder_with_lab_2(tmp_path, run_module):
+    """What was done is open again, or what came later is not found."""
+    handout.run(tmp_path / "course", "1")
+    lab = tmp_path / "course" / "labs" / "transforms.py"
+    shutil.copy(exercises.reference("transforms"), lab)
+    handout.run(tmp_path / "week2", "2", after="1")
+    shutil.copytree(tmp_path / "week2", tmp_path / "course", dirs_exist_ok=True)
+    assert exercises.read(lab) == exercises.read(exercises.reference("transforms"))
+    done = run_module(tmp_path / "course", "course", "check", "1")
+    assert "14 of 14 points. Next: lab 2, rasterization" in done.stdout, done.stdout
+    done = run_module(tmp_path / "course", "course", "check")
+    assert "Next: 2.1 edge_function, not started" in done.stdout, done.stdout
+
+
+@pytest.mark.parametrize(("labs", "after", "sentence"), [
+    ("2", "3", "of labs 3 has labs/rasterization.py already, complete, as its labs use it: name"),
+    ("1-2", "1", "of labs 1 has labs/transforms.py already: name in --labs only labs that it"),
+    (None, "1", "of labs 1 has labs/transforms.py already: name")])
+def test_a_lab_that_students_have_already_is_refused(labs, after, sentence, tmp_path):
+    """Empty answers replace what was done, or what came complete."""
+    with pytest.raises(ValueError, match=sentence):
+        handout.run(tmp_path / "new", labs, after=after)
+    assert not (tmp_path / "new").exists()
+
+
 @pytest.fixture(scope="module")
 def worked_on(tmp_path_factory):
     """A hand-out of labs 1 to 9 whose core is written, and nothing else."""

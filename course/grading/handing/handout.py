@@ -24,39 +24,73 @@ TEACHERS = {f"course/upkeep/{name}.py" for name in (
 README = Path(__file__).parents[1] / "files" / "handout.md"
 
 
-def run(folder, labs=None, solutions=None, extra=False, spine=False) -> int:
+def run(folder, labs=None, solutions=None, extra=False, spine=False, after=None) -> int:
     """Write the hand-out to a folder that is new or empty -> 0. extra: with the extras open.
-    spine: of the spine's labs, in which the rest of the core is extras.
+    spine: of the spine's labs, in which the rest of the core is extras. after: only what these labs
+    add to a hand-out of those, see `new`.
 
-    ValueError: the folder is not empty, or solutions are of a lab that is not handed out.
+    ValueError: the folder is not empty, solutions are of a lab that is not handed out, or a lab is
+    in the earlier hand-out.
     """
     folder = Path(folder)
     if folder.exists() and any(folder.iterdir()):
         raise ValueError(f"{folder} is not empty: name a new folder for the hand-out")
-    labs = labs_of_the_spine(labs) if spine else labs
-    asked, released = exercises.topics_of(labs), exercises.topics_of(solutions) if solutions else []
+    asked = topics_of(labs, spine)
+    released = exercises.topics_of(solutions) if solutions else []
     if other := [topic for topic in released if topic not in asked]:
         raise ValueError(f"{other[0]} is not handed out, so its solution cannot be released: name "
                          "in --solutions only labs that are named in --labs")
-    given = [topic for topic in needed(asked) if topic not in asked]
-    content = dict(files(asked, given, released, extra, spine))  # all, or nothing is written
+    options = released, extra, spine
+    content = new(asked, after, *options) if after else dict(files(asked, *options))
     for name, part in content.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         places.write_whole(path, part)
-    print(f"{folder}: {', '.join(asked)}; solutions of {', '.join(released) or 'none'}")
-    if given:
-        print(f"{', '.join(given)} came along, complete: the labs asked for, or their lectures, "
-              "use them")
+    tell(folder, asked, released, after, content)
     return 0
 
 
-def labs_of_the_spine(labs):
-    """These labs, or without, all of the spine's. ValueError: one has no exercise of it."""
+def tell(folder, asked, released, after, content):
+    """Say what was handed out."""
+    print(f"{folder}: {', '.join(asked)}; solutions of {', '.join(released) or 'none'}")
+    if given := [topic for topic in came_along(asked) if f"labs/{topic}.py" in content]:
+        print(f"{', '.join(given)} came along, complete: the labs asked for, or their lectures, "
+              "use them")
+    if after:
+        print(f"students unpack it in their folder of labs {after}: it adds {len(content)} files "
+              "there, and replaces none")
+
+
+def topics_of(labs, spine):
+    """The topics of labs, or without, of all, or of the spine. ValueError: a lab has nothing of it.
+    """
+    if not spine:
+        return exercises.topics_of(labs)
     its = exercises.spine_labs()
-    if others := set(exercises.topics_of(labs or its)) - set(exercises.topics_of(its)):
+    asked = exercises.topics_of(labs or its)
+    if others := set(asked) - set(exercises.topics_of(its)):
         raise ValueError(f"{min(others)} has no exercise of the spine: name in --labs only {its}")
-    return labs or its
+    return asked
+
+
+def came_along(asked):
+    """The topics that these need, and that are not among them: they are handed out complete."""
+    return [topic for topic in needed(asked) if topic not in asked]
+
+
+def new(asked, after, released, extra, spine):
+    """{name: bytes} of what topics add to a hand-out of the labs after. None of it is there yet.
+
+    ValueError: a topic is there yet, perhaps complete.
+    """
+    earlier = topics_of(after, spine)
+    there = dict(files(earlier, [], extra, spine))
+    if again := [topic for topic in asked if f"labs/{topic}.py" in there]:
+        complete = "" if again[0] in earlier else ", complete, as its labs use it"
+        raise ValueError(f"a hand-out of labs {after} has labs/{again[0]}.py already{complete}: "
+                         "name in --labs only labs that it does not have")
+    return {name: part for name, part in files([*earlier, *asked], released, extra, spine)
+            if name not in there}
 
 
 def release(labs, path) -> int:
@@ -69,14 +103,14 @@ def release(labs, path) -> int:
     return 0
 
 
-def files(asked, given, released, extra, spine):
+def files(asked, released, extra, spine):
     """Yield (name, bytes) of all that is handed out."""
     for path in (path for pattern in WHOLE for path in sorted(places.ROOT.glob(pattern))):
         name = path.relative_to(places.ROOT).as_posix()
         if not is_for_teachers(name):
             yield name, path.read_bytes()
     yield from labs_of(asked, released, extra, spine)
-    for topic in given:
+    for topic in came_along(asked):
         text = exercises.read(exercises.reference(topic))
         yield f"labs/{topic}.py", without_marks(text).encode("utf-8")
     for path in lectures(asked):
@@ -84,7 +118,7 @@ def files(asked, given, released, extra, spine):
         if not released or not set(needed([], path)) <= set(released):
             text = switched(text)
         yield f"notebooks/{path.name}", unlinked(text, asked).encode()
-    yield "README.md", readme(asked, given, released, spine).encode()
+    yield "README.md", readme(asked, released, spine).encode()
 
 
 def labs_of(asked, released, extra, spine):
@@ -107,7 +141,7 @@ def is_for_teachers(name):
     return name in TEACHERS or (name.startswith("course/grading/") and name not in PACKS)
 
 
-def readme(asked, given, released, spine):
+def readme(asked, released, spine):
     first = next(exercise for topic in asked for exercise in exercises.topic_exercises(topic)
                  if (exercise.is_spine if spine else not exercise.is_extra))
 
@@ -122,7 +156,7 @@ def readme(asked, given, released, spine):
         about += ("\n\nThis copy is the spine: all that leads from a vertex to a picture, and back "
                   "to a fit. The other core exercises come complete, as extras do. If a lecture "
                   "names an exercise that `check` does not list, its answer is there already.")
-    if given:
+    if given := came_along(asked):
         about += f"\n\nThey use {listed(given)}, which came along complete and ask nothing."
     now = f"these are {listed(released)}" if released else "there are none"
     text = exercises.read(README).format(
