@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from course.grading.apart import examination, sandbox, wire
-from course.grading.apart.levels import LEVELS
+from course.grading.apart import examination, levels, sandbox, wire
 from course.grading.apart.processes import Use, family
 
 GREEDY = '''
@@ -22,6 +21,15 @@ def greedy():
             kept = b"1" * (1 << 28)
             time.sleep(1000)
 '''
+LOOKS = '''
+import os
+import sys
+
+def packages():
+    return " ".join(f"{path}/{name}" for folder in (*sys.path, "/usr/lib/python3")
+                    for path in (f"{folder}/site-packages", f"{folder}/dist-packages")
+                    if os.path.isdir(path) for name in os.listdir(path))
+'''
 ENDLESS = """
 def endless():
     while True:
@@ -29,7 +37,7 @@ def endless():
 """
 
 
-@pytest.fixture(params=LEVELS)
+@pytest.fixture(params=levels.LEVELS)
 def level(request):
     strict, about = sandbox.available()
     if request.param == "strict" != strict:
@@ -94,6 +102,27 @@ def test_a_worker_is_the_first_to_go_and_never_root(level):
         inside = Path("/proc", str(family(worker.process.pid)[-1]))
         assert (inside / "oom_score_adj").read_text() == "1000\n"
         assert inside.stat().st_uid != 0
+
+
+def test_no_packages_are_in_sight_but_those_that_labs_need():
+    """All that was ever installed beside the Python that the course's environment was made from."""
+    strict, about = sandbox.available()
+    if strict != "strict":
+        pytest.skip(about)
+    with contextlib.closing(sandbox.Worker("strict")) as worker:
+        worker.exchange(("open", (("looks", LOOKS, ()),), ()), 10)
+        assert worker.exchange(("call", "looks", "packages", (), {}), 10)[1] == ""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+def test_a_python_behind_a_link_is_shown_where_it_is(tmp_path, monkeypatch):
+    """What the link points to is not in the sandbox: no strict for a Python that uv installed."""
+    for name in {"lib", sys.platlibdir}:
+        (tmp_path / "3.11.7" / name).mkdir(parents=True)
+    (tmp_path / "3.11").symlink_to("3.11.7")
+    monkeypatch.setattr(sys, "base_prefix", str(tmp_path / "3.11"))
+    shown = levels.library()
+    assert {tmp_path / "3.11/lib", tmp_path / "3.11.7/lib"} <= {*shown}
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="strict needs Linux")

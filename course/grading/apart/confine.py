@@ -37,6 +37,7 @@ def give_up_files(libc, settings):
         os.setgid(uid)
         os.setuid(uid)
     end_with_the_parent()
+    libc.prctl(4, 0, 0, 0, 0)  # PR_SET_DUMPABLE: no exercise reads the first process's memory
     libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
     if version and libc.syscall(ENFORCE, rules, 0) == 0:
         os.close(rules)

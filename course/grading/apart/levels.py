@@ -23,6 +23,7 @@ LEVELS = ("strict", "process")
 WORKER = Path(__file__).with_name("worker.py")
 NEIGHBOURS = "worker.py", "confine.py", "finders.py", "wire.py"
 PACKAGES = Path(np.__file__).parent.parent
+STANDARD = Path(os.__file__).parent.resolve()  # Python's own modules
 SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/etc/ld.so.cache",
           "/etc/alternatives")  # Debian links libblas through it
 OTHER_USERS = 2_000_000_000  # from here on, numbers that belong to nobody
@@ -67,7 +68,7 @@ def plain(folder, limits) -> tuple[list, dict]:
     uid = other_user()
     return python(WORKER, PACKAGES), settings(
         limits, processes=limits.processes if uid else None, uid=uid,
-        doors=[str(path) for path in (*library(), PACKAGES)] if uid else [],
+        doors=[str(STANDARD), str(PACKAGES)] if uid else [],
         readable=[*map(str, code), *SYSTEM, "/dev/urandom"], writable=[folder, os.devnull])
 
 
@@ -83,8 +84,8 @@ def strict(folder, limits) -> tuple[list, dict]:
     there |= {f"/packages/{name}": path for name, path in packages().items()}
     there |= {f"/worker/{name}": WORKER.with_name(name) for name in NEIGHBOURS}
     seen = [option for place, path in there.items() for option in mounted(place, str(path))]
-    hidden = ["--tmpfs", str(places.ROOT)] * any(places.ROOT.is_relative_to(path)
-                                                 for path in there.values())
+    hidden = [option for path in not_for_workers(there)
+              for option in ("--ro-bind", folder, str(path))]  # it is empty
     empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev",
              "--size", str(1 << 24), "--perms", "1777", "--tmpfs", "/tmp", "--remount-ro", "/",
              "--chdir", "/tmp"]
@@ -102,6 +103,13 @@ def mounted(place, path):
     yield from ("--symlink", os.readlink(path), place) if link else ("--ro-bind", path, place)
 
 
+def not_for_workers(there):
+    """The folders in what is there that a worker must not see: the course, and others' packages."""
+    packages = [path for place in there if not os.path.islink(place)
+                for path in Path(place).glob("python*/*-packages")]
+    return [path for path in (places.ROOT, *packages) if any(map(path.is_relative_to, there))]
+
+
 def other_user():
     """A number that no user has, if this is root on Linux. Each worker has another one.
 
@@ -113,10 +121,12 @@ def other_user():
 
 
 def library():
-    """The folders with Python's own modules: the whole installation, unless that is the system."""
-    own = {Path(sys.base_prefix), Path(sys.base_exec_prefix)}
-    return [Path(os.__file__).parent] if own & {*map(Path, ("/", "/usr", "/usr/local"))} else \
-        sorted(own)
+    """The folders of Python's own modules and libraries, as they are called and where they are."""
+    prefix = Path(sys.base_prefix)
+    if prefix in map(Path, ("/", "/usr", "/usr/local")):
+        return [STANDARD]  # what else it needs is in SYSTEM
+    named = {prefix / name for name in ("lib", sys.platlibdir)}
+    return sorted(path for path in named | {*map(Path.resolve, named)} if path.exists())
 
 
 def packages():

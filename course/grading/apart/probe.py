@@ -26,6 +26,8 @@ def open_ways(port, course, file, keyctl):
         "local sockets": lambda: socket.socket(socket.AF_UNIX),
         "the course's files": lambda: os.stat(course),
         "files outside": lambda: os.stat(file),
+        "the first process's memory": lambda: open("/proc/1/mem", "rb"),
+        "the first process's files": lambda: os.listdir("/proc/1/fd"),
         "keyrings": lambda: called("syscall", keyctl, 0, -3, 0),  # KEYCTL_GET_KEYRING_ID, session
         "POSIX shared memory": lambda: open("/dev/shm/written", "w"),
         "memory that is shared": lambda: mmap.mmap(-1, 4096, flags=mmap.MAP_SHARED),

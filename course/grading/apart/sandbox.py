@@ -280,10 +280,10 @@ class Meter:
 def files_of(pids):
     """How many files are in the folder of a sandbox. 0 where that cannot be seen."""
     try:
-        there = os.statvfs(f"/proc/{pids[-1]}/root/tmp")
-    except (OSError, AttributeError):
+        there = os.statvfs(f"/proc/{pids[1]}/root/tmp")  # its first process: others come and go
+    except (OSError, AttributeError, IndexError):
         return 0
-    return (there.f_files - there.f_ffree) * (len(pids) > 1)
+    return there.f_files - there.f_ffree
 
 
 # --- what this machine can do -------------------------------------------------------------------
