@@ -5,17 +5,20 @@
     DIR/grades.csv      points for each exercise
     DIR/index.html      the overview
     DIR/similar.html    answers that are alike, for a person to judge; similar.csv has them as well
+    DIR/code/           what was handed in, for programs that look for copies
     DIR/feedback.zip    the reports, to give back
 """
 import json
 import shutil
 from typing import NamedTuple
 
+from .. import exercises
 from ..given import places
 from .apart import typed_json
 from .gradebook import earlier, handback, sheets, tables
 from .gradebook.records import How, Record
-from .pages import overview, report, side_by_side
+from .handing import texts
+from .pages import overview, report, side_by_side, similarity, unusual
 
 
 class Run(NamedTuple):
@@ -34,7 +37,7 @@ class Results:
     def __init__(self, out, book, run):
         self.out, self.book, self.run = out, book, run
         self.records = {}
-        self.alike = None  # pairs of students, once all are there
+        self.looked_at = None  # overview.LookedAt, once all are there
 
     def keep(self, student, fingerprint) -> bool:
         """Take over the result of an earlier run, if it is of the same work -> whether it was."""
@@ -89,7 +92,7 @@ class Results:
         self.out.mkdir(parents=True, exist_ok=True)
         places.write_whole(self.out / "grades.csv", sheets.written(table))
         page = overview.overview(records, self.run.columns, self.run.level, self.run.about,
-                                 self.run.not_understood, self.alike,
+                                 self.run.not_understood, self.looked_at,
                                  len(self.book.handed_in) - len(records))
         places.write_whole(self.out / "index.html", page.encode("utf-8"))
         return table
@@ -97,9 +100,16 @@ class Results:
     def close(self) -> list:
         """Write what needs all results -> the paths of all tables."""
         files = self.book.write(self.out, self.records, self.write_tables())
-        texts = {name: one.texts for name, one in self.book.handed_in.items()}
-        self.alike = side_by_side.write(self.out, texts, self.run.columns)
+        self.look_at(texts.kept(self.out, self.book.handed_in.values()))
         self.write_tables()
         handback.write(self.out, [self.records[name] for name in sorted(self.records)])
         names = "grades.csv", "index.html", "similar.html", "feedback.zip"
         return [*(self.out / name for name in names), *files]
+
+    def look_at(self, labs):
+        """Write the pages on what is alike. labs {student: {topic: text}}."""
+        asked = {topic: [one for one in exercises.topic_exercises(topic) if one in self.run.columns]
+                 for topic in set().union(*labs.values())}
+        pairs, near = similarity.compare(labs, asked)
+        side_by_side.write(self.out, pairs, labs)
+        self.looked_at = overview.LookedAt(pairs, unusual.by_student(labs, asked, near))

@@ -14,6 +14,10 @@ CORE = {topic: [exercise for exercise in exercises.topic_exercises(topic) if not
 LAB = {"rasterization": CORE["rasterization"]}
 
 
+def pairs(texts, columns=LAB):
+    return similarity.compare(texts, columns)[0]
+
+
 def labs(folder, topics=CORE):
     """{topic: text} of the course's own answers in a folder."""
     paths = {topic: places.ROOT / folder / f"{topic}.py" for topic in topics}
@@ -37,7 +41,7 @@ def test_two_authors_of_all_labs_are_no_pair(folder, monkeypatch):
     """What the questions force is taken for copied, even where no other answer is known."""
     monkeypatch.setattr(similarity, "KEPT", ())
     texts = {"ada": labs(folder), "bob": labs("tests/other_solutions")}
-    assert similarity.pairs(texts, CORE) == []
+    assert pairs(texts, CORE) == []
 
 
 def test_short_answers_are_never_enough(only_reference):
@@ -45,22 +49,22 @@ def test_short_answers_are_never_enough(only_reference):
     short = {name: body for name, body in functions(ANSWER).items()
              if sum(1 for _ in ast.walk(body)) < 60}
     text = "\n\n".join(map(ast.unparse, short.values()))
-    assert len(short) >= 2 and similarity.pairs(
-        {name: {"rasterization": text} for name in ("ada", "bob")}, LAB) == []
+    assert len(short) >= 2 and pairs(
+        {name: {"rasterization": text} for name in ("ada", "bob")}) == []
 
 
 def test_what_the_course_itself_says_is_no_sign(only_reference):
     """The reference was released, or the lecture prints it: all who use it are reported."""
     same = labs("reference", LAB)
-    assert similarity.pairs({"ada": same, "bob": same}, LAB) == []
+    assert pairs({"ada": same, "bob": same}) == []
 
 
 def test_what_many_of_the_class_have_is_no_sign(only_reference):
     """An answer shown in the hour makes a pair of every two who were there."""
     everybody = {f"s{number}": {"rasterization": ANSWER} for number in range(similarity.few(0) + 1)}
-    assert similarity.pairs(everybody, LAB) == []
+    assert pairs(everybody) == []
     everybody.popitem()
-    assert len(similarity.pairs(everybody, LAB)) == 45
+    assert len(pairs(everybody)) == 45
 
 
 # --- copies -----------------------------------------------------------------------------------
@@ -115,7 +119,7 @@ def test_a_copy_is_found_whatever_it_wears(dress, only_reference):
     """One comment more, and nobody notices."""
     texts = {"ada": {"rasterization": ANSWER}, "bob": {"rasterization": dress(ANSWER)},
              "eve": labs("tests/literal", LAB)}
-    pair, *others = similarity.pairs(texts, LAB)
+    pair, *others = pairs(texts)
     assert (pair.first, pair.second) == ("ada", "bob") and "2.13" in {
         one.number for one in pair.exercises}
     assert all(other.nodes < pair.nodes / 2 for other in others)
@@ -129,7 +133,7 @@ def test_no_text_breaks_the_comparison(text, only_reference):
     """One student's file costs the class its tables, or takes hours."""
     texts = {"ada": {"rasterization": text}, "bob": {"rasterization": text},
              "eve": {"rasterization": ANSWER}, "ann": {"rasterization": ANSWER}}
-    assert [pair[:2] for pair in similarity.pairs(texts, LAB)] == [("ann", "eve")]
+    assert [pair[:2] for pair in pairs(texts)] == [("ann", "eve")]
 
 
 # --- what is written --------------------------------------------------------------------------
@@ -140,7 +144,8 @@ def test_the_page_marks_what_is_shared_and_escapes_the_rest(tmp_path, only_refer
     head = "def is_covered(p, triangle):\n    "
     mine = ANSWER.replace(head, f"{head}é = '</pre><script>'  # é <b>\n    ")
     texts = {"ada": {"rasterization": ANSWER}, "bob": {"rasterization": mine}}
-    pairs = side_by_side.write(tmp_path, texts, LAB["rasterization"])
+    pair, = pairs(texts)
+    side_by_side.write(tmp_path, [pair], texts)
     page = (tmp_path / "similar.html").read_text("utf-8")
     assert "<script" not in page and "<b>" not in page and "default-src 'none'" in page
     assert "    é = &#x27;&lt;/pre&gt;&lt;script&gt;&#x27;  # é &lt;b&gt;\n" in page
@@ -149,5 +154,5 @@ def test_the_page_marks_what_is_shared_and_escapes_the_rest(tmp_path, only_refer
     with open(tmp_path / "similar.csv", encoding="utf-8-sig") as file:
         row, = csv.DictReader(file)
     assert (row["student"], row["other student"]) == ("ada", "bob")
-    assert int(row["nodes beyond what is forced"]) == pairs[0].nodes
+    assert int(row["nodes beyond what is forced"]) == pair.nodes
     assert re.search(r"2\.13 rasterize_loop: \d+ of 158", row["exercises"])

@@ -5,6 +5,7 @@ Names of files and students, and messages, come from students: all of them are e
 import collections
 import re
 import statistics
+from typing import NamedTuple
 
 from ...checks.page import Markup, bar, breakable, document, escaped, paragraph, rows
 from ..gradebook.sheets import in_one_cell, number_text
@@ -14,6 +15,9 @@ from .report import is_of_the_lab, missing
 
 MOST_CLAIMS = 60  # in the table of those that fail
 MOST_PAIRS = 20   # of those that are alike; similar.csv has all
+MOST_SIGNS = 8    # of a student's unusual things
+ABOUT_UNUSUAL = ("What honest work seldom has, the most unusual student first. Each may have a "
+                 "good reason. This takes no points.")
 STYLE = """
 body { max-width: 76rem; } .contents a { margin-right: 1rem; white-space: nowrap; }
 td > a { display: inline-block; min-width: min(11rem, 28vw); }
@@ -22,12 +26,18 @@ td:last-child:not(:has(.bar)) { min-width: 14rem; }
 """
 
 
-def overview(records, exercises, level, about, not_understood=(), alike=None,
+class LookedAt(NamedTuple):
+    """What a person should look at."""
+
+    pairs: list    # of `similarity.compare`
+    unusual: list  # of `unusual.by_student`
+
+
+def overview(records, exercises, level, about, not_understood=(), looked_at=None,
              waiting=0) -> str:
     """exercises: those that count. not_understood: [(name, sentence)].
 
-    alike: what `similarity.pairs` found; None where nobody has looked yet.
-    waiting: how many are not graded yet.
+    looked_at: None where nobody has looked yet. waiting: how many are not graded yet.
     """
     graded = [record for record in records if is_graded(record)]
     sections = {
@@ -41,7 +51,7 @@ def overview(records, exercises, level, about, not_understood=(), alike=None,
         "Crashes, time-outs, and worse": table([
             [student_link(record.work.student), number, sentence]
             for record in records for number, sentence in record.result.lost.items()]),
-        "Alike, for a person to judge": alike_part(alike),
+        **(for_a_person(looked_at) if looked_at else {}),
         "Everybody": table(*everybody(records, exercises))}
     sections = {title: content for title, content in sections.items() if content}
     about = (f"{len(graded)} of {len(records) + waiting} submissions graded; isolation {level} "
@@ -152,9 +162,28 @@ def lateness(record):
     return " ".join(filter(None, ["LATE" * bool(record.work.late), record.lateness.late_by]))
 
 
+def for_a_person(looked_at):
+    """The sections on what takes no points."""
+    return {"Unusual, for a person to judge": unusual_part(looked_at.unusual),
+            "Alike, for a person to judge": alike_part(looked_at.pairs)}
+
+
+def unusual_part(students):
+    shown = []
+    for student, signs in students:
+        shown += [[student_link(student), lab_link(student, sign), sign.reason]
+                  for sign in signs[:MOST_SIGNS]]
+        if len(signs) > MOST_SIGNS:
+            shown.append([student_link(student), "", f"and {len(signs) - MOST_SIGNS} more"])
+    return shown and f"{paragraph(ABOUT_UNUSUAL)}\n{table(shown)}"
+
+
+def lab_link(student, sign):
+    return Markup(f'<a href="code/{escaped(student)}/{sign.topic}.py">'
+                  f"{sign.topic}.py:{sign.line}</a>")
+
+
 def alike_part(pairs):
-    if pairs is None:
-        return ""
     shown = [[student_link(pair.first), student_link(pair.second), pair.nodes]
              for pair in pairs[:MOST_PAIRS]]
     return ('<p class="note">Pairs of students whose answers are alike beyond what the questions '

@@ -28,18 +28,10 @@ ABOUT = (
     "same source, or have thought alike.")
 
 
-def write(out, texts, columns) -> list[similarity.Pair]:
-    """Compare a class, write both files -> the pairs.
-
-    texts {student: {topic: text}}. columns: the exercises that count.
-    """
-    topics = {topic for labs in texts.values() for topic in labs}
-    pairs = similarity.pairs(texts, {
-        topic: [exercise for exercise in exercises.topic_exercises(topic) if exercise in columns]
-        for topic in exercises.topics() if topic in topics})
+def write(out, pairs, texts):
+    """Write both files. texts {student: {topic: text}}."""
     places.write_whole(out / "similar.csv", sheets.written(table(pairs)))
     places.write_whole(out / "similar.html", page(pairs, texts).encode("utf-8"))
-    return pairs
 
 
 def table(pairs):

@@ -11,6 +11,8 @@ nodes in shared parts are counted, but for parts that
 
 Two honest answers share some nodes still, because few ways lead to the result. So an exercise
 counts only by what it shares beyond FORCED nodes: an answer of one line never does.
+
+How near a lab is to the reference is told apart: that all have it is why it makes no pair.
 """
 import ast
 import collections
@@ -27,6 +29,8 @@ LARGEST = 300   # nodes of a part: what is larger is found by its parts
 MOST = 3000     # nodes of an answer that are looked at
 FORCED = 40     # nodes that honest answers to one exercise may share
 LEAST = 40      # nodes beyond these, in all exercises, that make a pair
+NEAR = 0.7      # of a lab's nodes stand in parts that the reference's answers have
+SHORT = 100     # nodes of a lab in parts; of fewer, honest answers may be as near
 KEPT = ("reference", "tests/literal", "tests/other_solutions", "tests/mistakes",
         "tests/wrong_answers")
 UNCOUNTED = ast.expr_context, ast.operator, ast.unaryop, ast.cmpop, ast.boolop
@@ -62,13 +66,17 @@ class Answer(NamedTuple):
     parts: dict       # {part: a number, the bits of which are the nodes in it}
 
 
-def pairs(texts, columns) -> list[Pair]:
-    """{student: {topic: text}}, {topic: its exercises} -> [Pair], the most alike first."""
-    shared = collections.defaultdict(list)
+def compare(texts, columns) -> tuple[list[Pair], dict]:
+    """{student: {topic: text}}, {topic: its exercises} -> the pairs, the most alike first; and
+    {(student, topic): share} of what is near to the reference. Of a group, give one member.
+    """
+    shared, near = collections.defaultdict(list), {}
     for topic, asked in columns.items():
         written = {student: answers(labs[topic], topic, asked)
                    for student, labs in texts.items() if topic in labs}
-        known = known_parts(topic, asked)
+        near |= {(student, topic): share for student, answer in written.items()
+                 if (share := share_of_reference(answer, topic)) > NEAR}
+        known = known_parts(topic, tuple(asked), KEPT)
         for exercise in asked:
             own = {student: answer[exercise.name] for student, answer in written.items()
                    if exercise.name in answer}
@@ -77,7 +85,7 @@ def pairs(texts, columns) -> list[Pair]:
     found = [Pair(*pair, sum(one.nodes - FORCED for one in each),
                   tuple(sorted(each, key=lambda one: -one.nodes))) for pair, each in shared.items()]
     return sorted((pair for pair in found if pair.nodes >= LEAST),
-                  key=lambda pair: (-pair.nodes, pair.first, pair.second))
+                  key=lambda pair: (-pair.nodes, pair.first, pair.second)), near
 
 
 def few(count):
@@ -107,10 +115,25 @@ def covered(bits, parts):
     return functools.reduce(operator.or_, (bits[part] for part in parts if part in bits), 0)
 
 
-def known_parts(topic, asked):
+def share_of_reference(answer, topic):
+    """How much of {exercise: (size, parts)} is in parts of the reference's: 0 to 1.
+
+    Extras are left out: they may have come complete.
+    """
+    core = tuple(one for one in exercises.topic_exercises(topic) if not one.is_extra)
+    same, of = 0, 0
+    for name, known in known_parts(topic, core, ("reference",)).items():
+        parts = answer[name][1] if name in answer else {}
+        same += covered(parts, known).bit_count()
+        of += covered(parts, parts).bit_count()
+    return same / of if of >= SHORT else 0
+
+
+@functools.cache
+def known_parts(topic, asked, folders):
     """{exercise: the parts that answers have which the course itself keeps}."""
     known = {exercise.name: set() for exercise in asked}
-    for folder in KEPT:
+    for folder in folders:
         path = places.ROOT / folder / f"{topic}.py"
         if not path.exists():
             continue
@@ -226,7 +249,7 @@ def shape(value, own, numbers):
     if isinstance(value, list):
         return f"[{' '.join(shape(one, own, numbers) for one in value)}]"
     if not isinstance(value, ast.AST):
-        return repr(value)
+        return f"{type(value).__name__} {hash(value)}"  # a number of 5,000 digits has no repr
     inner = [f"v{numbers.setdefault(each, len(numbers))}"
              if name == NAME.get(type(value)) and each in own else shape(each, own, numbers)
              for name, each in fields(value)]
