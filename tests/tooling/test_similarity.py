@@ -125,6 +125,16 @@ def test_a_copy_is_found_whatever_it_wears(dress, only_reference):
     assert all(other.nodes < pair.nodes / 2 for other in others)
 
 
+def test_a_copy_of_the_reference_is_near_it_and_honest_work_is_not():
+    """Who hands in the reference under other names is in no pair; or who types what is printed."""
+    copied = {topic: renamed(text) for topic, text in labs("reference").items()}
+    near = similarity.compare({"eve": copied}, CORE)[1]
+    assert {*map(exercises.lab_number, CORE)} == {
+        exercises.lab_number(topic) for _, topic in near} and {*near.values()} == {1.0}
+    honest = {folder: labs(folder) for folder in similarity.KEPT[1:]}
+    assert similarity.compare(honest, CORE)[1] == {}
+
+
 @pytest.mark.parametrize("text", ["def (", "\0", "x = " + "-" * 100_000 + "1", "",
                                   "def is_covered():\n    return " + "+".join("1" * 50_000),
                                   "def is_covered():\n    return a" + "<a" * 50_000,
