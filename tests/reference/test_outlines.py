@@ -3,13 +3,10 @@ import numpy as np
 import pytest
 from screen_scenes import on_screen, soup
 
-from course.given import mesh
-from course.given.gradcheck import gradcheck
-from reference import antialiasing, outlines, sampling, scanline, transforms
+from reference import antialiasing, outlines, rasterization, sampling, scanline, transforms
 
 GOLDEN = np.load("tests/golden/antialias.npz")
 SCENES = sorted({key.split("/")[0] for key in GOLDEN})
-EDGES = (1, 2), (2, 0), (0, 1)
 
 
 def golden(scene, *keys):
@@ -47,139 +44,19 @@ def test_gradients_are_those_of_nvdiffrast(scene):
     np.testing.assert_allclose(got[1], grad_clip, rtol=0, atol=1e-9 * np.abs(grad_clip).max())
 
 
-# --- scenes ------------------------------------------------------------------------------------
-
-def turned(vertices, angle, distance=3.0, fov_y=0.9, aspect=1.0):
-    view = transforms.translate(np.array([0.0, 0.0, -distance]))
-    view = view @ transforms.rotate(np.array([0.4, 1.0, 0.2]), angle)
-    clip_from_world = transforms.perspective(fov_y, aspect, 0.1, 20.0) @ view
-    return transforms.transform(transforms.to_homogeneous(vertices), clip_from_world)
-
-
-def drawn(clip, faces, width, height, rng):
-    face_index, depth = scanline.rasterize(clip, faces, width, height)
-    return rng.normal(size=(height, width, 2)), face_index, depth
-
-
-def antialias_by_hand(colour, face_index, depth, clip, faces):
-    """Eqs. (1) to (5) pair by pair, and the number of pairs that are blended."""
-    height, width = face_index.shape
-    x, y = ((clip[:, axis] / clip[:, 3] + 1) / 2 * size for axis, size in ((0, width), (1, height)))
-    output, count = colour.copy(), 0
-    for dy, dx in (0, 1), (1, 0):
-        for row, column in np.ndindex(height - dy, width - dx):
-            owner, other = (row, column), (row + dy, column + dx)
-            if face_index[owner] == face_index[other]:
-                continue
-            if not depth[owner] < depth[other]:
-                owner, other = other, owner
-            face = faces[face_index[owner]]
-            edge, c = last_crossing(clip[face], width, height, owner, other)
-            if edge is None or not is_silhouette(clip[:, [0, 1, 3]], faces, face, edge):
-                continue
-            run, rise = (abs(a[face[EDGES[edge][1]]] - a[face[EDGES[edge][0]]]) for a in (x, y))
-            if (run > rise if dx else rise > run) or not -1 / 16 < c < 17 / 16:
-                continue
-            alpha = 0.5 - min(max(c, 0), 1)
-            target = owner if alpha > 0 else other
-            output[target] += alpha * (colour[other] - colour[owner])
-            count += 1
-    return output, count
-
-
-def last_crossing(corners, width, height, owner, other):
-    """Where the line through two pixels leaves a face: edge and distance from owner to other."""
-    axis = 0 if owner[1] == other[1] else 1  # row or column: that along the line
-    side = other[axis] - owner[axis]
-    best = None, -np.inf
-    for k, (i, j) in enumerate(EDGES):
-        ends = in_front(corners[i], corners[j])
-        if ends is None:
-            continue
-        x, y = ((ends[:, a] / ends[:, 3] + 1) / 2 * size for a, size in ((0, width), (1, height)))
-        along, across = (y, x) if axis == 0 else (x, y)
-        along = side * (along - owner[axis] - 0.5)
-        across = across - owner[1 - axis] - 0.5
-        if (across[0] < 0) != (across[1] < 0):
-            t = across[0] / (across[0] - across[1])
-            best = max(best, (k, (1 - t) * along[0] + t * along[1]), key=lambda found: found[1])
-    return best
-
-
-def in_front(p, q, least=1e-4):
-    """The part of the segment from p to q (4,) with w >= least: its ends (2, 4), or None."""
-    if max(p[3], q[3]) < least:
-        return None
-    ends = [a if a[3] >= least else a + (b - a) * (least - a[3]) / (b[3] - a[3])
-            for a, b in ((p, q), (q, p))]
-    return np.array(ends)
-
-
-def is_silhouette(points, faces, face, k):
-    """Of a mesh in which no three faces with different third vertices meet at an edge. The points
-    (V, 3) are x, y, w of clip space, where the sign of a determinant tells the side, whatever w.
-    """
-    a, b = (face[i] for i in EDGES[k])
-
-    def side(p):
-        return np.linalg.det(points[[a, b, p]]) < 0
-
-    across = {p for other in faces if len(set(other)) == 3 and {a, b} <= set(other)
-              for p in other if p not in face}
-    assert len(across) <= 1
-    return all(side(p) == side(face[k]) for p in across)
-
-
 # --- pictures ----------------------------------------------------------------------------------
 
-def manifold(faces):
-    """Faces without those that would be the third one at an edge."""
-    kept, count = [], {}
-    for face in faces:
-        pairs = [tuple(sorted((face[i], face[j]))) for i, j in EDGES]
-        if len(set(face)) == 3 and all(count.get(pair, 0) < 2 for pair in pairs):
-            kept.append(face)
-            for pair in pairs:
-                count[pair] = count.get(pair, 0) + 1
-    return np.array(kept)
-
-
-def require_one_pair_after_the_other(clip, faces, width, height, rng, atol=1e-9):
-    """A picture is that of `antialias_by_hand` -> how many pairs are blended."""
-    colour, face_index, depth = drawn(clip, faces, width, height, rng)
-    expected, count = antialias_by_hand(colour, face_index, depth, clip, faces)
+@pytest.mark.parametrize("seed", range(4))
+def test_silhouettes_are_those_of_the_faces_that_are_seen(seed):
+    """A face is left out, or one that reaches behind the camera is taken for one in front."""
+    clip, faces = soup(np.random.default_rng(seed), behind=True)
     opposite = antialiasing.opposite_vertices(faces)
-    got = outlines.antialias(colour, face_index, depth, clip, faces, opposite)
-    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
-    return count
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_pictures_are_those_of_one_pair_after_the_other(seed):
-    """A pair is lost between the stages, or a face at the camera plane gets a wrong edge."""
-    rng = np.random.default_rng(seed)
-    clip, faces = soup(rng, behind=seed % 2 == 1)
-    assert require_one_pair_after_the_other(clip, manifold(faces), 30, 22, rng) > 15
-
-
-@pytest.mark.parametrize("vertices, faces", [mesh.cube(12), mesh.torus(150)],
-                         ids=["cube", "torus"])
-def test_meshes_are_those_of_one_pair_after_the_other(vertices, faces):
-    """Edges inside a closed surface, and folds where it hides itself."""
-    clip = turned(vertices, 0.8, 4.5)
-    rng = np.random.default_rng(3)
-    assert require_one_pair_after_the_other(clip, faces, 40, 31, rng) > 30
-
-
-@pytest.mark.parametrize("width, height", [(1, 9), (9, 1), (1, 1)])
-def test_pictures_of_one_row_or_column(width, height):
-    """A neighbour in the row is taken for one in the column."""
-    rng = np.random.default_rng(1)
-    along, across = np.array([-50.0, 5.3, 5.7]), np.array([0.0, -30.0, 30.0])
-    clip = on_screen(*((along, across) if width > height else (across, along)), width, height)
-    faces = np.array([[0, 1, 2]])
-    count = require_one_pair_after_the_other(clip, faces, width, height, rng, atol=1e-12)
-    assert count == (width * height > 1)
+    face_index, _ = scanline.rasterize(clip, faces, 30, 22)
+    screen = rasterization.screen_points(clip, 30, 22)
+    expected = np.vstack([antialiasing.silhouette_edges(*screen, faces, opposite), [[False] * 3]])
+    expected[np.setdiff1d(np.arange(len(faces)), face_index)] = False
+    got = outlines.seen_silhouettes(face_index, screen, faces, opposite)
+    np.testing.assert_array_equal(got, expected)
 
 
 def test_pictures_without_faces_or_with_hostile_vertices():
@@ -194,27 +71,13 @@ def test_pictures_without_faces_or_with_hostile_vertices():
     rng, faces = np.random.default_rng(0), np.array([[0, 1, 2], [3, 4, 5], [1, 2, 6]])
     clip = np.concatenate([on_screen([1.1, 8.3, 2.2], [1.3, 2.4, 7.1], 9, 8),
                            [[np.nan, 0, 0, 1], [0, np.inf, 0, 1], [0, 0, 0, 0], [0, 0, np.nan, 1]]])
-    colour, face_index, depth = drawn(clip, faces, 9, 8, rng)
+    face_index, depth = scanline.rasterize(clip, faces, 9, 8)
+    colour = rng.normal(size=(8, 9, 2))
     arguments = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
     with np.errstate(all="raise"):
         grad_colour, grad_clip = outlines.antialias_backward(colour, colour, *arguments)
     assert np.isfinite(grad_colour).all() and np.isfinite(grad_clip).all()
     assert grad_clip[:3, [0, 1, 3]].all() and not grad_clip[3:].any()
-
-
-@pytest.mark.parametrize("kind", [np.uint8, np.int8, np.uint32, np.uint64])
-def test_faces_may_be_integers_of_any_kind(kind):
-    """-1 is written into faces that know none, or uint64 beside int64 becomes float64."""
-    rng = np.random.default_rng(2)
-    clip, faces = soup(rng)
-    opposite = antialiasing.opposite_vertices(faces)
-    colour, face_index, depth = drawn(clip, faces, 30, 22, rng)
-    expected = outlines.antialias_backward(colour, colour, face_index, depth, clip, faces, opposite)
-    faces = faces.astype(kind)
-    np.testing.assert_array_equal(antialiasing.opposite_vertices(faces), opposite)
-    got = outlines.antialias_backward(colour, colour, face_index, depth, clip, faces, opposite)
-    for one, same in zip(got, expected, strict=True):
-        np.testing.assert_array_equal(one, same)
 
 
 def test_a_floor_is_blended_however_it_is_cut_into_faces():
@@ -258,46 +121,11 @@ def test_a_seen_vertex_in_the_camera_plane_has_a_gradient():
     assert np.isfinite(gradient(0.0)).all() and gradient(0.0)[2].any()
 
 
-# --- gradients ---------------------------------------------------------------------------------
-
-def decisions(face_index, depth, clip, faces, opposite):
-    """What a picture decides: its faces, pairs, edges, which pixel changes, what is saturated."""
-    owner, other, c, ends, *_ = outlines.blended_pairs(face_index, depth, clip, faces, opposite)
-    return face_index, owner, other, ends, c > 0.5, (c > 0) & (c < 1)
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_whole_pictures_have_the_gradients_of_central_differences(seed):
-    """One of the stages is left out on the way back, or w gets no gradient."""
-    rng = np.random.default_rng(seed)
-    clip, faces = soup(rng)
-    opposite, shades = antialiasing.opposite_vertices(faces), rng.normal(size=(31, 2))
-
-    def forward(clip):
-        face_index, depth = scanline.rasterize(clip, faces, 26, 19)
-        return outlines.antialias(shades[face_index], face_index, depth, clip, faces, opposite)
-
-    def backward(grad_output, clip):
-        face_index, depth = scanline.rasterize(clip, faces, 26, 19)
-        arguments = face_index, depth, clip, faces, opposite
-        return outlines.antialias_backward(grad_output, shades[face_index], *arguments)[1]
-
-    def decide(clip):
-        return decisions(*scanline.rasterize(clip, faces, 26, 19), clip, faces, opposite)
-
-    report = gradcheck(forward, backward, (clip,), decisions=decide, name="antialias by clip")
-    assert report.checked > 50
-
-
-def test_colours_have_the_gradients_of_central_differences():
-    """The gradient of a pixel that is blended away is lost."""
-    rng = np.random.default_rng(5)
-    clip, faces = soup(rng)
-    colour, face_index, depth = drawn(clip, faces, 26, 19, rng)
-    rest = face_index, depth, clip, faces, antialiasing.opposite_vertices(faces)
-    gradcheck(lambda colour: outlines.antialias(colour, *rest),
-              lambda grad, colour: outlines.antialias_backward(grad, colour, *rest)[0],
-              (colour,), name="antialias by colour")
+def test_the_smallest_difference_in_depth_decides():
+    """A threshold: faces that are nearly as deep count as equally deep."""
+    depth = np.array([[0.5, 0.5 - 1e-12], [0.5 + 1e-12, 0.5]])
+    owner, other = antialiasing.owner_and_other(np.array([0, 0]), np.array([1, 2]), depth)
+    assert (owner.tolist(), other.tolist()) == ([1, 0], [0, 2])
 
 
 # --- the truth ---------------------------------------------------------------------------------

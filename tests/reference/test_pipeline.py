@@ -6,7 +6,7 @@ import pytest
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
-from reference import inverse_rendering, mipmapping, outlines, pipeline, scanline, transforms
+from reference import mipmapping, outlines, pipeline, scanline, transforms
 from reference.pipeline import Colours, Mesh, Texture, View
 
 WIDTH, HEIGHT = 26, 19
@@ -175,46 +175,6 @@ def test_without_antialiasing_a_mesh_of_one_colour_has_exactly_no_gradient(name)
     grad_material, grad_clip = pipeline.interior_backward(upstream, buffers, shape.faces, material)
     np.testing.assert_array_equal(grad_clip, 0)
     assert grad_material.colours.any()
-
-
-def test_a_triangle_finds_its_template_with_antialiasing_alone():
-    """The gradient leads away, or ends too early. Or the picture without it had one all along."""
-    template = np.array([[-0.6, -0.55, 0.0], [0.7, -0.3, 0.0], [-0.1, 0.65, 0.0]])
-    start = np.array([[-0.4, -0.3, 0.0], [0.45, -0.45, 0.0], [0.15, 0.45, 0.0]])
-    shape, white = pipeline.make_mesh(start, np.array([[0, 1, 2]])), Colours(np.ones((3, 1)))
-    view = View(np.eye(4), WIDTH, HEIGHT, np.zeros(1))
-    target, _ = pipeline.render(shape._replace(positions=template), white, view)
-
-    def gradient(positions):
-        moved = shape._replace(positions=positions)
-        picture, buffers = pipeline.render(moved, white, view)
-        grad_aliased = inverse_rendering.squared_error_backward(1.0, buffers.colour, target)
-        _, grad_clip = pipeline.interior_backward(grad_aliased, buffers, shape.faces, white)
-        np.testing.assert_array_equal(grad_clip, 0)
-        grad_picture = inverse_rendering.squared_error_backward(1.0, picture, target)
-        return (inverse_rendering.squared_error(picture, target),
-                pipeline.render_backward(grad_picture, buffers, moved, white, view).positions)
-
-    rates = 0.03 * 0.98**np.arange(1, 201)
-    *_, (positions, _) = inverse_rendering.descend(start, gradient, rates)
-    off = (positions - template)[:, :2] * [WIDTH / 2, HEIGHT / 2]
-    assert np.linalg.norm(off, axis=1).max() < 0.1
-
-
-def test_the_two_paths_to_a_position_add_up():
-    """A picture of colours inside of one face has one path alone, a silhouette the other."""
-    shape, material, view = scene("cube")
-    picture, buffers = pipeline.render(shape, material, view)
-    clip, face_index, depth, *_ = buffers
-    inside = np.zeros(picture.shape)
-    blended = outlines.blended_pairs(face_index, depth, clip, shape.faces, shape.opposite)[:2]
-    untouched = np.setdiff1d(np.flatnonzero(face_index >= 0), np.concatenate(blended))
-    assert len(untouched) > 20
-    inside.reshape(-1, 2)[untouched] = 1.0
-    got = pipeline.render_backward(inside, buffers, shape, material, view).positions
-    _, grad_clip = pipeline.interior_backward(inside, buffers, shape.faces, material)
-    np.testing.assert_allclose(got, (grad_clip @ view.clip_from_model)[:, :3], rtol=1e-12,
-                               atol=1e-12)
 
 
 def test_the_gradient_of_a_depth_is_added():
