@@ -122,13 +122,6 @@ def test_it_does_not_matter_with_which_corner_a_face_begins(impl, turn):
     assert_equal(impl.front_faces(screen, np.roll(z, turn, 1)), [True, False, False, False])
 
 
-def test_a_face_without_area_is_not_drawn(impl):
-    """As in the original, where >= lets it pass and its inverse divides by 0."""
-    line = np.array([[0.0, 0.0], [2.0, 4.0], [1.0, 2.0]])
-    point = np.full((3, 2), 5.0)
-    assert_equal(impl.front_faces(np.stack([line, point]), np.ones((2, 3))), np.zeros(2, bool))
-
-
 def test_many_faces_are_told_by_their_turn(impl, rng):
     """Clockwise faces are drawn instead, x and y are swapped, coordinates of different faces are
     mixed, or a small face is taken for one without area.

@@ -1,4 +1,4 @@
-"""What is given in lab 3: spectra of pictures, and the area of a polygon."""
+"""What is given in lab 3: the area of a polygon."""
 from fractions import Fraction
 
 import numpy as np
@@ -13,32 +13,6 @@ def exact_area(polygon):
     points = [tuple(map(Fraction, map(float, point))) for point in polygon]
     pairs = zip(points, points[1:] + points[:1], strict=True)
     return float(sum(p[0] * q[1] - q[0] * p[1] for p, q in pairs) / 2)
-
-
-def test_a_spectrum_is_that_of_numpy(impl, rng):
-    """One axis is left out, or k_x comes first. The numbers are divided by their count. The matrix
-    of the width acts on the columns, or the picture is conjugated on one side.
-    """
-    for shape in (2, 2), (5, 8), (6, 3), (1, 7):
-        picture = rng.normal(size=shape)
-        assert_close(impl.spectrum_of(picture), np.fft.fft2(picture), atol=1e-12)
-
-
-def test_a_picture_comes_back_from_its_spectrum(impl, rng):
-    """An inverse of square pictures only, or of the absolute values. The result is complex, waves
-    run the other way, or the factor 1 / (H W) is missing.
-    """
-    for shape in (5, 8), (6, 3), (1, 7):
-        picture = rng.normal(size=shape)
-        assert_close(impl.picture_of(np.fft.fft2(picture)), picture)
-
-
-def test_frequencies_are_those_of_numpy(impl):
-    """The upper half stays above 1/2, or 1/2 itself counts as positive. The middle of an odd number
-    is one too low.
-    """
-    for n in 1, 2, 3, 4, 5, 8, 9, 100:
-        assert_close(impl.frequencies(n), np.fft.fftfreq(n))
 
 
 def test_many_polygons_at_once(impl, rng):

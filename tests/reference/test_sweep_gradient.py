@@ -80,26 +80,6 @@ def test_the_sweep_of_many_chunks_is_that_of_the_loop(rng, monkeypatch):
     test_the_sweep_of_whole_meshes_is_that_of_the_loop(rng, 1e-4)
 
 
-@pytest.mark.parametrize("height", [3, 8])
-def test_lines_are_those_of_a_search(impl, rng, height):
-    """An edge that goes down, or rows outside of the picture."""
-    for a, b in rng.uniform(-3, 9, (12, 2, 2)):
-        rows = [i for i in range(height) if (i + 0.5 - a[1]) * (i + 0.5 - b[1]) < 0]
-        row, crossing, share = impl.edge_lines(a, b, height)
-        assert_equal(row, np.array(rows, int))
-        t = (np.array(rows) + 0.5 - a[1]) / (b[1] - a[1])
-        assert_close(crossing, (1 - t) * a[0] + t * b[0])
-        assert_close(share, np.stack([1 - t, t], -1))
-
-
-def test_a_row_counts_if_its_centre_is_between_the_ends(impl):
-    """A centre just beyond an end is crossed, or one just before it is not."""
-    for beyond, rows in ((1e-8, [1]), (-1e-8, [0, 1, 2])):
-        low, high = np.array([4.0, 0.5 + beyond]), np.array([7.0, 2.5 - beyond])
-        assert_equal(impl.edge_lines(low, high, 4)[0], np.array(rows))
-        assert_equal(impl.edge_lines(high, low, 4)[0], np.array(rows))
-
-
 def test_a_row_counts_if_its_centre_is_at_an_end(impl):
     """An edge that ends on a centre does not count there."""
     row, crossing, share = impl.edge_lines(np.array([2.0, 0.5]), np.array([10.0, 4.5]), 9)

@@ -1,11 +1,8 @@
 """The reference's whole pictures of lab 10: cubes, light, and all of it together."""
-import itertools
-
 import numpy as np
 import pytest
 from loose_faces import camera, some_corners
 
-from course.checks import assert_close
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import interpolation, neural_renderer, pipeline, rasterization, texture_cubes
@@ -243,27 +240,3 @@ def test_a_view_that_does_not_fit_is_told_in_one_sentence(rng, wrong):
     with pytest.raises(ValueError, match="expected "):
         texture_cubes.render(scene, view._replace(background=wrong.get("background", BACKGROUND)),
                              wrong.get("samples", 2))
-
-
-def test_samples_are_those_of_a_loop(impl, rng):
-    """Texels of another face, the mean for the weighted sum, axes in another order, or channels
-    mixed.
-    """
-    textures, face = rng.random((5, 3, 3, 3, 2)), rng.integers(0, 5, 7)
-    index, tap = rng.integers(0, 27, (7, 8)), rng.random((7, 8))
-    expected = np.zeros((7, 2))
-    for n, m in itertools.product(range(7), range(8)):
-        i, j, k = np.unravel_index(index[n, m], (3, 3, 3))
-        expected[n] += tap[n, m] * textures[face[n], i, j, k]
-    assert_close(impl.sample_cubes(textures, face, index, tap), expected)
-
-
-def test_gradients_of_samples_are_central_differences(impl, rng):
-    """Gradients to another face or channel, or grad_tap of one channel alone. The last write wins,
-    or a texel that a pixel reads twice counts once.
-    """
-    textures, face = rng.normal(size=(4, 3, 3, 3, 2)), rng.integers(0, 4, 9)
-    index, tap = rng.integers(0, 27, (9, 8)), rng.random((9, 8))
-    index[5] = index[3, 0]  # pixels that read one texel, one of them eight times
-    gradcheck(impl.sample_cubes, impl.sample_cubes_backward, (textures, face, index, tap),
-              name="cubes")

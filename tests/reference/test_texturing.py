@@ -52,29 +52,7 @@ def test_the_mean_of_a_footprint_of_whole_texels_is_exact():
     np.testing.assert_allclose(got, image[0:3, 3:5].mean((0, 1))[None], rtol=1e-12)
 
 
-def test_a_border_belongs_to_the_upper_texel(impl):
-    """Half a texel off, the border goes to the lower texel, or 1.0 is pulled inside. Below 0, the
-    index is truncated toward 0.
-    """
-    assert_equal(impl.nearest_texel(np.array([-0.25, 0.0, 0.25, 0.5, 0.75, 1.0]), 4),
-                 np.arange(-1, 5))
-
-
 def test_every_point_may_have_its_own_size(impl):
     """A size for all: the levels of a pyramid have different ones. Or a texture of many turns."""
     x, size = np.array([[0.7, 0.7, 0.7], [-1.3, 9.3, 1000.6]]), np.array([[1, 2, 8], [3, 5, 16]])
     assert_equal(impl.nearest_texel(x, size), [[0, 1, 5], [-4, 46, 16009]])
-
-
-def test_clamped_numbers_have_any_shape_and_size(impl):
-    """One size for all points, or the shape is lost."""
-    index, inside = impl.clamp(np.array([[3, -2, 7], [0, 1, 2]]), np.array([1, 2, 4]))
-    assert_equal(index, [[0, 0, 3], [0, 1, 2]])
-    assert_equal(inside, np.ones((2, 3), bool))
-
-
-def test_numbers_outside_have_any_shape_and_size(impl):
-    """One size for all points, or the shape is lost."""
-    index, inside = impl.zero(np.array([[0, -2, 3], [1, 1, 4]]), np.array([1, 2, 4]))
-    assert_equal(index, [[0, 0, 3], [0, 1, 0]])
-    assert_equal(inside, [[True, False, True], [False, True, False]])

@@ -1,7 +1,6 @@
-"""Lab 1: what is given, and the whole chain: `project` and its gradient."""
+"""Lab 1: the whole chain, `project`, and its gradient."""
 import numpy as np
 
-from course.checks import assert_close
 from course.given.gradcheck import gradcheck
 from reference import transforms
 
@@ -26,34 +25,3 @@ def test_its_gradients_are_central_differences():
 
     gradcheck(lambda positions, matrix: transforms.project(positions, matrix, 60, 40), backward,
               (rng.normal(size=(5, 3)), matrix), name="project")
-
-
-def test_points_may_have_any_leading_axes(impl, rng):
-    """The 1 stands in front, a 0 is appended, or the code works for an array (N, 3) alone."""
-    for shape in (3,), (0, 3), (2, 5, 3):
-        points = rng.normal(size=shape)
-        expected = np.ones((*shape[:-1], 4))
-        expected[..., :3] = points
-        assert_close(impl.to_homogeneous(points), expected)
-
-
-def test_a_translation_moves_points_and_not_directions(impl):
-    """The offset stands in the last row (row vectors) instead of the last column."""
-    matrix = impl.translate(np.array([5.0, 6.0, 7.0]))
-    assert_close(matrix @ np.ones(4), [6.0, 7.0, 8.0, 1.0])
-    assert_close(matrix @ np.array([1.0, 1.0, 1.0, 0.0]), [1.0, 1.0, 1.0, 0.0])
-
-
-def test_a_scaling_stretches_each_axis(impl):
-    """w is scaled, too, or one factor serves all axes."""
-    assert_close(impl.scale(np.array([2.0, 3.0, -4.0])), [[2.0, 0.0, 0.0, 0.0],
-                                                          [0.0, 3.0, 0.0, 0.0],
-                                                          [0.0, 0.0, -4.0, 0.0],
-                                                          [0.0, 0.0, 0.0, 1.0]])
-
-
-def test_screen_points_of_ndc_points(impl, rng):
-    """y is flipped, z was scaled, or width and height are swapped."""
-    ndc = rng.uniform(-2, 2, (2, 5, 3))
-    expected = np.stack([(ndc[..., 0] + 1) * 320.5, (ndc[..., 1] + 1) * 239.5, ndc[..., 2]], -1)
-    assert_close(impl.to_screen(ndc, 641, 479), expected)
