@@ -25,14 +25,6 @@ def numbered(size):
     return np.arange(6.0 * size**2).reshape(6, size, size, 1)
 
 
-def test_a_look_at_each_face_of_two_by_two_texels():
-    """Faces in another order, or a face that is mirrored or turned."""
-    directions = np.array([[9.0, 1, 2], [-9.0, 1, 2], [1, 9.0, 2], [1, -9.0, 2], [1, 2, 9.0],
-                           [1, 2, -9.0]])
-    seen = cube_maps.cube_texture(numbered(2), directions, filter="nearest")[:, 0]
-    np.testing.assert_array_equal(seen, [0, 4 + 1, 8 + 3, 12 + 1, 16 + 1, 20 + 0])
-
-
 def test_each_texel_is_seen_in_its_own_direction():
     """(u, v) and the direction to it do not fit together."""
     for size in 1, 3, 8:
@@ -123,34 +115,6 @@ def test_every_gradient_is_a_central_difference(filter, size):
     gradcheck(lambda *inputs: cube_maps.cube_texture(*inputs, filter), backward,
               (faces, directions, jacobian, bias), differentiable=differentiable,
               decisions=decisions, name=f"cube_texture_{filter}_{size}")
-
-
-def test_the_gradients_of_footprints_are_central_differences():
-    """The footprint's own derivative by the direction is left out, or one of its parts."""
-    _, directions, jacobian, _ = scene(np.random.default_rng(6), (12,))
-    gradcheck(cube_maps.face_footprint, cube_maps.face_footprint_backward, (directions, jacobian),
-              decisions=lambda directions, _: cube_maps.on_face(directions)[0],
-              name="face_footprint")
-
-
-def test_the_footprint_is_the_step_to_the_neighbouring_pixel():
-    """The quotient rule without its second part, or a step of another pixel."""
-    y, x = np.indices((9, 13)) - [[[4.0]], [[6.0]]]
-    columns = np.array([[0.03, 0.01], [-0.02, 0.04], [0.01, 0.02]])
-    for out in cube_maps.FRAMES[:, 2]:
-        centre = (1.7 * out + [0.2, 0.13, -0.11]).reshape(1, 3)
-
-        def place(dx, dy, centre=centre):
-            pixel = np.stack([x.ravel() + dx, y.ravel() + dy], -1)
-            return cube_maps.on_face(centre + pixel @ columns.T)
-
-        got = cube_maps.face_footprint(centre + np.stack([x.ravel(), y.ravel()], -1) @ columns.T,
-                                       np.tile(columns, (x.size, 1, 1)))
-        h = 1e-4
-        for k, (dx, dy) in enumerate([(h, 0), (0, h)]):
-            (face, ahead), (same, behind) = place(dx, dy), place(-dx, -dy)
-            assert (face == same).all()
-            np.testing.assert_allclose(got[..., k], (ahead - behind) / (2 * h), atol=1e-7)
 
 
 def test_the_length_of_a_direction_does_not_matter():

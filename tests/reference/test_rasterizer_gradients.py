@@ -6,7 +6,7 @@ import pytest
 
 from course.checks import assert_close
 from course.given.gradcheck import gradcheck
-from reference import arrays, rasterization, scanline, vertex_gradients
+from reference import arrays, scanline, vertex_gradients
 from reference import rasterizer_gradients as gradients
 
 FORWARD = np.load("tests/golden/rasterize.npz")
@@ -47,35 +47,6 @@ def scene():
     seen = np.unique(face_index)[1:]
     assert len(seen) >= 3 and (clip[faces[seen], 3] < 0).any()
     return clip, faces, face_index, 13, 9
-
-
-def test_barycentrics_have_a_gradient(scene):
-    """Width and height are swapped, a vertex behind the camera, or the share of w."""
-    clip, faces, face_index, _, _ = scene
-    gradcheck(rasterization.barycentrics, gradients.barycentrics_backward,
-              (face_index, clip, faces), name="barycentrics")
-
-
-def test_their_derivatives_have_a_gradient(scene):
-    """x and y are swapped, or derivatives are taken by ndc."""
-    clip, faces, face_index, _, _ = scene
-    gradcheck(rasterization.barycentrics_derivatives, gradients.barycentrics_derivatives_backward,
-              (face_index, clip, faces), name="barycentrics_derivatives")
-
-
-def test_depth_has_a_gradient(scene):
-    """The share of z or w, or a pixel without a face has one."""
-    clip, faces, _, width, height = scene
-
-    def seen(clip):
-        return scanline.rasterize(clip, faces, width, height)[0]
-
-    def depth(clip):
-        depth = scanline.rasterize(clip, faces, width, height)[1]
-        return np.where(np.isfinite(depth), depth, 0.0)
-
-    gradcheck(depth, lambda grad, clip: gradients.depth_backward(grad, seen(clip), clip, faces),
-              (clip,), decisions=seen, name="depth")
 
 
 def test_all_of_it_is_the_sum(scene):

@@ -307,13 +307,6 @@ def test_a_slight_pull_decides_where_all_is_flat():
     assert_close(moved / (trace * 0.5), np.full(len(inside), simplification.PULL), rtol=1e-3)
 
 
-def test_without_a_distance_the_pairs_are_the_edges():
-    """An edge of two faces comes twice, or vertices in one place come as a pair."""
-    vertices = np.zeros((5, 3))
-    got = simplification.valid_pairs(vertices, np.array([[4, 0, 1], [1, 0, 3]]), 0.0)
-    assert_equal(got, [[0, 1], [0, 3], [0, 4], [1, 3], [1, 4]])
-
-
 def test_near_vertices_are_pairs_too():
     """<= for <. Long edges are left out. Vertices of no face, here 0, come in, or are skipped when
     the others are numbered."""
