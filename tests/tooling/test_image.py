@@ -26,15 +26,6 @@ def test_row_0_is_written_at_the_bottom(tmp_path):
         np.testing.assert_array_equal(np.asarray(raw)[::-1], np.round(255 * picture))
 
 
-def test_row_0_is_read_from_the_bottom(tmp_path):
-    """A reader and a writer that are wrong together: here Pillow writes."""
-    raw = np.arange(36, dtype=np.uint8).reshape(3, 4, 3)
-    Image.fromarray(raw).save(tmp_path / "a.png")
-    picture = image.read(tmp_path / "a.png")
-    assert picture.dtype == np.float64
-    np.testing.assert_array_equal(picture, raw[::-1] / 255)
-
-
 @pytest.mark.parametrize(("shape", "mode"), [
     ((5, 7, 3), "RGB"), ((5, 7, 4), "RGBA"), ((5, 7), "L"), ((5, 7, 1), "L")])
 def test_a_picture_comes_back_grey_as_three_equal_channels(shape, mode, tmp_path):
