@@ -8,7 +8,7 @@ import scipy.sparse
 from course.experiments.scenes import representations
 from course.given import inputs, mesh
 from course.given.gradcheck import gradcheck
-from reference import implicit_surfaces, marching_tetrahedra
+from reference import implicit_surfaces, marching_tetrahedra, regularization, subdivision
 
 
 def marched(shape, n):
@@ -18,13 +18,11 @@ def marched(shape, n):
 
 
 def area(vertices, faces):
-    a, b, c = vertices[faces.T]
-    return np.linalg.norm(np.cross(b - a, c - a), axis=-1).sum() / 2
+    return np.linalg.norm(mesh.area_vectors(vertices, faces), axis=-1).sum() / 2
 
 
 def volume(vertices, faces):
-    a, b, c = vertices[faces.T]
-    return (a * np.cross(b, c)).sum() / 6
+    return regularization.enclosed_volume(vertices[faces])
 
 
 def test_trilinear_weights_give_linear_functions_back():
@@ -89,16 +87,8 @@ def assert_closed_manifold(count, faces):
     along, against = (np.sort(a * count + b) for a, b in ((start, end), (end, start)))
     assert (np.diff(along) > 0).all()           # each directed edge once
     np.testing.assert_array_equal(along, against)
-    # Around each vertex one fan: faces at it, joined where they share an edge at it.
-    corner = np.arange(faces.size)              # corner 3 f + k is that of vertex k of face f
-    previous = 3 * (corner // 3) + (corner + 2) % 3
-    by_edge = {(int(a), int(b)): int(c) for a, b, c in zip(start, end, corner, strict=True)}
-    flat = faces.ravel()
-    neighbour = [by_edge[int(flat[v]), int(flat[p])] for v, p in zip(corner, previous, strict=True)]
-    graph = scipy.sparse.coo_array((np.ones(len(corner)), (corner, neighbour)),
-                                   shape=(len(corner), len(corner)))
-    fans, _ = scipy.sparse.csgraph.connected_components(graph, directed=False)
-    assert fans == count == len(np.unique(flat))
+    _, fans = subdivision.split_fans(faces.ravel(), np.full(len(faces), 3))
+    assert len(fans) == count == len(np.unique(faces))  # one around each vertex
 
 
 def inside_volume(points, distance, n, steps=6):

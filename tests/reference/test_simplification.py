@@ -8,7 +8,7 @@ from simplification_meshes import LEAST_CURVATURE, bumpy, edges_of, euler, plane
 
 from course.checks import assert_close, assert_equal
 from course.given import distances, mesh
-from reference import collapse_heap, simplification
+from reference import collapse_heap, simplification, subdivision
 
 # Mean distances of the bunny in 5,804 faces, both ways, in 1/10,000 of its diagonal: the less of
 # libigl's qslim and VTK's quadric decimation. From benchmarks/simplification.py.
@@ -20,21 +20,9 @@ def is_manifold(faces):
     directed = faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     once = len(np.unique(directed, axis=0)) == len(directed)
     ends = np.bincount(mesh.boundary_edges(faces).ravel(), minlength=faces.max() + 1)
-    fans = all(fan_count(faces[(faces == vertex).any(1)], vertex) == 1
-               for vertex in np.unique(faces))
+    _, fans = subdivision.split_fans(faces.ravel(), np.full(len(faces), 3))
     twins = len(np.unique(np.sort(faces, axis=1), axis=0)) < len(faces)
-    return once and set(ends) <= {0, 2} and fans and not twins
-
-
-def fan_count(faces, vertex):
-    """How many parts the faces at a vertex have, joined by edges at the vertex."""
-    parts = [{*face} - {vertex} for face in faces.tolist()]
-    for k in range(len(parts) - 1, 0, -1):
-        for other in range(k):
-            if parts[k] & parts[other]:
-                parts[other] |= parts.pop(k)
-                break
-    return len(parts)
+    return once and set(ends) <= {0, 2} and len(fans) == len(np.unique(faces)) and not twins
 
 
 @pytest.fixture(scope="module")
