@@ -1,7 +1,7 @@
 """What both schemes of lab 11 compose: topology, which meshes are refused, and how to mend them."""
 import numpy as np
 import pytest
-from subdivision_meshes import MOEBIUS, TETRAHEDRON, TRIANGLES, flat, polygon_meshes
+from subdivision_meshes import MOEBIUS, TETRAHEDRON, flat, polygon_meshes
 from subdivision_meshes import POLYGONS as FLAT_POLYGONS
 from triangle_meshes import MESHES
 
@@ -18,25 +18,6 @@ def test_two_handles_make_minus_two():
     _, corners, counts = POLYGONS["two holes"]
     assert not subdivision.topology(corners, counts, corners.max() + 1)[2].any()
     assert subdivision.euler_characteristic(corners, counts) == 2 - 2 * 2
-
-
-def test_ordinary_vertices_inside_and_on_the_boundary():
-    """On the boundary, half the valence and one more is regular, not half of it."""
-    valence = np.array([6, 4, 3, 6, 4, 3, 2, 0, 0, 1])
-    at_boundary = np.array([0, 0, 0, 1, 1, 1, 1, 0, 1, 0], bool)
-    for regular, expected in ((6, [0, 1, 1, 1, 0, 1, 1, 0, 0, 1]),
-                              (4, [1, 0, 1, 1, 1, 0, 1, 0, 0, 1])):
-        got = subdivision.is_extraordinary(valence, at_boundary, regular)
-        np.testing.assert_array_equal(got, np.array(expected, bool))
-
-
-@pytest.mark.parametrize("name, expected", [
-    ("one triangle", 1), ("tetrahedron", 2), ("torus", 0), ("octahedron and fan", 3),
-    ("band with a twist", 0)])
-def test_euler_characteristic_of_triangles(name, expected):
-    """Vertices of no face are counted, or edges twice."""
-    faces = TRIANGLES[name][1]
-    assert subdivision.euler_characteristic(faces.ravel(), np.full(len(faces), 3)) == expected
 
 
 @pytest.mark.parametrize("name, expected", [
