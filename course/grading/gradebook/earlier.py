@@ -9,14 +9,16 @@ def records(out, handed_in, columns) -> list[Record]:
     ValueError: they would not fit into the same table, or a folder is another student's.
     """
     now = {one.student.casefold(): one for one in handed_in}
-    groups = {one.group for one in handed_in}
+    names = {name for one in handed_in for name in (one.student, one.group)} - {""}
     found = []
     for path in sorted(out.glob("students/*/record.json")):
         record, one = read(path), now.get(path.parent.name.casefold())
+        if one is None and names & {path.parent.name, record and record.work.group}:
+            continue  # a group, whose members have rows now, or one of its former members
         if one is None and not fits(record, columns):
             raise ValueError(f"{out} holds grades of {path.parent.name} for other labs, or of "
                              "another version of the course: name another folder with --out")
-        if one is None and path.parent.name not in groups:  # else it has a row for each member
+        if one is None:
             found.append(record)
         elif record and are_two(record.work.identity, one.identity):
             raise ValueError(f"{path.parent} holds grades of another student, whose name is almost "

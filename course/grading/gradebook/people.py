@@ -61,7 +61,8 @@ def with_members(handed_in, people) -> list:
     ValueError: a member has handed in alone, too.
     """
     known, groups = names(handed_in), {one.student: [] for one in handed_in}
-    taken = {name.casefold() for name in known}
+    together = {known.get(person.group) for person in people}
+    taken = {name.casefold() for name, student in known.items() if student not in together}
     for person in people:
         if person.group in known:
             student = tidy(person.name)
