@@ -23,6 +23,8 @@ from .results import Results, Run
 def run(request: Request) -> int:
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
     request, said = recalled(request)
+    for sentence in said:
+        print(sentence, flush=True)
     topics = exercises.topics_of(request.labs)
     require_whole(topics)
     limits = limits_of(request.seconds)
@@ -30,12 +32,13 @@ def run(request: Request) -> int:
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if request.extra or not exercise.is_extra]
     handed_in, persons, not_understood = read(request, topics)
-    before = earlier.records(Path(request.out), handed_in, columns)
+    before, gone = earlier.records(Path(request.out), handed_in, columns)
     works = [*handed_in, *(record.work for record in before)]
     book = Gradebook(request.book, works, columns, persons)
     results = Results(made(request.out), book, Run(
         columns, level, about, running.course_digest(), not_understood))
-    print(*said, *said_before(results), sep="\n")
+    results.forget(gone)
+    print(*said_before(results), sep="\n")
     todo = [(one, Job(one.texts, one.missing, level, own_seed(request.seed, one.texts), limits,
                       bool(request.extra))) for one in handed_in]
     return grade_all(request, topics, todo, before, results)
@@ -78,7 +81,8 @@ def grade_all(request, topics, todo, before, results):
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
           f"{len(students) - len(todo)} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
-    print(*(f"{name}: {problem}" for name, problem in failed.items()), *files, sep="\n")
+    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.other_work,
+          *files, sep="\n")
     return int(bool(failed))
 
 

@@ -130,11 +130,13 @@ def test_nothing_is_graded_where_the_reference_fails(ada_graded, tmp_path):
 
 
 def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, run_module, tmp_path):
-    """Everything again, or an old mark for new work."""
+    """Everything again, or an old mark for new work; or marks change without a word."""
     out, handed_in = (shutil.copytree(folder, tmp_path / folder.name) for folder in graded[:2])
     before = {path: path.stat().st_mtime_ns for path in out.glob("students/*/record.json")}
     put(handed_in, {"bob/transforms.py": LAB})
-    assert "1 submissions graded" in run_grade(run_module, course, out.parent, "--resume")
+    printed = run_grade(run_module, course, out.parent, "--resume")
+    assert "1 submissions graded" in printed
+    assert "bob has other work than in an earlier run: 10 points, 9 before" in printed
     changed = {path.parent.name for path, old in before.items() if path.stat().st_mtime_ns != old}
     assert changed == {"bob"} and grades(out)["bob"]["total"] == "10"
 

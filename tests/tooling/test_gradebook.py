@@ -354,7 +354,7 @@ def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
     """The points of all who were in time are missing beside those who came late."""
     first, second = (submission("a", "canvas", id="50101"), submission("k", "canvas", id="50102"))
     Results(tmp_path, book([first], **CANVAS), RUN).add(first, 0, "", RIGHT, {})
-    before, = earlier.records(tmp_path, [second], CORE)
+    (before,), _ = earlier.records(tmp_path, [second], CORE)
     later = Results(tmp_path, book([second, before.work], **CANVAS), RUN)
     later.take(before)
     later.add(second, 0, "", RIGHT, {})

@@ -1,5 +1,6 @@
 """Groups, and due times of single students."""
 import csv
+import shutil
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ CANVAS = Path(__file__).parent / "rosters" / "canvas.csv"
 LAB = exercise("2.1", "edge", 10)
 DUE = "2026-11-22T23:59+01:00"
 HANDED_IN = moment(DUE).timestamp() + 60  # a minute late
-GROUP = submission("blue_50102", "canvas", when=HANDED_IN, id="50102")  # Canvas: a member's
+GROUP = submission("blue_50102", "canvas", when=HANDED_IN, id="50102", name="blue")
 ALONE = submission("nalvarez_50101", "canvas", when=HANDED_IN, id="50101")
 
 
@@ -40,10 +41,10 @@ def graded(persons, **asked):
 
 @pytest.mark.parametrize("name", ["50102", "jkraus", '"Kraus, Jürgen"'])
 def test_a_group_s_points_go_to_each_member(read, tmp_path, name):
-    """A group is nobody in the roster, so its points are typed by hand. Or a mark that somebody
-    typed in is written over without a word.
+    """A group's points are typed by hand, or the member whose id Canvas gives it is refused. Or a
+    mark that somebody typed in is written over without a word.
     """
-    book, records = graded(read(f"{name},blue_50102,", "50103,50102,"), csv="canvas", roster=CANVAS,
+    book, records = graded(read(f"{name},blue_50102,", "50103,blue,"), csv="canvas", roster=CANVAS,
                            assignment="Lab 2")
     book.write(tmp_path, records, [])
     rows = csv.reader(tmp_path.joinpath("for-canvas.csv").open(encoding="utf-8-sig"))
@@ -56,13 +57,15 @@ def test_a_group_s_points_go_to_each_member(read, tmp_path, name):
 
 def test_a_group_and_its_members_are_not_in_one_table(read, tmp_path):
     """--people after a first run ends in an error; or who left the group keeps its points."""
-    members = people.with_members([GROUP], read("x,blue_50102,", "y,blue_50102,"))
+    members = people.with_members([GROUP], read("x,blue,", "y,blue,"))
     for before, now in ([GROUP], members), (members, [GROUP]), (members, members[:1]):
         for one in before:
             path = tmp_path / "students" / one.student / "record.json"
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(typed_json.dumps(record(one, result(entry(LAB, "done")))), "utf-8")
-        assert earlier.records(tmp_path, now, [LAB]) == []
+        gone = [one.student for one in before if one not in now]
+        assert earlier.records(tmp_path, now, [LAB]) == ([], gone)
+        shutil.rmtree(tmp_path / "students")
 
 
 @pytest.mark.parametrize("name", ["nalvarez_50101", "50101"])

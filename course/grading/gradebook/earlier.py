@@ -3,27 +3,28 @@ from ..apart import typed_json
 from .records import Record
 
 
-def records(out, handed_in, columns) -> list[Record]:
-    """The records of those who are not graded now.
+def records(out, handed_in, columns) -> tuple[list[Record], list[str]]:
+    """-> (the records of those who are not graded now, the names that have no row any more).
 
-    ValueError: they would not fit into the same table, or a folder is another student's.
+    These are groups whose members have rows now, and members of a group that has one, or lost them.
+    ValueError: a record would not fit into the same table, or a folder is another student's.
     """
     now = {one.student.casefold(): one for one in handed_in}
     names = {name for one in handed_in for name in (one.student, one.group)} - {""}
-    found = []
+    found, gone = [], []
     for path in sorted(out.glob("students/*/record.json")):
         record, one = read(path), now.get(path.parent.name.casefold())
         if one is None and names & {path.parent.name, record and record.work.group}:
-            continue  # a group, whose members have rows now, or one of its former members
-        if one is None and not fits(record, columns):
+            gone.append(path.parent.name)
+        elif one is None and not fits(record, columns):
             raise ValueError(f"{out} holds grades of {path.parent.name} for other labs, or of "
                              "another version of the course: name another folder with --out")
-        if one is None:
+        elif one is None:
             found.append(record)
         elif record and are_two(record.work.identity, one.identity):
             raise ValueError(f"{path.parent} holds grades of another student, whose name is almost "
                              "the same: name another folder with --out")
-    return found
+    return found, gone
 
 
 def read(path) -> Record | None:

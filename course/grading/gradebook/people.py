@@ -4,8 +4,8 @@
     4711,blue_9001,               4711 gets what blue_9001 handed in, as others of that group do
     ada,,2026-11-29T23:59         an extension
 
-A student who handed in is named as in grades.csv, or by the platform's id or e-mail. A member of a
-group did not, and is named as in the roster.
+A student or a group that handed in is named as in grades.csv, or by the platform's id, e-mail or
+name. A member of a group did not, and is named as in the roster.
 """
 from typing import NamedTuple
 
@@ -49,7 +49,7 @@ def names(handed_in) -> dict[str, str]:
     """{what a student is called: the student of grades.csv}, if nobody else is called so."""
     found = {}
     for one in handed_in:
-        for name in {one.student, one.identity.id, one.identity.email} - {""}:
+        for name in {one.student, one.identity.id, one.identity.email, one.identity.name} - {""}:
             found.setdefault(name, set()).add(one.student)
     return {name: next(iter(each)) for name, each in found.items() if len(each) == 1} | {
         one.student: one.student for one in handed_in}
@@ -79,8 +79,7 @@ def with_members(handed_in, people) -> list:
 def members(group, found):
     """The Submission of a group, as that of each member (student, Identity). Without any, as it is.
     """
-    return [group._replace(student=student, group=group.student,
-                           identity=identity._replace(file=group.identity.file))
+    return [group._replace(student=student, group=group.student, identity=identity)
             for student, identity in found] or [group]
 
 
