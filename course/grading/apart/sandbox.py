@@ -26,7 +26,6 @@ from .processes import WORKERS, Use, end_orphans, family, use_of
 PROBE = Path(__file__).with_name("probe.py")
 PATIENCE = 0.2         # seconds between two looks at a worker
 CLOCK = 5              # so many times its limit may a worker take on the clock, on a busy machine
-KILL = signal.SIGKILL if os.name != "nt" else signal.SIGTERM
 OUR_OWN = 4            # processes of a worker that are not the submission's
 FILES_LEFT = "files"
 MOST_FILES = 1000      # of a worker's folder: the system counts their bytes, and not their number
@@ -60,7 +59,10 @@ class Worker:
         self.control, its_control = socket.socketpair()
         self.buffer = bytearray()
         with theirs, its_control:
-            self.process = started(command, self.folder, theirs, its_control)
+            self.process = subprocess.Popen(
+                command, stdin=theirs, stdout=its_control, stderr=subprocess.PIPE, cwd=self.folder,
+                env=environment(), start_new_session=True)
+        WORKERS.add(self.process.pid)
         self.share = None
         self.guard = Guard(self.process.pid, limits.memory, level == "strict")
         try:
@@ -181,9 +183,8 @@ class Worker:
         self.control.close()
         with contextlib.suppress(ProcessLookupError, PermissionError):
             for pid in family(self.process.pid):
-                os.kill(pid, KILL)
-            if hasattr(os, "killpg"):
-                os.killpg(self.process.pid, signal.SIGKILL)
+                os.kill(pid, signal.SIGKILL)
+            os.killpg(self.process.pid, signal.SIGKILL)
         self.process.kill()
         self.process.wait()
         if self.share:
@@ -191,20 +192,6 @@ class Worker:
         WORKERS.discard(self.process.pid)
         end_orphans()
         shutil.rmtree(self.folder, ignore_errors=True)
-
-
-def started(command, folder, its_socket, its_control):
-    """The process of a worker. On Windows, a socket is written to it: it cannot be its input."""
-    windows = os.name == "nt"
-    process = subprocess.Popen(
-        command, stdin=subprocess.PIPE if windows else its_socket,
-        stdout=subprocess.DEVNULL if windows else its_control,
-        stderr=subprocess.PIPE, cwd=folder, env=environment(), start_new_session=True)
-    WORKERS.add(process.pid)
-    if windows:
-        process.stdin.write(its_socket.share(process.pid))
-        process.stdin.close()
-    return process
 
 
 class Look(NamedTuple):
@@ -240,7 +227,7 @@ class Guard(threading.Thread):
         self.excess = why
         for pid in pids:
             with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.kill(pid, KILL)
+                os.kill(pid, signal.SIGKILL)
 
     def close(self):
         """Its process may not be waited for before: another one could get the number."""
