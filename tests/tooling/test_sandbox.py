@@ -141,4 +141,4 @@ def test_a_worker_pays_for_what_it_uses_or_sleeps(used, spent):
     meter = sandbox.Meter()
     meter.add(sandbox.Look(meter.began + 1.0, used[0]))
     meter.add(sandbox.Look(meter.began + 5.0, used[1]))
-    assert meter.spent == pytest.approx(1.0 + spent)  # before the first look, it is not known what it did
+    assert meter.spent == pytest.approx(1.0 + spent)  # the first second: nobody looked

@@ -59,10 +59,7 @@ class Worker:
         self.control, its_control = socket.socketpair()
         self.buffer = bytearray()
         with theirs, its_control:
-            self.process = subprocess.Popen(
-                command, stdin=theirs, stdout=its_control, stderr=subprocess.PIPE, cwd=self.folder,
-                env=environment(), start_new_session=True)
-        WORKERS.add(self.process.pid)
+            self.process = started(command, self.folder, theirs, its_control)
         self.share = None
         self.guard = Guard(self.process.pid, limits.memory, level == "strict")
         try:
@@ -192,6 +189,15 @@ class Worker:
         WORKERS.discard(self.process.pid)
         end_orphans()
         shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def started(command, folder, its_socket, its_control):
+    """The process of a worker."""
+    process = subprocess.Popen(command, stdin=its_socket, stdout=its_control,
+                               stderr=subprocess.PIPE, cwd=folder, env=environment(),
+                               start_new_session=True)
+    WORKERS.add(process.pid)
+    return process
 
 
 class Look(NamedTuple):

@@ -90,8 +90,7 @@ class Channel:
 
 
 def main():
-    stream = io.BufferedRWPair(*(open(os.dup(0), mode, 0) for mode in ("rb", "wb")))
-    control = os.dup(1)
+    stream, control = opened_stream(), os.dup(1)
     nowhere = os.open(os.devnull, os.O_RDWR)
     for standard in (0, 1, 2):
         os.dup2(nowhere, standard)
@@ -111,6 +110,11 @@ def main():
             for name in preloaded:  # the reference imports it: once for all exercises, before fork
                 importlib.import_module(name)
             serve_apart(channel, control, codes, refusing)
+
+
+def opened_stream():
+    """The grader's socket, which is standard input."""
+    return io.BufferedRWPair(*(open(os.dup(0), mode, 0) for mode in ("rb", "wb")))
 
 
 @functools.cache
