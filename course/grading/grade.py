@@ -148,7 +148,11 @@ def made(out) -> Path:
 
 
 def level_to_use(isolation) -> tuple[str, str]:
-    """-> (level, a sentence on it). ValueError: strict is wanted and cannot be had."""
+    """-> (level, a sentence on it). ValueError: strict is wanted and cannot be had, or this is
+    Windows, which has no fork.
+    """
+    if os.name == "nt":
+        raise ValueError("grade needs Linux or macOS: on Windows, run it in WSL")
     if isolation == "process":
         return "process", "as told by --isolation process"
     level, about = sandbox.available()

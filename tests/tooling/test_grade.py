@@ -191,6 +191,9 @@ def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):
     with pytest.raises(ValueError, match="needs bubblewrap; to grade work that you trust"):
         grade.level_to_use(None)
     assert grade.level_to_use("process")[0] == "process"
+    monkeypatch.setattr(grade.os, "name", "nt")
+    with pytest.raises(ValueError, match="on Windows, run it in WSL"):
+        grade.level_to_use("process")
 
 
 @pytest.mark.parametrize("seconds", [0, -1, 0.5, 151, float("nan"), float("inf")])
@@ -254,7 +257,6 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
         "labs/transforms.py", "labs/rasterization.py"]
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Gradescope's machines run Linux")
 def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
     """A file is missing in the zip, or the result is written elsewhere; a score that is no sum, a
     status that Gradescope does not know.

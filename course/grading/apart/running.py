@@ -105,8 +105,9 @@ def on_cluster(todo, scheduler):
         futures = {client.submit(there, "examine_alike", course_digest(),
                                  typed_json.dumps(job), pure=False): (one, job)
                    for one, job in todo}
-        for future in distributed.as_completed(futures):
-            yield *futures[future], outcome(future)
+        # A future that is kept keeps its result on that machine: lost with it, and made again.
+        for future in distributed.as_completed([*futures]):
+            yield *futures.pop(future), outcome(future)
 
 
 def connected(distributed, scheduler):
