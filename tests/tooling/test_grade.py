@@ -159,7 +159,7 @@ def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, 
 
     (tmp_path / "out" / "asked.json").unlink()
     told = run_grade(run_module, course, tmp_path, "--labs", "1", status=2)
-    assert "holds grades of ada for other labs, or of another version of the course" in told
+    assert "holds grades of ada for other labs or points, or of another version" in told
     (tmp_path / "in" / "Bob").mkdir()
     told = run_grade(run_module, course, tmp_path, status=2)
     assert "bob holds grades of another student, whose name is almost the same" in told

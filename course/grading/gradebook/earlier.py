@@ -17,8 +17,9 @@ def records(out, handed_in, columns) -> tuple[list[Record], list[str]]:
         if one is None and names & {path.parent.name, record and record.work.group}:
             gone.append(path.parent.name)
         elif one is None and not fits(record, columns):
-            raise ValueError(f"{out} holds grades of {path.parent.name} for other labs, or of "
-                             "another version of the course: name another folder with --out")
+            raise ValueError(f"{out} holds grades of {path.parent.name} for other labs or points, or "
+                             "of another version of the course: grade all submissions again in "
+                             "one run, or name another folder with --out")
         elif one is None:
             found.append(record)
         elif record and are_two(record.work.identity, one.identity):
@@ -37,9 +38,8 @@ def read(path) -> Record | None:
 
 def fits(record, columns):
     """Whether a record has what the tables show."""
-    entries = record.result.entries if record else []
-    numbers = {entry.number for entry in entries}
-    return bool(record) and (not entries or numbers == {one.number for one in columns})
+    points = {entry.number: entry.points for entry in record.result.entries} if record else {}
+    return bool(record) and (not points or points == {one.number: one.points for one in columns})
 
 
 def are_two(before, now):
