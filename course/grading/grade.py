@@ -23,8 +23,8 @@ from .results import Results, Run
 def run(request: Request) -> int:
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
     request, said = recalled(request)
-    for sentence in said:
-        print(sentence, flush=True)
+    if said:
+        print(said, flush=True)
     topics = exercises.topics_of(request.labs)
     require_whole(topics)
     limits = limits_of(request.seconds)
@@ -130,6 +130,7 @@ def limits_of(seconds) -> sandbox.Limits:
     ValueError: no call can be made in that time, or a submission's time does not suffice.
     """
     most = sandbox.Limits().submission / 12
+    seconds = sandbox.Limits().call if seconds is None else seconds
     if not 1 <= seconds <= most:
         raise ValueError(f"--seconds is the most that a call may take: give 1 to {most:g}, "
                          f"not {seconds:g}")

@@ -17,9 +17,9 @@ def records(out, handed_in, columns) -> tuple[list[Record], list[str]]:
         if one is None and names & {path.parent.name, record and record.work.group}:
             gone.append(path.parent.name)
         elif one is None and not fits(record, columns):
-            raise ValueError(f"{out} holds grades of {path.parent.name} for other labs or points, or "
-                             "of another version of the course: grade all submissions again in "
-                             "one run, or name another folder with --out")
+            raise ValueError(f"{out} holds grades of {path.parent.name} for other labs or points, "
+                             "or of another version of the course: grade all submissions again "
+                             "in one run, or name another folder with --out")
         elif one is None:
             found.append(record)
         elif record and are_two(record.work.identity, one.identity):

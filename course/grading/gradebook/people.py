@@ -1,7 +1,7 @@
 """Who works together, and who has more time: people.csv.
 
     student,group,due
-    4711,blue_9001,               4711 gets what blue_9001 handed in, as others of that group do
+    4711,blue,                    4711 gets what blue handed in, as others of that group do
     ada,,2026-11-29T23:59         an extension
 
 A student or a group that handed in is named as in grades.csv, or by the platform's id, e-mail or
@@ -70,8 +70,7 @@ def with_members(handed_in, people) -> list:
                 raise ValueError(f"{person.where}: {person.name} is there alone, too: take one of "
                                  "the two out")
             taken.add(student.casefold())
-            groups[known[person.group]].append((student, Identity(
-                "people", person.name, person.name, person.name)))
+            groups[known[person.group]].append((student, Identity("people", name=person.name)))
     return sorted((one for group in handed_in for one in members(group, groups[group.student])),
                   key=lambda one: one.student)
 
