@@ -37,7 +37,7 @@ def test_nothing(impl):
 
 @pytest.fixture(scope="module")
 def course(house):
-    return house(first_lab() | SECOND_LAB)
+    return house(first_lab() | SECOND_LAB | {"course/given/data/captures/00.png": ""})
 
 
 @pytest.fixture(scope="module")
@@ -258,8 +258,8 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
 
 
 def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
-    """A file is missing in the zip, or the result is written elsewhere; a score that is no sum, a
-    status that Gradescope does not know.
+    """A file is missing in the zip, or a folder of data stops it. Or the result is written
+    elsewhere; a score that is no sum, a status that Gradescope does not know.
     """
     done = run_module(course, "course", "autograder", "gradescope", tmp_path / "a.zip")
     assert done.returncode == 0, done.stderr

@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+from course.grading.grade import own_seed
 from course.grading.gradebook.book import Asked
 from course.grading.request import Request, recalled, remember
 
@@ -76,6 +77,12 @@ def test_the_seed_is_drawn_kept_and_secret(ask, tmp_path):
     assert json.loads(kept.read_text())["seed"] >> 64
     if sys.platform != "win32":
         assert kept.stat().st_mode & 0o777 == 0o600
+
+
+def test_a_submission_has_no_time_to_try_all_seeds():
+    """Of 2^31 seeds, it finds its own from its first inputs in 10 s, and runs the public checks."""
+    seeds = [own_seed(7, {"transforms": str(k)}) for k in range(100)]
+    assert 1 << 47 < max(seeds) < 10 ** 15  # more digits are not kept by a spreadsheet
 
 
 def test_a_memory_that_cannot_be_read_is_no_empty_one(ask, tmp_path):
