@@ -11,7 +11,7 @@ OURS = 20.0  # seconds of processor time that comparing and reporting what was r
 @contextlib.contextmanager
 def at_most(seconds, error, of_processor=False):
     """The block, in which the error is raised after these seconds, on the clock or of processor
-    time: at the next step of Python's own.
+    time: at the next step of Python's own. `or_ended` does not wait for that.
     """
     def stop(*_):
         raise error
@@ -29,3 +29,16 @@ def at_most(seconds, error, of_processor=False):
     finally:
         signal.setitimer(timer, 0)
         signal.signal(number, before)
+
+
+@contextlib.contextmanager
+def or_ended(seconds):
+    """The block, in which the system ends this process after these seconds of processor time."""
+    has_timer = hasattr(signal, "setitimer")
+    if has_timer:
+        signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    try:
+        yield
+    finally:
+        if has_timer:
+            signal.setitimer(signal.ITIMER_VIRTUAL, 0)

@@ -15,7 +15,7 @@ from .handing.submissions import Submission
 from .pages import report
 
 FILES = Path(__file__).with_name("files")
-NEEDED = (*running.DECIDE, "course/given/data/*", "course/checks/hints.json",
+NEEDED = (*running.DECIDE, "course/given/data/*.*", "course/checks/hints.json",
           "course/grading/files/*", "labs/*.py", "pyproject.toml", "requirements.txt")
 PROGRAMS = "setup.sh", "run_autograder"
 

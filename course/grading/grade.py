@@ -23,6 +23,8 @@ from .results import Results, Run
 def run(request: Request) -> int:
     """Grade the submissions in a folder -> 0 if every one of them could be graded, else 1."""
     request, said = recalled(request)
+    if said:
+        print(said, flush=True)
     topics = exercises.topics_of(request.labs)
     require_whole(topics)
     limits = limits_of(request.seconds)
@@ -30,12 +32,13 @@ def run(request: Request) -> int:
     columns = [exercise for topic in topics for exercise in exercises.topic_exercises(topic)
                if request.extra or not exercise.is_extra]
     handed_in, persons, not_understood = read(request, topics)
-    before = earlier.records(Path(request.out), handed_in, columns)
+    before, gone = earlier.records(Path(request.out), handed_in, columns)
     works = [*handed_in, *(record.work for record in before)]
     book = Gradebook(request.book, works, columns, persons)
     results = Results(made(request.out), book, Run(
         columns, level, about, running.course_digest(), not_understood))
-    print(*said, *said_before(results), sep="\n")
+    results.forget(gone)
+    print(*said_before(results), sep="\n")
     todo = [(one, Job(one.texts, one.missing, level, own_seed(request.seed, one.texts), limits,
                       bool(request.extra))) for one in handed_in]
     return grade_all(request, topics, todo, before, results)
@@ -78,7 +81,8 @@ def grade_all(request, topics, todo, before, results):
     print(f"{len(todo)} submissions graded in {time.monotonic() - started:.1f} s, "
           f"{len(students) - len(todo)} were done before, {len(failed)} could not be graded"
           + f"; {len(before)} more of earlier runs stay in the tables" * bool(before))
-    print(*(f"{name}: {problem}" for name, problem in failed.items()), *files, sep="\n")
+    print(*(f"{name}: {problem}" for name, problem in failed.items()), *results.other_work,
+          *files, sep="\n")
     return int(bool(failed))
 
 
@@ -126,6 +130,7 @@ def limits_of(seconds) -> sandbox.Limits:
     ValueError: no call can be made in that time, or a submission's time does not suffice.
     """
     most = sandbox.Limits().submission / 12
+    seconds = sandbox.Limits().call if seconds is None else seconds
     if not 1 <= seconds <= most:
         raise ValueError(f"--seconds is the most that a call may take: give 1 to {most:g}, "
                          f"not {seconds:g}")
@@ -144,7 +149,11 @@ def made(out) -> Path:
 
 
 def level_to_use(isolation) -> tuple[str, str]:
-    """-> (level, a sentence on it). ValueError: strict is wanted and cannot be had."""
+    """-> (level, a sentence on it). ValueError: strict is wanted and cannot be had, or this is
+    Windows, which has no fork.
+    """
+    if os.name == "nt":
+        raise ValueError("grade needs Linux or macOS: on Windows, run it in WSL")
     if isolation == "process":
         return "process", "as told by --isolation process"
     level, about = sandbox.available()
@@ -157,11 +166,12 @@ def level_to_use(isolation) -> tuple[str, str]:
 def own_seed(seed, texts) -> int:
     """The seed of a submission, from the run's seed and its hash.
 
-    Nobody can know it before who does not know the run's. A table of right answers that somebody
+    Nobody can know it before who does not know the run's, nor try all that there are: a submission
+    that is given its first inputs can try 2^35 in its time. A table of right answers that somebody
     makes from a seed in a report is part of the next submission, and so changes its seed.
     """
     text = f"{seed} {archives.digest(texts)}"
-    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4], "big") >> 1
+    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:6], "big")  # exact in a sheet
 
 
 def rehearsed(topics, like, jobs=None, scheduler=None) -> dict:

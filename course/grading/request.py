@@ -30,32 +30,33 @@ class Request(NamedTuple):
     seed: int | None = None
     isolation: str | None = None
     scheduler: str | None = None
-    seconds: float | None = None  # the most that a call may take
+    seconds: float | None = None  # the most that a call may take; None: that of sandbox.Limits
     extra: bool | None = None    # extras count as well: fair where they were handed out open
     drop: str = ""               # names of options, to be forgotten
     book: Asked = Asked()        # what is asked for besides points
 
 
-def recalled(request) -> tuple[Request, list[str]]:
-    """The whole request, out of this one and those before; sentences on what comes from there.
+def recalled(request) -> tuple[Request, str]:
+    """The whole request, out of this one and those before; a sentence on what comes from there.
 
     ValueError: the folder is of other labs, or a file of the last time is not there any more.
     """
     dropped = dropped_names(request.drop)
     before = {name: value for name, value in remembered(request.out).items() if name not in dropped}
     given = {name: value for name, value in options(request).items() if value is not None}
-    if {"labs"} <= given.keys() & before.keys() and given["labs"] != before["labs"]:
-        raise ValueError(f"{request.out} holds grades of labs {before['labs']}, and not of "
+    labs = before.get("labs", given.get("labs"))
+    if given.get("labs", labs) != labs:
+        raise ValueError(f"{request.out} holds grades of labs {labs}, and not of "
                          f"{given['labs']}: name another folder with --out")
     again = {name: value for name, value in before.items() if name not in given}
     for name in FILES & again.keys():
         if not os.path.exists(again[name]):
             raise ValueError(f"{again[name]}, the last run's --{name}, is not there any more: "
                              f"give --{name} FILE, or forget it with --drop {name}")
-    whole = {"labs": numbers(None), "seed": secrets.randbits(128), "seconds": 10.0} | again | given
+    whole = {"labs": numbers(None), "seed": secrets.randbits(128)} | again | given
     said = " ".join(f"--{name}" if value is True else f"--{name} {value}"
                     for name, value in again.items() if name != "seed")
-    return with_options(request, whole), [f"as in the last run: {said}"] * bool(said)
+    return with_options(request, whole), said and f"as in the last run: {said}"
 
 
 def remember(request) -> None:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from .. import exercises
 from ..given import places
 from .apart import typed_json
-from .gradebook import earlier, handback, sheets, tables
+from .gradebook import earlier, handback, sheets, tables, worth
 from .gradebook.records import How, Record
 from .handing import texts
 from .pages import overview, report, side_by_side, similarity, unusual
@@ -37,7 +37,14 @@ class Results:
     def __init__(self, out, book, run):
         self.out, self.book, self.run = out, book, run
         self.records = {}
+        self.other_work = []   # sentences on work that takes the place of an earlier run's
         self.looked_at = None  # overview.LookedAt, once all are there
+
+    def forget(self, students):
+        """Remove what earlier runs left of those who have no row any more."""
+        for student in students:
+            shutil.rmtree(self.folder(student))
+            shutil.rmtree(self.out / "code" / student, ignore_errors=True)
 
     def keep(self, student, fingerprint) -> bool:
         """Take over the result of an earlier run, if it is of the same work -> whether it was."""
@@ -58,6 +65,11 @@ class Results:
         """Write what belongs to one student, and the tables."""
         how = How(self.run.level, seed, self.run.checks[:12], fingerprint)
         record = self.book.entered(Record(one, how, result))
+        before = earlier.read(self.folder(one.student) / "record.json")
+        if before and before.work.digest != one.digest:
+            was, now = (sheets.number_text(worth.total(each)) for each in (before, record))
+            self.other_work.append(f"{one.student} has other work than in an earlier run: "
+                                   f"{now} points, {was} before")
         try:
             self.write_pictures(one.student, pictures)
             self.write_student(record, pictures)

@@ -37,7 +37,7 @@ def test_nothing(impl):
 
 @pytest.fixture(scope="module")
 def course(house):
-    return house(first_lab() | SECOND_LAB)
+    return house(first_lab() | SECOND_LAB | {"course/given/data/captures/00.png": ""})
 
 
 @pytest.fixture(scope="module")
@@ -130,11 +130,13 @@ def test_nothing_is_graded_where_the_reference_fails(ada_graded, tmp_path):
 
 
 def test_resume_keeps_what_is_the_same_and_grades_what_is_not(graded, course, run_module, tmp_path):
-    """Everything again, or an old mark for new work."""
+    """Everything again, or an old mark for new work; or marks change without a word."""
     out, handed_in = (shutil.copytree(folder, tmp_path / folder.name) for folder in graded[:2])
     before = {path: path.stat().st_mtime_ns for path in out.glob("students/*/record.json")}
     put(handed_in, {"bob/transforms.py": LAB})
-    assert "1 submissions graded" in run_grade(run_module, course, out.parent, "--resume")
+    printed = run_grade(run_module, course, out.parent, "--resume")
+    assert "1 submissions graded" in printed
+    assert "bob has other work than in an earlier run: 10 points, 9 before" in printed
     changed = {path.parent.name for path, old in before.items() if path.stat().st_mtime_ns != old}
     assert changed == {"bob"} and grades(out)["bob"]["total"] == "10"
 
@@ -157,7 +159,7 @@ def test_who_was_graded_earlier_stays_in_the_tables(graded, course, run_module, 
 
     (tmp_path / "out" / "asked.json").unlink()
     told = run_grade(run_module, course, tmp_path, "--labs", "1", status=2)
-    assert "holds grades of ada for other labs, or of another version of the course" in told
+    assert "holds grades of ada for other labs or points, or of another version" in told
     (tmp_path / "in" / "Bob").mkdir()
     told = run_grade(run_module, course, tmp_path, status=2)
     assert "bob holds grades of another student, whose name is almost the same" in told
@@ -189,6 +191,9 @@ def test_untrusted_work_is_not_run_without_a_sandbox(monkeypatch):
     with pytest.raises(ValueError, match="needs bubblewrap; to grade work that you trust"):
         grade.level_to_use(None)
     assert grade.level_to_use("process")[0] == "process"
+    monkeypatch.setattr(grade.os, "name", "nt")
+    with pytest.raises(ValueError, match="on Windows, run it in WSL"):
+        grade.level_to_use("process")
 
 
 @pytest.mark.parametrize("seconds", [0, -1, 0.5, 151, float("nan"), float("inf")])
@@ -252,10 +257,9 @@ def test_the_hash_that_a_student_sees_is_the_one_in_the_table(graded, course, ru
         "labs/transforms.py", "labs/rasterization.py"]
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Gradescope's machines run Linux")
 def test_gradescope_s_zip_grades_a_submission(course, run_module, tmp_path):
-    """A file is missing in the zip, or the result is written elsewhere; a score that is no sum, a
-    status that Gradescope does not know.
+    """A file is missing in the zip, or a folder of data stops it. Or the result is written
+    elsewhere; a score that is no sum, a status that Gradescope does not know.
     """
     done = run_module(course, "course", "autograder", "gradescope", tmp_path / "a.zip")
     assert done.returncode == 0, done.stderr

@@ -351,10 +351,14 @@ def test_a_page_follows_its_override_without_grading_again(tmp_path):
 
 
 def test_who_was_graded_earlier_is_in_the_import_file(tmp_path):
-    """The points of all who were in time are missing beside those who came late."""
+    """The points of all who were in time are missing beside those who came late, or are those that
+    an exercise had then.
+    """
     first, second = (submission("a", "canvas", id="50101"), submission("k", "canvas", id="50102"))
     Results(tmp_path, book([first], **CANVAS), RUN).add(first, 0, "", RIGHT, {})
-    before, = earlier.records(tmp_path, [second], CORE)
+    (before,), _ = earlier.records(tmp_path, [second], CORE)
+    with pytest.raises(ValueError, match="for other labs or points"):
+        earlier.records(tmp_path, [second], [one._replace(points=9) for one in CORE])
     later = Results(tmp_path, book([second, before.work], **CANVAS), RUN)
     later.take(before)
     later.add(second, 0, "", RIGHT, {})

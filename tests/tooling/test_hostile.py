@@ -79,12 +79,11 @@ def hand_in_no_files(folder, outside):
         "null_bytes/labs/transforms.py": LAB + "\0",
         "too_long/labs/transforms.py": LAB + "#" * (1 << 19),
         "missing_file/labs/notes.txt": "I forgot."})
-    if os.name != "nt":
-        for name in ("link_to_a_file/labs", "link_to_a_folder", "pipe"):
-            (folder / name).mkdir(parents=True)
-        (folder / "link_to_a_file/labs/transforms.py").symlink_to(outside / "secret.py")
-        (folder / "link_to_a_folder/labs").symlink_to(outside)
-        os.mkfifo(folder / "pipe/transforms.py")
+    for name in ("link_to_a_file/labs", "link_to_a_folder", "pipe"):
+        (folder / name).mkdir(parents=True)
+    (folder / "link_to_a_file/labs/transforms.py").symlink_to(outside / "secret.py")
+    (folder / "link_to_a_folder/labs").symlink_to(outside)
+    os.mkfifo(folder / "pipe/transforms.py")
     return {path.stem: 7 if path.stem in HARMLESS else 0 for path in folder.iterdir()}
 
 

@@ -1,11 +1,13 @@
 """Groups, and due times of single students."""
 import csv
+import shutil
 from pathlib import Path
 
 import pytest
 from graded import entry, exercise, record, result, submission
 
-from course.grading.gradebook import people
+from course.grading.apart import typed_json
+from course.grading.gradebook import earlier, people
 from course.grading.gradebook.book import Asked, Gradebook
 from course.grading.gradebook.lateness import moment
 from course.grading.gradebook.worth import after_lateness
@@ -14,7 +16,7 @@ CANVAS = Path(__file__).parent / "rosters" / "canvas.csv"
 LAB = exercise("2.1", "edge", 10)
 DUE = "2026-11-22T23:59+01:00"
 HANDED_IN = moment(DUE).timestamp() + 60  # a minute late
-GROUP = submission("blue_900", "canvas", when=HANDED_IN, id="900", file="blue_900_5_labs.zip")
+GROUP = submission("blue_50102", "canvas", when=HANDED_IN, id="50102", name="blue")
 ALONE = submission("nalvarez_50101", "canvas", when=HANDED_IN, id="50101")
 
 
@@ -39,10 +41,10 @@ def graded(persons, **asked):
 
 @pytest.mark.parametrize("name", ["50102", "jkraus", '"Kraus, Jürgen"'])
 def test_a_group_s_points_go_to_each_member(read, tmp_path, name):
-    """A group is nobody in the roster, so its points are typed by hand. Or a mark that somebody
-    typed in is written over without a word.
+    """A group's points are typed by hand, or the member whose id Canvas gives it is refused. Or a
+    mark that somebody typed in is written over without a word.
     """
-    book, records = graded(read(f"{name},blue_900,", "50103,900,"), csv="canvas", roster=CANVAS,
+    book, records = graded(read(f"{name},blue_50102,", "50103,blue,"), csv="canvas", roster=CANVAS,
                            assignment="Lab 2")
     book.write(tmp_path, records, [])
     rows = csv.reader(tmp_path.joinpath("for-canvas.csv").open(encoding="utf-8-sig"))
@@ -53,25 +55,38 @@ def test_a_group_s_points_go_to_each_member(read, tmp_path, name):
     assert replaced == ["name,in the roster,now", '"Kraus, Jürgen",3.00,9']
 
 
+def test_a_group_and_its_members_are_not_in_one_table(read, tmp_path):
+    """--people after a first run ends in an error; or who left the group keeps its points."""
+    members = people.with_members([GROUP], read("x,blue,", "y,blue,"))
+    for before, now in ([GROUP], members), (members, [GROUP]), (members, members[:1]):
+        for one in before:
+            path = tmp_path / "students" / one.student / "record.json"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(typed_json.dumps(record(one, result(entry(LAB, "done")))), "utf-8")
+        gone = [one.student for one in before if one not in now]
+        assert earlier.records(tmp_path, now, [LAB]) == ([], gone)
+        shutil.rmtree(tmp_path / "students")
+
+
 @pytest.mark.parametrize("name", ["nalvarez_50101", "50101"])
 def test_an_extension_is_a_date(read, name):
     """It is a line `late,0` by hand for each lab, or everybody's. Or a time without a zone is this
     machine's, where --due names one.
     """
-    _, records = graded(read(f"{name},,2026-11-23T00:00", "x,900,"))
+    _, records = graded(read(f"{name},,2026-11-23T00:00", "x,50102,"))
     assert {student: after_lateness(one) for student, one in records.items()} == {
         "nalvarez_50101": 10, "x": 9}
-    _, records = graded(read(f"{name},,2026-11-21T23:59", "x,900,2026-11-25T12:00"))
+    _, records = graded(read(f"{name},,2026-11-21T23:59", "x,50102,2026-11-25T12:00"))
     assert {student: after_lateness(one) for student, one in records.items()} == {
         "nalvarez_50101": 8, "x": 10}
 
 
 @pytest.mark.parametrize(("lines", "sentence"), [
     (["ada,,"], "line 2: give a student, and a group or a due time"),
-    (["ada,900,", "ada,,2026-11-23T00:00"], "line 3: ada has a line above, too"),
+    (["ada,50102,", "ada,,2026-11-23T00:00"], "line 3: ada has a line above, too"),
     (["ada,,tomorrow"], "line 2: tomorrow is no date with a time"),
-    (["50101,900,"], "line 2: 50101 is there alone, too: take one of the two out"),
-    (["A b,900,", "a_B,900,"], "line 3: a_B is there alone, too")])
+    (["50101,50102,"], "line 2: 50101 is there alone, too: take one of the two out"),
+    (["A b,50102,", "a_B,50102,"], "line 3: a_B is there alone, too")])
 def test_a_wrong_line_is_refused(read, lines, sentence):
     """Two people are one, or somebody's extension is left out."""
     with pytest.raises(ValueError, match=sentence):
@@ -80,7 +95,7 @@ def test_a_wrong_line_is_refused(read, lines, sentence):
 
 def test_a_name_that_fits_nobody_is_told(read):
     """A misspelt name is one without an extension."""
-    book, _ = graded(read("nalvares,,2026-11-23T00:00", "x,9000,", "50103,900,"))
+    book, _ = graded(read("nalvares,,2026-11-23T00:00", "x,9000,", "50103,50102,"))
     said = [line for line in book.said() if "people.csv" in line]
     assert [line.partition(": ")[2] for line in said] == [
         "nothing was handed in by nalvares", "nothing was handed in by 9000"]

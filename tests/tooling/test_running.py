@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from small_course import CHECKS, LAB, first_lab, grade_command, grades, hand_in
 
+from course.given import places
 from course.grading.apart import running
 
 ENDLESS = LAB.replace("return x / 2, x > 0", "while True: x")
@@ -48,6 +49,20 @@ def wait_until(condition, why):
     while not condition():
         assert time.monotonic() < patience, why
         time.sleep(0.02)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no such timer")
+def test_a_step_of_a_check_that_takes_minutes_is_ended(house, run_module, tmp_path):
+    """A product of large matrices waits for no alarm: one line keeps a processor for 5 minutes."""
+    alarm = (places.ROOT / "course" / "checks" / "alarm.py").read_text("utf-8")
+    course = house(first_lab(checks=CHECKS.replace(
+        "impl.double(x), expected", "(y := impl.double(x)) @ y.T, 4 * x @ x")) | {
+            "course/checks/alarm.py": alarm.replace("OURS = 20.0", "OURS = 0.5")})
+    hand_in(tmp_path, ada=LAB, bob="import numpy as np\n" + LAB.replace(
+        "2 * x", "np.zeros((50_000, 320), bool)"))
+    done = run_module(course, *grade_command(tmp_path), seconds=60)
+    assert "\nbob: what it returned keeps a check busy that cannot be stopped" in done.stdout
+    assert grades(tmp_path / "out")["ada"]["total"] == "7"
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are looked up in /proc")

@@ -183,7 +183,8 @@ def test_a_numeric_derivative_is_named(form):
     "x = a" + "<a" * 50_000, "if x:\n    x\n" + "elif x:\n    x\n" * 15_000,
     " = ".join(f"a{k}" for k in range(9000)) + " = 0",
     "".join(f"a{k + 1} = a{k}\n" for k in range(4000)),
-    "".join(f"def f{k}():\n    f{k + 1}()\n" for k in range(3000)), "x = a" + ".b" * 900])
+    "".join(f"def f{k}():\n    f{k + 1}()\n" for k in range(3000)), "x = a" + ".b" * 900,
+    "import a\n@a" + ".b" * 900 + "\ndef is_covered(): a[0" + "+0" * 900 + "] = 1"])
 def test_no_text_breaks_the_list_or_keeps_it_busy(text):
     """One student's file costs the class its page, or takes hours."""
     begun = time.process_time()

@@ -109,9 +109,13 @@ class Examination:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self):
-        """A check, and what it does with what was returned. That is our time, so it is limited."""
+        """A check, and what it does with what was returned. That is our time, so it is limited.
+
+        A product of large matrices is one step, of minutes. Only the end of this process stops it.
+        """
         try:
-            with alarm.at_most(alarm.OURS, TookTooLong(), of_processor=True):
+            with alarm.or_ended(3 * alarm.OURS), \
+                    alarm.at_most(alarm.OURS, TookTooLong(), of_processor=True):
                 return (yield)
         except TookTooLong:
             self.lose(self.running, f"what it returned takes the grader more than {alarm.OURS:g} s "

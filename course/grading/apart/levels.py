@@ -2,7 +2,7 @@
 
     strict    Linux with bubblewrap: no network, no files but the interpreter's, NumPy's and an
               empty folder, no other process in sight, another user
-    process   anywhere: a process of its own with a clean environment
+    process   on macOS, too: a process of its own with a clean environment
 
 Both are limited by what the system has besides: seccomp and Landlock on Linux, and its limits.
 """
@@ -30,15 +30,14 @@ OTHER_USERS = 2_000_000_000  # from here on, numbers that belong to nobody
 
 
 def environment() -> dict:
-    """A worker gets none of our variables. Windows starts no Python without its own folder."""
-    kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
-    return {**kept, "LANG": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
+    """A worker gets none of our variables."""
+    return {"LANG": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
             "MKL_NUM_THREADS": "1"}
 
 
 def interpreter():
     """The Python that a virtual environment was made from."""
-    return os.path.realpath(sys.executable) if os.name != "nt" else sys.executable
+    return os.path.realpath(sys.executable)
 
 
 @functools.cache

@@ -7,6 +7,7 @@ import contextlib
 import functools
 import hashlib
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -76,9 +77,16 @@ def examine(job: Job, line=None) -> tuple[Result, dict]:
         try:
             result = typed_json.loads(Result, (folder / "result.json").read_bytes())
         except (OSError, ValueError):
-            said = done.stderr.decode("utf-8", "replace").strip().splitlines()
-            return failure(f"the checks broke off: {said[-1] if said else done.returncode}"), {}
+            return failure(why_there_is_none(done)), {}
         return result, {path.name: path.read_bytes() for path in folder.glob("checks/*.png")}
+
+
+def why_there_is_none(done):
+    """A sentence on an examination that ended without a result."""
+    if done.returncode == -getattr(signal, "SIGVTALRM", 0):  # see alarm.or_ended
+        return "what it returned keeps a check busy that cannot be stopped"
+    said = done.stderr.decode("utf-8", "replace").strip().splitlines()
+    return f"the checks broke off: {said[-1] if said else done.returncode}"
 
 
 def outcome(future):
@@ -105,8 +113,9 @@ def on_cluster(todo, scheduler):
         futures = {client.submit(there, "examine_alike", course_digest(),
                                  typed_json.dumps(job), pure=False): (one, job)
                    for one, job in todo}
-        for future in distributed.as_completed(futures):
-            yield *futures[future], outcome(future)
+        # A future that is kept keeps its result on that machine: lost with it, and made again.
+        for future in distributed.as_completed([*futures]):
+            yield *futures.pop(future), outcome(future)
 
 
 def connected(distributed, scheduler):

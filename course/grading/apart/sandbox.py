@@ -26,7 +26,6 @@ from .processes import WORKERS, Use, end_orphans, family, use_of
 PROBE = Path(__file__).with_name("probe.py")
 PATIENCE = 0.2         # seconds between two looks at a worker
 CLOCK = 5              # so many times its limit may a worker take on the clock, on a busy machine
-KILL = signal.SIGKILL if os.name != "nt" else signal.SIGTERM
 OUR_OWN = 4            # processes of a worker that are not the submission's
 FILES_LEFT = "files"
 MOST_FILES = 1000      # of a worker's folder: the system counts their bytes, and not their number
@@ -181,9 +180,8 @@ class Worker:
         self.control.close()
         with contextlib.suppress(ProcessLookupError, PermissionError):
             for pid in family(self.process.pid):
-                os.kill(pid, KILL)
-            if hasattr(os, "killpg"):
-                os.killpg(self.process.pid, signal.SIGKILL)
+                os.kill(pid, signal.SIGKILL)
+            os.killpg(self.process.pid, signal.SIGKILL)
         self.process.kill()
         self.process.wait()
         if self.share:
@@ -194,16 +192,11 @@ class Worker:
 
 
 def started(command, folder, its_socket, its_control):
-    """The process of a worker. On Windows, a socket is written to it: it cannot be its input."""
-    windows = os.name == "nt"
-    process = subprocess.Popen(
-        command, stdin=subprocess.PIPE if windows else its_socket,
-        stdout=subprocess.DEVNULL if windows else its_control,
-        stderr=subprocess.PIPE, cwd=folder, env=environment(), start_new_session=True)
+    """The process of a worker."""
+    process = subprocess.Popen(command, stdin=its_socket, stdout=its_control,
+                               stderr=subprocess.PIPE, cwd=folder, env=environment(),
+                               start_new_session=True)
     WORKERS.add(process.pid)
-    if windows:
-        process.stdin.write(its_socket.share(process.pid))
-        process.stdin.close()
     return process
 
 
@@ -240,7 +233,7 @@ class Guard(threading.Thread):
         self.excess = why
         for pid in pids:
             with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.kill(pid, KILL)
+                os.kill(pid, signal.SIGKILL)
 
     def close(self):
         """Its process may not be waited for before: another one could get the number."""

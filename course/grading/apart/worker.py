@@ -13,7 +13,7 @@ This file protects honest exercises from what else is in their file.
 The first process tells on a second socket how an exercise's process ended: no exercise can.
 
 Every exercise has a process of its own, forked when NumPy is there already: what one exercise
-breaks, the next one does not see. Where there is no fork (Windows), the worker ends with it.
+breaks, the next one does not see.
 """
 import builtins
 import contextlib
@@ -37,7 +37,6 @@ from finders import Drawing, Given, Packages
 PACKAGE = "labs"
 MOST_PRINTED = 4000    # characters of an exercise's output that are kept
 MOST_FRAMES = 40       # of a traceback
-WITHOUT_FORK = not hasattr(os, "fork")
 
 
 class Printed(io.TextIOBase):
@@ -114,11 +113,8 @@ def main():
 
 
 def opened_stream():
-    """The grader's socket: it is standard input, or on Windows, what is written there."""
-    if os.name != "nt":
-        return io.BufferedRWPair(*(open(os.dup(0), mode, 0) for mode in ("rb", "wb")))
-    import socket
-    return socket.fromshare(sys.stdin.buffer.read()).makefile("rwb")
+    """The grader's socket, which is standard input."""
+    return io.BufferedRWPair(*(open(os.dup(0), mode, 0) for mode in ("rb", "wb")))
 
 
 @functools.cache
@@ -138,11 +134,11 @@ def file_name(topic):
 def serve_apart(channel, control, codes, refusing):
     """Serve one exercise in a process of its own, and end all that it leaves behind."""
     parent = os.getpid()
-    child = 0 if WITHOUT_FORK else os.fork()
+    child = os.fork()
     if child == 0:
         os.close(control)
         confine.end_with_the_parent()
-        if not WITHOUT_FORK and os.getppid() != parent:  # it has ended already
+        if os.getppid() != parent:  # it has ended already
             os._exit(1)
         serve(channel, codes, refusing)
         os._exit(0)

@@ -3,25 +3,29 @@ from ..apart import typed_json
 from .records import Record
 
 
-def records(out, handed_in, columns) -> list[Record]:
-    """The records of those who are not graded now.
+def records(out, handed_in, columns) -> tuple[list[Record], list[str]]:
+    """-> (the records of those who are not graded now, the names that have no row any more).
 
-    ValueError: they would not fit into the same table, or a folder is another student's.
+    These are groups whose members have rows now, and members of a group that has one, or lost them.
+    ValueError: a record would not fit into the same table, or a folder is another student's.
     """
     now = {one.student.casefold(): one for one in handed_in}
-    groups = {one.group for one in handed_in}
-    found = []
+    names = {name for one in handed_in for name in (one.student, one.group)} - {""}
+    found, gone = [], []
     for path in sorted(out.glob("students/*/record.json")):
         record, one = read(path), now.get(path.parent.name.casefold())
-        if one is None and not fits(record, columns):
-            raise ValueError(f"{out} holds grades of {path.parent.name} for other labs, or of "
-                             "another version of the course: name another folder with --out")
-        if one is None and path.parent.name not in groups:  # else it has a row for each member
+        if one is None and names & {path.parent.name, record and record.work.group}:
+            gone.append(path.parent.name)
+        elif one is None and not fits(record, columns):
+            raise ValueError(f"{out} holds grades of {path.parent.name} for other labs or points, "
+                             "or of another version of the course: grade all submissions again "
+                             "in one run, or name another folder with --out")
+        elif one is None:
             found.append(record)
         elif record and are_two(record.work.identity, one.identity):
             raise ValueError(f"{path.parent} holds grades of another student, whose name is almost "
                              "the same: name another folder with --out")
-    return found
+    return found, gone
 
 
 def read(path) -> Record | None:
@@ -34,9 +38,8 @@ def read(path) -> Record | None:
 
 def fits(record, columns):
     """Whether a record has what the tables show."""
-    entries = record.result.entries if record else []
-    numbers = {entry.number for entry in entries}
-    return bool(record) and (not entries or numbers == {one.number for one in columns})
+    points = {entry.number: entry.points for entry in record.result.entries} if record else {}
+    return bool(record) and (not points or points == {one.number: one.points for one in columns})
 
 
 def are_two(before, now):

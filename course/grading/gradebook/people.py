@@ -1,11 +1,11 @@
 """Who works together, and who has more time: people.csv.
 
     student,group,due
-    4711,blue_9001,               4711 gets what blue_9001 handed in, as others of that group do
+    4711,blue,                    4711 gets what blue handed in, as others of that group do
     ada,,2026-11-29T23:59         an extension
 
-A student who handed in is named as in grades.csv, or by the platform's id or e-mail. A member of a
-group did not, and is named as in the roster.
+A student or a group that handed in is named as in grades.csv, or by the platform's id, e-mail or
+name. A member of a group did not, and is named as in the roster.
 """
 from typing import NamedTuple
 
@@ -49,7 +49,7 @@ def names(handed_in) -> dict[str, str]:
     """{what a student is called: the student of grades.csv}, if nobody else is called so."""
     found = {}
     for one in handed_in:
-        for name in {one.student, one.identity.id, one.identity.email} - {""}:
+        for name in {one.student, one.identity.id, one.identity.email, one.identity.name} - {""}:
             found.setdefault(name, set()).add(one.student)
     return {name: next(iter(each)) for name, each in found.items() if len(each) == 1} | {
         one.student: one.student for one in handed_in}
@@ -61,7 +61,8 @@ def with_members(handed_in, people) -> list:
     ValueError: a member has handed in alone, too.
     """
     known, groups = names(handed_in), {one.student: [] for one in handed_in}
-    taken = {name.casefold() for name in known}
+    together = {known.get(person.group) for person in people}
+    taken = {name.casefold() for name, student in known.items() if student not in together}
     for person in people:
         if person.group in known:
             student = tidy(person.name)
@@ -69,8 +70,7 @@ def with_members(handed_in, people) -> list:
                 raise ValueError(f"{person.where}: {person.name} is there alone, too: take one of "
                                  "the two out")
             taken.add(student.casefold())
-            groups[known[person.group]].append((student, Identity(
-                "people", person.name, person.name, person.name)))
+            groups[known[person.group]].append((student, Identity("people", name=person.name)))
     return sorted((one for group in handed_in for one in members(group, groups[group.student])),
                   key=lambda one: one.student)
 
@@ -78,8 +78,7 @@ def with_members(handed_in, people) -> list:
 def members(group, found):
     """The Submission of a group, as that of each member (student, Identity). Without any, as it is.
     """
-    return [group._replace(student=student, group=group.student,
-                           identity=identity._replace(file=group.identity.file))
+    return [group._replace(student=student, group=group.student, identity=identity)
             for student, identity in found] or [group]
 
 

@@ -131,6 +131,8 @@ def indexed(roster, titles):
 
 def row_of(identity, index):
     """The row of a person, or a sentence on why there is none. index {what is told: `indexed`}."""
+    if identity.platform == "people":  # the name there may be any of these
+        identity = identity._replace(id=identity.name, email=identity.name)
     told = {what: getattr(identity, what) for what in index if key(getattr(identity, what))}
     found = {what: index[what].get(key(text), ()) for what, text in told.items()}
     for rows in found.values():

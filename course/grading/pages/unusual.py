@@ -128,8 +128,7 @@ def found(tree, topic, asked):
 @functools.cache
 def usual(topic):
     nodes = [*ast.walk(ast.parse(exercises.read(exercises.reference(topic))))]
-    decorators = {ast.unparse(one) for node in nodes for one in getattr(node, "decorator_list", ())}
-    return Usual(words(nodes), decorators, literals(nodes).total())
+    return Usual(words(nodes), decorators(nodes), literals(nodes).total())
 
 
 def title(exercise):
@@ -180,7 +179,13 @@ def not_plain(tree, nodes, asked, topic, is_strange):
 def is_plain(node, tree, topic):
     """Whether it is a function at the left edge, without decorators that the reference lacks."""
     return isinstance(node, ast.FunctionDef) and node in tree.body and (
-        {ast.unparse(one) for one in node.decorator_list} <= usual(topic).decorators)
+        decorators([node]) <= usual(topic).decorators)
+
+
+def decorators(nodes):
+    """The names of what decorates functions. None: of what has no name."""
+    return {getattr(getattr(one, "func", one), "id", None)
+            for node in nodes for one in getattr(node, "decorator_list", ())}
 
 
 def binding(tree, nodes):
@@ -224,9 +229,9 @@ def words_of(node, modules):
         yield node.id
     if isinstance(node, ast.Attribute) and (node.attr in HIDDEN or INNER.fullmatch(node.attr)):
         yield f".{node.attr}"
-    if isinstance(node, ast.Attribute | ast.Subscript) and isinstance(node.ctx, ast.Store) and (
+    if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and (
             getattr(node.value, "id", None) in modules):
-        yield f"{ast.unparse(node)[:40]} ="
+        yield f"{node.value.id}.{node.attr} ="
     if isinstance(node, ast.Constant) and isinstance(node.value, str) and (
             INNER.fullmatch(node.value)):
         yield repr(node.value)
