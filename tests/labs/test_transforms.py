@@ -89,8 +89,8 @@ def test_a_rotation_leaves_its_axis_and_all_lengths(impl, rng):
     """The axis was not brought to length 1, or a term of Rodrigues' formula is missing."""
     axis, angle, identity = rng.normal(size=3), rng.uniform(-3, 3), np.eye(4)
     matrix = impl.rotate(axis, angle)
-    assert_close(matrix @ matrix.T, identity)
     assert_close(matrix @ np.append(axis, 1), np.append(axis, 1))
+    assert_close(matrix @ matrix.T, identity)
     assert_close(np.linalg.det(matrix), 1.0)
 
 
