@@ -203,12 +203,9 @@ def grade(asked):
     """
     try:
         import course.grading.grade
-        from course.grading.gradebook.book import Asked
         from course.grading.request import Request
-        *options, _ = Request._fields
         return course.grading.grade.run(
-            Request(*(getattr(asked, name) for name in options),
-                    Asked(*(getattr(asked, name) for name in Asked._fields))))
+            Request(*(getattr(asked, name) for name in Request._fields)))
     except KeyboardInterrupt:
         raise KeyboardInterrupt("stopped; what is graded is kept: the same command with --resume "
                                 "goes on") from None

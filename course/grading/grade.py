@@ -34,7 +34,7 @@ def run(request: Request) -> int:
     handed_in, persons, not_understood = read(request, topics)
     before, gone = earlier.records(Path(request.out), handed_in, columns)
     works = [*handed_in, *(record.work for record in before)]
-    book = Gradebook(request.book, works, columns, persons)
+    book = Gradebook(request, works, columns, persons)
     results = Results(made(request.out), book, Run(
         columns, level, about, running.course_digest(), not_understood))
     results.forget(gone)
@@ -46,8 +46,8 @@ def run(request: Request) -> int:
 
 def read(request, topics):
     """-> (submissions, one for each student; lines of people.csv; what was not understood)."""
-    zone = lateness.zone(request.book.due)
-    persons = people.read(request.book.people, zone) if request.book.people else []
+    zone = lateness.zone(request.due)
+    persons = people.read(request.people, zone) if request.people else []
     handed_in, not_understood = submissions.read(request.submissions, topics, zone)
     return people.with_members(handed_in, persons), persons, not_understood
 

@@ -12,11 +12,10 @@ from typing import NamedTuple
 
 from .. import exercises
 from ..given import places
-from .gradebook.book import Asked
 
-ONCE = {"previous"}  # options of the gradebook that are not remembered
 FILES = {"roster", "overrides", "people"}
-KEPT = ("labs", "extra", "seed", "seconds", *(name for name in Asked._fields if name not in ONCE))
+KEPT = ("labs", "extra", "seed", "seconds", "csv", "roster", "assignment", "due", "late", "grace",
+        "overrides", "people")
 
 
 class Request(NamedTuple):
@@ -33,7 +32,15 @@ class Request(NamedTuple):
     seconds: float | None = None  # the most that a call may take; None: that of sandbox.Limits
     extra: bool | None = None    # extras count as well: fair where they were handed out open
     drop: str = ""               # names of options, to be forgotten
-    book: Asked = Asked()        # what is asked for besides points
+    csv: str | None = None       # the platform
+    roster: str | None = None
+    assignment: str | None = None
+    due: str | None = None
+    late: str | None = None
+    grace: str | None = None
+    overrides: str | None = None
+    people: str | None = None
+    previous: str | None = None
 
 
 def recalled(request) -> tuple[Request, str]:
@@ -56,7 +63,7 @@ def recalled(request) -> tuple[Request, str]:
     whole = {"labs": numbers(None), "seed": secrets.randbits(128)} | again | given
     said = " ".join(f"--{name}" if value is True else f"--{name} {value}"
                     for name, value in again.items() if name != "seed")
-    return with_options(request, whole), said and f"as in the last run: {said}"
+    return request._replace(**whole), said and f"as in the last run: {said}"
 
 
 def remember(request) -> None:
@@ -87,8 +94,7 @@ def dropped_names(text):
 
 def options(request):
     """{name: value} of what is remembered, in a form in which two of them can be compared."""
-    every = request._asdict() | request.book._asdict()
-    found = {name: every[name] for name in KEPT}
+    found = {name: getattr(request, name) for name in KEPT}
     found["labs"] = found["labs"] and numbers(found["labs"])
     return found | {name: os.path.abspath(found[name]) for name in FILES if found[name]}
 
@@ -97,10 +103,3 @@ def numbers(labs):
     """'1-3' -> '1,2,3'. None: all labs."""
     topics = exercises.topics_of(labs)
     return ",".join(dict.fromkeys(str(exercises.lab_number(topic)) for topic in topics))
-
-
-def with_options(request, values):
-    """The request with these {name: value}, some of which belong to its book."""
-    of_book = {name: value for name, value in values.items() if name in Asked._fields}
-    rest = {name: value for name, value in values.items() if name not in of_book}
-    return request._replace(book=request.book._replace(**of_book), **rest)

@@ -8,7 +8,6 @@ from types import SimpleNamespace
 import pytest
 
 from course import cli, commands
-from course.grading.gradebook.book import Asked
 from course.grading.request import Request
 
 
@@ -59,8 +58,8 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
      (Request("in", "out", "1", 2, True, 7, "process", "tcp://a", 3.0, True, "due"),), {}),
     ("grade in --out out --csv moodle --roster a.csv --assignment A --due D --late L --grace G "
      "--overrides o.csv --people g.csv --previous p.csv", "grading.grade.run",
-     (Request("in", "out", book=Asked("moodle", "a.csv", "A", "D", "L", "G", "o.csv", "g.csv",
-                                       "p.csv")),),
+     (Request("in", "out", csv="moodle", roster="a.csv", assignment="A", due="D", late="L",
+              grace="G", overrides="o.csv", people="g.csv", previous="p.csv"),),
      {}),
 ])
 def test_a_command_calls_its_function_and_passes_its_status_on(

@@ -8,9 +8,10 @@ import pytest
 from graded import check, entry, exercise, record, result, submission
 
 from course.grading.gradebook import changes, earlier, lateness, overrides, rosters, tables, worth
-from course.grading.gradebook.book import Asked, Gradebook
+from course.grading.gradebook.book import Gradebook
 from course.grading.gradebook.sheets import written
 from course.grading.pages import report
+from course.grading.request import Request
 from course.grading.results import Results, Run
 
 ROSTERS = Path(__file__).with_name("rosters")
@@ -227,7 +228,7 @@ def test_moodle_s_times_are_read_in_the_deadline_s_zone(text):
 
 
 def book(class_, **asked):
-    return Gradebook(Asked(**asked), class_, CORE)
+    return Gradebook(Request("in", "out", **asked), class_, CORE)
 
 
 def test_moodle_tells_in_its_worksheet_when_something_was_submission(tmp_path):
@@ -279,7 +280,7 @@ def test_who_could_not_be_graded_keeps_the_cell(tmp_path):
 
 def test_another_maximum_there_is_told():
     """10 of 13 points are imported as 10 of 10."""
-    known = Gradebook(Asked(**CANVAS), [], EXERCISES)
+    known = Gradebook(Request("in", "out", **CANVAS), [], EXERCISES)
     assert "is out of 10 points there, and out of 13 here" in known.said()[-1]
 
 

@@ -8,9 +8,10 @@ from graded import entry, exercise, record, result, submission
 
 from course.grading.apart import typed_json
 from course.grading.gradebook import earlier, people
-from course.grading.gradebook.book import Asked, Gradebook
+from course.grading.gradebook.book import Gradebook
 from course.grading.gradebook.lateness import moment
 from course.grading.gradebook.worth import after_lateness
+from course.grading.request import Request
 
 CANVAS = Path(__file__).parent / "rosters" / "canvas.csv"
 LAB = exercise("2.1", "edge", 10)
@@ -34,7 +35,8 @@ def read(tmp_path):
 def graded(persons, **asked):
     """-> the book, and {student: record} of GROUP and ALONE, who are all right."""
     class_ = people.with_members([GROUP, ALONE], persons)
-    book = Gradebook(Asked(due=DUE, late="10%/day", **asked), class_, [LAB], persons)
+    book = Gradebook(Request("in", "out", due=DUE, late="10%/day", **asked), class_, [LAB],
+                     persons)
     right = result(entry(LAB, "done"))
     return book, {one.student: book.entered(record(one, right)) for one in class_}
 

@@ -6,7 +6,6 @@ import sys
 import pytest
 
 from course.grading.grade import own_seed
-from course.grading.gradebook.book import Asked
 from course.grading.request import Request, recalled, remember
 
 
@@ -14,8 +13,7 @@ from course.grading.request import Request, recalled, remember
 def ask(tmp_path):
     """ask(labs="1-2", due="...") -> (the whole request, what is said), then remembered."""
     def asked(**options):
-        book = Asked(**{name: options.pop(name) for name in Asked._fields if name in options})
-        request, said = recalled(Request("in", tmp_path, book=book, **options))
+        request, said = recalled(Request("in", tmp_path, **options))
         remember(request)
         return request, said
 
@@ -30,20 +28,19 @@ def test_an_option_that_is_not_given_again_is_as_it_was(ask, tmp_path):
                       overrides=os.path.relpath(by_hand))
     assert said == "" and first.seconds is None
     again, said = ask(grace="1h", seconds=4.0)
-    assert again == first._replace(seconds=4.0, book=first.book._replace(
-        grace="1h", overrides=str(by_hand)))
+    assert again == first._replace(seconds=4.0, grace="1h", overrides=str(by_hand))
     assert said == ("as in the last run: --labs 1,2 --extra --due 2026-11-22T23:59 --late 10%/day "
                     f"--overrides {by_hand}")
     third, _ = ask()
-    assert third.seconds == 4 and third.book.grace == "1h"
+    assert third.seconds == 4 and third.grace == "1h"
 
 
 def test_an_option_is_dropped_by_its_name(ask):
     """Nobody can take a deadline back. Or a name is misspelt, and nothing is dropped."""
     ask(due="2026-11-22T23:59", late="10%/day", seed=7)
     dropped, _ = ask(drop="due,late")
-    assert (dropped.book.due, dropped.book.late, dropped.seed) == (None, None, 7)
-    assert ask()[0].book.due is None
+    assert (dropped.due, dropped.late, dropped.seed) == (None, None, 7)
+    assert ask()[0].due is None
     for wrong in ("labs", "dew", "previous"):
         with pytest.raises(ValueError, match=f"--drop {wrong}: no such option is remembered"):
             ask(drop=f"due,{wrong}")
@@ -64,7 +61,7 @@ def test_a_file_that_has_gone_since_is_told(ask, tmp_path):
     (tmp_path / "o.csv").unlink()
     with pytest.raises(ValueError, match="the last run's --overrides, is not there any more"):
         ask()
-    assert ask(drop="overrides")[0].book.overrides is None
+    assert ask(drop="overrides")[0].overrides is None
 
 
 def test_the_seed_is_drawn_kept_and_secret(ask, tmp_path):

@@ -2,32 +2,16 @@
 
 All files that an instructor gives are read before anything is graded, so a mistake costs no time.
 """
-from typing import NamedTuple
-
 from ...given import places
 from . import changes, lateness, overrides, people, rosters, sheets, worth
 from .records import Record
-
-
-class Asked(NamedTuple):
-    """The options of `grade` for this, as they were given."""
-
-    csv: str | None = None
-    roster: str | None = None
-    assignment: str | None = None
-    due: str | None = None
-    late: str | None = None
-    grace: str | None = None
-    overrides: str | None = None
-    people: str | None = None
-    previous: str | None = None
 
 
 class Gradebook:
     """What is known of a class besides its work."""
 
     def __init__(self, asked, handed_in, columns, persons=()):
-        """columns: the exercises that count. persons: the lines of people.csv.
+        """asked: the Request. columns: the exercises that count. persons: the lines of people.csv.
 
         ValueError: something that was given is wrong.
         """
