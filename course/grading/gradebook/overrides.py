@@ -25,20 +25,14 @@ def read(path, students, exercises) -> dict[str, dict[str, Override]]:
 
     students {what somebody is called: the student of grades.csv}. exercises: those that are graded.
     """
-    sheet = sheets.read(path)
-    if missing := [name for name in COLUMNS if name not in sheet.header]:
-        raise ValueError(f"{path} has no column {missing[0]}: its first line should be "
-                         f"{','.join(COLUMNS)}")
     most = {exercise.number: exercise.points for exercise in exercises}
     most["total"] = most["late"] = sum(most.values())
     found = {}
-    for row, line in zip(sheet.rows, sheet.lines, strict=True):
-        cells = dict(zip(sheet.header, map(str.strip, row), strict=False))
-        student, exercise, points, reason = (cells[name] for name in COLUMNS)
+    for where, (student, exercise, points, reason) in sheets.by_columns(path, COLUMNS):
         given = found.setdefault(students.get(student), {})
         if wrong := problem(student, exercise, reason, students, most, given):
-            raise ValueError(f"{path}, line {line}: {wrong}")
-        given[exercise] = Override(number(points, most[exercise], f"{path}, line {line}"), reason)
+            raise ValueError(f"{where}: {wrong}")
+        given[exercise] = Override(number(points, most[exercise], where), reason)
     return found
 
 

@@ -27,15 +27,8 @@ class Person(NamedTuple):
 
 def read(path, zone=None) -> list[Person]:
     """The lines of people.csv. zone: of times that name none. ValueError names a wrong line."""
-    sheet = sheets.read(path)
-    if missing := [name for name in COLUMNS if name not in sheet.header]:
-        raise ValueError(f"{path} has no column {missing[0]}: its first line should be "
-                         f"{','.join(COLUMNS)}")
     found = []
-    for row, line in zip(sheet.rows, sheet.lines, strict=True):
-        cells = dict(zip(sheet.header, map(str.strip, row), strict=False))
-        name, group, due = (cells[column] for column in COLUMNS)
-        where = f"{path}, line {line}"
+    for where, (name, group, due) in sheets.by_columns(path, COLUMNS):
         if not name or not (group or due):
             raise ValueError(f"{where}: give a student, and a group or a due time")
         if any(one.name == name for one in found):

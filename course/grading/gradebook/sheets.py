@@ -43,6 +43,16 @@ def read(path) -> Sheet:
                  [line for _, line in below], delimiter, newline, has_bom)
 
 
+def by_columns(path, columns):
+    """Yield (where it is, its cells in these columns) of each row. ValueError: one is not there."""
+    sheet = read(path)
+    if missing := [name for name in columns if name not in sheet.header]:
+        raise ValueError(f"{path} has no column {missing[0]}: its first line should be "
+                         f"{','.join(columns)}")
+    for row, line in zip(sheet.rows, sheet.lines, strict=True):
+        yield f"{path}, line {line}", [row[sheet.header.index(name)].strip() for name in columns]
+
+
 def decoded(path):
     """-> (text, whether it began with a byte order mark)."""
     content = places.read_whole(path)
