@@ -119,7 +119,7 @@ def found(tree, topic, asked):
                if word not in usual(topic).words]
     return {
         "uses {}": strange,
-        "no plain functions: {}": [*not_plain(tree, nodes, asked, topic, bool(strange))],
+        "not one plain function each: {}": [*not_plain(tree, nodes, asked, topic, bool(strange))],
         "perhaps a numeric derivative: {}": [
             (line, title(one)) for line, one in numeric.backward_passes(tree, topic, asked)],
         "{}": [*too_large(tree, nodes, topic)]}
