@@ -137,7 +137,7 @@ def test_what_is_wrong_with_cameras_json_is_told_in_one_sentence(folder, changes
     ({"frames": ring.frames(ring.VIEWS)},
      "these matrices lead from the world to the camera: give their inverses"),
     ({"frames": ring.frames(OPENCV @ ring.VIEWS)},
-     "these matrices lead from the world to OpenCV's camera"),
+     "from the world to the camera: give their inverses; then they are OpenCV's, along +z: chan"),
 ])
 def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, changes, sentence):
     """A traceback, or a search that cannot find anything."""
