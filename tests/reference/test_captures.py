@@ -4,8 +4,10 @@ import pytest
 import ring_captures as ring
 
 from course import cli
-from course.experiments.folder import camera_files, captures
+from course.experiments.folder import camera_files, captures, lenses
 from course.given import image, mesh
+
+BEND = 1.8, 0.0, 0.05, -0.08, 0.0, 0.0
 
 
 @pytest.fixture
@@ -73,6 +75,24 @@ def test_pictures_of_two_sizes_come_out_as_one_with_the_same_rays(tmp_path):
         np.tan(np.radians(15)), 0, -1, 1]  # 48 x 24 pixels: 12 right of the middle
     np.testing.assert_allclose(right[:2] / right[3], [12 / 24, 0], atol=1e-9)
     require_same_silhouettes(photos)
+
+
+def test_a_lens_is_undone_in_pictures_and_masks(tmp_path):
+    """A lens never comes to its picture, the mask stays bent, or mask_path is not read."""
+    shot = camera_files.Shot("", None, 96, 64, 2 * ring.F, 2 * ring.F, 48, 32, np.eye(4), BEND)
+    column, row = np.mgrid[:96, :64] + 0.5
+    x, y = lenses.unbent(shot, np.array([column - 48, row - 32]) / shot.fx) * shot.fx
+    frames = ring.frames(ring.POSES)
+    for k, frame in enumerate(frames):
+        seen = ring.picture(k, 192, 128)[127 - (2 * y + 64).astype(int), (2 * x + 96).astype(int)]
+        image.write(tmp_path / f"{k}.png", np.random.default_rng(k).uniform(size=(64, 96, 3)))
+        image.write(tmp_path / f"outline {k}.png", seen[..., 3].T[::-1])
+        frame["mask_path"] = f"outline {k}.png"
+    ring.nerf(tmp_path, frames=frames, **dict(zip(camera_files.BEND, BEND, strict=True)))
+    photos = captures.read(ring.LABS, tmp_path, 48)
+    require_same_silhouettes(photos)
+    (tmp_path / "outline 3.png").unlink()
+    assert "3.png has no mask outline 3.png: put it into " in ring.told(tmp_path)
 
 
 def require_same_silhouettes(photos):

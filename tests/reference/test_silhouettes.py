@@ -139,7 +139,7 @@ SIDES = 32, 48
 
 @pytest.mark.parametrize(("before", "file", "picture", "sentence"), [
     (with_alpha, "2.png", np.roll(ring.picture(2), 16, axis=1),
-     "2.png shows the object cut off, 23 pixels of it on the border"),
+     "the object is cut off by the border of 2.png: leave such pictures out"),
     (with_alpha, "0.png", np.zeros((*SIDES, 4)),
      "0.png shows no object: everywhere it is background"),
     (opaque, "1.png", np.full((*SIDES, 3), GREY),
@@ -159,12 +159,23 @@ def test_what_is_wrong_with_a_picture_is_told(folder, before, file, picture, sen
     assert sentence in ring.told(folder)
 
 
+def test_all_pictures_that_crop_the_object_are_named_and_inverted_masks_are_told(folder):
+    """The user mends one picture after the other, or leaves out good ones."""
+    opaque(folder)
+    for k in 1, 4:
+        image.write(folder / f"{k}.png", np.roll(ring.picture(k), 24, axis=1))
+    assert "border of 1.png, 4.png: leave such pictures out" in ring.told(folder)
+    masked(folder)
+    for k in range(6):
+        image.write(folder / "masks" / f"{k}.png", 1 - ring.picture(k)[..., 3])
+    assert "most borders are object: masks or transparency look inv" in ring.told(folder)
+
+
 def test_what_is_wrong_with_a_folder_s_files_is_told(folder):
     """A traceback, or the room instead of the object."""
     masked(folder)
     (folder / "masks" / "5.png").unlink()
-    assert ("5.png has no mask: put it into masks/, as 5.png, as the others have one"
-            in ring.told(folder))
+    assert "5.png has no mask 5.png: put it into masks/, as the others" in ring.told(folder)
     (folder / "masks").rename(folder / "elsewhere")
     ring.ours(folder, background=[200, 51, 51])
     assert ("the border of 0.png is not of the background's colour, [200, 51, 51], but [51, 51,"

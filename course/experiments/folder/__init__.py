@@ -1,6 +1,8 @@
 """Lab 16 on pictures of your own: `python3 -m course demo reconstruct FOLDER`.
 
+    colmap_binary  COLMAP's binary files as text
     camera_files   what the three kinds of camera files say
+    lenses         pictures without the distortion of their lens
     silhouettes    which pixels show the object
     hulls          where the object is, and the surface to begin with
     captures       a folder's pictures, with the cameras that took them

@@ -1,31 +1,40 @@
-"""Where pictures were taken: our cameras.json, NeRF's transforms.json and COLMAP's text model.
+"""Where pictures were taken: our cameras.json, NeRF's transforms.json and COLMAP's model.
 
 A Shot is a picture and its camera, in one convention for all formats. captures.py says what a
 user writes. Sources: the formats' own pages, colmap.github.io/format.html and the example data of
 Mildenhall et al. 2020, "NeRF".
 """
 import json
+import textwrap
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ...given import image, places
+from . import colmap_binary
 
 LEAST = 4  # views
-COLMAP_PLACES = "cameras.txt", "sparse/0/cameras.txt", "sparse/cameras.txt"
-COLMAP_MODELS = {"SIMPLE_PINHOLE": (0, 0, 1, 2), "PINHOLE": (0, 1, 2, 3)}  # where fx fy cx cy are
-DISTORTION = "k1", "k2", "k3", "k4", "p1", "p2"
+COLMAP_PLACES = [f"{place}cameras.{ending}" for ending in ("txt", "bin")
+                 for place in ("", "sparse/0/", "sparse/")]
+COLMAP_MODELS = {  # where fx, fy, cx, cy, k1, k2, p1, p2 are, in the order of COLMAP's numbers
+    "SIMPLE_PINHOLE": (0, 0, 1, 2), "PINHOLE": (0, 1, 2, 3), "SIMPLE_RADIAL": (0, 0, 1, 2, 3),
+    "RADIAL": (0, 0, 1, 2, 3, 4), "OPENCV": (0, 1, 2, 3, 4, 5, 6, 7)}
+UNDISTORT = ("such a lens is not read, so undistort the pictures, as `colmap image_undistorter` "
+             "does, and take the cameras that come with them")
+BEND = "k1", "k2", "p1", "p2", "k3", "k4"
+NO_BEND = (0.0,) * len(BEND)
 LARGEST = 1e12   # of all numbers: squares of them can be added
-STRAIGHT = 1e-6  # a distortion of less bends no pixel
 Y_AND_Z_TURNED = np.diag([1.0, -1.0, -1.0, 1.0])  # OpenCV's axes <-> OpenGL's
 
 
 class Shot(NamedTuple):
-    """A picture, and the camera that took it. It has no distortion.
+    """A picture, and the camera that took it.
 
     The camera sees (x, y, z) in column cx + fx x / -z and in row cy - fy y / -z, in pixels from the
-    picture's upper left corner: x is right, y is up, and it looks along -z.
+    picture's upper left corner: x is right, y is up, and it looks along -z. bend is what lenses.py
+    undoes. mask: its file, if that is given. held_out: only the report sees the picture.
     """
 
     name: str
@@ -37,6 +46,9 @@ class Shot(NamedTuple):
     cx: float
     cy: float
     world_from_camera: np.ndarray
+    bend: tuple = NO_BEND
+    mask: Path | None = None
+    held_out: bool = False
 
 
 class Scene(NamedTuple):
@@ -65,23 +77,17 @@ def read(folder):
     found = [(path, scene_of) for names, scene_of in FORMATS
              for path in [folder / name for name in names if (folder / name).exists()][:1]]
     if not found:
-        raise FileNotFoundError(nothing_found(folder))
+        raise FileNotFoundError(f"there is no file cameras.json, transforms.json, or COLMAP's "
+                                f"cameras.txt or cameras.bin, in {folder}: course/experiments/"
+                                "folder/captures.py says what must be in it")
     require(len(found) == 1, f"{' and '.join(path.name for path, _ in found)} in {folder} both say "
             "where the cameras are: move all but one of them away")
     (path, scene_of), = found
     scene = scene_of(folder, path)
-    require(len(scene.shots) >= LEAST, f"at least {LEAST} views are needed, 20 are better, and "
-            f"{scene.file} has {len(scene.shots)}")
+    count = sum(not shot.held_out for shot in scene.shots)
+    require(count >= LEAST, f"at least {LEAST} views are needed, 20 are better, and {scene.file} "
+            f"has {count}")
     return scene
-
-
-def nothing_found(folder):
-    """A sentence."""
-    if any((folder / name).with_suffix(".bin").exists() for name in COLMAP_PLACES):
-        return (f"{folder} has COLMAP's binary model only: `colmap model_converter --output_type "
-                "TXT` writes it as text")
-    return (f"there is no file cameras.json, transforms.json or cameras.txt (COLMAP's) in {folder}:"
-            " course/experiments/folder/captures.py says what must be in it")
 
 
 # --- our own ------------------------------------------------------------------------------------
@@ -145,10 +151,15 @@ def nerf(folder, path):
     scene = described(path, "frames", '{"camera_angle_x": ..., "frames": [...]}')
     shots = []
     for frame in whole(scene["frames"], "frame", "file_path", "transform_matrix", path.name):
-        seen = with_ending(folder / frame["file_path"])
-        lens = nerf_lens({**scene, **frame}, seen, path.name)
-        title = f"transform_matrix of {frame['file_path']} in {path.name}"
-        shots.append(Shot(named(folder, seen), seen, *lens, pose(frame["transform_matrix"], title)))
+        seen, given = with_ending(folder / frame["file_path"]), {**scene, **frame}
+        *lens, bend = nerf_lens(given, seen, path.name)
+        matrix = pose(frame["transform_matrix"],
+                      f"transform_matrix of {frame['file_path']} in {path.name}")
+        mask = given.get("mask_path") and folder / str(given["mask_path"])
+        shots.append(Shot(named(folder, seen), seen, *lens, matrix, bend, mask))
+    tests = path.with_name("transforms_test.json")
+    if path.name == "transforms_train.json" and tests.exists():
+        shots += [shot._replace(held_out=True) for shot in nerf(folder, tests).shots]
     return Scene(path.name, shots, **besides(scene, path.name))
 
 
@@ -159,14 +170,9 @@ def with_ending(path):
 
 
 def nerf_lens(given, seen, file):
-    """width, height, fx, fy, cx, cy of the picture seen: what is given for it or for all."""
-    require(given.get("camera_model") in (None, "PINHOLE", "SIMPLE_PINHOLE", "OPENCV")
-            and not given.get("is_fisheye"), f"camera_model in {file} must be PINHOLE, and is "
-            f"{given.get('camera_model')}: undistort the pictures, as `colmap image_undistorter` "
-            "does")
-    bent = [key for key in DISTORTION if abs(number(given, key, file, -1e9, 1e9, 0.0)) > STRAIGHT]
-    require(not bent, f"{', '.join(bent)} in {file} must be 0: the lens bends straight lines, so "
-            "undistort the pictures, as `colmap image_undistorter` does")
+    """width, height, fx, fy, cx, cy, bend of the picture seen: what is given for it or for all."""
+    for key, known in ("is_fisheye", (None, False)), ("camera_model", (None, *COLMAP_MODELS)):
+        require(given.get(key) in known, f"{key} in {file} is {given.get(key)}: {UNDISTORT}")
     shown = image.size(seen, upright=True)
     width, height = (number(given, key, file, 1, 1e6, float(side))
                      for key, side in zip("wh", shown, strict=True))
@@ -178,90 +184,70 @@ def nerf_lens(given, seen, file):
         fx = width / 2 / np.tan(number(given, "camera_angle_x", file, 0.01, 3.1) / 2)
     return (width, height, fx, number(given, "fl_y", file, 1e-3, 1e9, fx),
             number(given, "cx", file, -1e6, 1e6, width / 2),
-            number(given, "cy", file, -1e6, 1e6, height / 2))
+            number(given, "cy", file, -1e6, 1e6, height / 2),
+            tuple(number(given, key, file, -1e9, 1e9, 0.0) for key in BEND))
 
 
 # --- COLMAP's -----------------------------------------------------------------------------------
 
 
 def colmap(folder, path):
-    """The Scene of COLMAP's cameras.txt, and of images.txt beside it. COLMAP ignores EXIF."""
-    lenses = dict(colmap_lens(line) for line in lines_of(path) if line.split())
-    images = path.with_name("images.txt")
+    """The Scene of COLMAP's cameras, and of its images beside them. COLMAP ignores EXIF."""
+    lenses = dict(colmap_lens(line, path.name) for line in lines_of(path) if line.split())
+    images = path.with_stem("images")
     lines = lines_of(images)
     while lines and not lines[-1].split():
         lines.pop()
     shots = []
     for line, points in zip(lines[::2], [*lines[1::2], ""], strict=False):
         words = line.split(maxsplit=9)
-        require(len(words) == 10 and three_each(points), f"{images.name} must have two lines for "
-                "each picture: IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, and its points, which "
-                f"may be an empty line, and here is {line[:60]!r}")
+        require(len(words) == 10 and len(points.split()) % 3 == 0, f"{images.name} must have two "
+                "lines for each picture: IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, and its "
+                f"points, which may be an empty line, and here is {short(line)!r}")
         name = words[9].strip()
         require(words[8] in lenses, f"{name} in {images.name} has camera {words[8]}, which is not "
                 f"in {path.name}")
         seen = next((one for one in (folder / "images" / name, folder / name) if one.exists()),
                     folder / "images" / name)
-        shots.append(Shot(name, seen, *lenses[words[8]],
-                          colmap_pose(words[1:8], f"{name} in {images.name}")))
+        *lens, bend = lenses[words[8]]
+        shots.append(Shot(name, seen, *lens, colmap_pose(words[1:8], f"{name} in {images.name}"),
+                          bend))
     return Scene(images.name, shots, upright=False)
 
 
 def lines_of(path):
-    """The lines of a text file that are no comments."""
-    lines = places.read_whole(path).decode(errors="replace").splitlines()
+    """The lines of a text file that are no comments, or those for which a binary one stands."""
+    content = places.read_whole(path)
+    if path.suffix == ".bin":
+        return colmap_binary.lines(path.name, content)
+    lines = content.decode(errors="replace").splitlines()
     return [line for line in lines if not line.lstrip().startswith("#")]
 
 
-def three_each(line):
-    """Whether a line is that of an image's points: X Y POINT3D_ID, again and again."""
-    try:
-        return len([float(word) for word in line.split()]) % 3 == 0
-    except ValueError:
-        return False
-
-
-def colmap_lens(line):
-    """CAMERA_ID MODEL WIDTH HEIGHT PARAMS -> its id, and width, height, fx, fy, cx, cy."""
+def colmap_lens(line, file):
+    """CAMERA_ID MODEL WIDTH HEIGHT PARAMS -> its id, and width, height, fx, fy, cx, cy, bend."""
     words = line.split()
     camera, model = [*words, ""][:2]
-    require(model in COLMAP_MODELS, f"camera {camera} in cameras.txt must be a PINHOLE or a "
-            f"SIMPLE_PINHOLE, and is a {model or 'nothing'}: `colmap image_undistorter` makes "
-            "pictures without distortion, and their cameras")
-    order = COLMAP_MODELS[model]
-    given = floats(words[2:], 3 + max(order), f"camera {camera} in cameras.txt")
-    require((given[:max(order) + 1] >= 1).all(), f"camera {camera} in cameras.txt must have a "
-            "width, a height and a focal length of at least 1")
-    return camera, (*given[:2], *given[2:][list(order)])
+    title = f"camera {camera} in {file}"
+    require(model in COLMAP_MODELS, f"{title} is a {model or 'nothing'}: {UNDISTORT}")
+    order = list(COLMAP_MODELS[model])
+    given = numbers(words[2:], (3 + max(order),), title, "U")
+    require((given[:max(order[:2]) + 3] >= 1).all(),
+            f"{title} must have a width, a height and a focal length of at least 1")
+    fx, fy, cx, cy, *bend = given[2:][order]
+    return camera, (*given[:2], fx, fy, cx, cy, (*bend, *NO_BEND)[:len(BEND)])
 
 
 def colmap_pose(words, title):
     """QW QX QY QZ TX TY TZ, from the world to OpenCV's camera -> world_from_camera (4, 4)."""
-    given = floats(words, 7, f"QW QX QY QZ TX TY TZ of {title}")
+    given = numbers(words, (7,), f"QW QX QY QZ TX TY TZ of {title}", "U")
     length = np.linalg.norm(given[:4])
     require(abs(length - 1) < 1e-2, f"QW QX QY QZ of {title} must have length 1, and has "
             f"{length:.3g}")
     camera_from_world = np.eye(4)
-    camera_from_world[:3, :3] = rotation(*given[:4] / length)
+    camera_from_world[:3, :3] = Rotation.from_quat(given[[1, 2, 3, 0]]).as_matrix()
     camera_from_world[:3, 3] = given[4:]
     return np.linalg.inv(Y_AND_Z_TURNED @ camera_from_world)
-
-
-def rotation(w, x, y, z):
-    """A quaternion of length 1 as a matrix (3, 3)."""
-    return np.array([[1 - 2*(y*y + z*z), 2*(x*y - w*z),     2*(x*z + w*y)    ],
-                     [2*(x*y + w*z),     1 - 2*(x*x + z*z), 2*(y*z - w*x)    ],
-                     [2*(x*z - w*y),     2*(y*z + w*x),     1 - 2*(x*x + y*y)]])
-
-
-def floats(words, count, title):
-    """Words as an array of this many finite numbers."""
-    try:
-        array = np.array([float(word) for word in words])
-    except ValueError:
-        array = np.array([np.nan])
-    require_finite(array, (count,), title, f"{count} finite numbers", repr(" ".join(words)[:60]))
-    return array
 
 
 FORMATS = ((("cameras.json",), ours), (("transforms.json", "transforms_train.json"), nerf),
@@ -281,24 +267,25 @@ def named(folder, path):
     return (path.relative_to(folder) if path.is_relative_to(folder) else path).as_posix()
 
 
-def numbers(given, shape, title):
-    """A list, or lists of lists, as an array of this shape."""
+def numbers(given, shape, title, kinds="iuf"):
+    """A list, or lists of lists, as an array of this shape. kinds: NumPy's, of what is given."""
     try:
         array = np.array(given)
-        array = array.astype(float) if array.dtype.kind in "iuf" else np.array(np.nan)
+        array = array.astype(float) if array.dtype.kind in kinds else np.array(np.nan)
     except (TypeError, ValueError, OverflowError):
         array = np.array(np.nan)
     expected = f"{' x '.join(map(str, shape))} finite numbers" if shape else "a finite number"
-    require_finite(array, shape, title, expected, "missing" if given is None else str(given)[:60])
+    shown = "missing" if given is None else short(given)
+    require(array.shape == shape and np.isfinite(array).all(),
+            f"{title} must be {expected}, and is {shown}")
+    require((np.abs(array) <= LARGEST).all(),
+            f"{title} must be from {-LARGEST:g} to {LARGEST:g}, and is {shown}")
     return array
 
 
-def require_finite(array, shape, title, expected, given):
-    """ValueError unless an array has this shape and no number is NaN, infinite or too large."""
-    require(array.shape == shape and np.isfinite(array).all(),
-            f"{title} must be {expected}, and is {given}")
-    require((np.abs(array) <= LARGEST).all(),
-            f"{title} must be from {-LARGEST:g} to {LARGEST:g}, and is {given}")
+def short(given):
+    """In at most 60 letters, with whole numbers."""
+    return textwrap.shorten(str(given).replace("'", ""), 60, placeholder=" ...")
 
 
 def number(scene, key, file, low, high, default=None):

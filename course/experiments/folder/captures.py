@@ -12,13 +12,18 @@ lower to the upper border. All but fov_y and views may be left out:
 
 transforms.json (or transforms_train.json), as NeRF, instant-ngp and Nerfstudio write it. The
 matrices are the same. A lens is camera_angle_x in radians, or fl_x, fl_y, cx, cy, w, h in pixels,
-for all or in a frame. background, centre and radius may stand here, too:
+and k1, k2, k3, k4, p1, p2, for all or in a frame. A frame may have a mask_path. background, centre
+and radius may stand here, too. The pictures of a transforms_test.json beside transforms_train.json
+are for the report alone, in the place of every eighth one:
 
     {"camera_angle_x": 0.7, "frames": [{"file_path": "train/r_0", "transform_matrix": [[...]]}]}
 
-cameras.txt and images.txt, COLMAP's text model, in the folder, sparse/0 or sparse, with the
-pictures in images/ or the folder. `colmap image_undistorter --output_type COLMAP` makes such
-pictures without distortion, and `colmap model_converter --output_type TXT` such text.
+cameras.bin and images.bin, COLMAP's model, or the same as .txt, in the folder, sparse/0 or sparse,
+with the pictures in images/ or the folder.
+
+The lenses SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV are read. Pictures and masks
+are as the lens shows them, and their distortion is undone. Of other lenses, `colmap
+image_undistorter` makes pictures without distortion.
 
 Pictures are PNG or JPEG of 8 bits, of any sizes, at least 4, from all around, and show the whole
 object. A rotation in EXIF is followed, and widths and heights are those of the picture as shown.
@@ -44,7 +49,8 @@ class Photos(NamedTuple):
 
     names of the files, pictures (H, W, 4), linear colours on the background and coverage, all of
     one size, cameras (N, 4, 4), which are clip_from_grid, background (3,), linear, world_from_grid
-    (4, 4), and sentences on what was assumed or found, not given.
+    (4, 4), sentences on what was assumed or found, not given, and the numbers of the pictures that
+    the files hold out.
     """
 
     names: list
@@ -53,6 +59,7 @@ class Photos(NamedTuple):
     background: np.ndarray
     world_from_grid: np.ndarray
     assumed: list
+    held_out: tuple = ()
 
 
 def read(labs, folder: str | Path, longest: int = 128) -> Photos:
@@ -67,7 +74,8 @@ def read(labs, folder: str | Path, longest: int = 128) -> Photos:
     world_from_grid = labs.transforms.translate(centre) @ np.diag([radius, radius, radius, 1.0])
     cameras = [camera(labs, shot, centre, radius) for shot in shots]
     return Photos([shot.name for shot in shots], pictures, np.array(cameras) @ world_from_grid,
-                  background, world_from_grid, notes + found)
+                  background, world_from_grid, notes + found,
+                  tuple(k for k, shot in enumerate(shots) if shot.held_out))
 
 
 def capture_of(labs, photos, chosen=None):

@@ -12,7 +12,7 @@ import numpy as np
 from ...given import image, places
 from . import captures, checkpoints, fit_report, hulls, photographs, searches
 
-KEPT_OUT = 8  # every eighth picture is not shown to the search, so that the report can judge it
+KEPT_OUT = 8  # every eighth picture is for the report alone, where the files hold none out
 STATE_SIZE = 256
 
 
@@ -74,7 +74,7 @@ def scaled(stages, steps):
 
 def kept_out(photos):
     """The numbers of the pictures that the search does not see."""
-    return list(range(KEPT_OUT - 1, len(photos.pictures), KEPT_OUT))
+    return photos.held_out or list(range(KEPT_OUT - 1, len(photos.pictures), KEPT_OUT))
 
 
 def search(labs, photos, path, stages, resume):

@@ -3,6 +3,7 @@
 An axis is the ray from a camera through the middle of its silhouette. The axes nearly meet in the
 object. The visual hull is all points that every silhouette covers. The object is in there.
 """
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -14,17 +15,20 @@ CELLS = 48          # of the hull's grid, along an axis
 COVERED = 0.1       # a pixel of more coverage is in the silhouette
 CROPPED = 0.01      # a smaller part of a silhouette outside of the ball is noise
 UNFILLED = 0.05     # a smaller part of a silhouette that the hull does not fill is noise
-ONE_SIDE, FEW_SIDES = 20, 60  # degrees from the mean axis: no depth is seen, little is seen
+ONE_SIDE = 20       # degrees from the mean axis: no depth is seen
+UNSEEN = 75         # degrees from the nearest picture: a side is not seen, or hardly
+UNLIKE = 0.5        # a larger part of the silhouettes that is not filled: the cameras are wrong
 SHRUNK = 0.03       # of the grid [-1, 1]^3: how much smaller than the hull the search begins
 SAME = 1e-6         # the difference of two cameras that are one
 
-CONVENTIONS = (  # how matrices may be meant that cannot be meant as they should be
-    (lambda matrix: matrix @ Y_AND_Z_TURNED, "these matrices are OpenCV's, along +z: change the "
-     "signs of their second and third columns"),
-    (np.linalg.inv, "these matrices lead from the world to the camera: give their inverses"),
-    (lambda matrix: np.linalg.inv(matrix) @ Y_AND_Z_TURNED, "these matrices lead from the world to "
-     "OpenCV's camera, along +z: give their inverses, and change the signs of the second and third "
-     "columns of these"))
+MIRROR = np.diag([-1.0, -1.0, -1.0, 1.0])
+CHANGES = (  # what may have to be done to matrices that cannot be meant as they should be
+    (np.linalg.inv, "lead from the world to the camera: give their inverses"),
+    (lambda matrix: matrix @ Y_AND_Z_TURNED, "are OpenCV's, along +z: change the signs of their "
+     "second and third columns"),
+    (lambda matrix: MIRROR @ matrix @ MIRROR, "are of a mirrored world: change the signs of the "
+     "camera's place, the first three numbers of their fourth column"))
+CONVENTIONS = [some for count in (1, 2, 3) for some in itertools.combinations(CHANGES, count)]
 
 
 class Outline(NamedTuple):
@@ -189,14 +193,30 @@ def require_different(outlines, scene):
 
 
 def sides(outlines):
-    """A warning in a list where all views are from nearly one side. ValueError if from just one."""
+    """A warning in a list of the sides that no picture shows. ValueError if all show just one."""
     axes = np.array([axis(one) for one in outlines])
     mean = axes.mean(0) / max(np.linalg.norm(axes.mean(0)), 1e-9)
     most = np.degrees(np.arccos(np.clip(axes @ mean, -1, 1))).max()
     require(most > ONE_SIDE, f"all views are from one side, within {most:.0f} degrees of their "
             "mean direction, and do not show how deep the object is: take pictures from all around")
-    return [f"all views are within {most:.0f} degrees of their mean direction: what they do not "
-            "show is guessed, so take pictures from all around the object"] * bool(most < FEW_SIDES)
+    unseen = [name for name, side in directions(outlines, -axes).items()
+              if (side @ -axes.T).max() < np.cos(np.radians(UNSEEN))]
+    return [f"no picture is from {' or from '.join(unseen)}: what only such a picture shows is "
+            "guessed"] * bool(unseen)
+
+
+def directions(outlines, towards):
+    """Names of sides of the object, as the pictures are held, and their unit vectors (3,).
+
+    towards (N, 3) leads from the object to each of the cameras.
+    """
+    up = np.mean([one.shot.world_from_camera[:3, 1] for one in outlines], axis=0)
+    up /= max(np.linalg.norm(up), 1e-9)
+    level = np.abs(towards @ up).argmin()
+    front, name = towards[level], outlines[level].shot.name
+    right = np.cross(up, front)
+    return {"above": up, "below": -up, f"the left of {name}": -right, f"the right of {name}": right,
+            f"the side opposite to {name}": -front}
 
 
 def disagreement(outlines, scene):
@@ -211,17 +231,26 @@ def disagreement(outlines, scene):
         if without:
             return (f"{title}, but without {' or '.join(without[:5])} there is one: look at the "
                     "camera and the mask of that picture, or leave it out")
-    for change, advice in CONVENTIONS if scene.upright else ():
-        if len(hull_around([changed(one, change) for one in outlines])[0]):
-            return f"{title}: a camera looks along its own -z, and y is up, but {advice}"
+    if scene.upright and (advice := convention(outlines)):
+        return f"{title}: a camera looks along its own -z, and y is up, but these matrices {advice}"
     return (f"{title}, and leaving one out does not help: does each matrix lead from the camera to "
             "the world, and is the angle of the lens right?")
 
 
-def changed(outline, change):
-    """An Outline whose Shot has its matrix changed."""
-    matrix = change(outline.shot.world_from_camera)
-    return outline._replace(shot=outline.shot._replace(world_from_camera=matrix))
+def convention(outlines):
+    """What the matrices are instead, in words, if then they fit the silhouettes."""
+    tried = [changed(outlines, changes) for changes in CONVENTIONS]
+    unlike = [np.mean(unfilled(each, *hull_around(each))) for each in tried]
+    best = CONVENTIONS[int(np.argmin(unlike))]
+    return "; then they ".join(advice for _, advice in best) if min(unlike) < UNLIKE else ""
+
+
+def changed(outlines, changes):
+    """Outlines whose Shots have their matrices changed."""
+    for change, _ in changes:
+        outlines = [one._replace(shot=one.shot._replace(
+            world_from_camera=change(one.shot.world_from_camera))) for one in outlines]
+    return outlines
 
 
 def looking_away(outlines, point):
@@ -231,7 +260,7 @@ def looking_away(outlines, point):
 
 def doubts(outlines, points, reach):
     """A warning in a list where the hull's points (N, 3) do not fill the silhouettes."""
-    empty = [(~is_filled(one, points, reach)).mean() for one in outlines]
+    empty = unfilled(outlines, points, reach)
     if max(empty) <= UNFILLED:
         return []
     middle, half = (points.max(0) + points.min(0)) / 2, np.ptp(points, axis=0).max()
@@ -242,6 +271,11 @@ def doubts(outlines, points, reach):
     return [f"the silhouettes agree badly: {max(empty):.0%} of that in "
             f"{outlines[int(np.argmax(empty))].shot.name} is not in all others, and {suspect} "
             "leaves out most: look at its camera and its mask"]
+
+
+def unfilled(outlines, points, reach):
+    """The parts of silhouettes that do not show the hull's points (N, 3)."""
+    return [(~is_filled(one, points, reach)).mean() if len(points) else 1.0 for one in outlines]
 
 
 def is_filled(outline, points, reach):

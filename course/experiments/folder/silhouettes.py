@@ -11,6 +11,7 @@ import numpy as np
 from PIL import Image
 
 from ...given import image
+from . import lenses
 from .camera_files import require
 
 DIFFERENT = 20 / 255  # more than this from the background, in a channel, is object; less, JPEG's
@@ -36,12 +37,11 @@ def cut_out(folder, scene, longest):
     sources, turned = oriented(folder, scene)
     background, guessed = behind(sources, scene)
     white = np.ones(3) if background is None else background
-    small = [cut(source, background, image.to_linear(white), longest) for source in sources]
-    for source, picture in zip(sources, small, strict=True):
-        require_whole(source, picture)
-    height, width = (-(-max(picture.shape[side] for picture in small) // 4) * 4 for side in (0, 1))
-    framed = [frame(resized(source.shot, *picture.shape[1::-1]), picture, image.to_linear(white),
-                    width, height) for source, picture in zip(sources, small, strict=True)]
+    small = [pinhole(source, background, image.to_linear(white), longest) for source in sources]
+    require_whole(small)
+    width, height = (-(-max(shot[side] for shot, _ in small) // 4) * 4 for side in (2, 3))
+    framed = [frame(shot, picture, image.to_linear(white), width, height)
+              for shot, picture in small]
     shots, pictures = (list(column) for column in zip(*framed, strict=True))
     return shots, pictures, image.to_linear(white), turned + guessed
 
@@ -71,7 +71,8 @@ def fitting(folder, shot, scene):
     for upright in (scene.upright, not scene.upright):
         width, height = image.size(shot.path, upright)
         if abs(height * shot.width - shot.height * width) <= max(width, shot.width):
-            return Source(resized(shot, width, height), upright, mask_of(folder, shot))
+            return Source(resized(shot, width, height), upright,
+                          shot.mask or mask_of(folder, shot))
         sizes.append(f"{width} x {height}")
     raise ValueError(f"{shot.name} has {sizes[0]} pixels, and {scene.file} says {shot.width:g} x "
                      f"{shot.height:g}, which is another shape: cameras are those of the pictures "
@@ -123,8 +124,8 @@ def opened(source):
         return colour, alpha[..., 0]
     if source.mask is None:
         return colour, None
-    require(source.mask.exists(), f"{source.shot.name} has no mask: put it into masks/, as "
-            f"{source.mask.name}, as the others have one")
+    require(source.mask.exists(), f"{source.shot.name} has no mask {source.mask.name}: put it into "
+            f"{source.mask.parent.name}/, as the others have one")
     mask = image.read(source.mask)
     require(mask.shape[:2] == colour.shape[:2], f"the mask {source.mask.name} has {size_of(mask)} "
             f"pixels, and {source.shot.name} has {size_of(colour)}: both must be the same, and "
@@ -196,6 +197,14 @@ def cut(source, background, white, longest):
     return np.concatenate([np.stack(light, 2) + (1 - covered) * white, covered], 2)
 
 
+def pinhole(source, background, white, longest):
+    """A Source -> its Shot and picture (H, W, 4) without distortion, reduced, as `cut` gives it."""
+    shot = resized(source.shot, *within(*source.shot[2:4], longest))
+    if not any(shot.bend):
+        return shot, cut(source, background, white, longest)
+    return lenses.straight(shot, cut(source, background, white, lenses.FINE * longest))
+
+
 def unlike(colour, background, name):
     """Where a picture (H, W, 3) is not of the background's colour, 1, else 0: (H, W)."""
     along = np.median(border(colour), axis=0)
@@ -214,15 +223,23 @@ def linear(channel):
 
 def smaller(channel, longest):
     """Means of a picture's pixels (H, W): of at most so many a side."""
-    height, width = channel.shape
-    part = min(1, longest / max(height, width))
-    size = [max(1, round(part * side)) for side in (width, height)]
+    size = within(*channel.shape[::-1], longest)
     reduced = Image.fromarray(np.float32(channel)).resize(size, Image.Resampling.BOX)
     return np.asarray(reduced, float)
 
 
-def require_whole(source, picture):
-    """ValueError where the object of a picture (H, W, 4) goes on beyond the border."""
-    touched = np.count_nonzero(border(picture[..., 3]) > 0.5)
-    require(touched <= HANDFUL, f"{source.shot.name} shows the object cut off, {touched} pixels of "
-            "it on the border: leave the picture out, or mend its mask, white for the object")
+def within(width, height, longest):
+    """A size of the same shape, of at most so many pixels a side."""
+    part = min(1, longest / max(width, height))
+    return [max(1, round(part * side)) for side in (width, height)]
+
+
+def require_whole(small):
+    """ValueError where the objects of Shots with pictures (H, W, 4) go on beyond the border."""
+    shown = [border(picture[..., 3]) > 0.5 for _, picture in small]
+    require(np.median([each.mean() for each in shown]) < ALIKE, "most borders are object: masks "
+            "or transparency look inverted, white and opaque are for the object")
+    names = [shot.name for (shot, _), each in zip(small, shown, strict=True)
+             if each.sum() > HANDFUL]
+    require(not names, f"the object is cut off by the border of {', '.join(names)}: leave such "
+            "pictures out, or mend their masks, white for the object")
