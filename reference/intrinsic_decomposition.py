@@ -3,15 +3,16 @@
     W c = C                                                colours c at vertices, C in pixels  (10)
     c = albedo * E,   E(n, p) = sum_k Y_k(n) l_k + lit(p) max(n . d, 0) s           with a sun (11)
     neutral = sum of (l_k - mean l_k)^2, and of s alike    each mean is over the three colours (12)
-    patches = mean of sqrt(|u_i - u_j|^2 + e^2) / length,   u = log(albedo + 0.1)  at an edge  (13)
+    patches = mean of w sqrt(|u_i - u_j|^2 + e^2) / length, u = log(albedo + 0.1)  at an edge  (13)
 
 It begins where multi_view_fit.py ends: the shape is found, and stays. W are the weights of lab 5.
 The sun is an array (2, 3): the unit direction d towards it, and its strength s for each colour. lit
 is the share of it that reaches p, by lab 14's shadow map of the shape itself.
 
 Pictures give the product of albedo and light alone. (12) and (13) choose among all pairs with this
-product. Light with little colour and paint in patches is what most scenes have. What is left free
-is one factor. We choose the mean albedo 1/2.
+product. Light with little colour and paint in patches is what most scenes have. In shade, colours
+tell less, as the square of the light. So does (13) by its weight w. What is left free is one
+factor. We choose the mean albedo 1/2.
 
 Sources: Munkberg et al. 2022 (12), Barron and Malik 2015 (13), Williams 1978 (lit).
 """
@@ -32,7 +33,7 @@ from . import (
     soft_shadows,
 )
 from .arrays import scatter
-from .inverse_rendering import adam_step, descend
+from .inverse_rendering import adam_step, descend, uniform_laplacian
 
 
 class Appearance(NamedTuple):
@@ -45,7 +46,8 @@ class Appearance(NamedTuple):
 
 class Observed(NamedTuple):
     """What an Appearance is compared with: the colours (V, 3) that are seen, the share (V,) of the
-    loss that each has, the normals (V, 3), and the edges (E, 2) with their mean length.
+    loss that each has, the normals (V, 3), and the edges (E, 2) with their mean length and the
+    weights (E,) of eq. (13).
     """
 
     colours: np.ndarray
@@ -53,6 +55,7 @@ class Observed(NamedTuple):
     normals: np.ndarray
     edges: np.ndarray
     length: float
+    weight: np.ndarray
 
 
 class Priors(NamedTuple):
@@ -68,6 +71,7 @@ ADAM = functools.partial(adam_step, constants=(0.9, 0.99, 1e-8))
 DARKEST = 0.005  # the least albedo
 DARK = 0.1       # what eq. (13) adds to the albedo, so that nearly black is like black
 SMOOTH = 0.02    # e of eq. (13)
+ROUNDS = 8       # of means of neighbours, for its w
 STIFF = 0.01     # of the colours, where no pixel tells them
 MAP = 256        # texels along a side of the sun's map
 BIAS = 0.01      # of lab 14's eq. (5)
@@ -179,23 +183,34 @@ def neutral_backward(grad_neutral, light, sun):
     return grad[:9], np.stack([np.zeros(3), grad[9]])
 
 
-def patches(albedo, edges, length):
+def edge_weights(colours, edges):
+    """w (E,) of eq. (13) at edges (E, 2): 1, or the square of twice the brightness around.
+
+    colours (V, 3), whose mean is 1/2. The squared error of dark colours says as little of paint.
+    """
+    around = colours.mean(1, keepdims=True)
+    for _ in range(ROUNDS):
+        around = around - uniform_laplacian(around, edges) / 2
+    return np.minimum(1, (2 * around)**2)[edges, 0].mean(1)
+
+
+def patches(albedo, edges, length, weight):
     """Eq. (13): how much paint changes along edges (E, 2) -> a number.
 
-    albedo (V, 3). length is the mean of the edges'. So the number hardly depends on the mesh, and
-    by the logarithm hardly on how bright all of the albedo is.
+    albedo (V, 3), weight (E,). length is the mean of the edges'. So the number hardly depends on
+    the mesh, and by the logarithm hardly on how bright all of the albedo is.
     """
     u, v = np.log(albedo + DARK)[edges.T]
-    return np.sqrt(((u - v)**2).sum(1) + SMOOTH**2).mean() / length
+    return (weight * np.sqrt(((u - v)**2).sum(1) + SMOOTH**2)).mean() / length
 
 
-def patches_backward(grad_patches, albedo, edges, length):
+def patches_backward(grad_patches, albedo, edges, length, weight):
     """Backward of eq. (13): grad_patches, a number -> grad_albedo (V, 3)."""
     # The root r has the slope (u_i - u_j) / r: it pulls alike at a small step and at a large one.
     # And du = da / (a + 0.1).
     u, v = np.log(albedo + DARK)[edges.T]
     root = np.sqrt(((u - v)**2).sum(1, keepdims=True) + SMOOTH**2)
-    grad = grad_patches / (len(edges) * length) * (u - v) / root
+    grad = grad_patches / (len(edges) * length) * weight[:, None] * (u - v) / root
     return scatter(np.stack([grad, -grad], 1), edges, len(albedo)) / (albedo + DARK)
 
 
@@ -213,13 +228,13 @@ def allowed(x, share):
 
 def loss_and_gradients(x, observed, lit, priors):
     """The loss of an Appearance, and an Appearance of gradients. lit (V,) is held."""
-    colours, share, normals, edges, length = observed
+    colours, share, normals, *along = observed
     error = shade_with_sun(x, normals, lit) - colours
     loss = (share @ error**2).sum() + priors.neutral * neutral(x.light, x.sun)
-    loss += priors.patches * patches(x.albedo, edges, length)
+    loss += priors.patches * patches(x.albedo, *along)
 
     grad = shade_with_sun_backward(2 * share[:, None] * error, x, normals, lit)
-    by_paint = patches_backward(priors.patches, x.albedo, edges, length)
+    by_paint = patches_backward(priors.patches, x.albedo, *along)
     by_light, by_sun = neutral_backward(priors.neutral, x.light, x.sun)
     return loss, Appearance(grad.albedo + by_paint, grad.light + by_light, grad.sun + by_sun)
 
@@ -238,7 +253,9 @@ def observe(surface, targets):
     edges = reconstruction.closed_mesh_edges(surface.faces)
     a, b = surface.vertices[edges.T]
     length = np.linalg.norm(a - b, axis=1).mean()
-    return Observed(colours / exposure, share, surface.normals, edges, length), exposure
+    colours = colours / exposure
+    return Observed(colours, share, surface.normals, edges, length,
+                    edge_weights(colours, edges)), exposure
 
 
 def first_guess(observed):

@@ -136,7 +136,7 @@ def test_patches_cost_their_borders_and_not_their_number_of_steps():
     edges = np.stack([np.arange(100), np.arange(1, 101)], 1)
     step = np.where(np.arange(101) < 50, 0.1, 0.8)
     ramp = np.exp(np.linspace(np.log(0.2), np.log(0.9), 101)) - lab.DARK
-    costs = [lab.patches(np.tile(part[:, None], (1, 3)), edges, 0.1) for part in (step, ramp)]
+    costs = [lab.patches(np.tile(part[:, None], (1, 3)), edges, 0.1, 1.0) for part in (step, ramp)]
     flat = lab.SMOOTH / 0.1
     assert costs[0] == pytest.approx(np.sqrt(3) * np.log(4.5) / 10 + 0.99 * flat, rel=0.01)
     assert costs[1] < 1.2 * costs[0]
@@ -146,7 +146,7 @@ def test_patches_hardly_depend_on_how_bright_the_paint_is():
     """All paint becomes dark, and the light bright, as that makes borders cheap."""
     albedo = np.array([[0.9, 0.6, 0.3], [0.5, 0.7, 0.9]])
     edges = np.array([[0, 1]])
-    costs = [lab.patches(factor * albedo, edges, 1.0) for factor in (1.0, 0.5)]
+    costs = [lab.patches(factor * albedo, edges, 1.0, 1.0) for factor in (1.0, 0.5)]
     assert costs[1] > 0.75 * costs[0]
 
 
@@ -155,8 +155,20 @@ def test_the_gradients_of_the_priors(rng):
     x = looks(rng, 30)
     edges = np.stack([np.arange(30), rng.permutation(30)], 1)
     gradcheck(lab.neutral, lab.neutral_backward, (x.light, x.sun), name="neutral")
-    gradcheck(lab.patches, lab.patches_backward, (x.albedo, edges, 0.3), differentiable=[0],
-              name="patches")
+    gradcheck(lab.patches, lab.patches_backward, (x.albedo, edges, 0.3, rng.random(30)),
+              differentiable=[0], name="patches")
+
+
+def test_patches_count_in_shade_as_little_as_colours_tell_there():
+    """A label on the dark side is erased; or what is bright, or one dark letter, counts otherwise
+    than its surroundings.
+    """
+    edges = np.stack([np.arange(99), np.arange(1, 100)], 1)
+    light = np.where(np.arange(100) < 50, 0.9, 0.1)
+    weight = lab.edge_weights(np.tile(light[:, None], (1, 3)), edges)
+    assert np.all(weight[:40] == 1) and weight[60:] == pytest.approx(0.04)
+    light[80] = 0.0
+    assert lab.edge_weights(np.tile(light[:, None], (1, 3)), edges)[80] > 0.02
 
 
 # --- what is found -----------------------------------------------------------------------------
@@ -166,7 +178,8 @@ def test_the_gradient_of_the_whole_loss(rng):
     """A part of the loss has no gradient, or another factor."""
     x, (vertices, faces) = looks(rng, 12), mesh.icosphere(20)
     normals, edges = mesh.vertex_normals(vertices, faces), reconstruction.closed_mesh_edges(faces)
-    seen = lab.Observed(rng.uniform(0.1, 1, (12, 3)), rng.uniform(0, 0.2, 12), normals, edges, 0.7)
+    seen = lab.Observed(rng.uniform(0.1, 1, (12, 3)), rng.uniform(0, 0.2, 12), normals, edges, 0.7,
+                        rng.random(len(edges)))
     lit, priors = rng.uniform(0, 1, 12), lab.Priors(0.3, 0.7)
 
     def gradient(grad_loss, *parts):
