@@ -102,7 +102,8 @@ class Gradebook:
             files[f"for-{self.roster.platform}.csv"] = rosters.filled(self.roster, points)
             files["unmatched.csv"] = sheets.written(self.without_partner())
             files["replaced.csv"] = sheets.written([
-                ("name", "in the roster", "now"), *rosters.replaced(self.roster, points)])
+                ("name", "in the roster", "now"),
+                *(map(sheets.plain, row) for row in rosters.replaced(self.roster, points))])
         if self.before is not None:
             now = changes.by_student(table[0], table[1:])
             files["changes.csv"] = sheets.written(
