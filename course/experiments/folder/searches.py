@@ -11,10 +11,19 @@ COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
            TextColumn("{task.fields[summary]}"))
 
 
-def fine_stages(labs):
-    """Lab 16's Stages of the searches that are to be seen from near."""
-    stage = labs.multi_view_fit.Stage
-    return stage(24, 1, 1, 100, 1.0), stage(32, 1, 1, 80, 0.5), stage(48, 1, 2, 120, 0.3)
+def fine_stages(labs, size=128):
+    """Lab 16's Stages of the searches that are to be seen from near, in pictures of this size.
+
+    The last cells are as wide as 2.7 pixels, but for memory's sake 96 at most.
+    """
+    stage, cells = labs.multi_view_fit.Stage, min(max(48, 3 * size // 8), 96)
+    return (stage(24, 1, 1, 100, 1.0), stage(32, 1, 1, 80, 0.5),
+            stage(cells, 1, samples(size, 384), 120, 0.3))
+
+
+def samples(size, width):
+    """Along a pixel's side, so that pictures are about so wide when they are rendered: 2 or more."""
+    return max(2, round(width / size))
 
 
 def watched(labs, fit, steps, path, world_from_grid=np.eye(4), done=0):  # noqa: B008
