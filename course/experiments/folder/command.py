@@ -14,7 +14,7 @@ from . import captures, checkpoints, fit_report, hulls, photographs, searches
 
 KEPT_OUT = 8  # every eighth picture is for the report alone, where the files hold none out
 STATE_SIZE = 256
-PAINT, CHARTS, REPORT = 70, 35, 15  # how many steps of the search would take as long
+PAINT, CHARTS, REPORT = 60, 20, 15  # how many steps of the search would take as long
 
 
 class Wishes(NamedTuple):
