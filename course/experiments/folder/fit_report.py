@@ -182,7 +182,7 @@ def loss_curve(losses, stages):
 def write(labs, judged, photos, path, began):
     """turntable.png, and report.html with all that it shows, beside the GLB file of this path.
 
-    began: the processor's time when the command began.
+    began: the processor's time when the command began, less what it took in earlier runs.
     """
     turntable(labs, judged.found, photos, path.with_name("turntable.png"))
     page = string.Template((HERE / "fit_report.html").read_text(encoding="utf-8")).substitute(
@@ -191,8 +191,7 @@ def write(labs, judged, photos, path, began):
         loss=as_uri("image/svg+xml", loss_curve(judged.found.kept.losses, judged.stages)),
         mesh=as_uri("model/gltf-binary", path.read_bytes()),
         scene=scene(labs, judged.found, photos),
-        psnr=rows(psnr_table(judged.views)), numbers=rows(numbers(judged)),
-        times=rows(times(judged.found.kept.seconds, time.process_time() - began)),
+        psnr=rows(psnr_table(judged.views)), numbers=rows(numbers(judged, began)),
         views="\n".join(map(figure, worst(judged.views))),
         kept_out=about_kept_out(judged.views),
         assumed="\n".join(f"<li>{html.escape(each)}</li>" for each in
@@ -218,13 +217,16 @@ def reach(found):
     return np.linalg.norm(found.surface.vertices, axis=1).max()
 
 
-def numbers(judged):
+def numbers(judged, began):
     """{what: how much} of the table, in words."""
-    mean = np.mean([iou(view) for view in judged.views])
+    mean, kept = np.mean([iou(view) for view in judged.views]), judged.found.kept
+    seconds = kept.seconds, time.process_time() - began
+    search, whole = ("{} min {} s".format(*divmod(round(each), 60)) for each in seconds)
     return {"IoU of the silhouettes, mean of all": f"{mean:.4f}",
             "Area that no picture of the search shows": f"{100 * unseen(judged.found):.1f} %",
             "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
-            "Genus": str(judged.genus), "Steps": str(len(judged.found.kept.losses))}
+            "Genus": str(judged.genus), "Steps": str(len(kept.losses)),
+            "Processor time to the end of the search": search, "Processor time of all": whole}
 
 
 def psnr_table(views):
@@ -243,18 +245,11 @@ def unseen(found):
     return area @ (found.count[faces] == 0).mean(1) / area.sum()
 
 
-def times(search, whole):
-    """{what: how long} of the table, in words, out of processor seconds."""
-    return {name: "{} min {} s".format(*divmod(round(seconds), 60)) for name, seconds in (
-        ("Processor time to the end of the search", search), ("Processor time of all", whole))}
-
-
 def rows(table):
     """{name: a cell, or several} as the rows of a table in HTML."""
-    return "\n".join(f"<tr><th scope=row>{name}</th>"
-                     + "".join(f"<td>{cell}</td>" for cell in np.atleast_1d(cells))
-                     + "</tr>"
-                     for name, cells in table.items())
+    cells = {name: "".join(f"<td>{cell}</td>" for cell in np.atleast_1d(given))
+             for name, given in table.items()}
+    return "\n".join(f"<tr><th scope=row>{name}</th>{row}</tr>" for name, row in cells.items())
 
 
 def worst(views):
