@@ -104,16 +104,16 @@ def seen_colours(surface, targets):
     surface is a Surface, targets are Targets of multi_view_fit. Vertices that no pixel sees take
     the colours around them.
     """
-    # |W c - C|^2 is least where W^T W c = W^T C. A weak Laplacian makes it solvable everywhere.
+    # |W c - C|^2 is least where W^T W c = W^T C. A weak Laplacian makes it solvable in each piece
+    # that is seen, and next to nothing at each vertex makes the others black.
     rows, colours = zip(*(pixel_weights(surface, target) for target in targets), strict=True)
     count = sum(matrix.sum(0) for matrix in rows)
     edges = reconstruction.closed_mesh_edges(surface.faces)
     stiff = regularization.laplacian(edges, np.full(len(edges), STIFF), len(surface.vertices))
-    system = sum(matrix.T @ matrix for matrix in rows) + stiff
+    nothing = 1e-9 * scipy.sparse.eye_array(len(surface.vertices))
+    system = sum(matrix.T @ matrix for matrix in rows) + stiff + nothing
     told = sum(matrix.T @ colour for matrix, colour in zip(rows, colours, strict=True))
-    found = [scipy.sparse.linalg.cg(system, channel, rtol=1e-5, maxiter=300)[0]
-             for channel in told.T]
-    return np.stack(found, 1), count
+    return scipy.sparse.linalg.splu(system.tocsc()).solve(told), count
 
 
 # --- light with a sun: eq. (11) -----------------------------------------------------------------

@@ -46,9 +46,10 @@ def test_an_obj_keeps_the_digits_of_a_mesh_of_any_size(tmp_path, size):
     """A fixed number of decimals: a mesh of millionths of a unit comes back as a few steps."""
     x = painted_ball()
     exports.save(LABS, x, tmp_path / "found.glb", np.diag([size, size, size, 1.0]))
-    exports.save_textured(LABS, multi_view_fit.surface(x), tmp_path / "textured.glb",
+    surface = multi_view_fit.surface(x)
+    exports.save_textured(LABS, surface, np.ones(len(surface.vertices)), tmp_path / "textured.glb",
                           np.diag([size, size, size, 1.0]))
-    expected = size * multi_view_fit.surface(x).vertices
+    expected = size * surface.vertices
     np.testing.assert_allclose(read_obj(tmp_path / "found.obj")[0], expected, 0,
                                1e-15 * size)
     textured = read_obj(tmp_path / "textured.obj")[0]
@@ -73,7 +74,7 @@ def test_after_ctrl_c_the_last_good_mesh_is_on_disk(tmp_path):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        list(searches.watched(LABS, stopped(), 9, tmp_path / "found.glb"))
+        list(searches.watched(LABS, stopped(), searches.bar("", 9), tmp_path / "found.glb"))
     assert len(read_obj(tmp_path / "found.obj")[1]) > 50
     assert (tmp_path / "found.glb").read_bytes()[:4] == b"glTF"
 
@@ -84,6 +85,6 @@ def test_a_search_that_came_to_nothing_says_so(tmp_path):
     empty = good._replace(distance=np.ones(216))
     for x, loss in (good, np.nan), (empty, 0.1):
         with pytest.raises(ValueError, match="came to nothing at step 2: are the cameras right"):
-            list(searches.watched(LABS, iter([(good, 0.1), (x, loss)]), 9,
+            list(searches.watched(LABS, iter([(good, 0.1), (x, loss)]), searches.bar("", 9),
                                   tmp_path / "found.glb"))
         assert len(read_obj(tmp_path / "found.obj")[1]) > 50

@@ -25,8 +25,9 @@ def folder(tmp_path_factory):
     poses = []
     for k, side in enumerate(sides):
         view = LABS.transforms.look_at(3 * side, np.zeros(3), np.array([0.0, 1.0, 0.0]))
-        (picture,) = fit_report.rendered(LABS, found_of(x), [clip_from_view @ view], np.zeros(3),
-                                         (32, 32))
+        found = found_of(x)
+        (picture,) = fit_report.rendered(LABS, found.surface, found.colours[:, :3],
+                                         [clip_from_view @ view], np.zeros(3), (32, 32))
         image.write(path / f"{k}.png", fit_report.clear(picture))
         poses.append(np.linalg.inv(view))
     return ring.ours(path, fov_y=40.0, radius=1.0, background=[255, 255, 255],
@@ -38,6 +39,7 @@ def photos(folder):
     return captures.read(LABS, folder, 32)
 
 
+BAR = searches.bar("ball", 6)
 STAGES = multi_view_fit.Stage(4, 2, 1, 3, 1.0), multi_view_fit.Stage(6, 1, 1, 3, 0.5)
 
 
@@ -59,18 +61,19 @@ def test_a_search_goes_on_from_where_it_was_stopped(photos, tmp_path, monkeypatc
     """Steps are lost or taken twice, or the next stage begins from a ball. Adam's averages are not
     kept, so later steps differ from those of a search in one go.
     """
-    whole = command.search(LABS, photos, tmp_path / "whole.glb", STAGES, False)
+    whole = command.search(LABS, photos, tmp_path / "whole.glb", STAGES, False, BAR)
     path = tmp_path / "part.glb"
     with monkeypatch.context() as patch:
         stop_after(patch, count)
         with pytest.raises(KeyboardInterrupt, match="--resume goes on"):
-            command.search(LABS, photos, path, STAGES, False)
+            command.search(LABS, photos, path, STAGES, False, BAR)
     assert path.exists()
     marked = checkpoints.identity_of(photos, STAGES)
     kept = checkpoints.read(tmp_path / "checkpoint.npz", marked, multi_view_fit.Scene)
     assert kept.losses == whole.losses[:count]
-    found = command.search(LABS, photos, path, STAGES, True)
-    assert len(found.losses) == 6 and found.losses[:count] == kept.losses
+    found = command.search(LABS, photos, path, STAGES, True, BAR)
+    assert len(found.losses) == BAR.tasks[0].completed == 6
+    assert found.losses[:count] == kept.losses and found.seconds > kept.seconds > 0
     assert multi_view_fit.cells(found.x) == 6
     assert found.losses[count] == whole.losses[count]  # the same surface, seen by the same views
 
@@ -112,7 +115,8 @@ def test_every_eighth_picture_is_kept_out(photos, tmp_path, monkeypatch):
         yield multi_view_fit.start(4), 0.5
 
     monkeypatch.setattr(multi_view_fit, "fit", fit)
-    list(command.steps(LABS, photos, tmp_path / "x.glb", STAGES, checkpoints.Kept()))
+    list(command.steps(LABS, photos, tmp_path / "x.glb", STAGES, checkpoints.Kept(),
+                       BAR))
     assert len(given[0].pictures) == len(given[0].cameras) == 8
     assert all(picture is not photos.pictures[7] for picture in given[0].pictures)
     assert not (given[0].cameras == photos.cameras[7]).all((1, 2)).any()

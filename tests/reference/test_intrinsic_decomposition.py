@@ -60,7 +60,17 @@ def test_what_no_pixel_sees_takes_the_colours_around():
     found, count = lab.seen_colours(surface, targets)
     assert (count == 0).sum() > 300
     seen = found[count > 0]
-    assert (found.min(0) > seen.min(0) - 0.01).all() and (found.max(0) < seen.max(0) + 0.01).all()
+    assert (found.min(0) > seen.min(0) - 1e-6).all() and (found.max(0) < seen.max(0) + 1e-6).all()
+
+
+def test_a_piece_that_no_pixel_sees_is_black():
+    """The system has no solution, and all colours are nan."""
+    surface, _, targets = photographed(2)
+    far = surface.vertices + [50.0, 0.0, 0.0]
+    faces = np.vstack([surface.faces, surface.faces + len(far)])
+    found, _ = lab.seen_colours(surface_of(np.vstack([surface.vertices, far]), faces), targets)
+    expected = np.vstack([lab.seen_colours(surface, targets)[0], 0 * far])
+    np.testing.assert_allclose(found, expected, atol=1e-6)
 
 
 def test_an_object_of_outlines_alone_is_refused():

@@ -26,7 +26,8 @@ def saved(tmp_path_factory):
     """The painted ball on disk, twice as large, turned a quarter and moved: the GLB's path."""
     path = tmp_path_factory.mktemp("saved") / "ball.glb"
     place = np.array([[0.0, -2, 0, 1], [2, 0, 0, 2], [0, 0, 2, 3], [0, 0, 0, 1]])
-    exports.save_textured(LABS, multi_view_fit.surface(painted_ball()), path, place)
+    ball = multi_view_fit.surface(painted_ball())
+    exports.save_textured(LABS, ball, np.arange(float(len(ball.vertices))), path, place)
     return path
 
 
@@ -55,7 +56,9 @@ def looked_up(texture, uv):
 
 
 def test_the_glb_has_the_shape_and_the_normals(saved):
-    """Vertices stay in the grid's space, normals are not turned with them, or a cut loses faces."""
+    """Vertices stay in the grid's space, normals are not turned with them, a cut loses faces, or
+    vertices have the pixels of others.
+    """
     found = read_glb(saved)
     ball, origin = originals(found.vertices)
     turned = ball.normals[:, [1, 0, 2]] * [-1, 1, 1]
@@ -63,6 +66,7 @@ def test_the_glb_has_the_shape_and_the_normals(saved):
     np.testing.assert_array_equal(np.sort(origin[found.faces], axis=0),
                                   np.sort(ball.faces, axis=0))
     assert found.is_winding_consistent
+    np.testing.assert_array_equal(found.vertex_attributes["_PIXELS"][:, 0], origin)
 
 
 def test_the_material_is_dull_and_of_one_side(saved):
@@ -73,7 +77,7 @@ def test_the_material_is_dull_and_of_one_side(saved):
     assert material["pbrMetallicRoughness"]["metallicFactor"] == 0
     assert material["pbrMetallicRoughness"]["roughnessFactor"] == 1
     assert set(gltf["meshes"][0]["primitives"][0]["attributes"]) == {
-        "POSITION", "NORMAL", "TEXCOORD_0"}
+        "POSITION", "NORMAL", "TEXCOORD_0", "_PIXELS"}
 
 
 def test_the_glb_s_texture_has_the_albedo_at_the_vertices(saved):

@@ -11,7 +11,9 @@ from ...given import places
 
 
 class Kept(NamedTuple):
-    """What a search has after some steps: x, a Scene or None, the losses so far, and seconds."""
+    """What a search has after some steps: x, a Scene or None, the losses so far, and processor
+    seconds since the command began.
+    """
 
     x: object = None
     losses: tuple = ()

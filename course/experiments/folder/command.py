@@ -14,6 +14,7 @@ from . import captures, checkpoints, fit_report, hulls, photographs, searches
 
 KEPT_OUT = 8  # every eighth picture is for the report alone, where the files hold none out
 STATE_SIZE = 256
+PAINT, CHARTS, REPORT = 60, 20, 15  # how many steps of the search would take as long
 
 
 class Wishes(NamedTuple):
@@ -26,13 +27,15 @@ class Wishes(NamedTuple):
 
 class Found(NamedTuple):
     """What a search and its last step have: the Kept, its Surface with the albedo told apart from
-    the light, the Appearance that says so, and the colours (V, 3) in that light.
+    the light, the Appearance that says so, the colours (V, 9) that the search, eq. (10), and the
+    Appearance give the vertices, and how many pixels tell of each (V,).
     """
 
     kept: checkpoints.Kept
     surface: object
     look: object
     colours: np.ndarray
+    count: np.ndarray
 
 
 def run(labs, folder: str, wishes: Wishes) -> int:
@@ -42,18 +45,27 @@ def run(labs, folder: str, wishes: Wishes) -> int:
         print(sentence, flush=True)
     path = out(folder)
     stages = scaled(searches.fine_stages(labs), wishes.steps)
-    kept = search(labs, photos, path, stages, wishes.resume)
-    print("telling paint from light ...", flush=True)
-    found = told_apart(labs, kept, seen(labs, photos))
-    print("cutting the surface into charts, and writing the report ...", flush=True)
-    from . import exports  # its packages are not there in a browser, where lectures import scenes
-    exports.save_textured(labs, found.surface, path, photos.world_from_grid)
-    judged = fit_report.judged(labs, found, photos, [stage.steps for stage in stages],
-                               kept_out(photos))
-    fit_report.write(labs, judged, photos, path)
+    with searches.bar(path.stem, searches.steps_of(stages) + PAINT + CHARTS + REPORT) as bar:
+        kept = search(labs, photos, path, stages, wishes.resume, bar)
+        judged = finish(labs, photos, path, stages, kept, bar)
     path.with_name("checkpoint.npz").unlink(missing_ok=True)
     print(f"{fit_report.summary(judged)}\n{places.shown_path(path)}, .obj, and report.html")
     return 0
+
+
+def finish(labs, photos, path, stages, kept, bar):
+    """What comes after the search: paint and light, the files, and the report -> Judged."""
+    from . import exports  # its packages are not there in a browser, where lectures import scenes
+    began = time.process_time() - kept.seconds
+    bar.update(0, summary="telling paint from light")
+    found = told_apart(labs, kept, seen(labs, photos))
+    bar.update(0, advance=PAINT, summary="cutting the surface into charts")
+    exports.save_textured(labs, found.surface, found.count, path, photos.world_from_grid)
+    bar.update(0, advance=CHARTS, summary="writing the report")
+    judged = fit_report.judged(labs, found, photos, [stage.steps for stage in stages],
+                               kept_out(photos))
+    fit_report.write(labs, judged, photos, path, began)
+    return judged
 
 
 def out(folder):
@@ -77,14 +89,14 @@ def kept_out(photos):
     return photos.held_out or list(range(KEPT_OUT - 1, len(photos.pictures), KEPT_OUT))
 
 
-def search(labs, photos, path, stages, resume):
+def search(labs, photos, path, stages, resume, bar):
     """The search from its beginning, or from where it was stopped -> Kept at its end."""
     checkpoint, identity = path.with_name("checkpoint.npz"), checkpoints.identity_of(photos, stages)
     kept = before = (checkpoints.read(checkpoint, identity, labs.multi_view_fit.Scene) if resume
                      else checkpoints.Kept())
     camera = fit_report.turning(labs, photos, 8)[1]
     try:
-        for kept in steps(labs, photos, path, stages, before):
+        for kept in steps(labs, photos, path, stages, before, bar):
             if len(kept.losses) % searches.EVERY == 0:
                 checkpoints.write(checkpoint, kept, identity)
                 image.write(path.with_name("state.png"),
@@ -97,17 +109,17 @@ def search(labs, photos, path, stages, resume):
     return kept
 
 
-def steps(labs, photos, path, stages, kept):
-    """Yield Kept after each step that is left, under a bar."""
-    done, start = len(kept.losses), time.monotonic() - kept.seconds
+def steps(labs, photos, path, stages, kept, bar):
+    """Yield Kept after each step that is left."""
+    done = len(kept.losses)
     capture = seen(labs, photos)
     x = kept.x if done else hulls.start(labs, capture, stages[0].cells)
     fit = labs.multi_view_fit.fit(capture, stages, after=(x, done))
     losses = list(kept.losses)
-    for x, loss in searches.watched(labs, fit, searches.steps_of(stages), path,
-                                    photos.world_from_grid, done):
+    bar.update(0, completed=done)
+    for x, loss in searches.watched(labs, fit, bar, path, photos.world_from_grid):
         losses.append(float(loss))
-        yield checkpoints.Kept(x, tuple(losses), time.monotonic() - start)
+        yield checkpoints.Kept(x, tuple(losses), kept.seconds + time.process_time())
 
 
 def seen(labs, photos):
@@ -119,6 +131,9 @@ def seen(labs, photos):
 def told_apart(labs, kept, capture):
     """Found: the last step, when the shape stays."""
     surface, lab = labs.multi_view_fit.surface(kept.x), labs.intrinsic_decomposition
-    look = lab.decompose(surface, labs.multi_view_fit.targets_of(capture, 1, 1))
-    colours = lab.shaded_colours(surface, look)
-    return Found(kept, surface._replace(albedo=look.albedo), look, colours)
+    targets = labs.multi_view_fit.targets_of(capture, 1, 1)
+    look = lab.decompose(surface, targets)
+    searched = labs.reconstruction.shade(surface.albedo, surface.normals, kept.x.light)
+    colours, count = lab.seen_colours(surface, targets)
+    return Found(kept, surface._replace(albedo=look.albedo), look,
+                 np.hstack([searched, colours, lab.shaded_colours(surface, look)]), count)

@@ -66,14 +66,18 @@ def eight_bits(colours):
 # --- with a texture -----------------------------------------------------------------------------
 
 
-def save_textured(labs, surface, path, world_from_grid):
-    """A Surface in the world, its albedo as a texture: path.glb; path.obj, .mtl and .png."""
+def save_textured(labs, surface, count, path, world_from_grid):
+    """A Surface in the world, its albedo as a texture: path.glb; path.obj, .mtl and .png.
+
+    The GLB file has one attribute more, _PIXELS (V,): how many pixels tell of a vertex, the count.
+    """
     vertices, faces, _, normals, albedo = surface
     vertices, normals = in_world(vertices, normals, world_from_grid)
     unwrapped = textures.unwrap(vertices, faces)
     texture = textures.bake(labs, unwrapped, albedo)
     shape = trimesh.Trimesh(vertices[unwrapped.origin], unwrapped.faces, process=False,
-                            vertex_normals=normals[unwrapped.origin])
+                            vertex_normals=normals[unwrapped.origin],
+                            vertex_attributes={"_PIXELS": count[unwrapped.origin]})
     picture = as_picture(texture)
     files = {".glb": textured_glb(shape, unwrapped.uv, picture, path.stem),
              **textured_obj(shape, unwrapped.uv, picture, path.stem)}
@@ -110,5 +114,5 @@ def textured_obj(shape, uv, picture, name):
         digits=decimals(shape.vertices), header=None, mtl_name=f"{name}.mtl")
     material = re.sub(r"(?m)^map_Kd .*", f"map_Kd {name}.png", others[f"{name}.mtl"].decode())
     content = io.BytesIO()
-    picture.save(content, "PNG", optimize=True)
+    picture.save(content, "PNG")
     return {".png": content.getvalue(), ".mtl": material.encode(), ".obj": text.encode()}

@@ -3,11 +3,11 @@
 
 const VERTEX = `#version 300 es
   in vec3 position, normal;
-  in vec2 uv;
+  in vec2 uv; in float pixels;
   uniform vec3 right, above, back, eye; uniform vec2 depth;
-  out vec3 n; out vec2 at;
+  out vec3 n; out vec2 at; out float known;
   void main() {
-    n = normal, at = uv;
+    n = normal, at = uv, known = pixels > 0.0 ? 1.0 : 0.0;
     vec3 seen = (position - eye) * mat3(right, above, back);
     gl_Position = vec4(2.7474774 * seen.xy, depth.x * seen.z + depth.y, -seen.z);
   }`;
@@ -15,7 +15,7 @@ const VERTEX = `#version 300 es
 // Light: nine numbers for each colour, as lab 16's eq. (1) and (3).
 const FRAGMENT = `#version 300 es
   precision highp float;
-  in vec3 n; in vec2 at;
+  in vec3 n; in vec2 at; in float known;
   uniform sampler2D albedo;
   uniform vec3 light[9], back; uniform int kind;
   out vec4 colour;
@@ -26,7 +26,8 @@ const FRAGMENT = `#version 300 es
       + 1.0925484 * (d.x * d.y * light[4] + d.y * d.z * light[5] + d.x * d.z * light[7])
       + 0.3153916 * (3.0 * d.z * d.z - 1.0) * light[6]
       + 0.5462742 * (d.x * d.x - d.y * d.y) * light[8];
-    if (kind == 2) linear = vec3(0.75) * (0.15 + 0.85 * max(dot(d, back), 0.0));
+    if (kind >= 2) linear = vec3(0.75) * (0.15 + 0.85 * max(dot(d, back), 0.0));
+    if (kind == 3) linear *= mix(vec3(1.0, 0.25, 0.0), vec3(1.0), known);
     linear = clamp(linear, 0.0, 1.0);
     vec3 low = 12.92 * linear, high = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
     colour = vec4(mix(high, low, lessThan(linear, vec3(0.0031308))), 1.0);
@@ -45,7 +46,7 @@ function readGlb(uri) {
   const array = index => part(gltf.accessors[index].bufferView).buffer;
   const { attributes, indices } = gltf.meshes[0].primitives[0];
   return { position: array(attributes.POSITION), normal: array(attributes.NORMAL),
-    uv: array(attributes.TEXCOORD_0), index: new Uint32Array(array(indices)),
+    uv: array(attributes.TEXCOORD_0), pixels: array(attributes._PIXELS), index: new Uint32Array(array(indices)),
     image: new Blob([part(gltf.images[0].bufferView)], { type: "image/png" }) };
 }
 
@@ -69,7 +70,7 @@ function program(gl, made = gl.createProgram()) {
 }
 
 function upload(gl, shaders, mesh, picture) {
-  for (const [name, size] of [["position", 3], ["normal", 3], ["uv", 2]]) {
+  for (const [name, size] of [["position", 3], ["normal", 3], ["uv", 2], ["pixels", 1]]) {
     const place = gl.getAttribLocation(shaders, name);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, mesh[name], gl.STATIC_DRAW);
@@ -150,7 +151,7 @@ function listen(canvas, state, draw) {
 
 function offerLights(state, draw) {
   const bar = document.getElementById("lights");
-  const buttons = ["In the light found", "Colours only", "Clay"].map((name, kind) => {
+  const buttons = ["In the light found", "Colours only", "Clay", "Unseen"].map((name, kind) => {
     const button = Object.assign(document.createElement("button"), { textContent: name });
     button.onclick = () => {
       state.kind = kind;

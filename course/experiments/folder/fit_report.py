@@ -7,6 +7,7 @@ import html
 import io
 import json
 import string
+import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from PIL import Image
 
-from ...given import image, places, plot
+from ...given import image, mesh, places, plot
 from . import photographs
 
 HERE = Path(__file__).parent
@@ -24,10 +25,14 @@ SAMPLES = 2        # squared: how many in a pixel of a rendering
 FRAMES, FRAME_SIZE, SECONDS = 30, 240, 0.12  # of the turntable
 LARGEST = 192      # pixels of a picture's side in the page, so that the page stays small
 DIFFERENCE = 4     # how often a difference is enlarged
+WORST = 24         # views that the page shows, at most
+SEARCH, SEEN, SPLIT = slice(0, 3), slice(3, 6), slice(6, 9)  # whose colours, of those of a Found
 
 
 class View(NamedTuple):
-    """A picture of the folder, and its rendering: (H, W, 4), sRGB and coverage."""
+    """A picture of the folder (H, W, 4), sRGB and coverage, and its rendering (H, W, 10) in all
+    colours of a Found.
+    """
 
     name: str
     kept_out: bool
@@ -54,7 +59,7 @@ class Judged(NamedTuple):
 def judged(labs, found, photos, stages, kept_out):
     """Judged. kept_out names the pictures that the search did not see."""
     faces = found.surface.faces
-    renderings = rendered(labs, found, photos.cameras, photos.background,
+    renderings = rendered(labs, found.surface, found.colours, photos.cameras, photos.background,
                           photos.pictures[0].shape[:2])
     views = [View(name, k in kept_out, on_screen(picture), on_screen(rendering))
              for k, (name, picture, rendering) in enumerate(
@@ -62,21 +67,22 @@ def judged(labs, found, photos, stages, kept_out):
     return Judged(found, views, stages, len(faces), *labs.reconstruction.genus(faces))
 
 
-def rendered(labs, found, cameras, background, shape):
-    """Yield what was Found as cameras see it, in the light that was found: linear (H, W, 4)."""
-    paint = labs.multi_view_fit.covering(found.colours)
-    return photographs.seen(labs, found.surface, paint, cameras, shape,
-                            np.append(background, 0.0), SAMPLES)
+def rendered(labs, surface, colours, cameras, background, shape):
+    """Yield a surface as cameras see it: linear colours (V, C), and coverage, as (H, W, C + 1)."""
+    behind = np.append(np.resize(background, colours.shape[1]), 0.0)
+    return photographs.seen(labs, surface, labs.multi_view_fit.covering(colours), cameras, shape,
+                            behind, SAMPLES)
 
 
 def on_screen(picture):
-    """Linear colours and coverage (H, W, 4) -> colours as a screen takes them, and coverage."""
-    return np.dstack([image.to_srgb(np.clip(picture[..., :3], 0, 1)), picture[..., 3]])
+    """Linear colours and coverage (H, W, C) -> colours as a screen takes them, and coverage."""
+    return np.dstack([image.to_srgb(np.clip(picture[..., :-1], 0, 1)), picture[..., -1]])
 
 
-def psnr(views, on_object):
+def psnr(views, on_object, whose=SPLIT):
     """The PSNR of views in dB, over all pixels, or over those in which pictures show the object."""
-    squared = [((picture - rendering)**2)[..., :3][picture[..., 3] > 0 if on_object else ...]
+    squared = [((picture[..., :3] - rendering[..., whose])**2)[
+                   picture[..., 3] > 0 if on_object else ...]
                for _, _, picture, rendering in views]
     return image.decibels(max(np.concatenate([each.reshape(-1, 3) for each in squared]).mean(),
                               1e-10))
@@ -84,7 +90,7 @@ def psnr(views, on_object):
 
 def iou(view):
     """The intersection over union of the silhouettes."""
-    picture, rendering = (each[..., 3] >= 0.5 for each in view[2:])
+    picture, rendering = (each[..., -1] >= 0.5 for each in view[2:])
     return image.intersection_over_union(picture, rendering)
 
 
@@ -115,20 +121,25 @@ def turning(labs, photos, count, away=3.0):
 
 
 def upwards(cameras):
-    """Where "up" is in the grid: the mean of what is up in the pictures, or y."""
-    up, forward = cameras[:, 1, :3], cameras[:, 3, :3]
-    share = (up * forward).sum(1) / (forward**2).sum(1)
-    up = up - share[:, None] * forward
-    mean = (up / np.linalg.norm(up, axis=1, keepdims=True)).mean(0)
-    length = np.linalg.norm(mean)
-    return mean / length if length > 0.1 else np.array([0.0, 1.0, 0.0])
+    """Where "up" is in the grid: at right angles to what is right in all pictures. If they lie on
+    a side, it is so to what is up in them, and the cameras are rather above than below.
+    """
+    forward = mesh.unit(cameras[:, 3, :3])
+    right, up = (mesh.unit(side - (side * forward).sum(1, keepdims=True) * forward)
+                 for side in (cameras[:, 0, :3], cameras[:, 1, :3]))
+    # All around the object, the eigenvalues are -a, a / 2, a / 2, or, of pictures that lie, the
+    # negative ones. So the middle one tells.
+    stand = np.linalg.eigvalsh(right.T @ right - up.T @ up)[1] > 0
+    level, above = (right, up) if stand else (up, -forward)
+    axis = np.linalg.svd(level)[2][2]
+    return axis if above.mean(0) @ axis > 0 else -axis
 
 
 def turntable(labs, found, photos, path):
     """Write the object, turning, as an animated PNG on nothing."""
     cameras = turning(labs, photos, FRAMES, 3 * max(reach(found), 0.4))
-    frames = [clear(frame) for frame in rendered(labs, found, cameras, np.zeros(3),
-                                                 (FRAME_SIZE, FRAME_SIZE))]
+    frames = [clear(frame) for frame in rendered(
+        labs, found.surface, found.colours[:, SPLIT], cameras, np.zeros(3), 2 * (FRAME_SIZE,))]
     image.write_animation(path, frames, SECONDS)
 
 
@@ -140,7 +151,8 @@ def clear(picture):
 
 def difference(view):
     """Where picture and rendering differ: white where they do not."""
-    return 1 - np.clip(DIFFERENCE * np.abs(view.picture - view.rendering)[..., :3], 0, 1)
+    apart = np.abs(view.picture[..., :3] - view.rendering[..., SPLIT])
+    return 1 - np.clip(DIFFERENCE * apart, 0, 1)
 
 
 def loss_curve(losses, stages):
@@ -167,8 +179,11 @@ def loss_curve(losses, stages):
 # --- the page -----------------------------------------------------------------------------------
 
 
-def write(labs, judged, photos, path):
-    """turntable.png, and report.html with all that it shows, beside the GLB file of this path."""
+def write(labs, judged, photos, path, began):
+    """turntable.png, and report.html with all that it shows, beside the GLB file of this path.
+
+    began: the processor's time when the command began, less what it took in earlier runs.
+    """
     turntable(labs, judged.found, photos, path.with_name("turntable.png"))
     page = string.Template((HERE / "fit_report.html").read_text(encoding="utf-8")).substitute(
         title=html.escape(path.stem), viewer=(HERE / "fit_report.js").read_text(encoding="utf-8"),
@@ -176,7 +191,8 @@ def write(labs, judged, photos, path):
         loss=as_uri("image/svg+xml", loss_curve(judged.found.kept.losses, judged.stages)),
         mesh=as_uri("model/gltf-binary", path.read_bytes()),
         scene=scene(labs, judged.found, photos),
-        numbers=rows(numbers(judged)), views="\n".join(map(figure, judged.views)),
+        psnr=rows(psnr_table(judged.views)), numbers=rows(numbers(judged, began)),
+        views="\n".join(map(figure, worst(judged.views))),
         kept_out=about_kept_out(judged.views),
         assumed="\n".join(f"<li>{html.escape(each)}</li>" for each in
                           photos.assumed or ["Nothing: all was in the folder."]))
@@ -201,41 +217,60 @@ def reach(found):
     return np.linalg.norm(found.surface.vertices, axis=1).max()
 
 
-def numbers(judged):
+def numbers(judged, began):
     """{what: how much} of the table, in words."""
-    kept_out = [view for view in judged.views if view.kept_out]
-    found = {}
-    for name, views in ("new views", kept_out), ("views of the search", [
-            view for view in judged.views if not view.kept_out]):
-        if views:
-            found[f"PSNR, {name}, on the object"] = f"{psnr(views, True):.2f} dB"
-            found[f"PSNR, {name}, whole pictures"] = f"{psnr(views, False):.2f} dB"
-    mean = np.mean([iou(view) for view in judged.views])
-    found["IoU of the silhouettes, mean of all"] = f"{mean:.4f}"
-    minutes, seconds = divmod(round(judged.found.kept.seconds), 60)
-    return {**found, "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
-            "Genus": str(judged.genus), "Steps": str(len(judged.found.kept.losses)),
-            "Time of the search": f"{minutes} min {seconds} s"}
+    mean, kept = np.mean([iou(view) for view in judged.views]), judged.found.kept
+    seconds = kept.seconds, time.process_time() - began
+    search, whole = ("{} min {} s".format(*divmod(round(each), 60)) for each in seconds)
+    return {"IoU of the silhouettes, mean of all": f"{mean:.4f}",
+            "Area that no picture of the search shows": f"{100 * unseen(judged.found):.1f} %",
+            "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
+            "Genus": str(judged.genus), "Steps": str(len(kept.losses)),
+            "Processor time to the end of the search": search, "Processor time of all": whole}
+
+
+def psnr_table(views):
+    """{which pixels: three PSNRs} of the table: in the colours of SEARCH, SEEN and SPLIT."""
+    return {f"{name}, {where}": [f"{psnr(chosen, on_object, whose):.2f}"
+                                 for whose in (SEARCH, SEEN, SPLIT)]
+            for name, new in (("New views", True), ("Views of the search", False))
+            if (chosen := [view for view in views if view.kept_out == new])
+            for where, on_object in (("on the object", True), ("whole pictures", False))}
+
+
+def unseen(found):
+    """Which share of a Found's area no picture shows. A third of a triangle is each corner's."""
+    faces = found.surface.faces
+    area = np.linalg.norm(mesh.area_vectors(found.surface.vertices, faces), axis=1)
+    return area @ (found.count[faces] == 0).mean(1) / area.sum()
 
 
 def rows(table):
-    return "\n".join(f"<tr><th scope=row>{name}</th><td>{value}</td></tr>"
-                     for name, value in table.items())
+    """{name: a cell, or several} as the rows of a table in HTML."""
+    cells = {name: "".join(f"<td>{cell}</td>" for cell in np.atleast_1d(given))
+             for name, given in table.items()}
+    return "\n".join(f"<tr><th scope=row>{name}</th>{row}</tr>" for name, row in cells.items())
+
+
+def worst(views):
+    """The WORST views, or all, by their PSNR on the object."""
+    return sorted(views, key=lambda view: psnr([view], True))[:WORST]
 
 
 def about_kept_out(views):
     """A sentence: which pictures the search did not see."""
     count = sum(view.kept_out for view in views)
+    shown = f"The worst come first{f', and {WORST} are shown' if len(views) > WORST else ''}."
     if not count:
-        return "The search saw all pictures: from eight on, every eighth is kept out."
-    return (f"The search did not see {count} of the {len(views)} pictures. They are marked as new. "
-            "How well they are met is the fair measure.")
+        return f"{shown} The search saw all pictures: from eight on, every eighth is kept out."
+    return (f"{shown} The search did not see {count} of the {len(views)} pictures. They are marked "
+            "as new. How well they are met is the fair measure.")
 
 
 def figure(view):
     """A view as HTML: picture, rendering, difference, numbers."""
     name = html.escape(view.name)
-    pictures = (("picture", view.picture[..., :3]), ("rendering", view.rendering[..., :3]),
+    pictures = (("picture", view.picture[..., :3]), ("rendering", view.rendering[..., SPLIT]),
                 ("difference", difference(view)))
     images = "".join(f'<img src="{as_uri("image/jpeg", jpeg(each))}" alt="{name}: the {kind}">'
                      for kind, each in pictures)

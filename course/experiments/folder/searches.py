@@ -6,7 +6,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from ...given import places
 from . import captures
 
-EVERY = 20          # steps from one mesh on disk to the next
+EVERY = 20  # steps from one mesh on disk to the next
 COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
            TextColumn("{task.fields[summary]}"))
 
@@ -26,31 +26,35 @@ def samples(size, width):
     return max(2, round(width / size))
 
 
-def watched(labs, fit, steps, path, world_from_grid=np.eye(4), done=0):  # noqa: B008
-    """What fit yields, step by step, under a bar with loss, faces and genus. The last good mesh is
-    written to path every EVERY steps and at the end, even after Ctrl-C. done: so many of the steps
-    were taken before.
+def bar(name, steps):
+    """A progress bar on stderr, for `with`: a rich Progress with one task, number 0."""
+    progress = Progress(*COLUMNS, console=Console(stderr=True), transient=True)
+    progress.add_task(name, total=steps, summary="")
+    return progress
+
+
+def watched(labs, fit, progress, path, world_from_grid=np.eye(4)):  # noqa: B008
+    """What fit yields, step by step, and a `bar` goes on, with loss, faces and genus. The last good
+    mesh is written to path every EVERY steps and at the end, even after Ctrl-C.
     """
     from . import exports  # its packages are not there in a browser, where lectures import scenes
     good = None
-    with Progress(*COLUMNS, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task(path.stem, total=steps, completed=done, summary="")
-        try:
-            for step, (x, loss) in enumerate(fit, done + 1):
-                require_surface(loss, x, step)
-                good = x
-                if step % EVERY == 0 or step == steps:
-                    exports.save(labs, x, path, world_from_grid)
-                    progress.update(task, summary=summary(labs, loss, x))
-                progress.update(task, completed=step)
-                yield x, loss
-        except KeyboardInterrupt:
-            progress.print("stopped before the first mesh" if good is None else
-                           f"stopped; the last good mesh is in {places.shown_path(path)}")
-            raise
-        finally:
-            if good is not None:
-                exports.save(labs, good, path, world_from_grid)
+    try:
+        for step, (x, loss) in enumerate(fit, round(progress.tasks[0].completed) + 1):
+            require_surface(loss, x, step)
+            good = x
+            if step % EVERY == 0:
+                exports.save(labs, x, path, world_from_grid)
+                progress.update(0, summary=summary(labs, loss, x))
+            progress.advance(0)
+            yield x, loss
+    except KeyboardInterrupt:
+        progress.print("stopped before the first mesh" if good is None else
+                       f"stopped; the last good mesh is in {places.shown_path(path)}")
+        raise
+    finally:
+        if good is not None:
+            exports.save(labs, good, path, world_from_grid)
 
 
 def require_surface(loss, x, step):

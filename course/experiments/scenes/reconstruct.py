@@ -28,10 +28,11 @@ def reconstruct(labs):
         path = places.out("demo", "reconstruct", f"{name.replace(' ', '_')}.glb")
         camera, frames = new_cameras(labs)[5], []
         start, steps = time.process_time(), searches.steps_of(stages)
-        found = searches.watched(labs, fit(labs, name, stages), steps, path)
-        for step, (x, _) in enumerate(found, 1):
-            if step % 5 == 1 or step == steps:
-                frames.append(portrait(labs, x, camera, 128))
+        with searches.bar(path.stem, steps) as bar:
+            found = searches.watched(labs, fit(labs, name, stages), bar, path)
+            for step, (x, _) in enumerate(found, 1):
+                if step % 5 == 1 or step == steps:
+                    frames.append(portrait(labs, x, camera, 128))
         spent = time.process_time() - start
         yield f"{name}: {spent:.0f} s", path, (f"{seconds} s", spent <= seconds)
         animation = path.with_name(f"{path.stem}_on_its_way.png")
