@@ -56,6 +56,9 @@ def oriented(folder, scene):
     scaled = [one.shot for one, shot in zip(sources, scene.shots, strict=True)
               if one.shot[2:4] != shot[2:4]]
     notes = []
+    if scene.absent:
+        notes.append(f"{some([shot.name for shot in scene.absent])} is not there, and is left out "
+                     f"of {scene.file}")
     if odd:
         notes.append(f"EXIF turns {some(odd)}: {scene.file} describes the picture as it is "
                     f"{'stored' if scene.upright else 'shown'}, and so it is read")
