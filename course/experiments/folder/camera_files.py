@@ -81,7 +81,7 @@ def read(folder):
     if not found:
         raise FileNotFoundError(f"there is no file cameras.json, transforms.json, or COLMAP's "
                                 f"cameras.txt or cameras.bin, in {folder}: course/experiments/"
-                                "folder/captures.py says what must be in it")
+                                "folder/README.md shows how to make one of photographs")
     require(len(found) == 1, f"{' and '.join(path.name for path, _ in found)} in {folder} both say "
             "where the cameras are: move all but one of them away")
     (path, scene_of), = found
