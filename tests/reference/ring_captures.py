@@ -41,11 +41,11 @@ def picture(k, width=WIDTH, height=HEIGHT, left=0.0, down=0.0):
     return np.dstack([np.full((height, width, 3), 0.5), seen])
 
 
-def photograph(folder, pictures=None):
+def photograph(folder, pictures=None, names="{}.png"):
     """Write the pictures 0.png, 1.png, ... into a folder, and give it."""
     folder.mkdir(exist_ok=True)
     for k in range(len(SIDES)):
-        image.write(folder / f"{k}.png", picture(k) if pictures is None else pictures[k])
+        image.write(folder / names.format(k), picture(k) if pictures is None else pictures[k])
     return folder
 
 

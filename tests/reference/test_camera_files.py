@@ -54,6 +54,8 @@ def test_colmaps_binary_model(tmp_path):
     """A field has another length or place, the points are not skipped, a name has its last 0."""
     for name, letters in WRITTEN.items():
         (tmp_path / name).write_bytes(zlib.decompress(base64.b85decode(letters)))
+    for k in range(4):
+        (tmp_path / f"a {k}.png").touch()
     shots = camera_files.read(tmp_path).shots
     assert [shot.name for shot in shots] == [f"a {k}.png" for k in range(4)]
     for k, shot in enumerate(shots):
@@ -101,9 +103,31 @@ def test_colmaps_folders_are_found(tmp_path, model, pictures):
     assert all(shot.path.exists() for shot in scene.shots)
 
 
+def test_colmaps_largest_model_is_read(tmp_path):
+    """COLMAP could not join three pictures with the rest: they are sparse/0, and all is refused."""
+    ring.photograph(tmp_path)
+    ring.colmap(tmp_path / "sparse/0", pictures=ring.NAMES[:3])
+    ring.colmap(tmp_path / "sparse/1")
+    ring.colmap(tmp_path / "sparse/2", pictures=ring.NAMES[:2])
+    assert [shot.name for shot in camera_files.read(tmp_path).shots] == ring.NAMES
+
+
+@pytest.mark.parametrize("write", [ring.nerf, ring.colmap])
+def test_a_picture_that_is_not_there_is_left_out(folder, write):
+    """Who deletes a blurred picture must edit the file, and COLMAP's is binary."""
+    (write(folder) / "2.png").unlink()
+    photos = captures.read(ring.LABS, folder)
+    assert photos.names == [name for name in ring.NAMES if name != "2.png"]
+    assert " is not there, and is left out of " in photos.assumed[0]
+    for k in (3, 4):
+        (folder / f"{k}.png").unlink()
+    assert " has 3: there is no " in ring.told(folder)
+
+
 def test_names_of_pictures_may_have_spaces_and_folders(tmp_path):
     """A name is cut at its first space."""
     names = [f"left side/{k} of 6.png" for k in range(6)]
+    ring.photograph(tmp_path / "left side", names="{} of 6.png")
     ring.colmap(tmp_path, pictures=names)
     assert [shot.name for shot in camera_files.read(tmp_path).shots] == names
 
@@ -182,7 +206,6 @@ def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, chan
     ("cameras.txt", "1 SIMPLE", "2 SIMPLE", "0.png in images.txt has camera 1, which is not"),
     ("images.txt", " 1 0.png", "", "images.txt must have two lines for each picture"),
     ("images.txt", "0.png\n", "0.png", "images.txt must have two lines for each picture"),
-    ("images.txt", " 1 0.png", " 1 9.png", "there is no file"),
     ("images.txt", "1 ", "1 9", "must have length 1, and has"),
     ("images.txt", "1 0.0", "1 1e300", "must be from -1e+12 to 1e+12, and is [1e300, 1.0"),
     ("images.txt", "1 ", "1 a", "QW QX QY QZ TX TY TZ of 0.png in images.txt must be 7 finite"),

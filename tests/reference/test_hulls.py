@@ -87,6 +87,12 @@ def test_the_ball_is_found_and_it_is_said(folder):
                               f"{middle}, found from the silhouettes"]
 
 
+def test_blame_is_sought_only_where_something_is_wrong(folder, monkeypatch):
+    """Of a good folder, too, one picture after the other is left out: half of all reading."""
+    monkeypatch.delattr(hulls, "disagreement")
+    captures.read(ring.LABS, folder)
+
+
 def test_what_is_given_of_the_ball_is_kept(folder):
     """A centre is ignored where there is no radius, or the other way round."""
     found = captures.read(ring.LABS, ring.ours(folder, centre=[1.1, 2, 3])).world_from_grid

@@ -21,14 +21,14 @@ RESULTS = {path.stem: json.loads(path.read_text("utf-8"))
 BIBLIOGRAPHY = (ROOT / "site" / "texts" / "bibliography.md").read_text("utf-8")
 GLOSSARY = (ROOT / "site" / "texts" / "glossary.md").read_text("utf-8")
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
-PAGES = "benchmarks", "instructors", "errata", "glossary", "bibliography"
+PAGES = "benchmarks", "own_pictures", "instructors", "errata", "glossary", "bibliography"
 NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)?(?:e[-+]\d+)?(?![\w.]*\d)")
 CITED = re.compile(r"([A-Z]\w+)(?:(?:, [A-Z]\w+)*(?:,? and [A-Z]\w+)?| et al\.) ((?:19|20)\d\d)\b")
 
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
-    """The folder of all five pages, made of what the repository holds."""
+    """The folder of all these pages, made of what the repository holds."""
     folder = tmp_path_factory.mktemp("pages")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(benchmarks, "NEW", folder / "nothing new")

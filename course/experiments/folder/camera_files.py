@@ -17,7 +17,7 @@ from . import colmap_binary
 
 LEAST = 4  # views
 COLMAP_PLACES = [f"{place}cameras.{ending}" for ending in ("txt", "bin")
-                 for place in ("", "sparse/0/", "sparse/")]
+                 for place in ("", "sparse/*/", "sparse/")]
 COLMAP_MODELS = {  # where fx, fy, cx, cy, k1, k2, p1, p2 are, in the order of COLMAP's numbers
     "SIMPLE_PINHOLE": (0, 0, 1, 2), "PINHOLE": (0, 1, 2, 3), "SIMPLE_RADIAL": (0, 0, 1, 2, 3),
     "RADIAL": (0, 0, 1, 2, 3, 4), "OPENCV": (0, 1, 2, 3, 4, 5, 6, 7)}
@@ -54,12 +54,14 @@ class Shot(NamedTuple):
 class Scene(NamedTuple):
     """What a file says: Shots, in the file's order, and maybe more. background (3,) is from 0 to 1.
 
-    upright: widths and heights are those of pictures turned as EXIF says.
+    upright: widths and heights are those of pictures turned as EXIF says. absent: Shots whose
+    pictures are not there.
     """
 
     file: str
     shots: list
     upright: bool = True
+    absent: tuple = ()
     background: np.ndarray | None = None
     centre: np.ndarray | None = None
     radius: float | None = None
@@ -74,20 +76,31 @@ def read(folder):
     if not folder.is_dir():
         raise FileNotFoundError(f"there is no folder {folder}: check its name, and the folder you "
                                 f"are in ({Path.cwd()})")
-    found = [(path, scene_of) for names, scene_of in FORMATS
-             for path in [folder / name for name in names if (folder / name).exists()][:1]]
+    found = [(path, scene_of) for patterns, scene_of in FORMATS
+             for path in largest(folder, patterns)]
     if not found:
         raise FileNotFoundError(f"there is no file cameras.json, transforms.json, or COLMAP's "
                                 f"cameras.txt or cameras.bin, in {folder}: course/experiments/"
-                                "folder/captures.py says what must be in it")
+                                "folder/README.md shows how to make one of photographs")
     require(len(found) == 1, f"{' and '.join(path.name for path, _ in found)} in {folder} both say "
             "where the cameras are: move all but one of them away")
     (path, scene_of), = found
     scene = scene_of(folder, path)
-    count = sum(not shot.held_out for shot in scene.shots)
+    shots, absent = (tuple(shot for shot in scene.shots if shot.path.exists() == there)
+                     for there in (True, False))
+    count = sum(not shot.held_out for shot in shots)
     require(count >= LEAST, f"at least {LEAST} views are needed, 20 are better, and {scene.file} "
-            f"has {count}")
-    return scene
+            f"has {count}" + "".join(f": there is no {shot.path}" for shot in absent[:1]))
+    return scene._replace(shots=list(shots), absent=absent)
+
+
+def largest(folder, patterns):
+    """[The file for the first pattern that any fits], or []. Of COLMAP's models, which are the
+    parts that it could not join, the one with most in it.
+    """
+    fitting = next(filter(None, (list(folder.glob(pattern)) for pattern in patterns)), [])
+    return sorted(fitting, key=lambda path: sum(each.stat().st_size
+                                                for each in path.parent.glob("*s.*")))[-1:]
 
 
 # --- our own ------------------------------------------------------------------------------------
@@ -173,7 +186,7 @@ def nerf_lens(given, seen, file):
     """width, height, fx, fy, cx, cy, bend of the picture seen: what is given for it or for all."""
     for key, known in ("is_fisheye", (None, False)), ("camera_model", (None, *COLMAP_MODELS)):
         require(given.get(key) in known, f"{key} in {file} is {given.get(key)}: {UNDISTORT}")
-    shown = image.size(seen, upright=True)
+    shown = image.size(seen, upright=True) if seen.exists() else (1, 1)  # `read` leaves it out
     width, height = (number(given, key, file, 1, 1e6, float(side))
                      for key, side in zip("wh", shown, strict=True))
     if "fl_x" in given:

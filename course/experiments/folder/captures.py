@@ -1,6 +1,7 @@
 """Pictures of an object, with the cameras that took them: what lab 16's search is given.
 
 `python3 -m course demo reconstruct FOLDER` reads a folder with pictures and one of three files.
+README.md, beside this file, makes such a folder of a phone's photographs.
 
 cameras.json, our own. A matrix is world_from_camera: columns are the camera's right, up, back (it
 looks along its own -z, as OpenGL's and Blender's) and its place. fov_y is in degrees, from the
@@ -18,17 +19,18 @@ are for the report alone, in the place of every eighth one:
 
     {"camera_angle_x": 0.7, "frames": [{"file_path": "train/r_0", "transform_matrix": [[...]]}]}
 
-cameras.bin and images.bin, COLMAP's model, or the same as .txt, in the folder, sparse/0 or sparse,
-with the pictures in images/ or the folder.
+cameras.bin and images.bin, COLMAP's model, or the same as .txt, in the folder, in sparse/0, 1, ...
+(the largest is taken) or in sparse, with the pictures in images/ or the folder.
 
 The lenses SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV are read. Pictures and masks
 are as the lens shows them, and their distortion is undone. Of other lenses, `colmap
 image_undistorter` makes pictures without distortion.
 
-Pictures are PNG or JPEG of 8 bits, of any sizes, at least 4, from all around, and show the whole
-object. A rotation in EXIF is followed, and widths and heights are those of the picture as shown.
-COLMAP ignores EXIF, so its pictures are read as stored. Where only the other way has the width and
-height that the file says, that is taken.
+Pictures are PNG or JPEG of 8 bits, of any sizes, at least 4, and show the whole object. NeRF's and
+COLMAP's files may name pictures that are not there: these are left out. A rotation in EXIF is
+followed, and widths and heights are those of the picture as shown. COLMAP ignores EXIF, so its
+pictures are read as stored. Where only the other way has the width and height that the file says,
+that is taken.
 
 What is the object is said by alpha, else by masks/NAME.png or masks/NAME.jpg.png, white for the
 object, else by what differs from the background. That is given, or taken from the pictures'

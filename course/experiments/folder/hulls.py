@@ -51,7 +51,8 @@ def ball(scene, shots, pictures):
     require_different(outlines, scene)
     notes = sides(outlines)
     points, reach = hull_around(outlines)
-    require(len(points), disagreement(outlines, scene))
+    if not len(points):
+        raise ValueError(disagreement(outlines, scene))
     centre = (points.min(0) + points.max(0)) / 2 if scene.centre is None else scene.centre
     radius = size_around(outlines, centre, points, reach) if scene.radius is None else scene.radius
     if scene.centre is None or scene.radius is None:

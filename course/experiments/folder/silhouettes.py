@@ -56,6 +56,9 @@ def oriented(folder, scene):
     scaled = [one.shot for one, shot in zip(sources, scene.shots, strict=True)
               if one.shot[2:4] != shot[2:4]]
     notes = []
+    if scene.absent:
+        notes.append(f"{some([shot.name for shot in scene.absent])} is not there, and is left out "
+                     f"of {scene.file}")
     if odd:
         notes.append(f"EXIF turns {some(odd)}: {scene.file} describes the picture as it is "
                     f"{'stored' if scene.upright else 'shown'}, and so it is read")
@@ -160,7 +163,8 @@ def behind(sources, scene):
 def require_even(name, pixels, mean, background):
     """ValueError unless a border (N, 3) of this mean colour is of the background's."""
     advice = ("nothing says what is object: save pictures with transparency, put masks into "
-              "masks/, white for the object, or take pictures before one even colour")
+              "masks/, white for the object, as course/experiments/folder/README.md does, or take "
+              "pictures before one even colour")
     even = (np.abs(pixels - mean) <= DIFFERENT).all(1).mean() >= ALIKE
     require(even, f"{name} has no transparency, and many colours along its border: {advice}")
     require((np.abs(mean - background) <= DIFFERENT).all(), f"{name} has no transparency, and "

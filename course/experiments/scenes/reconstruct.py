@@ -1,6 +1,6 @@
 """Shape, albedo and light of objects that the code has never seen, from 24 pictures (lab 16).
 
-For a folder of your own pictures, see folder/captures.py.
+For a folder of your own pictures, see folder/README.md.
 """
 import itertools
 import time
