@@ -11,7 +11,6 @@ dents.
 
 Sources: Munkberg et al. 2022 (their second pass), Nicolet et al. 2021.
 """
-import functools
 from typing import NamedTuple
 
 import numpy as np
@@ -63,8 +62,7 @@ def large_steps(edges, vertex_count):
 
     def update(x, grad_x, mean, square, step, rate):
         # (10) is linear: when u moves by d, x moves by (I + L)^-1 d.
-        d, mean, square = regularization.uniform_adam_step(np.zeros(x.shape), solve(grad_x), mean,
-                                                           square, step, rate)
+        d, mean, square = IN_SPACE(np.zeros(x.shape), solve(grad_x), mean, square, step, rate)
         return x + solve(d), mean, square
     return update
 

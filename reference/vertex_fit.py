@@ -11,7 +11,6 @@ dents.
 
 Sources: Munkberg et al. 2022 (their second pass), Nicolet et al. 2021.
 """
-import functools
 from typing import NamedTuple
 
 import numpy as np

@@ -26,5 +26,5 @@ def found_of(x, losses=(1.0,), seconds=0.0):
     surface = multi_view_fit.surface(x)
     look = intrinsic_decomposition.Appearance(surface.albedo, x.light, NO_SUN)
     colours = reconstruction.shade(surface.albedo, surface.normals, x.light)
-    return command.Found(checkpoints.Kept(x, losses, seconds), surface, look, np.tile(colours, 3),
+    return command.Found(checkpoints.Kept(x, losses, seconds), surface, look, np.tile(colours, 2),
                          np.ones(len(colours)))

@@ -71,7 +71,9 @@ def page(made, tmp_path_factory):
     """report.html of the ball, as a path."""
     path = tmp_path_factory.mktemp("report") / "ball.glb"
     found = found_of(painted(), tuple(np.geomspace(1, 0.1, 30)), 83.0)
-    found = found._replace(colours=found.colours * np.repeat([0.5, 0.9, 1.0], 3),
+    dark = found.kept.x._replace(light=0.5 * found.kept.x.light)
+    found = found._replace(kept=found.kept._replace(x=dark),
+                           colours=found.colours * np.repeat([0.9, 1.0], 3),
                            count=np.maximum(found.surface.vertices[:, 1], 0))
     exports.save_textured(LABS, found.surface, found.count, path, made.world_from_grid)
     judged = fit_report.judged(LABS, found, made, [10, 10, 10], command.kept_out(made))

@@ -155,7 +155,7 @@ def fit(*given, after, whole=multi_view_fit.fit):
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
 multi_view_fit.fit, places.OUT = fit, {out!r}
-searches.fine_stages = lambda labs: [multi_view_fit.Stage(*stage) for stage in {stages}]
+searches.fine_stages = lambda *_: [multi_view_fit.Stage(*stage) for stage in {stages}]
 sys.exit(cli.main(sys.argv[1:]))
 """
 
@@ -174,7 +174,7 @@ def test_ctrl_c_and_resume_of_the_whole_command(folder, tmp_path, monkeypatch, c
     assert (made / f"{folder.name}.glb").read_bytes()[:4] == b"glTF"
 
     stages = [LABS.multi_view_fit.Stage(*stage) for stage in COARSE]
-    monkeypatch.setattr(searches, "fine_stages", lambda labs: stages)
+    monkeypatch.setattr(searches, "fine_stages", lambda *_: stages)
     monkeypatch.setattr(places, "OUT", str(tmp_path))
     assert cli.main([*command, "--resume"]) == 0
     assert "report.html" in capsys.readouterr().out

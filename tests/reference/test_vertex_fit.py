@@ -53,7 +53,7 @@ def test_the_step_is_lab_13s_large_step():
 
 def test_an_uneven_ball_becomes_the_ball_in_the_pictures():
     """Vertices that go astray, or stay. Measured: 0.0153 -> 0.0054, a twelfth of a pixel."""
-    vertices, faces, colours = ball()
+    vertices, faces, _ = ball()
     uneven = (1.02 + 0.05 * np.sin(9 * vertices).prod(1, keepdims=True)) * vertices
     surface = multi_view_fit.Surface(uneven, faces, None, None, None)
 

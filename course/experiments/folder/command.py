@@ -26,9 +26,9 @@ class Wishes(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What a search and its last step have: the Kept, its Surface with the albedo told apart from
-    the light, the Appearance that says so, the colours (V, 9) that the search, eq. (10), and the
-    Appearance give the vertices, and how many pixels tell of each (V,).
+    """What a search and its last steps have: the Kept, the Surface with its vertices moved and its
+    albedo told apart from the light, the Appearance that says so, the colours (V, 6) that eq. (10)
+    and the Appearance give the vertices, and how many pixels tell of each (V,).
     """
 
     kept: checkpoints.Kept
@@ -44,8 +44,9 @@ def run(labs, folder: str, wishes: Wishes) -> int:
     for sentence in photos.assumed:
         print(sentence, flush=True)
     path = out(folder)
-    stages = scaled(searches.fine_stages(labs), wishes.steps)
-    with searches.bar(path.stem, searches.steps_of(stages) + PAINT + CHARTS + REPORT) as bar:
+    stages = scaled(searches.fine_stages(labs, longest(photos)), wishes.steps)
+    steps = searches.steps_of(stages) + moves(stages) + PAINT + CHARTS + REPORT
+    with searches.bar(path.stem, steps) as bar:
         kept = search(labs, photos, path, stages, wishes.resume, bar)
         judged = finish(labs, photos, path, stages, kept, bar)
     path.with_name("checkpoint.npz").unlink(missing_ok=True)
@@ -57,8 +58,10 @@ def finish(labs, photos, path, stages, kept, bar):
     """What comes after the search: paint and light, the files, and the report -> Judged."""
     from . import exports  # its packages are not there in a browser, where lectures import scenes
     began = time.process_time() - kept.seconds
+    bar.update(0, summary="moving the vertices")
+    surface = moved(labs, photos, kept, moves(stages), bar)
     bar.update(0, summary="telling paint from light")
-    found = told_apart(labs, kept, seen(labs, photos))
+    found = told_apart(labs, kept, surface, seen(labs, photos))
     bar.update(0, advance=PAINT, summary="cutting the surface into charts")
     exports.save_textured(labs, found.surface, found.count, path, photos.world_from_grid)
     bar.update(0, advance=CHARTS, summary="writing the report")
@@ -82,6 +85,11 @@ def scaled(stages, steps):
     shares = np.diff(np.rint(steps * ends / ends[-1]).astype(int), prepend=0)
     return tuple(stage._replace(steps=max(1, int(share)))
                  for stage, share in zip(stages, shares, strict=True))
+
+
+def longest(photos):
+    """Pixels of the pictures' longer side."""
+    return max(photos.pictures[0].shape[:2])
 
 
 def kept_out(photos):
@@ -128,12 +136,25 @@ def seen(labs, photos):
     return captures.capture_of(labs, photos, chosen)
 
 
-def told_apart(labs, kept, capture):
+def moves(stages):
+    """How many steps move the vertices: a quarter of the search's."""
+    return -(-searches.steps_of(stages) // 4)
+
+
+def moved(labs, photos, kept, steps, bar):
+    """The Surface that the search has found, its vertices moved."""
+    searched, samples = labs.multi_view_fit.surface(kept.x), searches.samples(longest(photos), 512)
+    for surface, _ in labs.vertex_fit.fit_vertices(  # noqa: B007
+            searched, seen(labs, photos), steps, samples):
+        bar.advance(0)
+    return surface
+
+
+def told_apart(labs, kept, surface, capture):
     """Found: the last step, when the shape stays."""
-    surface, lab = labs.multi_view_fit.surface(kept.x), labs.intrinsic_decomposition
+    lab = labs.intrinsic_decomposition
     targets = labs.multi_view_fit.targets_of(capture, 1, 1)
     look = lab.decompose(surface, targets)
-    searched = labs.reconstruction.shade(surface.albedo, surface.normals, kept.x.light)
     colours, count = lab.seen_colours(surface, targets)
     return Found(kept, surface._replace(albedo=look.albedo), look,
-                 np.hstack([searched, colours, lab.shaded_colours(surface, look)]), count)
+                 np.hstack([colours, lab.shaded_colours(surface, look)]), count)

@@ -26,12 +26,12 @@ FRAMES, FRAME_SIZE, SECONDS = 30, 240, 0.12  # of the turntable
 LARGEST = 192      # pixels of a picture's side in the page, so that the page stays small
 DIFFERENCE = 4     # how often a difference is enlarged
 WORST = 24         # views that the page shows, at most
-SEARCH, SEEN, SPLIT = slice(0, 3), slice(3, 6), slice(6, 9)  # whose colours, of those of a Found
+SEARCH, SEEN, SPLIT = slice(0, 3), slice(3, 6), slice(6, 9)  # whose colours, in a rendering
 
 
 class View(NamedTuple):
-    """A picture of the folder (H, W, 4), sRGB and coverage, and its rendering (H, W, 10) in all
-    colours of a Found.
+    """A picture of the folder (H, W, 4), sRGB and coverage, and its rendering (H, W, 10) in the
+    colours of SEARCH, SEEN and SPLIT.
     """
 
     name: str
@@ -58,12 +58,16 @@ class Judged(NamedTuple):
 
 def judged(labs, found, photos, stages, kept_out):
     """Judged. kept_out names the pictures that the search did not see."""
+    surface, x = labs.multi_view_fit.surface(found.kept.x), found.kept.x
+    lit = labs.reconstruction.shade(surface.albedo, surface.normals, x.light)
+    pictures = [rendered(labs, *each, photos.cameras, photos.background,
+                         photos.pictures[0].shape[:2])
+                for each in ((surface, lit), (found.surface, found.colours))]
+    views = [View(name, k in kept_out, on_screen(picture),
+                  on_screen(np.dstack([searched[..., :3], at_the_end])))
+             for k, (name, picture, searched, at_the_end) in enumerate(
+                 zip(photos.names, photos.pictures, *pictures, strict=True))]
     faces = found.surface.faces
-    renderings = rendered(labs, found.surface, found.colours, photos.cameras, photos.background,
-                          photos.pictures[0].shape[:2])
-    views = [View(name, k in kept_out, on_screen(picture), on_screen(rendering))
-             for k, (name, picture, rendering) in enumerate(
-                 zip(photos.names, photos.pictures, renderings, strict=True))]
     return Judged(found, views, stages, len(faces), *labs.reconstruction.genus(faces))
 
 
@@ -139,7 +143,7 @@ def turntable(labs, found, photos, path):
     """Write the object, turning, as an animated PNG on nothing."""
     cameras = turning(labs, photos, FRAMES, 3 * max(reach(found), 0.4))
     frames = [clear(frame) for frame in rendered(
-        labs, found.surface, found.colours[:, SPLIT], cameras, np.zeros(3), 2 * (FRAME_SIZE,))]
+        labs, found.surface, found.colours[:, 3:], cameras, np.zeros(3), 2 * (FRAME_SIZE,))]
     image.write_animation(path, frames, SECONDS)
 
 

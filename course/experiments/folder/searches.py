@@ -22,8 +22,8 @@ def fine_stages(labs, size=128):
 
 
 def samples(size, width):
-    """Along a pixel's side, so that pictures are about so wide when they are rendered: 2 or more."""
-    return max(2, round(width / size))
+    """Along a pixel's side, so that pictures are about so wide as they are rendered: 2 to 4."""
+    return min(max(2, round(width / size)), 4)
 
 
 def bar(name, steps):
