@@ -137,8 +137,8 @@ def seen(labs, photos):
 
 
 def moves(stages):
-    """How many steps move the vertices: a quarter of the search's."""
-    return -(-searches.steps_of(stages) // 4)
+    """How many steps move the vertices: a third of the search's."""
+    return -(-searches.steps_of(stages) // 3)
 
 
 def moved(labs, photos, kept, steps, bar):
