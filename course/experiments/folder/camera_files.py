@@ -95,8 +95,8 @@ def read(folder):
 
 
 def largest(folder, patterns):
-    """[The file for the first pattern that any fits], or []. Of COLMAP's models, which are the
-    parts that it could not join, the one with most in it.
+    """[The file for the first pattern that any fits], or []. COLMAP writes a model for each part
+    of the pictures that it could join: it is the one with most in it.
     """
     fitting = next(filter(None, (list(folder.glob(pattern)) for pattern in patterns)), [])
     return sorted(fitting, key=lambda path: sum(each.stat().st_size
