@@ -94,7 +94,7 @@ class Stage(NamedTuple):
     rate: float
 
 
-WEIGHTS = Weights(coverage=1.0, carving=4.0, sign_changes=1e-3, bumps=0.1)
+WEIGHTS = Weights(coverage=1.0, carving=4.0, sign_changes=1e-3, bumps=0.03)
 RATES = Scene(distance=1.0, offsets=0.02, albedo=0.05, light=0.1)  # the first two in cells
 CONSTANTS = 0.9, 0.99, 1e-8  # of Adam: squares are forgotten faster than usual
 IN_SPACE = functools.partial(uniform_adam_step, constants=CONSTANTS)  # keeps the direction

@@ -67,7 +67,7 @@ def large_steps(edges, vertex_count):
     return update
 
 
-def fit_vertices(surface, capture, steps=80, samples=4, seed=0, per_step=4):
+def fit_vertices(surface, capture, steps=100, samples=4, seed=0, per_step=4):
     """Yields a Surface, its albedo the colours seen, after each step, and the loss before it.
 
     surface is that of multi_view_fit.py, capture its Capture. samples^2 a pixel.
