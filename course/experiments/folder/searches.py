@@ -14,11 +14,13 @@ COLUMNS = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(),
 def fine_stages(labs, size=128):
     """Lab 16's Stages of the searches that are to be seen from near, in pictures of this size.
 
-    The last cells are as wide as 2.7 pixels, but for memory's sake 96 at most.
+    Larger pictures have a fourth. Its cells are as wide as 2.7 pixels, but for memory's sake 96 at
+    most.
     """
-    stage, cells = labs.multi_view_fit.Stage, min(max(48, 3 * size // 8), 96)
-    return (stage(24, 1, 1, 100, 1.0), stage(32, 1, 1, 80, 0.5),
-            stage(cells, 1, samples(size, 384), 120, 0.3))
+    stage, cells = labs.multi_view_fit.Stage, min(3 * size // 8, 96)
+    coarse = (stage(24, 1, 1, 100, 1.0), stage(32, 1, 1, 80, 0.5),
+              stage(48, 1, samples(size, 384), 120, 0.3))
+    return coarse if cells <= 48 else (*coarse, stage(cells, 1, samples(size, 384), 100, 0.3))
 
 
 def samples(size, width):
