@@ -44,7 +44,8 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("regularization", "remeshing"),
     ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
     ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
-    ("reconstruction", "multi_view_fit", "vertex_fit", "intrinsic_decomposition"),
+    ("reconstruction", "multi_view_fit", "vertex_fit", "intrinsic_decomposition",
+     "received_light"),
     ("kernels", "face_kernels", "pixel_kernels", "pair_kernels", "pyramid_kernels",
      "texel_kernels", "footprint_kernels", "compiled_pipeline"),
 )

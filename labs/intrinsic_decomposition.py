@@ -1,20 +1,20 @@
 """Intrinsic decomposition: the colours of a surface, told apart into albedo and light.
 
     W c = C                                                colours c at vertices, C in pixels  (10)
-    c = albedo * E,   E(n, p) = sum_k Y_k(n) l_k + lit(p) max(n . d, 0) s           with a sun (11)
+    c = albedo * E,   E = open(p) sum_k Y_k(n) l_k + lit(p) max(n . r, 0) / |r|^3 s + bounce(p) (11)
     neutral = sum of (l_k - mean l_k)^2, and of s alike    each mean is over the three colours (12)
-    patches = mean of w sqrt(|u_i - u_j|^2 + e^2) / length, u = log(albedo + 0.1)  at an edge  (13)
+    patches = mean of w t log(1 + |u_i - u_j| / t) / length,   u = log(albedo + 0.1) at an edge (13)
 
 It begins where multi_view_fit.py ends: the shape is found, and stays. W are the weights of lab 5.
-The sun is an array (2, 3): the unit direction d towards it, and its strength s for each colour. lit
-is the share of it that reaches p, by lab 14's shadow map of the shape itself.
+received_light.py says how a lamp, as near as a bulb or as far as the sun, and the surface itself
+light the surface: lit, r, open and bounce.
 
 Pictures give the product of albedo and light alone. (12) and (13) choose among all pairs with this
-product. Light with little colour and paint in patches is what most scenes have. In shade, colours
-tell less, as the square of the light. So does (13) by its weight w. What is left free is one
-factor. We choose the mean albedo 1/2.
+product. Light with little colour and paint in patches is what most scenes have. Where it is dark,
+colours tell less, as the square of the light. So does (13) by its weight w. Where it is bright, the
+model is wrong by more. What is left free is one factor. We choose the mean albedo 1/2.
 
-Sources: Munkberg et al. 2022 (12), Barron and Malik 2015 (13), Williams 1978 (lit).
+Sources: Munkberg et al. 2022 (12), Barron and Malik 2015 (13).
 """
 import functools
 import itertools
@@ -23,59 +23,68 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse.linalg
 
-from . import (
-    interpolation,
-    lights,
-    pipeline,
-    reconstruction,
-    regularization,
-    shadow_mapping,
-    soft_shadows,
-)
+from . import interpolation, pipeline, received_light, reconstruction, regularization
 from .arrays import scatter
 from .inverse_rendering import adam_step, descend, uniform_laplacian
 
 
 class Appearance(NamedTuple):
-    """How a surface looks, and in which light: albedo (V, 3), light (9, 3), sun (2, 3)."""
+    """How a surface looks, and in which light: albedo (V, 3), light (9, 3), and a lamp: sun (2, 3),
+    the unit direction d towards it and its strength s for each colour, and near, its k.
+
+    own multiplies bounce: it is 1, divided by what the mean albedo is of 1/2.
+    """
 
     albedo: np.ndarray
     light: np.ndarray
     sun: np.ndarray
+    near: float
+    own: float
+
+
+class Received(NamedTuple):
+    """What eq. (11) knows of a Surface: lit, open (V,), bounce (V, 3)."""
+
+    surface: object
+    lit: np.ndarray
+    open: np.ndarray
+    bounce: np.ndarray
 
 
 class Observed(NamedTuple):
     """What an Appearance is compared with: the colours (V, 3) that are seen, the share (V,) of the
-    loss that each has, the normals (V, 3), and the edges (E, 2) with their mean length and the
-    weights (E,) of eq. (13).
+    loss that each has, the Received, and the edges (E, 2) with their mean length and the weights
+    (E,) of eq. (13).
     """
 
     colours: np.ndarray
     share: np.ndarray
-    normals: np.ndarray
+    received: object
     edges: np.ndarray
     length: float
     weight: np.ndarray
 
 
 class Priors(NamedTuple):
-    """How much (12) and (13) count beside the squared error of the colours."""
+    """How much (12) and (13) count beside the squared error of the colours, and t of (13)."""
 
     neutral: float
     patches: float
+    border: float
 
 
-PRIORS = Priors(neutral=0.01, patches=0.007)
-RATES = Appearance(albedo=0.01, light=0.05, sun=0.05)
+PRIORS = Priors(neutral=0.01, patches=0.014, border=0.1)
+RATES = Appearance(albedo=0.01, light=0.05, sun=0.05, near=0.01, own=0.0)
+NO_SUN = RATES._replace(sun=0.0, near=0.0)
 ADAM = functools.partial(adam_step, constants=(0.9, 0.99, 1e-8))
 DARKEST = 0.005  # the least albedo
 DARK = 0.1       # what eq. (13) adds to the albedo, so that nearly black is like black
-SMOOTH = 0.02    # e of eq. (13)
-ROUNDS = 8       # of means of neighbours, for its w
+SMOOTH = 0.02    # the step of log(albedo) that is too small to count
+BLUNT = 10.0     # t of eq. (13) while the light is sought: as if it had no logarithm
+ROUNDS = 8       # of means of neighbours, for the brightness around
+BOUNCES = 3      # of light from surface to surface
 STIFF = 0.01     # of the colours, where no pixel tells them
-MAP = 256        # texels along a side of the sun's map
-BIAS = 0.01      # of lab 14's eq. (5)
-AROUND = np.stack(np.meshgrid([-1.0, 0.0, 1.0], [-1.0, 0.0, 1.0]), -1).reshape(-1, 2)
+NEAREST = 0.5    # the greatest k: a lamp is 2 from the middle of the grid
 REFRESH = 20     # steps with one shadow map
 
 # --- the colours that the pictures show: eq. (10) -----------------------------------------------
@@ -116,42 +125,33 @@ def seen_colours(surface, targets):
     return scipy.sparse.linalg.splu(system.tocsc()).solve(told), count
 
 
-# --- light with a sun: eq. (11) -----------------------------------------------------------------
+# --- paint in its light: eq. (11) ---------------------------------------------------------------
 
 
-def lit_share(surface, sun):
-    """lit of eq. (11): which share of the sun reaches each vertex? -> (V,), from 0 to 1.
+def shade_with_sun(x, received):
+    """Eq. (11): the colours (V, 3) of an Appearance in what is Received."""
+    surface, lit, open_, bounce = received
+    share = lit * np.maximum(received_light.facing(x.sun[0], x.near, surface), 0)
+    return (open_[:, None] * reconstruction.shade(x.albedo, surface.normals, x.light)
+            + x.albedo * (np.outer(share, x.sun[1]) + x.own * bounce))
 
-    It is lab 14's PCF over 3 x 3 texels.
+
+def shade_with_sun_backward(grad_colour, x, received):
+    """Backward of `shade_with_sun`, all that is Received held: grad_colour (V, 3) -> an Appearance
+    of gradients.
     """
-    vertices, faces, normals = surface.vertices, surface.faces, surface.normals
-    light = lights.directional_light(-sun[0], vertices)
-    distance_map = shadow_mapping.depth_map(vertices, faces, light, MAP)
-    on_map = shadow_mapping.receivers(vertices, normals, light, MAP)
-    bias = shadow_mapping.slope_scaled_bias(on_map.slope, BIAS, 1.0, 5 * BIAS)
-    return soft_shadows.percentage_closer(distance_map, *on_map, bias, AROUND, 1.0)
-
-
-def shade_with_sun(x, normals, lit):
-    """Eq. (11): the colours (V, 3) of an Appearance. normals (V, 3), lit (V,)."""
-    share = lit * np.maximum(normals @ x.sun[0], 0)
-    return reconstruction.shade(x.albedo, normals, x.light) + x.albedo * np.outer(share, x.sun[1])
-
-
-def shade_with_sun_backward(grad_colour, x, normals, lit):
-    """Backward of `shade_with_sun`, the shape and its shadow held: grad_colour (V, 3) -> an
-    Appearance of gradients.
-    """
-    # c = a (Y l + f s), f = lit max(n . d, 0), so dc = E da + a (Y dl + f ds + s df), and
-    # df = lit n . dd where the surface faces the sun.
-    cosine = normals @ x.sun[0]
-    share = lit * np.maximum(cosine, 0)
-    grad_albedo, _, grad_light = reconstruction.shade_backward(grad_colour, x.albedo, normals,
-                                                               x.light)
+    # c = a (o Y l + f s + b), f = lit max(facing, 0): dc = E da + a (o Y dl + f ds + s df).
+    surface, lit, open_, bounce = received
+    faced = received_light.facing(x.sun[0], x.near, surface)
+    share = lit * np.maximum(faced, 0)
+    grad_albedo, _, grad_light = reconstruction.shade_backward(
+        open_[:, None] * grad_colour, x.albedo, surface.normals, x.light)
     grad_irradiance = grad_colour * x.albedo
-    grad_cosine = np.where(cosine > 0, lit, 0) * (grad_irradiance @ x.sun[1])
-    grad_sun = np.stack([grad_cosine @ normals, share @ grad_irradiance])
-    return Appearance(grad_albedo + grad_colour * np.outer(share, x.sun[1]), grad_light, grad_sun)
+    grad_facing = np.where(faced > 0, lit, 0) * (grad_irradiance @ x.sun[1])
+    grad_towards, grad_near = received_light.facing_backward(grad_facing, x.sun[0], x.near, surface)
+    return Appearance(
+        grad_albedo + grad_colour * (np.outer(share, x.sun[1]) + x.own * bounce), grad_light,
+        np.stack([grad_towards, share @ grad_irradiance]), grad_near, 0.0)
 
 
 def add_sun(x):
@@ -183,34 +183,36 @@ def neutral_backward(grad_neutral, light, sun):
     return grad[:9], np.stack([np.zeros(3), grad[9]])
 
 
-def edge_weights(colours, edges):
-    """w (E,) of eq. (13) at edges (E, 2): 1, or the square of twice the brightness around.
-
-    colours (V, 3), whose mean is 1/2. The squared error of dark colours says as little of paint.
+def trust(colours, edges):
+    """How far colours (V, 3), whose mean is 1/2, may be believed, from the brightness around them:
+    the weight (V,) of their squared errors, and what they tell of the logarithm of paint (V,).
     """
     around = colours.mean(1, keepdims=True)
     for _ in range(ROUNDS):
         around = around - uniform_laplacian(around, edges) / 2
-    return np.minimum(1, (2 * around)**2)[edges, 0].mean(1)
+    square = np.maximum(2 * around[:, 0], 0)**2
+    return 2 / (1 + square), np.minimum(1, square)
 
 
-def patches(albedo, edges, length, weight):
+def patches(albedo, edges, length, weight, border):
     """Eq. (13): how much paint changes along edges (E, 2) -> a number.
 
     albedo (V, 3), weight (E,). length is the mean of the edges'. So the number hardly depends on
-    the mesh, and by the logarithm hardly on how bright all of the albedo is.
+    the mesh, and by the logarithm hardly on how bright all of the albedo is. border is t.
     """
     u, v = np.log(albedo + DARK)[edges.T]
-    return (weight * np.sqrt(((u - v)**2).sum(1) + SMOOTH**2)).mean() / length
+    step = np.sqrt(((u - v)**2).sum(1) + SMOOTH**2)
+    return (weight * border * np.log1p(step / border)).mean() / length
 
 
-def patches_backward(grad_patches, albedo, edges, length, weight):
+def patches_backward(grad_patches, albedo, edges, length, weight, border):
     """Backward of eq. (13): grad_patches, a number -> grad_albedo (V, 3)."""
-    # The root r has the slope (u_i - u_j) / r: it pulls alike at a small step and at a large one.
-    # And du = da / (a + 0.1).
+    # A step s has the slope (u_i - u_j) / s, and t log(1 + s / t) the slope 1 / (1 + s / t): steps
+    # that are small beside t are pulled alike, and a border hardly. And du = da / (a + 0.1).
     u, v = np.log(albedo + DARK)[edges.T]
-    root = np.sqrt(((u - v)**2).sum(1, keepdims=True) + SMOOTH**2)
-    grad = grad_patches / (len(edges) * length) * weight[:, None] * (u - v) / root
+    step = np.sqrt(((u - v)**2).sum(1) + SMOOTH**2)
+    slope = grad_patches / (len(edges) * length) * weight / (1 + step / border) / step
+    grad = slope[:, None] * (u - v)
     return scatter(np.stack([grad, -grad], 1), edges, len(albedo)) / (albedo + DARK)
 
 
@@ -223,39 +225,43 @@ def allowed(x, share):
     factor = 0.5 / (share @ albedo).mean()
     towards = x.sun[0] / np.linalg.norm(x.sun[0])
     return Appearance(factor * albedo, x.light / factor,
-                      np.stack([towards, np.maximum(x.sun[1], 0) / factor]))
+                      np.stack([towards, np.maximum(x.sun[1], 0) / factor]),
+                      np.clip(x.near, 0, NEAREST), x.own)
 
 
-def loss_and_gradients(x, observed, lit, priors):
-    """The loss of an Appearance, and an Appearance of gradients. lit (V,) is held."""
-    colours, share, normals, *along = observed
-    error = shade_with_sun(x, normals, lit) - colours
+def loss_and_gradients(x, observed, priors):
+    """The loss of an Appearance, and an Appearance of gradients."""
+    colours, share, received, *along = observed
+    error = shade_with_sun(x, received) - colours
     loss = (share @ error**2).sum() + priors.neutral * neutral(x.light, x.sun)
-    loss += priors.patches * patches(x.albedo, *along)
+    loss += priors.patches * patches(x.albedo, *along, priors.border)
 
-    grad = shade_with_sun_backward(2 * share[:, None] * error, x, normals, lit)
-    by_paint = patches_backward(priors.patches, x.albedo, *along)
+    grad = shade_with_sun_backward(2 * share[:, None] * error, x, received)
+    by_paint = patches_backward(priors.patches, x.albedo, *along, priors.border)
     by_light, by_sun = neutral_backward(priors.neutral, x.light, x.sun)
-    return loss, Appearance(grad.albedo + by_paint, grad.light + by_light, grad.sun + by_sun)
+    return loss, grad._replace(albedo=grad.albedo + by_paint, light=grad.light + by_light,
+                               sun=grad.sun + by_sun)
 
 
 def observe(surface, targets):
     """-> Observed, in the exposure where a light of 1 is usual, and this exposure, a number.
 
-    ValueError where no pixel of any picture lies within the object.
+    All is lit. ValueError where no pixel of any picture lies within the object.
     """
     colours, count = seen_colours(surface, targets)
     if not count.any():
         raise ValueError("no pixel lies inside the object with all pixels around it, so nothing "
                          "tells its colours: give larger pictures")
-    share = count / count.sum()
-    exposure = max(2 * (share @ colours).mean(), 1e-9)
+    exposure = max(2 * (count @ colours).mean() / count.sum(), 1e-9)
+    colours = colours / exposure
     edges = reconstruction.closed_mesh_edges(surface.faces)
     a, b = surface.vertices[edges.T]
-    length = np.linalg.norm(a - b, axis=1).mean()
-    colours = colours / exposure
-    return Observed(colours, share, surface.normals, edges, length,
-                    edge_weights(colours, edges)), exposure
+    weight, told = trust(colours, edges)
+    share = count * weight / (count @ weight)
+    received = Received(surface, np.ones(len(colours)),
+                        *received_light.surroundings(surface, colours))
+    return Observed(colours, share, received, edges, np.linalg.norm(a - b, axis=1).mean(),
+                    told[edges].mean(1)), exposure
 
 
 def first_guess(observed):
@@ -263,18 +269,19 @@ def first_guess(observed):
     light = np.zeros((9, 3))
     light[0] = 1 / reconstruction.C0
     albedo = np.tile(observed.share @ observed.colours, (len(observed.colours), 1))
-    return Appearance(albedo, light, np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]))
+    return Appearance(albedo, light, np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]), 0.0, 1.0)
 
 
-def gradient_in_shadow(surface, observed, priors):
+def gradient_in_shadow(observed, priors):
     """-> gradient(x), as lab 9's `descend` takes it. Every REFRESH steps it casts a new shadow."""
-    lit = np.empty(len(surface.vertices))
-    step = itertools.count()
+    received, step = observed.received, itertools.count()
+    lit = np.empty(len(observed.colours))
+    shadowed = observed._replace(received=received._replace(lit=lit))
 
     def gradient(x):
         if next(step) % REFRESH == 0:
-            lit[:] = lit_share(surface, x.sun)
-        return loss_and_gradients(x, observed, lit, priors)
+            lit[:] = received_light.lit_share(received.surface, x.sun[0], x.near)
+        return loss_and_gradients(x, shadowed, priors)
     return gradient
 
 
@@ -294,20 +301,21 @@ def search(x, gradient, schedule, observed):
 def decompose(surface, targets, priors=PRIORS, steps=800, with_sun=True):
     """The Appearance of a Surface in Targets, in the least loss that `steps` steps find.
 
-    A quarter of the steps knows no sun. Then it rises where the light comes from, and moves.
+    A quarter of the steps knows no sun. Then it rises where the light comes from, and moves. Paint
+    comes last: while the light is sought, (13) pulls harder, in the dark as well, and at borders.
     """
     observed, exposure = observe(surface, targets)
-    no_sun = RATES._replace(sun=0.0)
-    first = steps // 4
-    rest = steps - first
-    even = functools.partial(loss_and_gradients, observed=observed,
-                             lit=np.ones(len(surface.vertices)), priors=priors)
-    x = search(first_guess(observed), even, first * [no_sun], observed)
-    if with_sun:
-        shadowed = gradient_in_shadow(surface, observed, priors)
-        x = search(add_sun(x), shadowed, falling(RATES, rest), observed)
-    else:
-        x = search(x, even, falling(no_sun, rest), observed)
+    first, last = steps // 4, steps // 3
+    rates = RATES if with_sun else NO_SUN
+    blunt = priors._replace(patches=3 * priors.patches, border=BLUNT)
+    alike = observed._replace(weight=np.ones(len(observed.edges)))
+    x = search(first_guess(observed), functools.partial(loss_and_gradients, observed=alike,
+                                                        priors=blunt), first * [NO_SUN], observed)
+    x = add_sun(x) if with_sun else x
+    schedule = falling(rates, steps - first)[:-last]
+    x = search(x, gradient_in_shadow(alike, blunt), schedule, observed)
+    slow = Appearance(*np.array(rates) / 10)._replace(albedo=rates.albedo)
+    x = search(x, gradient_in_shadow(observed, priors), falling(slow, last), observed)
     return rescaled(x, exposure)
 
 
@@ -318,9 +326,17 @@ def rescaled(x, exposure):
     factor = min(1.0, 1 / np.quantile(x.albedo, 0.999))
     brighter = exposure / factor
     return Appearance(np.minimum(factor * x.albedo, 1), brighter * x.light,
-                      np.stack([x.sun[0], brighter * x.sun[1]]))
+                      np.stack([x.sun[0], brighter * x.sun[1]]), x.near, x.own / factor)
 
 
 def shaded_colours(surface, x):
-    """The colours (V, 3) of a Surface in its Appearance x: eq. (11), with its shadow."""
-    return shade_with_sun(x, surface.normals, lit_share(surface, x.sun))
+    """The colours (V, 3) of a Surface in its Appearance x: eq. (11), with its shadow.
+
+    What it sends to itself is as bright as its colours, which BOUNCES rounds find.
+    """
+    lit = received_light.lit_share(surface, x.sun[0], x.near)
+    colours = np.zeros(x.albedo.shape)
+    for _ in range(BOUNCES):
+        colours = shade_with_sun(x, Received(surface, lit, *received_light.surroundings(
+            surface, colours)))
+    return colours

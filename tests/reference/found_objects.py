@@ -24,7 +24,7 @@ def read_glb(path):
 def found_of(x, losses=(1.0,), seconds=0.0):
     """Found: the surface of a Scene with its own albedo, in its own light."""
     surface = multi_view_fit.surface(x)
-    look = intrinsic_decomposition.Appearance(surface.albedo, x.light, NO_SUN)
+    look = intrinsic_decomposition.Appearance(surface.albedo, x.light, NO_SUN, 0.0, 1.0)
     colours = reconstruction.shade(surface.albedo, surface.normals, x.light)
     return command.Found(checkpoints.Kept(x, losses, seconds), surface, look, np.tile(colours, 2),
                          np.ones(len(colours)))

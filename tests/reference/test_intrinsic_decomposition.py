@@ -24,7 +24,15 @@ def looks(rng, count):
     light = rng.uniform(-0.2, 0.2, (9, 3))
     light[0] = 3.0, 2.5, 2.0
     return lab.Appearance(rng.uniform(0.1, 0.9, (count, 3)), light,
-                          np.array([[0.48, 0.6, 0.64], [0.9, 0.7, 0.5]]))
+                          np.array([[0.48, 0.6, 0.64], [0.9, 0.7, 0.5]]), 0.3, 1.2)
+
+
+def received(rng, count):
+    """What a Surface of count vertices Received."""
+    normals = rng.normal(size=(count, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    surface = multi_view_fit.Surface(rng.uniform(-0.5, 0.5, (count, 3)), None, None, normals, None)
+    return lab.Received(surface, *rng.uniform(0, 1, (2, count)), rng.uniform(0, 0.3, (count, 3)))
 
 
 # --- eq. (10) ----------------------------------------------------------------------------------
@@ -83,48 +91,36 @@ def test_an_object_of_outlines_alone_is_refused():
 # --- eq. (11) ----------------------------------------------------------------------------------
 
 
-def test_the_sun_on_paper():
-    """The sun shines from behind, or the shadow takes the other light along."""
+def test_the_light_on_paper():
+    """The sun shines from behind, the shadow takes other light along, or what is hidden shines."""
     normals = np.array([[0.0, 0.0, 1.0], [0.0, 0.6, 0.8], [0.0, 0.0, -1.0]])
     light = np.zeros((9, 3))
     light[0] = np.array([1.0, 2.0, 3.0]) / reconstruction.C0
     sun = np.array([[0.0, 0.0, 1.0], [10.0, 20.0, 30.0]])
-    x = lab.Appearance(np.full((3, 3), 0.5), light, sun)
-    found = lab.shade_with_sun(x, normals, np.array([1.0, 0.5, 1.0]))
-    np.testing.assert_allclose(found, [[5.5, 11, 16.5], [2.5, 5, 7.5], [0.5, 1, 1.5]])
+    x = lab.Appearance(np.full((3, 3), 0.5), light, sun, 0.0, 2.0)
+    surface = multi_view_fit.Surface(np.zeros((3, 3)), None, None, normals, None)
+    bounce = np.array([[0.0, 0, 0], [0, 0, 0], [0.1, 0.2, 0.3]])
+    found = lab.shade_with_sun(x, lab.Received(surface, np.array([1.0, 0.5, 1.0]),
+                                               np.array([1.0, 1.0, 0.4]), bounce))
+    np.testing.assert_allclose(found, [[5.5, 11, 16.5], [2.5, 5, 7.5], [0.3, 0.6, 0.9]])
 
 
 def test_the_gradient_of_the_shading(rng):
     """A factor of the product rule is missing, or what faces away from the sun moves it."""
-    x = looks(rng, 20)
-    normals = rng.normal(size=(20, 3))
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    lit = rng.uniform(0, 1, 20)
-    gradcheck(lambda *parts: lab.shade_with_sun(lab.Appearance(*parts), normals, lit),
-              lambda grad, *parts: lab.shade_with_sun_backward(grad, lab.Appearance(*parts),
-                                                               normals, lit),
-              tuple(x), name="shade")
+    x, around = looks(rng, 20), received(rng, 20)
 
+    def backward(grad, *parts):
+        return lab.shade_with_sun_backward(grad, lab.Appearance(*parts, 1.2), around)[:4]
 
-def test_a_ball_over_a_plate_throws_its_shadow():
-    """The shadow falls towards the sun, or all is lit, or the plate shadows itself."""
-    ball, ball_faces = mesh.icosphere(320)
-    plate, plate_faces = mesh.split_longest(
-        np.array([[-2.0, 0, -2], [2, 0, -2], [2, 0, 2], [-2, 0, 2]]),
-        np.array([[0, 2, 1], [0, 3, 2]]), 4000)
-    vertices = np.concatenate([0.3 * ball + [0, 0.8, 0], plate])
-    surface = surface_of(vertices, np.concatenate([ball_faces, plate_faces + len(ball)]))
-    towards = np.array([0.6, 0.8, 0.0])
-    lit = lab.lit_share(surface, np.stack([towards, np.ones(3)]))[len(ball):]
-    away = np.linalg.norm((plate - [-0.6, 0, 0]) * [0.8, 1, 1], axis=1)  # an ellipse
-    assert lit[away < 0.25].max() == 0 and lit[away > 0.35].min() == 1
+    gradcheck(lambda *parts: lab.shade_with_sun(lab.Appearance(*parts, 1.2), around), backward,
+              (*x[:3], np.array(x.near)), name="shade")
 
 
 def test_at_sunrise_a_lamp_is_found():
     """x, y and z are exchanged, or the light becomes brighter."""
     towards = np.array([[0.48, 0.6, 0.64]])
     light = reconstruction.distant_light(towards, np.full((1, 3), 2.0))
-    x = lab.add_sun(lab.Appearance(np.ones((1, 3)), light, NO_SUN))
+    x = lab.add_sun(lab.Appearance(np.ones((1, 3)), light, NO_SUN, 0.0, 1.0))
     np.testing.assert_allclose(x.sun, [towards[0], [1, 1, 1]])
     np.testing.assert_allclose(x.light, light / 2, atol=1e-12)
 
@@ -142,21 +138,27 @@ def test_grey_light_costs_nothing_and_coloured_light_its_variance():
 
 
 def test_patches_cost_their_borders_and_not_their_number_of_steps():
-    """One large step costs more than many small ones of the same sum, as squares do."""
+    """One large step costs more than many small ones of the same sum, as squares do; or while the
+    paint is sought, as much.
+    """
     edges = np.stack([np.arange(100), np.arange(1, 101)], 1)
     step = np.where(np.arange(101) < 50, 0.1, 0.8)
     ramp = np.exp(np.linspace(np.log(0.2), np.log(0.9), 101)) - lab.DARK
-    costs = [lab.patches(np.tile(part[:, None], (1, 3)), edges, 0.1, 1.0) for part in (step, ramp)]
+    paint = [np.tile(part[:, None], (1, 3)) for part in (step, ramp)]
+    costs = [lab.patches(part, edges, 0.1, 1.0, 1e6) for part in paint]
     flat = lab.SMOOTH / 0.1
     assert costs[0] == pytest.approx(np.sqrt(3) * np.log(4.5) / 10 + 0.99 * flat, rel=0.01)
     assert costs[1] < 1.2 * costs[0]
+    still = lab.patches(np.full((101, 3), 0.5), edges, 0.1, 1.0, 0.1)
+    costs = [lab.patches(part, edges, 0.1, 1.0, 0.1) - still for part in paint]
+    assert costs[1] > 2 * costs[0]
 
 
 def test_patches_hardly_depend_on_how_bright_the_paint_is():
     """All paint becomes dark, and the light bright, as that makes borders cheap."""
     albedo = np.array([[0.9, 0.6, 0.3], [0.5, 0.7, 0.9]])
     edges = np.array([[0, 1]])
-    costs = [lab.patches(factor * albedo, edges, 1.0, 1.0) for factor in (1.0, 0.5)]
+    costs = [lab.patches(factor * albedo, edges, 1.0, 1.0, 0.1) for factor in (1.0, 0.5)]
     assert costs[1] > 0.75 * costs[0]
 
 
@@ -165,20 +167,21 @@ def test_the_gradients_of_the_priors(rng):
     x = looks(rng, 30)
     edges = np.stack([np.arange(30), rng.permutation(30)], 1)
     gradcheck(lab.neutral, lab.neutral_backward, (x.light, x.sun), name="neutral")
-    gradcheck(lab.patches, lab.patches_backward, (x.albedo, edges, 0.3, rng.random(30)),
+    gradcheck(lab.patches, lab.patches_backward, (x.albedo, edges, 0.3, rng.random(30), 0.4),
               differentiable=[0], name="patches")
 
 
-def test_patches_count_in_shade_as_little_as_colours_tell_there():
+def test_in_shade_colours_tell_little_and_in_bright_light_they_are_not_believed():
     """A label on the dark side is erased; or what is bright, or one dark letter, counts otherwise
     than its surroundings.
     """
-    edges = np.stack([np.arange(99), np.arange(1, 100)], 1)
-    light = np.where(np.arange(100) < 50, 0.9, 0.1)
-    weight = lab.edge_weights(np.tile(light[:, None], (1, 3)), edges)
-    assert np.all(weight[:40] == 1) and weight[60:] == pytest.approx(0.04)
+    edges = np.stack([np.arange(149), np.arange(1, 150)], 1)
+    light = np.repeat([0.5, 0.1, 1.5], 50)
     light[80] = 0.0
-    assert lab.edge_weights(np.tile(light[:, None], (1, 3)), edges)[80] > 0.02
+    weight, told = lab.trust(np.tile(light[:, None], (1, 3)), edges)
+    np.testing.assert_allclose(told[[20, 60, 130]], [1, 0.04, 1])
+    np.testing.assert_allclose(weight[[20, 60, 130]], [1, 2 / 1.04, 0.2])
+    assert told[80] > 0.02
 
 
 # --- what is found -----------------------------------------------------------------------------
@@ -186,29 +189,39 @@ def test_patches_count_in_shade_as_little_as_colours_tell_there():
 
 def test_the_gradient_of_the_whole_loss(rng):
     """A part of the loss has no gradient, or another factor."""
-    x, (vertices, faces) = looks(rng, 12), mesh.icosphere(20)
-    normals, edges = mesh.vertex_normals(vertices, faces), reconstruction.closed_mesh_edges(faces)
-    seen = lab.Observed(rng.uniform(0.1, 1, (12, 3)), rng.uniform(0, 0.2, 12), normals, edges, 0.7,
-                        rng.random(len(edges)))
-    lit, priors = rng.uniform(0, 1, 12), lab.Priors(0.3, 0.7)
+    x, (_, faces) = looks(rng, 12), mesh.icosphere(20)
+    edges = reconstruction.closed_mesh_edges(faces)
+    seen = lab.Observed(rng.uniform(0.1, 1, (12, 3)), rng.uniform(0, 0.2, 12), received(rng, 12),
+                        edges, 0.7, rng.random(len(edges)))
+    priors = lab.Priors(0.3, 0.7, 0.4)
 
-    def gradient(grad_loss, *parts):
-        _, grads = lab.loss_and_gradients(lab.Appearance(*parts), seen, lit, priors)
-        return tuple(grad_loss * grad for grad in grads)
+    def loss(*parts):
+        return lab.loss_and_gradients(lab.Appearance(*parts, 1.2), seen, priors)
 
-    gradcheck(lambda *parts: np.array(lab.loss_and_gradients(lab.Appearance(*parts), seen, lit,
-                                                             priors)[0]),
-              gradient, tuple(x), name="loss")
+    gradcheck(lambda *parts: np.array(loss(*parts)[0]),
+              lambda grad_loss, *parts: tuple(grad_loss * grad for grad in loss(*parts)[1][:4]),
+              (*x[:3], np.array(x.near)), name="loss")
 
 
 def test_the_mean_albedo_is_one_half_and_the_colours_stay(rng):
     """The factor is taken from the albedo and not given to the light, or only to part of it."""
     x, share = looks(rng, 40), np.full(40, 1 / 40)
-    normals = np.tile([[0.6, 0.0, 0.8]], (40, 1))
+    around = received(rng, 40)
+    around = around._replace(bounce=0 * around.bounce)
     found = lab.allowed(x, share)
     assert found.albedo.mean() == pytest.approx(0.5)
-    np.testing.assert_allclose(lab.shade_with_sun(found, normals, np.ones(40)),
-                               lab.shade_with_sun(x, normals, np.ones(40)))
+    np.testing.assert_allclose(lab.shade_with_sun(found, around), lab.shade_with_sun(x, around))
+
+
+def test_an_albedo_of_at_most_one_shows_the_same_colours(rng):
+    """Light from the surface itself stays as it was while the albedo is scaled."""
+    x, around = looks(rng, 2000), received(rng, 2000)
+    x = x._replace(albedo=2 * x.albedo)
+    found = lab.rescaled(x, 1.0)
+    kept = found.albedo.max(1) < 1
+    assert kept.mean() > 0.99
+    np.testing.assert_allclose(lab.shade_with_sun(found, around)[kept],
+                               lab.shade_with_sun(x, around)[kept])
 
 
 def test_a_yellow_thing_in_grey_light_is_yellow():
