@@ -26,4 +26,4 @@ def found_of(x, losses=(1.0,), seconds=0.0):
     surface = multi_view_fit.surface(x)
     look = intrinsic_decomposition.Appearance(surface.albedo, x.light, NO_SUN, 0.0, 1.0)
     colours = reconstruction.shade(surface.albedo, surface.normals, x.light)
-    return command.Found(checkpoints.Kept(x, losses, seconds), surface, look, colours)
+    return command.Found(checkpoints.Kept(x, losses, seconds), surface, look, colours, 0.1)

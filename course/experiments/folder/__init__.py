@@ -11,6 +11,8 @@
     searches       lab 16's search under a progress bar, with the mesh so far on disk
     checkpoints    a search that was stopped
     photographs    painted objects, and so what was found, in any light
+    explanations   how much the albedo changes over light that fits as well
+    turning_light  whether the light turns with the camera
     fit_report     how good the mesh is, on one page
     command        all of it, in the order in which it runs
 """

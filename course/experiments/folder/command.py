@@ -10,7 +10,16 @@ from typing import NamedTuple
 import numpy as np
 
 from ...given import image, places
-from . import captures, checkpoints, fit_report, hulls, photographs, searches
+from . import (
+    captures,
+    checkpoints,
+    explanations,
+    fit_report,
+    hulls,
+    photographs,
+    searches,
+    turning_light,
+)
 
 KEPT_OUT = 8  # every eighth picture is for the report alone, where the files hold none out
 STATE_SIZE = 256
@@ -26,13 +35,15 @@ class Wishes(NamedTuple):
 
 class Found(NamedTuple):
     """What a search and its last step have: the Kept, its Surface with the albedo told apart from
-    the light, the Appearance that says so, and the colours (V, 3) in that light.
+    the light, the Appearance that says so, the colours (V, 3) in that light, and how much other
+    albedo that fits as well differs.
     """
 
     kept: checkpoints.Kept
     surface: object
     look: object
     colours: np.ndarray
+    doubt: float
 
 
 def run(labs, folder: str, wishes: Wishes) -> int:
@@ -44,7 +55,9 @@ def run(labs, folder: str, wishes: Wishes) -> int:
     stages = scaled(searches.fine_stages(labs), wishes.steps)
     kept = search(labs, photos, path, stages, wishes.resume)
     print("telling paint from light ...", flush=True)
-    found = told_apart(labs, kept, seen(labs, photos))
+    found, sentences = told_apart(labs, kept, seen(labs, photos))
+    print("\n".join(sentences))
+    photos = photos._replace(assumed=[*photos.assumed, *sentences])
     print("cutting the surface into charts, and writing the report ...", flush=True)
     from . import exports  # its packages are not there in a browser, where lectures import scenes
     exports.save_textured(labs, found.surface, path, photos.world_from_grid)
@@ -117,8 +130,11 @@ def seen(labs, photos):
 
 
 def told_apart(labs, kept, capture):
-    """Found: the last step, when the shape stays."""
+    """Found, and sentences on its light: the last step, when the shape stays."""
     surface, lab = labs.multi_view_fit.surface(kept.x), labs.intrinsic_decomposition
-    look = lab.decompose(surface, labs.multi_view_fit.targets_of(capture, 1, 1))
+    targets = labs.multi_view_fit.targets_of(capture, 1, 1)
+    look = lab.decompose(surface, targets)
     colours = lab.shaded_colours(surface, look)
-    return Found(kept, surface._replace(albedo=look.albedo), look, colours)
+    doubt = explanations.doubt(labs, surface, targets, look)
+    return (Found(kept, surface._replace(albedo=look.albedo), look, colours, doubt),
+            [explanations.in_words(doubt), *turning_light.remarks(labs, surface, targets)])

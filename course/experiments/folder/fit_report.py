@@ -213,6 +213,7 @@ def numbers(judged):
     mean = np.mean([iou(view) for view in judged.views])
     found["IoU of the silhouettes, mean of all"] = f"{mean:.4f}"
     minutes, seconds = divmod(round(judged.found.kept.seconds), 60)
+    found["Albedo of other light that fits as well"] = f"± {100 * judged.found.doubt:.0f} %"
     return {**found, "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
             "Genus": str(judged.genus), "Steps": str(len(judged.found.kept.losses)),
             "Time of the search": f"{minutes} min {seconds} s"}
