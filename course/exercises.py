@@ -45,7 +45,7 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
     ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
     ("reconstruction", "multi_view_fit", "vertex_fit", "intrinsic_decomposition",
-     "received_light"),
+     "received_light", "ambiguity"),
     ("kernels", "face_kernels", "pixel_kernels", "pair_kernels", "pyramid_kernels",
      "texel_kernels", "footprint_kernels", "compiled_pipeline"),
 )

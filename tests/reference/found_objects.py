@@ -27,4 +27,4 @@ def found_of(x, losses=(1.0,), seconds=0.0):
     look = intrinsic_decomposition.Appearance(surface.albedo, x.light, NO_SUN, 0.0, 1.0)
     colours = reconstruction.shade(surface.albedo, surface.normals, x.light)
     return command.Found(checkpoints.Kept(x, losses, seconds), surface, look, np.tile(colours, 2),
-                         np.ones(len(colours)))
+                         np.ones(len(colours)), 0.1, [])

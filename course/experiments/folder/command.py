@@ -15,6 +15,12 @@ from . import captures, checkpoints, fit_report, hulls, photographs, searches
 KEPT_OUT = 8  # every eighth picture is for the report alone, where the files hold none out
 STATE_SIZE = 256
 PAINT, CHARTS, REPORT = 60, 20, 15  # how many steps of the search would take as long
+UNSURE = ("other light, with albedo that differs by up to {:.0f} %, fits the pictures as well, and "
+          "its tint is a guess: the greyest light that does")
+TURNS = 0.1  # a light that stays gives 0.04 at most, where things shine; a lamp that turns 0.4
+TURNING = ("points are brighter on one side of the pictures, so the light turns with the camera, "
+           "as before a turntable; the search takes it for fixed: expect wrong albedo, and take "
+           "pictures with a camera that goes around instead, or in even light")
 
 
 class Wishes(NamedTuple):
@@ -28,7 +34,8 @@ class Wishes(NamedTuple):
 class Found(NamedTuple):
     """What a search and its last steps have: the Kept, the Surface with its vertices moved and its
     albedo told apart from the light, the Appearance that says so, the colours (V, 6) that eq. (10)
-    and the Appearance give the vertices, and how many pixels tell of each (V,).
+    and the Appearance give the vertices, how many pixels tell of each (V,), how much other
+    albedo that fits as well differs, and sentences on the light.
     """
 
     kept: checkpoints.Kept
@@ -36,6 +43,8 @@ class Found(NamedTuple):
     look: object
     colours: np.ndarray
     count: np.ndarray
+    doubt: float
+    remarks: list
 
 
 def run(labs, folder: str, wishes: Wishes) -> int:
@@ -50,6 +59,7 @@ def run(labs, folder: str, wishes: Wishes) -> int:
         kept = search(labs, photos, path, stages, wishes.resume, bar)
         judged = finish(labs, photos, path, stages, kept, bar)
     path.with_name("checkpoint.npz").unlink(missing_ok=True)
+    print("\n".join(judged.found.remarks))
     print(f"{fit_report.summary(judged)}\n{places.shown_path(path)}, .obj, and report.html")
     return 0
 
@@ -67,6 +77,7 @@ def finish(labs, photos, path, stages, kept, bar):
     bar.update(0, advance=CHARTS, summary="writing the report")
     judged = fit_report.judged(labs, found, photos, [stage.steps for stage in stages],
                                kept_out(photos))
+    photos = photos._replace(assumed=[*photos.assumed, *found.remarks])
     fit_report.write(labs, judged, photos, path, began)
     return judged
 
@@ -156,5 +167,8 @@ def told_apart(labs, kept, surface, capture):
     targets = labs.multi_view_fit.targets_of(capture, 1, 1)
     look = lab.decompose(surface, targets)
     colours, count = lab.seen_colours(surface, targets)
+    doubt = labs.ambiguity.doubt(surface, targets, look)
+    turns = labs.ambiguity.turning(surface, targets) > TURNS
+    remarks = [UNSURE.format(100 * doubt), *([TURNING] if turns else [])]
     return Found(kept, surface._replace(albedo=look.albedo), look,
-                 np.hstack([colours, lab.shaded_colours(surface, look)]), count)
+                 np.hstack([colours, lab.shaded_colours(surface, look)]), count, doubt, remarks)

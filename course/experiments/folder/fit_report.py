@@ -228,6 +228,7 @@ def numbers(judged, began):
     search, whole = ("{} min {} s".format(*divmod(round(each), 60)) for each in seconds)
     return {"IoU of the silhouettes, mean of all": f"{mean:.4f}",
             "Area that no picture of the search shows": f"{100 * unseen(judged.found):.1f} %",
+            "Albedo of other light that fits as well": f"± {100 * judged.found.doubt:.0f} %",
             "Faces": f"{judged.faces:,}", "Pieces": str(judged.pieces),
             "Genus": str(judged.genus), "Steps": str(len(kept.losses)),
             "Processor time to the end of the search": search, "Processor time of all": whole}
