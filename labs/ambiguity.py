@@ -1,6 +1,6 @@
 """Ambiguity: how sure an albedo is, and whether the light could be what the fit takes it for.
 
-Pictures give the product of albedo and light alone. Other lamps, with other paint, fit them as
+Pictures give the product of albedo and light alone. Other light, with other paint, fits them as
 well, and how far that paint differs says how sure the albedo is. A light that turns with the
 camera, as before a turntable, fits no fixed one: points are brighter on one side of all pictures.
 """
@@ -23,16 +23,16 @@ from .intrinsic_decomposition import (
     shade_with_sun,
 )
 
-FACTORS = 1 / 2, 2 / 3, 3 / 2, 2  # of the lamp's strength: more paint in its light, or less
+FACTORS = 1 / 2, 2 / 3, 3 / 2, 2  # of all light that is not from all sides alike
 AS_WELL = 1.06  # times the least loss
 REPAINT = 60     # steps in which the paint of each explanation is found
 LEAST_LIGHT = 0.02  # the least light by which colours are divided
 
-# --- other lamps that fit as well ---------------------------------------------------------------
+# --- other light that fits as well ---------------------------------------------------------------
 
 
 def doubt(surface, targets, look):
-    """The greatest change of albedo over lamps so much stronger or weaker that fit as well: the
+    """The greatest change of albedo over light that is more even, or less, and fits as well: the
     root of the mean square, as a share of the albedo's own, after one factor for all.
 
     The tint of the light is not among them: pictures say nothing of it.
@@ -49,8 +49,11 @@ def doubt(surface, targets, look):
 
 
 def explained(x, observed, factor):
-    """The albedo that explains the colours in a lamp factor times as strong, and its loss."""
-    other = x._replace(sun=np.stack([x.sun[0], factor * x.sun[1]]))
+    """The albedo that explains the colours in light whose lamp and l_1 to l_8 are multiplied by a
+    factor, and its loss.
+    """
+    other = x._replace(light=np.vstack([x.light[:1], factor * x.light[1:]]),
+                       sun=np.stack([x.sun[0], factor * x.sun[1]]))
     before, after = (np.maximum(shade_with_sun(
         each._replace(albedo=np.ones(x.albedo.shape)), observed.received), LEAST_LIGHT)
         for each in (x, other))
