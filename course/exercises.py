@@ -28,7 +28,7 @@ from typing import NamedTuple
 
 from .given import places
 
-LABS = (  # the topics of each lab, one module each: its lecture's own first, then deeper ones
+LABS = (  # the topics of each lab, one module each: its lecture's own first, each after its imports
     ("transforms", "arrays"),
     ("rasterization", "scanline"),
     ("sampling",),
@@ -44,8 +44,8 @@ LABS = (  # the topics of each lab, one module each: its lecture's own first, th
     ("regularization", "remeshing"),
     ("shadow_mapping", "lights", "soft_shadows", "variance_shadows"),
     ("implicit_surfaces", "marching_tetrahedra", "shape_rendering"),
-    ("reconstruction", "multi_view_fit", "vertex_fit", "intrinsic_decomposition",
-     "received_light", "ambiguity"),
+    ("reconstruction", "multi_view_fit", "received_light", "intrinsic_decomposition",
+     "vertex_fit", "ambiguity"),
     ("kernels", "face_kernels", "pixel_kernels", "pair_kernels", "pyramid_kernels",
      "texel_kernels", "footprint_kernels", "compiled_pipeline"),
 )
