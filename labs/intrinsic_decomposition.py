@@ -59,7 +59,7 @@ class Observed(NamedTuple):
 
     colours: np.ndarray
     share: np.ndarray
-    received: object
+    received: Received
     edges: np.ndarray
     length: float
     weight: np.ndarray

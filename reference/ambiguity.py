@@ -19,14 +19,13 @@ from .intrinsic_decomposition import (
     observe,
     pixel_weights,
     search,
-    seen_colours,
     shade_with_sun,
 )
 
 FACTORS = 1 / 2, 2 / 3, 3 / 2, 2  # of all light that is not from all sides alike
-AS_WELL = 1.06  # times the least loss
-REPAINT = 60     # steps in which the paint of each explanation is found
-LEAST_LIGHT = 0.02  # the least light by which colours are divided
+AS_WELL = 1.06      # times the least loss; chosen on captures whose albedo is known
+REPAINT = 60        # steps in which the paint of each explanation is found
+LEAST_LIGHT = 0.02  # by which colours are divided
 
 # --- other light that fits as well ---------------------------------------------------------------
 
@@ -73,13 +72,12 @@ def change(albedo, best, share):
 # --- a light that turns -------------------------------------------------------------------------
 
 
-def turning(surface, targets):
+def turning(surface, targets, colours):
     """How much brighter than in other Targets points are where they face one side of the picture.
 
-    Colours are those of eq. (10) times 1 + b . n, in the least squares, where n are normals in the
-    camera's axes. -> the length of b.
+    colours (V, 3) are those of eq. (10). A picture has these times 1 + b . n, in the least squares,
+    where n are normals in the camera's axes. -> the length of b.
     """
-    colours, _ = seen_colours(surface, targets)
     square, product = np.zeros((3, 3)), np.zeros(3)
     for target in targets:
         weights, seen = pixel_weights(surface, target)

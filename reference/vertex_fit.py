@@ -14,7 +14,7 @@ Sources: Munkberg et al. 2022 (their second pass), Nicolet et al. 2021.
 from typing import NamedTuple
 
 import numpy as np
-import scipy.sparse
+import scipy.sparse.linalg
 
 from course.given import mesh
 
@@ -33,6 +33,7 @@ class Skin(NamedTuple):
 BUMPS = 0.02                              # weight beside the loss, lengths in those of an edge
 RATES = Skin(vertices=1.0, colours=0.05)  # the first in lengths of an edge
 LEFT = 0.1                                # of the rates, at the end
+PER_STEP = 4                              # views
 
 
 def loss_and_gradients(x, faces, views, bumps):
@@ -67,19 +68,20 @@ def large_steps(edges, vertex_count):
     return update
 
 
-def fit_vertices(surface, capture, steps=100, samples=4, seed=0, per_step=4):
+def fit_vertices(surface, capture, steps=100, samples=4):
     """Yields a Surface, its albedo the colours seen, after each step, and the loss before it.
 
-    surface is that of multi_view_fit.py, capture its Capture. samples^2 a pixel.
+    surface is that of multi_view_fit.py, capture its Capture. Each step looks at PER_STEP views,
+    with samples^2 a pixel.
     """
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     targets = targets_of(capture, 1, samples)
     edges = reconstruction.closed_mesh_edges(surface.faces)
     a, b = surface.vertices[edges.T]
     length = np.linalg.norm(a - b, axis=1).mean()
 
     def gradient(x):
-        drawn = [targets[k] for k in rng.permutation(len(targets))[:per_step]]
+        drawn = [targets[k] for k in rng.permutation(len(targets))[:PER_STEP]]
         return loss_and_gradients(x, surface.faces, drawn, BUMPS / length**2)
 
     schedule = [Skin(length * rate * RATES.vertices, rate * RATES.colours)

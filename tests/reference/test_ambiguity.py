@@ -39,7 +39,9 @@ def test_a_light_that_turns_with_the_camera_is_told_from_one_that_stays(stripes)
     """A turntable is taken for a light that stays; or stripes are taken for a light that turns."""
     surface = ball(stripes)
     for turns in (False, True):
-        found = ambiguity.turning(surface, targets_of(surface, turns))
+        targets = targets_of(surface, turns)
+        colours, _ = intrinsic_decomposition.seen_colours(surface, targets)
+        found = ambiguity.turning(surface, targets, colours)
         assert (found > command.TURNS) == turns
 
 

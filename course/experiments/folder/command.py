@@ -168,7 +168,7 @@ def told_apart(labs, kept, surface, capture):
     look = lab.decompose(surface, targets)
     colours, count = lab.seen_colours(surface, targets)
     doubt = labs.ambiguity.doubt(surface, targets, look)
-    turns = labs.ambiguity.turning(surface, targets) > TURNS
+    turns = labs.ambiguity.turning(surface, targets, colours) > TURNS
     remarks = [UNSURE.format(100 * doubt), *([TURNING] if turns else [])]
     return Found(kept, surface._replace(albedo=look.albedo), look,
                  np.hstack([colours, lab.shaded_colours(surface, look)]), count, doubt, remarks)
