@@ -29,8 +29,9 @@ def samples(size, width):
 
 
 def bar(name, steps):
-    """A progress bar on stderr, for `with`: a rich Progress with one task, number 0."""
-    progress = Progress(*COLUMNS, console=Console(stderr=True), transient=True)
+    """A progress bar for `with`, seen in a terminal: a rich Progress with one task, number 0."""
+    console = Console(stderr=True)
+    progress = Progress(*COLUMNS, console=console, transient=True, disable=not console.is_terminal)
     progress.add_task(name, total=steps, summary="")
     return progress
 
