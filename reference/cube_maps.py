@@ -20,20 +20,19 @@ import numpy as np
 
 from .arrays import masked_scatter
 from .mipmapping import (
-    Footprint,
-    Sampler,
     footprint_level,
     footprint_level_backward,
     mixture,
     pack,
     pyramid,
     pyramid_backward,
-    require_texture,
     taps_backward,
     unpack,
 )
 from .texturing import (
     LARGEST,
+    Footprint,
+    Sampler,
     each_pair,
     in_parts,
     linear_texels,
@@ -42,6 +41,7 @@ from .texturing import (
     nearest_texel,
     require,
     require_gradient,
+    require_texture,
 )
 
 FRAMES = np.array([  # right, down, out
@@ -163,16 +163,26 @@ def face_footprint_backward(grad_footprint, directions, jacobian):
 
 # --- look-ups ------------------------------------------------------------------------------------
 
-def cube_mipmap(image, filter, max_level):
-    """The pyramid of six faces, which stand one above the other in image (6 n, n, C) -> Mipmap.
+def cube_pyramid(image, filter, max_level):
+    """The levels of six faces, which stand one above the other in image (6 n, n, C).
 
-    No mean is over two faces, as it ends where n is odd. Width and height are those of a face.
+    No mean is over two faces, as it ends where n is odd.
     """
     size = image.shape[1]
     halvings = (size & -size).bit_length() - 1  # how often size can be divided by 2
     top = halvings if max_level is None else min(halvings, max_level)
-    mipmap = pack(pyramid(image, top if "mipmap" in filter else 0))
+    return pyramid(image, top if "mipmap" in filter else 0)
+
+
+def pack_cube(levels):
+    """The levels of `cube_pyramid` -> Mipmap, whose width and height are those of a face."""
+    mipmap = pack(levels)
     return mipmap._replace(height=mipmap.width)
+
+
+def is_direction(directions):
+    """Does (..., 3) point anywhere? False where no face is seen -> bool (...)."""
+    return (np.abs(directions) > SHORTEST).any(-1)
 
 
 def cube_texels(face, uv, size, filter):
@@ -237,8 +247,26 @@ def cube_texture(faces, directions, jacobian=None, bias=0.0, filter="linear", ma
     All arrays are read as float64. ValueError for what does not fit.
     """
     image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter, max_level)
-    mipmap = cube_mipmap(image, filter, max_level)
-    seen = (np.abs(look.uv) > SHORTEST).any(-1)
+    return cube_filtered(cube_pyramid(image, filter, max_level), look, filter)
+
+
+def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.0, filter="linear",
+                          max_level=None):
+    """Backward of `cube_texture`: grad_colour (..., C) -> grad_faces, grad_directions,
+    grad_jacobian, grad_bias, each of its argument's shape (None for a jacobian that is None).
+    """
+    image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter, max_level)
+    grad_colour = require_gradient(grad_colour, image, look)
+    levels = cube_pyramid(image, filter, max_level)
+    grad_levels, *grads = cube_filtered_backward(grad_colour, levels, look, filter)
+    return pyramid_backward(grad_levels).reshape(np.shape(faces)), *grads
+
+
+def cube_filtered(levels, look, filter):
+    """The colours (..., C) that a Footprint of directions sees of these levels, whoever made them.
+    """
+    mipmap = pack_cube(levels)
+    seen = is_direction(look.uv)
     face, footprint = on_faces(look, seen)
 
     def colours(face, uv, level):
@@ -250,27 +278,24 @@ def cube_texture(faces, directions, jacobian=None, bias=0.0, filter="linear", ma
     return masked_scatter(colour, seen)
 
 
-def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.0, filter="linear",
-                          max_level=None):
-    """Backward of `cube_texture`: grad_colour (..., C) -> grad_faces, grad_directions,
-    grad_jacobian, grad_bias, each of its argument's shape (None for a jacobian that is None).
+def cube_filtered_backward(grad_colour, levels, look, filter):
+    """Backward of `cube_filtered`: grad_colour (N, C) -> a gradient for each level, grad_directions,
+    grad_jacobian, grad_bias.
     """
-    image, look = require_cube(faces, Footprint(directions, jacobian, bias), filter, max_level)
-    seen = (np.abs(look.uv) > SHORTEST).any(-1)
-    grad_colour = require_gradient(grad_colour, image, look)[seen.ravel()]
-    mipmap = cube_mipmap(image, filter, max_level)
+    mipmap = pack_cube(levels)
+    seen = is_direction(look.uv)
     face, footprint = on_faces(look, seen)
     level = footprint_level(footprint, mipmap, filter)
-    # `cube_texture` read upwards: the look-up, its taps, the level, the pyramid, the direction.
+    # `cube_filtered` read upwards: the look-up, its taps, the level, the direction.
     index, weight, missing = in_parts(lambda *at: cube_map_taps(*at, mipmap, filter),
                                       face, footprint.uv, level)
-    grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
+    grad_texels, grad_weight = look_up_backward(grad_colour[seen.ravel()], mipmap.texels, index,
+                                                weight)
     grad_uv, grad_level = in_parts(lambda *at: cube_map_taps_backward(*at, mipmap, filter),
                                    grad_weight, missing, footprint.uv, level)
     grad_footprint, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
-    stacked = mipmap._replace(height=6 * mipmap.height)
-    grad_faces = pyramid_backward(unpack(grad_texels, stacked)).reshape(np.shape(faces))
-    return grad_faces, *on_faces_backward(Footprint(grad_uv, grad_footprint, grad_bias), look, seen)
+    grads = on_faces_backward(Footprint(grad_uv, grad_footprint, grad_bias), look, seen)
+    return unpack(grad_texels, pack(levels)), *grads
 
 
 def on_faces(look, seen):

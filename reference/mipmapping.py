@@ -21,8 +21,8 @@ import numpy as np
 from course.given.compiled import has_kernels
 
 from .texturing import (
-    BOUNDARIES,
     Footprint,
+    Sampler,
     bilinear_backward,
     each_pair,
     in_parts,
@@ -30,21 +30,10 @@ from .texturing import (
     look_up,
     look_up_backward,
     near_texture,
-    require,
-    require_footprint,
     require_gradient,
+    require_texture,
     texels_at,
 )
-
-FILTERS = "nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"
-
-
-class Sampler(NamedTuple):
-    """How a texture is read."""
-
-    filter: str
-    boundary: str
-    max_level: int | None
 
 
 class Mipmap(NamedTuple):
@@ -299,15 +288,7 @@ def texture(image, uv, jacobian=None, bias=0.0, filter="linear", boundary="wrap"
     """
     sampler = Sampler(filter, boundary, max_level)
     image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
-    mipmap = pack(pyramid(image, max_level if "mipmap" in filter else 0))
-
-    def colours(uv, level):
-        index, weight, _ = taps(uv, level, mipmap, sampler)
-        return look_up(mipmap.texels, index, weight),
-
-    level = footprint_level(footprint, mipmap, filter)
-    colour, = in_parts(colours, near_texture(footprint.uv, boundary).reshape(-1, 2), level)
-    return colour.reshape(*footprint.uv.shape[:-1], image.shape[2])
+    return filtered(pyramid(image, max_level if "mipmap" in filter else 0), footprint, sampler)
 
 
 @has_kernels("texel_kernels")
@@ -321,27 +302,36 @@ def texture_backward(grad_colour, image, uv, jacobian=None, bias=0.0, filter="li
     sampler = Sampler(filter, boundary, max_level)
     image, footprint = require_texture(image, Footprint(uv, jacobian, bias), sampler)
     grad_colour = require_gradient(grad_colour, image, footprint)
-    mipmap = pack(pyramid(image, max_level if "mipmap" in filter else 0))
-    points = (near_texture(footprint.uv, boundary).reshape(-1, 2),
-              footprint_level(footprint, mipmap, filter))
-    # `texture` read upwards: the look-up, its taps, the level, the pyramid.
+    levels = pyramid(image, max_level if "mipmap" in filter else 0)
+    grad_levels, *grads = filtered_backward(grad_colour, levels, footprint, sampler)
+    return pyramid_backward(grad_levels), *grads
+
+
+def filtered(levels, footprint, sampler):
+    """The colours (..., C) that a Footprint sees of these levels, whoever made them."""
+    mipmap = pack(levels)
+
+    def colours(uv, level):
+        index, weight, _ = taps(uv, level, mipmap, sampler)
+        return look_up(mipmap.texels, index, weight),
+
+    at = near_texture(footprint.uv, sampler.boundary).reshape(-1, 2)
+    colour, = in_parts(colours, at, footprint_level(footprint, mipmap, sampler.filter))
+    return colour.reshape(*footprint.uv.shape[:-1], levels[0].shape[-1])
+
+
+def filtered_backward(grad_colour, levels, footprint, sampler):
+    """Backward of `filtered`: grad_colour (N, C) -> a gradient for each level, grad_uv,
+    grad_jacobian, grad_bias.
+    """
+    mipmap = pack(levels)
+    points = (near_texture(footprint.uv, sampler.boundary).reshape(-1, 2),
+              footprint_level(footprint, mipmap, sampler.filter))
+    # `filtered` read upwards: the look-up, its taps, the level.
     index, weight, inside = in_parts(lambda *point: taps(*point, mipmap, sampler), *points)
     grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
     grad_uv, grad_level = in_parts(lambda *point: taps_backward(*point, mipmap, sampler),
                                    grad_weight, inside, *points)
     grad_jacobian, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
-    grad_image = pyramid_backward(unpack(grad_texels, mipmap))
-    return grad_image, grad_uv.reshape(footprint.uv.shape), grad_jacobian, grad_bias
-
-
-def require_texture(image, footprint, sampler, axes=2):
-    """The arguments of `texture` -> image, footprint as float64. ValueError if they do not fit."""
-    filter, boundary, max_level = sampler
-    require(filter in FILTERS, f"a filter out of {', '.join(FILTERS)}", repr(filter))
-    require(boundary in BOUNDARIES, f"a boundary out of {', '.join(BOUNDARIES)}", repr(boundary))
-    require(max_level is None or max_level >= 0, "a max_level of 0 or more, or None for all levels",
-            max_level)
-    image = np.asarray(image, float)
-    require(image.ndim == 3 and image.size, "an image (h, w, C) with at least one texel; "
-            "give a grey one as image[..., None]", image.shape)
-    return image, require_footprint(footprint, axes)
+    return (unpack(grad_texels, mipmap), grad_uv.reshape(footprint.uv.shape), grad_jacobian,
+            grad_bias)

@@ -15,8 +15,8 @@ import numpy as np
 from course.given.compiled import each_band, kernel
 
 from . import pyramid_kernels
-from .mipmapping import Sampler, blend_levels_backward, require_texture
-from .texturing import BOUNDARIES, Footprint, require_gradient
+from .mipmapping import blend_levels_backward
+from .texturing import BOUNDARIES, Footprint, Sampler, require_gradient, require_texture
 
 RUN = 1 << 8
 WRAP, CLAMP = BOUNDARIES.index("wrap"), BOUNDARIES.index("clamp")

@@ -25,6 +25,7 @@ from scipy.sparse import csr_array
 
 from .arrays import in_chunks
 
+FILTERS = "nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"
 BOUNDARIES = "wrap", "clamp", "zero"
 LARGEST = 1e60  # of a jacobian: its fourth power, in texels, is still a number
 
@@ -35,6 +36,14 @@ class Footprint(NamedTuple):
     uv: np.ndarray               # (..., 2)
     jacobian: np.ndarray | None  # (..., 2, 2)
     bias: np.ndarray             # (...) or ()
+
+
+class Sampler(NamedTuple):
+    """How a texture is read."""
+
+    filter: str
+    boundary: str
+    max_level: int | None
 
 
 def nearest_texel(x, size):
@@ -285,3 +294,16 @@ def require_gradient(grad_colour, image, footprint):
     require(grad_colour.shape == shape, f"a grad_colour with the colours' shape {shape}",
             grad_colour.shape)
     return grad_colour.reshape(-1, image.shape[2])
+
+
+def require_texture(image, footprint, sampler, axes=2):
+    """The arguments of `texture` -> image, footprint as float64. ValueError if they do not fit."""
+    filter, boundary, max_level = sampler
+    require(filter in FILTERS, f"a filter out of {', '.join(FILTERS)}", repr(filter))
+    require(boundary in BOUNDARIES, f"a boundary out of {', '.join(BOUNDARIES)}", repr(boundary))
+    require(max_level is None or max_level >= 0, "a max_level of 0 or more, or None for all levels",
+            max_level)
+    image = np.asarray(image, float)
+    require(image.ndim == 3 and image.size, "an image (h, w, C) with at least one texel; "
+            "give a grey one as image[..., None]", image.shape)
+    return image, require_footprint(footprint, axes)

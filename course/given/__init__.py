@@ -3,6 +3,7 @@
     places             where things lie, and files read and written whole
     inputs             what functions expect: one sentence for what does not fit
     contract           what goes into an exercise, and what may come out
+    whose              the reference does the work, or a student's labs
     compiled           loops that numba compiles where it is installed, and all cores
     memory             freed arrays stay with the process
     image              pictures as arrays, and as files

@@ -6,7 +6,7 @@ import pytest
 from look_up_goldens import configs, require_chunks_change_nothing, require_look_ups
 
 from course.given.gradcheck import gradcheck
-from reference import cube_maps, mipmapping
+from reference import cube_maps, mipmapping, texturing
 
 GOLDEN = np.load("tests/golden/cube_maps.npz")
 CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
@@ -29,7 +29,7 @@ def test_each_texel_is_seen_in_its_own_direction():
     """(u, v) and the direction to it do not fit together."""
     for size in 1, 3, 8:
         directions = cube_maps.texel_directions(size)
-        for filter in mipmapping.FILTERS:
+        for filter in texturing.FILTERS:
             got = cube_maps.cube_texture(numbered(size), directions, filter=filter)
             np.testing.assert_allclose(got, numbered(size), atol=1e-9)
 
@@ -89,7 +89,7 @@ def scene(rng, pixels=(5, 6), size=8):
 
 
 @pytest.mark.parametrize("size", [1, 8])
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_every_gradient_is_a_central_difference(filter, size):
     """A gradient of another look-up than this one, also at edges and corners, in any filter."""
     rng = np.random.default_rng(5)
@@ -130,7 +130,7 @@ def test_the_length_of_a_direction_does_not_matter():
     np.testing.assert_allclose((along * directions).sum(-1), 0, atol=1e-12)
 
 
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_a_cube_of_one_colour_stays_so(filter):
     """Weights that do not add up to 1 at an edge, at a corner or between two levels."""
     _, directions, jacobian, bias = scene(np.random.default_rng(8))
@@ -140,7 +140,7 @@ def test_a_cube_of_one_colour_stays_so(filter):
     np.testing.assert_allclose(got, 0.7, rtol=1e-12)
 
 
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_a_direction_of_zero_sees_nothing(filter):
     """Pixels without a face are NaN, or pull at a texel."""
     faces, directions, jacobian, bias = scene(np.random.default_rng(9))
@@ -161,13 +161,14 @@ def test_the_pyramid_is_that_of_each_face():
     """A mean over two faces, or a face of one texel that is averaged with the next face."""
     for size, sides in (8, [8, 4, 2, 1]), (6, [6, 3]), (1, [1]):
         faces = np.random.default_rng(10).random((6, size, size, 1))
-        mipmap = cube_maps.cube_mipmap(faces.reshape(-1, size, 1), "linear-mipmap-linear", None)
+        levels = cube_maps.cube_pyramid(faces.reshape(-1, size, 1), "linear-mipmap-linear", None)
+        mipmap = cube_maps.pack_cube(levels)
         assert mipmap.width.tolist() == mipmap.height.tolist() == sides
         last = mipmap.texels[mipmap.start[-1]:].reshape(6, -1).mean(1)
         np.testing.assert_allclose(last, faces.mean((1, 2, 3)))
 
 
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
     """A pixel is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     faces, directions, jacobian, bias = scene(np.random.default_rng(11))
@@ -178,7 +179,7 @@ def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
                                   (faces, directions, jacobian, bias, filter), line, monkeypatch)
 
 
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_no_pixels_are_no_error(filter):
     """A mesh that is not in the picture ends in an error."""
     empty = np.zeros((0, 3)), np.zeros((0, 3, 2)), np.zeros(0), filter
@@ -191,7 +192,7 @@ def test_no_pixels_are_no_error(filter):
 def test_gradients_have_the_shapes_of_their_arguments():
     """No jacobian has a gradient, or that of a number is an array."""
     faces, directions, jacobian, bias = scene(np.random.default_rng(13))
-    for filter in mipmapping.FILTERS:
+    for filter in texturing.FILTERS:
         for change, number in (None, 0.5), (jacobian, 0.5), (None, bias), (jacobian, bias):
             got = cube_maps.cube_texture_backward(np.ones((5, 6, 3)), faces, directions, change,
                                                   number, filter)

@@ -28,7 +28,7 @@ def scene(rng, filter, pixels=(4, 5)):
 
 
 @pytest.mark.parametrize("boundary", texturing.BOUNDARIES)
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_every_gradient_is_a_central_difference(filter, boundary):
     """A gradient of another look-up than this one, in any filter and at any boundary."""
     rng = np.random.default_rng(5)
@@ -51,7 +51,7 @@ def test_every_gradient_is_a_central_difference(filter, boundary):
               name=f"texture_{filter}_{boundary}")
 
 
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_gradients_that_do_not_matter_are_zero(filter):
     """None or another shape, where the argument has no say. Or a number's gradient is an array."""
     image, uv, jacobian, bias = scene(np.random.default_rng(6), filter)
@@ -77,7 +77,7 @@ def test_a_scalar_bias_collects_all_pixels():
     np.testing.assert_allclose(one, many.sum(), rtol=1e-12)
 
 
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
     """A point is lost where one chunk ends, or (H, W) pixels differ from a list of H W."""
     image, uv, jacobian, bias = scene(np.random.default_rng(9), filter)
@@ -87,7 +87,7 @@ def test_chunks_and_leading_shapes_change_nothing(filter, monkeypatch):
                                   monkeypatch)
 
 
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_no_pixels_are_no_error(filter):
     """A mesh that is not in the picture ends in an error."""
     empty = np.zeros((0, 2)), np.zeros((0, 2, 2)), np.zeros(0), filter
@@ -98,7 +98,7 @@ def test_no_pixels_are_no_error(filter):
 
 
 @pytest.mark.parametrize("boundary", ["wrap", "clamp"])
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_a_texture_of_one_colour_stays_so(filter, boundary):
     """Weights that do not add up to 1 at a border, between two levels or at the last one."""
     _, uv, jacobian, bias = scene(np.random.default_rng(10), filter)
@@ -127,13 +127,13 @@ def test_trilinear_is_nearer_to_the_truth_than_one_texel():
     jacobian = np.broadcast_to(np.eye(2) * 4 / 64, (200, 2, 2))
     truth = texturing.footprint_mean(image, uv, jacobian, 16)
     error = {filter: np.abs(mipmapping.texture(image, uv, jacobian, 0.0, filter) - truth).mean()
-             for filter in mipmapping.FILTERS}
+             for filter in texturing.FILTERS}
     assert error["linear-mipmap-linear"] < 0.3 * error["linear"] < 0.3 * error["nearest"]
 
 
 @pytest.mark.parametrize(("kind", "largest"), [("uint8", 255), ("int16", 32767),
                                                ("float16", 60000), ("float32", 1)])
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_numbers_of_any_kind_are_read_as_float64(filter, kind, largest):
     """A pyramid of bytes overflows, one of short floats is rounded."""
     rng = np.random.default_rng(13)
@@ -157,7 +157,7 @@ def test_the_mean_of_bytes_is_not_a_byte():
 
 
 @pytest.mark.parametrize("far", [9e14, 1e16, 4e18, 1e300])
-@pytest.mark.parametrize("filter", mipmapping.FILTERS)
+@pytest.mark.parametrize("filter", texturing.FILTERS)
 def test_far_outside_is_as_near_outside(filter, far):
     """Numbers of texels that do not fit into integers come out as any texel."""
     image, side = np.random.default_rng(14).random((16, 16384, 1)), np.array([[1.0], [-1.0]])

@@ -18,7 +18,7 @@ from reference import (
 )
 
 SHAPES = (8, 16, 3), (1, 1, 3), (12, 4, 3), (1, 8, 3), (5, 8, 5)
-whole = pytest.mark.parametrize("filter", mipmapping.FILTERS)
+whole = pytest.mark.parametrize("filter", texturing.FILTERS)
 anywhere = pytest.mark.parametrize("boundary", texturing.BOUNDARIES)
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from IPython import get_ipython
 
 from ...given import pale, places
-from ...given.contract import UNFINISHED
+from ...given.whose import Labs, Lacking, exercises_named
 from ..folder import command
 from . import own
 
@@ -31,55 +31,6 @@ TAKES = {"bunny": functools.partial(own.shape, most=200_000), "aliasing": own.ph
          "rounded": functools.partial(own.surface, most=10_000),
          "simplified": functools.partial(own.shape, most=50_000),
          "relaxation": functools.partial(own.shape, most=50_000)}  # what reads one's own FILE
-
-
-class Lacking(ValueError):
-    """A module of the labs is not there, or an exercise is not written: which, in one sentence."""
-
-
-class Labs:
-    """The labs' modules of one package, loaded when first used. Lacking: one is not there.
-
-    package: labs or reference; without, reference if it has all that labs/ has.
-    """
-
-    def __init__(self, package=None):
-        self.package = package or preferred()
-
-    def __getattr__(self, topic):
-        if topic.startswith("_"):
-            raise AttributeError(topic)
-        try:
-            module = vars(self)[topic] = importlib.import_module(f"{self.package}.{topic}")
-            return module
-        except SyntaxError as error:
-            raise Lacking(f"{self.package}/{topic}.py, line {error.lineno}: this is not Python "
-                          f"({error.msg}); mend it first") from None
-        except ModuleNotFoundError as error:
-            package, _, module = error.name.partition(".")
-            if package != self.package:
-                raise
-        raise Lacking(f"{package}/{module or topic}.py is not in this copy of the course")
-
-
-def preferred():
-    """reference, if it has all that labs/ has; else labs."""
-    labs, reference = ({path.name for path in places.ROOT.glob(f"{package}/*.py")}
-                       for package in ("labs", "reference"))
-    return "reference" if reference and labs <= reference else "labs"
-
-
-@contextlib.contextmanager
-def exercises_named():
-    """What an exercise that is not written raises becomes Lacking."""
-    try:
-        yield
-    except NotImplementedError as error:
-        match = UNFINISHED.fullmatch(str(error))
-        if not match:
-            raise
-        raise Lacking(f"exercise {match[1]}, {match[2]}, is not written yet; "
-                      f"python3 -m course check {match[1]} shows where its question is") from None
 
 
 @contextlib.contextmanager

@@ -1,0 +1,55 @@
+"""Whose code does the work: the reference's, or a student's own in labs/."""
+import contextlib
+import importlib
+
+from . import places
+from .contract import UNFINISHED
+
+
+class Lacking(ValueError):
+    """A module of the labs is not there, or an exercise is not written: which, in one sentence."""
+
+
+class Labs:
+    """The labs' modules of one package, loaded when first used. Lacking: one is not there.
+
+    package: labs or reference; without, reference if it has all that labs/ has.
+    """
+
+    def __init__(self, package=None):
+        self.package = package or preferred()
+
+    def __getattr__(self, topic):
+        if topic.startswith("_"):
+            raise AttributeError(topic)
+        try:
+            module = vars(self)[topic] = importlib.import_module(f"{self.package}.{topic}")
+            return module
+        except SyntaxError as error:
+            raise Lacking(f"{self.package}/{topic}.py, line {error.lineno}: this is not Python "
+                          f"({error.msg}); mend it first") from None
+        except ModuleNotFoundError as error:
+            package, _, module = error.name.partition(".")
+            if package != self.package:
+                raise
+        raise Lacking(f"{package}/{module or topic}.py is not in this copy of the course")
+
+
+def preferred():
+    """reference, if it has all that labs/ has; else labs."""
+    labs, reference = ({path.name for path in places.ROOT.glob(f"{package}/*.py")}
+                       for package in ("labs", "reference"))
+    return "reference" if reference and labs <= reference else "labs"
+
+
+@contextlib.contextmanager
+def exercises_named():
+    """What an exercise that is not written raises becomes Lacking."""
+    try:
+        yield
+    except NotImplementedError as error:
+        match = UNFINISHED.fullmatch(str(error))
+        if not match:
+            raise
+        raise Lacking(f"exercise {match[1]}, {match[2]}, is not written yet; "
+                      f"python3 -m course check {match[1]} shows where its question is") from None
