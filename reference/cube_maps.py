@@ -279,8 +279,8 @@ def cube_filtered(levels, look, filter):
 
 
 def cube_filtered_backward(grad_colour, levels, look, filter):
-    """Backward of `cube_filtered`: grad_colour (N, C) -> a gradient for each level, grad_directions,
-    grad_jacobian, grad_bias.
+    """Backward of `cube_filtered`: grad_colour (N, C) -> a gradient for each level,
+    grad_directions, grad_jacobian, grad_bias.
     """
     mipmap = pack_cube(levels)
     seen = is_direction(look.uv)
