@@ -1,7 +1,7 @@
 """Somebody's program, run as it is: python3 -m course run SCRIPT.py ARGS.
 
 In this process `import nvdiffrast.torch` and `import neural_renderer` find the interfaces of this
-room, and "cuda" means the processor: PyTorch hands each call that names a device to `OnProcessor`.
+room, and "cuda" means the processor.
 """
 import contextlib
 import functools
@@ -14,12 +14,16 @@ import time
 from pathlib import Path
 
 import torch
-from torch.overrides import TorchFunctionMode
 
 from ..given import whose
 from . import tensors
 
 ANSWERED = "nvdiffrast", "nvdiffrast.torch"
+TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
+ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
+           "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
+           "get_device_name": platform.machine(), "device": contextlib.nullcontext(),
+           "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None}
 WANTS_MORE = re.compile("CUDA|NVIDIA|nvcc")
 
 
@@ -40,7 +44,7 @@ def run(script, arguments, implementation=None):
     pretend()
     sys.argv[:] = str(script), *arguments
     sys.path[:] = str(path.parent), *sys.path[1:], sys.path[0]  # the course itself comes last
-    with OnProcessor(), whose.exercises_named(), needs_named(script):
+    with whose.exercises_named(), needs_named(script):
         runpy.run_path(str(path), run_name="__main__")
     return 0
 
@@ -58,39 +62,6 @@ def needs_named(script):
             raise
         raise ValueError(f"{script} wants more of CUDA than that it means the processor: "
                          f"{str(error).splitlines()[0]}") from error
-
-
-class OnProcessor(TorchFunctionMode):
-    """Each call of PyTorch with "cuda" for a device is made for the processor."""
-
-    def __torch_function__(self, func, types, args=(), kwargs=None):
-        kwargs = kwargs or {}
-        if func in (torch.Tensor.cuda, torch.Tensor.cpu):
-            return moved(args[0], args[0], to_cuda=func is torch.Tensor.cuda)
-        if func is torch.Tensor.pin_memory:
-            return args[0]
-        if func is torch.Tensor.is_cuda.__get__:
-            return True
-        to = func is torch.Tensor.to
-        device = kwargs.get("device", args[1] if to and len(args) > 1 else None)
-        if is_cuda(device):
-            args = (args[0], "cpu", *args[2:]) if to and "device" not in kwargs else args
-            kwargs = {**kwargs, "device": "cpu"} if "device" in kwargs else kwargs
-        made = func(*args, **kwargs)
-        return moved(args[0], made, is_cuda(device)) if to else made
-
-
-def is_cuda(device):
-    """Does this argument of PyTorch name a graphics card? A number does, too."""
-    return type(device) is int or str(device).startswith("cuda")
-
-
-def moved(tensor, made, to_cuda):
-    """What was made of a tensor by moving it. CUDA's would not share its memory. A leaf stays what
-    an optimizer may move.
-    """
-    shares = made.data_ptr() == tensor.data_ptr()
-    return made.clone() if shares and not (to_cuda and made.requires_grad) else made
 
 
 class Event:
@@ -111,14 +82,57 @@ class Event:
 
 
 def pretend():
-    """torch.cuda answers as if the processor were its one device."""
-    answers = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
-               "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
-               "get_device_name": platform.processor() or platform.machine(),
-               "memory_allocated": 0, "max_memory_allocated": 0, "reset_peak_memory_stats": None}
-    for name, answer in answers.items():
+    """PyTorch makes and moves tensors to the processor, whatever device it is told, and torch.cuda
+    answers as if that were its one device.
+    """
+    for name in dir(torch):
+        made = getattr(torch, name)
+        if not isinstance(made, type) and TAKES_DEVICE in str(made.__doc__):
+            setattr(torch, name, on_processor(made))
+    for name in "new_empty", "new_full", "new_ones", "new_tensor", "new_zeros":
+        setattr(torch.Tensor, name, on_processor(getattr(torch.Tensor, name)))
+    torch.Tensor.to = functools.partialmethod(moved, torch.Tensor.to)
+    torch.Tensor.cuda = lambda tensor, *_, **__: tensor.to("cuda")
+    torch.Tensor.cpu = lambda tensor, *_, **__: tensor.to("cpu")
+    torch.Tensor.pin_memory = lambda tensor, *_, **__: tensor
+    torch.Tensor.is_cuda = property(lambda _: True)
+    torch.load = functools.partial(torch.load, map_location="cpu")
+    for name, answer in ANSWERS.items():
         setattr(torch.cuda, name, lambda *_, answer=answer, **__: answer)
     for kind in "Float", "Double", "Half", "Int", "Long", "Short", "Byte", "Bool":
         setattr(torch.cuda, f"{kind}Tensor", getattr(torch, f"{kind}Tensor"))
     torch.cuda.Event = Event
-    torch.load = functools.partial(torch.load, map_location="cpu")
+
+
+def on_processor(function):
+    """A function of PyTorch that makes tensors, on the processor."""
+    @functools.wraps(function)
+    def made(*args, **kwargs):
+        if is_cuda(kwargs.get("device")):
+            kwargs["device"] = "cpu"
+        return function(*args, **kwargs)
+
+    return made
+
+
+def moved(tensor, to, *args, **kwargs):
+    """Tensor.to, which takes a device first or by name.
+
+    What is moved shares no memory with what stays, as between processor and graphics card. A leaf
+    stays the one that an optimizer knows.
+    """
+    device = kwargs.get("device", args[0] if args else None)
+    if is_cuda(device):
+        args = args if "device" in kwargs else ("cpu", *args[1:])
+        kwargs = {**kwargs, "device": "cpu"} if "device" in kwargs else kwargs
+    elif not isinstance(device, str | torch.device):
+        return to(tensor, *args, **kwargs)
+    made = to(tensor, *args, **kwargs)
+    is_known = is_cuda(device) and tensor.requires_grad
+    return made.clone() if made is tensor and not is_known else made
+
+
+def is_cuda(device):
+    """Does this argument of PyTorch name a graphics card? A number does, too."""
+    return type(device) is int or (isinstance(device, str | torch.device)
+                                   and str(device).startswith("cuda"))
