@@ -56,8 +56,10 @@ def looks(attr, rast, tri, rast_db):
 
 def corner_weights(uv, total):
     """u and v (H, W, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
-    uv = uv.astype(float)
-    return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
+    weights = np.empty((*uv.shape[:2], 3))
+    weights[..., :2] = uv
+    weights[..., 2] = total - weights[..., 0] - weights[..., 1]
+    return weights
 
 
 class Interpolate(torch.autograd.Function):
