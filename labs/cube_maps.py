@@ -93,7 +93,7 @@ def from_frame(values, face):
 def on_face_backward(grad_uv, directions):  # extra 6.16 (3 points)
     """Backward of `on_face`: grad_uv (N, 2) -> grad_directions (N, 3).
 
-    >>> on_face_backward(np.array([[8.0, 0.0]]), np.array([[2.0, 0.0, 1.0]]))
+    >>> on_face_backward(np.array([[8.0, 0.0]]), np.array([[2.0, 0.0, 1.0]])) + 0.0
     array([[ 1.,  0., -2.]])
     """
     # u = (1 + a/m)/2 with a = right . d, so du = (da - (a/m) dm) / (2 m), and a/m = 2u - 1.
@@ -108,7 +108,7 @@ def on_face_backward(grad_uv, directions):  # extra 6.16 (3 points)
 def direction_to(face, uv):
     """Eq. (12): the directions (N, 3) to the places uv (N, 2) of face (N,), or beyond its edge.
 
-    >>> direction_to(np.array([4, 0]), np.array([[0.5, 0.5], [0.75, 1.25]]))
+    >>> direction_to(np.array([4, 0]), np.array([[0.5, 0.5], [0.75, 1.25]])) + 0.0
     array([[ 0. ,  0. ,  1. ],
            [ 1. , -1.5, -0.5]])
     """
@@ -146,7 +146,7 @@ def face_footprint(directions, jacobian):  # extra 6.18 (2 points)
     directions (N, 3), jacobian (N, 3, 2), whose columns are d_x and d_y.
 
     >>> d, d_x, d_y = [2.0, 0.0, 1.0], [4.0, 0.0, 0.0], [0.0, -2.0, -1.0]
-    >>> face_footprint(np.array([d]), np.array([np.transpose([d_x, d_y])]))
+    >>> face_footprint(np.array([d]), np.array([np.transpose([d_x, d_y])])) + 0.0
     array([[[0.5 , 0.25],
             [0.  , 0.5 ]]])
     """

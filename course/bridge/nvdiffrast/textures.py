@@ -119,7 +119,7 @@ class Texture(torch.autograd.Function):
         ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
         colours = [tensors.labs.arrays.masked_scatter(matrix @ mipmap.texels, seen)
                    for _, _, mipmap, seen, matrix in ctx.looks]
-        return tensor(np.stack(colours), tex).reshape(*uv.shape[:3], -1)
+        return tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
 
     @staticmethod
     def backward(ctx, grad):
@@ -153,7 +153,7 @@ def stacked(grads, like):
     """Gradients of single pictures as one tensor, for what was given as a tensor."""
     if like is None or grads[0] is None:
         return None
-    return tensor(np.stack(grads), like).reshape(like.shape)
+    return tensor(np.stack(grads), like)
 
 
 def footprints(uv, uv_da, bias, count, boundary):
