@@ -64,6 +64,8 @@ def needs_named(script):
     try:
         yield
     except ModuleNotFoundError as error:
+        if not error.name:
+            raise
         raise ValueError(f"{script} needs the package {error.name}, which is not installed beside "
                          f"{sys.executable}; if it works without CUDA, install it there") from error
     except (AssertionError, OSError, RuntimeError) as error:

@@ -37,8 +37,14 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
         mip = texture_construct_mip(tex, max_mip_level, is_cube)
     require(isinstance(mip, MipStack | list), "mip must be a list of tensors or come from "
             "texture_construct_mip()")
-    made, stack = (mip, []) if isinstance(mip, MipStack) else (None, mip)
-    return Texture.apply(tex, uv, uv_da, mip_level_bias, filter, boundary_mode, made, *stack)
+    made, stack = (mip.levels, []) if isinstance(mip, MipStack) else (None, mip)
+    texels = [pictures_of(level, is_cube) for level in (tex, *stack)] + (made or [])
+    require_halves([level.shape for level in texels], is_cube)
+    levels = list(zip(*texels, strict=True))
+    pixels = uv, uv_da, mip_level_bias
+    sampler = tensors.labs.texturing.Sampler(filter, boundary_mode, None)
+    places = kept_places(pixels, levels, sampler)
+    return Texture.apply(tex, *pixels, Reading(levels, places, sampler, made is not None), *stack)
 
 
 def filter_of(mode, has_level, max_level):
@@ -81,72 +87,99 @@ def pictures_of(tex, is_cube):
     return texels.reshape(len(texels), -1, *texels.shape[-2:])
 
 
-class Look(NamedTuple):
-    """Pixels that see one texture: its levels, and the matrix that takes texels to the pixels that
-    see anything, lab 6's M.
-    """
+def require_halves(shapes, is_cube):
+    """RuntimeError unless each level (N or 1, h, w, C) has half the sides of the one before it."""
+    count, height, width, channels = shapes[0]
+    for level, shape in enumerate(shapes):
+        sides = (6 if is_cube else 1) * max(1, (width if is_cube else height) >> level), max(
+            1, width >> level)
+        require(shape == (count, *sides, channels), f"mip level {level} must be of {sides[0]} x "
+                f"{sides[1]} texels, and else like tex; it has {shape}")
 
-    levels: tuple
+
+class Places(NamedTuple):
+    """Where pixels look at one texture. Lab 6's M takes its texels to those that see any."""
+
     footprint: tuple
-    mipmap: tuple
     seen: np.ndarray
     matrix: sparray
 
 
-def look(levels, footprint, sampler):
-    """The Look of a Footprint at these levels."""
+class Reading(NamedTuple):
+    """For each texture its levels and the Places in it, and how they are read. is_made: whether
+    the levels were made of the texture here.
+    """
+
+    levels: list[tuple]
+    places: list[Places]
+    sampler: tuple
+    is_made: bool
+
+
+def kept_places(pixels, levels, sampler):
+    """The Places of pixels (uv, uv_da, bias), kept as long as uv is: a material is several textures
+    at the same places. PyTorch does not tell of all changes, so numbers are compared.
+    """
+    how = sampler, len(levels), *(level.shape for level in levels[0])
+    now = [part.detach() for part in pixels if part is not None]
+    kept_how, before, found = getattr(pixels[0], "kept_places", (None, None, None))
+    if kept_how != how or not all(map(torch.equal, before, now)):
+        found = [places(*each, sampler) for each in
+                 zip(levels, footprints(*pixels, len(levels), sampler.boundary), strict=True)]
+        pixels[0].kept_places = how, [part.clone() for part in now], found
+    return found
+
+
+def places(levels, footprint, sampler):
+    """The Places of a Footprint in a texture of these levels."""
     labs = tensors.labs
     mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
     if sampler.boundary == "cube":
-        seen, index, weight, _ = labs.cube_maps.cube_look_ups(labs.cube_maps.pack_cube(levels),
-                                                              footprint, sampler.filter)
+        mipmap = labs.cube_maps.pack_cube(levels)
+        seen, index, weight, _ = labs.cube_maps.cube_look_ups(mipmap, footprint, sampler.filter)
     else:
         index, weight, _ = labs.mipmapping.look_ups(mipmap, footprint, sampler)
-    matrix = labs.texturing.look_up_matrix(len(mipmap.texels), index, weight)
-    return Look(levels, footprint, mipmap, seen, matrix)
+    return Places(footprint, seen, labs.texturing.look_up_matrix(len(mipmap.texels), index, weight))
 
 
 class Texture(torch.autograd.Function):
     """Lab 6. All pictures that share a texture are one, one above the other."""
 
     @staticmethod
-    def forward(ctx, tex, uv, uv_da, bias, filter, boundary, made, *stack):
-        texels = [pictures_of(level, boundary == "cube") for level in (tex, *stack)]
-        levels = zip(*texels, *(made.levels if made else ()), strict=True)
-        ctx.sampler, ctx.made = tensors.labs.texturing.Sampler(filter, boundary, None), made
-        ctx.looks = [look(*each, ctx.sampler) for each in
-                     zip(levels, footprints(uv, uv_da, bias, len(tex), boundary), strict=True)]
+    def forward(ctx, tex, uv, uv_da, bias, reading, *stack):
+        labs, ctx.reading = tensors.labs, reading
         ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
-        colours = [tensors.labs.arrays.masked_scatter(matrix @ mipmap.texels, seen)
-                   for _, _, mipmap, seen, matrix in ctx.looks]
+        texels = [labs.mipmapping.pack(levels).texels for levels in reading.levels]
+        colours = [labs.arrays.masked_scatter(place.matrix @ each, place.seen)
+                   for each, place in zip(texels, reading.places, strict=True)]
         return tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
 
     @staticmethod
     def backward(ctx, grad):
         tex, uv, uv_da, bias, *stack = ctx.saved_tensors
+        levels, places, sampler, is_made = ctx.reading
         rows = grad.numpy().reshape(len(tex), -1, tex.shape[-1])
         back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
-        levels, *pixels = zip(*(back(row, each, ctx.sampler) for row, each in
-                                zip(rows, ctx.looks, strict=True)), strict=True)
-        if ctx.made:  # of this texture: what a level gets goes down to it
+        grads = [back(*each, sampler) for each in zip(rows, levels, places, strict=True)]
+        levels, *pixels = zip(*grads, strict=True)
+        if is_made:  # what a level gets goes down to the texture
             levels = [[tensors.labs.mipmapping.pyramid_backward(each)] for each in levels]
         grad_tex, *grad_stack = map(stacked, zip(*levels, strict=True), (tex, *stack))
-        return grad_tex, *map(stacked, pixels, (uv, uv_da, bias)), None, None, None, *grad_stack
+        return grad_tex, *map(stacked, pixels, (uv, uv_da, bias)), None, *grad_stack
 
 
-def whole_backward(grad, look, sampler):
+def whole_backward(grad, levels, place, sampler):
     """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
     labs = tensors.labs
     if sampler.boundary == "cube":
-        return labs.cube_maps.cube_filtered_backward(grad, look.levels, look.footprint,
-                                                     sampler.filter)
-    return labs.mipmapping.filtered_backward(grad, look.levels, look.footprint, sampler)
+        return labs.cube_maps.cube_filtered_backward(grad, levels, place.footprint, sampler.filter)
+    return labs.mipmapping.filtered_backward(grad, levels, place.footprint, sampler)
 
 
-def texels_backward(grad, look, sampler):
+def texels_backward(grad, levels, place, sampler):
     """`whole_backward` where only texels are asked for: the matrix's transpose."""
-    grad_texels = look.matrix.T @ grad[look.seen]
-    return tensors.labs.mipmapping.unpack(grad_texels, look.mipmap), None, None, None
+    labs = tensors.labs.mipmapping
+    return labs.unpack(place.matrix.T @ grad[place.seen], labs.pack(levels)), None, None, None
 
 
 def stacked(grads, like):
