@@ -120,7 +120,8 @@ def kept_places(pixels, levels, sampler):
     """The Places of pixels (uv, uv_da, bias), kept as long as uv is: a material is several textures
     at the same places. PyTorch does not tell of all changes, so numbers are compared.
     """
-    how = sampler, len(levels), *(level.shape for level in levels[0])
+    how = (sampler, len(levels), [level.shape for level in levels[0]],
+           [part is None for part in pixels])
     now = [part.detach() for part in pixels if part is not None]
     kept_how, before, found = getattr(pixels[0], "kept_places", (None, None, None))
     if kept_how != how or not all(map(torch.equal, before, now)):
