@@ -3,7 +3,8 @@
 Where everything is there already (conda, an active environment), this goes straight on to cli.py.
 Elsewhere it makes .venv, once, and starts itself again inside, where nothing is started again.
 
-The web site needs more than the rest: site/requirements.txt, and for --lite one more file.
+The command run needs requirements-torch.txt as well, and the web site site/requirements.txt, for
+--lite with one more file.
 
 A copy of each of these files in .venv tells how far its set-up came:
     none        of requirements.txt: somebody else made this .venv: it is used, never changed
@@ -27,6 +28,7 @@ REQUIREMENTS = ROOT / "requirements.txt"
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 COPY = VENV / "requirements.txt"
+TORCH = ROOT / "requirements-torch.txt"
 SITE, LITE = ROOT / "site" / "requirements.txt", ROOT / "site" / "requirements-lite.txt"
 INSIDE = VENV.exists() and VENV.samefile(sys.prefix)
 
@@ -70,6 +72,8 @@ def main():
 def asked():
     """The files of requirements that this command needs."""
     yield REQUIREMENTS
+    if sys.argv[1:2] == ["run"]:
+        yield TORCH
     if sys.argv[1:2] == ["site"] or "--site" in sys.argv:
         yield SITE
     if "--lite" in sys.argv:
@@ -87,7 +91,7 @@ def missing(requirements):
             return False
 
     importlib.invalidate_caches()
-    line = r"^(([\w.-]+)(?:>=([\d.]+))?)"
+    line = r"^((\w[\w.-]*)(?:>=([\d.]+))?)"
     wanted = re.findall(line, requirements.read_text("utf-8"), re.MULTILINE)
     return [whole for whole, name, bound in wanted if not met(name, bound)]
 

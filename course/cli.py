@@ -3,6 +3,7 @@
 to look and to read
   demo [NAME ...]       render the course's scenes into out/, also of your own mesh or photo
   notebooks [NAME ...]  run the lectures in notebooks/ and save them with their figures
+  run SCRIPT.py [ARGS]  run a program that uses nvdiffrast or neural_renderer, unchanged
 
 to do the labs
   check [TARGET]        what is right in labs/, what is not, and what to do next

@@ -84,6 +84,18 @@ def notebooks(asked):
     return course.upkeep.notebooks.run(asked.names, everything=asked.all)
 
 
+@command(
+    option("--impl", choices=("reference", "labs"),
+           help="whose code does the work: the reference's, or yours in labs/; without, the "
+                "reference's if it is all there"),
+    option("script", metavar="SCRIPT.py", help="the program"),
+    option("args", nargs=argparse.REMAINDER, metavar="ARGS", help="and its own arguments"))
+def run(asked):
+    """Run a program that uses nvdiffrast or neural_renderer, unchanged, on the course's code."""
+    import course.bridge.program
+    return course.bridge.program.run(asked.script, asked.args, asked.impl)
+
+
 # --- to do the labs -----------------------------------------------------------------------------
 
 

@@ -1,0 +1,112 @@
+"""What the corners of a face know, seen at each pixel: interpolate."""
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from scipy.sparse import sparray
+
+from .. import tensors
+from ..tensors import INTEGERS, array, require, tensor
+
+
+def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
+    """The corners' attributes at each pixel (N, H, W, A), and derivatives of D (N, H, W, 2 D).
+
+    attr (N or 1, V, A), or (V, A) for pictures of ranges. diff_attrs: a list of the D attributes
+    whose dA/dX and dA/dY are wanted, or "all". They need rast_db.
+    """
+    count = attr.shape[-1]
+    chosen = np.arange(count) if diff_attrs == "all" else np.array(diff_attrs or [], int)
+    require(not len(chosen) or rast_db is not None, "diff_attrs needs rast_db, which rasterize() "
+            "returned beside rast")
+    require((np.abs(chosen + 0.5) < count).all(), f"diff_attrs must number some of {count} "
+            f"attributes; it is {diff_attrs}")
+    return Interpolate.apply(attr, rast, tri, rast_db if len(chosen) else None, chosen % count)
+
+
+class Look(NamedTuple):
+    """Pictures (H, W) of one array of attributes: which face a pixel sees, and its matrices.
+
+    They take attributes to pixels, lab 5's eq. (7): B and, for derivatives, B_x and B_y.
+    """
+
+    face_index: np.ndarray
+    matrices: list[sparray]
+
+
+def looks(attr, rast, tri, rast_db):
+    """A Look for each array of attributes. If there is only one, all pictures are one, one above
+    the other.
+    """
+    faces = array("tri", tri, "f 3", INTEGERS)
+    count, width = 1 if attr.ndim == 2 else len(attr), rast.shape[2]
+    require(count in (1, len(rast)), f"attr must have the attributes of 1 or of {len(rast)} "
+            f"pictures, as rast has; it has those of {count}")
+    pixels = array("rast", rast, "n h w 4").reshape(count, -1, width, 4)
+    changes = [] if rast_db is None else array("rast_db", rast_db, f"{len(rast)} h w 4").reshape(
+        count, -1, width, 2, 2)
+    for k, pixel in enumerate(pixels):
+        face_index = pixel[..., 3].astype(int) - 1
+        weights = [corner_weights(pixel[..., :2], 1)]
+        if len(changes):
+            weights += [corner_weights(changes[k, ..., axis], 0) for axis in (0, 1)]
+        yield Look(face_index, [tensors.labs.interpolation.interpolation_matrix(
+            attr.shape[-2], faces, face_index, weight) for weight in weights])
+
+
+def corner_weights(uv, total):
+    """u and v (H, W, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
+    uv = uv.astype(float)
+    return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
+
+
+class Interpolate(torch.autograd.Function):
+    """Lab 5: the matrices of a Look, and their transposes on the way back."""
+
+    @staticmethod
+    def forward(ctx, attr, rast, tri, rast_db, chosen):
+        values = array("attr", attr, "n v a" if attr.ndim == 3 else "v a")
+        values = values.reshape(-1, *values.shape[-2:])
+        ctx.looks = list(looks(attr, rast, tri, rast_db))
+        out = [look.matrices[0] @ value for look, value in zip(ctx.looks, values, strict=True)]
+        out_da = [np.stack([matrix @ value[:, chosen] for matrix in look.matrices[1:]], -1)
+                  for look, value in zip(ctx.looks, values, strict=True) if len(chosen)]
+        ctx.save_for_backward(attr, rast, tri)
+        ctx.values, ctx.chosen = values, chosen
+        ctx.set_materialize_grads(False)
+        size = rast.shape[:3]
+        return (tensor(np.stack(out), attr).reshape(*size, -1),
+                tensor(np.stack(out_da), attr).reshape(*size, -1) if out_da
+                else attr.new_empty(*size, 0))
+
+    @staticmethod
+    def backward(ctx, grad_out, grad_out_da):
+        attr, rast, tri = ctx.saved_tensors
+        faces = array("tri", tri, "f 3", INTEGERS)
+        grad_values = np.zeros(ctx.values.shape)
+        grad_weights = np.zeros((3, *np.shape([look.face_index for look in ctx.looks]), 3))
+        for n, columns, grads in upstream(grad_out, grad_out_da, ctx.chosen, len(ctx.values)):
+            for k, (look, value) in enumerate(zip(ctx.looks, ctx.values, strict=True)):
+                if ctx.needs_input_grad[0]:
+                    by_corner = look.matrices[n].T @ grads[k]
+                    np.add.at(grad_values[k], (slice(None), columns), by_corner)
+                if any(ctx.needs_input_grad[1:4]):
+                    grad = grads[k].reshape(*look.face_index.shape, -1)
+                    grad_weights[n, k] = tensors.labs.interpolation.barycentric_gradient(
+                        grad, value[:, columns], faces, look.face_index)
+        grad_uv = grad_weights[..., :2] - grad_weights[..., 2:]  # as weight 2 is total - u - v
+        grad_rast = torch.zeros_like(rast)
+        grad_rast[..., :2] = tensor(grad_uv[0], rast).reshape(*rast.shape[:3], 2)
+        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast).reshape(rast.shape)
+        return (tensor(grad_values, attr).reshape(attr.shape), grad_rast, None,
+                grad_rast_db if ctx.needs_input_grad[3] else None, None)
+
+
+def upstream(grad_out, grad_out_da, chosen, count):
+    """What comes back: which matrix, the attributes' columns, the gradients (count, P, columns)."""
+    if grad_out is not None:
+        channels = grad_out.shape[-1]
+        yield 0, np.arange(channels), grad_out.numpy().reshape(count, -1, channels)
+    if grad_out_da is not None and len(chosen):
+        by_axis = np.moveaxis(grad_out_da.numpy().reshape(count, -1, len(chosen), 2), -1, 0)
+        yield from ((1 + axis, chosen, grads) for axis, grads in enumerate(by_axis))

@@ -1,0 +1,80 @@
+"""Outlines that are smooth, and pull at the vertices: antialias."""
+import functools
+from typing import NamedTuple
+
+import numpy as np
+import torch
+
+from .. import tensors
+from ..tensors import INTEGERS, array, require, tensor
+
+EPSILON = 1e-3  # pixels; keeps edges from 0 height, in nvdiffrast's backward pass
+
+
+class TopologyHash(NamedTuple):
+    """The vertices (F, 3) across each edge of each face."""
+
+    opposite: np.ndarray
+
+
+def antialias_construct_topology_hash(tri):
+    """What `antialias` needs of the faces (F, 3), which is kept for a mesh in any case."""
+    faces = array("tri", tri, "f 3", INTEGERS)
+    return TopologyHash(opposite_vertices(faces.tobytes(), tensors.labs.package))
+
+
+@functools.lru_cache(maxsize=16)
+def opposite_vertices(faces, package):
+    """Lab 8's `opposite_vertices` of faces as bytes, by the labs of this package."""
+    faces = np.frombuffer(faces, np.int32).reshape(-1, 3)
+    return tensors.labs.antialiasing.opposite_vertices(faces.astype(np.intp))
+
+
+def antialias(color, rast, pos, tri, topology_hash=None, pos_gradient_boost=1.0):
+    """The pictures color (N, H, W, C), blended where a silhouette runs between two pixels.
+
+    rast, pos and tri as of `rasterize`. pos_gradient_boost multiplies the gradient of pos.
+    """
+    topology_hash = topology_hash or antialias_construct_topology_hash(tri)
+    require(isinstance(topology_hash, TopologyHash), "topology_hash must come from "
+            "antialias_construct_topology_hash()")
+    require(color.shape[:3] == rast.shape[:3], f"color and rast must be of the same pictures; they "
+            f"have {tuple(color.shape)} and {tuple(rast.shape)}")
+    return Antialias.apply(color, rast, pos, tri, topology_hash.opposite, pos_gradient_boost)
+
+
+class Antialias(torch.autograd.Function):
+    """Lab 8."""
+
+    @staticmethod
+    def forward(ctx, color, rast, pos, tri, opposite, boost):
+        faces = array("tri", tri, "f 3", INTEGERS)
+        colours = array("color", color, "n h w c")
+        seen = array("rast", rast, f"{len(color)} h w 4")
+        out, ctx.pairs = np.empty_like(colours), []
+        for n, clip in enumerate(vertices(pos, len(color))):
+            face_index = seen[n, ..., 3].astype(int) - 1
+            depth = np.where(face_index < 0, np.inf, seen[n, ..., 2])
+            ctx.pairs.append(tensors.labs.outlines.blended_pairs(face_index, depth, clip, faces,
+                                                                 opposite))
+            out[n] = tensors.labs.antialiasing.blend_pairs(colours[n], ctx.pairs[n])
+        ctx.save_for_backward(color, pos)
+        ctx.boost = boost
+        return torch.from_numpy(out)
+
+    @staticmethod
+    def backward(ctx, grad):
+        color, pos = ctx.saved_tensors
+        given = grad.numpy(), color.detach().numpy(), ctx.pairs, vertices(pos, len(color))
+        grads = (tensors.labs.antialiasing.blend_pairs_backward(*each, EPSILON)
+                 for each in zip(*given, strict=True))
+        grad_color, grad_clip = zip(*grads, strict=True)
+        grad_pos = ctx.boost * (np.stack(grad_clip) if pos.ndim == 3 else sum(grad_clip))
+        return tensor(np.stack(grad_color), color), None, tensor(grad_pos, pos), None, None, None
+
+
+def vertices(pos, count):
+    """The clip positions (V, 4) of each of count pictures."""
+    if pos.ndim == 3:
+        return array("pos", pos, f"{count} v 4")
+    return count * [array("pos", pos, "v 4")]

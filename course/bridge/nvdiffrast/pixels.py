@@ -1,0 +1,139 @@
+"""What each pixel sees: rasterize, layer by layer if need be."""
+import numpy as np
+import torch
+
+from .. import tensors
+from ..tensors import INTEGERS, array, require, tensor
+
+EPSILON = 1e-6  # keeps the area of a face from 0, in nvdiffrast's backward pass
+
+
+class RasterizeCudaContext:
+    """Where a CUDA program keeps its rasterizer. Here it only knows who peels."""
+
+    def __init__(self, device=None):
+        self.active_depth_peeler = None
+
+
+class RasterizeGLContext(RasterizeCudaContext):
+    """The context of older programs."""
+
+    def __init__(self, output_db=True, mode="automatic", device=None):
+        super().__init__(device)
+
+    def set_context(self):
+        """Nothing, as in nvdiffrast by now."""
+
+    release_context = set_context
+
+
+def rasterize(glctx, pos, tri, resolution, ranges=None, grad_db=True):
+    """rast (N, H, W, 4) = u, v, z/w, face's number + 1; rast_db = du/dX, du/dY, dv/dX, dv/dY.
+
+    pos (N, V, 4), or (V, 4) and ranges (N, 2): first face and count; tri (F, 3); resolution H, W.
+    """
+    require(isinstance(glctx, RasterizeCudaContext), "glctx must be a RasterizeCudaContext")
+    require(glctx.active_depth_peeler is None, "a DepthPeeler has this context: call its "
+            "rasterize_next_layer(), or rasterize() with another context")
+    return Rasterize.apply(pos, tri, Screen(resolution), ranges, grad_db, None)
+
+
+class DepthPeeler:
+    """For `with`: a rasterizer of depth layers, the nearest first. Arguments as of `rasterize`."""
+
+    def __init__(self, glctx, pos, tri, resolution, ranges=None, grad_db=True):
+        require(isinstance(glctx, RasterizeCudaContext), "glctx must be a RasterizeCudaContext")
+        self.context, self.given = glctx, (pos, tri, Screen(resolution), ranges, grad_db)
+
+    def __enter__(self):
+        require(self.given, "this DepthPeeler has ended: make a new one")
+        require(self.context.active_depth_peeler is None, "another DepthPeeler has this context")
+        self.context.active_depth_peeler = self
+        self.depths = {}  # picture -> depth of its last layer, as exact as it was found
+        return self
+
+    def __exit__(self, *_):
+        self.context.active_depth_peeler = self.given = None
+
+    def rasterize_next_layer(self):
+        """What `rasterize` returns, of all that lies deeper than the last layer."""
+        require(self.context.active_depth_peeler is self, "call this inside of the with block")
+        return Rasterize.apply(*self.given, self.depths)
+
+
+class Screen:
+    """The size of pictures: resolution is height, width."""
+
+    def __init__(self, resolution):
+        self.height, self.width = map(int, resolution)
+        require(self.height > 0 and self.width > 0, f"resolution must be (height, width), both "
+                f"more than 0; it is {tuple(resolution)}")
+
+
+def pictures(pos, tri, ranges):
+    """For each picture of a batch its vertices (V, 4), its faces, and the first face's number."""
+    faces = array("tri", tri, "f 3", INTEGERS)
+    if pos.ndim == 3:
+        return [(clip, faces, 0) for clip in array("pos", pos, "n v 4")]
+    require(ranges is not None, "pos must have the shape (n, v, 4), or ranges must be given")
+    clip = array("pos", pos, "v 4")
+    return [(clip, faces[first:first + count], first)
+            for first, count in array("ranges", ranges, "n 2", INTEGERS).tolist()]
+
+
+class Rasterize(torch.autograd.Function):
+    """Labs 2 and 7."""
+
+    @staticmethod
+    def forward(ctx, pos, tri, screen, ranges, grad_db, depths):
+        batch = pictures(pos, tri, ranges)
+        rast, rast_db = np.zeros((2, len(batch), screen.height, screen.width, 4), batch[0][0].dtype)
+        for n, (clip, faces, first) in enumerate(batch):
+            seen = visible(clip, faces, screen, depths.get(n) if depths else None)
+            is_seen = seen.face_index >= 0
+            rast[n, ..., :2] = seen.barycentric[..., :2]
+            rast[n, ..., 2][is_seen] = seen.depth[is_seen]
+            rast[n, ..., 3][is_seen] = seen.face_index[is_seen] + (first + 1)
+            derivatives = tensors.labs.pipeline.with_derivatives(seen, faces).derivatives
+            rast_db[n] = derivatives[..., :2, :].reshape(rast_db[n].shape)
+            if depths is not None:
+                depths[n] = seen.depth
+        rast, rast_db = torch.from_numpy(rast), torch.from_numpy(rast_db)
+        ctx.save_for_backward(pos, tri, rast)
+        ctx.ranges, ctx.grad_db = ranges, grad_db
+        ctx.set_materialize_grads(False)
+        return rast, rast_db
+
+    @staticmethod
+    def backward(ctx, grad_rast, grad_rast_db):
+        pos, tri, rast = ctx.saved_tensors
+        grad_rast_db = grad_rast_db if ctx.grad_db else None
+        grads = []
+        for n, (clip, faces, first) in enumerate(pictures(pos, tri, ctx.ranges)):
+            face_index = faces_of(rast[n]) - first
+            grad_b = np.zeros((*face_index.shape, 3))
+            if grad_rast is not None:
+                grad_b[..., :2] = grad_rast[n, ..., :2]
+            grad_derivatives = None
+            if grad_rast_db is not None:
+                grad_derivatives = np.zeros((*face_index.shape, 3, 2))
+                grad_derivatives[..., :2, :] = grad_rast_db[n].reshape(*face_index.shape, 2, 2)
+            grads.append(tensors.labs.rasterizer_gradients.rasterize_backward(
+                grad_b, grad_derivatives, None, face_index, clip, faces, EPSILON))
+        grad_pos = np.stack(grads) if pos.ndim == 3 else sum(grads)
+        return tensor(grad_pos, pos), None, None, None, None, None
+
+
+def visible(clip, faces, screen, beyond):
+    """Lab 9's Buffers of what is seen, or of what is seen beyond a depth (H, W)."""
+    labs, size = tensors.labs, (screen.width, screen.height)
+    if beyond is None:
+        return labs.pipeline.visible(clip, faces, *size)
+    face_index, depth = labs.scanline.rasterize(clip, faces, *size, beyond)
+    barycentric = labs.rasterization.barycentrics(face_index, clip, faces)
+    return labs.pipeline.Buffers(clip, face_index, depth, barycentric)
+
+
+def faces_of(rast):
+    """The face that each pixel of rast (..., 4) sees, -1 for none."""
+    return array("rast", rast, "h w 4")[..., 3].astype(int) - 1
