@@ -2,6 +2,7 @@
 
     given         below reference: meshes, pictures, plots, gradient check
     experiments   above reference: scenes, fits, and the tool for a folder of pictures
+    bridge        other people's interfaces and programs on the reference, or on your labs
     exercises     what exercises there are
     lab_text      their answers, taken out of a module and put back
     checks        assertions, hints, the report: the pytest plugin

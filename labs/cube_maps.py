@@ -52,6 +52,7 @@ FRAMES = np.array([  # right, down, out
     [[1, 0, 0], [0, -1, 0], [0, 0, 1]],     # 4: +z
     [[-1, 0, 0], [0, -1, 0], [0, 0, -1]],   # 5: -z
 ], float)
+AXIS, SIGN = np.abs(FRAMES).argmax(-1), FRAMES.sum(-1)  # each of their rows is an axis or opposite
 SHORTEST = 1e-150  # of a direction: one over its square is still a number
 
 
@@ -75,33 +76,43 @@ def on_face(directions):  # extra 6.15 (2 points)
 
 def in_frame(directions, face):
     """right . d, down . d and out . d of each direction's face: (N, 3, ...) -> (N, 3, ...)."""
-    return np.einsum("nij,nj...->ni...", FRAMES[face], directions)
+    turned, row = np.empty(directions.shape), np.arange(len(face))
+    for i in range(3):  # one of d's three numbers, or its opposite
+        turned[:, i] = (SIGN[face, i] * directions[row, AXIS[face, i]].T).T
+    return turned
+
+
+def from_frame(values, face):
+    """The transpose of `in_frame`, and its inverse: (N, 3, ...) -> (N, 3, ...)."""
+    turned, row = np.empty(values.shape), np.arange(len(face))
+    for i in range(3):
+        turned[row, AXIS[face, i]] = (SIGN[face, i] * values[:, i].T).T
+    return turned
 
 
 def on_face_backward(grad_uv, directions):  # extra 6.16 (3 points)
     """Backward of `on_face`: grad_uv (N, 2) -> grad_directions (N, 3).
 
-    >>> on_face_backward(np.array([[8.0, 0.0]]), np.array([[2.0, 0.0, 1.0]]))
+    >>> on_face_backward(np.array([[8.0, 0.0]]), np.array([[2.0, 0.0, 1.0]])) + 0.0
     array([[ 1.,  0., -2.]])
     """
     # u = (1 + a/m)/2 with a = right . d, so du = (da - (a/m) dm) / (2 m), and a/m = 2u - 1.
-    # da, db and dm are dd in the frame's axes; the sum over the axes turns them back.
+    # da, db and dm are dd in the frame's axes; `from_frame` turns them back.
     face, uv = on_face(directions)
     m = in_frame(directions, face)[:, 2:]
     grad_m = -(grad_uv * (2 * uv - 1)).sum(1, keepdims=True)
     grad = np.concatenate([grad_uv, grad_m], 1) / (2 * m)
-    return np.einsum("nij,ni->nj", FRAMES[face], grad)
+    return from_frame(grad, face)
 
 
 def direction_to(face, uv):
     """Eq. (12): the directions (N, 3) to the places uv (N, 2) of face (N,), or beyond its edge.
 
-    >>> direction_to(np.array([4, 0]), np.array([[0.5, 0.5], [0.75, 1.25]]))
+    >>> direction_to(np.array([4, 0]), np.array([[0.5, 0.5], [0.75, 1.25]])) + 0.0
     array([[ 0. ,  0. ,  1. ],
            [ 1. , -1.5, -0.5]])
     """
-    places = np.concatenate([2 * uv - 1, np.ones((len(uv), 1))], 1)
-    return np.einsum("nij,ni->nj", FRAMES[face], places)
+    return from_frame(np.concatenate([2 * uv - 1, np.ones((len(uv), 1))], 1), face)
 
 
 def texel_directions(size):
@@ -135,7 +146,7 @@ def face_footprint(directions, jacobian):  # extra 6.18 (2 points)
     directions (N, 3), jacobian (N, 3, 2), whose columns are d_x and d_y.
 
     >>> d, d_x, d_y = [2.0, 0.0, 1.0], [4.0, 0.0, 0.0], [0.0, -2.0, -1.0]
-    >>> face_footprint(np.array([d]), np.array([np.transpose([d_x, d_y])]))
+    >>> face_footprint(np.array([d]), np.array([np.transpose([d_x, d_y])])) + 0.0
     array([[[0.5 , 0.25],
             [0.  , 0.5 ]]])
     """
@@ -156,7 +167,7 @@ def face_footprint_backward(grad_footprint, directions, jacobian):
     grad_q = -(grad_P * (2 * uv - 1)[..., None]).sum(1, keepdims=True)
     grad_uv = -2 * (grad_P * q).sum(2)
     grad_m = -(grad_footprint * face_footprint(directions, jacobian) / m).sum((1, 2))
-    grad_jacobian = np.einsum("nij,nik->njk", FRAMES[face], np.concatenate([grad_P, grad_q], 1))
+    grad_jacobian = from_frame(np.concatenate([grad_P, grad_q], 1), face)
     grad_directions = on_face_backward(grad_uv, directions) + grad_m[:, None] * FRAMES[face, 2]
     return grad_directions, grad_jacobian
 
@@ -178,11 +189,6 @@ def pack_cube(levels):
     """The levels of `cube_pyramid` -> Mipmap, whose width and height are those of a face."""
     mipmap = pack(levels)
     return mipmap._replace(height=mipmap.width)
-
-
-def is_direction(directions):
-    """Does (..., 3) point anywhere? False where no face is seen -> bool (...)."""
-    return (np.abs(directions) > SHORTEST).any(-1)
 
 
 def cube_texels(face, uv, size, filter):
@@ -263,18 +269,15 @@ def cube_texture_backward(grad_colour, faces, directions, jacobian=None, bias=0.
 
 
 def cube_filtered(levels, look, filter):
-    """The colours (..., C) that a Footprint of directions sees of these levels, whoever made them.
-    """
+    """The colours (..., C) that a Footprint of directions sees of a cube's levels."""
     mipmap = pack_cube(levels)
-    seen = is_direction(look.uv)
-    face, footprint = on_faces(look, seen)
+    seen, _, places = cube_places(mipmap, look, filter)
 
-    def colours(face, uv, level):
-        index, weight, _ = cube_map_taps(face, uv, level, mipmap, filter)
+    def colours(*place):
+        index, weight, _ = cube_map_taps(*place, mipmap, filter)
         return look_up(mipmap.texels, index, weight),
 
-    level = footprint_level(footprint, mipmap, filter)
-    colour, = in_parts(colours, face, footprint.uv, level)
+    colour, = in_parts(colours, *places)
     return masked_scatter(colour, seen)
 
 
@@ -283,19 +286,29 @@ def cube_filtered_backward(grad_colour, levels, look, filter):
     grad_directions, grad_jacobian, grad_bias.
     """
     mipmap = pack_cube(levels)
-    seen = is_direction(look.uv)
-    face, footprint = on_faces(look, seen)
-    level = footprint_level(footprint, mipmap, filter)
     # `cube_filtered` read upwards: the look-up, its taps, the level, the direction.
-    index, weight, missing = in_parts(lambda *at: cube_map_taps(*at, mipmap, filter),
-                                      face, footprint.uv, level)
+    seen, footprint, places = cube_places(mipmap, look, filter)
+    index, weight, missing = in_parts(lambda *at: cube_map_taps(*at, mipmap, filter), *places)
     grad_texels, grad_weight = look_up_backward(grad_colour[seen.ravel()], mipmap.texels, index,
                                                 weight)
     grad_uv, grad_level = in_parts(lambda *at: cube_map_taps_backward(*at, mipmap, filter),
-                                   grad_weight, missing, footprint.uv, level)
+                                   grad_weight, missing, *places[1:])
     grad_footprint, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
     grads = on_faces_backward(Footprint(grad_uv, grad_footprint, grad_bias), look, seen)
     return unpack(grad_texels, pack(levels)), *grads
+
+
+def cube_look_ups(mipmap, look, filter):
+    """Which pixels see anything (...), and of these N the `cube_map_taps`, all three."""
+    seen, _, places = cube_places(mipmap, look, filter)
+    return seen, *in_parts(lambda *place: cube_map_taps(*place, mipmap, filter), *places)
+
+
+def cube_places(mipmap, look, filter):
+    """Which pixels see anything (...), and of these N the Footprint, and face, uv and level."""
+    seen = (np.abs(look.uv) > SHORTEST).any(-1)
+    face, footprint = on_faces(look, seen)
+    return seen, footprint, (face, footprint.uv, footprint_level(footprint, mipmap, filter))
 
 
 def on_faces(look, seen):

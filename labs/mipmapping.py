@@ -305,12 +305,11 @@ def filtered(levels, footprint, sampler):
     """The colours (..., C) that a Footprint sees of these levels, whoever made them."""
     mipmap = pack(levels)
 
-    def colours(uv, level):
-        index, weight, _ = taps(uv, level, mipmap, sampler)
+    def colours(*place):
+        index, weight, _ = taps(*place, mipmap, sampler)
         return look_up(mipmap.texels, index, weight),
 
-    at = near_texture(footprint.uv, sampler.boundary).reshape(-1, 2)
-    colour, = in_parts(colours, at, footprint_level(footprint, mipmap, sampler.filter))
+    colour, = in_parts(colours, *places(mipmap, footprint, sampler))
     return colour.reshape(*footprint.uv.shape[:-1], levels[0].shape[-1])
 
 
@@ -319,13 +318,23 @@ def filtered_backward(grad_colour, levels, footprint, sampler):
     grad_jacobian, grad_bias.
     """
     mipmap = pack(levels)
-    points = (near_texture(footprint.uv, sampler.boundary).reshape(-1, 2),
-              footprint_level(footprint, mipmap, sampler.filter))
     # `filtered` read upwards: the look-up, its taps, the level.
-    index, weight, inside = in_parts(lambda *point: taps(*point, mipmap, sampler), *points)
+    index, weight, inside = look_ups(mipmap, footprint, sampler)
     grad_texels, grad_weight = look_up_backward(grad_colour, mipmap.texels, index, weight)
     grad_uv, grad_level = in_parts(lambda *point: taps_backward(*point, mipmap, sampler),
-                                   grad_weight, inside, *points)
+                                   grad_weight, inside, *places(mipmap, footprint, sampler))
     grad_jacobian, grad_bias = footprint_level_backward(grad_level, footprint, mipmap)
     return (unpack(grad_texels, mipmap), grad_uv.reshape(footprint.uv.shape), grad_jacobian,
             grad_bias)
+
+
+def look_ups(mipmap, footprint, sampler):
+    """The `taps` of all N pixels of a Footprint: index, weight, inside (N, K)."""
+    return in_parts(lambda *point: taps(*point, mipmap, sampler),
+                    *places(mipmap, footprint, sampler))
+
+
+def places(mipmap, footprint, sampler):
+    """Where the N pixels of a Footprint look: uv (N, 2) and level (N,)."""
+    return (near_texture(footprint.uv, sampler.boundary).reshape(-1, 2),
+            footprint_level(footprint, mipmap, sampler.filter))

@@ -278,19 +278,23 @@ def fragments(clip, faces, width, height):
             yield pixel, depth, face
 
 
-def rasterize(clip, faces, width, height):
+def rasterize(clip, faces, width, height, beyond=None):
     """What each pixel sees: `rasterize_loop` for whole meshes, also behind the camera.
 
     clip (V, 4), faces (F, 3) integers from 0 to V - 1 -> face_index (height, width), -1 where no
     face is seen; depth (height, width), z/w from -1 to 1, np.inf there. Both sides of a face are
     seen. Any w, also of vertices behind the camera. Faces with vertices that are not finite are
-    left out. ValueError for faces that name vertices that are not there.
+    left out. beyond (height, width): only what is deeper, such as the depth of the layer before.
+    ValueError for faces that name vertices that are not there.
     """
     inputs.require_faces(faces, len(clip))
     face_index = np.full(height * width, -1)
     depth = np.full(height * width, np.inf)
     with np.errstate(all="ignore"):  # faces without an area cover nothing
         for pixel, z, face in fragments(clip, faces, width, height):
+            if beyond is not None:
+                deeper = z > beyond.take(pixel)
+                pixel, z, face = pixel[deeper], z[deeper], face[deeper]
             np.minimum.at(depth, pixel, z)
             seen = z == depth.take(pixel)
             face_index[pixel[seen]] = face[seen]  # the last write stays: the first of equally deep

@@ -6,13 +6,16 @@ room, and "cuda" means the processor.
 import contextlib
 import functools
 import importlib
+import os
 import platform
 import re
 import runpy
 import sys
 import time
+import traceback
 from pathlib import Path
 
+os.environ["PYTORCH_JIT"] = "0"  # before the import: compiled code would ask for CUDA itself
 import torch
 
 from ..given import whose
@@ -45,7 +48,13 @@ def run(script, arguments, implementation=None):
     sys.argv[:] = str(script), *arguments
     sys.path[:] = str(path.parent), *sys.path[1:], sys.path[0]  # the course itself comes last
     with whose.exercises_named(), needs_named(script):
-        runpy.run_path(str(path), run_name="__main__")
+        try:
+            runpy.run_path(str(path), run_name="__main__")
+        except OSError as error:  # of its own: for the command line it would be one of the course
+            if WANTS_MORE.search(str(error)):
+                raise
+            traceback.print_exc()
+            return 1
     return 0
 
 

@@ -1,4 +1,5 @@
 """Between PyTorch's tensors and arrays, without copies; and whose code does the work."""
+import numpy as np
 import torch
 
 from ..given import whose
@@ -6,6 +7,7 @@ from ..given import whose
 labs = whose.Labs()  # `program` says otherwise: python3 -m course run --impl labs
 FLOATS = torch.float32, torch.float64  # CUDA's kernels take the first alone
 INTEGERS = torch.int32,
+DTYPES = {torch.float32: np.float32, torch.float64: np.float64}
 
 
 def require(holds, sentence):
@@ -33,6 +35,11 @@ def array(name, tensor, shape, types=FLOATS):
     return tensor.detach().numpy()
 
 
-def tensor(array, like):
-    """An array as a tensor of the type that another tensor has."""
-    return torch.from_numpy(array).to(like.dtype)
+def tensor(array, like, shape=None):
+    """An array as a tensor of the type, and unless a shape is given of the shape, of another one.
+
+    It is no view of anything, so a program may change it in place.
+    """
+    made = np.empty(like.shape if shape is None else shape, DTYPES[like.dtype])
+    made.reshape(array.shape)[...] = array
+    return torch.from_numpy(made)

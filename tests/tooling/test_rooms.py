@@ -21,6 +21,9 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "reference": ("given",),
     "experiments.folder": ("given",),  # reference or labs come in by name, when they run
     "experiments.scenes": ("given", "experiments.folder"),
+    "bridge": ("given",),  # likewise
+    "bridge.nvdiffrast": ("bridge",),
+    "bridge.neural_renderer": ("bridge", "given"),
     "exercises": ("given",),
     "lab_text": ("exercises",),
     "checks": ("given", "exercises"),  # the code under test comes in by name, when they run
@@ -32,7 +35,7 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "grading.gradebook": ("given", "grading.apart", "grading.handing"),
     "grading.pages": ("given", "exercises", "checks", "grading.handing", "grading.gradebook"),
     "grading": ("given", "exercises"),
-    "commands": ("given", "experiments", "board", "upkeep", "grading"),
+    "commands": ("given", "experiments", "bridge", "board", "upkeep", "grading"),
     "cli": ("given", "commands"),
     "__main__": ("cli",),
 }

@@ -56,8 +56,10 @@ def looks(attr, rast, tri, rast_db):
 
 def corner_weights(uv, total):
     """u and v (H, W, 2) of corners 0 and 1 -> the weights (H, W, 3), whose sum is total."""
-    uv = uv.astype(float)
-    return np.concatenate([uv, total - uv.sum(-1, keepdims=True)], -1)
+    weights = np.empty((*uv.shape[:2], 3))
+    weights[..., :2] = uv
+    weights[..., 2] = total - weights[..., 0] - weights[..., 1]
+    return weights
 
 
 class Interpolate(torch.autograd.Function):
@@ -75,8 +77,8 @@ class Interpolate(torch.autograd.Function):
         ctx.values, ctx.chosen = values, chosen
         ctx.set_materialize_grads(False)
         size = rast.shape[:3]
-        return (tensor(np.stack(out), attr).reshape(*size, -1),
-                tensor(np.stack(out_da), attr).reshape(*size, -1) if out_da
+        return (tensor(np.stack(out), attr, (*size, attr.shape[-1])),
+                tensor(np.stack(out_da), attr, (*size, 2 * len(chosen))) if out_da
                 else attr.new_empty(*size, 0))
 
     @staticmethod
@@ -96,10 +98,9 @@ class Interpolate(torch.autograd.Function):
                         grad, value[:, columns], faces, look.face_index)
         grad_uv = grad_weights[..., :2] - grad_weights[..., 2:]  # as weight 2 is total - u - v
         grad_rast = torch.zeros_like(rast)
-        grad_rast[..., :2] = tensor(grad_uv[0], rast).reshape(*rast.shape[:3], 2)
-        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast).reshape(rast.shape)
-        return (tensor(grad_values, attr).reshape(attr.shape), grad_rast, None,
-                grad_rast_db if ctx.needs_input_grad[3] else None, None)
+        grad_rast[..., :2] = tensor(grad_uv[0], rast, (*rast.shape[:3], 2))
+        grad_rast_db = tensor(np.stack(grad_uv[1:], -1), rast) if ctx.needs_input_grad[3] else None
+        return tensor(grad_values, attr), grad_rast, None, grad_rast_db, None
 
 
 def upstream(grad_out, grad_out_da, chosen, count):

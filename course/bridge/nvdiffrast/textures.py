@@ -3,6 +3,7 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
+from scipy.sparse import sparray
 
 from .. import tensors
 from ..tensors import array, require, tensor
@@ -80,34 +81,79 @@ def pictures_of(tex, is_cube):
     return texels.reshape(len(texels), -1, *texels.shape[-2:])
 
 
+class Look(NamedTuple):
+    """Pixels that see one texture: its levels, and the matrix that takes texels to the pixels that
+    see anything, lab 6's M.
+    """
+
+    levels: tuple
+    footprint: tuple
+    mipmap: tuple
+    seen: np.ndarray
+    matrix: sparray
+
+
+def look(levels, footprint, sampler):
+    """The Look of a Footprint at these levels."""
+    labs = tensors.labs
+    mipmap, seen = labs.mipmapping.pack(levels), np.ones(len(footprint.uv), bool)
+    if sampler.boundary == "cube":
+        seen, index, weight, _ = labs.cube_maps.cube_look_ups(labs.cube_maps.pack_cube(levels),
+                                                              footprint, sampler.filter)
+    else:
+        index, weight, _ = labs.mipmapping.look_ups(mipmap, footprint, sampler)
+    matrix = labs.texturing.look_up_matrix(len(mipmap.texels), index, weight)
+    return Look(levels, footprint, mipmap, seen, matrix)
+
+
 class Texture(torch.autograd.Function):
     """Lab 6. All pictures that share a texture are one, one above the other."""
 
     @staticmethod
     def forward(ctx, tex, uv, uv_da, bias, filter, boundary, made, *stack):
-        ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
         texels = [pictures_of(level, boundary == "cube") for level in (tex, *stack)]
-        ctx.levels = list(zip(*texels, *(made.levels if made else ()), strict=True))
-        ctx.looks = list(footprints(uv, uv_da, bias, len(tex), boundary))
+        levels = zip(*texels, *(made.levels if made else ()), strict=True)
         ctx.sampler, ctx.made = tensors.labs.texturing.Sampler(filter, boundary, None), made
-        colours = [read(*each, ctx.sampler) for each in zip(ctx.levels, ctx.looks, strict=True)]
-        return tensor(np.stack(colours), tex).reshape(*uv.shape[:3], -1)
+        ctx.looks = [look(*each, ctx.sampler) for each in
+                     zip(levels, footprints(uv, uv_da, bias, len(tex), boundary), strict=True)]
+        ctx.save_for_backward(tex, uv, uv_da, bias, *stack)
+        colours = [tensors.labs.arrays.masked_scatter(matrix @ mipmap.texels, seen)
+                   for _, _, mipmap, seen, matrix in ctx.looks]
+        return tensor(np.stack(colours), tex, (*uv.shape[:3], tex.shape[-1]))
 
     @staticmethod
     def backward(ctx, grad):
         tex, uv, uv_da, bias, *stack = ctx.saved_tensors
         rows = grad.numpy().reshape(len(tex), -1, tex.shape[-1])
-        levels, *pixels = zip(*(read_backward(*each, ctx.sampler) for each in
-                                zip(rows, ctx.levels, ctx.looks, strict=True)), strict=True)
+        back = whole_backward if any(ctx.needs_input_grad[1:4]) else texels_backward
+        levels, *pixels = zip(*(back(row, each, ctx.sampler) for row, each in
+                                zip(rows, ctx.looks, strict=True)), strict=True)
         if ctx.made:  # of this texture: what a level gets goes down to it
             levels = [[tensors.labs.mipmapping.pyramid_backward(each)] for each in levels]
         grad_tex, *grad_stack = map(stacked, zip(*levels, strict=True), (tex, *stack))
         return grad_tex, *map(stacked, pixels, (uv, uv_da, bias)), None, None, None, *grad_stack
 
 
+def whole_backward(grad, look, sampler):
+    """The gradients (P, C) of pixels -> of each level, and of the Footprint's three parts."""
+    labs = tensors.labs
+    if sampler.boundary == "cube":
+        return labs.cube_maps.cube_filtered_backward(grad, look.levels, look.footprint,
+                                                     sampler.filter)
+    return labs.mipmapping.filtered_backward(grad, look.levels, look.footprint, sampler)
+
+
+def texels_backward(grad, look, sampler):
+    """`whole_backward` where only texels are asked for: the matrix's transpose."""
+    grad_texels = look.matrix.T @ grad[look.seen]
+    return tensors.labs.mipmapping.unpack(grad_texels, look.mipmap), None, None, None
+
+
 def stacked(grads, like):
     """Gradients of single pictures as one tensor, for what was given as a tensor."""
-    return None if like is None else tensor(np.stack(grads), like).reshape(like.shape)
+    if like is None or grads[0] is None:
+        return None
+    return tensor(np.stack(grads), like)
 
 
 def footprints(uv, uv_da, bias, count, boundary):
@@ -132,19 +178,3 @@ def footprints(uv, uv_da, bias, count, boundary):
     for k in range(count):
         yield labs.require_footprint(labs.Footprint(
             at[k], None if change is None else change[k], 0.0 if bias is None else bias[k]), axes)
-
-
-def read(levels, look, sampler):
-    """Lab 6's look-up in these levels."""
-    labs = tensors.labs
-    if sampler.boundary == "cube":
-        return labs.cube_maps.cube_filtered(levels, look, sampler.filter)
-    return labs.mipmapping.filtered(levels, look, sampler)
-
-
-def read_backward(grad, levels, look, sampler):
-    """Backward of `read`: a gradient for each level, and those of the look's three parts."""
-    labs = tensors.labs
-    if sampler.boundary == "cube":
-        return labs.cube_maps.cube_filtered_backward(grad, levels, look, sampler.filter)
-    return labs.mipmapping.filtered_backward(grad, levels, look, sampler)

@@ -13,7 +13,7 @@ from ...given import places
 from . import archives
 
 WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folder/*.*",
-         "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
+         "course/bridge/*.*", "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
          "tests/labs/[!t]*.py",  # what checks share
          "notebooks/errata.md", "notebooks/00_start_here.ipynb", "LICENSE", "requirements*.txt",
          "pyproject.toml", ".gitattributes", ".gitignore")

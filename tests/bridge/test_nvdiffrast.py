@@ -1,0 +1,255 @@
+"""nvdiffrast's interface: its kernels' numbers through tensors (tests/golden/README.md)."""
+import numpy as np
+import pytest
+from look_up_goldens import configs, require_look_ups
+
+torch = pytest.importorskip("torch", reason="PyTorch is not installed: requirements-torch.txt")
+from torch.autograd import gradcheck  # noqa: E402
+
+from course.bridge.nvdiffrast import torch as dr  # noqa: E402
+
+PIXELS, BACK, ATTRIBUTES, TEXTURES, CUBES, OUTLINES = (
+    dict(np.load(f"tests/golden/{name}.npz")) for name in (
+        "rasterize", "rasterize_gradients", "interpolate", "texture", "cube_maps", "antialias"))
+CONTEXT = dr.RasterizeCudaContext()
+
+
+def scenes(golden):
+    return pytest.mark.parametrize("scene", sorted({key.split("/")[0] for key in golden}))
+
+
+def of(golden, scene, *keys):
+    """These arrays of a scene, each as a batch of one float32 tensor that takes gradients."""
+    return [torch.tensor(golden[f"{scene}/{key}"][None], dtype=torch.float32, requires_grad=True)
+            for key in keys]
+
+
+def faces_of(golden, scene):
+    return torch.tensor(golden[f"{scene}/faces"].astype(np.int32))
+
+
+def rast_of(golden, scene):
+    """What rasterize() gives, made of a scene's parts."""
+    face_index = golden[f"{scene}/face_index"].astype(np.float32)
+    uv = golden.get(f"{scene}/uv", np.zeros((*face_index.shape, 2)))
+    depth = golden.get(f"{scene}/depth", face_index)
+    rast = np.dstack([uv, np.where(face_index < 0, 0, depth), face_index + 1])
+    return torch.tensor(rast[None], dtype=torch.float32, requires_grad=True)
+
+
+def require_near(got, expected, tolerance):
+    """tolerance: of the largest."""
+    np.testing.assert_allclose(got.detach(), expected, 0, tolerance * np.abs(expected).max())
+
+
+@scenes(PIXELS)
+def test_pixels_are_those_of_nvdiffrast(scene):
+    """A channel or a face's number is another one."""
+    pos, = of(PIXELS, scene, "clip")
+    size = PIXELS[f"{scene}/face_index"].shape
+    rast, rast_db = dr.rasterize(CONTEXT, pos, faces_of(PIXELS, scene), size)
+    assert rast.dtype == torch.float32
+    np.testing.assert_array_equal(rast[0, ..., 3].detach(), PIXELS[f"{scene}/face_index"] + 1)
+    require_near(rast, rast_of(PIXELS, scene).detach().numpy(), 1e-4 / 9)
+    require_near(rast_db[0].reshape(*size, 2, 2), PIXELS[f"{scene}/derivatives"], 3e-5)
+
+
+@scenes(BACK)
+def test_gradients_of_pixels_are_those_of_nvdiffrast(scene):
+    """What comes by z/w or by a face's number counts; grad_db=False is not heard."""
+    for grad_db, key in (True, "grad_clip_derivatives_32"), (False, "grad_clip_32"):
+        pos, = of(PIXELS, scene, "clip")
+        rast, rast_db = dr.rasterize(CONTEXT, pos, faces_of(PIXELS, scene),
+                                     PIXELS[f"{scene}/face_index"].shape, grad_db=grad_db)
+        upstream = torch.ones_like(rast)
+        upstream[0, ..., :2] = torch.tensor(BACK[f"{scene}/twice_grad_uv"] / 2)
+        by_db = torch.tensor(BACK[f"{scene}/twice_grad_derivatives"] / 2).reshape(rast_db.shape)
+        torch.autograd.backward((rast, rast_db), (upstream, by_db))
+        require_near(pos.grad[0], BACK[f"{scene}/{key}"], 1e-4)
+
+
+@scenes(ATTRIBUTES)
+def test_attributes_are_those_of_nvdiffrast(scene):
+    """diff_attrs are taken in another order, or their gradients do not add to the attributes'."""
+    attr, rast_db, grad = of(ATTRIBUTES, scene, "attributes", "derivatives", "grad_output")
+    rast, tri = rast_of(ATTRIBUTES, scene), faces_of(ATTRIBUTES, scene)
+    rast_db = rast_db.detach().flatten(-2).requires_grad_()
+    chosen = ATTRIBUTES[f"{scene}/chosen"].tolist()
+    out, out_da = dr.interpolate(attr, rast, tri, rast_db, chosen)
+    require_near(out[0], ATTRIBUTES[f"{scene}/output"], 2e-6)
+    require_near(out_da[0].reshape(*out.shape[1:3], -1, 2),
+                 ATTRIBUTES[f"{scene}/output_derivatives"], 2e-6)
+    by_attr, by_rast = torch.autograd.grad(out, (attr, rast), grad, retain_graph=True)
+    require_near(by_attr[0], ATTRIBUTES[f"{scene}/grad_attributes"], 3e-5)
+    require_near(by_rast[0, ..., :2], ATTRIBUTES[f"{scene}/grad_uv"], 3e-6)
+    assert not by_rast[..., 2:].any()
+    by_da = of(ATTRIBUTES, scene, "grad_output_derivatives")[0].flatten(-2)
+    by_attr, by_db = torch.autograd.grad((out, out_da), (attr, rast_db), (grad, by_da))
+    require_near(by_attr[0], ATTRIBUTES[f"{scene}/grad_attributes_both"], 3e-5)
+    require_near(by_db[0].reshape(rast_db.shape[1:]),
+                 ATTRIBUTES[f"{scene}/grad_derivatives"].reshape(rast_db.shape[1:]), 3e-6)
+
+
+def look_up(tex, uv, jacobian=None, bias=None, *, filter, boundary, max_level):
+    """dr.texture as `mipmapping.texture` -> the colours' tensor, and what it was given."""
+    def batch(array, *shape):
+        return None if array is None else torch.tensor(array, dtype=torch.float32).reshape(
+            1, *shape).requires_grad_()
+
+    given = (batch(tex, *tex.shape), batch(uv, *uv.shape),
+             batch(jacobian, *uv.shape[:2], 2 * uv.shape[2]), batch(bias, *uv.shape[:2]))
+    return dr.texture(*given, filter_mode=filter, boundary_mode=boundary,
+                      max_mip_level=max_level), given
+
+
+def colours(image=None, uv=None, faces=None, directions=None, **how):
+    colour, _ = look_up(image if faces is None else faces, uv if uv is not None else directions,
+                        **how)
+    return colour[0].detach().numpy()
+
+
+def gradients(grad, image=None, uv=None, faces=None, directions=None, **how):
+    """Of what was given, 0 where PyTorch gives none."""
+    colour, given = look_up(image if faces is None else faces,
+                            uv if uv is not None else directions, **how)
+    colour.backward(torch.tensor(grad, dtype=torch.float32)[None])
+    shapes = *((),) * 2, how.get("jacobian", np.zeros(1)).shape, ()
+    return [None if part is None else (part.grad if part.grad is not None else 0 * part)[0]
+            .detach().numpy().reshape(shape or part.shape[1:])
+            for part, shape in zip(given, shapes, strict=True)]
+
+
+@pytest.mark.parametrize(("scene", "config"), configs(TEXTURES))
+def test_textures_are_those_of_nvdiffrast(scene, config):
+    """A filter, boundary or level is another one, or a gradient does not arrive."""
+    boundary = str(TEXTURES[f"{scene}/boundary"])
+    require_look_ups(colours, gradients, ("image", "uv"), TEXTURES, scene, config,
+                     boundary=boundary)
+
+
+@pytest.mark.parametrize(("scene", "config"), configs(CUBES))
+def test_cube_maps_are_those_of_nvdiffrast(scene, config):
+    """Axes of directions or of their changes are swapped."""
+    require_look_ups(colours, gradients, ("faces", "directions"), CUBES, scene, config,
+                     boundary="cube")
+
+
+@scenes(OUTLINES)
+def test_outlines_are_those_of_nvdiffrast(scene):
+    """The background is not the farthest, or the gradient is not boosted."""
+    color, pos, grad = of(OUTLINES, scene, "colour", "clip", "grad_output")
+    out = dr.antialias(color, rast_of(OUTLINES, scene), pos, faces_of(OUTLINES, scene),
+                       pos_gradient_boost=3.0)
+    require_near(out[0], OUTLINES[f"{scene}/output"], 1e-5)
+    out.backward(grad)
+    require_near(color.grad[0], OUTLINES[f"{scene}/grad_colour"], 1.5e-5)
+    require_near(pos.grad[0] / 3, OUTLINES[f"{scene}/grad_clip"], 3e-6)
+
+
+def made_scene(dtype=torch.float64):
+    """Two pictures of two triangles, one before the other: clip (2, 6, 4), faces, size."""
+    rng = np.random.default_rng(3)
+    clip = np.concatenate([rng.uniform(-1, 1, (2, 6, 2)), np.full((2, 6, 1), 0.5),
+                           rng.uniform(1, 1.5, (2, 6, 1))], -1)
+    clip[:, 3:, :2] = 0.7 * clip[:, :3, :2] + 0.1
+    clip[:, 3:, 2] = -0.5
+    faces = torch.tensor([[0, 1, 2], [3, 4, 5]], dtype=torch.int32)
+    return torch.tensor(clip, dtype=dtype, requires_grad=True), faces, (9, 12)
+
+
+def test_gradients_are_central_differences():
+    """In float64: by attributes, weights, their derivatives, textures, places, levels, colours."""
+    torch.manual_seed(0)
+    pos, tri, size = made_scene()
+    attr = torch.rand(1, 6, 2, dtype=torch.float64, requires_grad=True)
+    seen = dr.rasterize(CONTEXT, pos, tri, size)
+    rast, rast_db = (part.detach().requires_grad_() for part in seen)
+    free = torch.ones_like(rast) * torch.tensor([1.0, 1, 0, 0])  # z/w and numbers are not moved
+    assert gradcheck(lambda attr, move, db: dr.interpolate(
+        attr, rast.detach() + free * move, tri, db, "all"),
+        (attr, torch.zeros_like(rast).requires_grad_(), rast_db))
+    assert gradcheck(lambda pos: [part[..., :2] for part in dr.rasterize(CONTEXT, pos, tri, size)],
+                     pos, eps=1e-7, atol=2e-3)
+    tex = torch.rand(2, 4, 8, 2, dtype=torch.float64, requires_grad=True)
+    mips = [torch.rand(2, 2, 4, 2, dtype=torch.float64, requires_grad=True)]
+    uv = torch.rand(2, 3, 4, 2, dtype=torch.float64, requires_grad=True)
+    uv_da = (0.4 * torch.rand(2, 3, 4, 4, dtype=torch.float64)).requires_grad_()
+    bias = torch.rand(2, 3, 4, dtype=torch.float64, requires_grad=True)
+    assert gradcheck(dr.texture, (tex, uv, uv_da, bias))
+    assert gradcheck(lambda *given: dr.texture(*given[:4], mip=list(given[4:])),
+                     (tex, uv, uv_da, bias, *mips))
+    color = torch.rand(2, *size, 3, dtype=torch.float64, requires_grad=True)
+    assert gradcheck(lambda color: dr.antialias(color, rast.detach(), pos.detach(), tri), color)
+
+
+def test_a_batch_is_its_pictures_and_ranges_are_meshes():
+    """Pictures mix, one texture's gradients are not summed, or a range counts faces from its own.
+    """
+    pos, tri, size = made_scene(torch.float32)
+    both, _ = dr.rasterize(CONTEXT, pos, tri, size)
+    for n in (0, 1):
+        alone, _ = dr.rasterize(CONTEXT, pos[n:n + 1], tri, size)
+        torch.testing.assert_close(both[n:n + 1], alone, rtol=0, atol=0)
+    ranges = torch.tensor([[1, 1], [0, 2]], dtype=torch.int32)
+    ranged, _ = dr.rasterize(CONTEXT, pos[0], tri, size, ranges)
+    assert set(ranged[0, ..., 3].unique().tolist()) == {0, 2}
+    torch.testing.assert_close(ranged[1], both[0], rtol=0, atol=0)
+    attr = torch.rand(6, 3, requires_grad=True)
+    out, _ = dr.interpolate(attr, ranged.detach(), tri)
+    expected, _ = dr.interpolate(attr[None], ranged.detach(), tri)
+    torch.testing.assert_close(out, expected, rtol=0, atol=0)
+    color = dr.antialias(out, ranged, pos[0], tri)
+    color.sum().backward()
+    assert attr.grad.abs().sum() > 0 and pos.grad[0].abs().sum() > 0
+
+
+def test_depth_layers_come_from_near_to_far():
+    """A layer is seen twice or left out, or another rasterization gets between."""
+    pos, tri, size = made_scene(torch.float32)
+    with dr.DepthPeeler(CONTEXT, pos, tri, size) as peeler:
+        layers = [peeler.rasterize_next_layer()[0].detach() for _ in range(3)]
+        with pytest.raises(RuntimeError, match="DepthPeeler has this context"):
+            dr.rasterize(CONTEXT, pos, tri, size)
+    alone = [dr.rasterize(CONTEXT, pos, tri[n:n + 1], size)[0][..., 3] > 0 for n in (0, 1)]
+    far, near = alone  # the second triangle is nearer
+    torch.testing.assert_close(layers[0][..., 3], torch.where(near, 2.0, far.float()))
+    torch.testing.assert_close(layers[1][..., 3], (near & far).float())
+    assert (near & far).any() and not layers[2].any()
+    with pytest.raises(RuntimeError, match="has ended"), peeler:
+        pass
+
+
+def test_levels_can_be_made_before():
+    """texture_construct_mip gives other levels than texture makes itself, or no gradient."""
+    tex = torch.rand(1, 6, 4, 4, 3, requires_grad=True)
+    uv, bias = torch.randn(2, 3, 5, 3), torch.full((2, 3, 5), 1.3)
+    found = []
+    for mip in None, dr.texture_construct_mip(tex, cube_mode=True):
+        colour = dr.texture(tex, uv, mip_level_bias=bias, mip=mip, boundary_mode="cube")
+        found.append((colour, *torch.autograd.grad(colour.sum(), tex)))
+    for one, other in zip(*found, strict=True):
+        torch.testing.assert_close(one, other)
+
+
+@pytest.mark.parametrize(("call", "said"), [
+    (lambda pos, tri: (pos.half(), tri), "pos must be of torch.float32, not torch.float16"),
+    (lambda pos, tri: (pos, tri.long()), "tri must be of torch.int32, not torch.int64"),
+    (lambda pos, tri: (pos.mT.contiguous().mT, tri), "pos must be contiguous"),
+    (lambda pos, tri: (pos[..., :3].contiguous(), tri), r"pos must have the shape \(n, v, 4\)"),
+    (lambda pos, tri: (pos[0], tri), "or ranges must be given"),
+    (lambda pos, tri: (pos.to("meta"), tri), "pos is on meta: this code works on the processor"),
+])
+def test_what_does_not_fit_is_said(call, said):
+    """A wrong tensor ends deep in the labs, or is taken."""
+    pos, tri, size = made_scene(torch.float32)
+    with pytest.raises(RuntimeError, match=said):
+        dr.rasterize(CONTEXT, *call(pos.detach(), tri), size)
+
+
+def test_an_odd_texture_has_no_levels():
+    """The pyramid ends early and nobody is told."""
+    uv = torch.zeros(1, 2, 2, 2)
+    given = torch.ones(1, 6, 4, 1), uv, torch.ones(1, 2, 2, 4)
+    with pytest.raises(RuntimeError, match="6 x 4 has no mip level 2, as 3 x 2 cannot be halved"):
+        dr.texture(*given)
+    assert dr.texture(*given, max_mip_level=1).shape == (1, 2, 2, 1)
