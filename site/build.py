@@ -26,9 +26,9 @@ EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are
 
 def write_sources(lite):
     """All pages, as Sphinx reads them, and the files beside them."""
-    for part in labs, sources, instructors:
+    for part in labs, sources:
         part.write(SOURCE)
-    for part in lectures, benchmarks:
+    for part in lectures, benchmarks, instructors:
         part.write(SOURCE, EXTRA)
     front.write(SOURCE, EXTRA, lite)
     texts_links.write(SOURCE, lite)

@@ -81,7 +81,8 @@ def trees(lite):
     labs = [lab_page(topics[0]) for topics in exercises.LABS]
     groups = {"Lectures": lectures, "Labs": ["labs/index", *labs],
               "Code": ["reference/index", "given/index", "benchmarks"],
-              "More": ["own_pictures", "instructors", "errata", "glossary", "bibliography"]}
+              "More": ["own_pictures", "real_projects", "instructors", "errata", "glossary",
+                       "bibliography"]}
     if lite:
         groups["Labs"].append("in_the_browser")
     for caption, pages in groups.items():

@@ -17,7 +17,7 @@ from .names import CODE, document, exercise_pages, function_page
 from .posters import poster
 
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
-LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)\)")
+LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)(#[^)\s]+)?\)")
 ANNOUNCED = re.compile(r"\*(?:Exercises?|Extras?) \d.*")
 NUMBER = re.compile(r"\b\d+\.\d+\b")
 BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
@@ -69,7 +69,7 @@ def _page_link(link):
     page = document(path)
     if page is None:
         raise ValueError(f"a lecture leads to {link[1]}, which is no page of the site")
-    return f"]({page})"
+    return f"]({page}{link[2] or ''})"
 
 
 def _exercise(number):

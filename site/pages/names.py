@@ -68,5 +68,5 @@ def page_of_file(path):
     if folder in ("reference", "course/given") and (ROOT / path).exists() and ending == "py":
         return f"{folder.rpartition('/')[2]}/{stem}"
     return {"notebooks/errata.md": "errata", "benchmarks/README.md": "benchmarks",
-            "course/grading/README.md": "instructors",
+            "course/grading/README.md": "instructors", "course/bridge/README.md": "real_projects",
             "course/experiments/folder/README.md": "own_pictures"}.get(path)

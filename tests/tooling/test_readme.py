@@ -53,6 +53,14 @@ def test_its_links_lead_somewhere():
         assert (places.ROOT / link).exists(), link
 
 
+def test_what_is_behind_a_call_is_named_as_it_is():
+    """An exercise got another number: a student looks for it in vain."""
+    named = re.findall(r"(\d+\.\d+) `(\w+)`", (places.ROOT / "course/bridge/README.md").read_text())
+    assert len(named) > 20 and set(named) <= {
+        (exercise.number, exercise.name) for topic in exercises.topics()
+        for exercise in exercises.topic_exercises(topic)}
+
+
 def test_the_extra_that_it_names_is_one():
     """`course open` refuses the very example that the README gives."""
     number = re.search(r"course open (\d+\.\d+)", TEXT)[1]
