@@ -158,7 +158,7 @@ def test_solutions_that_are_released_later_can_be_put_in(tmp_path, run_module):
     assert exercises.read(lab) == exercises.read(exercises.reference("transforms"))
 
 
-COMMANDS = ["demo", "notebooks", "check", "open", "close", "pack"]
+COMMANDS = ["demo", "notebooks", "run", "check", "open", "close", "pack"]
 
 
 @pytest.mark.parametrize("labs", [*map(str, range(1, len(exercises.LABS) + 1)), "1-4", None])
