@@ -50,6 +50,8 @@ def load_obj(filename_obj, normalization=True, texture_size=4, load_texture=Fals
     vertices = content.vertices
     if normalization:
         low, high = vertices.min(0), vertices.max(0)
+        require((low < high).any(), f"all vertices of {filename_obj} are in one place: load it "
+                "without normalization")
         vertices = (2 * vertices - low - high) / (high - low).max()
     mesh = torch.from_numpy(vertices).float(), torch.from_numpy(content.faces).int()
     if not load_texture:

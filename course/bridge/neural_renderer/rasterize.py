@@ -12,19 +12,6 @@ from .. import tensors
 from ..tensors import array, require, tensor
 
 
-class Screen(NamedTuple):
-    """The arguments of `Rasterize`, in their order."""
-
-    image_size: int
-    near: float
-    far: float
-    eps: float
-    background_color: object
-    return_rgb: bool = False
-    return_alpha: bool = False
-    return_depth: bool = False
-
-
 class Settings(NamedTuple):
     """The arguments of `rasterize_rgbad` after the textures, in their order.
 
@@ -49,9 +36,9 @@ def rasterize_rgbad(faces, textures=None, *settings, **named):
     faces (N, F, 3, 3), textures (N, F, T, T, T, 3), then the Settings. Where no face is seen, the
     depth is far.
     """
-    image_size, anti_aliasing, *screen = Settings(*settings, **named)
+    image_size, anti_aliasing, *others = Settings(*settings, **named)
     samples = 2 if anti_aliasing else 1
-    rgb, alpha, depth = Rasterize(samples * image_size, *screen)(faces, textures)
+    rgb, alpha, depth = Rasterize(samples * image_size, *others)(faces, textures)
     pictures = {"rgb": None if rgb is None else rgb.movedim(-1, 1), "alpha": alpha, "depth": depth}
     return {kind: None if picture is None else avg_pool2d(picture.flip(-2), samples)
             for kind, picture in pictures.items()}
@@ -82,19 +69,21 @@ def only(kind, faces, textures, settings, named):
 class Rasterize(torch.nn.Module):
     """faces, textures -> rgb (N, H, W, 3), alpha, depth (N, H, W), None where not wanted.
 
-    Its arguments are those of Screen. Row 0 is at the bottom.
+    Row 0 is at the bottom.
     """
 
-    def __init__(self, *screen, **named):
+    def __init__(self, image_size, near, far, eps, background_color, return_rgb=False,
+                 return_alpha=False, return_depth=False):
         super().__init__()
-        self.screen = Screen(*screen, **named)
+        self.settings = Settings(image_size, False, near, far, eps, background_color, return_rgb,
+                                 return_alpha, return_depth)
 
     def forward(self, faces, textures=None):
-        wanted = self.screen[-3:]
+        wanted = self.settings[-3:]
         require(textures is not None or not wanted[0], "rgb needs textures: give them, or ask for "
                 "silhouettes or depth")
         textures = with_pairs(textures) if wanted[0] else None
-        colour, depth = Pictures.apply(faces.contiguous(), textures, self.screen)
+        colour, depth = Pictures.apply(faces.contiguous(), textures, self.settings)
         pictures = colour[..., :3], colour[..., -1], depth
         return tuple(picture if is_wanted else None
                      for picture, is_wanted in zip(pictures, wanted, strict=True))
@@ -114,21 +103,22 @@ class Pictures(torch.autograd.Function):
     """
 
     @staticmethod
-    def forward(ctx, faces, textures, screen):
+    def forward(ctx, faces, textures, settings):
         corners, cubes = arrays_of(faces, textures)
-        size, near, far = screen.image_size, screen.near, screen.far
+        size, near, far = settings.image_size, settings.near, settings.far
         ctx.maps = [tensors.labs.neural_renderer.rasterize(each, size, size, near, far)
                     for each in corners]
         depth = np.stack([maps.depth for maps in ctx.maps])
         is_seen = np.isfinite(depth)
         colour = [is_seen[..., None]]
         if cubes is not None:
-            colour.insert(0, shaded(ctx.maps, corners, cubes, screen.background_color))
-        colour = tensor(np.concatenate(colour, -1), faces)
+            colour.insert(0, shaded(ctx.maps, corners, cubes, settings.background_color))
+        colour = np.concatenate(colour, -1)
+        colour = tensor(colour, faces, colour.shape)
         ctx.save_for_backward(faces, textures, colour)
-        ctx.eps = screen.eps
+        ctx.eps = settings.eps
         ctx.set_materialize_grads(False)
-        return colour, tensor(np.where(is_seen, depth, far), faces)
+        return colour, tensor(np.where(is_seen, depth, far), faces, depth.shape)
 
     @staticmethod
     def backward(ctx, grad_colour, grad_depth):
