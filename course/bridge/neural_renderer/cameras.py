@@ -8,8 +8,6 @@ import math
 import torch
 from torch.nn.functional import normalize
 
-from ..tensors import require
-
 SHORTEST = 1e-5  # vectors as short as this are not made longer
 
 
@@ -31,7 +29,6 @@ def look(vertices, eye, direction=(0, 1, 0), up=None):
 
     eye, direction, up: (3,) or (N, 3). up is (0, 1, 0) if it is not given.
     """
-    require_vertices(vertices)
     up = as_vectors((0, 1, 0) if up is None else up, vertices)
     forward = normalize(as_vectors(direction, vertices), dim=-1, eps=SHORTEST)
     right = normalize(torch.linalg.cross(up, forward), dim=-1, eps=SHORTEST)
@@ -44,7 +41,6 @@ def perspective(vertices, angle=30.0):
     """vertices (N, V, 3) as a camera sees them, divided by z: angle degrees from the middle of the
     picture is its border.
     """
-    require_vertices(vertices)
     x, y, z = vertices.unbind(-1)
     slope = torch.tan(torch.deg2rad(torch.as_tensor(angle, dtype=z.dtype, device=z.device)))
     return torch.stack([x / z / slope, y / z / slope, z], -1)
@@ -56,7 +52,6 @@ def projection(vertices, K, R, t, dist_coeffs, orig_size, eps=1e-9):
     K, R: (3, 3) or (N, 3, 3); t: (3,), (N, 3) or (N, 1, 3); dist_coeffs: k1, k2, p1, p2, k3, (5,)
     or (N, 5). K counts rows from the top.
     """
-    require_vertices(vertices)
     K, R, coefficients = (torch.as_tensor(given, dtype=vertices.dtype, device=vertices.device)
                           for given in (K, R, dist_coeffs))
     x, y, z = (vertices @ R.mT + as_vectors(t, vertices)).unbind(-1)
@@ -82,9 +77,3 @@ def get_points_from_angles(distance, elevation, azimuth, degrees=True):
     point = (distance * kind.cos(up) * kind.sin(around), distance * kind.sin(up),
              -distance * kind.cos(up) * kind.cos(around))
     return point if kind is math else torch.stack(point, -1)
-
-
-def require_vertices(vertices):
-    """RuntimeError unless they are those of a batch."""
-    require(vertices.ndim == 3 and vertices.shape[-1] == 3, "vertices must have the shape (n, v, 3)"
-            f", give those of one mesh as vertices[None]; they have {tuple(vertices.shape)}")

@@ -5,7 +5,6 @@ Vertices and faces are numbered as in the file, so trimesh, which numbers anew, 
 import itertools
 import math
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -46,42 +45,34 @@ def load_obj(filename_obj, normalization=True, texture_size=4, load_texture=Fals
     reads the picture where OpenGL would, and wraps on its own.
     FileNotFoundError or OSError for a file that cannot be opened, ValueError for a broken one.
     """
-    content = read(Path(filename_obj))
-    vertices = content.vertices
+    path = Path(filename_obj)
+    vertices, faces, uv, used, library = read(path)
     if normalization:
         low, high = vertices.min(0), vertices.max(0)
-        require((low < high).any(), f"all vertices of {filename_obj} are in one place: load it "
-                "without normalization")
+        require((low < high).any(), f"all of {path} is in one place: load it as it is")
         vertices = (2 * vertices - low - high) / (high - low).max()
-    mesh = torch.from_numpy(vertices).float(), torch.from_numpy(content.faces).int()
+    mesh = torch.from_numpy(vertices).float(), torch.from_numpy(faces).int()
     if not load_texture:
         return mesh
+    require(library, f"{path} names no file of materials (mtllib): load it without textures")
     require(texture_size > 1, f"texture_size must be 2 or more, not {texture_size}")
-    require(texture_wrapping in BOUNDARIES, "texture_wrapping must be one of "
-            f"{', '.join(BOUNDARIES)}, not {texture_wrapping!r}")
-    require(content.library, f"{filename_obj} names no file of materials (mtllib): load it without "
-            "textures")
-    return *mesh, torch.from_numpy(
-        baked(content, materials(Path(filename_obj).parent / content.library), texture_size,
-              texture_wrapping, "linear" if use_bilinear else "nearest")).float()
-
-
-class Wavefront(NamedTuple):
-    """An .obj file: vertices (V, 3), faces (F, 3), uv of their corners (F, 3, 2), the name of each
-    face's material, and that of the file of materials, "" for none.
-    """
-
-    vertices: np.ndarray
-    faces: np.ndarray
-    uv: np.ndarray
-    materials: list[str]
-    library: str
+    textures = np.full((len(faces), *3 * [texture_size], 3), 0.5)
+    at = tensors.labs.texture_cubes.texel_barycentrics(texture_size) @ uv[:, None, None]
+    for name, look in materials(path.parent / library).items():
+        of = np.flatnonzero(np.array(used) == name)
+        textures[of] = look if look.ndim == 1 else looked_up(look, at[of], texture_wrapping,
+                                                             use_bilinear)
+    return *mesh, torch.from_numpy(textures).float()
 
 
 def read(path):
-    """A file -> Wavefront. Polygons are cut into triangles, from their first corner."""
+    """A file -> vertices (V, 3), faces (F, 3), uv of their corners (F, 3, 2), the names of their
+    materials and of the file of materials, "" for none.
+
+    Polygons are cut into triangles, from their first corner.
+    """
     rows = {"v": [("0", "0", "0")], "vt": [("0", "0")]}  # numbers start at 1; 0 means none
-    named, corners, materials = {"usemtl": "", "mtllib": ""}, [], []
+    named, corners, used = {"usemtl": "", "mtllib": ""}, [], []
     try:
         for word, *others in statements(path):
             if word in rows:
@@ -89,13 +80,14 @@ def read(path):
             elif word in named:
                 named[word] = " ".join(others)
             elif word == "f":
-                first, *rest = (numbers(corner, *map(len, rows.values())) for corner in others)
+                first, *rest = ([int(number or 0) for number in f"{corner}/".split("/")[:2]]
+                                for corner in others)
                 corners += [(first, *pair) for pair in itertools.pairwise(rest)]
-                materials += [named["usemtl"]] * (len(corners) - len(materials))
+                used += [named["usemtl"]] * (len(corners) - len(used))
         vertices, uv = (np.array(each, float) for each in rows.values())
-        faces, uv_faces = np.moveaxis(np.array(corners, int).reshape(-1, 3, 2) , -1, 0)
+        faces, uv_faces = np.moveaxis(np.array(corners, int).reshape(-1, 3, 2), -1, 0)
         inputs.require_mesh(vertices[1:], faces - 1)
-        return Wavefront(vertices[1:], faces - 1, uv[uv_faces], materials, named["mtllib"])
+        return vertices[1:], faces - 1, uv[uv_faces], used, named["mtllib"]
     except (ValueError, IndexError) as error:
         raise ValueError(f"cannot read {path} as a mesh: it is broken, cut short or something else "
                          f"({error})") from None
@@ -105,13 +97,6 @@ def statements(path):
     """The words of each line of a file, without comments."""
     text = places.read_whole(path).decode("utf-8", "replace")
     return filter(None, (line.partition("#")[0].split() for line in text.splitlines()))
-
-
-def numbers(corner, *counts):
-    """A face's corner, as 7/3/2 or 7//2 -> the numbers of its vertex and its uv, 0 for none."""
-    found = [int(part or 0) for part in f"{corner}/".split("/")[:2]]
-    return [count + number if number < 0 else number  # -1 is the last so far
-            for number, count in zip(found, counts, strict=True)]
 
 
 def materials(path):
@@ -127,21 +112,14 @@ def materials(path):
     return looks
 
 
-def baked(content, looks, size, wrapping, filter):
-    """The textures (F, T, T, T, 3), T = size, of a Wavefront. Faces without material are grey."""
-    textures = np.full((len(content.faces), size**3, 3), 0.5)
-    for name, look in looks.items():
-        faces = np.flatnonzero(np.array(content.materials) == name)
-        if look.ndim == 1:
-            textures[faces] = look
-        else:
-            weights = tensors.labs.texture_cubes.texel_barycentrics(size).reshape(-1, 3)
-            uv = weights @ content.uv[faces]
-            if wrapping == "MIRRORED_REPEAT":
-                uv = 1 - np.abs(uv % 2 - 1)
-            textures[faces] = tensors.labs.mipmapping.texture(look, uv, filter=filter,
-                                                              boundary=BOUNDARIES[wrapping])
-    return textures.reshape(-1, size, size, size, 3)
+def looked_up(picture, uv, wrapping, is_bilinear):
+    """A picture's colours at uv (..., 2)."""
+    require(wrapping in BOUNDARIES, f"texture_wrapping must be one of {', '.join(BOUNDARIES)}, not "
+            f"{wrapping}")
+    if wrapping == "MIRRORED_REPEAT":
+        uv = 1 - np.abs(uv % 2 - 1)
+    return tensors.labs.mipmapping.texture(picture, uv, boundary=BOUNDARIES[wrapping],
+                                           filter="linear" if is_bilinear else "nearest")
 
 
 def save_obj(filename, vertices, faces, textures=None):
@@ -155,8 +133,7 @@ def save_obj(filename, vertices, faces, textures=None):
     faces = array("faces", faces.contiguous(), "f 3", INTEGERS) + 1
     with path.open("w", encoding="utf-8") as file:
         if textures is not None:
-            cubes = array("textures", with_pairs(textures), f"{len(faces)} t t t 3")
-            picture, uv = atlas(cubes)
+            picture, uv = atlas(array("textures", with_pairs(textures), f"{len(faces)} t t t 3"))
             image.write(path.with_suffix(".png"), picture)
             path.with_suffix(".mtl").write_text(
                 f"newmtl faces\nKd 1 1 1\nmap_Kd {path.stem}.png\n", encoding="utf-8")
@@ -172,34 +149,29 @@ def atlas(textures):
     """textures (F, T, T, T, 3) -> a picture with a tile for each face, and where in it the faces'
     corners are: uv (F, 3, 2).
     """
-    count = len(textures)
-    tiles = face_tiles(textures)
+    count, tiles = math.ceil(math.sqrt(len(textures))), face_tiles(textures)
     side = tiles.shape[1]
-    columns = math.ceil(math.sqrt(count))
-    rows = math.ceil(count / columns)
-    tiles = np.concatenate([tiles, np.zeros((rows * columns - count, side, side, 3))])
-    picture = tiles.reshape(rows, columns, side, side, 3).swapaxes(1, 2)
-    row, column = np.divmod(np.arange(count), columns)
+    picture = np.zeros((count, count, side, side, 3))
+    picture.reshape(-1, side, side, 3)[:len(tiles)] = tiles
+    row, column = np.divmod(np.arange(len(tiles)), count)
     corners = np.array([[1, 1], [side - 1, 1], [1, side - 1]]) + 0.5
-    at = side * np.stack([column, row], -1)[:, None] + corners
-    return (picture.reshape(rows * side, columns * side, 3),
-            at / [columns * side, rows * side])
+    uv = (np.stack([column, row], -1)[:, None] + corners / side) / count
+    return picture.swapaxes(1, 2).reshape(count * side, count * side, 3), uv
 
 
 def face_tiles(textures):
-    """textures (F, T, T, T, 3) -> a picture of each face (F, side, side, 3).
+    """textures (F, T, T, T, 3) -> a picture of each face (F, side, side, 3), its half below the
+    diagonal.
 
-    It is the half below the diagonal, with 3 (T - 1) texels along a side and one more around. So
-    what `texel_barycentrics` asks of the neighbourhood of a face is in the middle of a texel.
+    There are 3 (T - 1) texels along a face's side, and one more around. So what a face's cube asks
+    for, `texel_barycentrics`, is in the middle of a texel.
     """
     size = textures.shape[1]
     share = np.arange(-1, 3 * size - 2) / (3 * size - 3)
     x, y = np.meshgrid(share, share)
     weight = np.stack([1 - x - y, x, y], -1).reshape(-1, 3)
-    # Beside the face it is the texel beside the plane that stands for this place: along (1, 1, 1).
+    # A place beside the face shows the texel beside the plane that stands for it, along (1, 1, 1).
     weight = np.clip(weight - np.minimum(weight.min(-1, keepdims=True), 0), 0, 1)
-    index, tap = tensors.labs.texture_cubes.cube_taps(weight, np.ones(len(weight)), np.ones(1),
-                                                      size)
-    texels = np.moveaxis(textures, 0, -2).reshape(size**3, -1)
-    tiles = tensors.labs.texturing.look_up(texels, index, tap)
+    taps = tensors.labs.texture_cubes.cube_taps(weight, np.ones(len(weight)), np.ones(1), size)
+    tiles = tensors.labs.texturing.look_up(np.moveaxis(textures, 0, -2).reshape(size**3, -1), *taps)
     return np.moveaxis(tiles.reshape(len(share), len(share), -1, 3), 2, 0)

@@ -1,21 +1,18 @@
 """Renderer: meshes in the world, with light and a camera, as pictures."""
 import math
-from typing import NamedTuple
 
 import torch
 from torch.nn.functional import normalize
 
 from ..tensors import require
 from . import cameras
-from .rasterize import rasterize, rasterize_depth, rasterize_rgbad, rasterize_silhouettes
+from .rasterize import rasterize_depth, rasterize_rgbad, rasterize_silhouettes
 
 
 def vertices_to_faces(vertices, faces):
     """The corners (N, F, 3, 3) of faces (N, F, 3) with vertices (N, V, 3)."""
-    cameras.require_vertices(vertices)
-    require(faces.shape == (len(vertices), faces.shape[1], 3), f"faces must have the shape "
-            f"({len(vertices)}, f, 3), give those of one mesh as faces[None]; they have "
-            f"{tuple(faces.shape)}")
+    require(vertices.ndim == faces.ndim == 3, "vertices must have the shape (n, v, 3) and faces "
+            f"(n, f, 3); they have {tuple(vertices.shape)} and {tuple(faces.shape)}")
     return vertices[torch.arange(len(vertices))[:, None, None], faces.long()]
 
 
@@ -34,54 +31,31 @@ def lighting(faces, textures, intensity_ambient=0.5, intensity_directional=0.5,
     return textures * light[:, :, None, None, None]
 
 
-class Settings(NamedTuple):
-    """The arguments of Renderer, in their order; they are its attributes.
-
-    camera_mode: projection, with K to orig_size as `cameras.projection` takes them; look_at, from
-    eye to 0; look, from eye in camera_direction. The last two are in perspective or not, with
-    viewing_angle degrees from the middle of the picture to its border.
-    """
-
-    image_size: int = 256
-    anti_aliasing: bool = True
-    background_color: object = (0, 0, 0)
-    fill_back: bool = True
-    camera_mode: str = "projection"
-    K: object = None
-    R: object = None
-    t: object = None
-    dist_coeffs: object = None
-    orig_size: float = 1024
-    perspective: bool = True
-    viewing_angle: float = 30
-    camera_direction: object = (0, 0, 1)
-    near: float = 0.1
-    far: float = 100
-    light_intensity_ambient: float = 0.5
-    light_intensity_directional: float = 0.5
-    light_color_ambient: object = (1, 1, 1)
-    light_color_directional: object = (1, 1, 1)
-    light_direction: object = (0, 1, 0)
-
-
 class Renderer(torch.nn.Module):
     """Pictures of vertices (N, V, 3), faces (N, F, 3) and textures (N, F, T, T, T, 3).
 
-    Its arguments are Settings. After the mesh, K, R, t, dist_coeffs and orig_size may follow, else
-    they are the Renderer's own. (The original heeds near and far for colours alone, and looks along
-    z until camera_direction is set as an attribute.)
+    Its arguments are its attributes. fill_back: faces are seen from behind, too. camera_mode:
+    projection, with K to orig_size as `cameras.projection` takes them, if they do not follow the
+    mesh; look_at, from the attribute eye to 0; look, from there in camera_direction. The last two
+    are in perspective or not, with viewing_angle degrees from the middle of the picture to its
+    border. (The original heeds near and far for colours alone, and no camera_direction given here.)
     """
 
-    def __init__(self, *settings, **named):
-        super().__init__()
-        for name, value in Settings(*settings, **named)._asdict().items():
+    def __init__(self, image_size=256, anti_aliasing=True, background_color=(0, 0, 0),
+                 fill_back=True, camera_mode="projection", K=None, R=None, t=None,
+                 dist_coeffs=None, orig_size=1024, perspective=True, viewing_angle=30,
+                 camera_direction=(0, 0, 1), near=0.1, far=100, light_intensity_ambient=0.5,
+                 light_intensity_directional=0.5, light_color_ambient=(1, 1, 1),
+                 light_color_directional=(1, 1, 1), light_direction=(0, 1, 0)):
+        given = {name: value for name, value in locals().items() if name != "self"}
+        torch.nn.Module.__init__(self)
+        for name, value in given.items():
             setattr(self, name, value)
-        if self.camera_mode not in ("projection", "look", "look_at"):
-            raise ValueError("camera_mode must be projection, look or look_at, not "
-                             f"{self.camera_mode!r}")
-        if self.dist_coeffs is None:
+        if camera_mode not in ("projection", "look", "look_at"):
+            raise ValueError(f"camera_mode must be projection, look or look_at, not {camera_mode}")
+        if dist_coeffs is None:
             self.dist_coeffs = torch.zeros(1, 5)
-        self.eye = 0, 0, -(1 / math.tan(math.radians(self.viewing_angle)) + 1)
+        self.eye = 0, 0, -(1 / math.tan(math.radians(viewing_angle)) + 1)
         self.rasterizer_eps = 1e-3
 
     def forward(self, vertices, faces, textures=None, mode=None, *camera, **named):
@@ -92,20 +66,18 @@ class Renderer(torch.nn.Module):
             return self.render_rgb(vertices, faces, textures, *camera, **named)
         if mode in ("silhouettes", "depth"):
             return getattr(self, f"render_{mode}")(vertices, faces, *camera, **named)
-        raise ValueError(f"mode must be None, rgb, silhouettes or depth, not {mode!r}")
+        raise ValueError(f"mode must be None, rgb, silhouettes or depth, not {mode}")
 
     def render(self, vertices, faces, textures, *camera, **named):
         """rgb (N, 3, H, W), depth (N, H, W), alpha (N, H, W)."""
-        corners = self.corners(vertices, faces, *camera, **named)
-        pictures = rasterize_rgbad(corners, self.lit(vertices, faces, textures), *self.screen(),
-                                   self.rasterizer_eps, self.background_color)
+        pictures = rasterize_rgbad(
+            self.corners(vertices, faces, *camera, **named), self.lit(vertices, faces, textures),
+            *self.screen(), self.rasterizer_eps, self.background_color)
         return pictures["rgb"], pictures["depth"], pictures["alpha"]
 
     def render_rgb(self, vertices, faces, textures, *camera, **named):
         """rgb (N, 3, H, W)."""
-        corners = self.corners(vertices, faces, *camera, **named)
-        return rasterize(corners, self.lit(vertices, faces, textures), *self.screen(),
-                         self.rasterizer_eps, self.background_color)
+        return self.render(vertices, faces, textures, *camera, **named)[0]
 
     def render_silhouettes(self, vertices, faces, *camera, **named):
         """alpha (N, H, W)."""
@@ -127,11 +99,11 @@ class Renderer(torch.nn.Module):
     def seen(self, vertices, K=None, R=None, t=None, dist_coeffs=None, orig_size=None):
         """The vertices as the camera sees them."""
         if self.camera_mode == "projection":
-            given = {"K": K, "R": R, "t": t, "dist_coeffs": dist_coeffs, "orig_size": orig_size}
-            camera = [getattr(self, name) if value is None else value
-                      for name, value in given.items()]
-            require(all(value is not None for value in camera), "the camera mode projection needs "
-                    "K, R and t: give them to Renderer, or with the mesh")
+            own = self.K, self.R, self.t, self.dist_coeffs, self.orig_size
+            camera = [mine if given is None else given for mine, given in zip(
+                own, (K, R, t, dist_coeffs, orig_size), strict=True)]
+            require(all(part is not None for part in camera), "the camera mode projection needs K, "
+                    "R and t: give them to Renderer, or after the mesh")
             return cameras.projection(vertices, *camera)
         if self.camera_mode == "look_at":
             vertices = cameras.look_at(vertices, self.eye)
