@@ -81,8 +81,9 @@ def test_depth_and_a_single_texel_have_exact_gradients(rng):
     """Eight taps of one texel, a depth that knows nothing of x and y, 2 x 2 samples added up."""
     faces, textures = given(some_corners(rng)[None], rng.random((1, 12, 1, 1, 1, 3)))
     assert torch.autograd.gradcheck(lambda faces: nr.rasterize_depth(faces, 6), faces, atol=1e-6)
-    assert torch.autograd.gradcheck(lambda textures: nr.rasterize(faces.detach(), textures, 6),
-                                    textures)
+    pictures = functools.partial(nr.rasterize, faces.detach(), image_size=6)
+    assert torch.autograd.gradcheck(pictures, textures)
+    torch.testing.assert_close(pictures(textures), pictures(textures.expand(1, 12, 2, 2, 2, 3)))
 
 
 @pytest.mark.parametrize(("near", "far", "depths"), [
@@ -136,7 +137,8 @@ def test_faces_are_seen_from_behind_with_their_own_colours(rng):
     assert torch.equal(front, renderer.render_rgb(vertices, faces.flip(-1),
                                                   textures.transpose(2, 4)))
     renderer.fill_back = False
-    assert torch.equal(front, renderer.render_rgb(vertices, faces, textures))
+    rgb, _, alpha = renderer(vertices, faces, textures)
+    assert torch.equal(front, rgb) and torch.equal(alpha > 0, rgb.sum(1) > 0)
     assert renderer(vertices, faces.flip(-1), mode="silhouettes").sum() == 0 < front.amax()
 
 
@@ -155,7 +157,8 @@ def test_textures_come_back_from_a_file(size, tmp_path, rng):
     pictures = [look(*(each[None] for each in scene)) for scene in (
         found, (vertices, faces, textures))]
     np.testing.assert_allclose(*pictures, atol=1.5 / 255)
-    assert torch.equal(nr.Mesh.fromobj(tmp_path / "a ball.obj", False, True, size).textures, found[2])
+    again = nr.Mesh.fromobj(tmp_path / "a ball.obj", False, True, size)
+    assert torch.equal(again.textures, found[2]) and again.texture_size == size
     assert nr.Mesh.fromobj(tmp_path / "a ball.obj").textures.shape == (len(faces), 4, 4, 4, 3)
 
 
@@ -192,6 +195,7 @@ def test_a_file_is_read_as_it_is_written(wrapping, ends, is_bilinear, tmp_path):
     at_corners = textures[:, [3, 0, 0], [0, 3, 0], [0, 0, 3]]
     expected = [*ends[[[0, 1, 0], [0, 0, 1]]], 3 * [[1, 0, 0]]]
     np.testing.assert_allclose(at_corners, expected, atol=1e-6)
+    assert (textures % 1 != 0).any() == is_bilinear
 
 
 @pytest.mark.parametrize(("wrong", "kind", "sentence"), [
