@@ -1,7 +1,7 @@
 """The light that a surface receives: from a lamp, with its shadow, and from the surface itself.
 
-    r = d - k p,   E = lit(p) max(n . r, 0) / |r|^3 s         at p, of a lamp at d / k          (14)
-    F_j = area_j max(n . w, 0) max(-n_j . w, 0) / (|w|^2 (pi |w|^2 + area_j)),   w = p_j - p    (15)
+    r = d - k p,   E = lit(p) max(n . r, 0) / |r|^3 s         at p, of a lamp at d / k          (11)
+    F_j = area_j max(n . w, 0) max(-n_j . w, 0) / (|w|^2 (pi |w|^2 + area_j)),   w = p_j - p
     open = 1 - sum_j F_j,   bounce = sum_j F_j c_j            what pieces j hide, and send
 
 A lamp has the unit direction d, and the strength s in the grid's middle. It stands 1 / k away, and
@@ -12,7 +12,7 @@ Matt paint of the colour c sends as much to all sides. Which colours c a surface
 pictures show. So this light needs no unknown. F_j is the share of all that p sees which piece j
 takes. Other pieces between the two are not looked for.
 
-Sources: Williams 1978 (lit), Goral et al. 1984 (15).
+Sources: Williams 1978 (lit), Goral et al. 1984 (F_j).
 """
 import numpy as np
 
@@ -30,11 +30,11 @@ DISC = np.sqrt((np.arange(8) + 0.5) / 8) * np.stack([np.cos(TURN), np.sin(TURN)]
 PIECES = 1000    # of a surface, which send light
 TOGETHER = 1000  # vertices at a time, so that little memory is needed
 
-# --- from a lamp: eq. (14) ----------------------------------------------------------------------
+# --- from a lamp: eq. (11) ------------------------------------------------------------------------
 
 
 def facing(towards, near, surface):
-    """n . r / |r|^3 of eq. (14): how bright is a lamp of strength 1 at each vertex? -> (V,).
+    """n . r / |r|^3 of eq. (11): how bright is a lamp of strength 1 at each vertex? -> (V,).
 
     towards (3,) is d, near is k. It is less than 0 where the Surface faces away.
     """
@@ -53,7 +53,7 @@ def facing_backward(grad_facing, towards, near, surface):
 
 
 def lit_share(surface, towards, near):
-    """lit of eq. (14): which share of a lamp reaches each vertex? -> (V,), from 0 to 1."""
+    """lit of eq. (11): which share of a lamp reaches each vertex? -> (V,), from 0 to 1."""
     across = SIZE * DISC.T @ lights.axes_of(towards)[:2]
     return np.mean([lit_from(surface, towards + step, near) for step in across], 0)
 
@@ -69,7 +69,7 @@ def lit_from(surface, towards, near):
     return soft_shadows.percentage_closer(distance_map, *on_map, bias, AROUND, 1.0)
 
 
-# --- from the surface itself: eq. (15) ----------------------------------------------------------
+# --- from the surface itself: F_j -----------------------------------------------------------------
 
 
 def surroundings(surface, colours):
@@ -99,9 +99,7 @@ def pieces(surface):
 
 
 def form_factors(points, normals, centres, piece_normals, area):
-    """Eq. (15): points, normals (N, 3), and pieces of equal area: centres, normals (J, 3) ->
-    (N, J).
-    """
+    """F_j: points, normals (N, 3), and pieces of equal area: centres, normals (J, 3) -> (N, J)."""
     # n . w = n . p_j - n . p, and so on: products of matrices, without w itself.
     leaving = normals @ centres.T - (normals * points).sum(1, keepdims=True)
     arriving = points @ piece_normals.T - (piece_normals * centres).sum(1)

@@ -21,7 +21,7 @@ import torch
 from ..given import whose
 from . import tensors
 
-ANSWERED = "nvdiffrast", "nvdiffrast.torch"
+ANSWERED = "nvdiffrast", "nvdiffrast.torch", "neural_renderer"
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
