@@ -35,7 +35,7 @@ def test_pictures_and_gradients_of_a_batch_are_those_of_lab_10(mode, rng):
     """Rows upside down, light from the other side, an eps or a background of another picture."""
     vertices, faces = mesh.icosphere(20)
     vertices = vertices + 0.1 * rng.standard_normal((2, *vertices.shape))
-    textures = rng.random((2, len(faces), 3, 3, 3, 3))
+    textures = np.tile(rng.random((2, len(faces), 1, 1, 1, 3)), (1, 1, 3, 3, 3, 1))
     backgrounds, grad = rng.random((2, 3)), rng.standard_normal((2, 3, SIZE, SIZE))
     renderer = nr.Renderer(SIZE, True, backgrounds, False, mode, light_direction=LIGHT.towards,
                            light_intensity_ambient=1, light_color_ambient=LIGHT.ambient,

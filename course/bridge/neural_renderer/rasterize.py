@@ -1,6 +1,7 @@
 """Pictures of faces (N, F, 3, 3), whose corners are x, y in ndc and z; and Kato's gradient.
 
-Unlike the original's, the gradient of faces knows how textures move over the pixels.
+The numbers are those of the original's kernels, to rounding. So the gradient of faces knows nothing
+of how textures move over the pixels, which lab 10 does.
 """
 import numpy as np
 import torch
@@ -108,11 +109,11 @@ class Picture(torch.autograd.Function):
         if grad_depth is not None:
             grad_corners += labs.neural_renderer.rasterize_backward(
                 np.zeros(maps.screen_weights.shape), grad_depth.numpy(), maps.face_index, corners)
-        if grad_colour is not None and textures is not None:
-            grad_shown, grad_cubes, _ = labs.texture_cubes.shade_cubes_backward(
-                grad_colour[..., :3].numpy(), maps, corners, textures.detach().numpy(),
-                np.ones((len(corners), 3)))
-            grad_corners += grad_shown
+        if grad_colour is not None and ctx.needs_input_grad[1]:
+            cubes, grad = textures.detach().numpy(), grad_colour.numpy()[maps.face_index >= 0, :3]
+            face, samples = labs.texture_cubes.seen_samples(maps, corners, cubes.shape[1])
+            grad_cubes, _ = labs.texture_cubes.sample_cubes_backward(
+                grad, cubes, face, *labs.texture_cubes.cube_taps(*samples))
             grad_textures = tensor(grad_cubes, textures)
         if grad_colour is not None and ctx.needs_input_grad[0]:
             grad_corners += labs.sweep_gradient.sweep_backward(
