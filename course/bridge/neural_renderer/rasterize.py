@@ -86,7 +86,7 @@ class Picture(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx, faces, textures, background, size, near, far, eps):
-        corners = array("faces[n]", faces, "f 3 3")
+        corners = array("faces[n]", faces, f"{len(faces)} 3 3")  # there may be none
         maps = tensors.labs.neural_renderer.rasterize(corners, size, size, near, far)
         is_seen = maps.face_index >= 0
         colour = is_seen[..., None]
