@@ -107,7 +107,7 @@ def both_sweeps(grad_colour, colour, face_index, corners):
     """The Sweep along rows, and the one along columns, where x and y swap and the winding turns."""
     height, width = face_index.shape
     screen = neural_renderer.on_screen(corners, width, height)
-    drawn = np.flatnonzero(neural_renderer.front_faces(screen, corners[..., 2]))
+    drawn = np.unique(face_index[face_index >= 0])  # faces that are not seen get no gradient
     across = (array.swapaxes(0, 1).copy() for array in (grad_colour, colour, face_index))
     return (Sweep(grad_colour, colour, face_index, screen, drawn, 1),
             Sweep(*across, screen[..., ::-1], drawn, -1))

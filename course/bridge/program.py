@@ -21,7 +21,7 @@ import torch
 from ..given import whose
 from . import tensors
 
-ANSWERED = "nvdiffrast", "nvdiffrast.torch", "neural_renderer"
+ANSWERED = "nvdiffrast.torch", "neural_renderer"
 TAKES_DEVICE = "device (:class:"  # in the documentation of functions that make tensors
 ANSWERS = {"is_available": True, "device_count": 1, "current_device": 0, "synchronize": None,
            "empty_cache": None, "set_device": None, "is_current_stream_capturing": False,
@@ -40,8 +40,7 @@ def run(script, arguments, implementation=None):
     if not path.is_file():
         raise ValueError(f"there is no program {script}; give the path of a .py file")
     tensors.labs = whose.Labs(implementation)
-    for name in ANSWERED:
-        sys.modules[name] = importlib.import_module(f"{__package__}.{name}")
+    answer()
     print(f"course: cuda means the processor here, and {tensors.labs.package}/ does the work of "
           "nvdiffrast and neural_renderer", file=sys.stderr, flush=True)
     pretend()
@@ -56,6 +55,16 @@ def run(script, arguments, implementation=None):
             traceback.print_exc()
             return 1
     return 0
+
+
+def answer():
+    """Let each module of the interfaces be found under the name that programs import."""
+    here = f"{__package__}."
+    for name in ANSWERED:
+        importlib.import_module(here + name)
+    for name, module in list(sys.modules.items()):
+        if name.startswith(tuple(here + answered.partition(".")[0] for answered in ANSWERED)):
+            sys.modules[name.removeprefix(here)] = module
 
 
 @contextlib.contextmanager

@@ -9,6 +9,7 @@ pytest.importorskip("torch", reason="PyTorch is not installed: requirements-torc
 ROOT = Path(__file__).parents[2]
 WHOLE = '''
 import sys, numpy as np, torch, nvdiffrast.torch as dr
+from neural_renderer.rasterize import Rasterize
 import beside
 device = torch.device("cuda:0")
 assert torch.cuda.is_available() and torch.zeros(2, device=device).cuda(0).is_cuda
