@@ -4,23 +4,13 @@ import json
 import shutil
 
 import pytest
-from made_up import check_text
+from made_up import check_text, exercise_text
 
-REFERENCE = '''\
-"""Made up."""
-
-def double(x):  # exercise 1.1 (2 points)
-    """Twice x.
-
-    Fine print. Of nothing it is nothing.
-    """
-    return 2 * x
-
-def half(x):  # extra 1.2 (3 points)
-    """Half of x."""
-    # a comment of the answer
-    return x / 2
-'''
+REFERENCE = '"""Made up."""\n' + "".join((
+    exercise_text("1.1", "double", "Twice x.\n\n    Fine print. Of nothing it is nothing.\n    ",
+                  "return 2 * x", points=2),
+    exercise_text("1.2", "half", "Half of x.", "# a comment of the answer", "return x / 2",
+                  points=3, kind="extra")))
 LAB = REFERENCE.replace("    return 2 * x", '    raise NotImplementedError("exercise 1.1: double")')
 ROUGH = REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)")  # but for the fine print
 OPENED = LAB.replace("(3 points)", "(3 points), open").replace(
