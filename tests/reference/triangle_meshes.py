@@ -1,7 +1,9 @@
 """What tests of lab 11 subdivide: triangle meshes of all kinds, and what is on their boundary."""
+import itertools
+
 import numpy as np
 import scipy.spatial
-from subdivision_meshes import MOEBIUS
+from subdivision_meshes import MOEBIUS, farthest
 
 from course.given import mesh
 from reference import subdivision
@@ -48,9 +50,18 @@ def valence_and_boundary(corners, counts, vertex_count):
     return subdivision.valences(edges, vertex_count), at_boundary
 
 
-def rows_on_the_boundary(S, corners, counts, vertex_count):
-    """The rows of S for vertices and edges on the boundary, and who is on it: (V,) bool."""
+def require_spline(S, corners, counts, vertex_count):
+    """The rows of S for vertices and edges on the boundary are a cubic spline's."""
     edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
     at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
     rows = np.concatenate([at_boundary, is_boundary])
-    return S[:len(rows)][rows], at_boundary
+    rows = S[:len(rows)][rows]
+    assert rows[:, ~at_boundary].nnz == 0
+    assert set(rows.data) <= {1 / 8, 3 / 4, 1 / 2}
+
+
+def require_symmetric(points):
+    """A direction is preferred: the 48 symmetries of a cube."""
+    for axes in itertools.permutations(range(3)):
+        for signs in itertools.product([1, -1], repeat=3):
+            assert farthest(points[:, axes] * signs, points) < 1e-14
