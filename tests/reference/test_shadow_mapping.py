@@ -1,6 +1,4 @@
 """Whole hard shadows of lab 14, against ray casting."""
-import doctest
-
 import numpy as np
 import pytest
 from shadow_scenes import LIGHTS, PLACE, camera, each_light, scene, small_scene, toward_light
@@ -175,11 +173,6 @@ def test_what_does_not_fit_a_shadow_is_one_sentence():
         ray_casting.ray_cast(points, vertices, faces, light))
     for make in LIGHTS.values():
         assert np.isfinite(make(vertices.tolist()).clip_from_light).all()
-
-
-def test_the_examples_of_ray_casting_are_true():
-    """An example that does not give what it shows."""
-    assert doctest.testmod(ray_casting).failed == 0
 
 
 @pytest.mark.parametrize("size", [0, -1, 2.5])
