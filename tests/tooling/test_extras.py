@@ -5,6 +5,7 @@ import shutil
 
 import pytest
 from made_up import check_text, exercise_text
+from submitted import put
 
 REFERENCE = '"""Made up."""\n' + "".join((
     exercise_text("1.1", "double", "Twice x.\n\n    Fine print. Of nothing it is nothing.\n    ",
@@ -126,9 +127,7 @@ def test_mutants_are_counted_by_kind(run):
 
 def test_grades_are_of_the_core_and_of_extras_when_asked_for(root, run):
     """An extra that came complete gives points to everybody."""
-    folder = root / "in" / "ada"
-    folder.mkdir(parents=True)
-    (folder / "transforms.py").write_text(ROUGH)
+    put(root, {"in/ada/transforms.py": ROUGH})
     command = ("grade", "in", "--out", "out/grades", "--isolation", "process")
     table = root / "out" / "grades" / "grades.csv"
     run(*command)

@@ -8,6 +8,7 @@ import shutil
 import numpy as np
 import pytest
 from made_up import check_text, exercise_text
+from submitted import put
 
 from course import exercises
 from course.checks import hints
@@ -251,9 +252,7 @@ def test_a_mistake_that_lives_is_shown(house, run_module):
 def test_a_mistake_that_has_no_place_or_says_nothing_is_told(
         monkeypatch, tmp_path, name, text, told):
     """A typing error, and a mistake is tried in no place."""
-    for path, content in (("reference/transforms.py", DOUBLE), (f"tests/mistakes/{name}", text)):
-        (tmp_path / path).parent.mkdir(parents=True)
-        (tmp_path / path).write_text(content, encoding="utf-8")
+    put(tmp_path, {"reference/transforms.py": DOUBLE, f"tests/mistakes/{name}": text})
     monkeypatch.setattr(places, "ROOT", tmp_path)
     with pytest.raises(ValueError, match=re.escape(f"tests/mistakes/{told}")):
         mistakes.library("transforms")

@@ -3,6 +3,7 @@ import ast
 
 import pytest
 from made_up import check_text, exercise_text
+from submitted import put
 
 from course.given import places
 from course.upkeep import mutants, mutations
@@ -146,9 +147,8 @@ def test_a_reference_that_fails_is_told(house, run_module):
 
 def test_an_equivalent_mutant_has_a_reason(monkeypatch, tmp_path):
     """Survivors are excused by a list of names."""
-    path = tmp_path / "tests" / "equivalents" / "transforms.txt"
-    path.parent.mkdir(parents=True)
-    path.write_text("1.1  a -> b\n1.2  c -> d\n      Both.\n      Of them.\n1.3  e -> f\n")
+    path, = put(tmp_path, {"tests/equivalents/transforms.txt":
+                           "1.1  a -> b\n1.2  c -> d\n      Both.\n      Of them.\n1.3  e -> f\n"})
     monkeypatch.setattr(places, "ROOT", tmp_path)
     with pytest.raises(ValueError, match="e -> f has no reason below it"):
         mutants.equivalents("transforms")
