@@ -11,14 +11,13 @@ import urllib.parse
 
 import numpy as np
 import pytest
-from found_objects import found_of, painted_ball
+from found_objects import LABS, found_of, painted_ball
 from PIL import Image, ImageSequence
 
 from course.experiments.folder import captures, command, exports, fit_report
-from course.experiments.scenes import demo, viewing
+from course.experiments.scenes import viewing
 from reference import multi_view_fit, reconstruction
 
-LABS = demo.Labs("reference")
 LOOK_AND_TURN = """<script>
 const plain = HTMLCanvasElement.prototype.getContext;
 HTMLCanvasElement.prototype.getContext = function (kind) {

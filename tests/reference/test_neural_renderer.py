@@ -1,7 +1,7 @@
 """The reference's whole maps of lab 10: faces, weights, depth, and their gradients."""
 import numpy as np
 import pytest
-from loose_faces import camera, some_corners
+from loose_faces import CAMERA, some_corners
 
 from course.checks import assert_equal
 from course.given import mesh
@@ -15,7 +15,7 @@ SLANTED = np.array([[1.0, 2.0], [7.0, 1.0], [3.0, 6.0]])  # counter-clockwise, t
 def teapot_clip():
     vertices, faces = mesh.teapot()
     points = transforms.to_homogeneous(mesh.normalize(vertices))
-    return transforms.transform(points, camera()), faces
+    return transforms.transform(points, CAMERA), faces
 
 
 def test_the_loop_and_whole_meshes_agree_to_the_bit(rng):

@@ -1,17 +1,13 @@
 """What both schemes of lab 11 compose: topology, which meshes are refused, and how to mend them."""
 import numpy as np
 import pytest
-from subdivision_meshes import MOEBIUS, TETRAHEDRON, flat, polygon_meshes
+from subdivision_meshes import MOEBIUS, TETRAHEDRON, flat
 from subdivision_meshes import POLYGONS as FLAT_POLYGONS
-from triangle_meshes import MESHES
+from triangle_meshes import MESHES, POLYGONS, each_polygon_mesh
 
 from course.checks import assert_equal
 from course.given import mesh
 from reference import catmull_clark, loop_subdivision, subdivision
-
-POLYGONS = polygon_meshes()
-each_polygon_mesh = pytest.mark.parametrize("vertices, corners, counts", POLYGONS.values(),
-                                            ids=POLYGONS)
 
 
 def test_two_handles_make_minus_two():

@@ -2,8 +2,9 @@
 import itertools
 
 import numpy as np
+import pytest
 import scipy.spatial
-from subdivision_meshes import MOEBIUS, farthest
+from subdivision_meshes import MOEBIUS, farthest, polygon_meshes
 
 from course.given import mesh
 from reference import subdivision
@@ -41,7 +42,9 @@ def together(one, other):
             np.concatenate([one[1], other[1] + len(one[0])]))
 
 
-MESHES = triangle_meshes()
+MESHES, POLYGONS = triangle_meshes(), polygon_meshes()
+each_polygon_mesh = pytest.mark.parametrize("vertices, corners, counts", POLYGONS.values(),
+                                            ids=POLYGONS)
 
 
 def valence_and_boundary(corners, counts, vertex_count):
