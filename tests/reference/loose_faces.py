@@ -1,7 +1,7 @@
-"""What tests of lab 10 draw: faces that share no vertex, and a camera."""
-import numpy as np
+"""What tests of lab 10 draw: faces that share no vertex, seen by a camera."""
+from screen_scenes import camera
 
-from reference import transforms
+CAMERA = camera([0.6, 1.2, 2.2])
 
 
 def some_corners(rng, count=12):
@@ -10,8 +10,3 @@ def some_corners(rng, count=12):
     corners[..., 2] = rng.uniform(1, 3, (count, 3))
     corners[::5, 1, 2] *= -1
     return corners
-
-
-def camera(position=(0.6, 1.2, 2.2)):
-    view = transforms.look_at(np.array(position), np.zeros(3), np.array([0.0, 1.0, 0.0]))
-    return transforms.perspective(0.8, 1.0, 0.1, 10.0) @ view

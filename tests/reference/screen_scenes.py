@@ -1,5 +1,15 @@
-"""Clip positions that tests of whole pictures draw: points of the screen, and a soup of faces."""
+"""Clip positions that tests of whole pictures draw: points of the screen, and a soup of faces; and
+a camera.
+"""
 import numpy as np
+
+from reference import transforms
+
+
+def camera(eye, at=(0.0, 0.0, 0.0), fov_y=0.8, aspect=1.0, near=0.1, far=10.0):
+    """clip_from_world of a camera that stands upright."""
+    view = transforms.look_at(np.array(eye), np.array(at), np.array([0.0, 1.0, 0.0]))
+    return transforms.perspective(fov_y, aspect, near, far) @ view
 
 
 def on_screen(x, y, width, height, z=0.0):

@@ -1,9 +1,10 @@
 """What the whole shadows of lab 14 are tested with: a mesh over a ground, a camera, two lights."""
 import numpy as np
 import pytest
+import screen_scenes
 
 from course.given import mesh
-from reference import lights, shadow_mapping, transforms
+from reference import lights, shadow_mapping
 
 
 def scene(load=mesh.bunny, lift=0.0):
@@ -17,8 +18,19 @@ def scene(load=mesh.bunny, lift=0.0):
 
 
 def camera(eye=(0.2, 2.4, 2.6)):
-    view = transforms.look_at(np.array(eye), np.array([0.2, 0.1, -0.1]), np.array([0.0, 1.0, 0.0]))
-    return transforms.perspective(np.radians(50), 1.0, 0.1, 20.0) @ view
+    return screen_scenes.camera(eye, (0.2, 0.1, -0.1), np.radians(50), far=20.0)
+
+
+def on_the_ground(vertices, faces, width, height, camera):
+    """visible_points of the last two faces alone: points and normals."""
+    seen, points, normals = shadow_mapping.visible_points(vertices, faces, camera, width, height)
+    ground = seen[seen >= 0] >= len(faces) - 2
+    return points[ground], normals[ground]
+
+
+def refused(match, function, *given):
+    with pytest.raises(ValueError, match=match):
+        function(*given)
 
 
 def small_scene():

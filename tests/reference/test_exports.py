@@ -3,22 +3,11 @@ import json
 
 import numpy as np
 import pytest
-from found_objects import painted_ball, read_glb
+from found_objects import LABS, painted_ball, read_glb, read_obj
 
 from course.experiments.folder import exports, searches
-from course.experiments.scenes import demo
 from course.given import image
 from reference import multi_view_fit
-
-LABS = demo.Labs("reference")
-
-
-def read_obj(path):
-    """The vertices and the faces of an OBJ file."""
-    rows = [line.split() for line in path.read_text().splitlines()]
-    corners = [[word.partition("/")[0] for word in row[1:]] for row in rows if row[:1] == ["f"]]
-    vertices = [row[1:4] for row in rows if row[:1] == ["v"]]
-    return np.array(vertices, float), np.array(corners, int) - 1
 
 
 def test_glb_and_obj_hold_the_mesh_and_its_colours(tmp_path):
@@ -34,11 +23,10 @@ def test_glb_and_obj_hold_the_mesh_and_its_colours(tmp_path):
     np.testing.assert_array_equal(found.faces, faces)
     np.testing.assert_allclose(found.visual.vertex_attributes["color"][:, :3] / 255, albedo,
                                atol=0.003)
-    again = read_obj(tmp_path / "found.obj")
-    np.testing.assert_allclose(again[0], vertices, atol=1e-5)
-    np.testing.assert_array_equal(again[1], faces)
-    first = (tmp_path / "found.obj").read_text().splitlines()[0].split()
-    np.testing.assert_allclose(np.array(first[4:], float), image.to_srgb(albedo[0]), atol=0.003)
+    rows, corners = read_obj(tmp_path / "found.obj")
+    np.testing.assert_allclose(rows["v"][:, :3], vertices, atol=1e-5)
+    np.testing.assert_array_equal(corners[..., 0], faces)
+    np.testing.assert_allclose(rows["v"][0, 3:], image.to_srgb(albedo[0]), atol=0.003)
 
 
 @pytest.mark.parametrize("size", [1e-12, 1e-4, 1e7])
@@ -50,9 +38,9 @@ def test_an_obj_keeps_the_digits_of_a_mesh_of_any_size(tmp_path, size):
     exports.save_textured(LABS, surface, np.ones(len(surface.vertices)), tmp_path / "textured.glb",
                           np.diag([size, size, size, 1.0]))
     expected = size * surface.vertices
-    np.testing.assert_allclose(read_obj(tmp_path / "found.obj")[0], expected, 0,
-                               1e-15 * size)
-    textured = read_obj(tmp_path / "textured.obj")[0]
+    found, textured = (read_obj(tmp_path / f"{name}.obj")[0]["v"][:, :3]
+                       for name in ("found", "textured"))
+    np.testing.assert_allclose(found, expected, 0, 1e-15 * size)
     apart = np.abs(textured[:, None] - expected).max(-1).min(1)
     assert apart.max() <= 1e-15 * size
 

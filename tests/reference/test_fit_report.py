@@ -3,24 +3,21 @@ import base64
 import html.parser
 import http.server
 import io
-import queue
 import re
 import shutil
 import subprocess
-import threading
 import time
 import urllib.parse
 
 import numpy as np
 import pytest
-from found_objects import found_of, painted_ball
+from found_objects import LABS, found_of, painted_ball
 from PIL import Image, ImageSequence
 
 from course.experiments.folder import captures, command, exports, fit_report
-from course.experiments.scenes import demo, viewing
+from course.experiments.scenes import viewing
 from reference import multi_view_fit, reconstruction
 
-LABS = demo.Labs("reference")
 LOOK_AND_TURN = """<script>
 const plain = HTMLCanvasElement.prototype.getContext;
 HTMLCanvasElement.prototype.getContext = function (kind) {
@@ -217,16 +214,16 @@ def test_the_viewer_draws_and_turns_by_keys(page):
     browser = shutil.which("chromium") or shutil.which("google-chrome")
     if not browser:
         pytest.skip("needs chromium")
-    answers = queue.Queue()
+    answers = []
 
     class Listener(http.server.BaseHTTPRequestHandler):
         def do_GET(self):
-            answers.put(urllib.parse.unquote(self.path[1:]))
+            answers.append(urllib.parse.unquote(self.path[1:]))
             self.send_response(204)
             self.end_headers()
 
     server = http.server.HTTPServer(("127.0.0.1", 0), Listener)
-    threading.Thread(target=server.handle_request, daemon=True).start()
+    server.timeout = 60
     script = LOOK_AND_TURN.replace("ADDRESS", f"http://127.0.0.1:{server.server_port}")
     watched = page.with_name("watched.html")
     watched.write_text(page.read_text().replace("<h1>", f"{script}<h1>", 1))
@@ -235,7 +232,8 @@ def test_the_viewer_draws_and_turns_by_keys(page):
          "--enable-unsafe-swiftshader", f"--user-data-dir={page.parent / 'browser'}",
          "--remote-debugging-port=0", watched.as_uri()], stderr=subprocess.DEVNULL)
     try:
-        assert answers.get(timeout=60) == "canvas true, moved true, told nothing"
+        server.handle_request()
+        assert answers == ["canvas true, moved true, told nothing"]
     finally:
         running.terminate()
         running.wait()

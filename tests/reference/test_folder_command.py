@@ -5,15 +5,13 @@ import sys
 import numpy as np
 import pytest
 import ring_captures as ring
-from found_objects import found_of
+from found_objects import LABS, found_of
 
 from course import cli
 from course.experiments.folder import captures, checkpoints, command, fit_report, searches
-from course.experiments.scenes import demo, viewing
+from course.experiments.scenes import viewing
 from course.given import image, places
 from reference import multi_view_fit
-
-LABS = demo.Labs("reference")
 
 
 @pytest.fixture(scope="module")

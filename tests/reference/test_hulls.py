@@ -23,11 +23,12 @@ def told(folder, poses):
     return ring.told(with_poses(folder, poses))
 
 
-def facing(*places):
-    """Shots of 20 x 20 pixels with f = 20, at places, that look at the origin."""
-    up = np.array([0.0, 1.0, 0.0])
-    poses = [np.linalg.inv(ring.LABS.transforms.look_at(np.array(place, float), np.zeros(3), up))
-             for place in places]
+def facing(*places, ups=((0, 1, 0),)):
+    """Shots of 20 x 20 pixels with f = 20, at places, that look at the origin. ups: one, or each's.
+    """
+    axes = zip(*np.broadcast_arrays(np.array(places, float), np.array(ups, float)), strict=True)
+    poses = [np.linalg.inv(ring.LABS.transforms.look_at(place, np.zeros(3), up))
+             for place, up in axes]
     return [camera_files.Shot(f"{k}.png", None, 20, 20, 20.0, 20.0, 10.0, 10.0, pose)
             for k, pose in enumerate(poses)]
 
@@ -65,11 +66,8 @@ def test_a_hull_on_paper():
     where the views from the sides see its end, and on a diagonal at s = 0.2 (10 - s), s = 5/3.
     """
     places = 10 * np.vstack([np.eye(3), -np.eye(3)])
-    ups = np.roll(places, 1, axis=1)
-    poses = [np.linalg.inv(ring.LABS.transforms.look_at(place, np.zeros(3), up))
-             for place, up in zip(places, ups, strict=True)]
-    outlines = [hulls.outline(camera_files.Shot("", None, 20, 20, 20.0, 20.0, 10.0, 10.0, pose),
-                              square(4)) for pose in poses]
+    outlines = [hulls.outline(shot, square(4))
+                for shot in facing(*places, ups=np.roll(places, 1, axis=1))]
     points, reach = hulls.hull_around(outlines)
     assert reach < 0.1
     assert 2 - 2 * reach < np.abs(points).max() < 2 + 2 * reach

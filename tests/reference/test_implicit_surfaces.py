@@ -1,6 +1,7 @@
 """The reference's whole shapes, rays and volumes of lab 15."""
 import numpy as np
 import pytest
+from screen_scenes import camera
 
 from course.experiments.scenes import demo, fit_volume, representations, viewing
 from course.given.gradcheck import gradcheck
@@ -19,12 +20,7 @@ SHAPES = {
     "wheel": representations.WHEEL,
 }
 RIPPLED = ("rippled", 0.1, 8.0, BALL)
-
-
-def camera(aspect=1.5):
-    """clip_from_world, looking down from the side at what is around the origin."""
-    view = transforms.look_at(np.array([1.0, 2.2, 1.4]), np.zeros(3), np.array([0.0, 1.0, 0.0]))
-    return transforms.perspective(np.radians(40), aspect, 0.1, 10.0) @ view
+CAMERA = camera([1.0, 2.2, 1.4], fov_y=np.radians(40), aspect=1.5)
 
 
 # --- shapes ------------------------------------------------------------------------------------
@@ -92,10 +88,10 @@ def test_what_is_no_shape_is_told_in_one_sentence():
 
 def test_rays_go_through_the_centres_of_pixels():
     """Rows from above, half a pixel off, or width and height swapped."""
-    origins, directions = implicit_surfaces.camera_rays(camera(), 9, 6)
+    origins, directions = implicit_surfaces.camera_rays(CAMERA, 9, 6)
     np.testing.assert_allclose(np.linalg.norm(directions, axis=1), 1)
     for t, depth in (0.0, -1.0), (1.7, None):
-        screen = transforms.project(origins + t * directions, camera(), 9, 6)
+        screen = transforms.project(origins + t * directions, CAMERA, 9, 6)
         row, column = np.indices((6, 9)).reshape(2, -1)
         np.testing.assert_allclose(screen[:, 0], column + 0.5, atol=1e-9)
         np.testing.assert_allclose(screen[:, 1], row + 0.5, atol=1e-9)
@@ -105,7 +101,7 @@ def test_rays_go_through_the_centres_of_pixels():
 
 def test_a_wrong_lipschitz_constant_loses_the_surface():
     """The failure that the lecture shows does not happen, or the right L does not mend it."""
-    origins, directions = implicit_surfaces.camera_rays(camera(), 60, 40)
+    origins, directions = implicit_surfaces.camera_rays(CAMERA, 60, 40)
     truth, _ = implicit_surfaces.sphere_trace(origins, directions, RIPPLED, 9.0, 8.0, most=3000)
     right, _ = implicit_surfaces.sphere_trace(origins, directions, RIPPLED, 9.0, 1.8)
     wrong, _ = implicit_surfaces.sphere_trace(origins, directions, RIPPLED, 9.0, 1.0)

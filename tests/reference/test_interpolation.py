@@ -1,6 +1,7 @@
 """Whole pictures of lab 5: interpolation after lab 2's rasterizer, and what is given there."""
 import numpy as np
 import pytest
+from screen_scenes import camera
 
 from course.checks import assert_equal
 from course.given import mesh
@@ -12,8 +13,7 @@ def floor(width, height, eye=(0.3, 1.0, 2.0), face_count=2):
     """A square floor: positions (V, 3), faces, clip (V, 4), the eye and clip_from_world."""
     eye = np.array(eye)
     positions, faces = mesh.plane(face_count)
-    view = transforms.look_at(eye, np.array([0.1, 0.0, -0.2]), np.array([0.0, 1.0, 0.0]))
-    clip_from_world = transforms.perspective(1.1, width / height, 0.05, 10.0) @ view
+    clip_from_world = camera(eye, (0.1, 0.0, -0.2), 1.1, width / height, 0.05)
     clip = transforms.transform(transforms.to_homogeneous(positions), clip_from_world)
     return positions, faces, clip, eye, clip_from_world
 
@@ -88,9 +88,8 @@ def bunny(width, height):
     """Vertices, faces, face_index and barycentrics of the bunny."""
     vertices, faces = mesh.bunny()
     vertices = mesh.normalize(vertices)
-    view = transforms.look_at(np.array([-1.3, 0.7, 2.2]), np.zeros(3), np.array([0.0, 1.0, 0.0]))
-    camera = transforms.perspective(0.8, width / height, 0.1, 10.0) @ view
-    clip = transforms.transform(transforms.to_homogeneous(vertices), camera)
+    clip = transforms.transform(transforms.to_homogeneous(vertices),
+                                camera([-1.3, 0.7, 2.2], aspect=width / height))
     face_index, _ = scanline.rasterize(clip, faces, width, height)
     return vertices, faces, face_index, rasterization.barycentrics(face_index, clip, faces)
 

@@ -1,15 +1,13 @@
 """Albedo and light told apart: equations (10) to (13), their gradients, and what they find."""
 import numpy as np
 import pytest
-from found_objects import NO_SUN
+from found_objects import EVEN, NO_SUN, photographed
 
-from course.experiments.scenes import demo, drawing, reconstruct, viewing
+from course.experiments.scenes import reconstruct
 from course.given import mesh
 from course.given.gradcheck import gradcheck
 from reference import intrinsic_decomposition as lab
 from reference import multi_view_fit, reconstruction
-
-LABS = demo.Labs("reference")
 
 
 def surface_of(vertices, faces, albedo=None):
@@ -38,24 +36,18 @@ def received(rng, count):
 # --- eq. (10) ----------------------------------------------------------------------------------
 
 
-def photographed(count=6, size=48):
+def seen_ball(count=6, size=48):
     """A ball of soft colours, as pictures show it: the Surface, its colours (V, 3), its Targets."""
     vertices, faces = mesh.icosphere(1280)
     vertices = 0.8 * vertices
     colours = 0.5 + 0.3 * np.sin(4 * vertices[:, [1, 2, 0]])
-    even = np.zeros((9, 3))
-    even[0] = 1 / reconstruction.C0
-    cameras = viewing.cameras_around(LABS, count)
-    pictures = reconstruct.photographs(LABS, reconstruct.Painted(vertices, faces, colours), even,
-                                       cameras, size)
-    capture = multi_view_fit.Capture(pictures, cameras, drawing.WHITE)
-    return (surface_of(vertices, faces), colours,
-            multi_view_fit.targets_of(capture, 1, 1))
+    capture = photographed(reconstruct.Painted(vertices, faces, colours), EVEN, count, size)
+    return surface_of(vertices, faces), colours, multi_view_fit.targets_of(capture, 1, 1)
 
 
 def test_the_colours_that_pictures_show_are_found():
     """Pixels of the outline, which are half background, bleach the surface."""
-    surface, colours, targets = photographed(12)
+    surface, colours, targets = seen_ball(12)
     found, count = lab.seen_colours(surface, targets)
     assert np.abs(found - colours)[count > 1].max() < 0.02
     inner = [lab.inner(target.picture).sum() for target in targets]
@@ -64,7 +56,7 @@ def test_the_colours_that_pictures_show_are_found():
 
 def test_what_no_pixel_sees_takes_the_colours_around():
     """A hole in the pictures is black, or the system has no solution."""
-    surface, _, targets = photographed(1)
+    surface, _, targets = seen_ball(1)
     found, count = lab.seen_colours(surface, targets)
     assert (count == 0).sum() > 300
     seen = found[count > 0]
@@ -73,7 +65,7 @@ def test_what_no_pixel_sees_takes_the_colours_around():
 
 def test_a_piece_that_no_pixel_sees_is_black():
     """The system has no solution, and all colours are nan."""
-    surface, _, targets = photographed(2)
+    surface, _, targets = seen_ball(2)
     far = surface.vertices + [50.0, 0.0, 0.0]
     faces = np.vstack([surface.faces, surface.faces + len(far)])
     found, _ = lab.seen_colours(surface_of(np.vstack([surface.vertices, far]), faces), targets)
@@ -83,7 +75,7 @@ def test_a_piece_that_no_pixel_sees_is_black():
 
 def test_an_object_of_outlines_alone_is_refused():
     """All colours become nan."""
-    surface, _, targets = photographed(2, 3)
+    surface, _, targets = seen_ball(2, 3)
     with pytest.raises(ValueError, match="no pixel lies inside the object"):
         lab.decompose(surface, targets)
 
@@ -232,10 +224,7 @@ def test_a_yellow_thing_in_grey_light_is_yellow():
     light = reconstruction.distant_light(towards, np.full((1, 3), 0.7))
     light[0] += 0.3 / reconstruction.C0
     painted = reconstruct.Painted(vertices, faces, np.tile(yellow, (len(vertices), 1)))
-    cameras = viewing.cameras_around(LABS, 8)
-    capture = multi_view_fit.Capture(
-        reconstruct.photographs(LABS, painted, light, cameras, 48), cameras, drawing.WHITE)
-    targets = multi_view_fit.targets_of(capture, 1, 1)
+    targets = multi_view_fit.targets_of(photographed(painted, light, 8, 48), 1, 1)
     surface = surface_of(vertices, faces)
     x = lab.decompose(surface, targets, steps=600)
     hue, scaled = x.albedo / x.albedo[:, :1], x.albedo * yellow[0] / x.albedo[:, 0].mean()

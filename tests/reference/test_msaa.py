@@ -1,6 +1,7 @@
 """Whole pictures of lab 4: what the reference composes of its exercises."""
 import numpy as np
 import pytest
+from screen_scenes import on_screen
 
 from course.given import mesh
 from reference import msaa, rasterization, scanline, transforms
@@ -8,12 +9,6 @@ from reference import msaa, rasterization, scanline, transforms
 PATTERNS = {"regular 4": msaa.regular_grid(2),
             **{f"lattice {count}": msaa.standard_pattern(count) for count in (1, 2, 4, 8, 16)}}
 each_pattern = pytest.mark.parametrize("pattern", PATTERNS.values(), ids=PATTERNS.keys())
-
-
-def on_screen(points, width, height, depth=0.0):
-    """Clip positions of screen points (V, 2), w = 1."""
-    ndc = 2 * np.asarray(points) / [width, height] - 1
-    return np.column_stack([ndc, np.broadcast_to(depth, len(ndc)), np.ones(len(ndc))])
 
 
 def flat(colours):
@@ -43,8 +38,8 @@ def below_line(slope, height_at_0, width, height):
     """A triangle that covers in the picture what is below the line: clip positions."""
     far = 4 * (width + height)
     left, right = -far, width + far
-    return on_screen([[left, slope * left + height_at_0], [width / 2, -3 * far],
-                      [right, slope * right + height_at_0]], width, height)
+    return on_screen([left, width / 2, right], [slope * left + height_at_0, -3 * far,
+                                                slope * right + height_at_0], width, height)
 
 
 BELOW = below_line(0.3, 2.2, 12, 8), np.array([[0, 1, 2]])  # clip and faces, for 12 x 8 pixels
@@ -107,7 +102,7 @@ def test_a_regular_grid_is_a_finer_picture(n):
 def test_depth_is_that_of_the_sample(pattern):
     """All samples have the depth of the pixel's centre."""
     corners = np.array([[-40.0, -40], [80, -40], [-40, 80]])
-    clip = on_screen(corners, 12, 8, depth=corners @ [0.01, -0.005])
+    clip = on_screen(*corners.T, 12, 8, corners @ [0.01, -0.005])
     _, depth = msaa.rasterize_samples(clip, np.array([[0, 1, 2]]), 12, 8, pattern)
     x, y = (np.arange(size) for size in (12, 8))
     for offset, seen in zip(pattern, depth, strict=True):
@@ -124,7 +119,7 @@ def test_two_faces_at_an_edge_share_out_the_samples(pattern):
         if rng.random() < 0.5:  # the edge passes through samples
             a, b = np.round(a) + pattern[0], np.round(b) + pattern[0] + [0, 1]
         across = 40 * np.array([a[1] - b[1], b[0] - a[0]])
-        clip = on_screen([a, b, a + across, b - across], 12, 12)
+        clip = on_screen(*np.transpose([a, b, a + across, b - across]), 12, 12)
         one, other = (msaa.rasterize_samples(clip, np.array([face]), 12, 12, pattern)[0] >= 0
                       for face in ([0, 1, 2], [1, 0, 3]))
         both, _ = msaa.rasterize_samples(clip, np.array([[0, 1, 2], [1, 0, 3]]), 12, 12, pattern)
@@ -149,7 +144,7 @@ QUAD = np.array([[0, 1, 2], [0, 2, 3]])  # two faces that share the edge from 0 
 
 def quad(width, height):
     """A quadrilateral that fills the picture. Its diagonal runs through it."""
-    return on_screen([[-3, -2], [width + 5, -1], [width + 2, height + 3], [-4, height + 2]],
+    return on_screen([-3, width + 5, width + 2, -4], [-2, -1, height + 3, height + 2],
                      width, height)
 
 
@@ -189,9 +184,9 @@ def test_faces_that_cross_are_resolved_sample_by_sample():
     """One depth for a pixel: the line where two faces cross is a staircase."""
     width, height, crossing = 16, 6, 7.3
     corners = np.array([[-50.0, -50], [100, -50], [-50, 100]])
-    rising, falling = (on_screen(corners, width, height, sign * 0.005 * (corners[:, 0] - crossing))
-                       for sign in (1, -1))
-    clip, faces = np.concatenate([rising, falling]), np.array([[0, 1, 2], [3, 4, 5]])
+    clip = np.concatenate([on_screen(
+        *corners.T, width, height, sign * 0.005 * (corners[:, 0] - crossing)) for sign in (1, -1)])
+    faces = np.array([[0, 1, 2], [3, 4, 5]])
     colours = np.array([[1.0], [0.0]])
     for pattern in PATTERNS.values():
         picture = msaa.msaa(clip, faces, width, height, pattern, flat(colours), np.zeros(1))

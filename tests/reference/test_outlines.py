@@ -1,7 +1,7 @@
 """The reference's whole pictures of lab 8: antialias and its gradient."""
 import numpy as np
 import pytest
-from screen_scenes import on_screen, soup
+from screen_scenes import camera, on_screen, soup
 
 from reference import antialiasing, outlines, rasterization, sampling, scanline, transforms
 
@@ -82,9 +82,7 @@ def test_pictures_without_faces_or_with_hostile_vertices():
 
 def test_a_floor_is_blended_however_it_is_cut_into_faces():
     """A face that reaches behind the camera owns no edge, or a mirrored one."""
-    view = transforms.look_at(np.array([0.1, 0.4, 0.35]), np.array([0.1, 0.0, -0.6]),
-                              np.array([0.0, 1.0, 0.0]))
-    clip_from_world = transforms.perspective(1.0, 4 / 3, 0.05, 9.0) @ view
+    clip_from_world = camera([0.1, 0.4, 0.35], (0.1, 0.0, -0.6), 1.0, 4 / 3, 0.05, 9.0)
     pictures = []
     for n in 1, 2, 5:
         steps = np.linspace(-1, 1, n + 1)

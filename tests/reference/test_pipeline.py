@@ -315,23 +315,19 @@ def rendered(inputs):
     return pipeline.render(Mesh(*parts[0]), kind(*parts[1]), View(*parts[2]))
 
 
-@pytest.mark.parametrize("name, bad, sentence", BAD)
-def test_render_says_in_one_sentence_what_does_not_fit(name, bad, sentence):
-    """A traceback from the depths of NumPy, or a picture of nonsense."""
-    inputs = {**GOOD, name: bad}
+@pytest.mark.parametrize("given, name, bad, sentence", [
+    *((GOOD, *row) for row in BAD), *(({**GOOD, **TEXTURED}, *row) for row in BAD_TEXTURED)])
+def test_render_says_in_one_sentence_what_does_not_fit(given, name, bad, sentence):
+    """A traceback from the depths of NumPy, or a picture of nonsense. Or a wrong uv_faces reads
+    memory that is not uv's.
+    """
+    inputs = {**given, name: bad}
     with pytest.raises(ValueError, match=sentence) as error:
         rendered(inputs)
     assert "\n" not in str(error.value)
     if name in ("positions", "background", "opposite"):
         with pytest.raises(ValueError, match=sentence):
             rendered({**inputs, **TEXTURED})
-
-
-@pytest.mark.parametrize("name, bad, sentence", BAD_TEXTURED)
-def test_render_says_what_does_not_fit_a_texture(name, bad, sentence):
-    """A wrong uv_faces reads memory that is not uv's."""
-    with pytest.raises(ValueError, match=sentence):
-        rendered({**GOOD, **TEXTURED, name: bad})
 
 
 def test_a_bare_array_is_no_material():

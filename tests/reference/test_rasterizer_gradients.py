@@ -127,24 +127,15 @@ def test_nothing_seen_and_no_mesh():
 
 def exact_gradient(grad_b, clip, a):
     """The gradient of grad_b . b by x, y, w of a face's corners (3, 3), without rounding."""
-    q = [[Fraction(float(number)) for number in corner] for corner in clip]
-    g = [Fraction(float(number)) for number in grad_b]
-
-    def cross(p, q):
-        return [p[i - 2] * q[i - 1] - p[i - 1] * q[i - 2] for i in range(3)]
-
-    def dot(p, q):
-        return sum(x * y for x, y in zip(p, q, strict=True))
-
+    q, g = (np.vectorize(Fraction, otypes=[object])(array) for array in (clip, grad_b))
     pairs = (1, 2), (2, 0), (0, 1)
-    e = [dot(cross(q[i], q[j]), a) for i, j in pairs]
-    s = sum(e)
-    grad_e = [(g_k - dot(g, e) / s) / s for g_k in g]
-    gradient = [[Fraction(0)] * 3 for _ in range(3)]
-    for k, (i, j) in enumerate(pairs):
-        for n, part in ((i, cross(q[j], a)), (j, cross(a, q[i]))):
-            gradient[n] = [x + grad_e[k] * y for x, y in zip(gradient[n], part, strict=True)]
-    return np.array(gradient, float)
+    e = np.array([np.cross(q[i], q[j]) @ a for i, j in pairs])
+    grad_e = (g - g @ e / e.sum()) / e.sum()
+    gradient = 0 * q
+    for grad, (i, j) in zip(grad_e, pairs, strict=True):
+        gradient[i] += grad * np.cross(q[j], a)
+        gradient[j] += grad * np.cross(a, q[i])
+    return gradient.astype(float)
 
 
 @pytest.mark.parametrize("size", [1.0, 1e-3, 1e-6])

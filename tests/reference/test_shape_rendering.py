@@ -1,6 +1,7 @@
 """The reference's pictures of one object as distance, as volume and as mesh (lab 15)."""
 import numpy as np
 import pytest
+from screen_scenes import camera
 
 from course.experiments.scenes import representations
 from reference import pipeline, shape_rendering, transforms
@@ -10,10 +11,8 @@ LIGHTING = shape_rendering.Lighting(np.array([-0.5, 0.8, 0.6]), np.array([0.8, 0
 
 def test_three_representations_are_one_object():
     """A picture is mirrored, shifted by half a pixel, or of another object."""
-    eye, up = np.array([1.0, 2.2, 1.4]), np.array([0.0, 1.0, 0.0])
-    from_above = transforms.look_at(eye, np.zeros(3), up)
-    camera = transforms.perspective(np.radians(40), 1.5, 0.1, 10.0) @ from_above
-    scene = representations.WHEEL, pipeline.View(camera, 60, 40, np.full(3, 0.9)), LIGHTING
+    from_above = camera([1.0, 2.2, 1.4], fov_y=np.radians(40), aspect=1.5)
+    scene = representations.WHEEL, pipeline.View(from_above, 60, 40, np.full(3, 0.9)), LIGHTING
     traced, evaluations = shape_rendering.render_distance(*scene)
     meshed = shape_rendering.render_mesh(*scene, n=48)
     foggy = shape_rendering.render_volume(*scene, 1.5, 4.0, beta=0.004, count=160)

@@ -1,7 +1,8 @@
 """Whole soft shadows of lab 14, against many point lights."""
+import functools
+
 import numpy as np
-import pytest
-from shadow_scenes import LIGHTS, camera, scene, small_scene
+from shadow_scenes import LIGHTS, camera, on_the_ground, refused, scene, small_scene
 
 from course.given import mesh, ray_casting
 from reference import lights, shadow_mapping, soft_shadows
@@ -11,9 +12,7 @@ def test_soft_shadows_come_near_256_point_lights():
     """PCSS is no better than one point light, or than one blur for all."""
     vertices, faces = scene(lambda: mesh.icosphere(80), lift=0.4)
     light, radius = LIGHTS["point"](vertices), 0.3
-    face_index, points, normals = shadow_mapping.visible_points(vertices, faces, camera(), 32, 28)
-    ground = face_index[face_index >= 0] >= len(faces) - 2
-    points, normals = points[ground], normals[ground]
+    points, normals = on_the_ground(vertices, faces, 32, 28, camera())
     offsets = ray_casting.disc_offsets(256)
     truth = ray_casting.area_light_truth(points, vertices, faces, light, radius, offsets)
     distance_map = shadow_mapping.depth_map(vertices, faces, light, 512)
@@ -46,13 +45,9 @@ def test_what_does_not_fit_a_soft_shadow_is_one_sentence():
     vertices, _, *seen = small_scene()
     light, sun = (make(vertices) for make in LIGHTS.values())
     distance_map, offsets = np.full((8, 8), 3.0), ray_casting.disc_offsets(4)
-
-    def refused(match, *given):
-        with pytest.raises(ValueError, match=match):
-            soft_shadows.soft_shadow(*seen, *given)
-
-    refused("expects a point light", sun, distance_map, 0.1, 0.01, offsets)
-    refused("radius 0 or more, got -0.1", light, distance_map, -0.1, 0.01, offsets)
-    refused("at least one place", light, distance_map, 0.1, 0.01, offsets[:0])
-    refused(r"at least one texel, got an array \(0, 0\)", light, np.zeros((0, 0)), 0.1, 0.01,
-            offsets)
+    shadow = functools.partial(soft_shadows.soft_shadow, *seen)
+    refused("expects a point light", shadow, sun, distance_map, 0.1, 0.01, offsets)
+    refused("radius 0 or more, got -0.1", shadow, light, distance_map, -0.1, 0.01, offsets)
+    refused("at least one place", shadow, light, distance_map, 0.1, 0.01, offsets[:0])
+    refused(r"at least one texel, got an array \(0, 0\)", shadow, light, np.zeros((0, 0)), 0.1,
+            0.01, offsets)

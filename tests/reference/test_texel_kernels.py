@@ -48,10 +48,14 @@ def require_near(got, expected, what=""):
                                        atol=1e-12 * np.abs(other).max() + 1e-15)
 
 
-def by_threads(threads, monkeypatch):
-    """Small bands, on so many threads."""
+def require_same_bits_on_any_threads(monkeypatch, drawn):
+    """Of the arrays that drawn() gives, in small bands."""
     monkeypatch.setattr(pyramid_kernels, "STEP", 7)
-    monkeypatch.setattr(compiled, "cores", lambda: threads)
+    found = []
+    for threads in 1, 2, 3:
+        monkeypatch.setattr(compiled, "cores", lambda threads=threads: threads)
+        found.append([array.tobytes() for array in drawn()])
+    assert found == [found[0]] * 3
 
 
 @anywhere
@@ -103,14 +107,8 @@ def test_no_number_of_threads_changes_a_bit(filter, monkeypatch):
     rng = np.random.default_rng(3)
     given = rng.normal(size=(8, 16, 3)), *places(rng), filter, "wrap", None
     upstream = rng.normal(size=(24, 3))
-
-    def drawn(threads):
-        by_threads(threads, monkeypatch)
-        return [texel_kernels.texture(*given), *texel_kernels.texture_backward(upstream, *given)]
-
-    one, *others = map(drawn, (1, 2, 3))
-    for other in others:
-        assert [array.tobytes() for array in other] == [array.tobytes() for array in one]
+    require_same_bits_on_any_threads(monkeypatch, lambda: [
+        texel_kernels.texture(*given), *texel_kernels.texture_backward(upstream, *given)])
 
 
 @pytest.mark.parametrize("change", [{"filter": "cubic"}, {"uv": np.full((5, 2), np.inf)},
@@ -205,14 +203,11 @@ def test_no_number_of_threads_changes_a_bit_of_a_textured_picture(monkeypatch):
     given = seen.clip, seen.face_index, material, faces
     upstream = np.random.default_rng(8).normal(size=(13, 17, 3))
 
-    def drawn(threads):
-        by_threads(threads, monkeypatch)
+    def drawn():
         grads, grad_clip = footprint_kernels.textured_backward(upstream, *given)
-        return [array.tobytes() for array in (footprint_kernels.textured(*given), grads.uv,
-                                              grads.image, grad_clip)]
+        return footprint_kernels.textured(*given), grads.uv, grads.image, grad_clip
 
-    one, *others = map(drawn, (1, 2, 3))
-    assert others == [one, one]
+    require_same_bits_on_any_threads(monkeypatch, drawn)
 
 
 def test_a_seen_face_with_a_corner_that_does_not_exist_is_an_index_error():

@@ -1,7 +1,8 @@
 """The reference's whole pictures of lab 10: cubes, light, and all of it together."""
 import numpy as np
 import pytest
-from loose_faces import camera, some_corners
+from loose_faces import CAMERA, some_corners
+from screen_scenes import camera
 
 from course.given import mesh
 from course.given.gradcheck import gradcheck
@@ -118,7 +119,7 @@ def ball(rng):
     vertices, faces = mesh.icosphere(20)
     textures = rng.random((len(faces), 2, 2, 2, 2))
     return (texture_cubes.LitMesh(vertices, faces, textures, LIGHTS),
-            pipeline.View(camera(), 12, 8, BACKGROUND))
+            pipeline.View(CAMERA, 12, 8, BACKGROUND))
 
 
 def test_a_pixel_is_the_mean_of_four(rng):

@@ -7,14 +7,12 @@ import subprocess
 import numpy as np
 import pytest
 import scipy.ndimage
-from found_objects import painted_ball, read_glb
+from found_objects import LABS, painted_ball, read_glb, read_obj
 
 from course.experiments.folder import exports, textures
-from course.experiments.scenes import demo
 from course.given import image
 from reference import multi_view_fit
 
-LABS = demo.Labs("reference")
 VALIDATE = """
 const validator = require("gltf-validator"), bytes = require("fs").readFileSync(process.argv[1]);
 validator.validateBytes(new Uint8Array(bytes)).then(r => console.log(JSON.stringify(r.issues)));
@@ -107,15 +105,12 @@ def test_the_glb_s_texture_has_the_albedo_at_the_vertices(saved):
 
 def test_the_obj_s_texture_has_the_albedo_at_the_vertices(saved):
     """v points up in OBJ. The material does not name its picture. Indices begin at 1."""
-    lines = [line.split() for line in saved.with_suffix(".obj").read_text().splitlines()]
-    rows = {kind: np.array([line[1:] for line in lines if line and line[0] == kind], float)
-            for kind in ("v", "vt", "vn")}
-    corners = np.array([corner.split("/") for line in lines if line and line[0] == "f"
-                        for corner in line[1:]], int) - 1
-    assert ["mtllib", "ball.mtl"] in lines
+    rows, corners = read_obj(saved.with_suffix(".obj"))
+    lines, corners = saved.with_suffix(".obj").read_text().splitlines(), corners.reshape(-1, 3)
+    assert "mtllib ball.mtl" in lines
     material = saved.with_suffix(".mtl").read_text().splitlines()
     assert "map_Kd ball.png" in material
-    assert ["usemtl", material[0].removeprefix("newmtl ")] in lines
+    assert material[0].replace("newmtl ", "usemtl ", 1) in lines
     ball, origin = originals(rows["v"])
     texture = image.read(saved.with_suffix(".png"))
     off = looked_up(texture, rows["vt"][corners[:, 1]]) - image.to_srgb(

@@ -1,7 +1,7 @@
 """Whole variance shadows of lab 14, and their gradient, against ray casting and differences."""
 import numpy as np
 import pytest
-from shadow_scenes import LIGHTS, PLACE, camera, scene, small_scene
+from shadow_scenes import LIGHTS, PLACE, camera, on_the_ground, scene, small_scene
 
 from course.given import mesh, ray_casting
 from course.given.gradcheck import gradcheck
@@ -15,14 +15,13 @@ def slab():
     return vertices @ np.array([[0.9, 0.1, 0.5], [0.0, 1.0, 0.0], [-0.5, 0.2, 0.9]]), faces
 
 
-def on_the_ground(load, light, size):
+def weighted_shadow(load, light, size):
     """A shadow on the ground, weighted: loss of the position -> loss and buffers, the light, and
     backward by its position.
     """
     vertices, faces = scene(load, lift=0.35)
     light = light(vertices)
-    face_index, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 96, 80)
-    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    points, _ = on_the_ground(vertices, faces, 96, 80, camera())
     weight = np.sin(2 * points @ [1.0, 0.0, 0.4]) / len(points)
     settings = variance_shadows.Settings(size, 6, 1e-3)
 
@@ -40,7 +39,7 @@ def on_the_ground(load, light, size):
 
 def gradient_error(load, size):
     """Backward less differences, relative. A single texel jumps: the steps are some texels long."""
-    loss, light, backward = on_the_ground(load, LIGHTS["point"], size)
+    loss, light, backward = weighted_shadow(load, LIGHTS["point"], size)
     slopes = np.zeros(3)
     for axis, step in np.ndindex(3, 4):
         h = np.eye(3)[axis] * (0.05 + 0.01 * step)
@@ -64,7 +63,7 @@ def test_at_a_round_rim_a_finer_map_has_a_better_gradient():
 
 def test_the_place_of_parallel_light_has_no_gradient(monkeypatch):
     """The map does not move with the receivers: a shadow of the sun that follows its position."""
-    _, _, backward = on_the_ground(mesh.bunny, LIGHTS["direction"], 320)
+    _, _, backward = weighted_shadow(mesh.bunny, LIGHTS["direction"], 320)
     whole, motion = backward(), variance_shadows.map_motion
     monkeypatch.setattr(variance_shadows, "map_motion", lambda *given: 0 * motion(*given))
     assert np.linalg.norm(whole) < 0.03 * np.linalg.norm(backward())
@@ -87,8 +86,7 @@ def test_the_gradient_is_exact_for_a_map_whose_borders_move_evenly():
     vertices, faces = scene(slab, lift=0.35)
     light, size, radius = LIGHTS["point"](vertices), 48, 2
     settings = variance_shadows.Settings(size, radius, 1e-3)
-    face_index, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 12, 10)
-    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    points, _ = on_the_ground(vertices, faces, 12, 10, camera())
     _, buffers = variance_shadows.variance_shadow(points, vertices, faces, light, settings)
     motion = variance_shadows.map_motion(buffers.distance_map, light.clip_from_light)
 
@@ -119,8 +117,7 @@ def test_a_light_is_found_by_its_shadow(off):
     """The fit ends farther than 2 % of the scene's size from the light."""
     vertices, faces = scene(lift=0.35)
     from_above = camera((1.6, 2.8, 0.8))                 # the bunny does not hide its shadow
-    face_index, points, _ = shadow_mapping.visible_points(vertices, faces, from_above, 64, 64)
-    points = points[face_index[face_index >= 0] >= len(faces) - 2]
+    points, _ = on_the_ground(vertices, faces, 64, 64, from_above)
     target = ray_casting.ray_cast(points, vertices, faces, LIGHTS["point"](vertices))
     path = variance_shadows.fit_position(
         target, points, vertices, faces, PLACE + off, variance_shadows.Settings(192, 6, 1e-3),

@@ -1,14 +1,11 @@
 """The vertices of a found mesh, moved to meet pictures: the gradients, the step, and the result."""
 import numpy as np
 import pytest
+from found_objects import EVEN, photographed, require_follows
 
-from course.experiments.scenes import demo, drawing, reconstruct, viewing
+from course.experiments.scenes import reconstruct
 from course.given import mesh
 from reference import multi_view_fit, reconstruction, regularization, vertex_fit
-
-LABS = demo.Labs("reference")
-EVEN = np.zeros((9, 3))
-EVEN[0] = 1 / reconstruction.C0
 
 
 def ball():
@@ -19,9 +16,7 @@ def ball():
 
 def capture(count=12, size=32):
     """Pictures of this ball."""
-    cameras = viewing.cameras_around(LABS, count)
-    pictures = reconstruct.photographs(LABS, reconstruct.Painted(*ball()), EVEN, cameras, size)
-    return multi_view_fit.Capture(pictures, cameras, drawing.WHITE)
+    return photographed(reconstruct.Painted(*ball()), EVEN, count, size)
 
 
 @pytest.mark.parametrize("which, h", [("vertices", 1e-8), ("colours", 1e-2)])
@@ -31,13 +26,8 @@ def test_gradients_follow_the_loss(which, h):
     x = vertex_fit.Skin(1.03 * vertices, colours[::-1])
     views = multi_view_fit.targets_of(capture(2), 1, 2)
     direction = np.random.default_rng(1).normal(size=colours.shape)
-
-    def at(h):
-        moved = x._replace(**{which: getattr(x, which) + h * direction})
-        return vertex_fit.loss_and_gradients(moved, faces, views, 0.0)
-
-    numeric = (at(h)[0] - at(-h)[0]) / (2 * h)
-    assert (getattr(at(0)[1], which) * direction).sum() == pytest.approx(numeric, rel=1e-5)
+    require_follows(lambda x: vertex_fit.loss_and_gradients(x, faces, views, 0.0),
+                    x, which, direction, h)
 
 
 def test_the_step_is_lab_13s_large_step():

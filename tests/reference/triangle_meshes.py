@@ -1,7 +1,10 @@
 """What tests of lab 11 subdivide: triangle meshes of all kinds, and what is on their boundary."""
+import itertools
+
 import numpy as np
+import pytest
 import scipy.spatial
-from subdivision_meshes import MOEBIUS
+from subdivision_meshes import MOEBIUS, farthest, polygon_meshes
 
 from course.given import mesh
 from reference import subdivision
@@ -39,7 +42,9 @@ def together(one, other):
             np.concatenate([one[1], other[1] + len(one[0])]))
 
 
-MESHES = triangle_meshes()
+MESHES, POLYGONS = triangle_meshes(), polygon_meshes()
+each_polygon_mesh = pytest.mark.parametrize("vertices, corners, counts", POLYGONS.values(),
+                                            ids=POLYGONS)
 
 
 def valence_and_boundary(corners, counts, vertex_count):
@@ -48,9 +53,18 @@ def valence_and_boundary(corners, counts, vertex_count):
     return subdivision.valences(edges, vertex_count), at_boundary
 
 
-def rows_on_the_boundary(S, corners, counts, vertex_count):
-    """The rows of S for vertices and edges on the boundary, and who is on it: (V,) bool."""
+def require_spline(S, corners, counts, vertex_count):
+    """The rows of S for vertices and edges on the boundary are a cubic spline's."""
     edges, _, is_boundary = subdivision.topology(corners, counts, vertex_count)
     at_boundary = np.isin(np.arange(vertex_count), edges[is_boundary])
     rows = np.concatenate([at_boundary, is_boundary])
-    return S[:len(rows)][rows], at_boundary
+    rows = S[:len(rows)][rows]
+    assert rows[:, ~at_boundary].nnz == 0
+    assert set(rows.data) <= {1 / 8, 3 / 4, 1 / 2}
+
+
+def require_symmetric(points):
+    """A direction is preferred: the 48 symmetries of a cube."""
+    for axes in itertools.permutations(range(3)):
+        for signs in itertools.product([1, -1], repeat=3):
+            assert farthest(points[:, axes] * signs, points) < 1e-14

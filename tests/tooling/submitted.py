@@ -8,6 +8,8 @@ from course import exercises
 from course.given import places
 
 FOLDER = places.ROOT / "tests" / "other_solutions"
+CORE = {topic: [exercise for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
+        for topic in exercises.asking_topics()}
 
 
 def other_solution(topic):

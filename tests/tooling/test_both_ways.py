@@ -5,6 +5,7 @@ That every one passes on the reference is the rest of the test run.
 import json
 
 import pytest
+from submitted import put
 
 from course import exercises
 from course.lab_text import skeleton
@@ -17,9 +18,8 @@ EXERCISES = {exercise.number: (topic, exercise.name)
 def board(tmp_path_factory, run_here, pytestconfig):
     """The board of the reference's skeleton, extras open: (what it printed, {number: entry})."""
     folder = tmp_path_factory.mktemp("skeleton")
-    for topic in exercises.topics():
-        text = skeleton(exercises.read(exercises.reference(topic)), extra=True)
-        (folder / f"{topic}.py").write_bytes(text.encode("utf-8"))
+    put(folder, {f"{topic}.py": skeleton(exercises.read(exercises.reference(topic)), extra=True)
+                 for topic in exercises.topics()})
     done = run_here(pytestconfig.rootpath, "course", "check", "--impl", folder, "--extra",
                     "--json", folder / "board.json")
     assert done.returncode == 1, done.stdout + done.stderr

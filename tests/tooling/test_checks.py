@@ -310,42 +310,18 @@ def test_a_call_keeps_the_functions_signature():
 
 # --- verdict and report -----------------------------------------------------------------------
 
-LAB = '''\
-"""Made up."""
-from . import sampling
-
-def double(x):  # exercise 1.1 (1 point)
-    return 2 * x
-
-def half(x):  # exercise 1.2 (1 point)
-    return quotient(x, 0)
-
-def quotient(x, y):
-    return x / y
-
-def shifted(x, by):  # exercise 1.3 (1 point)
-    print("shifting by", by)
-    return x - by
-
-def mask(n):  # exercise 1.4 (1 point)
-    raise NotImplementedError("exercise 1.4: mask")
-
-def area(n):  # exercise 1.5 (1 point)
-    return mask(n).sum()
-
-def deep(x):  # exercise 1.6 (1 point)
-    return deep(x + 1)
-
-def other(x):  # exercise 1.7 (1 point)
-    raise NotImplementedError("not yet")
-
-def strict(x):  # exercise 1.8 (1 point)
-    assert x > 0, "too small"
-    return x
-
-def both(x):
-    return x, 2 * x
-'''
+LAB = '"""Made up."""\nfrom . import sampling\n' + "".join((
+    *(exercise_text(number, name, "What is it?", *answer, inputs=inputs)
+      for number, name, inputs, *answer in (
+          ("1.1", "double", "x", "return 2 * x"),
+          ("1.2", "half", "x", "return quotient(x, 0)"),
+          ("1.3", "shifted", "x, by", 'print("shifting by", by)', "return x - by"),
+          ("1.4", "mask", "n", 'raise NotImplementedError("exercise 1.4: mask")'),
+          ("1.5", "area", "n", "return mask(n).sum()"),
+          ("1.6", "deep", "x", "return deep(x + 1)"),
+          ("1.7", "other", "x", 'raise NotImplementedError("not yet")'),
+          ("1.8", "strict", "x", 'assert x > 0, "too small"', "return x"))),
+    "\n\ndef quotient(x, y):\n    return x / y\n\n\ndef both(x):\n    return x, 2 * x\n"))
 
 STATES = """
 
@@ -449,9 +425,9 @@ claim     Half of one
 perhaps   Division by zero.
 given     half(x=1.0)
 wrong     ZeroDivisionError: float division by zero
-          labs/transforms.py:8 in half
+          labs/transforms.py:12 in half
               return quotient(x, 0)
-          labs/transforms.py:11 in quotient
+          labs/transforms.py:48 in quotient
               return x / y
 check     tests/labs/test_transforms.py:13
           assert_close(impl.half(1.0), 0.5)
@@ -486,7 +462,7 @@ NOT_COUNTED = "a check has to run and pass; this one is skipped or expected to f
     ("shifted_can_be_multiplied",
      "wrong     what shifted returned does not fit: ValueError: matmul"),
     ("strict_is_not_strict",
-     "wrong     AssertionError: too small\n          labs/transforms.py:30 in strict\n"),
+     "wrong     AssertionError: too small\n          labs/transforms.py:43 in strict\n"),
     ("strict_tells_all", "perhaps   It does not.\nwrong     it was given 1\n"),
     ("shifted_by_nothing", "given     shifted(x=1.0, by=0.0)\nwrong     it moved\n"),
     ("shifted_by_nothing", "check     tests/labs/test_transforms.py:52"),
@@ -524,7 +500,7 @@ def test_endless_recursion_is_cut(output):
     text = output["test_deep_ends"]
     assert "wrong     RecursionError: maximum recursion depth exceeded" in text
     assert re.search(r"\.\.\. \d+ more calls \.\.\.", text)
-    assert text.count("labs/transforms.py:24 in deep") == 8
+    assert text.count("labs/transforms.py:33 in deep") == 8
 
 
 @pytest.mark.parametrize("value", [

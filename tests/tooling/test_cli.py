@@ -6,6 +6,7 @@ import sys
 from types import SimpleNamespace
 
 import pytest
+from submitted import put as put_files
 
 from course import cli, commands
 from course.grading.request import Request
@@ -112,9 +113,7 @@ def test_a_mistake_in_the_options_is_one_line(line, capsys):
 def demo_runs(stand_in, monkeypatch, tmp_path):
     """demo_runs("labs", text): demo runs this text from a file in the folder labs."""
     def put(folder, text):
-        (tmp_path / folder).mkdir()
-        path = tmp_path / folder / "part.py"
-        path.write_text(text)
+        path, = put_files(tmp_path, {f"{folder}/part.py": text})
         monkeypatch.setattr(cli, "ROOT", tmp_path.resolve())
         stand_in("experiments.scenes.demo", run=lambda *_, **__: runpy.run_path(str(path)))
     return put

@@ -6,17 +6,17 @@ import pytest
 
 from course import exercises
 
+MODULES = [f"reference.{topic}" for topic in exercises.topics()]
 
-@pytest.mark.parametrize("topic", exercises.topics())
-def test_the_examples_are_true(topic):
+
+@pytest.mark.parametrize("module", [*MODULES, "course.given.ray_casting"])
+def test_the_examples_are_true(module):
     """An example that does not give what it shows."""
-    module = importlib.import_module(f"reference.{topic}")
-    assert doctest.testmod(module).failed == 0
+    assert doctest.testmod(importlib.import_module(module)).failed == 0
 
 
-@pytest.mark.parametrize("topic", exercises.topics())
-def test_every_function_says_what_it_does(topic):
+@pytest.mark.parametrize("module", MODULES)
+def test_every_function_says_what_it_does(module):
     """A function without a docstring: the reader must guess shapes."""
-    module = importlib.import_module(f"reference.{topic}")
-    silent = [name for name, value in vars(module).items() if callable(value) and not value.__doc__]
-    assert silent == []
+    there = vars(importlib.import_module(module)).items()
+    assert [name for name, value in there if callable(value) and not value.__doc__] == []

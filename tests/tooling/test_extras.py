@@ -4,23 +4,14 @@ import json
 import shutil
 
 import pytest
-from made_up import check_text
+from made_up import check_text, exercise_text
+from submitted import put
 
-REFERENCE = '''\
-"""Made up."""
-
-def double(x):  # exercise 1.1 (2 points)
-    """Twice x.
-
-    Fine print. Of nothing it is nothing.
-    """
-    return 2 * x
-
-def half(x):  # extra 1.2 (3 points)
-    """Half of x."""
-    # a comment of the answer
-    return x / 2
-'''
+REFERENCE = '"""Made up."""\n' + "".join((
+    exercise_text("1.1", "double", "Twice x.\n\n    Fine print. Of nothing it is nothing.\n    ",
+                  "return 2 * x", points=2),
+    exercise_text("1.2", "half", "Half of x.", "# a comment of the answer", "return x / 2",
+                  points=3, kind="extra")))
 LAB = REFERENCE.replace("    return 2 * x", '    raise NotImplementedError("exercise 1.1: double")')
 ROUGH = REFERENCE.replace("return 2 * x", "return 2 * x + (x == 0)")  # but for the fine print
 OPENED = LAB.replace("(3 points)", "(3 points), open").replace(
@@ -136,9 +127,7 @@ def test_mutants_are_counted_by_kind(run):
 
 def test_grades_are_of_the_core_and_of_extras_when_asked_for(root, run):
     """An extra that came complete gives points to everybody."""
-    folder = root / "in" / "ada"
-    folder.mkdir(parents=True)
-    (folder / "transforms.py").write_text(ROUGH)
+    put(root, {"in/ada/transforms.py": ROUGH})
     command = ("grade", "in", "--out", "out/grades", "--isolation", "process")
     table = root / "out" / "grades" / "grades.csv"
     run(*command)

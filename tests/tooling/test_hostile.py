@@ -42,6 +42,9 @@ STRICT_ONLY = {"keyring", "shared_memory", "sockets", "file_locks", "many_files"
 # At the level `process`, where `strict` is graded, too: enough to see that the levels agree.
 BOTH = {"honest", "one_mistake", "exits_hard", "endless_loop_in_c", "closes_descriptors",
         "forged_frames", "changes_its_input", "breaks_numpy"}
+# The worker's own channel to the grader, which attacks find among all objects.
+CHANNEL = """next(found for found in __import__("gc").get_objects()
+                   if type(found).__name__ == "Channel")"""
 
 
 def submission(name, names):
@@ -115,7 +118,8 @@ def test_every_submission_gets_what_its_honest_part_deserves(isolation, house, r
     expected = hand_in_no_files(handed_in, outside) if isolation == strict else {}
     server = socket.create_server(("127.0.0.1", 0))
     long = f"{36000 + os.getpid()}.25"  # seconds that no other process sleeps
-    filled_in = {"COURSE": root.as_posix(), "PORT": str(server.getsockname()[1]), "LONG": long}
+    filled_in = {"COURSE": root.as_posix(), "PORT": str(server.getsockname()[1]), "LONG": long,
+                 "CHANNEL": CHANNEL}
     hand_in(tmp_path, **{name: submission(name, filled_in) for name in names})
     expected |= {name: POINTS[name] for name in names}
     before = contents(root) | contents(tmp_path)

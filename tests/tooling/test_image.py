@@ -215,17 +215,13 @@ def test_out_makes_the_folder_and_not_the_file(tmp_path, monkeypatch):
     assert path.parent.is_dir() and not path.exists()
 
 
-def test_a_folder_that_cannot_be_made_gets_one_sentence(tmp_path, monkeypatch):
-    """A traceback in a course folder that is not the reader's own."""
+def test_a_folder_that_cannot_be_made_or_written_gets_one_sentence(tmp_path, monkeypatch):
+    """A traceback in a course folder that is not the reader's own, or is there, but read-only."""
     monkeypatch.setattr(places, "ROOT", tmp_path)
     (tmp_path / "out").write_text("a file in the way")
     with pytest.raises(OSError, match=r"^cannot write into the folder .*demo: allow writing there"):
         places.out("demo", "depth.png")
-
-
-def test_a_folder_that_cannot_be_written_gets_one_sentence(tmp_path, monkeypatch):
-    """The same where the folder is there, but read-only."""
-    monkeypatch.setattr(places, "ROOT", tmp_path)
+    (tmp_path / "out").unlink()
     monkeypatch.setattr(places.os, "access", lambda folder, mode: False)
     with pytest.raises(OSError, match=r"^cannot write into the folder .*out: allow writing there"):
         places.out("depth.png")

@@ -6,7 +6,7 @@ import pytest
 
 from course import exercises
 from course.given.places import ROOT
-from course.upkeep import errata
+from course.upkeep import errata, hours
 
 PATHS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 LECTURES = PATHS[1:]                               # 00 is the map, and has a form of its own
@@ -31,13 +31,6 @@ def text_of(path):
 
 def before_the_summary(path):
     return text_of(path).partition("\n## Summary\n")[0]
-
-
-def core_of(path):
-    """The numbers of the core exercises of a lecture's lab."""
-    lab = exercises.LABS[int(path.stem[:2]) - 1]
-    return {exercise.number for topic in lab for exercise in exercises.topic_exercises(topic)
-            if not exercise.is_extra}
 
 
 @each_lecture
@@ -95,9 +88,9 @@ def test_equations_are_numbered_in_the_order_in_which_they_come(path):
 @each_lecture
 def test_each_core_exercise_stands_where_the_text_reaches_it(path):
     """An exercise that the lecture forgets, asks twice, or does not check."""
-    text, core = before_the_summary(path), core_of(path)
-    lines = re.findall(r"^\*\*Exercises? .*", text, re.MULTILINE)
     lab = int(path.stem[:2])
+    core = {exercise.number for exercise in hours.core(lab)}
+    lines = re.findall(r"^\*\*Exercises? .*", before_the_summary(path), re.MULTILINE)
     named = re.findall(rf"\b{lab}\.\d+\b", "\n".join(line.partition("*Extra")[0] for line in lines))
     assert sorted(named) == sorted(core)
     shown = re.findall(r'^board\.show\("([\d.]+)"\)$', "\n".join(

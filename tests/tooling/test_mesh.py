@@ -7,6 +7,7 @@ import time
 import numpy as np
 import pytest
 
+from course.checks import assert_equal
 from course.given import inputs, mesh, places
 
 SHAPES = {  # name: faces per n^2, smallest n, V - E + F, boundary edges for n
@@ -228,9 +229,8 @@ def test_faces_of_any_integers_give_the_same(kind):
     vertices, faces = mesh.icosphere(80)
     other = faces.astype(kind)
     inputs.require_mesh(vertices, other)
-    for ours, expected in zip([*mesh.edges(other), mesh.edge_faces(other)],
-                              [*mesh.edges(faces), mesh.edge_faces(faces)], strict=True):
-        np.testing.assert_array_equal(ours, expected)
+    assert_equal((*mesh.edges(other), mesh.edge_faces(other)),
+                 (*mesh.edges(faces), mesh.edge_faces(faces)))
     np.testing.assert_array_equal(mesh.split_longest(vertices, other, 100)[1],
                                   mesh.split_longest(vertices, faces, 100)[1])
 

@@ -7,6 +7,8 @@ import shutil
 
 import numpy as np
 import pytest
+from made_up import check_text, exercise_text
+from submitted import put
 
 from course import exercises
 from course.checks import hints
@@ -175,34 +177,14 @@ def test_other_numbers_have_another(one, other):
     assert fingerprint("test", one) != fingerprint("test 2", one)
 
 
-DOUBLE = 'def double(x):  # exercise 1.1 (1 point)\n    """2 x."""\n    return 2 * x\n'
-DOUBLE_CHECKS = '''\
-import numpy as np
-
-from course.checks import assert_close, exercise
-
-
-@exercise("1.1")
-def test_two(impl):
-    """Three."""
-    assert_close(impl.double(np.full(WIDTH, 2.0)), np.full(WIDTH, 4.0))
-
-
-@exercise("1.1")
-def test_one(impl):
-    """Three."""
-    assert_close(impl.double(1.0), 2.0)
-
-
-@exercise("1.1", fine_print=True)
-def test_nothing(impl):
-    """Something."""
-    assert_close(impl.double(0.0), 0.0)
-'''
-
-
-AT_NOTHING = DOUBLE_CHECKS.partition("@exercise")[0] + DOUBLE_CHECKS.rpartition("\n\n")[2].replace(
-    ", fine_print=True", "")
+DOUBLE = exercise_text("1.1", "double", "2 x.", "return 2 * x").lstrip()
+HEAD = "import numpy as np\n\nfrom course.checks import assert_close, exercise\n"
+NOTHING = "nothing", "Something.", "assert_close(impl.double(0.0), 0.0)"
+DOUBLE_CHECKS = HEAD + "".join((
+    check_text("1.1", "two", "Three.",
+               "assert_close(impl.double(np.full(WIDTH, 2.0)), np.full(WIDTH, 4.0))"),
+    check_text("1.1", "one", "Three.", "assert_close(impl.double(1.0), 2.0)"),
+    check_text("1.1", *NOTHING, fine_print=True)))
 TRIPLED = "1.1  2 * x -> 3 * x\n      it is tripled\n"
 
 
@@ -239,7 +221,8 @@ def test_a_mistake_is_named_where_all_checks_of_the_question_say_so(
 
 def test_a_mistake_that_lives_is_shown(house, run_module):
     """It is counted, and nobody sees which it is."""
-    root = house({"reference/transforms.py": DOUBLE, "tests/labs/test_transforms.py": AT_NOTHING,
+    root = house({"reference/transforms.py": DOUBLE,
+                  "tests/labs/test_transforms.py": HEAD + check_text("1.1", *NOTHING),
                   "tests/mistakes/transforms.txt": TRIPLED, "tests/mistakes/transforms.py":
                   'def double(y):\n    """it is added"""\n    return 2 + y\n'})
     done = run_module(root, "course", "mistakes")
@@ -269,9 +252,7 @@ def test_a_mistake_that_lives_is_shown(house, run_module):
 def test_a_mistake_that_has_no_place_or_says_nothing_is_told(
         monkeypatch, tmp_path, name, text, told):
     """A typing error, and a mistake is tried in no place."""
-    for path, content in (("reference/transforms.py", DOUBLE), (f"tests/mistakes/{name}", text)):
-        (tmp_path / path).parent.mkdir(parents=True)
-        (tmp_path / path).write_text(content, encoding="utf-8")
+    put(tmp_path, {"reference/transforms.py": DOUBLE, f"tests/mistakes/{name}": text})
     monkeypatch.setattr(places, "ROOT", tmp_path)
     with pytest.raises(ValueError, match=re.escape(f"tests/mistakes/{told}")):
         mistakes.library("transforms")

@@ -2,6 +2,8 @@
 import ast
 
 import pytest
+from made_up import check_text, exercise_text
+from submitted import put
 
 from course.given import places
 from course.upkeep import mutants, mutations
@@ -97,56 +99,18 @@ def test_a_change_is_the_same_whatever_the_variables_are_called():
     assert mutations.nameless("y -> g", function) != mutations.nameless("y -> x", function)
 
 
-REFERENCE = '''\
-import itertools
+REFERENCE = "import itertools\n" + "".join((
+    exercise_text("1.1", "double", "Twice x.", "return 2 * x", points=2),
+    exercise_text("1.2", "count", "n.", "for k in itertools.count():", "    if k >= n:",
+                  "        return k", points=2, inputs="n"),
+    exercise_text("1.3", "unseen", "x, or nothing below 0.", "return x if x > 0 else 0.0")))
 
-
-def double(x):  # exercise 1.1 (2 points)
-    """Twice x."""
-    return 2 * x
-
-
-def count(n):  # exercise 1.2 (2 points)
-    """n."""
-    for k in itertools.count():
-        if k >= n:
-            return k
-
-
-def unseen(x):  # exercise 1.3 (1 point)
-    """x, or nothing below 0."""
-    return x if x > 0 else 0.0
-'''
-
-CHECKS = '''\
-import pytest
-
-from course.checks import assert_close, exercise
-
-
-@pytest.fixture(scope="module")
-def two():
-    return 2.0
-
-
-@exercise("1.1")
-@pytest.mark.parametrize("x", [0.0, 1.0])
-def test_twice(impl, two, x):
-    """Once."""
-    assert_close(impl.double(x), two * x)
-
-
-@exercise("1.2")
-def test_counted(impl):
-    """Too many."""
-    assert_close(impl.count(3), 3)
-
-
-@exercise("1.3")
-def test_it_is_there(impl):
-    """No return."""
-    impl.unseen(1.0)
-'''
+CHECKS = "import pytest\n\nfrom course.checks import assert_close, exercise\n" + "".join((
+    '\n\n@pytest.fixture(scope="module")\ndef two():\n    return 2.0\n',
+    check_text("1.1", "twice", "Once.", "assert_close(impl.double(x), two * x)",
+               inputs="impl, two, x", marks=['@pytest.mark.parametrize("x", [0.0, 1.0])']),
+    check_text("1.2", "counted", "Too many.", "assert_close(impl.count(3), 3)"),
+    check_text("1.3", "it_is_there", "No return.", "impl.unseen(1.0)")))
 
 FILES = {"reference/transforms.py": REFERENCE, "tests/labs/test_transforms.py": CHECKS,
          "tests/equivalents/transforms.txt":
@@ -183,9 +147,8 @@ def test_a_reference_that_fails_is_told(house, run_module):
 
 def test_an_equivalent_mutant_has_a_reason(monkeypatch, tmp_path):
     """Survivors are excused by a list of names."""
-    path = tmp_path / "tests" / "equivalents" / "transforms.txt"
-    path.parent.mkdir(parents=True)
-    path.write_text("1.1  a -> b\n1.2  c -> d\n      Both.\n      Of them.\n1.3  e -> f\n")
+    path, = put(tmp_path, {"tests/equivalents/transforms.txt":
+                           "1.1  a -> b\n1.2  c -> d\n      Both.\n      Of them.\n1.3  e -> f\n"})
     monkeypatch.setattr(places, "ROOT", tmp_path)
     with pytest.raises(ValueError, match="e -> f has no reason below it"):
         mutants.equivalents("transforms")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from graded import entry, exercise, record, result, submission
+from submitted import put
 
 from course.grading.apart import typed_json
 from course.grading.gradebook import earlier, people
@@ -62,9 +63,8 @@ def test_a_group_and_its_members_are_not_in_one_table(read, tmp_path):
     members = people.with_members([GROUP], read("x,blue,", "y,blue,"))
     for before, now in ([GROUP], members), (members, [GROUP]), (members, members[:1]):
         for one in before:
-            path = tmp_path / "students" / one.student / "record.json"
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(typed_json.dumps(record(one, result(entry(LAB, "done")))), "utf-8")
+            kept = typed_json.dumps(record(one, result(entry(LAB, "done"))))
+            put(tmp_path, {f"students/{one.student}/record.json": kept})
         gone = [one.student for one in before if one not in now]
         assert earlier.records(tmp_path, now, [LAB]) == ([], gone)
         shutil.rmtree(tmp_path / "students")

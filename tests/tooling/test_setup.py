@@ -16,6 +16,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from submitted import put
 
 COURSE = Path(__file__).parents[2] / "course"
 STAND_IN = """
@@ -28,12 +29,9 @@ def main():
 
 def lay_out(root):
     """A repository of its own at root: the course's start, one requirement, a shelf of packages."""
-    (root / "course").mkdir(parents=True)
+    put(root, {"course/__init__.py": "", "course/cli.py": STAND_IN,
+               "requirements.txt": "pebble>=1.0  # a package that nobody has\n"})
     shutil.copy(COURSE / "__main__.py", root / "course")
-    (root / "course" / "__init__.py").touch()
-    (root / "course" / "cli.py").write_text(STAND_IN)
-    (root / "requirements.txt").write_text("pebble>=1.0  # a package that nobody has\n")
-    (root / "shelf").mkdir()
     for name in ("pebble", "stone"):
         wheel(root / "shelf", name)
     return root
@@ -41,13 +39,11 @@ def lay_out(root):
 
 def wheel(folder, name):
     """The smallest package that pip installs: version 1.2 of name."""
-    with zipfile.ZipFile(folder / f"{name}-1.2-py3-none-any.whl", "w") as archive:
-        about = f"{name}-1.2.dist-info"
-        archive.writestr(f"{about}/METADATA",
-                         f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.2\n")
-        archive.writestr(f"{about}/WHEEL",
-                         "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
-        archive.writestr(f"{about}/RECORD", "")
+    about = f"{name}-1.2.dist-info"
+    put(folder, {f"{name}-1.2-py3-none-any.whl": {
+        f"{about}/METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.2\n",
+        f"{about}/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+        f"{about}/RECORD": ""}})
 
 
 def surroundings(root, **more):
@@ -79,8 +75,7 @@ def venv_python(root):
 
 def fake(root, module, text):
     """Put a module into root/fakes, to stand for one of the standard library."""
-    (root / "fakes").mkdir()
-    (root / "fakes" / f"{module}.py").write_text(text)
+    put(root, {f"fakes/{module}.py": text})
 
 
 def installed(root):
@@ -149,8 +144,7 @@ def test_changed_requirements_are_installed(ready, active):
 
 def test_what_the_site_needs_is_installed_when_the_site_is_asked_for(ready):
     """Every student waits for the site's packages; or the site's first build misses them."""
-    (ready / "site").mkdir()
-    (ready / "site" / "requirements.txt").write_text("stone>=1.0\n")
+    put(ready, {"site/requirements.txt": "stone>=1.0\n"})
     assert start(ready, "0").told == [] and "stone-1.2.dist-info" not in installed(ready)
     ended = start(ready, "0", "--site")
     assert (ended.status, len(ended.told)) == (0, 1)
@@ -207,8 +201,7 @@ def test_a_finished_venv_that_lost_a_package_does_not_start_itself_for_ever(read
 
 def test_a_venv_without_a_python_that_starts_is_not_deleted_unless_it_is_ours(new):
     """Whatever is called .venv is removed."""
-    (new / ".venv").mkdir()
-    (new / ".venv" / "diary.txt").write_text("mine")
+    put(new, {".venv/diary.txt": "mine"})
     assert_refused(start(new, "0"), "does not start")
     assert (new / ".venv" / "diary.txt").exists()
 

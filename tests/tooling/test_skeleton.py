@@ -3,6 +3,7 @@ import json
 import os
 
 import pytest
+from submitted import put
 
 from course import exercises, lab_text
 from course.given import places
@@ -137,9 +138,8 @@ def test_what_only_looks_like_a_mark_in_a_string_is_none():
 def course(tmp_path, monkeypatch):
     """A course with one topic, its lab not yet made."""
     monkeypatch.setattr(places, "ROOT", tmp_path)
-    (tmp_path / "reference").mkdir()
     (tmp_path / "labs").mkdir()
-    (tmp_path / "reference" / "transforms.py").write_bytes(MODULE.encode())
+    put(tmp_path, {"reference/transforms.py": MODULE})
     return tmp_path
 
 
@@ -151,8 +151,7 @@ def work(course):
 
 def test_topics_are_those_of_the_reference_in_the_courses_order(course):
     """Topics come in the order of the alphabet, or one is listed that is not there."""
-    (course / "reference" / "sampling.py").write_text("")
-    (course / "reference" / "rasterization.py").write_text("")
+    put(course / "reference", {"sampling.py": "", "rasterization.py": ""})
     assert exercises.topics() == ("transforms", "rasterization", "sampling")
     assert exercises.lab_number("rasterization") == 2
 

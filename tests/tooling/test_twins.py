@@ -12,21 +12,18 @@ import types
 
 import numpy as np
 import pytest
+from submitted import CORE
 
 from course import exercises
 from course.checks import loader
 from course.given import contract
 from course.verdicts import run
 
+EACH = [(topic, exercise) for topic, asked in CORE.items() for exercise in asked]
 CHANCE = {  # the same number for the example's input, by another rule
     "9.8": {"scanline.twice_area", "footprint_kernels.cross"},
     "12.12": {"neural_renderer.covers"},
 }
-
-
-def core():
-    return [(topic, exercise) for topic in exercises.asking_topics()
-            for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
 
 
 def functions():
@@ -90,7 +87,7 @@ def test_who_returns_a_core_answer_is_listed(monkeypatch):
     """A fast twin in the same file answers the exercise in one line, for all of its points."""
     monkeypatch.setattr(loader, "SECONDS", 1.0)
     there = functions()
-    unlisted = {exercise.number: found for topic, exercise in core()
+    unlisted = {exercise.number: found for topic, exercise in EACH
                 if (found := twins_found(topic, exercise, there) - set(exercise.twins)
                     - CHANCE.get(exercise.number, set()))}
     assert unlisted == {}
@@ -101,8 +98,8 @@ def test_listed_twins_are_there():
     there = functions()
     texts = [exercises.read(exercises.reference(topic)) for topic in exercises.topics()]
     assert sum(text.count("# Refuse meanwhile") for text in texts) == sum(
-        bool(exercise.twins) for _, exercise in core())
-    assert {twin for _, exercise in core() for twin in exercise.twins} <= set(there)
+        bool(exercise.twins) for _, exercise in EACH)
+    assert {twin for _, exercise in EACH for twin in exercise.twins} <= set(there)
 
 
 @pytest.mark.parametrize("number, call", [
@@ -115,7 +112,7 @@ def test_listed_twins_are_there():
 ])
 def test_a_twin_refuses_to_answer(tmp_path, number, call):
     """The list of twins is not asked, or what calls a twin, or imports it late, goes on."""
-    [(topic, exercise)] = [pair for pair in core() if pair[1].number == number]
+    [(topic, exercise)] = [pair for pair in EACH if pair[1].number == number]
     for path in (exercises.places.ROOT / "reference").glob("*.py"):
         text = exercises.read(path)
         if path.stem == topic:
@@ -162,8 +159,7 @@ def repeated(topic, most=1 / 3):
     """Yield a sentence for each function that has more of a core answer's lines than this."""
     functions = {one.name: one for one in
                  exercises.top_level_functions(exercises.read(exercises.reference(topic)))}
-    asked = {exercise.name for exercise in exercises.topic_exercises(topic)
-             if not exercise.is_extra}
+    asked = {exercise.name for exercise in CORE[topic]}
     for name in asked:
         for other in functions.keys() - asked:
             if shared_part(functions[name], functions[other]) > most:

@@ -7,14 +7,13 @@ import zlib
 
 import pytest
 from graded import submission
+from submitted import CORE
 
 from course import exercises, lab_text
 from course.given import places
 from course.grading.handing import texts
 from course.grading.pages import numeric, overview, similarity, unusual
 
-CORE = {topic: [one for one in exercises.topic_exercises(topic) if not one.is_extra]
-        for topic in exercises.asking_topics()}
 AUTHORS = "tests/other_solutions", "tests/literal", "tests/wrong_answers", "tests/mistakes"
 OTHER = exercises.read(places.ROOT / "tests" / "other_solutions" / "rasterization.py")
 

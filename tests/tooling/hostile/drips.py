@@ -3,8 +3,7 @@ import time
 
 
 def double(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     channel.stream.write((1 << 20).to_bytes(8, "big"))
     kept = []
     for _ in range(8):

@@ -2,8 +2,7 @@
 
 
 def double(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     for _ in range(10):
         channel.send("returned", np.zeros(3), (), "")
         channel.send("ended", 0)

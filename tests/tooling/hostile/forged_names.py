@@ -10,8 +10,7 @@ Forged.__name__, Forged.__module__ = "system", "os"
 
 
 def double(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     of_class = channel.wire.name_of
     channel.wire.name_of = lambda named_tuple: [of_class(named_tuple)]
     return Forged("touch COURSE/forged"), Forged(Forged("exit"))

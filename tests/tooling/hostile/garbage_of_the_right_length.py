@@ -2,7 +2,6 @@
 
 
 def double(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     channel.write(b"\0\0\0\2[]")
     return 2 * x

@@ -2,8 +2,7 @@
 
 
 def double(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     channel.stream.write((1000).to_bytes(8, "big") + b"half")
     channel.stream.flush()
     while True:

@@ -2,7 +2,6 @@
 
 
 def double(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     while True:
         channel.send("raised", "<" * 60_000, "<" * 60_000, (), "<" * 10_000)

@@ -7,8 +7,7 @@ def double(x):
 
 
 def quadruple(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     for _ in range(6):
         if os.fork() == 0:
             kept = [np.ones(1 << 20) for _ in range(150)]

@@ -8,7 +8,6 @@ class Bomb:
 
 
 def double(x):
-    import gc
-    channel = next(found for found in gc.get_objects() if type(found).__name__ == "Channel")
+    channel = CHANNEL
     channel.write(pickle.dumps(Bomb()))
     return np.array([Bomb()], dtype=object)
