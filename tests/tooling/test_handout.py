@@ -138,13 +138,6 @@ def test_extras_are_handed_out_open(tmp_path):
         assert lab == lab_text.skeleton(text, extra=True) != lab_text.skeleton(text)
 
 
-def test_solutions_of_labs_that_stay_here_are_refused(tmp_path):
-    """The board asks for a lab without checks."""
-    with pytest.raises(ValueError, match="transforms is not handed out"):
-        handout.run(tmp_path / "new", "2", "1-2")
-    assert not (tmp_path / "new").exists()
-
-
 def test_solutions_that_are_released_later_can_be_put_in(tmp_path, run_module):
     """A zip that unpacks elsewhere, or whose answers the hand-out does not find."""
     handout.run(tmp_path / "new", "1-2")
@@ -225,14 +218,20 @@ def test_who_has_done_lab_1_goes_on_in_the_same_folder_with_lab_2(tmp_path, run_
     assert "Next: 2.1 edge_function, not started" in done.stdout, done.stdout
 
 
-@pytest.mark.parametrize(("labs", "after", "sentence"), [
-    ("2", "3", "of labs 3 has labs/rasterization.py already, complete, as its labs use it: name"),
-    ("1-2", "1", "of labs 1 has labs/transforms.py already: name in --labs only labs that it"),
-    (None, "1", "of labs 1 has labs/transforms.py already: name")])
-def test_a_lab_that_students_have_already_is_refused(labs, after, sentence, tmp_path):
-    """Empty answers replace what was done, or what came complete."""
+@pytest.mark.parametrize(("labs", "solutions", "after", "sentence"), [
+    ("2", "1-2", None, "transforms is not handed out"),
+    ("2", None, "3",
+     "of labs 3 has labs/rasterization.py already, complete, as its labs use it: name"),
+    ("1-2", None, "1",
+     "of labs 1 has labs/transforms.py already: name in --labs only labs that it"),
+    (None, None, "1", "of labs 1 has labs/transforms.py already: name")])
+def test_a_lab_that_stays_here_or_is_there_already_is_refused(
+        labs, solutions, after, sentence, tmp_path):
+    """The board asks for a lab without checks. Or empty answers replace what was done, or what came
+    complete.
+    """
     with pytest.raises(ValueError, match=sentence):
-        handout.run(tmp_path / "new", labs, after=after)
+        handout.run(tmp_path / "new", labs, solutions, after=after)
     assert not (tmp_path / "new").exists()
 
 

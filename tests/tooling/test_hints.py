@@ -26,9 +26,8 @@ def no_pictures(monkeypatch, tmp_path):
 
 def told(assertion, got, expected, *inputs):
     """What is suspected where got comes in place of expected, from a call with these inputs."""
-    with pytest.raises(Mismatch) as error:
-        assertion(got, expected)
-    found = suspicion(*error.value.compared[:3], inputs, error.value.compared.picture)
+    compared = mismatch(got, expected, assertion).compared
+    found = suspicion(*compared[:3], inputs, compared.picture)
     return "" if found is None else str(found)
 
 
@@ -253,32 +252,27 @@ def test_what_a_check_made_of_the_result_is_not_certain():
                                                                           False)]
 
 
-def test_outputs_in_the_wrong_order_are_seen():
-    """Each of two outputs looks like a mistake of its own."""
-    returned = np.arange(1.0, 9), np.arange(8.0) ** 2
-    compared = mismatch(returned[0], returned[1].copy()).compared
-    assert hints.suspected(compared, (edge, (), {}), returned) == (
-        "the outputs are in the wrong order", True)
+UP, SQUARES, ZEROS = np.arange(1.0, 9), np.arange(8.0) ** 2, np.zeros(8)
 
 
-def test_what_is_zero_everywhere_gives_no_hint():
-    """That nothing came is seen; "in output 2", and then nothing, is no hint either."""
-    returned = np.arange(1.0, 9), np.zeros(8)
-    compared = mismatch(returned[1], returned[0].copy() + 1).compared
-    assert hints.suspected(compared, (edge, (), {}), returned) == hints.NOTHING
+@pytest.mark.parametrize(("returned", "got", "expected", "suspected"), [
+    ((UP, SQUARES), UP, SQUARES, ("the outputs are in the wrong order", True)),
+    ((UP, ZEROS), ZEROS, UP + 1, hints.NOTHING),
+    ((UP, -2 - UP), np.stack([UP, -2 - UP]), np.stack([UP, 2 + UP]),
+     ("the sign is flipped in [..., 1, :]", True)),
+], ids=["another order", "zero everywhere", "several in one array"])
+def test_what_several_outputs_tell_together_is_told(returned, got, expected, suspected):
+    """Each of two outputs looks like a mistake of its own. That nothing came is seen; "in output
+    2", and then nothing, is no hint either. A check stacks two gradients, and the sign of one,
+    which is plain, is not named.
+    """
+    compared = mismatch(got, expected).compared
+    assert hints.suspected(compared, (edge, (), {}), returned) == suspected
 
 
-def test_several_outputs_in_one_array_are_what_was_returned():
-    """A check stacks two gradients, and the sign of one, which is plain, is not named."""
-    returned = np.arange(1.0, 9), -np.arange(3.0, 11)
-    compared = mismatch(np.stack(returned), np.stack([returned[0], -returned[1]])).compared
-    assert hints.suspected(compared, (edge, (), {}), returned) == (
-        "the sign is flipped in [..., 1, :]", True)
-
-
-def mismatch(got, expected):
+def mismatch(got, expected, assertion=assert_close):
     with pytest.raises(Mismatch) as error:
-        assert_close(got, expected)
+        assertion(got, expected)
     return error.value
 
 

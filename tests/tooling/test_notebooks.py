@@ -416,28 +416,24 @@ def from_elsewhere(picture):
     return edit
 
 
-@pytest.mark.parametrize("picture", [
-    lambda pixels: pixels,
-    lambda pixels: np.roll(pixels, 1, axis=1),
-    lambda pixels: pixels[1:, :-2],
-    lambda pixels: pixels ^ 1,
-], ids=["other bytes", "a pixel aside", "smaller by two", "rounded"])
-def test_a_picture_written_elsewhere_may_differ_a_little(written, tmp_path, monkeypatch, picture):
-    """A test that fails wherever a font is drawn otherwise."""
-    assert edited(written, tmp_path, monkeypatch, from_elsewhere(picture)) == []
-
-
 @pytest.mark.parametrize("picture, difference", [
+    (lambda pixels: pixels, ""),
+    (lambda pixels: np.roll(pixels, 1, axis=1), ""),
+    (lambda pixels: pixels[1:, :-2], ""),
+    (lambda pixels: pixels ^ 1, ""),
     (lambda pixels: pixels[::-1], "differs from the file's by"),
     (lambda pixels: pixels[:, ::-1], "differs from the file's by"),
     (lambda pixels: pixels * 0 + 255, "differs from the file's by"),
     (lambda pixels: pixels[:-3], "draws 1 pictures of"),
-], ids=["upside down", "mirrored", "empty", "smaller by three"])
-def test_a_picture_written_elsewhere_may_not_show_something_else(
+], ids=["other bytes", "a pixel aside", "smaller by two", "rounded", "upside down", "mirrored",
+        "empty", "smaller by three"])
+def test_a_picture_written_elsewhere_may_differ_a_little_and_show_nothing_else(
         written, tmp_path, monkeypatch, picture, difference):
-    """A limit so wide that another figure passes."""
-    found, = edited(written, tmp_path, monkeypatch, from_elsewhere(picture))
-    assert difference in found
+    """A test that fails wherever a font is drawn otherwise; or a limit so wide that another figure
+    passes.
+    """
+    found = edited(written, tmp_path, monkeypatch, from_elsewhere(picture))
+    assert [difference in one for one in found] == [True] * bool(difference)
 
 
 def test_the_commands_own_folder_is_the_courses():

@@ -120,12 +120,8 @@ def test_a_chart_beside_pictures_has_room_for_its_labels():
     assert axes.get_tightbbox().y0 >= 0
 
 
-def machado(colours, matrix):
-    """How linear colours (N, 3) look to the colour-blind, in linear colours."""
-    return np.clip(colours @ np.array(matrix).T, 0, 1)
-
-
-# Machado, Oliveira and Fernandes 2009, severity 1.0, table of the supplement.
+# Machado, Oliveira and Fernandes 2009, severity 1.0, table of the supplement: how linear colours
+# look to the colour-blind.
 BLIND = {
     "no": np.eye(3),
     "protan": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216],
@@ -155,7 +151,7 @@ def test_the_colours_differ_for_the_colour_blind(kind):
     """Two curves that some readers cannot tell apart."""
     names = plot.BLACK, plot.ORANGE, plot.SKY, plot.GREEN, plot.BLUE, plot.RED
     linear = image.to_linear([mpl.colors.to_rgb(name) for name in names])
-    assert least_distance(lab(machado(linear, BLIND[kind]))) > 15
+    assert least_distance(lab(np.clip(linear @ np.array(BLIND[kind]).T, 0, 1))) > 15
 
 
 def test_the_colours_of_two_curves_differ_in_grey_print():
