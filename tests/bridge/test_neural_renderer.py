@@ -199,7 +199,7 @@ def test_a_file_is_read_as_it_is_written(wrapping, ends, is_bilinear, tmp_path):
 
 
 @pytest.mark.parametrize(("wrong", "kind", "sentence"), [
-    (lambda _: nr.rasterize_depth(torch.ones(2, 3, 3)), RuntimeError, r"have the shape \(f, 3"),
+    (lambda _: nr.rasterize_depth(torch.ones(2, 3, 3)), RuntimeError, r"have the shape \(3, 3, 3"),
     (lambda _: nr.rasterize(torch.ones(1, 2, 3, 3), torch.ones(1, 1, 2, 2, 2, 3)), RuntimeError,
      r"textures.n. must have the shape \(2, 2, 2, 2, 3"),
     (lambda _: nr.rasterize_rgbad(torch.ones(1, 2, 3, 3)), RuntimeError, "rgb needs textures"),
