@@ -9,6 +9,7 @@ from course.given import mesh
 
 EDGES = (1, 2), (2, 0), (0, 1)  # edge k, opposite to vertex k
 TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+FOURTH = np.repeat(6 - TETRAHEDRON.sum(1)[:, None], 3, 1)  # the vertex across each of its edges
 
 
 # --- topology ----------------------------------------------------------------------------------
@@ -39,9 +40,7 @@ def test_two_faces_see_each_other_across_their_edge(impl):
 @exercise("8.1")
 def test_in_a_tetrahedron_every_edge_has_the_fourth_vertex_across(impl):
     """An edge from a to b is not found from b to a, or a closed surface has a boundary."""
-    faces = TETRAHEDRON
-    fourth = 6 - faces.sum(1)
-    assert_equal(impl.opposite_vertices(faces), np.repeat(fourth[:, None], 3, 1))
+    assert_equal(impl.opposite_vertices(TETRAHEDRON), FOURTH)
 
 
 @exercise("8.1")
@@ -222,8 +221,7 @@ def test_both_faces_at_an_edge_agree_on_the_silhouette(impl, rng):
     """The area across is measured from another edge; or the number of faces is taken for V."""
     points = rng.normal(size=(2, 50, 4))
     for x, y in points.transpose(1, 0, 2):
-        opposite = np.repeat(6 - TETRAHEDRON.sum(1)[:, None], 3, 1)
-        got = silhouettes(impl, x, y, np.full(4, 2.0), TETRAHEDRON, opposite)
+        got = silhouettes(impl, x, y, np.full(4, 2.0), TETRAHEDRON, FOURTH)
         edges = {}
         for f, k in itertools.product(range(4), range(3)):
             ends = tuple(sorted(TETRAHEDRON[f, list(EDGES[k])]))
@@ -236,6 +234,9 @@ def test_both_faces_at_an_edge_agree_on_the_silhouette(impl, rng):
 
 
 # --- pairs -------------------------------------------------------------------------------------
+
+NO_PAIRS = np.zeros(0, int), np.zeros(0, int)
+
 
 def everywhere(shape):
     return np.ones(shape, bool)
@@ -262,16 +263,15 @@ def test_a_pair_needs_an_outlined_pixel(impl):
     face_index = np.array([[0, 1, 2, 3, 4]])
     outlined = np.array([[True, False, False, True, True]])
     assert_equal(impl.neighbour_pairs(face_index, outlined), ([0, 2, 3], [1, 3, 4]))
-    first, second = impl.neighbour_pairs(face_index.T.copy(), outlined.T.copy())
-    assert_equal((first, second), ([0, 2, 3], [1, 3, 4]))
+    got = impl.neighbour_pairs(face_index.T.copy(), outlined.T.copy())
+    assert_equal(got, ([0, 2, 3], [1, 3, 4]))
 
 
 @exercise("8.3")
 def test_pictures_without_jumps_have_no_pairs(impl):
     """An error, or pairs out of nothing, in pictures without neighbours or without jumps."""
-    none = np.zeros(0, int)
     for picture in np.zeros((3, 4), int), np.full((1, 1), 7), np.full((5, 1), -1):
-        assert_equal(impl.neighbour_pairs(picture, everywhere(picture.shape)), (none, none))
+        assert_equal(impl.neighbour_pairs(picture, everywhere(picture.shape)), NO_PAIRS)
 
 
 @exercise("8.3")
@@ -291,6 +291,7 @@ def test_pairs_are_those_of_a_search(impl, rng):
 
 
 FRAME = np.array([27, 27, 27, 27]), np.array([28, 26, 37, 17])  # row 2, column 7 of a width of 10
+COLUMN = np.array([2, 2]), np.array([3, 1])  # of a width of 1
 
 
 @exercise("8.5")
@@ -309,17 +310,15 @@ def test_y_is_across_the_pair_and_never_mirrored(impl):
     """y is multiplied by s, too, and changes its sign with x: a rotation, a turn by 90 degrees, in
     place of the mirror and the swap."""
     screen_x, screen_y = np.full((1, 4), 9.0), np.full((1, 4), 2.75)  # 1.5 right, 0.25 above
-    x, y = impl.pair_frame(screen_x, screen_y, *FRAME, 10)
-    assert_close(x, [[1.5, -1.5, 0.25, -0.25]])
-    assert_close(y, [[0.25, 0.25, 1.5, 1.5]])
+    got = impl.pair_frame(screen_x, screen_y, *FRAME, 10)
+    assert_close(got, ([[1.5, -1.5, 0.25, -0.25]], [[0.25, 0.25, 1.5, 1.5]]))
 
 
 @exercise("8.5")
 def test_in_a_picture_of_one_column_neighbours_lie_above(impl):
     """A difference of 1 is taken for a neighbour in the row."""
-    x, y = impl.pair_frame(np.array([[0.75, 0.75]]), np.array([[4.0, 4.0]]),
-                           np.array([2, 2]), np.array([3, 1]), 1)
-    assert_close((x, y), ([[1.5, -1.5]], [[0.25, 0.25]]))
+    got = impl.pair_frame(np.full((1, 2), 0.75), np.full((1, 2), 4.0), *COLUMN, 1)
+    assert_close(got, ([[1.5, -1.5]], [[0.25, 0.25]]))
 
 
 @exercise("8.5")
@@ -360,8 +359,7 @@ def test_the_frames_gradients_are_central_differences(impl, rng, gradcheck):
 @exercise("8.6")
 def test_in_a_picture_of_one_column_gradients_are_swapped_too(impl):
     """A difference of 1 is taken for a neighbour in the row."""
-    got = impl.pair_frame_backward(np.array([[3.0, 3.0]]), np.array([[5.0, 5.0]]),
-                                   np.array([2, 2]), np.array([3, 1]), 1)
+    got = impl.pair_frame_backward(np.full((1, 2), 3.0), np.full((1, 2), 5.0), *COLUMN, 1)
     assert_close(got, ([[5.0, 5.0]], [[3.0, -3.0]]))
 
 
@@ -433,41 +431,41 @@ def test_the_gradients_of_crossings_are_central_differences(impl, rng, gradcheck
               name="crossing")
 
 
+def assert_ends_are_alike(impl, rng, *epsilon):
+    """With the ends exchanged, impl.crossing_backward returns their gradients exchanged."""
+    grad_c, x0, y0, x1, y1 = rng.normal(size=(5, 12))
+    one = impl.crossing_backward(grad_c, x0, y0, x1, y1, *epsilon)
+    swapped = impl.crossing_backward(grad_c, x1, y1, x0, y0, *epsilon)
+    assert_close(np.stack(swapped), np.stack([*one[2:], *one[:2]]))
+
+
 @exercise("8.8")
 def test_the_two_ends_are_alike(impl, rng):
     """One end's gradient is another formula: exchanging the ends must exchange the gradients."""
-    grad_c, x0, y0, x1, y1 = rng.normal(size=(5, 12))
-    one = impl.crossing_backward(grad_c, x0, y0, x1, y1)
-    swapped = impl.crossing_backward(grad_c, x1, y1, x0, y0)
-    assert_close(np.stack(swapped), np.stack([*one[2:], *one[:2]]))
+    assert_ends_are_alike(impl, rng)
 
 
 @exercise("8.8", fine_print=True)
 def test_epsilon_makes_the_edge_longer(impl):
     """It is added to a negative length, or is ignored, or left out of c or of one of the four
     gradients."""
-    arguments = [np.array([value, value]) for value in (8.0, 1.0, -1.0, 4.0, 3.0)]
     for sign in 1.0, -1.0:  # with y upside down, the same edge: y's gradients change their sign
-        arguments[2], arguments[4] = sign * np.full(2, -1.0), sign * np.full(2, 3.0)
-        got = impl.crossing_backward(*arguments, epsilon=4.0)
-        expected = 3.0, sign * -3.125, 1.0, sign * 0.125
-        assert_close(got, tuple(np.full(2, value) for value in expected))
+        arguments = np.repeat([[8.0], [1.0], [-sign], [4.0], [3 * sign]], 2, 1)
+        expected = np.repeat([[3.0], [sign * -3.125], [1.0], [sign * 0.125]], 2, 1)
+        assert_close(impl.crossing_backward(*arguments, epsilon=4.0), tuple(expected))
 
 
 @exercise("8.8", fine_print=True)
 def test_with_epsilon_the_two_ends_are_still_alike(impl, rng):
     """The sign of one end decides: edges with both ends on one side of y = 0 become shorter."""
-    grad_c, x0, y0, x1, y1 = rng.normal(size=(5, 12))
-    one = impl.crossing_backward(grad_c, x0, y0, x1, y1, 0.25)
-    swapped = impl.crossing_backward(grad_c, x1, y1, x0, y0, 0.25)
-    assert_close(np.stack(swapped), np.stack([*one[2:], *one[:2]]))
+    assert_ends_are_alike(impl, rng, 0.25)
 
 
 @exercise("8.8")
 def test_without_an_epsilon_there_is_none(impl):
     """Its default is not 0: the gradient is near, and never right."""
     got = impl.crossing_backward(1.0, 0.0, -0.001, 0.0, 0.001)
-    assert_close(tuple(map(np.asarray, got)), tuple(map(np.array, (0.5, 0.0, 0.5, 0.0))))
+    assert_close(got, (0.5, 0.0, 0.5, 0.0))
 
 
 def column(*points):
@@ -646,55 +644,52 @@ def colours():
                      [[2.0, 2.0], [6.0, 4.0], [0.0, 0.0]]])
 
 
+def assert_changes(impl, pairs, changes, **tolerance):
+    """impl.blend of pairs (owner, other, alpha) gives these pixels new colours, and no others."""
+    expected = colours()
+    for pixel, colour in changes.items():
+        expected[pixel] = colour
+    assert_close(impl.blend(colours(), *map(np.array, pairs)), expected, **tolerance)
+
+
 @exercise("8.13")
 def test_either_pixel_moves_towards_the_other(impl):
     """Only the owner moves, even where alpha < 0 and the other one should. The wrong one of the two
     moves, or away from the other, as by owner - other where alpha < 0. Both move. The change
     replaces the colour, to which it must be added."""
-    expected = colours()
-    expected[0, 0] = 0.25, 6.0     # 1/4 of the way from (0, 8) to (1, 0)
-    expected[1, 2] = 3.0, 2.0      # half of the way from (0, 0) to (6, 4)
-    got = impl.blend(colours(), np.array([0, 4]), np.array([1, 5]), np.array([0.25, -0.5]))
-    assert_close(got, expected)
+    # 1/4 of the way from (0, 8) to (1, 0), and half of the way from (0, 0) to (6, 4)
+    changes = {(0, 0): (0.25, 6.0), (1, 2): (3.0, 2.0)}
+    assert_changes(impl, ([0, 4], [1, 5], [0.25, -0.5]), changes)
 
 
 @exercise("8.13")
 def test_pairs_may_point_to_any_side(impl):
     """The owner is taken for the left or lower pixel."""
-    expected = colours()
-    expected[0, 2] = 2.5, 1.0      # half of the way from (4, 2) to (1, 0)
-    expected[0, 0] = 0.5, 6.5      # 1/4 of the way from (0, 8) to (2, 2)
-    got = impl.blend(colours(), np.array([2, 3]), np.array([1, 0]), np.array([0.5, -0.25]))
-    assert_close(got, expected)
+    # half of the way from (4, 2) to (1, 0), and 1/4 of the way from (0, 8) to (2, 2)
+    changes = {(0, 2): (2.5, 1.0), (0, 0): (0.5, 6.5)}
+    assert_changes(impl, ([2, 3], [1, 0], [0.5, -0.25]), changes)
 
 
 @exercise("8.13")
 def test_changes_of_one_pixel_add_up(impl):
     """A pixel in several pairs keeps one change alone, as += does, where np.add.at adds them all.
     Or a pair reads what another one has written."""
-    owner, other = np.array([4, 4, 4, 1]), np.array([1, 3, 5, 4])
-    alpha = np.array([0.5, 0.25, 0.125, -0.125])
-    expected = colours()
-    expected[1, 1] += [0.5 * -5 + 0.25 * -4 + 0.125 * -6 - 0.125 * 5,
-                       0.5 * -4 + 0.25 * -2 + 0.125 * -4 - 0.125 * 4]
-    assert_close(impl.blend(colours(), owner, other, alpha), expected)
+    pairs = [4, 4, 4, 1], [1, 3, 5, 4], [0.5, 0.25, 0.125, -0.125]
+    assert_changes(impl, pairs, {(1, 1): (6 + 0.5 * -5 + 0.25 * -4 + 0.125 * -6 - 0.125 * 5,
+                                          4 + 0.5 * -4 + 0.25 * -2 + 0.125 * -4 - 0.125 * 4)})
 
 
 @exercise("8.13")
 def test_without_weight_or_pairs_nothing_changes(impl):
     """An error without pairs, or alpha = 0 is taken for 1/2."""
-    none = np.zeros(0, int)
-    assert_close(impl.blend(colours(), none, none, np.zeros(0)), colours())
+    assert_close(impl.blend(colours(), *NO_PAIRS, np.zeros(0)), colours())
     assert_close(impl.blend(colours(), np.array([1]), np.array([4]), np.zeros(1)), colours())
 
 
 @exercise("8.13")
 def test_the_sign_of_the_smallest_weight_decides(impl):
     """A threshold: a weight of little less than 0 changes the owner."""
-    expected = colours()
-    expected[0, 1] += [1e-8 * -1, 1e-8 * 8]
-    got = impl.blend(colours(), np.array([0]), np.array([1]), np.array([-1e-8]))
-    assert_close(got, expected, rtol=0)
+    assert_changes(impl, ([0], [1], [-1e-8]), {(0, 1): (1 + 1e-8 * -1, 1e-8 * 8)}, rtol=0)
 
 
 def many_pairs(rng, count=40, height=4, width=5):
@@ -749,6 +744,7 @@ def test_the_gradients_of_four_pairs_on_paper(impl):
     assert_close(impl.blend_backward(grad_output, colour, owner, other, alpha), expected)
 
 
+FIRST_PAIR = np.array([0]), np.array([1])
 TWO_GRADS = np.array([[[1.0, 2.0], [100.0, 200.0], [0.0, 0.0]], np.zeros((3, 2))])
 
 
@@ -756,15 +752,14 @@ TWO_GRADS = np.array([[[1.0, 2.0], [100.0, 200.0], [0.0, 0.0]], np.zeros((3, 2))
 def test_the_sign_of_the_smallest_weight_decides_on_the_way_back(impl):
     """A threshold: a weight of little less than 0 has the gradient of the owner's change."""
     for alpha, grad_alpha in (1e-9, -15.0), (-1e-9, -1500.0):
-        _, got = impl.blend_backward(TWO_GRADS, colours(), np.array([0]), np.array([1]),
-                                     np.array([alpha]))
+        _, got = impl.blend_backward(TWO_GRADS, colours(), *FIRST_PAIR, np.array([alpha]))
         assert_close(got, [grad_alpha])
 
 
 @exercise("8.14", fine_print=True)
 def test_at_zero_the_owner__s_side_counts(impl):
     """> for >=: at alpha = 0, the kink, the other pixel's side is taken and not the owner's."""
-    got = impl.blend_backward(TWO_GRADS, colours(), np.array([0]), np.array([1]), np.zeros(1))
+    got = impl.blend_backward(TWO_GRADS, colours(), *FIRST_PAIR, np.zeros(1))
     assert_close(got, (TWO_GRADS, [-15.0]))
 
 
@@ -780,9 +775,8 @@ def test_the_gradients_of_a_blend_are_central_differences(impl, rng, gradcheck):
 @exercise("8.14")
 def test_without_pairs_the_gradient_passes_through(impl):
     """An error, or a gradient of zero, where nothing is blended."""
-    none = np.zeros(0, int)
     grad_output = np.arange(12.0).reshape(2, 3, 2)
-    got = impl.blend_backward(grad_output, colours(), none, none, np.zeros(0))
+    got = impl.blend_backward(grad_output, colours(), *NO_PAIRS, np.zeros(0))
     assert_close(got, (grad_output, np.zeros(0)))
 
 

@@ -16,6 +16,16 @@ FACE_INDEX = np.array([[[4, 4, -1], [-1, 6, 4]],
 PAIRS = [(0, 4), (1, 4), (1, 6), (2, 9), (4, 6), (5, 0), (5, 4), (5, 9)]
 
 
+def block_means(picture, n):
+    """The mean of each n x n pixels, pixel by pixel of a block."""
+    return sum(picture[i::n, j::n] for i, j in np.ndindex(n, n)) / n**2
+
+
+def mean_shades(shade, request, background):
+    """The mean over the samples of the shades that they ask for: the background comes last."""
+    return np.concatenate([shade, background[None]])[request].sum(0) / len(request)
+
+
 def random_faces(rng, count, height, width, faces):
     """face_index (count, height, width) in which many pixels have samples on several faces."""
     face_index = np.repeat(rng.integers(-1, faces, (1, height, width)), count, 0)
@@ -117,9 +127,7 @@ def test_the_share_of_samples_on_paper(impl):
 def test_shares_of_any_number_of_samples(impl, rng, count):
     """Divided by 4, whatever the number of samples. Or averaged over another axis."""
     face_index = rng.integers(-3, 5, (count, 3, 4)).clip(-1)
-    expected = [[sum(face_index[s, i, j] > -1 for s in range(count)) / count
-                 for j in range(4)] for i in range(3)]
-    assert_picture(impl.coverage(face_index), np.array(expected), atol=1e-12)
+    assert_picture(impl.coverage(face_index), sum(face_index > -1) / count, atol=1e-12)
 
 
 @exercise("4.5")
@@ -168,9 +176,7 @@ def test_blocks_of_any_size_and_channel(impl, rng):
     """
     for n, height, width in (1, 3, 4), (2, 5, 3), (3, 2, 4):
         picture = rng.random((n * height, n * width, 3))
-        expected = [[[picture[n * i:n * i + n, n * j:n * j + n, c].mean()
-                      for c in range(3)] for j in range(width)] for i in range(height)]
-        assert_picture(impl.box_resolve(picture, n), expected, atol=1e-12)
+        assert_picture(impl.box_resolve(picture, n), block_means(picture, n), atol=1e-12)
 
 
 @exercise("4.7")
@@ -188,11 +194,7 @@ def test_the_gradient_of_blocks_on_paper(impl):
 @pytest.mark.parametrize("n", [1, 2, 3])
 def test_the_gradient_of_blocks_is_a_central_difference(impl, rng, n, gradcheck):
     """Divided by n, tiled instead of repeated, or one channel for all."""
-    def forward(picture, n):
-        blocks = [picture[i::n, j::n] for i in range(n) for j in range(n)]
-        return sum(blocks) / n ** 2
-
-    gradcheck(forward, impl.box_resolve_backward, (rng.random((2 * n, 3 * n, 2)), n),
+    gradcheck(block_means, impl.box_resolve_backward, (rng.random((2 * n, 3 * n, 2)), n),
               name="box_resolve")
 
 
@@ -201,18 +203,16 @@ def test_the_gradient_of_blocks_is_a_central_difference(impl, rng, n, gradcheck)
 def assert_requests(got, face_index):
     """Each pair once, no other pair, and every sample's request is its own pixel and face."""
     pixel, face, request = got
-    height, width = face_index.shape[1:]
-    pairs = {(i * width + j, int(face_index[s, i, j])) for s, i, j in np.argwhere(face_index >= 0)}
-    assert_equal(np.shape(pixel), (len(pairs),), given=face_index)
-    assert_equal(np.shape(face), (len(pairs),), given=face_index)
-    assert_equal(request < 0, face_index < 0, given=face_index)
     seen = face_index >= 0
+    _, row, column = np.nonzero(seen)
+    own_pixel, own_face = row * face_index.shape[2] + column, face_index[seen]
+    count = len(np.unique([own_pixel, own_face], axis=1).T)
+    assert_equal((np.shape(pixel), np.shape(face)), ((count,), (count,)), given=face_index)
+    assert_equal(request < 0, ~seen, given=face_index)
     used = request[seen]
-    assert_equal(np.sort(np.unique(used)), np.arange(len(pairs)), given=face_index)
-    own = np.broadcast_to(np.arange(height * width).reshape(height, width), face_index.shape)
-    assert_equal(pixel[used], own[seen], given=face_index)
-    assert_equal(face[used], face_index[seen], given=face_index)
-    assert_equal(request[~seen], np.full((~seen).sum(), -1), given=face_index)
+    assert_equal(np.unique(used), np.arange(count), given=face_index)
+    assert_equal((pixel[used], face[used], request[~seen]),
+                 (own_pixel, own_face, np.full((~seen).sum(), -1)), given=face_index)
 
 
 REQUESTS = pytest.mark.parametrize("name", [
@@ -258,8 +258,7 @@ def test_the_background_is_no_pair(impl, name):
     """The background, -1, becomes a request, as if it were a face. Or a pixel with some background
     is left out.
     """
-    face_index = np.array([[[4, -1, -1]], [[-1, -1, 7]]])
-    assert_equal(pairs_of(impl, name, face_index), [(0, 4), (2, 7)])
+    assert_equal(pairs_of(impl, name, np.array([[[4, -1, -1]], [[-1, -1, 7]]])), [(0, 4), (2, 7)])
 
 
 @REQUESTS
@@ -307,9 +306,8 @@ def test_the_pairs_of_random_pictures(impl, rng, name, count):
 def test_no_faces_no_shades(impl, name):
     """A picture that shows no face ends in an error. Or the background's shade is asked for."""
     pixel, face, request = getattr(impl, name)(np.full((4, 2, 3), -1))
-    assert_equal((len(pixel), len(face)), (0, 0))
-    assert_equal(request.shape, (4, 2, 3))
-    assert_equal(bool((request == -1).all()), True)
+    found = len(pixel), len(face), request.shape, bool((request == -1).all())
+    assert_equal(found, (0, 0, (4, 2, 3), True))
 
 
 @exercise("4.9")
@@ -364,8 +362,7 @@ def test_the_mean_of_any_number_of_samples(impl, rng, count):
     """Divided by 4, whatever the number of samples. Or only two different samples are mixed."""
     shade, background = rng.random((6, 3)), rng.random(3)
     request = rng.integers(-1, 6, (count, 5, 4))
-    expected = [[np.mean([background if r < 0 else shade[r] for r in request[:, i, j]], 0)
-                 for j in range(4)] for i in range(5)]
+    expected = mean_shades(shade, request, background)
     assert_picture(impl.resolve(shade, request, background), expected, atol=1e-12)
 
 
@@ -421,10 +418,8 @@ def test_a_shade_that_nobody_uses_has_no_gradient(impl):
     """
     grad = np.ones((2, 3, 2))
     request = np.where(REQUEST == 2, -1, REQUEST)
-    grad_shade, grad_background = impl.resolve_backward(grad, np.zeros((5, 2)), request,
-                                                        np.zeros(2))
-    assert_close(grad_shade, np.repeat([[1.75], [1.25], [0.0], [0.0], [0.0]], 2, 1))
-    assert_close(grad_background, [3.0, 3.0])
+    got = impl.resolve_backward(grad, np.zeros((5, 2)), request, np.zeros(2))
+    assert_close(got, (np.repeat([[1.75], [1.25], [0.0], [0.0], [0.0]], 2, 1), [3.0, 3.0]))
 
 
 @exercise("4.11", fine_print=True)
@@ -442,10 +437,7 @@ def test_the_gradient_of_shades_is_a_central_difference(impl, rng, count, gradch
     request = rng.integers(-1, 5, (count, 3, 4))
     request[0, 0, :2] = -1, 0  # whatever the seed: some see the background, some a shade
 
-    def forward(shade, request, background):
-        return np.concatenate([shade, background[None]])[request].sum(0) / count
-
-    gradcheck(forward, impl.resolve_backward, (rng.random((5, 3)), request, rng.random(3)),
+    gradcheck(mean_shades, impl.resolve_backward, (rng.random((5, 3)), request, rng.random(3)),
               name="resolve")
 
 

@@ -8,6 +8,7 @@ from course.checks import assert_close, assert_equal, assert_picture, exercise
 
 SQUARE = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])
 TRIANGLE = np.array([[1.2, 0.7], [6.3, 2.1], [2.9, 5.8]])  # counter-clockwise
+TWO_SIDES_ON_THE_GRID = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
 
 # Eq. (7) is easy to get right for an ordinary triangle. Each fits a picture 6 wide and 5 high.
 TRIANGLES = {
@@ -28,19 +29,24 @@ TRIANGLES = {
 each_triangle = pytest.mark.parametrize("triangle", TRIANGLES.values(), ids=TRIANGLES)
 
 
+def part_beyond(part, a, b, c):
+    """The part of a polygon where a x + b y + c >= 0, both as pairs of numbers."""
+    kept = []
+    for p, q in zip(part, part[1:] + part[:1], strict=True):
+        at_p, at_q = (a * x + b * y + c for x, y in (p, q))
+        if at_p >= 0:
+            kept.append(p)
+        if at_p * at_q < 0:
+            t = at_p / (at_p - at_q)
+            kept.append(tuple(u + t * (v - u) for u, v in zip(p, q, strict=True)))
+    return kept
+
+
 def part_in_pixel(polygon, i, j, number=Fraction):
     """The part of a polygon in pixel [i, j], as pairs of fractions: nothing is rounded."""
     part = [tuple(number(float(c)) for c in p) for p in polygon]
-    for axis, side, sign in (0, j, 1), (0, j + 1, -1), (1, i, 1), (1, i + 1, -1):
-        kept = []
-        for p, q in zip(part, part[1:] + part[:1], strict=True):
-            at_p, at_q = sign * (p[axis] - side), sign * (q[axis] - side)
-            if at_p >= 0:
-                kept.append(p)
-            if at_p * at_q < 0:
-                t = at_p / (at_p - at_q)
-                kept.append(tuple(a + t * (b - a) for a, b in zip(p, q, strict=True)))
-        part = kept
+    for line in (1, 0, -j), (-1, 0, j + 1), (0, 1, -i), (0, -1, i + 1):
+        part = part_beyond(part, *line)
     return part
 
 
@@ -65,6 +71,20 @@ def corners(width, height):
 def wave(n, k):
     """n samples of a cosine with k periods."""
     return np.cos(2 * np.pi * k * np.arange(n) / n)
+
+
+def point(shape, pixel, value):
+    """A picture, or a spectrum, with this value at one pixel and 0 elsewhere."""
+    picture = np.zeros(shape, type(value))
+    picture[pixel] = value
+    return picture
+
+
+def convolved(picture, kernel):
+    """The convolution as a sum of moved pictures."""
+    h, w = kernel.shape
+    return sum(kernel[i, j] * np.roll(picture, (i - h // 2, j - w // 2), (0, 1))
+               for i, j in np.ndindex(h, w))
 
 
 # --- frequencies -------------------------------------------------------------------------------
@@ -191,12 +211,8 @@ def test_a_point_becomes_the_kernel(impl):
     """The kernel is turned round (flipped): that is correlation. Its corner, not its middle, is
     put at the point. Its height and width (h and w) are swapped. It is divided by its sum.
     """
-    picture = np.zeros((5, 7))
-    picture[2, 3] = 10.0
     kernel = np.arange(1.0, 16.0).reshape(3, 5)
-    expected = np.zeros((5, 7))
-    expected[1:4, 1:6] = 10 * kernel
-    assert_close(impl.convolve(picture, kernel), expected)
+    assert_close(impl.convolve(point((5, 7), (2, 3), 10.0), kernel), np.pad(10 * kernel, 1))
 
 
 @exercise("3.7")
@@ -213,10 +229,7 @@ def test_borders_go_round(impl):
 def test_convolution_is_the_double_sum(impl, rng):
     """A kernel whose height and width differ: h and w are swapped."""
     picture, kernel = rng.normal(size=(6, 5)), rng.normal(size=(3, 5))
-    expected = np.zeros((6, 5))
-    for y, x, i, j in np.ndindex(6, 5, 3, 5):
-        expected[y, x] += kernel[i, j] * picture[(y - i + 1) % 6, (x - j + 2) % 5]
-    assert_close(impl.convolve(picture, kernel), expected)
+    assert_close(impl.convolve(picture, kernel), convolved(picture, kernel))
 
 
 @exercise("3.7", fine_print=True)
@@ -233,9 +246,7 @@ def test_a_kernel_may_be_larger_than_the_picture(impl):
 def test_the_spectrum_of_a_convolution_is_the_product_of_the_spectra(impl, rng):
     """Eq. (4) holds to 1e-12, with the kernel's middle at [0, 0]."""
     picture, kernel = rng.uniform(size=(32, 24)), rng.uniform(size=(5, 3))
-    around = np.zeros((32, 24))
-    for i, j in np.ndindex(5, 3):
-        around[i - 2, j - 1] = kernel[i, j] / kernel.sum()
+    around = np.roll(np.pad(kernel / kernel.sum(), ((0, 27), (0, 21))), (-2, -1), (0, 1))
     got = np.fft.fft2(impl.convolve(picture, kernel / kernel.sum()))
     assert_close(got, np.fft.fft2(picture) * np.fft.fft2(around), rtol=1e-12, atol=1e-12)
 
@@ -246,12 +257,9 @@ def test_by_spectrum_a_point_becomes_the_kernel(impl):
     picture moves. Its spectrum is conjugated: correlation. The kernel is not padded. Spectra are
     multiplied as matrices (@), not number by number.
     """
-    picture = np.zeros((5, 6))
-    picture[0, 3] = 10.0
-    kernel = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
-    expected = np.zeros((5, 6))
-    expected[[-1, 0, 1], 2:5] = 10 * kernel
-    assert_close(impl.convolve_by_spectrum(picture, kernel), expected)
+    kernel = np.arange(1.0, 10.0).reshape(3, 3)
+    expected = np.roll(np.pad(10 * kernel, ((0, 2), (2, 1))), -1, axis=0)
+    assert_close(impl.convolve_by_spectrum(point((5, 6), (0, 3), 10.0), kernel), expected)
 
 
 @exercise("3.8")
@@ -261,10 +269,8 @@ def test_both_ways_of_convolving_agree_to_rounding(impl, rng):
     """
     for kernel_shape in (3, 5), (1, 7), (7, 1), (7, 9):
         picture, kernel = rng.uniform(size=(7, 9)), rng.uniform(size=kernel_shape)
-        h, w = kernel_shape
-        expected = sum(kernel[i, j] * np.roll(picture, (i - h // 2, j - w // 2), (0, 1))
-                       for i, j in np.ndindex(h, w))
-        assert_close(impl.convolve_by_spectrum(picture, kernel), expected, rtol=0, atol=1e-12)
+        got = impl.convolve_by_spectrum(picture, kernel)
+        assert_close(got, convolved(picture, kernel), rtol=0, atol=1e-12)
 
 
 @exercise("3.9")
@@ -325,8 +331,7 @@ def test_it_is_the_spectrum_of_every_third_pixel(impl, rng):
 def test_a_comb_repeats_the_spectrum(impl, rng):
     """Pixels off the comb are set to 0: the spectrum must repeat at the sampling rate."""
     picture = rng.normal(size=(12, 12))
-    comb = np.zeros((12, 12))
-    comb[::4, ::4] = 1
+    comb = np.tile(point((4, 4), (0, 0), 1.0), (3, 3))
     copies = np.tile(impl.sampled_spectrum(np.fft.fft2(picture), 4), (4, 4))
     assert_close(copies, np.fft.fft2(picture * comb), rtol=0, atol=1e-12)
 
@@ -334,11 +339,8 @@ def test_a_comb_repeats_the_spectrum(impl, rng):
 @exercise("3.10")
 def test_a_wave_folds_to_its_alias(impl):
     """13 periods in 32 pixels, every 4th of them: 3 periods, backwards, not 5."""
-    spectrum = np.zeros((4, 32), complex)
-    spectrum[0, 13] = 128.0
-    expected = np.zeros((1, 8), complex)
-    expected[0, 5] = 8.0
-    assert_close(impl.sampled_spectrum(spectrum, 4), expected)
+    got = impl.sampled_spectrum(point((4, 32), (0, 13), 128 + 0j), 4)
+    assert_close(got, point((1, 8), (0, 5), 8 + 0j))
 
 
 @exercise("3.11")
@@ -406,15 +408,9 @@ def test_a_polygon_is_cut_on_paper(impl):
 @exercise("3.12")
 def test_crossings_lie_on_edge_and_line(impl, rng):
     """The middle of the edge, or the crossing measured from its other end."""
-    for a, b, c in rng.normal(size=(40, 3)):
-        got = impl.clip_polygon(SQUARE - 1.5, a, b, c)
-        expected = []
-        for p, q in zip(SQUARE - 1.5, np.roll(SQUARE - 1.5, -1, axis=0), strict=True):
-            at_p, at_q = np.array([p, q]) @ [a, b] + c
-            if at_p >= 0:
-                expected.append(p)
-            if at_p * at_q < 0:
-                expected.append((at_p * q - at_q * p) / (at_p - at_q))
+    for line in rng.normal(size=(40, 3)):
+        expected = part_beyond((SQUARE - 1.5).tolist(), *line)
+        got = impl.clip_polygon(SQUARE - 1.5, *line)
         assert_polygon(got, np.array(expected).reshape(-1, 2), atol=1e-9)
 
 
@@ -511,8 +507,7 @@ def test_an_edge_along_a_line_has_cuts_too(impl):
     """0 / 0 is NaN where an edge runs along a side of the square. Or t leaves [0, 1], as it is not
     clamped beyond the ends of the edge.
     """
-    triangle = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
-    t = impl.cuts(triangle, np.array([1.0]), np.array([1.0]))
+    t = impl.cuts(TWO_SIDES_ON_THE_GRID, np.array([1.0]), np.array([1.0]))
     assert_equal(bool(np.isfinite(t).all() and (t >= 0).all() and (t <= 1).all()), True)
 
 
@@ -627,8 +622,7 @@ def test_all_squares_together_pull_like_the_area(impl, rng):
 @exercise("3.18", fine_print=True)
 def test_an_edge_along_a_side_pulls_once(impl):
     """An edge along a side counts in both of the squares that share it, or in none."""
-    triangle = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
-    got = impl.clamped_area_backward(np.ones(16), triangle, *corners(4, 4))
+    got = impl.clamped_area_backward(np.ones(16), TWO_SIDES_ON_THE_GRID, *corners(4, 4))
     assert_close(got, [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]])
 
 
