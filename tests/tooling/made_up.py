@@ -1,4 +1,11 @@
 """The text of made-up exercises and of their checks."""
+SPOILT = """
+
+@pytest.fixture
+def spoilt():
+    yield
+    raise OSError("spoilt")
+"""
 
 
 def exercise_text(number, name, question, *answer, points=1, inputs="x", kind="exercise"):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from made_up import check_text, exercise_text
+from made_up import SPOILT, check_text, exercise_text
 from PIL import Image
 
 from course.checks import Mismatch, assert_close, assert_equal, assert_picture, loader
@@ -227,20 +227,15 @@ def test_a_missing_return_is_told(returned, sentence):
 def test_a_changed_input_is_told_by_its_name():
     """The student's function changes the check's arrays, and a later assertion is to blame."""
     def spoil(a, b, arrays):
-        arrays[1][...] = 2
+        b[0], arrays[1][...] = math.nan, 2
         return 1
 
-    def spoil_b(a, b, arrays):
-        b[0] = math.nan
-        return 1
-
-    inputs = np.zeros(2), np.array([math.nan, 1]), (np.zeros(1), np.zeros(1))
+    zeros, has_nan, twos = np.zeros(2), np.array([math.nan, 1]), np.full(1, 2.0)
     with pytest.raises(Mismatch, match="spoil changed its input arrays: let it work on a copy"):
-        implementation(spoil).f(*inputs)
-    inputs[1][0] = 0
-    with pytest.raises(Mismatch, match="spoil_b changed its input b"):
-        implementation(spoil_b).f(inputs[0], arrays=inputs[2], b=inputs[1])
-    assert implementation(lambda a, b: 1).f(*inputs[:2]) == 1, "NaN is not NaN"
+        implementation(spoil).f(zeros, has_nan, (np.zeros(1), np.zeros(1)))
+    with pytest.raises(Mismatch, match="spoil changed its input b"):
+        implementation(spoil).f(zeros, arrays=(np.zeros(1), twos), b=np.zeros(2))
+    assert implementation(lambda a, b: 1).f(zeros, has_nan) == 1, "NaN is not NaN"
 
 
 @pytest.mark.parametrize(("returned", "expected"), [
@@ -323,13 +318,7 @@ LAB = '"""Made up."""\nfrom . import sampling\n' + "".join((
           ("1.8", "strict", "x", 'assert x > 0, "too small"', "return x"))),
     "\n\ndef quotient(x, y):\n    return x / y\n\n\ndef both(x):\n    return x, 2 * x\n"))
 
-STATES = """
-
-@pytest.fixture
-def spoilt():
-    yield
-    raise OSError("spoilt")
-
+STATES = SPOILT + """
 
 @exercise("1.3")
 def test_shifted_of_other_things(impl):
@@ -608,11 +597,9 @@ def test_a_folder_that_is_not_there_is_told(course, run_here):
 def test_a_loop_without_an_end_is_stopped_and_its_line_is_told(house, run_here, monkeypatch):
     """A check hangs, and nobody hears of the others; or a check that follows is stopped, too."""
     lab = exercise_text("1.1", "wait", "Wait.", "while n:", "    pass", "return n", inputs="n")
-    checks = "".join((
-        check_text("1.1", "it_is_short", "It is not.", "assert_close(impl.wait(0), 0)",
-                   "time.sleep(0.5)"),
-        check_text("1.1", "it_ends", "It does not.", "assert_close(impl.wait(1), 0)"),
-        check_text("1.1", "it_ends_again", "It does not.", "assert_close(impl.wait(1), 0)")))
+    checks = "".join(
+        check_text("1.1", name, "It is not.", f"assert_close(impl.wait({n}), 0)", "time.sleep(0.5)")
+        for name, n in (("it_is_short", 0), ("it_ends", 1), ("it_ends_again", 1)))
     root = house({"labs/transforms.py": lab.lstrip(), "tests/labs/test_transforms.py":
                   f"import time\n\nfrom course.checks import assert_close, exercise\n{checks}"})
     monkeypatch.setattr(loader, "SECONDS", 0.3)
