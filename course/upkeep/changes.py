@@ -30,6 +30,7 @@ from .. import exercises
 from ..given import places
 
 PLACE = re.compile(r"(.*?)(?: \(#(\d+)\))?")
+NAME = {ast.Name: "id", ast.arg: "arg", ast.FunctionDef: "name"}  # the field with its name
 
 
 class Entry(NamedTuple):
@@ -177,19 +178,14 @@ def the_place(function, wanted):
 
 def names_in(*nodes):
     """All names in nodes, of variables or not."""
-    walked = [node for one in nodes for node in ast.walk(one)]
-    return ({node.id for node in walked if isinstance(node, ast.Name)}
-            | {node.arg for node in walked if isinstance(node, ast.arg)}
-            | {node.name for node in walked if isinstance(node, ast.FunctionDef)})
+    return {getattr(node, NAME[type(node)]) for one in nodes for node in ast.walk(one)
+            if type(node) in NAME}
 
 
 def own_names(*nodes):
     """The names that nodes bind: variables, parameters, inner functions."""
-    walked = [node for one in nodes for node in ast.walk(one)]
-    read = {node for node in walked if isinstance(getattr(node, "ctx", None), ast.Load)}
-    return names_in(*(node for node in walked if isinstance(node, (ast.Name, ast.arg))
-                      and node not in read)) | {
-        node.name for node in walked if isinstance(node, ast.FunctionDef)}
+    return {getattr(node, NAME[type(node)]) for one in nodes for node in ast.walk(one)
+            if type(node) in NAME and not isinstance(getattr(node, "ctx", None), ast.Load)}
 
 
 @functools.cache
