@@ -22,14 +22,9 @@ def page() -> str:
     """The page's text, from the lectures as they stand."""
     parts = [HEAD]
     for path in sorted(FOLDER.glob("*.ipynb")):
-        if boxes := boxes_of(path):
+        if boxes := [box for text in _texts(path) for box in BOX.findall(text)]:
             parts += [f"## [{title_of(path)}]({path.name})\n", "\n\n".join(boxes) + "\n"]
     return "\n".join(parts)
-
-
-def boxes_of(path):
-    """The boxes of a lecture, from top to bottom."""
-    return [box for text in _texts(path) for box in BOX.findall(text)]
 
 
 def title_of(path):

@@ -62,7 +62,7 @@ class Trials:
             if mark and mark.args[0] in self.of:
                 self.of[mark.args[0]].append(item)
         for checks in self.of.values():
-            checks.sort(key=in_fine_print)
+            checks.sort(key=lambda item: is_fine_print(item.get_closest_marker("exercise")))
 
     def pytest_runtestloop(self, session):
         start = time.perf_counter()
@@ -79,10 +79,6 @@ class Trials:
             self.tell(list(itertools.islice(failed, None if self.asked.all_checks else 1)))
             setattr(module, trial.exercise.name, right)
         return True
-
-
-def in_fine_print(item):
-    return is_fine_print(item.get_closest_marker("exercise"))
 
 
 def failures(items):

@@ -11,6 +11,8 @@ from course.bridge.nvdiffrast import torch as dr  # noqa: E402
 PIXELS, BACK, ATTRIBUTES, TEXTURES, CUBES, OUTLINES = (
     dict(np.load(f"tests/golden/{name}.npz")) for name in (
         "rasterize", "rasterize_gradients", "interpolate", "texture", "cube_maps", "antialias"))
+TEXTURES |= {key.replace("faces", "image").replace("directions", "uv"): array
+             for key, array in CUBES.items()}
 CONTEXT = dr.RasterizeCudaContext()
 
 
@@ -90,48 +92,33 @@ def test_attributes_are_those_of_nvdiffrast(scene):
                  ATTRIBUTES[f"{scene}/grad_derivatives"].reshape(rast_db.shape[1:]), 3e-6)
 
 
-def look_up(tex, uv, jacobian=None, bias=None, *, filter, boundary, max_level):
+def look_up(image, uv, jacobian=None, bias=None, *, filter, boundary, max_level):
     """dr.texture as `mipmapping.texture` -> the colours' tensor, and what it was given."""
-    def batch(array, *shape):
-        return None if array is None else torch.tensor(array, dtype=torch.float32).reshape(
-            1, *shape).requires_grad_()
-
-    given = (batch(tex, *tex.shape), batch(uv, *uv.shape),
-             batch(jacobian, *uv.shape[:2], 2 * uv.shape[2]), batch(bias, *uv.shape[:2]))
-    return dr.texture(*given, filter_mode=filter, boundary_mode=boundary,
-                      max_mip_level=max_level), given
-
-
-def colours(image=None, uv=None, faces=None, directions=None, **how):
-    colour, _ = look_up(image if faces is None else faces, uv if uv is not None else directions,
-                        **how)
-    return colour[0].detach().numpy()
+    given = [None if part is None else torch.tensor(part.reshape(1, *shape), dtype=torch.float32,
+                                                    requires_grad=True)
+             for part, shape in ((image, image.shape), (uv, uv.shape), (bias, uv.shape[:2]),
+                                 (jacobian, (*uv.shape[:2], -1)))]
+    image, uv, bias, jacobian = given
+    colour = dr.texture(image, uv, jacobian, bias, filter_mode=filter, boundary_mode=boundary,
+                        max_mip_level=max_level)
+    return colour, (image, uv, jacobian, bias)
 
 
-def gradients(grad, image=None, uv=None, faces=None, directions=None, **how):
-    """Of what was given, 0 where PyTorch gives none."""
-    colour, given = look_up(image if faces is None else faces,
-                            uv if uv is not None else directions, **how)
+def gradients(grad, *arguments, jacobian=None, **how):
+    """As of `mipmapping.texture_backward`, 0 where PyTorch gives none."""
+    colour, given = look_up(*arguments, jacobian=jacobian, **how)
     colour.backward(torch.tensor(grad, dtype=torch.float32)[None])
-    shapes = *((),) * 2, how.get("jacobian", np.zeros(1)).shape, ()
-    return [None if part is None else (part.grad if part.grad is not None else 0 * part)[0]
-            .detach().numpy().reshape(shape or part.shape[1:])
-            for part, shape in zip(given, shapes, strict=True)]
+    found = [None if part is None else (0 * part if part.grad is None else part.grad)[0]
+             .detach().numpy() for part in given]
+    return [*found[:2], None if jacobian is None else found[2].reshape(jacobian.shape), found[3]]
 
 
 @pytest.mark.parametrize(("scene", "config"), configs(TEXTURES))
 def test_textures_are_those_of_nvdiffrast(scene, config):
-    """A filter, boundary or level is another one, or a gradient does not arrive."""
-    boundary = str(TEXTURES[f"{scene}/boundary"])
-    require_look_ups(colours, gradients, ("image", "uv"), TEXTURES, scene, config,
-                     boundary=boundary)
-
-
-@pytest.mark.parametrize(("scene", "config"), configs(CUBES))
-def test_cube_maps_are_those_of_nvdiffrast(scene, config):
-    """Axes of directions or of their changes are swapped."""
-    require_look_ups(colours, gradients, ("faces", "directions"), CUBES, scene, config,
-                     boundary="cube")
+    """A filter, boundary or level is another one, an axis is another, or a gradient is lost."""
+    require_look_ups(lambda **given: look_up(**given)[0][0].detach().numpy(), gradients,
+                     ("image", "uv"), TEXTURES, scene, config,
+                     boundary=str(TEXTURES.get(f"{scene}/boundary", "cube")))
 
 
 @scenes(OUTLINES)

@@ -83,12 +83,10 @@ def judged(policy, handed_in, is_late) -> Lateness:
         return Lateness(late_by=NOT_TOLD if is_late else unknown)
     late = math.floor(handed_in - policy.due) if policy.due is not None else 0
     steps = math.ceil(late / policy.step) if late > policy.grace else 0
-    return Lateness(iso(handed_in, policy.zone), str(timedelta(seconds=late)) if late > 0 else "",
+    when = datetime.fromtimestamp(handed_in, UTC).astimezone(policy.zone)
+    return Lateness(when.isoformat(timespec="seconds"),
+                    str(timedelta(seconds=late)) if late > 0 else "",
                     min(100, steps * policy.percent))
-
-
-def iso(seconds, zone) -> str:
-    return datetime.fromtimestamp(seconds, UTC).astimezone(zone).isoformat(timespec="seconds")
 
 
 def moodle_time(text, zone):
