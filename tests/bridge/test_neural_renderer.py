@@ -1,5 +1,7 @@
 """neural_renderer's interface: its pictures and gradients are lab 10's."""
 import functools
+import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -162,19 +164,6 @@ def test_textures_come_back_from_a_file(size, tmp_path, rng):
     assert nr.Mesh.fromobj(tmp_path / "a ball.obj").textures.shape == (len(faces), 4, 4, 4, 3)
 
 
-WORDS = """# a square, and what else such files hold
-mtllib my colours.mtl
-v 0 0 1 0.5 0.5 0.5
-v 4 0 1
-v 4 2 1  # to here
-v 0 2 1
-vt -0.125 0.5
-vt 1.375 0.5
-usemtl stripes
-f 1/1/1 2/2/1 3/1/1 4/2/1
-usemtl red
-f 1//1 2//1 3//1
-"""
 COLOURS = "newmtl red\nKd 1 0 0\nnewmtl stripes\nmap_Kd stripes.png\nKd 1 1 1\n"
 STRIPES = np.array([[[0.0, 0, 1], [0, 1, 0], [0, 1, 1], [1, 1, 0]]])
 
@@ -187,7 +176,7 @@ def test_a_file_is_read_as_it_is_written(wrapping, ends, is_bilinear, tmp_path):
     """Polygons, corners without uv; another wrap mode, or Kd for a picture."""
     image.write(tmp_path / "stripes.png", STRIPES)
     (tmp_path / "my colours.mtl").write_text(COLOURS)
-    (tmp_path / "square.obj").write_text(WORDS)
+    shutil.copy(Path(__file__).with_name("square.obj"), tmp_path)
     vertices, faces, textures = nr.load_obj(tmp_path / "square.obj", True, 4, True, wrapping,
                                             is_bilinear)
     np.testing.assert_allclose(vertices, [[-1, -0.5, 0], [1, -0.5, 0], [1, 0.5, 0], [-1, 0.5, 0]])
