@@ -52,7 +52,9 @@ def test_pixels_are_those_of_nvdiffrast(scene):
     rast, rast_db = dr.rasterize(CONTEXT, pos, faces_of(PIXELS, scene), size)
     assert rast.dtype == torch.float32
     np.testing.assert_array_equal(rast[0, ..., 3].detach(), PIXELS[f"{scene}/face_index"] + 1)
-    require_near(rast, rast_of(PIXELS, scene).detach().numpy(), 1e-4 / 9)
+    np.testing.assert_allclose(rast[0, ..., :2].detach(), PIXELS[f"{scene}/uv"], 0, 1e-4)
+    np.testing.assert_allclose(rast[0, ..., 2].detach(), rast_of(PIXELS, scene)[0, ..., 2].detach(),
+                               0, 2e-5)
     require_near(rast_db[0].reshape(*size, 2, 2), PIXELS[f"{scene}/derivatives"], 3e-5)
 
 
@@ -156,7 +158,7 @@ def test_gradients_are_central_differences():
         attr, rast.detach() + free * move, tri, db, "all"),
         (attr, torch.zeros_like(rast).requires_grad_(), rast_db))
     assert gradcheck(lambda pos: [part[..., :2] for part in dr.rasterize(CONTEXT, pos, tri, size)],
-                     pos, eps=1e-7, atol=2e-3)
+                     pos)
     tex = torch.rand(2, 4, 8, 2, dtype=torch.float64, requires_grad=True)
     mips = [torch.rand(2, 2, 4, 2, dtype=torch.float64, requires_grad=True)]
     uv = torch.rand(2, 3, 4, 2, dtype=torch.float64, requires_grad=True)
@@ -213,6 +215,7 @@ def test_levels_can_be_made_before():
     found = []
     for mip in None, dr.texture_construct_mip(tex, cube_mode=True):
         colour = dr.texture(tex, uv, mip_level_bias=bias, mip=mip, boundary_mode="cube")
+        colour[:, :1] = 0  # as a program may, in a result that has a gradient
         found.append((colour, *torch.autograd.grad(colour.sum(), tex)))
     for one, other in zip(*found, strict=True):
         torch.testing.assert_close(one, other)
@@ -237,6 +240,6 @@ def test_an_odd_texture_has_no_levels():
     """The pyramid ends early and nobody is told."""
     uv = torch.zeros(1, 2, 2, 2)
     given = torch.ones(1, 6, 4, 1), uv, torch.ones(1, 2, 2, 4)
-    with pytest.raises(RuntimeError, match="6 x 4 has no mip level 2, as 3 x 2 cannot be halved"):
+    with pytest.raises(RuntimeError, match="no mip level 2, as 3 x 2 cannot be halved"):
         dr.texture(*given)
     assert dr.texture(*given, max_mip_level=1).shape == (1, 2, 2, 1)

@@ -7,6 +7,7 @@ from scipy.sparse import sparray
 
 from .. import tensors
 from ..tensors import INTEGERS, array, require, tensor
+from .pixels import faces_of
 
 
 def interpolate(attr, rast, tri, rast_db=None, diff_attrs=None):
@@ -46,7 +47,7 @@ def looks(attr, rast, tri, rast_db):
     changes = [] if rast_db is None else array("rast_db", rast_db, f"{len(rast)} h w 4").reshape(
         count, -1, width, 2, 2)
     for k, pixel in enumerate(pixels):
-        face_index = pixel[..., 3].astype(int) - 1
+        face_index = faces_of(pixel)
         weights = [corner_weights(pixel[..., :2], 1)]
         if len(changes):
             weights += [corner_weights(changes[k, ..., axis], 0) for axis in (0, 1)]

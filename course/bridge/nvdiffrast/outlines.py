@@ -7,6 +7,7 @@ import torch
 
 from .. import tensors
 from ..tensors import INTEGERS, array, require, tensor
+from .pixels import faces_of
 
 EPSILON = 1e-3  # pixels; keeps edges from 0 height, in nvdiffrast's backward pass
 
@@ -53,7 +54,7 @@ class Antialias(torch.autograd.Function):
         seen = array("rast", rast, f"{len(color)} h w 4")
         out, ctx.pairs = np.empty_like(colours), []
         for n, clip in enumerate(vertices(pos, len(color))):
-            face_index = seen[n, ..., 3].astype(int) - 1
+            face_index = faces_of(seen[n])
             depth = np.where(face_index < 0, np.inf, seen[n, ..., 2])
             ctx.pairs.append(tensors.labs.outlines.blended_pairs(face_index, depth, clip, faces,
                                                                  opposite))

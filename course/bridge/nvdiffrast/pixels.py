@@ -110,7 +110,7 @@ class Rasterize(torch.autograd.Function):
         grad_rast_db = grad_rast_db if ctx.grad_db else None
         grads = []
         for n, (clip, faces, first) in enumerate(pictures(pos, tri, ctx.ranges)):
-            face_index = faces_of(rast[n]) - first
+            face_index = faces_of(rast[n].numpy()) - first
             grad_b = np.zeros((*face_index.shape, 3))
             if grad_rast is not None:
                 grad_b[..., :2] = grad_rast[n, ..., :2]
@@ -135,5 +135,5 @@ def visible(clip, faces, screen, beyond):
 
 
 def faces_of(rast):
-    """The face that each pixel of rast (..., 4) sees, -1 for none."""
-    return array("rast", rast, "h w 4")[..., 3].astype(int) - 1
+    """The face that each pixel of an array rast (..., 4) sees, -1 for none."""
+    return rast[..., 3].astype(int) - 1

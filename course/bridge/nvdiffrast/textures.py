@@ -8,9 +8,6 @@ from scipy.sparse import sparray
 from .. import tensors
 from ..tensors import array, require, tensor
 
-FILTERS = "nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"
-BOUNDARIES = "wrap", "clamp", "zero", "cube"
-
 
 class MipStack(NamedTuple):
     """A texture's levels from 1 on, made once: arrays (N or 1, rows, columns, C) of pictures."""
@@ -27,7 +24,8 @@ def texture(tex, uv, uv_da=None, mip_level_bias=None, mip=None, filter_mode="aut
     levels from 1 on, or a `texture_construct_mip`.
     """
     filter = filter_of(filter_mode, uv_da is not None or mip_level_bias is not None, max_mip_level)
-    require(boundary_mode in BOUNDARIES, f"boundary_mode must be one of {', '.join(BOUNDARIES)}, "
+    boundaries = *tensors.labs.texturing.BOUNDARIES, "cube"
+    require(boundary_mode in boundaries, f"boundary_mode must be one of {', '.join(boundaries)}, "
             f"not {boundary_mode!r}")
     is_cube = boundary_mode == "cube"
     if "mipmap" not in filter:
@@ -51,7 +49,8 @@ def filter_of(mode, has_level, max_level):
     """The filter that filter_mode means, where pixels know a level of the pyramid or not."""
     if mode == "auto":
         mode = "linear-mipmap-linear" if has_level else "linear"
-    require(mode in FILTERS, f"filter_mode must be auto or one of {', '.join(FILTERS)}, not "
+    filters = tensors.labs.texturing.FILTERS
+    require(mode in filters, f"filter_mode must be auto or one of {', '.join(filters)}, not "
             f"{mode!r}")
     require("mipmap" not in mode or has_level, f"filter_mode {mode} needs uv_da or mip_level_bias")
     return "linear" if max_level == 0 and "mipmap" in mode else mode
@@ -61,23 +60,16 @@ def texture_construct_mip(tex, max_mip_level=None, cube_mode=False):
     """The levels of a texture that stays as it is, for mip of `texture`."""
     require(max_mip_level is None or max_mip_level >= 0, f"max_mip_level must be 0 or more, not "
             f"{max_mip_level}")
-    pictures = pictures_of(tex, cube_mode)
-    sides = pictures[0].shape[:2] if not cube_mode else 2 * tex.shape[2:3]
-    top = last_level(*sides, max_mip_level)
-    pyramids = [tensors.labs.mipmapping.pyramid(picture, top) for picture in pictures]
+    labs = tensors.labs
+    pyramids = [labs.cube_maps.cube_pyramid(picture, "mipmap", max_mip_level) if cube_mode
+                else labs.mipmapping.pyramid(picture, max_mip_level)
+                for picture in pictures_of(tex, cube_mode)]
+    top, (height, width) = len(pyramids[0]) - 1, pyramids[0][-1].shape[:2]
+    height = width if cube_mode else height
+    require(max(height, width) == 1 or top == max_mip_level, f"this texture has no mip level "
+            f"{top + 1}, as {height} x {width} cannot be halved: give it sides that are powers of "
+            "two, or max_mip_level")
     return MipStack([np.stack(level) for level in list(zip(*pyramids, strict=True))[1:]])
-
-
-def last_level(height, width, limit):
-    """How often both sides can be halved. RuntimeError at odd ones, unless the limit comes first.
-    """
-    level, sides = 0, (height, width)
-    while max(sides) > 1 and level != limit:
-        require(all(side == 1 or side % 2 == 0 for side in sides), f"a texture {height} x {width} "
-                f"has no mip level {level + 1}, as {sides[0]} x {sides[1]} cannot be halved: give "
-                "it sides that are powers of two, or max_mip_level")
-        level, sides = level + 1, tuple(max(side // 2, 1) for side in sides)
-    return level
 
 
 def pictures_of(tex, is_cube):
