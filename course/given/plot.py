@@ -16,6 +16,8 @@ from matplotlib.collections import LineCollection
 from matplotlib.patheffects import withStroke
 from PIL import Image
 
+from .image import to_srgb
+
 # Okabe and Ito, "Color Universal Design", 2008: hues that colour-blind readers tell apart. Their
 # vermilion looks orange, so RED is a red: dark, to be told from GREEN without its hue.
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
@@ -121,16 +123,16 @@ def chart(axes):
     return axes
 
 
-def strip(pictures, titles, columns=None):
+def strip(pictures, titles, columns=None, light=False):
     """Pictures side by side, `columns` in a row -> figure. End its line with a semicolon.
 
-    pictures: arrays (H, W) or (H, W, 3) with values in [0, 1]. titles: one sentence for each.
+    pictures, light: as for `image`. titles: one sentence for each.
     """
     columns = columns or len(pictures)
     lines = max(_wrapped(title, PAGE_WIDTH / columns).count("\n") + 1 for title in titles)
     axes = _panels([np.shape(picture)[:2] for picture in pictures], columns, lines)
     for place, picture, title in zip(axes, pictures, titles, strict=True):
-        image(place, picture, title)
+        image(place, picture, title, light)
     return axes[0].figure
 
 
@@ -171,22 +173,31 @@ def film(figure, draw, frames, seconds=0.1):
         for axes in figure.axes:
             axes.clear()
         draw(frame)
+        dots = figure.dpi
+        figure.set_dpi(DOTS * dots)
         figure.canvas.draw()
         pictures.append(Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
+        figure.set_dpi(dots)
     plt.close(figure)
     stay = np.rint(1000 * np.broadcast_to(seconds, len(pictures))).astype(int).tolist()
     content = io.BytesIO()
     pictures[-1].save(content, "PNG", save_all=True, append_images=pictures[:-1], loop=0,
                       duration=[stay[-1], *stay[:-1]])
-    width, height = pictures[0].size
-    display.display(display.Image(content.getvalue(), format="png", width=width, height=height))
+    width, height = np.array(pictures[0].size) // DOTS
+    display.display(display.Image(content.getvalue(), format="png", width=int(width),
+                                  height=int(height)))
 
 
 # Pictures
 
-def image(axes, picture, title=""):
-    """A picture (H, W) or (H, W, 3), as it is: 0 black, 1 full, beyond that clipped."""
+def image(axes, picture, title="", light=False):
+    """A picture (H, W) or (H, W, 3), as it is: 0 black, 1 full, beyond that clipped.
+
+    light: the picture holds amounts of light, whose means are what a pixel receives, and is shown
+    with the numbers that a screen takes for them (image.to_srgb).
+    """
     picture = np.clip(np.asarray(picture, float), 0, 1)
+    picture = to_srgb(picture) if light else picture
     height, width = picture.shape[:2]
     zoom = DOTS * axes.bbox.width / width          # dots to a pixel: a whole number, or many
     is_sharp = zoom > 2.9 or (zoom > 0.99 and abs(zoom - round(zoom)) < 0.01)

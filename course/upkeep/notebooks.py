@@ -20,9 +20,13 @@ the picture, in a sentence that may go on in comment lines. A cell with two pict
 
     # figure: a triangle over a pixel grid; the seven pixels whose centres
     # lie inside are blue
+
+A lecture opens with its best picture or film, before any code. A cell with the line `# opening`
+draws it, where the text reaches it. Its last picture is written to openings/NN_topic.png, too.
 """
 import ast
 import asyncio
+import base64
 import contextlib
 import json
 import os
@@ -49,7 +53,7 @@ from course.upkeep import errata, origins, pictures
 FOLDER = ROOT / "notebooks"
 AT_A_TIME = 2
 TIME_LIMIT = 180                                   # seconds for a notebook
-SIZE_LIMIT = 1_500_000                             # bytes of a notebook, its pictures included
+SIZE_LIMIT = 2_500_000                             # bytes of a notebook, its pictures included
 LINE_LIMIT = 88                                    # letters of a line of code
 WITHOUT_NUMBA = "import sys; sys.modules['numba'] = None"  # its sums have another order
 
@@ -125,6 +129,8 @@ async def _run_one(path, free):
                 raise ValueError(f"{path.name} was saved while it ran: run the command again")
             if content != before:
                 write_whole(path, content)
+            for picture in openings(content.decode()):
+                write_whole(path.parent / "openings" / f"{path.stem}.png", picture)
         except (ValueError, OSError) as error:
             return str(error)
     state = "unchanged" if content == before else "written"
@@ -295,6 +301,14 @@ def _objection(cell):
     if len(set(shown)) < len(shown):
         return "shows one picture twice: end its last line with a semicolon"
     return pictures.objection(cell)
+
+
+def openings(content):
+    """The picture with which a lecture opens, as a list of one PNG file's bytes, or of none."""
+    cells = [cell for cell in nbformat.reads(content, as_version=4).cells
+             if re.search(r"^# opening$", cell.source, re.MULTILINE)]
+    return [base64.b64decode(output.data["image/png"])
+            for cell in cells for output in pictures.pictures_of(cell)[-1:]]
 
 
 def contents(output):

@@ -7,10 +7,10 @@ import numpy as np
 from PIL import Image, ImageSequence
 from scipy.spatial import cKDTree
 
-FULL_COLOUR_LIMIT = 50_000                         # bytes of a picture; above it, a palette
+FEW_OFF = 12                                       # of 255; see `packed`
+SMOOTH, STEP, BANDS = 2, 6, 0.001                  # of 255, and a share: `_has_bands`
 LEAST, MOST = (320, 200), (960, 1600)              # a picture's width and height, as displayed
 MARGIN = 12                                        # dots above and below a picture
-SAMPLE = 2_000_000                                 # dots that choose a film's palette
 PICTURE_LIMIT = 2.0                                # between two pictures, of 255; see `difference`
 
 
@@ -52,17 +52,25 @@ def objection(cell):
 def packed(content):
     """A PNG's bytes -> fewer bytes for the same picture to the eye, its size (width, height).
 
-    With a palette of 256 colours where all but one dot in a thousand stay within 3 of 255. A
-    picture that needs more colours keeps them, unless it is large and a palette is within 12.
-    White rows above and below are cut.
+    With a palette of 256 colours where all but one dot in a thousand stay within FEW_OFF, and where
+    smooth shades stay smooth (or move). White rows above and below are cut.
     """
     pictures, stay = _frames_and_stay(content)
     pictures = _cut(pictures)
     few, off = _with_palette(pictures)
-    if off <= 3:
-        return _png(few, stay), few[0].size
-    full = _png(pictures, stay)
-    return (_png(few, stay) if off <= 12 and len(full) > FULL_COLOUR_LIMIT else full), few[0].size
+    if off <= FEW_OFF and (len(few) > 1 or not _has_bands(pictures[0], few[0])):
+        pictures = few
+    return _png(pictures, stay), pictures[0].size
+
+
+def _has_bands(picture, few):
+    """Are there steps in the copy where the picture itself has none?"""
+    both = np.stack([np.asarray(one.convert("RGB"), int) for one in (picture, few)])
+    for axis in (1, 2):
+        change, step = np.abs(np.diff(both, axis=axis)).max(axis=-1)
+        if ((change <= SMOOTH) & (step >= STEP)).mean() > BANDS:
+            return True
+    return False
 
 
 def _cut(pictures):
@@ -78,17 +86,17 @@ def _cut(pictures):
 def _with_palette(pictures):
     """Pictures (RGB) with one palette of 256 colours, and how far all but 1 in 1,000 dots are off.
 
-    The most frequent colours, white among them, are kept as they are.
+    A colour counts as the square root of its dots: white paper leaves room for shades. The most
+    frequent colours, white among them, are kept as they are.
     """
     sheet = np.stack(pictures).astype(np.uint32)
     code = sheet[..., 0] << 16 | sheet[..., 1] << 8 | sheet[..., 2]
     count = np.bincount(code.ravel(), minlength=1 << 24)
     used = np.flatnonzero(count > 0)
     colours = np.stack([used >> 16, used >> 8 & 255, used & 255], axis=-1)
-    rows = np.concatenate(pictures)
-    rows = Image.fromarray(rows[::-(-rows[..., 0].size // SAMPLE)])
-    palette = np.reshape(rows.quantize(256, Image.Quantize.MAXCOVERAGE, kmeans=3).getpalette(),
-                         (-1, 3))
+    often = np.repeat(colours, np.sqrt(count[used]).astype(int), axis=0).astype(np.uint8)[None]
+    palette = Image.fromarray(often).quantize(256, Image.Quantize.MEDIANCUT, kmeans=3).getpalette()
+    palette = np.reshape(palette, (-1, 3))
     frequent = colours[np.argsort(count[used], kind="stable")[-8:]]
     palette[cKDTree(palette).query(frequent)[1]] = frequent
     nearest = cKDTree(palette).query(colours)[1]

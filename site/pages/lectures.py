@@ -4,13 +4,14 @@ Pictures become files. What moves waits for the reader, in a player. Below some 
 that answers: without JavaScript its place is empty.
 """
 import base64
+import html
 import io
 import re
 
 import nbformat
 from PIL import Image
 
-from course.given.places import ROOT
+from course.given.places import ROOT, read_whole
 
 from . import inserts, picture, put
 from .names import CODE, document, exercise_pages, function_page
@@ -18,6 +19,7 @@ from .posters import poster
 
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)(#[^)\s]+)?\)")
+OPENING = re.compile(r'<img src="([^"]+)" width="(\d+)" alt="([^"]+)">')
 ANNOUNCED = re.compile(r"\*(?:Exercises?|Extras?) \d.*")
 NUMBER = re.compile(r"\b\d+\.\d+\b")
 BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
@@ -38,7 +40,7 @@ def write(folder, extra):
                 continue
             below = added.below(path.stem, words_of(cell))
             if cell.cell_type == "markdown":
-                cell.source = linked(cell.source, lab)
+                cell.source = OPENING.sub(pictures.opening, linked(cell.source, lab))
             for output in cell.get("outputs", []):
                 pictures.extract(output)
             notebook.cells.append(cell)
@@ -106,7 +108,7 @@ class Inserts:
 
 
 class Pictures:
-    """Takes the pictures out of a lecture's outputs, and writes them into files."""
+    """Takes the pictures out of a lecture, and writes them into the site's files."""
 
     def __init__(self, lecture, folder):
         self.lecture, self.folder, self.count = lecture, folder, 0
@@ -116,17 +118,26 @@ class Pictures:
         data = output.get("data", {})
         if "image/png" not in data:
             return
-        content = base64.b64decode(data["image/png"])
-        name = f"{self.lecture[:2]}_{self.count:02}"
-        self.count += 1
-        put(self.folder / f"{name}.png", content)
         about = output.metadata["image/png"]
-        still, moves = name, getattr(Image.open(io.BytesIO(content)), "is_animated", False)
-        if moves:
-            still = f"{name}_still"
-            put(self.folder / f"{still}.png", poster(content))
-        shown = picture(f"pictures/{still}.png", about["alt"], about["width"], about["height"])
-        kind = f'class="animation" data-file="pictures/{name}.png"' if moves else 'class="drawn"'
-        shown = f"<figure {kind}>{shown}</figure>"
+        shown = self.shown(base64.b64decode(data["image/png"]), about["alt"], about["width"])
         output.data = nbformat.from_dict({"text/html": shown})
         output.metadata = nbformat.from_dict({})
+
+    def opening(self, tag):
+        """The HTML that shows the picture of an <img>, a file beside the notebooks."""
+        file, width, words = tag.groups()
+        return self.shown(read_whole(ROOT / "notebooks" / file), html.unescape(words), int(width))
+
+    def shown(self, content, words, width):
+        """Write a picture -> the HTML that shows it. What moves is shown by a player."""
+        name = f"{self.lecture.partition('_')[0]}_{self.count:02}"
+        self.count += 1
+        put(self.folder / f"{name}.png", content)
+        opened = Image.open(io.BytesIO(content))
+        height = round(opened.height * width / opened.width)
+        still, kind = name, 'class="drawn"'
+        if getattr(opened, "is_animated", False):
+            still, kind = f"{name}_still", f'class="animation" data-file="pictures/{name}.png"'
+            put(self.folder / f"{still}.png", poster(content))
+        return (f"<figure {kind}>{picture(f'pictures/{still}.png', words, width, height)}"
+                "</figure>")

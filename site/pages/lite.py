@@ -15,7 +15,7 @@ from pathlib import Path
 from course.given.places import ROOT
 
 CONTENTS = (
-    "notebooks/*.ipynb", "notebooks/errata.md", "labs/*.py",
+    "notebooks/*.ipynb", "notebooks/errata.md", "notebooks/openings/*.png", "labs/*.py",
     "reference/*.py", "course/*.py", "course/given/**/*.py", "course/given/data/**/*.*",
     "course/experiments/**/*.*", "course/checks/*.*", "course/upkeep/__init__.py",
     "course/upkeep/extras.py", "tests/conftest.py",

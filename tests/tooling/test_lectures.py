@@ -6,7 +6,7 @@ import pytest
 
 from course import exercises
 from course.given.places import ROOT
-from course.upkeep import errata, hours
+from course.upkeep import errata, hours, notebooks
 
 PATHS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 LECTURES = PATHS[1:]                               # 00 is the map, and has a form of its own
@@ -66,6 +66,15 @@ def test_a_lecture_has_all_its_parts(path):
     assert titles[-3:] == ["Summary", "On paper", "Sources and further reading"]
     numbered = [int(number) for number in re.findall(r"^## (\d+)\. ", text, re.MULTILINE)]
     assert numbered == list(range(1, len(titles) - 2))
+
+
+@each_lecture
+def test_a_lecture_opens_with_its_best_picture(path):
+    """A page that begins with code; a picture at its top that older code has drawn."""
+    opening = path.parent / "openings" / f"{path.stem}.png"
+    assert re.search(rf'<img src="openings/{opening.name}" width="\d+" alt="[^"]{{40,}}">',
+                     cells_of(path, "markdown")[0])
+    assert notebooks.openings(path.read_text(encoding="utf-8")) == [opening.read_bytes()]
 
 
 @each_lecture

@@ -118,6 +118,8 @@ def files(asked, released, extra, spine):
         if not released or not set(needed([], path)) <= set(released):
             text = switched(text)
         yield f"notebooks/{path.name}", unlinked(text, asked).encode()
+        for opening in path.parent.glob(f"openings/{path.stem}.png"):
+            yield f"notebooks/openings/{opening.name}", opening.read_bytes()
     yield "README.md", readme(asked, released, spine).encode()
 
 
