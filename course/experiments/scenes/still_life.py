@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse.csgraph import connected_components
 
 from ...given import image, mesh
-from ...given.ray_casting import disc_offsets
+from ...given.ray_casting import GOLDEN_ANGLE, disc_offsets
 from .drawing import save
 from .reflections import reflected, teapot
 from .viewing import UP, directions
@@ -24,7 +24,6 @@ CREAM, GREY, CLAY, TEAL, OCHRE, BRASS = image.to_linear(np.array([
 PLACES = np.array([  # of teapot, bunny, ball and ring: size, turn about y, x, z
     [1.08, 3.6, 0.44, 0.0], [0.84, 0.7, -0.84, -0.75], [0.23, 0, -0.34, 0.95], [0.31, 0, 0.6, 1.2]])
 MIRRORS = {0: 0.05, 2: 0.05, 3: BRASS}  # thing: what it mirrors, seen straight on
-GOLDEN = (1 + np.sqrt(5)) / 2
 NEAR = 3.5                              # from the middle; shadows do not fall farther
 MAP, SIDE = 512, 128                    # texels along a side of a lamp's map, and of a cube map
 
@@ -49,8 +48,7 @@ class Scene(NamedTuple):
 def shape(labs):
     """The Scene without its light: no lamps, no cubes."""
     cages = teapot(), mesh.bunny(), mesh.icosphere(500), mesh.torus(64, 0.72, 0.26)
-    parts = [placed(*rounded(labs, *cage), *place)
-             for cage, place in zip(cages, PLACES, strict=True)]
+    parts = [placed(labs, *cage, *place) for cage, place in zip(cages, PLACES, strict=True)]
     floor, squares = mesh.plane(2)
     uv = [around(*part) for part in parts] + [100 * floor[squares.ravel()][:, [0, 2]]]
     vertices, faces = zip(*parts, (60 * floor, squares), strict=True)
@@ -61,14 +59,10 @@ def shape(labs):
                  [], {})
 
 
-def rounded(labs, cage, faces):
-    """Two steps of Loop, to the limit."""
+def placed(labs, cage, faces, size, turn, x, z):
+    """A cage made round by two steps of Loop, in this size, turned about y, on the floor."""
     corners, origin = labs.subdivision.split_fans(faces.ravel(), np.full(len(faces), 3))
-    return labs.loop_subdivision.loop_surface(cage[origin], corners.reshape(-1, 3), 2)
-
-
-def placed(vertices, faces, size, turn, x, z):
-    """A thing of this size, turned about y, on the floor."""
+    vertices, faces = labs.loop_subdivision.loop_surface(cage[origin], corners.reshape(-1, 3), 2)
     c, s = np.cos(turn), np.sin(turn)
     vertices = size * mesh.normalize(vertices) @ np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
     return vertices + [x, -vertices[:, 1].min(), z], faces
@@ -122,7 +116,7 @@ def lamps(labs, scene, count):
     axes = np.linalg.svd(WINDOW[None])[2][1:]
     panes = mesh.unit(WINDOW + 0.16 * disc_offsets(3 * count // 8) @ axes)
     k = np.arange(count - len(panes)) + 0.5
-    dome = directions(k / GOLDEN, 1 - np.arccos(k / len(k)) / np.pi)
+    dome = directions(k * GOLDEN_ANGLE / (2 * np.pi), 1 - np.arccos(k / len(k)) / np.pi)
     colours = np.concatenate([np.tile(1.1 * count / len(panes) * WARM, (len(panes), 1)),
                               1.6 * count / len(k) * sky(dome)])
     for towards, colour in zip(np.concatenate([panes, dome]), colours, strict=True):
@@ -240,10 +234,7 @@ def mirrored(labs, cube, points, d, change, bias):
 
 def still_life(labs):
     """A teapot, a bunny, a ball and a ring by a window (labs 1 to 14)."""
-    scene = shape(labs)
-    yield f"{len(scene.faces):,} faces", None
-    scene = lit(labs, scene)
-    yield f"{len(scene.lamps)} lamps, and what is mirrored", None
-    for samples in 1, 16:
-        found = image.to_srgb(picture(labs, scene, 960, 540, samples))
-        yield f"{samples} in a pixel", save("still_life", f"{samples}x", found)
+    scene = lit(labs, shape(labs))
+    yield f"{len(scene.faces):,} faces, {len(scene.lamps)} lamps, and what is mirrored", None
+    found = picture(labs, scene, 960, 540)
+    yield "16 samples in a pixel", save("still_life", "still_life", image.to_srgb(found))
