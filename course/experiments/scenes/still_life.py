@@ -45,10 +45,11 @@ class Scene(NamedTuple):
 # --- things --------------------------------------------------------------------------------------
 
 
-def shape(labs):
-    """The Scene without its light: no lamps, no cubes."""
+def shape(labs, steps=2):
+    """The Scene without its light: no lamps, no cubes. steps of Loop make its things round."""
     cages = teapot(), mesh.bunny(), mesh.icosphere(500), mesh.torus(64, 0.72, 0.26)
-    parts = [placed(labs, *cage, *place) for cage, place in zip(cages, PLACES, strict=True)]
+    parts = [placed(*rounded(labs, *cage, steps), *place)
+             for cage, place in zip(cages, PLACES, strict=True)]
     floor, squares = mesh.plane(2)
     uv = [around(*part) for part in parts] + [100 * floor[squares.ravel()][:, [0, 2]]]
     vertices, faces = zip(*parts, (60 * floor, squares), strict=True)
@@ -59,10 +60,14 @@ def shape(labs):
                  [], {})
 
 
-def placed(labs, cage, faces, size, turn, x, z):
-    """A cage made round by two steps of Loop, in this size, turned about y, on the floor."""
+def rounded(labs, cage, faces, steps):
+    """A cage's limit surface, after steps of Loop."""
     corners, origin = labs.subdivision.split_fans(faces.ravel(), np.full(len(faces), 3))
-    vertices, faces = labs.loop_subdivision.loop_surface(cage[origin], corners.reshape(-1, 3), 2)
+    return labs.loop_subdivision.loop_surface(cage[origin], corners.reshape(-1, 3), steps)
+
+
+def placed(vertices, faces, size, turn, x, z):
+    """A thing of this size, turned about y, on the floor."""
     c, s = np.cos(turn), np.sin(turn)
     vertices = size * mesh.normalize(vertices) @ np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
     return vertices + [x, -vertices[:, 1].min(), z], faces
@@ -199,7 +204,7 @@ def shaded(labs, scene, clip, eye, picture, bias=0.0):
     change = labs.interpolation.interpolate_derivatives(*given, seen.derivatives)[there]
     away, normals = at[:, :3], mesh.unit(at[:, 3:])
     colour = painted(labs, scene, seen, bias) * received(labs, scene.lamps, away + eye, normals)
-    look = away + eye, *reflected(away, change[:, :3], normals, change[:, 3:])
+    look = away + eye, *reflected(away, change[:, :3], at[:, 3:], change[:, 3:])
     slant = 1 - np.abs((mesh.unit(away) * normals).sum(1, keepdims=True))
     for thing, cube in scene.cubes.items():
         its = scene.thing[seen.face_index[there]] == thing
