@@ -117,7 +117,7 @@ class Pictures:
         if "image/png" not in data:
             return
         content = base64.b64decode(data["image/png"])
-        name = f"{self.lecture[:2]}_{self.count:02}"
+        name = f"{self.lecture.partition('_')[0]}_{self.count:02}"
         self.count += 1
         put(self.folder / f"{name}.png", content)
         about = output.metadata["image/png"]
