@@ -8,8 +8,8 @@ from course import exercises
 from course.given.places import ROOT
 from course.upkeep import errata, hours, notebooks
 
-PATHS = sorted((ROOT / "notebooks").glob("*.ipynb"))
-LECTURES = PATHS[1:]                               # 00 is the map, and has a form of its own
+PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
+GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
 MOST_WORDS = 3000                                  # before the summary
 MOST_MINUTES = 45
 WORDING = {                                        # what was translated, and what to write
@@ -18,7 +18,7 @@ WORDING = {                                        # what was translated, and wh
 }
 
 each_lecture = pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
-each_page = pytest.mark.parametrize("path", PATHS, ids=lambda path: path.stem)
+each_page = pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
 each_lab = pytest.mark.parametrize("lab", range(1, len(exercises.LABS) + 1))
 
 
@@ -47,8 +47,9 @@ def pages_of(lab):
 @each_lecture
 def test_a_lecture_leads_to_its_neighbours_its_modules_and_its_lab(path):
     """A page without a way on; a link to the lecture before the last."""
-    k = PATHS.index(path)
-    around = [*PATHS[k - 1:k], *PATHS[k + 1:k + 2]]
+    row = [GUIDE, *LECTURES]
+    k = row.index(path)
+    around = [*row[k - 1:k], *row[k + 1:k + 2]]
     lines = text_of(path).splitlines()
     assert re.match(rf"# {path.stem.partition('_')[0]} [A-Z]", lines[0])
     for line in (lines[2], lines[-1]):
