@@ -202,11 +202,9 @@ def uses(path):
 
 def code_of(path):
     """The text of a module, or of a notebook's code cells without Jupyter's own commands."""
-    text = exercises.read(path)
     if path.suffix != ".ipynb":
-        return text
-    cells = [cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "code"]
-    return re.sub(r"^\s*%.*", "", "\n".join("".join(cell["source"]) for cell in cells), flags=re.M)
+        return exercises.read(path)
+    return re.sub(r"^\s*%.*", "", "\n".join(exercises.cells(path, "code")), flags=re.M)
 
 
 def without_marks(text):
