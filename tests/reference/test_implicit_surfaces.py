@@ -142,7 +142,7 @@ def test_a_density_grid_is_found_from_pictures():
     labs, size = demo.Labs("reference"), 12
     given = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 16, longitude=0.2), size)
     losses = []
-    for volume, loss in fit_volume.fit(labs, given, 12, 100, batch=300):
+    for volume, loss in fit_volume.fit(labs, given, 12, 100, batch=300):  # noqa: B007
         losses.append(loss)
     new = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 3, longitude=0.7), size)
     picture = fit_volume.seen(labs, new, volume)
