@@ -146,6 +146,11 @@ def lecture(topic: str) -> Path:
     return places.ROOT / "notebooks" / f"{number:02}_{LABS[number - 1][0]}.ipynb"
 
 
+def pages(topic: str) -> list[Path]:
+    """The notebooks of a topic's lab, as far as they are there: 06_texturing, 06b_cube_maps."""
+    return sorted(lecture(topic).parent.glob(f"{lab_number(topic):02}*.ipynb"))
+
+
 def reference(topic: str) -> Path:
     return places.ROOT / "reference" / f"{topic}.py"
 

@@ -2,11 +2,11 @@
 
     hours = words of the lecture / 75 a minute + 1 minute a figure + 6 minutes a point of the core
 
-Sections that no core exercise needs are marked as further reading, and do not count, nor do "On
-paper" and the sources. Of the spine count its exercises, and the sections that a lecture names for
-it. The three numbers are the means of two readers who solved seven labs with a clock: change them
-here when a class was measured. README.md and notebook 00 print what comes out. A test tells when
-they are behind. This command updates them:
+Sections and pages that no core exercise needs are marked as further reading, and do not count, nor
+do "On paper" and the sources. Of the spine count its exercises, and the sections that a lecture
+names for it. The three numbers are the means of two readers who solved seven labs with a clock:
+change them here when a class was measured. README.md and notebook 00 print what comes out. A test
+tells when they are behind. This command updates them:
 
     python3 -m course.upkeep.hours
 """
@@ -27,13 +27,15 @@ SPINE = re.compile(r"\*\*The spine\*\* needs sections (.*?)\.")
 
 def sections(path):
     """{title: minutes} of a lecture's sections, in their order; "" is what stands above them."""
+    cells = json.loads(exercises.read(path))["cells"]
     title, minutes, left = "", {}, False
-    for cell in json.loads(exercises.read(path))["cells"]:
+    page_left = LEFT[0] in "".join(cells[0]["source"])
+    for cell in cells:
         parts = re.split(r"^(?=## )", "".join(cell["source"]), flags=re.M)
         figures = sum("image/png" in output.get("data", {}) for output in cell.get("outputs", ()))
         for part in parts if cell["cell_type"] == "markdown" else [""]:
             if part.startswith("## "):
-                title, left = part.partition("\n")[0][3:], False
+                title, left = part.partition("\n")[0][3:], page_left
             left = left or any(mark in part for mark in LEFT)
             took = len(part.split()) / WORDS_A_MINUTE + MINUTES_A_FIGURE * figures
             minutes[title] = minutes.get(title, 0) + (0 if left else took)
@@ -62,7 +64,9 @@ def lecture(lab):
 def hours(lab: int) -> float:
     """What a lab's lecture and core take, to the half of an hour."""
     points = sum(exercise.points for exercise in core(lab))
-    return round((sum(sections(lecture(lab)).values()) + MINUTES_A_POINT * points) / 30) / 2
+    read = sum(minutes for page in exercises.pages(exercises.LABS[lab - 1][0])
+               for minutes in sections(page).values())
+    return round((read + MINUTES_A_POINT * points) / 30) / 2
 
 
 def spine_hours() -> int:

@@ -8,16 +8,18 @@ from course import exercises
 from course.given.places import ROOT
 from course.upkeep import errata, hours, notebooks
 
-PATHS = sorted((ROOT / "notebooks").glob("*.ipynb"))
-LECTURES = PATHS[1:]                               # 00 is the map, and has a form of its own
+PAGES = sorted((ROOT / "notebooks").glob("*.ipynb"))
+GUIDE, HOW_TO, *LECTURES = PAGES                   # 00, the map, and 00b have forms of their own
 MOST_WORDS = 3000                                  # before the summary
+MOST_MINUTES = 45
 WORDING = {                                        # what was translated, and what to write
     "asked at": "sampled at", "in the mean": "on average", "dear": "expensive",
     "whole numbers": "integers", "optimiser": "optimizer", "photograph": "target",
 }
 
 each_lecture = pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
-each_page = pytest.mark.parametrize("path", PATHS, ids=lambda path: path.stem)
+each_page = pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+each_lab = pytest.mark.parametrize("lab", range(1, len(exercises.LABS) + 1))
 
 
 def cells_of(path, kind):
@@ -33,19 +35,36 @@ def before_the_summary(path):
     return text_of(path).partition("\n## Summary\n")[0]
 
 
+def goes_on(path):
+    """Is it a page after a lecture, such as 06b?"""
+    return path.stem[2] != "_"
+
+
+def pages_of(lab):
+    return exercises.pages(exercises.LABS[lab - 1][0])
+
+
 @each_lecture
 def test_a_lecture_leads_to_its_neighbours_its_modules_and_its_lab(path):
     """A page without a way on; a link to the lecture before the last."""
-    k = PATHS.index(path)
-    around = [*PATHS[k - 1:k], *PATHS[k + 1:k + 2]]
+    row = [GUIDE, *LECTURES]
+    k = row.index(path)
+    around = [*row[k - 1:k], *row[k + 1:k + 2]]
     lines = text_of(path).splitlines()
-    assert re.match(rf"# {path.stem[:2]} [A-Z]", lines[0])
+    assert re.match(rf"# {path.stem.partition('_')[0]} [A-Z]", lines[0])
     for line in (lines[2], lines[-1]):
-        assert re.findall(r"\]\((\d\d_\w+\.ipynb)\)", line.replace("](00_start_here.ipynb)", "]")
+        assert re.findall(r"\]\((\d\d\w+\.ipynb)\)", line.replace("](00_start_here.ipynb)", "]")
                           if k > 1 else line)[-len(around):] == [one.name for one in around]
-    for topic in exercises.LABS[k - 1]:
-        assert f"](../reference/{topic}.py)" in lines[2]
-    assert f"](../labs/{exercises.LABS[k - 1][0]}.py)" in lines[2]
+    own = exercises.LABS[int(path.stem[:2]) - 1]
+    assert re.search(rf"\]\(../labs/({'|'.join(own) if goes_on(path) else own[0]})\.py\)", lines[2])
+
+
+@each_lab
+def test_a_lecture_and_the_page_after_it_lead_to_all_modules_of_the_lab(lab):
+    """A module that a reader never finds."""
+    links = "".join(text_of(path).splitlines()[2] for path in pages_of(lab))
+    for topic in exercises.LABS[lab - 1]:
+        assert links.count(f"](../reference/{topic}.py)") >= 1
 
 
 @each_page
@@ -60,12 +79,16 @@ def test_links_lead_somewhere(path):
 def test_a_lecture_has_all_its_parts(path):
     """No word on what comes of it, no algorithm at a glance, no sources."""
     text = text_of(path)
-    assert text.count("**What you will have built.**") == 1
-    assert "```text\n" in text
     titles = re.findall(r"^## (.*)", text, re.MULTILINE)
-    assert titles[-3:] == ["Summary", "On paper", "Sources and further reading"]
     numbered = [int(number) for number in re.findall(r"^## (\d+)\. ", text, re.MULTILINE)]
-    assert numbered == list(range(1, len(titles) - 2))
+    assert numbered == list(range(1, len(numbered) + 1))
+    ends = ["Summary", "On paper", "Sources and further reading"]
+    if goes_on(path):
+        assert [end for end in ends if end in titles or end != "On paper"] == titles[len(numbered):]
+    else:
+        assert titles[len(numbered):] == ends
+        assert text.count("**What you will have built.**") == 1
+        assert "```text\n" in text
 
 
 @each_lecture
@@ -85,25 +108,48 @@ def test_a_lecture_is_one_lecture_long(path):
 
 
 @each_lecture
-def test_equations_are_numbered_in_the_order_in_which_they_come(path):
-    """Equation (4) before equation (1); two numbers in one display, which cannot be rendered."""
-    tags = [tag.rstrip("abc") for tag in re.findall(r"\\tag\{(.*?)\}", text_of(path))]
-    assert list(map(int, tags)) == sorted(map(int, tags))
-    assert set(map(int, tags)) == set(range(1, len(set(tags)) + 1)) and tags
-    for display in re.findall(r"\$\$(.*?)\$\$", text_of(path), re.DOTALL):
-        assert display.count(r"\tag") <= 1
+def test_a_lecture_takes_45_minutes_at_most(path):
+    """Two lectures in one: words at 180 a minute, a figure in 20 seconds, a displayed equation in
+    30, and a line of code that is not folded away in 4. Answers are folded away.
+    """
+    text = re.sub(r"<details>.*?</details>", "", text_of(path), flags=re.DOTALL)
+    words = len(re.sub(r"\$\$.*?\$\$|```.*?```", "", text, flags=re.DOTALL).split())
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    figures = sum("image/png" in output.get("data", {})
+                  for cell in cells for output in cell.get("outputs", ()))
+    lines = sum(bool(line.strip()) for code in cells_of(path, "code")
+                if not code.startswith(("# live", "# figure:")) for line in code.splitlines())
+    minutes = words / 180 + figures / 3 + text.count("$$") // 2 / 2 + lines / 15
+    print(f"{path.stem}: {minutes:.0f} minutes")
+    assert minutes <= MOST_MINUTES
 
 
-@each_lecture
-def test_each_core_exercise_stands_where_the_text_reaches_it(path):
+@each_lab
+def test_equations_are_numbered_in_the_order_in_which_they_come(lab):
+    """Equation (4) before equation (1); a number that is left out, or stands on two pages; two in
+    one display, which cannot be rendered.
+    """
+    numbers = []
+    for path in pages_of(lab):
+        tags = [int(tag.rstrip("abc")) for tag in re.findall(r"\\tag\{(.*?)\}", text_of(path))]
+        assert tags == sorted(tags)
+        numbers += set(tags)
+        for display in re.findall(r"\$\$(.*?)\$\$", text_of(path), re.DOTALL):
+            assert display.count(r"\tag") <= 1
+    assert sorted(numbers) == list(range(1, len(numbers) + 1)) and numbers
+
+
+@each_lab
+def test_each_core_exercise_stands_where_the_text_reaches_it(lab):
     """An exercise that the lecture forgets, asks twice, or does not check."""
-    lab = int(path.stem[:2])
     core = {exercise.number for exercise in hours.core(lab)}
-    lines = re.findall(r"^\*\*Exercises? .*", before_the_summary(path), re.MULTILINE)
+    lines = [line for path in pages_of(lab) for line in re.findall(
+        r"^\*\*Exercises? .*", before_the_summary(path), re.MULTILINE)]
     named = re.findall(rf"\b{lab}\.\d+\b", "\n".join(line.partition("*Extra")[0] for line in lines))
     assert sorted(named) == sorted(core)
     shown = re.findall(r'^board\.show\("([\d.]+)"\)$', "\n".join(
-        cell for cell in cells_of(path, "code") if cell.startswith("# live")), re.MULTILINE)
+        cell for path in pages_of(lab) for cell in cells_of(path, "code")
+        if cell.startswith("# live")), re.MULTILINE)
     assert sorted(shown) == sorted(core)
 
 

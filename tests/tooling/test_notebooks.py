@@ -295,7 +295,8 @@ def test_a_file_that_is_no_notebook_is_told_in_one_sentence(tmp_path, content, c
 
 def test_notebooks_are_found_by_number_topic_and_path(tmp_path, monkeypatch):
     """A number that finds every notebook with that digit; one notebook run twice at a time."""
-    for name in ("00_start.ipynb", "01_transforms.ipynb", "10_ten.ipynb", "12_one.ipynb"):
+    for name in ("00_start.ipynb", "01_transforms.ipynb", "01b_more.ipynb", "10_ten.ipynb",
+                 "12_one.ipynb"):
         (tmp_path / name).touch()
     monkeypatch.setattr(notebooks, "FOLDER", tmp_path)
     monkeypatch.chdir(tmp_path)
@@ -304,9 +305,10 @@ def test_notebooks_are_found_by_number_topic_and_path(tmp_path, monkeypatch):
         return [path.name for path in notebooks.find(names)]
 
     assert found("1") == found("01") == found("transforms") == ["01_transforms.ipynb"]
+    assert found("1b") == found("01b") == found("more") == ["01b_more.ipynb"]
     assert found("one", "0") == ["12_one.ipynb", "00_start.ipynb"]
     assert found("10", "ten", "10_ten", tmp_path / "10_ten.ipynb") == ["10_ten.ipynb"]
-    assert len(found()) == 4
+    assert len(found()) == 5
     with pytest.raises(ValueError, match="there is no notebook 2: name one by its number"):
         notebooks.find(["2"])
 
