@@ -189,8 +189,7 @@ def test_numbers_may_come_as_lists():
     ({"bias": np.nan}, "NaN"),
     ({"jacobian": np.zeros((5, 4))}, r"a jacobian \(5, 2, 2\)"),
     ({"jacobian": np.full((5, 2, 2), 1e160)}, "numbers below"),
-    ({"max_level": -1}, "a max_level of 0 or more"),
-])
+    ({"max_level": -1}, "a max_level of 0 or more")])
 def test_bad_input_is_told_in_a_sentence(change, sentence):
     """An error from deep inside, or none at all."""
     arguments = {"image": np.zeros((4, 4, 3)), "uv": np.zeros((5, 2))} | change

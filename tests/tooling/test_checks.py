@@ -349,8 +349,7 @@ PLAIN = {  # name: exercise, lines
     "strict_is_not_strict": ("1.8", "impl.strict(0)"),
     "strict_tells_all": ("1.8", "impl.strict(1)", 'raise Told("it was given 1")'),
     "the_second_of_two": ("1.8", "_, two = impl.both(1.0)", "assert_close(two, 3.0)"),
-    "skips_itself": ("1.1", 'pytest.skip("not today")'),
-}
+    "skips_itself": ("1.1", 'pytest.skip("not today")')}
 CHECKS = """\
 import numpy as np
 import pytest
@@ -461,8 +460,7 @@ NOT_COUNTED = "a check has to run and pass; this one is skipped or expected to f
     ("skipped", NOT_COUNTED), ("skips_itself", NOT_COUNTED), ("expected_to_fail", NOT_COUNTED),
     ("expected_to_fail_and_passing", NOT_COUNTED),
     ("passes_and_breaks_after", "wrong     OSError: spoilt"),
-    ("of_no_exercise", ">       assert 1 == 2"),
-])
+    ("of_no_exercise", ">       assert 1 == 2")])
 def test_a_report_says_what_went_wrong(output, test, told):
     """An error of the check's own code, "too many values to unpack", is all that a student sees; an
     assertion of the student's own is taken for one of the check's; another exercise's missing
@@ -557,8 +555,7 @@ UNUSABLE = {
                       "wrong     labs/interpolation.py has no function double; keep the names"),
     "texturing": ("double = 2\n", "wrong     labs/texturing.py has no function double"),
     "antialiasing": ("def double(x, y):\n    return 2 * x\n",
-                     "given     double(3.0)\nwrong     TypeError: double() missing 1 required"),
-}
+                     "given     double(3.0)\nwrong     TypeError: double() missing 1 required")}
 
 
 def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run_here):

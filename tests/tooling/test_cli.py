@@ -61,8 +61,7 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
      "--overrides o.csv --people g.csv --previous p.csv", "grading.grade.run",
      (Request("in", "out", csv="moodle", roster="a.csv", assignment="A", due="D", late="L",
               grace="G", overrides="o.csv", people="g.csv", previous="p.csv"),),
-     {}),
-])
+     {})])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):
     """An option is forgotten, two are swapped, or the status is lost."""
@@ -124,8 +123,7 @@ def demo_runs(stand_in, monkeypatch, tmp_path):
     ("course", "raise OSError(\n    'the disk is full')", "the disk is full"),
     ("elsewhere", "open('no such folder/picture.png')", "picture.png"),
     ("labs", "raise NotImplementedError('exercise 1.2: transform')",
-     "exercise 1.2: transform is not written yet"),
-])
+     "exercise 1.2: transform is not written yet")])
 def test_what_the_user_can_mend_is_one_line_and_status_2(demo_runs, capsys, folder, text, sentence):
     """A wrong name or a full disk shows a traceback."""
     demo_runs(folder, text)
@@ -138,8 +136,7 @@ def test_what_the_user_can_mend_is_one_line_and_status_2(demo_runs, capsys, fold
     ("course", "int('x')"),
     ("labs", "int('x')"),
     ("elsewhere", "raise ValueError('operands could not be broadcast')"),
-    ("course", "raise TypeError('a defect')"),
-])
+    ("course", "raise TypeError('a defect')")])
 def test_a_defect_shows_its_traceback(demo_runs, folder, text):
     """Every ValueError is told in one line, and nobody finds the line that is wrong."""
     demo_runs(folder, text)

@@ -177,8 +177,7 @@ def edge(p, a, b):
     (lambda p, a, b: edge(a, p, b), "p and a are exchanged"),
     (lambda p, a, b: edge(p, a[::-1], b), "0 and 1 are exchanged along axis 0 of a"),
     (lambda p, a, b: edge(-p, a, b), "the sign of p is flipped"),
-    (lambda p, a, b: edge(p, a, b) + 0.1, None),
-])
+    (lambda p, a, b: edge(p, a, b) + 0.1, None)])
 def test_what_is_mixed_up_is_found_by_other_inputs(wrong, change):
     """Two parameters are exchanged, or their coordinates, and no number shows it."""
     p, a, b = np.array([[0.3, 0.9], [0.1, 0.2], [0.8, 0.5]])
@@ -224,8 +223,7 @@ def failed(nodeid, suspected, fine_print=False):
      "all is 4 times x; a is 4"),
     ([("all is 4 times x; len(b) is 4", True), ("all is 9 times x; a is 9", True)],
      "all is 4 times x"),
-    ([None, None], None),
-])
+    ([None, None], None)])
 def test_a_suspicion_is_certain_where_no_other_check_speaks_against_it(suspected, hint):
     """One check's numbers happen to have the other sign."""
     checks = [failed(f"tests/labs/test_x.py::test_{k}", one) for k, one in enumerate(suspected)]

@@ -18,8 +18,7 @@ KERNEL_LINES, KERNEL_PARAMETERS = 35, 13  # a loop stays whole; each NamedTuple 
 OF_OTHERS = "course/bridge/"  # its functions have other people's parameters
 EXCEPTIONS = {  # not yet short; the list may only become shorter
     "course/given/plot_3d.surface has more than 7 parameters",  # lectures choose among all of them
-    "course/given/sketch.arrow has more than 7 parameters",
-}
+    "course/given/sketch.arrow has more than 7 parameters"}
 
 
 def code_lines(function, text):
@@ -159,8 +158,7 @@ def test_the_house_is_no_heavier_than_it_may_be():
 @pytest.mark.parametrize(("text", "lines"), [
     ('"""Title."""\n\n# A comment\na = 1  # one\n\n\ndef f():\n    """What."""\n    return (1 +\n\n'
      '            2)\n', 4),
-    ('a = """two\nlines"""\n', 2), ("a = (\n", 1), ("\n\n", 0),
-])
+    ('a = """two\nlines"""\n', 2), ("a = (\n", 1), ("\n\n", 0)])
 def test_lines_of_code_hold_code(text, lines):
     """Docstrings are paid for, or what holds a string is not."""
     assert weight.code_lines(text) == lines

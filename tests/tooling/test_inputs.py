@@ -40,8 +40,7 @@ def test_a_face_beyond_the_vertices_is_named(kind):
     (np.array([0, 1, 2]), "got (3,) of int64: give three integers"),
     (np.array([[0, 1, 2, 3]]), "got (1, 4) of int64: give three integers"),
     (np.zeros((0, 4), int), "got (0, 4) of int64: give three integers"),
-    (np.array(1), "got () of int64: give three integers"),
-])
+    (np.array(1), "got () of int64: give three integers")])
 def test_what_is_no_array_of_faces_is_told(faces, came):
     """Quads taken for triangles, floats for indices."""
     sentence = f"faces (F, 3) must be integers from 0 to 3, rows of the vertices; {came}"
