@@ -36,13 +36,11 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
     ("close 2.3 --core", "upkeep.extras.close", ("2.3",), {"core": True}),
-    ("mistakes", "upkeep.mistakes.run", (None,), {}),
-    ("feedback 2", "upkeep.feedback.run", ("2",), {}),
-    ("mutants", "upkeep.mutants.run", (None,), {}),
-    ("mutants 2.3", "upkeep.mutants.run", ("2.3",), {}),
-    ("skeleton", "upkeep.skeleton.run", (), {"check": False, "force": False}),
-    ("skeleton --check", "upkeep.skeleton.run", (), {"check": True, "force": False}),
-    ("skeleton --force", "upkeep.skeleton.run", (), {"check": False, "force": True}),
+    *((f"{name} {target}", f"upkeep.{name}.run", (target or None,), {}) for name, target in (
+        ("mistakes", ""), ("feedback", "2"), ("mutants", ""), ("mutants", "2.3"))),
+    *((f"skeleton {option}", "upkeep.skeleton.run", (),
+       {"check": option == "--check", "force": option == "--force"})
+      for option in ("", "--check", "--force")),
     ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],),
      {"everything": False}),
     ("notebooks --all", "upkeep.notebooks.run", ([],), {"everything": True}),
@@ -133,10 +131,8 @@ def test_what_the_user_can_mend_is_one_line_and_status_2(demo_runs, capsys, fold
 
 
 @pytest.mark.parametrize(("folder", "text"), [
-    ("course", "int('x')"),
-    ("labs", "int('x')"),
-    ("elsewhere", "raise ValueError('operands could not be broadcast')"),
-    ("course", "raise TypeError('a defect')")])
+    ("course", "int('x')"), ("labs", "int('x')"), ("course", "raise TypeError('a defect')"),
+    ("elsewhere", "raise ValueError('operands could not be broadcast')")])
 def test_a_defect_shows_its_traceback(demo_runs, folder, text):
     """Every ValueError is told in one line, and nobody finds the line that is wrong."""
     demo_runs(folder, text)

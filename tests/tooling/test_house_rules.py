@@ -1,6 +1,7 @@
 """What can be measured of how the code reads: modules, functions and docstrings stay short."""
 import ast
 import collections
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -23,11 +24,8 @@ EXCEPTIONS = {  # not yet short; the list may only become shorter
 
 def code_lines(function, text):
     """The lines of a function's body without blank lines, comments and docstring."""
-    body = function.body[1:] if ast.get_docstring(function) else function.body
-    if not body:
-        return 0
-    lines = map(str.strip, text.splitlines()[body[0].lineno - 1:function.end_lineno])
-    return sum(line != "" and not line.startswith("#") for line in lines)
+    lines = text.splitlines()[function.body[0].lineno - 1:function.end_lineno]
+    return weight.code_lines(textwrap.dedent("\n".join(lines)))
 
 
 def parameters(function):
