@@ -17,8 +17,7 @@ SHAPES = {
     "intersection": ("intersection", BOX, ("sphere", 0.5)),
     "complement": ("intersection", BALL, ("complement", BOX)),
     "smooth union": ("smooth union", 0.3, ("torus", 0.6, 0.2), BOX),
-    "wheel": representations.WHEEL,
-}
+    "wheel": representations.WHEEL}
 RIPPLED = ("rippled", 0.1, 8.0, BALL)
 CAMERA = camera([1.0, 2.2, 1.4], fov_y=np.radians(40), aspect=1.5)
 

@@ -63,8 +63,7 @@ def test_polygons_are_cut_and_what_adds_nothing_is_left_out(file):
     ("bunny", "a.ply", "ply\nformat ascii 1.0\nelement vertex 9\n", "broken, cut short"),
     ("rounded", "a.obj", TRIANGLE + "v 0 0 1\nv 0 0 -1\nf 1 2 3\nf 1 2 4\nf 2 1 5",
      "has 3 faces at the edge from [0.0, 0.0, 0.0] to [1.0, 0.0, 0.0], and this scene takes two"),
-    ("aliasing", "a.png", "x", "as a picture: it is broken"),
-])
+    ("aliasing", "a.png", "x", "as a picture: it is broken")])
 def test_what_no_scene_can_take_is_told_in_one_sentence(file, scene, name, text, sentence):
     """A traceback of a parser, or a picture of nothing."""
     path = file(name, text)
@@ -139,8 +138,7 @@ def test_each_scene_draws_ones_own_beside_the_course_s_pictures(tmp_path, monkey
     (["shadow", "cow.obj"], "cow.obj does not follow a scene that takes a file: write it after"),
     (["cow.obj"], "cow.obj does not follow a scene"),
     (["bunny", "cow.obj", "calf.obj"], "calf.obj does not follow a scene"),
-    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, teapot"),
-])
+    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, teapot")])
 def test_a_file_stands_after_a_scene_that_takes_one(names, sentence):
     """It is silently ignored, and the bunny comes out; or a misspelt scene is taken for a file."""
     with pytest.raises(ValueError, match=sentence):
