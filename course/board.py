@@ -1,7 +1,6 @@
 """The progress board, a screen: what is done, what is not, and what to do next."""
 import contextlib
 import functools
-import json
 import os
 import re
 import subprocess
@@ -165,7 +164,7 @@ def also(wrong):
 def in_the_lecture__s_order(entries):
     """Lab by lab, in the order in which a lecture reaches its exercises."""
     reached = {number: place for topics in exercises.LABS
-               for place, number in enumerate(sections(exercises.lecture(topics[0])))}
+               for place, number in enumerate(sections(*exercises.pages(topics[0])))}
 
     def place(entry):
         lab, rank = map(int, entry.number.split("."))
@@ -199,15 +198,15 @@ def ways_on(entry, implementation, seed):
 
 
 def reading(entry, code):
-    """Where an exercise's question stands, and its lecture."""
+    """Where an exercise's question stands, and its lecture or the page after it."""
     question = (f"{places.shown_path(code / entry.topic)}.py:{line_of(entry, code)}, "
                 "the docstring is the question")
-    lecture = exercises.lecture(entry.topic)
-    if not lecture.exists():
+    paths = exercises.pages(entry.topic)
+    if not paths:
         return question
-    section = sections(lecture).get(entry.number)
+    path, section = sections(*paths).get(entry.number, (paths[0], None))
     titled = f", section\n  {section}" if section else ""
-    return f"{question}\n{places.shown_path(lecture)}{titled}"
+    return f"{question}\n{places.shown_path(path)}{titled}"
 
 
 def line_of(entry, code):
@@ -221,16 +220,17 @@ def line_of(entry, code):
 
 
 @functools.cache
-def sections(lecture):
-    """{exercise: title of the section that leads to it}, in the lecture's order."""
-    title, found = None, {}
-    with contextlib.suppress(OSError, ValueError, KeyError):  # a student may have changed it
-        for cell in json.loads(lecture.read_bytes())["cells"]:
-            for line in "".join(cell["source"]).splitlines():
-                if cell["cell_type"] == "markdown" and line.startswith("##"):
+def sections(*paths):
+    """{exercise: notebook, and title of the section that leads to it}, in the notebooks' order."""
+    found = {}
+    for path in paths:
+        title = None
+        with contextlib.suppress(OSError, ValueError, KeyError):  # a student may have changed it
+            for line in "\n".join(exercises.cells(path)).splitlines():
+                if line.startswith("##"):
                     title = line.lstrip("# ")
                 for number in numbers_in(line):
-                    found.setdefault(number, title)
+                    found.setdefault(number, (path, title))
     return found
 
 

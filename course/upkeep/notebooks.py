@@ -106,7 +106,7 @@ def _find(name, lectures):
         return Path(name).resolve()
     for path in lectures:
         number, _, topic = path.stem.partition("_")
-        if name in (path.name, path.stem, topic) or name.zfill(2) == number:
+        if name in (path.name, path.stem, topic) or name.zfill(len(number)) == number:
             return path
     known = ", ".join(path.stem for path in lectures) or "none"
     raise ValueError(f"there is no notebook {name}: name one by its number, its topic or its path; "

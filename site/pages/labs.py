@@ -172,8 +172,8 @@ def read_on(course, name):
     """Links: where the lecture asks it, its answer, and what the answer calls."""
     exercise, (module, node) = course.exercises[name], found(course, name)
     lecture = course.lectures[module.lab]
-    heading = lecture.announced.get(exercise.number, lecture.title)
-    place = f"../lectures/{lecture.page}.html#{make_id(heading)}"
+    page, heading = lecture.announced.get(exercise.number, (lecture.page, lecture.title))
+    place = f"../lectures/{page}.html#{make_id(heading)}"
     items = [("In the lecture", f'<a href="{place}">{html.escape(heading)}</a>'),
              ("The answer", f'<a href="{course.address(name)}"><code>reference/{module.topic}.py'
                         f"</code>, line {exercise.line}</a>")]

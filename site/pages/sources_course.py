@@ -4,7 +4,6 @@ All of them stand one folder deep, so a link between two pages is "../folder/pag
 """
 import ast
 import functools
-import json
 import re
 from typing import NamedTuple
 
@@ -44,7 +43,9 @@ class Module(NamedTuple):
 
 
 class Lecture(NamedTuple):
-    """A notebook: its page's name, its title, {number: LaTeX} and {exercise's number: heading}."""
+    """A lecture and the pages after it: its page's name, its title, {number: page and LaTeX} of
+    equations, {exercise's number: page and heading}.
+    """
 
     page: str
     title: str
@@ -65,7 +66,8 @@ class Course(NamedTuple):
 
     def equations(self, module):
         """{number: LaTeX} of the lecture whose numbers a module uses."""
-        return self.lectures[module.lab].equations if module.lab else {}
+        known = self.lectures[module.lab].equations if module.lab else {}
+        return {number: latex for number, (_, latex) in known.items()}
 
     def address(self, name):
         """Where a module, or a function, class or constant of one, has its place on the site."""
@@ -75,7 +77,8 @@ class Course(NamedTuple):
         return f"{self.address(name.rpartition('.')[0])}#{name}"
 
     def equation_address(self, module, number):
-        return f"../lectures/{self.lectures[module.lab].page}.html#equation-{number}"
+        page, _ = self.lectures[module.lab].equations[number]
+        return f"../lectures/{page}.html#equation-{number}"
 
 
 @functools.cache
@@ -133,15 +136,17 @@ def defined(node):
 
 
 def read_lecture(topic, asked):
+    equations, announced = {}, {}
+    for path in exercises.pages(topic):
+        texts = exercises.cells(path)
+        for formula in re.findall(r"\$\$(.*?)\$\$", "\n".join(texts), re.S):
+            if tag := re.search(r"\\tag\{(\d+)\}", formula):
+                equations[int(tag[1])] = path.stem, formula.replace(tag[0], "").strip()
+        announced = {number: (path.stem, heading) for number, heading
+                     in announcements(texts, asked).items()} | announced
     path = exercises.lecture(topic)
-    cells = json.loads(exercises.read(path))["cells"]
-    texts = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
-    formulas = [formula for text in texts for formula in re.findall(r"\$\$(.*?)\$\$", text, re.S)]
-    tagged = [(re.search(r"\\tag\{(\d+)\}", formula), formula) for formula in formulas]
-    equations = {int(tag[1]): formula.replace(tag[0], "").strip()
-                 for tag, formula in tagged if tag}
-    title = re.search(r"^# (.*)", texts[0], re.M)[1]
-    return Lecture(path.stem, title, equations, announcements(texts, asked))
+    title = re.search(r"^# (.*)", exercises.cells(path)[0], re.M)[1]
+    return Lecture(path.stem, title, equations, announced)
 
 
 def announcements(texts, asked):

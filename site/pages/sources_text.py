@@ -145,7 +145,7 @@ def link(course, module, match, own):
     elif match["lab"]:
         address = lab_address(course, match["kind"].lower(), int(match["lab"]))
     elif int(match[2]) in course.equations(module):
-        address = course.equation_address(module, match[2])
+        address = course.equation_address(module, int(match[2]))
     return f'<a href="{address}">{whole}</a>' if address else whole
 
 

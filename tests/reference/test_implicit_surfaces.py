@@ -141,8 +141,8 @@ def test_a_density_grid_is_found_from_pictures():
     """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
     labs, size = demo.Labs("reference"), 12
     given = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 16, longitude=0.2), size)
-    volume, losses = fit_volume.fit(labs, given, 12, 100, batch=300)
+    volumes, losses = zip(*fit_volume.fit(labs, given, 12, 100, batch=300), strict=True)
     new = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 3, longitude=0.7), size)
-    picture = fit_volume.seen(labs, new, volume)
+    picture = fit_volume.seen(labs, new, volumes[-1])
     assert np.mean(losses[-10:]) < losses[0] / 15
     assert -10 * np.log10(np.mean((picture - new.colours)**2)) > 20

@@ -321,9 +321,9 @@ def test_every_function_that_a_word_ends_with_has_a_place_in_the_code():
             assert texts_links.with_function_links(f"`{name}`").startswith("<a "), (word, name)
 
 
-def test_the_words_of_lecture_0_are_in_the_glossary():
+def test_the_words_of_page_00b_are_in_the_glossary():
     """The course's first list of words says more than its glossary."""
-    text = notebook_text(ROOT / "notebooks" / "00_start_here.ipynb")
+    text = notebook_text(ROOT / "notebooks" / "00b_how_to_work.ipynb")
     table = text.partition("## Words")[2].partition("\n## ")[0]
     rows = re.findall(r"^\| ([^|]+) \| [^|]+ \|$", table, re.MULTILINE)
     asked = {word.strip() for row in rows[1:] for word in row.split(",")} - {"---"}

@@ -18,6 +18,8 @@ sys.path.insert(0, str(ROOT / "site"))
 
 from pages import labs, names, sources_course, sources_text
 
+from course import exercises
+
 SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
 MODULES = sorted(COURSE.modules)
@@ -116,8 +118,7 @@ def wrong_equations(module, soup):
             number = equation.select_one(".number")
             found[int(number.get_text().strip("()"))] = (equation, number["href"])
         if set(found) != named & set(known) or not all(
-                formula(equation) == lecture_formulas(module.lab)[number]
-                and href.endswith(f"{COURSE.lectures[module.lab].page}.html#equation-{number}")
+                (href, formula(equation)) == lecture_formulas(module.lab)[number]
                 for number, (equation, href) in found.items()):
             wrong.append(name)
     return wrong
@@ -130,9 +131,11 @@ def formula(element):
 
 @functools.cache
 def lecture_formulas(lab):
-    """{number: formula} of a lecture's page."""
-    return {int(element["id"].removeprefix("equation-")): formula(element)
-            for element in built(f"lectures/{COURSE.lectures[lab].page}").select(".math[id]")}
+    """{number: address and formula} of a lecture, and of the page after it."""
+    return {int(element["id"].removeprefix("equation-")):
+            (f"../lectures/{path.stem}.html#{element['id']}", formula(element))
+            for path in exercises.pages(exercises.LABS[lab - 1][0])
+            for element in built(f"lectures/{path.stem}").select(".math[id]")}
 
 
 CHECKS = wrong_functions, wrong_letters, wrong_lines, wrong_equations
@@ -220,11 +223,11 @@ def answer_lines(module, node):
 @pytest.mark.parametrize("lab", LABS)
 def test_a_question_leads_to_where_the_lecture_asks_it(lab):
     """The link leads to the section before, or to the top."""
-    lecture = built(f"lectures/{COURSE.lectures[lab].page}")
     for exercise in labs.of_lab(COURSE, lab).values():
         anchor = names.anchor(exercise.number)
         links = lab_page(lab).select_one(f"#{anchor}").select('.read-on a[href*="/lectures/"]')
-        section = lecture.find(id=links[0]["href"].partition("#")[2])
+        page, _, place = links[0]["href"].removeprefix("../").partition(".html#")
+        section = built(page).find(id=place)
         assert re.search(rf"\b{re.escape(exercise.number)}\b", section.get_text()), exercise.name
 
 

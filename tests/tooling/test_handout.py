@@ -46,7 +46,7 @@ def first_exercise(labs):
     """The exercise of the core to begin with: the first one that the lecture reaches."""
     core = {exercise.number: exercise for topic in exercises.topics_of(labs)
             for exercise in exercises.topic_exercises(topic) if not exercise.is_extra}
-    reached = board.sections(exercises.lecture(exercises.topics_of(labs)[0]))
+    reached = board.sections(*exercises.pages(exercises.topics_of(labs)[0]))
     return core[next(number for number in reached if number in core)]
 
 

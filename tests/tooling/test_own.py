@@ -1,6 +1,5 @@
 """One's own mesh or photo in a scene's place, and ten lines that draw it."""
 import io
-import json
 import subprocess
 import sys
 
@@ -9,6 +8,7 @@ import pytest
 import trimesh
 from PIL import Image
 
+from course import exercises
 from course.checks import assert_close
 from course.experiments.scenes import demo, levels, own
 from course.given import image, mesh, mesh_files, places
@@ -164,9 +164,8 @@ def test_a_demo_tells_each_step_as_it_comes(monkeypatch):
 
 def test_the_ten_lines_draw_a_mesh_where_they_stand():
     """Somebody copies them from lecture 00 into a file, and they fail, or draw nothing."""
-    cells = json.loads((places.ROOT / "notebooks" / "00_start_here.ipynb").read_text("utf-8"))
-    (lines,) = ("".join(cell["source"]) for cell in cells["cells"]
-                if "mesh_files.read" in "".join(cell["source"]))
+    cells = exercises.cells(places.ROOT / "notebooks" / "00_start_here.ipynb", "code")
+    (lines,) = (cell for cell in cells if "mesh_files.read" in cell)
     assert sum(line.startswith("    ") for line in lines.splitlines()) == 10
     path = places.out("teapot.png")
     path.unlink(missing_ok=True)

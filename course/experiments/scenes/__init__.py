@@ -21,6 +21,7 @@
     relaxation         thin triangles made rounder
     large_steps        a ball becomes the bunny by large steps
     shadow             the bunny's shadow on the ground, hard and soft
+    still_life         teapot, bunny, ball and ring by a window
     representations    one shape as a formula, in a grid and as triangles
     fit_volume         density and colour in a grid
     reconstruct        shape, albedo and light of objects never seen

@@ -21,12 +21,14 @@ from . import own
 FILES = {"bunny": "portrait", "teapot": "portrait", "rounded": "levels", "simplified": "levels"}
 NAMES = ("bunny", "teapot", "flight", "aliasing", "msaa", "mirror", "by_loops", "fit_triangle",
          "fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny", "fit_outlines",
-         "rounded", "simplified", "relaxation", "large_steps", "shadow", "representations",
-         "fit_volume", "reconstruct", "ablations", "paint_and_light")  # in the order of the labs
+         "rounded", "simplified", "relaxation", "large_steps", "shadow", "still_life",
+         "representations", "fit_volume", "reconstruct", "ablations",
+         "paint_and_light")  # in the order of the labs
 SCENES = {name: getattr(importlib.import_module(f"{__package__}.{FILES.get(name, name)}"), name)
           for name in NAMES}  # a scene's file has its name, unless FILES says another
 SLOW = ("by_loops", "fit_cube", "fit_pose", "fit_texture", "fit_mirror", "fit_bunny",
-        "fit_outlines", "large_steps", "fit_volume", "reconstruct", "ablations", "paint_and_light")
+        "fit_outlines", "large_steps", "still_life", "fit_volume", "reconstruct", "ablations",
+        "paint_and_light")
 TAKES = {"bunny": functools.partial(own.shape, most=200_000), "aliasing": own.photo,
          "rounded": functools.partial(own.surface, most=10_000),
          "simplified": functools.partial(own.shape, most=50_000),

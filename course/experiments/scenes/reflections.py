@@ -1,6 +1,6 @@
 """A teapot as a mirror: where its pixels look, what stands around it, and pictures of it.
 
-For the scenes mirror and fit_mirror, and for lecture 06. It uses labs 1, 2, 5 and 6.
+For the scenes mirror and fit_mirror, and for lecture 06b. It uses labs 1, 2, 5 and 6.
 """
 import numpy as np
 

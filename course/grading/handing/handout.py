@@ -15,7 +15,7 @@ from . import archives
 WHOLE = ("course/**/*.py", "course/given/data/**/*.*", "course/experiments/folder/*.*",
          "course/bridge/*.*", "course/checks/hints.json", "tests/conftest.py", "tests/golden/*",
          "tests/labs/[!t]*.py",  # what checks share
-         "notebooks/errata.md", "notebooks/00_start_here.ipynb", "LICENSE", "requirements*.txt",
+         "notebooks/errata.md", "notebooks/00*.ipynb", "LICENSE", "requirements*.txt",
          "pyproject.toml", ".gitattributes", ".gitignore")
 PACKS = {f"course/grading/{name}.py" for name in (
     "__init__", "handing/__init__", "handing/archives", "handing/pack")}
@@ -170,8 +170,7 @@ def readme(asked, released, spine):
 
 def lectures(topics):
     """The notebooks of the labs of these topics, as far as they are there."""
-    paths = dict.fromkeys(map(exercises.lecture, topics))
-    return [path for path in paths if path.exists()]
+    return list(dict.fromkeys(page for topic in topics for page in exercises.pages(topic)))
 
 
 def needed(topics, *more) -> list[str]:
@@ -198,16 +197,14 @@ def uses(path):
             found = [module.with_suffix(".py"), *(module / f"{name.name}.py"
                                                   for name in node.names)]
         yield from (file for file in found if file.parent in rooms and file.exists()
-                    and file.stem != "demo")  # it knows all scenes, and loads labs when they run
+                    and file.stem not in ("demo", "still_life"))  # they take labs when they run
 
 
 def code_of(path):
     """The text of a module, or of a notebook's code cells without Jupyter's own commands."""
-    text = exercises.read(path)
     if path.suffix != ".ipynb":
-        return text
-    cells = [cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "code"]
-    return re.sub(r"^\s*%.*", "", "\n".join("".join(cell["source"]) for cell in cells), flags=re.M)
+        return exercises.read(path)
+    return re.sub(r"^\s*%.*", "", "\n".join(exercises.cells(path, "code")), flags=re.M)
 
 
 def without_marks(text):
@@ -220,8 +217,8 @@ def without_marks(text):
 
 def unlinked(text, asked):
     """A notebook whose links to lectures that are not handed out are their words alone."""
-    there = {path.name for path in lectures(asked)} | {"00_start_here.ipynb"}
-    return re.sub(r"\[([^][]*)\]\((\d\d_\w+\.ipynb)[^)]*\)",
+    there = {path.name for path in [*lectures(asked), *places.ROOT.glob("notebooks/00*")]}
+    return re.sub(r"\[([^][]*)\]\((\d\d\w+\.ipynb)[^)]*\)",
                   lambda link: link[0] if link[2] in there else link[1], text)
 
 

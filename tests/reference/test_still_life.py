@@ -1,0 +1,15 @@
+"""The still life: a sample sees of it what is seen of a pixel of its own."""
+import numpy as np
+
+from course.experiments.scenes import demo, still_life
+
+LABS = demo.Labs("reference")
+
+
+def test_many_samples_are_a_large_picture_made_small():
+    """A sample lies beside its pixel, sees a blurred texture, or has another share of the lamps."""
+    scene = still_life.lit(LABS, still_life.shape(LABS), count=16)
+    large = still_life.picture(LABS, scene, 4 * 96, 4 * 54, samples=1)
+    small = still_life.picture(LABS, scene, 96, 54, samples=16)
+    error = small - large.reshape(54, 4, 96, 4, 3).mean((1, 3))
+    assert np.sqrt((error**2).mean()) < 0.022 and abs(error.mean()) < 5e-4
