@@ -41,8 +41,7 @@ REMEDIES = (  # what an error says, and what helps
      "copy the course to a folder in which you may write"),
     ("matching distribution|no solution|request failed|connection|timed out|certificate",
      "check the network (proxy, package index)"),
-    ("", "mend this"),
-)
+    ("", "mend this"))
 
 
 def main():

@@ -1,7 +1,6 @@
 """The progress board, a screen: what is done, what is not, and what to do next."""
 import contextlib
 import functools
-import json
 import os
 import re
 import subprocess
@@ -227,12 +226,11 @@ def sections(*paths):
     for path in paths:
         title = None
         with contextlib.suppress(OSError, ValueError, KeyError):  # a student may have changed it
-            for cell in json.loads(path.read_bytes())["cells"]:
-                for line in "".join(cell["source"]).splitlines():
-                    if cell["cell_type"] == "markdown" and line.startswith("##"):
-                        title = line.lstrip("# ")
-                    for number in numbers_in(line):
-                        found.setdefault(number, (path, title))
+            for line in "\n".join(exercises.cells(path)).splitlines():
+                if line.startswith("##"):
+                    title = line.lstrip("# ")
+                for number in numbers_in(line):
+                    found.setdefault(number, (path, title))
     return found
 
 

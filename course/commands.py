@@ -38,8 +38,7 @@ def whole_number(least, most=None):
 GRADED = option("--labs", metavar="1-4", help="grade these labs; without, all of them")
 SEED = option("--seed", type=whole_number(0), default=0, metavar="N",
               help="other random numbers in the checks")
-TRIED = option("target", nargs="?", metavar="TARGET",
-               help="a topic or a lab; without, everything")
+TRIED = option("target", nargs="?", metavar="TARGET", help="a topic or a lab; without, everything")
 OPENED = option("target", metavar="TARGET",
                 help="an exercise (2.14), a lab (2), labs (1-3) or a topic (scanline)")
 
@@ -278,8 +277,7 @@ def test(asked):
     if asked.site:
         return make_site() or run_module("pytest", "-rfEs", "-n", str(os.cpu_count()), "tests/site")
     # labs/ is not for lint: it is made from reference/, or a student's own.
-    lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"),
-                      str(ROOT))
+    lint = run_module("ruff", "check", "--quiet", "--extend-exclude", str(ROOT / "labs"), str(ROOT))
     left_out = () if asked.all else ("-m", "not weekly")
     tests = run_module("pytest", "-n", str(os.cpu_count()), "--dist", "worksteal", *left_out)
     if lint:

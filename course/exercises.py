@@ -19,6 +19,7 @@ import functools
 import hashlib
 import io
 import itertools
+import json
 import re
 import sys
 import tokenize
@@ -149,6 +150,12 @@ def lecture(topic: str) -> Path:
 def pages(topic: str) -> list[Path]:
     """The notebooks of a topic's lab, as far as they are there: 06_texturing, 06b_cube_maps."""
     return sorted(lecture(topic).parent.glob(f"{lab_number(topic):02}*.ipynb"))
+
+
+def cells(path: Path, kind: str = "markdown") -> list[str]:
+    """The texts of a notebook's cells of a kind, "markdown" or "code"."""
+    found = json.loads(read(path))["cells"]
+    return ["".join(cell["source"]) for cell in found if cell["cell_type"] == kind]
 
 
 def reference(topic: str) -> Path:

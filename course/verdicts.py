@@ -195,9 +195,3 @@ def as_json(board: list[Entry]) -> str:
               "fine_print_open": entry.fine_print_open,
               "checks": [check._asdict() for check in entry.checks]} for entry in board]
     return json.dumps({"points": reached, "of": of, "exercises": lines}, indent=2) + "\n"
-
-
-def entry_of(line: dict) -> Entry:
-    """The Entry that a line of the JSON was made of."""
-    return Entry(*(line[key] for key in KEYS), line["fine_print_open"],
-                 [Check(**check) for check in line["checks"]])

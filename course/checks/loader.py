@@ -81,8 +81,7 @@ def require_unchanged(function, before, after):
     if contract.unchanged(before, after):
         return
     pairs = zip(arguments(function, *before), arguments(function, *after), strict=True)
-    changed = next(name for (name, old), (_, new) in pairs
-                   if not contract.unchanged(old, new))
+    changed = next(name for (name, old), (_, new) in pairs if not contract.unchanged(old, new))
     raise Mismatch(("wrong", f"{function.__name__} changed its input {changed}: "
                              "let it work on a copy"))
 

@@ -17,8 +17,7 @@ def text_map(got, expected):
     there, wanted = (raster if raster.dtype == bool else raster >= 0 for raster in (got, expected))
     letters = np.select([wanted & ~there, there & ~wanted, got != expected, there],
                         ["?", "!", "x", "#"], ".")
-    meanings = {"#": "right", "?": "missing", "!": "extra", "x": "other",
-                ".": "background"}
+    meanings = {"#": "right", "?": "missing", "!": "extra", "x": "other", ".": "background"}
     legend = ", ".join(f"{letter} {meaning}" for letter, meaning in meanings.items()
                        if letter in letters)
     return [("map", "\n".join([*map("".join, letters[::-1]), f"({legend}; top row first)"]))]

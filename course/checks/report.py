@@ -122,8 +122,7 @@ def explained(error, item):
 
 def caught(item, error, rows):
     """The mistakes that a check was written for, where it came so far; else ""."""
-    if isinstance(error, Refused) or (
-            isinstance(error, Mismatch) and "expected" not in dict(rows)):
+    if isinstance(error, Refused) or (isinstance(error, Mismatch) and "expected" not in dict(rows)):
         return ""
     return " ".join((inspect.getdoc(item.function) or "").partition("\n\n")[0].split())
 

@@ -17,7 +17,7 @@
     gradcheck          is a backward pass the derivative of its forward pass?
     plot               figures: pictures, meshes, curves, films
     plot_triangle      figures: a triangle's samples and edge functions
-    plot_3d            figures: meshes and cameras in space
+    plot_3d            figures: meshes in space
     sketch             figures: labelled drawings
     pale               pictures of the reference, where yours cannot be drawn yet
     lecture            how a lecture begins, and cells that wait for what is not written

@@ -1,4 +1,4 @@
-"""Meshes and cameras in space, drawn as lines and flat faces: sharp at any size, without our labs.
+"""Meshes in space, drawn as lines and flat faces: sharp at any size, without our labs.
 
 y is up, as on the screen. Pictures of meshes by the course's own rasterizer are plot.py's.
 """
@@ -45,41 +45,3 @@ def turn(azimuth, elevation):
     about_y = np.array([[np.cos(a), 0, -np.sin(a)], [0, 1, 0], [np.sin(a), 0, np.cos(a)]])
     about_x = np.array([[1, 0, 0], [0, np.cos(b), -np.sin(b)], [0, np.sin(b), np.cos(b)]])
     return about_x @ about_y
-
-
-def frustum(axes, corners, eye, points=None, title=""):
-    """A camera in the world, in an Axes of projection "3d". y is up, as on the screen.
-
-    corners (8, 3): the near plane's four in turn, then the far plane's in the same order.
-    eye (3,). points (N, 3), such as a mesh's vertices, are drawn as dots.
-    """
-    corners, eye = np.asarray(corners, float), np.asarray(eye, float)
-    near, far = corners[:4], corners[4:]
-    for ring, color, name in ((near, plot.RED, "near"), (far, plot.BLUE, "far")):
-        axes.plot(*_upright(ring[[0, 1, 2, 3, 0]]), color=color, linewidth=1.8)
-        axes.text(*_upright(ring[2]), f"  {name}", color=color)
-    for start, end in zip(near, far, strict=True):
-        axes.plot(*_upright(np.stack([eye, start])), color=plot.GREY, linewidth=0.7)
-        axes.plot(*_upright(np.stack([start, end])), color=plot.BLUE, linewidth=1.2)
-    axes.scatter(*_upright(eye), color=plot.BLACK, s=16)
-    axes.text(*_upright(eye), "  eye", color=plot.BLACK)
-    points = np.empty((0, 3)) if points is None else points
-    axes.scatter(*_upright(points), color=plot.GREEN, s=4, linewidths=0, alpha=0.8)
-    _world(axes, np.concatenate([corners, eye[None], points]))
-    plot.title_of(axes, title)
-
-
-def _world(axes, points):
-    """Axes named and scaled alike around points (N, 3)."""
-    axes.set_box_aspect(_upright(np.ptp(points, axis=0)))
-    for axis, name in ((axes.xaxis, "z"), (axes.yaxis, "x"), (axes.zaxis, "y")):
-        axis.set_label_text(name)
-        axis.labelpad = -4
-        axis.set_major_locator(mpl.ticker.MaxNLocator(4, integer=True))
-        axis.set_pane_color("white")
-        axis.set_tick_params(labelsize=8, labelcolor=plot.GREY, pad=0)
-
-
-def _upright(points):
-    """World (..., 3) -> the coordinates z, x, y, of which matplotlib draws the last one up."""
-    return np.moveaxis(np.asarray(points)[..., [2, 0, 1]], -1, 0)

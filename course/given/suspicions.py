@@ -181,8 +181,7 @@ def scaled(got, expected, agrees, inputs):
         there = expected[finite]
         factor = np.real_if_close(np.vdot(there, got[finite]) / np.vdot(there, there))
         if factor and np.all(agrees(got, factor * expected)):
-            yield (f"everything is {factor:.6g} times what was expected"
-                   f"{named(factor, inputs)}")
+            yield (f"everything is {factor:.6g} times what was expected{named(factor, inputs)}")
     more = got.flat[0] - expected.flat[0]
     if got.size >= ENOUGH and np.isfinite(more) and np.all(agrees(got, expected + more)):
         yield f"everything is {abs(more):.6g} {'more' if more > 0 else 'less'} than expected"

@@ -3,9 +3,9 @@
 A box is a quotation in a lecture whose first line begins with `> **Erratum`.
 `python3 -m course notebooks` writes the page, notebooks/errata.md.
 """
-import json
 import re
 
+from .. import exercises
 from ..given.places import ROOT, write_whole
 
 FOLDER = ROOT / "notebooks"
@@ -22,18 +22,13 @@ def page() -> str:
     """The page's text, from the lectures as they stand."""
     parts = [HEAD]
     for path in sorted(FOLDER.glob("*.ipynb")):
-        if boxes := [box for text in _texts(path) for box in BOX.findall(text)]:
+        if boxes := [box for text in exercises.cells(path) for box in BOX.findall(text)]:
             parts += [f"## [{title_of(path)}]({path.name})\n", "\n\n".join(boxes) + "\n"]
     return "\n".join(parts)
 
 
 def title_of(path):
-    return _texts(path)[0].partition("\n")[0].removeprefix("# ")
-
-
-def _texts(path):
-    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-    return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+    return exercises.cells(path)[0].partition("\n")[0].removeprefix("# ")
 
 
 def write() -> None:

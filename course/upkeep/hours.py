@@ -27,10 +27,9 @@ SPINE = re.compile(r"\*\*The spine\*\* needs sections (.*?)\.")
 
 def sections(path):
     """{title: minutes} of a lecture's sections, in their order; "" is what stands above them."""
-    cells = json.loads(exercises.read(path))["cells"]
     title, minutes, left = "", {}, False
-    page_left = LEFT[0] in "".join(cells[0]["source"])
-    for cell in cells:
+    page_left = LEFT[0] in exercises.cells(path)[0]
+    for cell in json.loads(exercises.read(path))["cells"]:
         parts = re.split(r"^(?=## )", "".join(cell["source"]), flags=re.M)
         figures = sum("image/png" in output.get("data", {}) for output in cell.get("outputs", ()))
         for part in parts if cell["cell_type"] == "markdown" else [""]:
@@ -45,8 +44,7 @@ def sections(path):
 def spine_sections(path):
     """The numbers of the sections that a lecture names for the spine: "2 to 4 and 8" -> 2, 3, 4, 8.
     """
-    cells = json.loads(exercises.read(path))["cells"]
-    named = SPINE.search("".join(cells[0]["source"]))
+    named = SPINE.search(exercises.cells(path)[0])
     return [number for first, last in re.findall(r"(\d+)(?: to (\d+))?", named[1] if named else "")
             for number in range(int(first), int(last or first) + 1)]
 
@@ -57,15 +55,15 @@ def core(lab):
             for exercise in exercises.topic_exercises(topic) if not exercise.is_extra]
 
 
-def lecture(lab):
-    return exercises.lecture(exercises.LABS[lab - 1][0])
+def pages(lab: int) -> list:
+    """A lab's lecture, and the page that goes on, such as 06b."""
+    return exercises.pages(exercises.LABS[lab - 1][0])
 
 
 def hours(lab: int) -> float:
     """What a lab's lecture and core take, to the half of an hour."""
     points = sum(exercise.points for exercise in core(lab))
-    read = sum(minutes for page in exercises.pages(exercises.LABS[lab - 1][0])
-               for minutes in sections(page).values())
+    read = sum(minutes for path in pages(lab) for minutes in sections(path).values())
     return round((read + MINUTES_A_POINT * points) / 30) / 2
 
 
@@ -73,8 +71,9 @@ def spine_hours() -> int:
     """What the spine takes, its sections of the lectures and its exercises, in whole hours."""
     labs = range(1, len(exercises.LABS) + 1)
     points = sum(exercise.points for lab in labs for exercise in core(lab) if exercise.is_spine)
-    read = sum(minutes for lab in labs for title, minutes in sections(lecture(lab)).items()
-               if title.partition(".")[0] in map(str, spine_sections(lecture(lab))))
+    read = sum(minutes for path in dict.fromkeys(map(exercises.lecture, exercises.TOPICS))
+               for title, minutes in sections(path).items()
+               if title.partition(".")[0] in map(str, spine_sections(path)))
     return round((read + MINUTES_A_POINT * points) / 60)
 
 

@@ -30,8 +30,7 @@ TWINS = ("sin cos", "floor ceil", "sum mean", "any all", "min max", "minimum max
          "zeros_like ones_like", "logical_and logical_or", "rows columns", "width height")
 SYMMETRIC = ("min", "max", "minimum", "maximum", "hypot", "clip")  # clip: min(max(a, b), c)
 MAKERS = ("array", "asarray", "stack")  # without them a list is left, which checks take as well
-TWIN = {name: twin for pair in map(str.split, TWINS)
-        for name, twin in (pair, pair[::-1])}
+TWIN = {name: twin for pair in map(str.split, TWINS) for name, twin in (pair, pair[::-1])}
 
 
 class Mutant(NamedTuple):

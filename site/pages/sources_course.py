@@ -4,7 +4,6 @@ All of them stand one folder deep, so a link between two pages is "../folder/pag
 """
 import ast
 import functools
-import json
 import re
 from typing import NamedTuple
 
@@ -139,21 +138,15 @@ def defined(node):
 def read_lecture(topic, asked):
     equations, announced = {}, {}
     for path in exercises.pages(topic):
-        texts = texts_of(path)
-        formulas = re.findall(r"\$\$(.*?)\$\$", "\n".join(texts), re.S)
-        tagged = [(re.search(r"\\tag\{(\d+)\}", formula), formula) for formula in formulas]
-        equations |= {int(tag[1]): (path.stem, formula.replace(tag[0], "").strip())
-                      for tag, formula in tagged if tag}
+        texts = exercises.cells(path)
+        for formula in re.findall(r"\$\$(.*?)\$\$", "\n".join(texts), re.S):
+            if tag := re.search(r"\\tag\{(\d+)\}", formula):
+                equations[int(tag[1])] = path.stem, formula.replace(tag[0], "").strip()
         announced = {number: (path.stem, heading) for number, heading
                      in announcements(texts, asked).items()} | announced
     path = exercises.lecture(topic)
-    title = re.search(r"^# (.*)", texts_of(path)[0], re.M)[1]
+    title = re.search(r"^# (.*)", exercises.cells(path)[0], re.M)[1]
     return Lecture(path.stem, title, equations, announced)
-
-
-def texts_of(path):
-    cells = json.loads(exercises.read(path))["cells"]
-    return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
 
 
 def announcements(texts, asked):

@@ -227,8 +227,7 @@ def test_levels_can_be_made_before():
     (lambda pos, tri: (pos.mT.contiguous().mT, tri), "pos must be contiguous"),
     (lambda pos, tri: (pos[..., :3].contiguous(), tri), r"pos must have the shape \(n, v, 4\)"),
     (lambda pos, tri: (pos[0], tri), "or ranges must be given"),
-    (lambda pos, tri: (pos.to("meta"), tri), "pos is on meta: this code works on the processor"),
-])
+    (lambda pos, tri: (pos.to("meta"), tri), "pos is on meta: this code works on the processor")])
 def test_what_does_not_fit_is_said(call, said):
     """A wrong tensor ends deep in the labs, or is taken."""
     pos, tri, size = made_scene(torch.float32)

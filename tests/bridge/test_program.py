@@ -50,8 +50,7 @@ def test_a_cuda_program_runs_on_the_processor(tmp_path):
 
 @pytest.mark.parametrize(("program", "said"), [
     ("import tinycudann", "program.py needs the package tinycudann, which is not installed"),
-    ("import torch; torch.cuda.Stream()", "program.py wants more of CUDA than that it means the"),
-])
+    ("import torch; torch.cuda.Stream()", "program.py wants more of CUDA than that it means the")])
 def test_what_a_program_lacks_is_one_sentence(program, said, tmp_path):
     """It ends in a traceback."""
     status, printed = run(tmp_path, program)

@@ -24,8 +24,7 @@ TRIANGLES = {  # name -> vertex count, faces
          [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])])),
     "torus": (18, mesh.torus(36)[1]),
     "band with a twist": (10, MOEBIUS),
-    "wound either way": (4, np.array([[0, 1, 2], [0, 3, 2], [0, 3, 1], [1, 2, 3]])),
-}
+    "wound either way": (4, np.array([[0, 1, 2], [0, 3, 2], [0, 3, 1], [1, 2, 3]]))}
 CUBE = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
 CUBE_VERTICES = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 POLYGONS = {  # name -> vertex count, the faces
@@ -36,8 +35,7 @@ POLYGONS = {  # name -> vertex count, the faces
     "house": (10, [[0, 1, 2, 3], [3, 2, 6, 9, 7], [1, 0, 4, 8, 5], [2, 1, 5, 6], [0, 3, 7, 4],
                    [6, 5, 8], [6, 8, 9], [7, 9, 8, 4]]),
     "house, open": (12, [[0, 1, 2, 3], [3, 2, 4, 5, 6], [2, 1, 7], [7, 8, 4, 2], [6, 5, 10]]),
-    "cube and pentagon": (15, [*CUBE, [14, 13, 12, 11, 9]]),
-}
+    "cube and pentagon": (15, [*CUBE, [14, 13, 12, 11, 9]])}
 each_mesh = pytest.mark.parametrize("count, faces", TRIANGLES.values(), ids=TRIANGLES)
 each_polygon_mesh = pytest.mark.parametrize("count, faces", POLYGONS.values(), ids=POLYGONS)
 

@@ -427,8 +427,7 @@ def test_the_gradients_of_crossings_are_central_differences(impl, rng, gradcheck
     """The edge's slope is taken as constant, or the sign of one of the four is wrong."""
     x0, x1 = rng.normal(size=(2, 3, 8))
     y0, length = rng.normal(size=(3, 8)), rng.uniform(0.5, 3, (3, 8)) * rng.choice([-1, 1], (3, 8))
-    gradcheck(crossing_of_lines, impl.crossing_backward, (x0, y0, x1, y0 + length),
-              name="crossing")
+    gradcheck(crossing_of_lines, impl.crossing_backward, (x0, y0, x1, y0 + length), name="crossing")
 
 
 def assert_ends_are_alike(impl, rng, *epsilon):
@@ -640,8 +639,7 @@ def test_a_weight_is_at_most_a_half(impl):
 
 def colours():
     """(2, 3, 2), new for each call: a function that writes into it spoils no other check."""
-    return np.array([[[0.0, 8.0], [1.0, 0.0], [4.0, 2.0]],
-                     [[2.0, 2.0], [6.0, 4.0], [0.0, 0.0]]])
+    return np.array([[[0.0, 8.0], [1.0, 0.0], [4.0, 2.0]], [[2.0, 2.0], [6.0, 4.0], [0.0, 0.0]]])
 
 
 def assert_changes(impl, pairs, changes, **tolerance):

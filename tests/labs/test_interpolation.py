@@ -61,8 +61,7 @@ def golden(scene):
     """
     arrays = np.load(GOLDEN)
     of = {key.split("/")[1]: arrays[key] for key in arrays if key.startswith(f"{scene}/")}
-    of = {key: array.astype(int if array.dtype.kind == "i" else float)
-          for key, array in of.items()}
+    of = {key: array.astype(int if array.dtype.kind == "i" else float) for key, array in of.items()}
     of["given"] = f"scene {scene} of tests/golden/interpolate.npz"
     of["weights"] = np.append(of["uv"], 1 - of["uv"].sum(-1, keepdims=True), -1)
     of["all_derivatives"] = np.append(of["derivatives"],

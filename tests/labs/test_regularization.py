@@ -546,8 +546,7 @@ def test_a_large_step_on_paper(impl):
     not by its inverse. lambda is left out.
     """
     x, grad_x, zero = np.array([[1.0], [4.0]]), np.array([[0.0], [3.0]]), np.zeros((2, 1))
-    got = impl.large_step(x, grad_x, zero, zero, 1, 2.0,
-                          (np.array([[0, 1]]), np.array([2.0]), 0.5))
+    got = impl.large_step(x, grad_x, zero, zero, 1, 2.0, (np.array([[0, 1]]), np.array([2.0]), 0.5))
     # u = (-2, 7) and grad_u = (1, 2), so u becomes (-3, 5).
     mean, square = np.array([[0.1], [0.2]]), np.array([[0.001], [0.004]])
     assert_close(got, (np.array([[-1.0], [7.0]]) / 3, mean, square), rtol=1e-7)

@@ -24,8 +24,7 @@ TRIANGLES = {
     "outside": np.array([[7.0, 1.0], [9.0, 2.0], [8.0, 4.0]]),
     "outside, behind its edge": np.array([[5.0, -9.0], [9.0, -1.0], [9.0, -9.0]]),
     "one pixel, its lower half": np.array([[2.0, 2.0], [3.0, 2.0], [3.0, 3.0]]),
-    "no area": np.array([[0.5, 0.5], [4.5, 3.5], [2.5, 2.0]]),
-}
+    "no area": np.array([[0.5, 0.5], [4.5, 3.5], [2.5, 2.0]])}
 each_triangle = pytest.mark.parametrize("triangle", TRIANGLES.values(), ids=TRIANGLES)
 
 

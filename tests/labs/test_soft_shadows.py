@@ -75,8 +75,7 @@ def test_shares_on_paper(impl):
     the points. The distances are averaged and then compared. The radius is not used. Only one
     step counts, or each starts from the last place. Places do not move. Outside is dark.
     """
-    got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS,
-                                 np.array([1.0, 1, 1, 2, 1]))
+    got = impl.percentage_closer(WALLS, *OVER_WALLS, FLAT, 0.0, CROSS, np.array([1.0, 1, 1, 2, 1]))
     # The map holds 4, 9, 3, 3; 3, 1, 9, 9; 9, none, none, 2; 3, 2, none, 9; none, 3, 3, 4.
     assert_close(got, [0.25, 0.5, 0.75, 0.5, 0.25])
 

@@ -12,7 +12,6 @@ from course.given import image, mesh
 
 LABS = demo.Labs("reference")
 CENTRE = np.array([1.0, 2.0, 3.0])
-RADIUS = 0.8
 FOV_Y = 30.0
 WIDTH, HEIGHT = 48, 32
 F = float(HEIGHT / 2 / np.tan(np.radians(FOV_Y) / 2))

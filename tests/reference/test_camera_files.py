@@ -150,8 +150,7 @@ WRONG = (
     (np.diag([1, 1, np.nan, 1]), "must be 4 x 4 finite numbers"),
     (MATRIX.T, "must have 0, 0, 0, 1 as its last row: is it transposed?"),
     (MATRIX * [2, 2, 2, 1], "must be a rotation and a shift"),
-    (MATRIX * [-1, 1, 1, 1], "is mirrored"),
-)
+    (MATRIX * [-1, 1, 1, 1], "is mirrored"))
 
 
 @pytest.mark.parametrize(("changes", "sentence"), [
@@ -171,8 +170,7 @@ WRONG = (
     ({"fov_y": 10**400}, "must be a finite number, and is ..."),
     ({"background": [300, 0, 0]}, "three numbers from 0 to 255"),
     ({"views": ring.views([MATRIX] * 4, "a\0.png")}, "no file can have such a name"),
-    ({"views": ring.views([MATRIX] * 4, "9.png")}, "there is no file"),
-])
+    ({"views": ring.views([MATRIX] * 4, "9.png")}, "there is no file")])
 def test_what_is_wrong_with_cameras_json_is_told_in_one_sentence(folder, changes, sentence):
     """A traceback, or a search that cannot find anything."""
     assert sentence in ring.told(ring.ours(folder, **changes))
@@ -192,8 +190,7 @@ def test_what_is_wrong_with_cameras_json_is_told_in_one_sentence(folder, changes
     ({"w": 48, "h": 40}, "0.png has 48 x 32 pixels, and transforms.json says 48 x 40, which is"),
     ({"background": "white"}, "background in transforms.json must be 3 finite numbers"),
     ({"frames": ring.frames(ring.POSES * np.array([1, -1, -1, 1]))},
-     "matrices are OpenCV's, along +z: change the signs of their second and third columns"),
-])
+     "matrices are OpenCV's, along +z: change the signs of their second and third columns")])
 def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, changes, sentence):
     """A traceback, or a search that cannot find anything."""
     assert sentence in ring.told(ring.nerf(folder, **changes))
@@ -208,8 +205,7 @@ def test_what_is_wrong_with_transforms_json_is_told_in_one_sentence(folder, chan
     ("images.txt", "0.png\n", "0.png", "images.txt must have two lines for each picture"),
     ("images.txt", "1 ", "1 9", "must have length 1, and has"),
     ("images.txt", "1 0.0", "1 1e300", "must be from -1e+12 to 1e+12, and is [1e300, 1.0"),
-    ("images.txt", "1 ", "1 a", "QW QX QY QZ TX TY TZ of 0.png in images.txt must be 7 finite"),
-])
+    ("images.txt", "1 ", "1 a", "QW QX QY QZ TX TY TZ of 0.png in images.txt must be 7 finite")])
 def test_what_is_wrong_with_colmaps_files_is_told_in_one_sentence(folder, file, old, new, sentence):
     """A traceback, or a search that cannot find anything."""
     path = ring.colmap(folder) / file

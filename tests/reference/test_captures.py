@@ -130,8 +130,7 @@ def test_a_search_reads_its_capture_from_photos(folder):
 
 @pytest.mark.parametrize(("changes", "sentence"), [
     ({"radius": 4.1}, "the camera of 0.png stands within the ball"),
-    ({"centre": [1, 2, 30]}, "most pictures do not show the object in the ball that cameras.json"),
-])
+    ({"centre": [1, 2, 30]}, "most pictures do not show the object in the ball that cameras.json")])
 def test_a_ball_that_is_elsewhere_is_told_in_one_sentence(folder, changes, sentence):
     """A traceback, or a search that cannot find anything."""
     given = {"centre": [1, 2, 3], "radius": 0.8, **changes}

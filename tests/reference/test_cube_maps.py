@@ -214,8 +214,7 @@ FACES, DIRECTIONS, JACOBIAN = np.ones((6, 4, 4, 2)), np.ones((3, 5, 3)), np.ones
     ((FACES, DIRECTIONS * 1e-9, JACOBIAN * [[1e55], [0], [0]]), r"times as long as its direction"),
     ((FACES, DIRECTIONS, JACOBIAN, np.ones(5)), r"a finite bias \(3, 5\)"),
     ((FACES, DIRECTIONS, None, 0.0, "cubic"), r"a filter out of nearest.* got 'cubic'"),
-    ((FACES, DIRECTIONS, None, 0.0, "linear", -1), r"a max_level of 0 or more"),
-])
+    ((FACES, DIRECTIONS, None, 0.0, "linear", -1), r"a max_level of 0 or more")])
 def test_bad_input_gets_one_sentence(arguments, sentence):
     """An error from deep inside, or a picture of NaN."""
     with pytest.raises(ValueError, match=sentence):

@@ -113,8 +113,7 @@ def test_every_eighth_picture_is_kept_out(photos, tmp_path, monkeypatch):
         yield multi_view_fit.start(4), 0.5
 
     monkeypatch.setattr(multi_view_fit, "fit", fit)
-    list(command.steps(LABS, photos, tmp_path / "x.glb", STAGES, checkpoints.Kept(),
-                       BAR))
+    list(command.steps(LABS, photos, tmp_path / "x.glb", STAGES, checkpoints.Kept(), BAR))
     assert len(given[0].pictures) == len(given[0].cameras) == 8
     assert all(picture is not photos.pictures[7] for picture in given[0].pictures)
     assert not (given[0].cameras == photos.cameras[7]).all((1, 2)).any()

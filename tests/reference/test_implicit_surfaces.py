@@ -17,8 +17,7 @@ SHAPES = {
     "intersection": ("intersection", BOX, ("sphere", 0.5)),
     "complement": ("intersection", BALL, ("complement", BOX)),
     "smooth union": ("smooth union", 0.3, ("torus", 0.6, 0.2), BOX),
-    "wheel": representations.WHEEL,
-}
+    "wheel": representations.WHEEL}
 RIPPLED = ("rippled", 0.1, 8.0, BALL)
 CAMERA = camera([1.0, 2.2, 1.4], fov_y=np.radians(40), aspect=1.5)
 
@@ -141,8 +140,8 @@ def test_a_density_grid_is_found_from_pictures():
     """A gradient of the volume, or of its look-ups, leads elsewhere than to what was seen."""
     labs, size = demo.Labs("reference"), 12
     given = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 16, longitude=0.2), size)
-    volume, losses = fit_volume.fit(labs, given, 12, 100, batch=300)
+    volumes, losses = zip(*fit_volume.fit(labs, given, 12, 100, batch=300), strict=True)
     new = fit_volume.saturn_rays(labs, viewing.cameras_around(labs, 3, longitude=0.7), size)
-    picture = fit_volume.seen(labs, new, volume)
+    picture = fit_volume.seen(labs, new, volumes[-1])
     assert np.mean(losses[-10:]) < losses[0] / 15
     assert -10 * np.log10(np.mean((picture - new.colours)**2)) > 20

@@ -181,16 +181,12 @@ def test_numbers_may_come_as_lists():
     ({"boundary": "mirror"}, "a boundary out of wrap, clamp, zero"),
     ({"image": np.zeros((4, 4))}, r"an image \(h, w, C\)"),
     ({"image": np.zeros((0, 4, 3))}, "at least one texel"),
-    ({"uv": np.zeros((5, 3))}, r"uv \(..., 2\)"),
-    ({"uv": np.full((5, 2), np.nan)}, "finite numbers"),
+    ({"uv": np.zeros((5, 3))}, r"uv \(..., 2\)"), ({"uv": np.full((5, 2), np.nan)}, "finite numbers"),
     ({"uv": np.full((5, 2), -np.inf), "boundary": "clamp"}, "finite numbers"),
-    ({"bias": np.zeros(4)}, r"a finite bias \(5,\)"),
-    ({"bias": np.inf}, "a finite bias"),
-    ({"bias": np.nan}, "NaN"),
-    ({"jacobian": np.zeros((5, 4))}, r"a jacobian \(5, 2, 2\)"),
+    ({"bias": np.zeros(4)}, r"a finite bias \(5,\)"), ({"bias": np.inf}, "a finite bias"),
+    ({"bias": np.nan}, "NaN"), ({"jacobian": np.zeros((5, 4))}, r"a jacobian \(5, 2, 2\)"),
     ({"jacobian": np.full((5, 2, 2), 1e160)}, "numbers below"),
-    ({"max_level": -1}, "a max_level of 0 or more"),
-])
+    ({"max_level": -1}, "a max_level of 0 or more")])
 def test_bad_input_is_told_in_a_sentence(change, sentence):
     """An error from deep inside, or none at all."""
     arguments = {"image": np.zeros((4, 4, 3)), "uv": np.zeros((5, 2))} | change

@@ -287,10 +287,8 @@ BAD = [("positions", np.zeros((3, 4)), r"positions \(V, 3\).*got \(3, 4\)"),
        ("colours", np.full((3, 2), np.nan), "colours.*finite.*NaN"),
        ("colours", np.zeros((3, 0)), "colours of one channel or more"),
        ("clip_from_model", np.full((4, 4), np.inf), "clip_from_model.*finite.*NaN or infinity"),
-       ("width", 5.0, "width, an integer.*got 5.0"),
-       ("height", -3, "height, an integer.*got -3"),
-       ("height", None, "height, an integer.*got None"),
-       ("width", True, "width, an integer.*got True"),
+       *((side, size, f"{side}, an integer.*got {size}") for side, size in (
+           ("width", 5.0), ("height", -3), ("height", None), ("width", True))),
        ("opposite", np.full((1, 3), -1.0), "opposite.*integers.*got float64"),
        ("opposite", np.full((1, 3), 99), "opposite.*from -1 to 2.*got 99 to 99"),
        ("opposite", np.full((2, 3), -1), r"opposite \(1, 3\).*opposite_vertices.*got \(2, 3\)")]

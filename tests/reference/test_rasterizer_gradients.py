@@ -110,8 +110,7 @@ def test_pixels_without_a_face_and_faces_without_a_pixel_count_for_nothing():
     upstream = [np.where((face_index >= 0).reshape(6, 8, *[1] * len(shape)),
                          rng.normal(size=(6, 8, *shape)), np.nan) for shape in ((3,), (3, 2), ())]
     got = gradients.rasterize_backward(*upstream, face_index, clip, faces)
-    alone = gradients.rasterize_backward(*upstream, np.minimum(face_index, 0), clip[:3],
-                                                faces[1:2])
+    alone = gradients.rasterize_backward(*upstream, np.minimum(face_index, 0), clip[:3], faces[1:2])
     np.testing.assert_allclose(got, np.concatenate([alone, np.zeros((2, 4))]), rtol=1e-12)
     assert (alone != 0).all()
 

@@ -141,8 +141,7 @@ BROKEN = {
     "with a vertex twice": (np.vstack([BOX, BOX[A]]), np.vstack([[len(BOX), B, C], BOX_FACES[1:]])),
     "with a face turned round": (BOX, np.vstack([[C, B, A], BOX_FACES[1:]])),
     "with a face without area": (np.insert(np.delete(BOX, A, 0), A, BOX[[B, C]].mean(0), 0),
-                                 BOX_FACES),
-}
+                                 BOX_FACES)}
 
 
 @pytest.mark.parametrize("vertices, faces", BROKEN.values(), ids=BROKEN)
@@ -172,8 +171,7 @@ def test_a_mesh_that_is_all_border_stays():
     (np.eye(3), np.array([[0, 1, 1]]), "face 0 names a vertex twice"),
     (np.eye(3), np.array([[0, 1, 3]]), "face 0 names vertex 3, but there are 3 vertices"),
     (np.full((3, 3), np.nan), np.array([[0, 1, 2]]), "vertices must be finite"),
-    (np.eye(3), np.zeros((0, 3), int), "at least one face"),
-])
+    (np.eye(3), np.zeros((0, 3), int), "at least one face")])
 def test_what_is_no_mesh_is_refused_in_a_sentence(vertices, faces, sentence):
     """An index error from deep inside."""
     with pytest.raises(ValueError, match=sentence):

@@ -150,8 +150,7 @@ SIDES = 32, 48
      "0.png has no transparency, and many colours along its border: nothing says what"),
     (masked, "masks/0.png", np.ones(SIDES), "0.png shows no background"),
     (masked, "masks/0.png", ring.picture(0)[..., 3].T,
-     "the mask 0.png has 32 x 48 pixels, and 0.png has 48 x 32: both must be the same"),
-])
+     "the mask 0.png has 32 x 48 pixels, and 0.png has 48 x 32: both must be the same")])
 def test_what_is_wrong_with_a_picture_is_told(folder, before, file, picture, sentence):
     """A silhouette that is everything or nothing, or the room instead of the object."""
     before(folder)

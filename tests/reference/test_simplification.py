@@ -215,8 +215,7 @@ def test_broken_meshes_give_a_right_answer():
     (np.eye(3), np.array([[0, 1, 1]]), 1, 0.0, "names a vertex twice"),
     (np.eye(3), np.array([[0, 1, 2]]), -1, 0.0, "face_count >= 0"),
     (np.eye(3), np.array([[0, 1, 2]]), None, 0.0, "got face_count None"),
-    (np.eye(3), np.array([[0, 1, 2]]), 1, np.nan, "t >= 0"),
-])
+    (np.eye(3), np.array([[0, 1, 2]]), 1, np.nan, "t >= 0")])
 def test_what_is_no_mesh_gets_one_sentence(vertices, faces, face_count, t, message):
     """A traceback from deep inside, or a result."""
     with pytest.raises(ValueError, match=message):
@@ -384,8 +383,7 @@ def test_the_least_eigenvalue_decides():
       for twin in itertools.permutations((1, 7, 9))),
     *(([[5, 8, 6], np.roll([5, 8, 6], k), [5, 6, 7]], True) for k in (1, 2)),
     ([[0, 5, 7], [1, 4, 7], [2, 4, 6]], False),  # of equal sums
-    ([[1, 6, 6 + 6], [2, 3, 12], [1, 8, 9]], False),
-])
+    ([[1, 6, 6 + 6], [2, 3, 12], [1, 8, 9]], False)])
 def test_twins_have_the_same_vertices_in_any_order(faces, expected):
     """Rows are compared as they stand, or faces that share two vertices count. A number is made of
     each face that others have, too.

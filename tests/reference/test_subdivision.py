@@ -86,8 +86,7 @@ BROKEN = {
     "quads": ([[0, 1, 2, 3]], r"faces must be an array \(F, 3\) of integers, F >= 1; got \(1, 4\)"),
     "no faces": (np.zeros((0, 3), int), r"F >= 1; got \(0, 3\)"),
     "one face, no row": ([0, 1, 2], r"\(F, 3\) .* got \(3,\)"),
-    "not whole": ([[0.0, 1.0, 2.0]], r"faces must be .* integers, F >= 1; got \(1, 3\) of float64"),
-}
+    "not whole": ([[0.0, 1.0, 2.0]], r"faces must be .* integers, F >= 1; got \(1, 3\) of float64")}
 
 
 @pytest.mark.parametrize("faces, sentence", BROKEN.values(), ids=BROKEN)

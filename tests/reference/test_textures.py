@@ -61,8 +61,7 @@ def test_the_glb_has_the_shape_and_the_normals(saved):
     ball, origin = originals(found.vertices)
     turned = ball.normals[:, [1, 0, 2]] * [-1, 1, 1]
     np.testing.assert_allclose(found.vertex_normals, turned[origin], atol=1e-5)
-    np.testing.assert_array_equal(np.sort(origin[found.faces], axis=0),
-                                  np.sort(ball.faces, axis=0))
+    np.testing.assert_array_equal(np.sort(origin[found.faces], axis=0), np.sort(ball.faces, axis=0))
     assert found.is_winding_consistent
     np.testing.assert_array_equal(found.vertex_attributes["_PIXELS"][:, 0], origin)
 

@@ -133,8 +133,7 @@ def test_the_fit_of_a_low_light_stays_where_a_cone_sees_the_scene(off):
     vertices, faces = scene(lift=0.35)
     place = np.array([-3.0, 2.2, 1.0])
     _, points, _ = shadow_mapping.visible_points(vertices, faces, camera(), 32, 28)
-    target = ray_casting.ray_cast(points, vertices, faces,
-                                  lights.point_light(place, vertices))
+    target = ray_casting.ray_cast(points, vertices, faces, lights.point_light(place, vertices))
     path = variance_shadows.fit_position(
         target, points, vertices, faces, place + off, variance_shadows.Settings(64, 3, 1e-3),
         inverse_rendering.decay(0.5, 0.1, 12))

@@ -18,8 +18,7 @@ def triangle_meshes():
         "torus with holes": with_holes(*mesh.torus(144), rng),
         "band with a twist": (rng.normal(size=(10, 3)), MOEBIUS),
         "cube and a sheet": together(mesh.cube(12), mesh.plane(8)),
-        "irregular, open": irregular(60, rng),
-    }
+        "irregular, open": irregular(60, rng)}
 
 
 def with_holes(vertices, faces, rng):

@@ -49,8 +49,7 @@ FILES = {
     "reference/transforms.py": REFERENCE, "labs/transforms.py": LAB,
     "reference/rasterization.py": SECOND, "labs/rasterization.py": SECOND,
     "tests/labs/test_transforms.py": CHECKS, "tests/labs/test_rasterization.py": SECOND_CHECKS,
-    "notebooks/01_transforms.ipynb": "",
-}
+    "notebooks/01_transforms.ipynb": ""}
 
 
 @pytest.fixture(scope="module")
@@ -105,8 +104,7 @@ def test_the_board_shows_every_lab_and_below_what_to_do_next_and_why_it_fails(wh
         "again     python3 -m course check 1.2",
         "read      labs/transforms.py:10, the docstring is the question",
         "          notebooks/01_transforms.ipynb",
-        "stuck     the solution is in reference/transforms.py",
-    ]
+        "stuck     the solution is in reference/transforms.py"]
     assert done.returncode == 1
 
 

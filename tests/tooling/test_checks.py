@@ -54,9 +54,8 @@ def test_close_accepts(got, expected):
 
 @pytest.mark.parametrize(("got", "expected", "row"), [
     (1 + 1e-8, 1.0, "by 1e-08; allowed 1e-12 + 1e-09 |expected|"),
-    (math.nan, 1.0, "by inf; allowed"),
-    (-math.inf, math.inf, "by inf; allowed"),
-    (1.0, math.nan, "by inf; allowed"),
+    *((got, expected, "by inf; allowed")
+      for got, expected in ((math.nan, 1.0), (-math.inf, math.inf), (1.0, math.nan))),
     (np.ones(3), np.ones((1, 3)), "in shape: (3,) came, (1, 3) was expected"),
     (np.ones(1), 1.0, "in shape: (1,) came, () was expected"),
     (np.zeros((0, 2)), np.zeros((0, 3)), "in shape: (0, 2) came, (0, 3) was expected"),
@@ -68,8 +67,7 @@ def test_close_accepts(got, expected):
     ([[1, 2], [3]], np.ones((2, 2)),
      "in kind: a list that is no array of numbers came, floats were expected"),
     ({1: 2}, 1.0, "in kind: a dict that is no array of numbers came, floats were expected"),
-    (1.0, (1.0, 2.0), "a tuple of 2 was expected"),
-    ((1.0,), (1.0, 2.0), "a tuple of 2 was expected"),
+    *((got, (1.0, 2.0), "a tuple of 2 was expected") for got in (1.0, (1.0,))),
     (np.array([0.0, 1, 5, 2]), np.arange(4.0),
      "in 2 of 4, first at [2]: 5.0 came, 2.0 was expected; by 3 at most, at [2]; allowed"),
 ], ids=repr)
@@ -242,8 +240,7 @@ def test_a_changed_input_is_told_by_its_name():
     ([[1, 2], [3, 4]], np.array([[1, 2], [3, 4]])), (range(3), np.arange(3)), (2, np.int64(2)),
     (np.array(0.5), np.float64(0.5)), (np.float32([0.5, 2]), np.array([0.5, 2])),
     (np.uint8([3]), np.array([3])), ([True, False], np.array([True, False])),
-    (1j, np.complex128(1j)),
-    (np.broadcast_to(1.5, (2, 3)).T, np.full((3, 2), 1.5)),
+    (1j, np.complex128(1j)), (np.broadcast_to(1.5, (2, 3)).T, np.full((3, 2), 1.5)),
     (["a", "b"], np.array(["a", "b"])),
     ([[1.0, 2.0], [3.0]], (np.array([1.0, 2.0]), np.array([3.0]))),
     ((1, ([2.0], "a")), (np.int64(1), (np.array([2.0]), "a"))),
@@ -349,8 +346,7 @@ PLAIN = {  # name: exercise, lines
     "strict_is_not_strict": ("1.8", "impl.strict(0)"),
     "strict_tells_all": ("1.8", "impl.strict(1)", 'raise Told("it was given 1")'),
     "the_second_of_two": ("1.8", "_, two = impl.both(1.0)", "assert_close(two, 3.0)"),
-    "skips_itself": ("1.1", 'pytest.skip("not today")'),
-}
+    "skips_itself": ("1.1", 'pytest.skip("not today")')}
 CHECKS = """\
 import numpy as np
 import pytest
@@ -461,8 +457,7 @@ NOT_COUNTED = "a check has to run and pass; this one is skipped or expected to f
     ("skipped", NOT_COUNTED), ("skips_itself", NOT_COUNTED), ("expected_to_fail", NOT_COUNTED),
     ("expected_to_fail_and_passing", NOT_COUNTED),
     ("passes_and_breaks_after", "wrong     OSError: spoilt"),
-    ("of_no_exercise", ">       assert 1 == 2"),
-])
+    ("of_no_exercise", ">       assert 1 == 2")])
 def test_a_report_says_what_went_wrong(output, test, told):
     """An error of the check's own code, "too many values to unpack", is all that a student sees; an
     assertion of the student's own is taken for one of the check's; another exercise's missing
@@ -557,8 +552,7 @@ UNUSABLE = {
                       "wrong     labs/interpolation.py has no function double; keep the names"),
     "texturing": ("double = 2\n", "wrong     labs/texturing.py has no function double"),
     "antialiasing": ("def double(x, y):\n    return 2 * x\n",
-                     "given     double(3.0)\nwrong     TypeError: double() missing 1 required"),
-}
+                     "given     double(3.0)\nwrong     TypeError: double() missing 1 required")}
 
 
 def test_a_lab_that_cannot_be_used_fails_its_checks_with_one_sentence(house, run_here):

@@ -36,13 +36,11 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
     ("open 2.14", "upkeep.extras.open_extras", ("2.14",), {}),
     ("close 2", "upkeep.extras.close", ("2",), {"core": False}),
     ("close 2.3 --core", "upkeep.extras.close", ("2.3",), {"core": True}),
-    ("mistakes", "upkeep.mistakes.run", (None,), {}),
-    ("feedback 2", "upkeep.feedback.run", ("2",), {}),
-    ("mutants", "upkeep.mutants.run", (None,), {}),
-    ("mutants 2.3", "upkeep.mutants.run", ("2.3",), {}),
-    ("skeleton", "upkeep.skeleton.run", (), {"check": False, "force": False}),
-    ("skeleton --check", "upkeep.skeleton.run", (), {"check": True, "force": False}),
-    ("skeleton --force", "upkeep.skeleton.run", (), {"check": False, "force": True}),
+    *((f"{name} {target}", f"upkeep.{name}.run", (target or None,), {}) for name, target in (
+        ("mistakes", ""), ("feedback", "2"), ("mutants", ""), ("mutants", "2.3"))),
+    *((f"skeleton {option}", "upkeep.skeleton.run", (),
+       {"check": option == "--check", "force": option == "--force"})
+      for option in ("", "--check", "--force")),
     ("notebooks 02 transforms", "upkeep.notebooks.run", (["02", "transforms"],),
      {"everything": False}),
     ("notebooks --all", "upkeep.notebooks.run", ([],), {"everything": True}),
@@ -61,8 +59,7 @@ BOARD = {"json_file": None, "seed": 0, "pictures": False, "extra": False, "spine
      "--overrides o.csv --people g.csv --previous p.csv", "grading.grade.run",
      (Request("in", "out", csv="moodle", roster="a.csv", assignment="A", due="D", late="L",
               grace="G", overrides="o.csv", people="g.csv", previous="p.csv"),),
-     {}),
-])
+     {})])
 def test_a_command_calls_its_function_and_passes_its_status_on(
         stand_in, line, function, arguments, named):
     """An option is forgotten, two are swapped, or the status is lost."""
@@ -124,8 +121,7 @@ def demo_runs(stand_in, monkeypatch, tmp_path):
     ("course", "raise OSError(\n    'the disk is full')", "the disk is full"),
     ("elsewhere", "open('no such folder/picture.png')", "picture.png"),
     ("labs", "raise NotImplementedError('exercise 1.2: transform')",
-     "exercise 1.2: transform is not written yet"),
-])
+     "exercise 1.2: transform is not written yet")])
 def test_what_the_user_can_mend_is_one_line_and_status_2(demo_runs, capsys, folder, text, sentence):
     """A wrong name or a full disk shows a traceback."""
     demo_runs(folder, text)
@@ -135,11 +131,8 @@ def test_what_the_user_can_mend_is_one_line_and_status_2(demo_runs, capsys, fold
 
 
 @pytest.mark.parametrize(("folder", "text"), [
-    ("course", "int('x')"),
-    ("labs", "int('x')"),
-    ("elsewhere", "raise ValueError('operands could not be broadcast')"),
-    ("course", "raise TypeError('a defect')"),
-])
+    ("course", "int('x')"), ("labs", "int('x')"), ("course", "raise TypeError('a defect')"),
+    ("elsewhere", "raise ValueError('operands could not be broadcast')")])
 def test_a_defect_shows_its_traceback(demo_runs, folder, text):
     """Every ValueError is told in one line, and nobody finds the line that is wrong."""
     demo_runs(folder, text)

@@ -67,8 +67,7 @@ def test_what_is_right_gets_all_points(lab, monkeypatch):
     answer with loops, where all before it are wrong: the reference stops answering too early.
     """
     topics = exercises.topics_of(str(lab))
-    texts = {topic: other_solution(topic) for topic in topics
-             if topic in exercises.asking_topics()}
+    texts = {topic: other_solution(topic) for topic in topics if topic in exercises.asking_topics()}
     all_right(Job(texts, {}, LEVEL, lab, extra=True, asks=asks(lab)))
 
     monkeypatch.setattr(examination.Examination, "is_sound", lambda self, number: False)

@@ -38,8 +38,7 @@ MISLED = [
     ("simplification", "satisfies_link_condition", "return not right(*inputs)",
      "every edge may be collapsed"),
     ("implicit_surfaces", "ray_weights", "return right(inputs[0], np.ones_like(inputs[1]))",
-     "spacing of the first"),
-]
+     "spacing of the first")]
 
 
 @pytest.mark.parametrize("topic", TOPICS)
@@ -80,8 +79,7 @@ def test_what_was_told_wrongly_once_is_not_told_again(topic, name, answer, told)
     ({"hint": "this is what comes out when it is tripled", "perhaps": "A sign."}, "wrong"),
     ({"perhaps": "It is tripled."}, "silent"),
     ({"perhaps": "Minus where plus should stand."}, "named"),
-    ({"perhaps": "Minus."}, "silent"),
-])
+    ({"perhaps": "Minus."}, "silent")])
 def test_a_report_is_judged_by_its_sentences(monkeypatch, rows, verdict):
     """A wrong hint is overlooked because another row is right, or words of two rows are mixed."""
     answer = feedback.WrongAnswer(None, "", "the sign is wrong", "sign | minus & plus")

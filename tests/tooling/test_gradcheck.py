@@ -138,8 +138,7 @@ RIGHT = {  # what passes: forward, backward, inputs, options, numbers checked, a
     "the same with decisions": (np.abs, absolute_backward, (NEAR_KINKS,), {"decisions": sign},
                                 7, 1e-6),
     "a large input": (np.sin, sine_backward, (np.tile(A, (16, 16)),), {},
-                      sweeps.ELEMENTS + sweeps.DIRECTIONS, 1e-6),
-}
+                      sweeps.ELEMENTS + sweeps.DIRECTIONS, 1e-6)}
 
 
 @pytest.mark.filterwarnings("error")
@@ -271,8 +270,7 @@ WRONG_PRODUCTS = {  # backward, parts of what is told
     "text": (lambda g, a, b: ("a", "b"), "backward must return an array of numbers"),
     "changes an input": (lambda g, a, b: (a.__imul__(2), b), "backward changed its argument 1"),
     "changes grad_output": (lambda g, a, b: (g.__imul__(2) @ b.T, b),
-                            "backward changed its argument 0"),
-}
+                            "backward changed its argument 0")}
 WRONG = {  # forward, backward, inputs, parts of what is told, options
     "sum for mean": (lambda x: x.mean(axis=0), lambda g, x: np.broadcast_to(g, x.shape), (A,),
                      "everything is 3 times what was expected"),

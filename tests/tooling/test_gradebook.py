@@ -66,8 +66,7 @@ CLASSES = {  # platform: the assignment, {student: what the platform tells}, {st
                           "k": {"email": "JUERGEN@uni.example"},
                           "x": {"id": "s9", "email": "x@uni.example"}}, {"a": 0, "k": 1}),
     "brightspace": ("Lab 2", {"a": {"name": "Nu\u0301ria  Álvarez"}, "l": {"name": "Wei Li"},
-                              "x": {"name": "Ada Byron"}}, {"a": 0}),
-}
+                              "x": {"name": "Ada Byron"}}, {"a": 0})}
 CANVAS = {"csv": "canvas", "roster": ROSTERS / "canvas.csv", "assignment": "Lab 2"}
 
 
@@ -131,8 +130,7 @@ def test_what_a_table_lacks_is_added(tmp_path, platform, before, after):
     ("canvas", "canvas", "Lab 3", "0 columns called 'Lab 3'"),
     ("canvas", "moodle", None, "is not Canvas's gradebook's export: it has no column 'ID'"),
     ("moodle", "gradescope", None, "is not Moodle's offline grading worksheet"),
-    ("brightspace", "canvas", "Lab 1", "is not Brightspace's export of grades with names"),
-])
+    ("brightspace", "canvas", "Lab 1", "is not Brightspace's export of grades with names")])
 def test_an_unclear_column_or_another_file_is_refused(platform, name, assignment, sentence):
     """The points of lab 2 go to lab 1, or a traceback comes out."""
     with pytest.raises(ValueError, match=sentence):
@@ -206,8 +204,7 @@ def test_each_begun_step_takes_its_share(late, grace, seconds, told, percent):
     ({"csv": "canvas"}, "belong together"), ({"roster": "a.csv"}, "belong together"),
     ({"assignment": "Lab 2"}, "belong together"),
     ({"previous": ROSTERS / "canvas.csv"},
-     "is no grades.csv: it has no columns student and total"),
-])
+     "is no grades.csv: it has no columns student and total")])
 def test_options_that_cannot_be_used_are_refused_before_anything_is_graded(options, sentence):
     """--due 2026-11-22 means midnight before that day, and all are late. A forgotten option is
     noticed after an hour of grading. Any table is taken for that of an earlier run.

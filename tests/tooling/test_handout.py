@@ -18,8 +18,7 @@ LEAST = 30  # characters of a line that somebody could copy
 ELSEWHERE = {
     "a, b = triangle[i], triangle[j]", "face_index = np.full((height, width), -1)",
     "for f, corners in enumerate(faces):", "x, y = polygon[..., 0], polygon[..., 1]",
-    "key = np.minimum(start, end) * vertex_count + np.maximum(start, end)",
-}
+    "key = np.minimum(start, end) * vertex_count + np.maximum(start, end)"}
 
 
 def tidy(line):

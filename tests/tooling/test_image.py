@@ -84,15 +84,12 @@ def test_the_same_picture_gives_the_same_bytes_and_no_other_file(tmp_path):
 
 @pytest.mark.parametrize(("picture", "sentence"), [
     (np.zeros(5), "an image must be (H, W), (H, W, 1), (H, W, 3) or (H, W, 4), got (5,)"),
-    (np.zeros((4, 4, 2)), "got (4, 4, 2)"),
-    (np.zeros((3, 4, 4, 3)), "got (3, 4, 4, 3)"),
-    (np.zeros((0, 4)), "got (0, 4)"),
+    *((np.zeros(shape), f"got {shape}") for shape in ((4, 4, 2), (3, 4, 4, 3), (0, 4))),
     (np.full((2, 2), 255, np.uint8), "numbers from 0 to 1, got uint8 from 255 to 255"),
     (np.full((2, 2), -1), "numbers from 0 to 1, got int64 from -1 to -1"),
     (np.full((2, 2), 1j), "an image holds numbers from 0 to 1 or booleans, got complex128"),
     (np.where(np.arange(4) == 2, np.nan, np.zeros((3, 4))), "holds nan at row 0, column 2"),
-    (np.where(np.eye(2)[:, :, None] == [0, 1, 2], np.inf, 0), "at row 0, column 0"),
-])
+    (np.where(np.eye(2)[:, :, None] == [0, 1, 2], np.inf, 0), "at row 0, column 0")])
 def test_what_is_no_picture_is_refused_and_the_old_file_stays(picture, sentence, tmp_path):
     """Grey soup from bytes taken for 0 to 1, NaN written as some grey, half a file."""
     path = tmp_path / "a.png"
@@ -163,10 +160,8 @@ def test_a_frame_that_stays_is_shown_longer(tmp_path):
     ([], 0.1, "an animation needs at least one frame, got none"),
     ([RAMP, RAMP[:2]], 0.1, "all frames must have one shape, got [(2, 4), (3, 4)]"),
     ([RAMP, np.zeros((3, 4, 3))], 0.1, "all frames must have one shape"),
-    ([RAMP], 0, "seconds_per_frame must be 0.001 to 60, got 0"),
-    ([RAMP], 100, "seconds_per_frame must be 0.001 to 60, got 100"),
-    ([RAMP], np.nan, "seconds_per_frame must be 0.001 to 60, got nan"),
-])
+    *(([RAMP], seconds, f"seconds_per_frame must be 0.001 to 60, got {seconds}")
+      for seconds in (0, 100, np.nan))])
 def test_what_is_no_animation_is_refused(frames, seconds, sentence, tmp_path):
     """A file that no viewer plays, milliseconds given for seconds."""
     with pytest.raises(ValueError, match="^" + re.escape(sentence)):

@@ -32,19 +32,13 @@ def test_a_face_beyond_the_vertices_is_named(kind):
 
 
 @pytest.mark.parametrize(("faces", "came"), [
-    ([[0, 1, 2]], "got a list: give an array"),
-    (None, "got a NoneType: give an array"),
-    (np.array([[0.0, 1, 2]]), "got (1, 3) of float64: give three integers for each triangle"),
-    (np.array([[False, True, True]]), "got (1, 3) of bool: give three integers"),
-    (np.array([[0, 1, 2]], object), "got (1, 3) of object: give three integers"),
-    (np.array([0, 1, 2]), "got (3,) of int64: give three integers"),
-    (np.array([[0, 1, 2, 3]]), "got (1, 4) of int64: give three integers"),
-    (np.zeros((0, 4), int), "got (0, 4) of int64: give three integers"),
-    (np.array(1), "got () of int64: give three integers"),
-])
+    ([[0, 1, 2]], "a list: give an array"), (None, "a NoneType: give an array"),
+    *((np.zeros(shape, kind), f"{shape} of {kind}: give three integers for each triangle")
+      for shape, kind in (((1, 3), "float64"), ((1, 3), "bool"), ((1, 3), "object"),
+                          ((3,), "int64"), ((1, 4), "int64"), ((0, 4), "int64"), ((), "int64")))])
 def test_what_is_no_array_of_faces_is_told(faces, came):
     """Quads taken for triangles, floats for indices."""
-    sentence = f"faces (F, 3) must be integers from 0 to 3, rows of the vertices; {came}"
+    sentence = f"faces (F, 3) must be integers from 0 to 3, rows of the vertices; got {came}"
     with pytest.raises(ValueError, match=re.escape(sentence)) as error:
         inputs.require_faces(faces, 4)
     assert "\n" not in str(error.value)

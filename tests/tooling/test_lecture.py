@@ -60,8 +60,7 @@ CELLS = {  # each runs after those before it, in one kernel
     "goes on": "print(halved(3), k, total, outlines.width(3))",
     "waits for another": "picture = antialiasing.blend(3)",
     "waits for the other": "import numpy as np; np.array([picture])",
-    "figures": "plt.figure(figsize=(1, 1));",
-}
+    "figures": "plt.figure(figsize=(1, 1));"}
 WRONG = {  # its source, the error, the line that is shown
     "typo": ("pictures = 1\npictrue", "NameError", "pictrue"),
     "typo in a function": ("def shown():\n    return picture\n    picture = 1\nshown()",
@@ -70,8 +69,7 @@ WRONG = {  # its source, the error, the line that is shown
                                'raise ValueError(f"no area for {x}")'),
     "name in an exercise": ("antialiasing.misspelt(3)", "NameError", "return picture"),
     "not handled": ("antialiasing.not_handled(3)", "NotImplementedError",
-                    'raise NotImplementedError("x must be positive")'),
-}
+                    'raise NotImplementedError("x must be positive")')}
 
 
 @pytest.fixture(scope="module")
@@ -117,8 +115,7 @@ WAITS_TOO = "This cell waits, too, for exercise {}: it uses `{}`, which is made 
     ("waits for one that waits, too", WAITS_TOO.format("8.7", "double")),
     ("goes on", "3/2 2 2 1.5\n"),
     ("waits for another", WAITS.format("8.8, blend")),
-    ("waits for the other", WAITS_TOO.format("8.8", "picture")),
-])
+    ("waits for the other", WAITS_TOO.format("8.8", "picture"))])
 def test_a_cell_says_which_unwritten_exercise_it_waits_for(outputs, cell, text):
     """A page of the finished course that speaks to students; an exercise that is written, or one of
     another module, or the one that calls it, or the first that a name has waited for, for ever; a

@@ -15,8 +15,7 @@ SHAPES = {  # name: faces per n^2, smallest n, V - E + F, boundary edges for n
     "icosphere": (20, 1, 2, lambda n: 0),
     "torus":     (4, 3, 0, lambda n: 0),
     "plane":     (2, 1, 1, lambda n: 4 * n),
-    "grid":      (2, 1, 1, lambda n: 4 * n),
-}
+    "grid":      (2, 1, 1, lambda n: 4 * n)}
 TRIANGLE = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]])
 
 
@@ -57,8 +56,7 @@ def test_a_given_mesh_is_wound_outwards_with_y_up(given):
     (TRIANGLE[0], TRIANGLE[1][:0], "a mesh needs at least one face, got none"),
     (TRIANGLE[0][:0], TRIANGLE[1], "face 0 names vertex 0, but there are 0 vertices"),
     (TRIANGLE[0] + [[0], [np.inf], [0]], TRIANGLE[1], "vertex 1 is [inf, inf, inf]"),
-    (TRIANGLE[0], np.array([[0, 1, -1]]), "face 0 names vertex -1"),
-])
+    (TRIANGLE[0], np.array([[0, 1, -1]]), "face 0 names vertex -1")])
 def test_check_says_what_is_wrong(vertices, faces, sentence):
     """Negative indices count from the end in NumPy, NaN spreads: both without a word."""
     with pytest.raises(ValueError, match=re.escape(sentence)):

@@ -247,8 +247,7 @@ def test_a_mistake_that_lives_is_shown(house, run_module):
     ("transforms.txt", "1.1  2 x -> 3 x\n      once\n",
      'transforms.txt, line 1: "2 x -> 3 x" is no change; write "old -> new"'),
     ("transforms.txt", "1.1  2 * x -> x\nor   x -> 2\n      once\n",
-     'transforms.txt, line 1: "or x -> 2" below it is no line of a list; begin it with "and"'),
-])
+     'transforms.txt, line 1: "or x -> 2" below it is no line of a list; begin it with "and"')])
 def test_a_mistake_that_has_no_place_or_says_nothing_is_told(
         monkeypatch, tmp_path, name, text, told):
     """A typing error, and a mistake is tried in no place."""
@@ -278,8 +277,7 @@ def f(x, y):
     ("x - y -> x (#1) and range(2) -> [0]",
      "z = x; for k in [0]: z += (x - y) * k; return z"),
     ("f(x, y) -> y, x", "return (y, x)"),
-    ("f(x, y) -> z = y - x; return z", "z = y - x; return z"),
-])
+    ("f(x, y) -> z = y - x; return z", "z = y - x; return z")])
 def test_a_change_is_made_where_it_says(wanted, text):
     """In the docstring, in another place, or in all; or one of two changes is lost."""
     made = changes.changed(FUNCTION, [changes.change(one) for one in wanted.split(" and ")])

@@ -14,7 +14,6 @@ from course.given.places import ROOT
 from course.upkeep import comparing, notebooks, origins, pictures
 
 LECTURES = sorted(notebooks.FOLDER.glob("*.ipynb"))
-FIRST_LINE = 'import sys; sys.path.append("..")  # finds the course from the folder notebooks/'
 
 
 @pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
@@ -30,14 +29,6 @@ def test_a_lecture_was_made_from_this_code(path):
 def test_a_lecture_is_what_its_code_draws_and_prints(path):
     """Numbers that another NumPy or another processor changes; a random number without a seed."""
     assert comparing.compare(path) == []
-
-
-@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
-def test_a_lecture_finds_the_course_from_its_own_folder(path):
-    """A notebook that runs through the command, and fails when it is opened in Jupyter."""
-    cells = nbformat.read(path, as_version=4).cells
-    first = next(cell for cell in cells if cell.cell_type == "code")
-    assert first.source.startswith(FIRST_LINE + "\n")
 
 
 # The command, on notebooks of a few cells
@@ -295,9 +286,8 @@ def test_a_file_that_is_no_notebook_is_told_in_one_sentence(tmp_path, content, c
 
 def test_notebooks_are_found_by_number_topic_and_path(tmp_path, monkeypatch):
     """A number that finds every notebook with that digit; one notebook run twice at a time."""
-    for name in ("00_start.ipynb", "01_transforms.ipynb", "01b_more.ipynb", "10_ten.ipynb",
-                 "12_one.ipynb"):
-        (tmp_path / name).touch()
+    for name in "00_start", "01_transforms", "01b_more", "10_ten", "12_one":
+        (tmp_path / f"{name}.ipynb").touch()
     monkeypatch.setattr(notebooks, "FOLDER", tmp_path)
     monkeypatch.chdir(tmp_path)
 

@@ -1,6 +1,5 @@
 """One's own mesh or photo in a scene's place, and ten lines that draw it."""
 import io
-import json
 import subprocess
 import sys
 
@@ -9,6 +8,7 @@ import pytest
 import trimesh
 from PIL import Image
 
+from course import exercises
 from course.checks import assert_close
 from course.experiments.scenes import demo, levels, own
 from course.given import image, mesh, mesh_files, places
@@ -63,8 +63,7 @@ def test_polygons_are_cut_and_what_adds_nothing_is_left_out(file):
     ("bunny", "a.ply", "ply\nformat ascii 1.0\nelement vertex 9\n", "broken, cut short"),
     ("rounded", "a.obj", TRIANGLE + "v 0 0 1\nv 0 0 -1\nf 1 2 3\nf 1 2 4\nf 2 1 5",
      "has 3 faces at the edge from [0.0, 0.0, 0.0] to [1.0, 0.0, 0.0], and this scene takes two"),
-    ("aliasing", "a.png", "x", "as a picture: it is broken"),
-])
+    ("aliasing", "a.png", "x", "as a picture: it is broken")])
 def test_what_no_scene_can_take_is_told_in_one_sentence(file, scene, name, text, sentence):
     """A traceback of a parser, or a picture of nothing."""
     path = file(name, text)
@@ -139,8 +138,7 @@ def test_each_scene_draws_ones_own_beside_the_course_s_pictures(tmp_path, monkey
     (["shadow", "cow.obj"], "cow.obj does not follow a scene that takes a file: write it after"),
     (["cow.obj"], "cow.obj does not follow a scene"),
     (["bunny", "cow.obj", "calf.obj"], "calf.obj does not follow a scene"),
-    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, teapot"),
-])
+    (["bunny", "teapto"], "there is no scene teapto: choose from bunny, teapot")])
 def test_a_file_stands_after_a_scene_that_takes_one(names, sentence):
     """It is silently ignored, and the bunny comes out; or a misspelt scene is taken for a file."""
     with pytest.raises(ValueError, match=sentence):
@@ -164,9 +162,8 @@ def test_a_demo_tells_each_step_as_it_comes(monkeypatch):
 
 def test_the_ten_lines_draw_a_mesh_where_they_stand():
     """Somebody copies them from lecture 00 into a file, and they fail, or draw nothing."""
-    cells = json.loads((places.ROOT / "notebooks" / "00_start_here.ipynb").read_text("utf-8"))
-    (lines,) = ("".join(cell["source"]) for cell in cells["cells"]
-                if "mesh_files.read" in "".join(cell["source"]))
+    cells = exercises.cells(places.ROOT / "notebooks" / "00_start_here.ipynb", "code")
+    (lines,) = (cell for cell in cells if "mesh_files.read" in cell)
     assert sum(line.startswith("    ") for line in lines.splitlines()) == 10
     path = places.out("teapot.png")
     path.unlink(missing_ok=True)

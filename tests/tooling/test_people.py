@@ -36,8 +36,7 @@ def read(tmp_path):
 def graded(persons, **asked):
     """-> the book, and {student: record} of GROUP and ALONE, who are all right."""
     class_ = people.with_members([GROUP, ALONE], persons)
-    book = Gradebook(Request("in", "out", due=DUE, late="10%/day", **asked), class_, [LAB],
-                     persons)
+    book = Gradebook(Request("in", "out", due=DUE, late="10%/day", **asked), class_, [LAB], persons)
     right = result(entry(LAB, "done"))
     return book, {one.student: book.entered(record(one, right)) for one in class_}
 

@@ -13,8 +13,7 @@ pytestmark = pytest.mark.usefixtures("style")
     (90, 0, [0, 0, 1], [-1, 0, 0]),                # from +x, +z points to the left
     (90, 0, [1, 0, 0], [0, 0, 1]),                 # and what was right is near
     (0, 90, [0, 1, 0], [0, 0, 1]),                 # from above, up is near
-    (0, 90, [0, 0, 1], [0, -1, 0]),
-])
+    (0, 90, [0, 0, 1], [0, -1, 0])])
 def test_the_viewer_stands_where_the_angles_say(azimuth, elevation, point, seen):
     """A mirrored world, or a camera below the floor."""
     assert np.allclose(plot_3d.turn(azimuth, elevation) @ point, seen)
@@ -41,15 +40,3 @@ def test_a_face_is_bright_when_it_looks_to_the_light():
         plot_3d.surface(axes, corners, np.array([[0, 1, 2]]), 0, 0)
         shades.append(axes.collections[0].get_facecolors()[0, 0])
     assert shades[0] > shades[1] + 0.1
-
-
-def test_the_frustum_has_y_up_and_stays_right_handed():
-    """Matplotlib's own z up, a mirrored world."""
-    axes = plt.figure().add_subplot(projection="3d")
-    near = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1.0]])
-    plot_3d.frustum(axes, np.concatenate([near, 3 * near]), np.zeros(3), np.array([[0.0, 2, -2]]))
-    assert np.array_equal(axes.lines[0].get_data_3d(), near[[0, 1, 2, 3, 0]][:, [2, 0, 1]].T)
-    assert (axes.get_xlabel(), axes.get_ylabel(), axes.get_zlabel()) == ("z", "x", "y")
-    axes.figure.canvas.draw()
-
-

@@ -37,8 +37,7 @@ ROOMS = {  # each room, and the rooms below it that it imports; a.b is the folde
     "grading": ("given", "exercises"),
     "commands": ("given", "experiments", "bridge", "board", "upkeep", "grading"),
     "cli": ("given", "commands"),
-    "__main__": ("cli",),
-}
+    "__main__": ("cli",)}
 OUTSIDE = {"numpy", "scipy", *sys.stdlib_module_names}  # what reference may import besides
 
 
@@ -161,8 +160,7 @@ def test_imports_go_one_way():
      "reference.msaa"),
     ("course.grading.apart.wire", "from ..grade import run", "course.grading.grade"),
     ("course.grading.gradebook.worth", "from ..pages import report", "course.grading.pages.report"),
-    ("course.grading.handing.pack", "from ... import cli", "course.cli"),
-])
+    ("course.grading.handing.pack", "from ... import cli", "course.cli")])
 def test_an_import_that_breaks_a_rule_is_found(module, line, imported):
     """The test above passes, whatever is imported."""
     modules = modules_there()
@@ -180,8 +178,7 @@ def test_every_room_has_its_sign():
     ("    retries ", "    retrials ", "the sign of course.checks lacks retries"),
     ("    retries ", "    retrials ", "the sign of course.checks invents retrials"),
     ("    showing  ", "    report  above\n    showing  ",
-     "the sign of course.checks has report above showing, which it imports"),
-])
+     "the sign of course.checks has report above showing, which it imports")])
 def test_a_wrong_sign_is_found(old, new, sentence):
     """The test above passes, whatever the signs say."""
     modules = modules_there()

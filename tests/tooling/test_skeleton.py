@@ -65,8 +65,7 @@ def test_an_exercise_has_number_name_points_line_and_calls():
     assert [found[:5] for found in exercises.text_exercises(MODULE)] == [
         ("1.1", "first", 2, 11, ()),
         ("1.2", "second", 1, 26, ("first",)),
-        ("1.10", "third", 12, 40, ("first", "second")),
-    ]
+        ("1.10", "third", 12, 40, ("first", "second"))]
 
 
 def test_what_a_called_exercise_calls_is_its_own_affair():
@@ -118,8 +117,7 @@ NO_ANSWER = f"{OF_F} no answer on the lines below its docstring"
       for mark in ("# exercise 1.1 2 points", "# exercise 1.1", "#exercise 1.1 (2 points)",
                    "# Exercise 1.1 (2 points)", "# exercise 11 (2 points)",
                    "# exercise 1.1 (-2 points)", "# exercise 1.1 (2 points) of lab 1")],
-    ("def f(:\n", "line 1: this is not Python"),
-])
+    ("def f(:\n", "line 1: this is not Python")])
 def test_a_wrong_mark_is_told_in_one_sentence(text, sentence):
     """A mark is overlooked, and its answer stays in the lab."""
     for read in exercises.text_exercises, lab_text.skeleton:

@@ -57,8 +57,7 @@ NAMES = {
     "Group_7": ["Group 7_assignsubmission_file/ada_transforms.py"],
     "cmd": ["=cmd()/transforms.py"],
     "Zoë": ["Zoë/transforms.py", "Zoe\u0308/transforms.py"],
-    "हिन्दी": ["हिन्दी/transforms.py"],
-}
+    "हिन्दी": ["हिन्दी/transforms.py"]}
 
 
 @pytest.mark.parametrize(("name", "student"), [
@@ -78,8 +77,7 @@ def test_the_student_is_found_in_the_name(handed_in, name, student):
     (f"{MOODLE}/transforms.py", ("moodle", "1234", "Ada Lovelace", None)),
     (f"{BRIGHTSPACE}Nov 22, 2026 1159 PM - transforms.py",
      ("brightspace", "", "Ada Lovelace", None)),
-    ("Ada L/transforms.py", ("", "", "Ada L", None)),
-])
+    ("Ada L/transforms.py", ("", "", "Ada L", None))])
 def test_what_the_platform_tells_of_a_student_is_kept(handed_in, name, told):
     """Points that cannot be brought back to the platform, late work that counts as in time."""
     one, = handed_in({name: "x"}).values()
@@ -172,8 +170,7 @@ BIG = {f".venv/lib/{number}.py": "" for number in range(6000)}
     ("ada.zip", {**BIG, **LAB}),
     *(("ada.zip", {name: "x = 1\n"}) for name in (
         "labs\\transforms.py", "labs/transforms (1).py", "labs/Transforms.py")),
-    ("ada.rar", zipped(LAB.items())), ("ada/homework/labs.zip", LAB),
-])
+    ("ada.rar", zipped(LAB.items())), ("ada/homework/labs.zip", LAB)])
 def test_archives_are_read(handed_in, name, content):
     """A zip in Moodle's folder is overlooked, a whole course is refused."""
     one, = handed_in({name: content}).values()
@@ -192,8 +189,7 @@ def test_archives_are_read(handed_in, name, content):
     (["ada/labs (1).zip", "ada/labs.zip"], 1),
     ([f"{MOODLE}/2.zip", f"{MOODLE}/1.zip"], 1),
     ([f"1-2 - A B - Nov {rest}" for rest in (
-        "22, 2026 1159 PM - x.py/transforms.py", "3, 2026 1159 PM - labs.zip")], 0),
-])
+        "22, 2026 1159 PM - x.py/transforms.py", "3, 2026 1159 PM - labs.zip")], 0)])
 def test_a_student_s_newest_wins(handed_in, names, newest):
     """The first one is graded, or the one whose name sorts last, or a file before any zip."""
     texts = {name: "new" if name == names[newest] else "old" for name in names}
@@ -378,8 +374,7 @@ def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
     ("from course.given.distances import closest_points", []),
     ("def f():\n    from course.given import gradcheck, mesh",
      [(2, "course.given.gradcheck", False)]),
-    ("from course import checks", [(1, "course.checks", True)]),
-])
+    ("from course import checks", [(1, "course.checks", True)])])
 def test_imports_that_a_worker_does_not_have(line, found):
     """A student learns only from the mark that torch is not there."""
     assert exercises.foreign_imports(line) == found

@@ -22,8 +22,7 @@ from course.verdicts import run
 EACH = [(topic, exercise) for topic, asked in CORE.items() for exercise in asked]
 CHANCE = {  # the same number for the example's input, by another rule
     "9.8": {"scanline.twice_area", "footprint_kernels.cross"},
-    "12.12": {"neural_renderer.covers"},
-}
+    "12.12": {"neural_renderer.covers"}}
 
 
 def functions():
@@ -108,8 +107,7 @@ def test_listed_twins_are_there():
              "    seen = visible(clip, faces, width, height)\n"
              "    return seen.face_index, seen.depth"),
     ("4.8", "return shading_requests(face_index)"),
-    ("4.8", "return fast(face_index)"),
-])
+    ("4.8", "return fast(face_index)")])
 def test_a_twin_refuses_to_answer(tmp_path, number, call):
     """The list of twins is not asked, or what calls a twin, or imports it late, goes on."""
     [(topic, exercise)] = [pair for pair in EACH if pair[1].number == number]

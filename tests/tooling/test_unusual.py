@@ -149,8 +149,7 @@ DIFFERENCES = {  # X: the forward pass, A: what it is given
     "by default": ("def h(*v, f=X):\n    return [f(*v) for _ in v]", "return h(A)"),
     "inside": ("", "def f(*v):\n        return X(*v)\n    return [f(A) for _ in range(9)]"),
     "twice": ("", "return (X(A) - X(A)) / 1e-6"),
-    "written out again": (VJP, "return vjp(lambda *v: sum(v), A)"),
-}
+    "written out again": (VJP, "return vjp(lambda *v: sum(v), A)")}
 
 
 @pytest.mark.parametrize("form", DIFFERENCES)

@@ -59,8 +59,7 @@ def test_an_array_of_strings_arrives_as_a_list():
 @pytest.mark.parametrize(("value", "name"), [
     ((x for x in ()), "generator"), (object(), "object"), ({1: 2}, "dict"), ({1}, "set"),
     (np.array([None]), "ndarray of object"),
-    (np.zeros(1, "f8,i4"), "ndarray of void96"),
-])
+    (np.zeros(1, "f8,i4"), "ndarray of void96")])
 def test_what_cannot_be_sent_arrives_as_its_type_s_name(value, name):
     """An object is sent as it is, as a pickle, or its repr runs."""
     came = wire.decode(wire.encode((value,)))[0]
@@ -111,8 +110,7 @@ def test_other_bytes_are_garbled(payload):
     ("test_wire.Paint", ["name", "colours"]), ("test_wire.Paint", ["colours", "__class__"]),
     ("test_wire.Paint", []), ("other.Paint", ["colours", "name"]), ("Paint", ["colours", "name"]),
     ("test_wire.NamedTuple", ["typename"]), ("builtins.eval", ["source"]), ("__class__", []),
-    ("subprocess.Popen", ["args"]), ("\ud800", ["a"]), (None, ["a"]), (1, ["a"]),
-])
+    ("subprocess.Popen", ["args"]), ("\ud800", ["a"]), (None, ["a"]), (1, ["a"])])
 def test_what_the_receiver_does_not_know_is_a_plain_tuple(name, fields):
     """A class that a submission names, or whose fields it changed, is made here: too few values
     break the grader, another class runs.

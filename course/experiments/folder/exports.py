@@ -27,8 +27,7 @@ def in_world(vertices, normals, world_from_grid):
     """Vertices and normals (V, 3) of the grid, moved and turned into the world. Some normals are 0.
     """
     turn = world_from_grid[:3, :3]
-    return (vertices @ turn.T + world_from_grid[:3, 3],
-            mesh.unit(normals @ np.linalg.inv(turn)))
+    return (vertices @ turn.T + world_from_grid[:3, 3], mesh.unit(normals @ np.linalg.inv(turn)))
 
 
 def decimals(vertices):

@@ -101,8 +101,7 @@ def iou(view):
 def summary(judged):
     """The numbers, in a line."""
     views = [view for view in judged.views if view.kept_out]
-    new = (f", {psnr(views, True):.1f} dB on the object in {len(views)} new views" if views
-           else "")
+    new = (f", {psnr(views, True):.1f} dB on the object in {len(views)} new views" if views else "")
     loss = judged.found.kept.losses[-1]
     return (f"loss {loss:.4f}, {judged.faces:,} faces, pieces {judged.pieces}, "
             f"genus {judged.genus}{new}")

@@ -91,8 +91,7 @@ def seen_at(shot, points):
     """Points (N, 3) -> column, row from below, and depth (N,), which is above 0 in front."""
     right, up, back = ((points - eye(shot)) @ shot.world_from_camera[:3, :3]).T
     depth = np.where(back < 0, -back, np.inf)
-    return (shot.cx + shot.fx * right / depth,
-            shot.height - shot.cy + shot.fy * up / depth, -back)
+    return (shot.cx + shot.fx * right / depth, shot.height - shot.cy + shot.fy * up / depth, -back)
 
 
 def axis(outline):

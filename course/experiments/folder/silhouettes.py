@@ -74,8 +74,7 @@ def fitting(folder, shot, scene):
     for upright in (scene.upright, not scene.upright):
         width, height = image.size(shot.path, upright)
         if abs(height * shot.width - shot.height * width) <= max(width, shot.width):
-            return Source(resized(shot, width, height), upright,
-                          shot.mask or mask_of(folder, shot))
+            return Source(resized(shot, width, height), upright, shot.mask or mask_of(folder, shot))
         sizes.append(f"{width} x {height}")
     raise ValueError(f"{shot.name} has {sizes[0]} pixels, and {scene.file} says {shot.width:g} x "
                      f"{shot.height:g}, which is another shape: cameras are those of the pictures "

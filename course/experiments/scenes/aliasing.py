@@ -8,8 +8,8 @@ from .drawing import SIZE, enlarged, save
 def aliasing(labs, out="aliasing", photo=None):
     """A picture, or FILE, made smaller: sampled, filtered before, blurred afterwards (lab 3)."""
     sampling, step = labs.sampling, 3
-    whole, shown = (zone_plate(), np.asarray) if photo is None else (photo, image.to_srgb)
-    yield "{1} x {0} pixels".format(*whole.shape), save(out, "whole", shown(whole))
+    whole = zone_plate() if photo is None else photo
+    yield "{1} x {0} pixels".format(*whole.shape), save(out, "whole", image.to_srgb(whole))
 
     for name, step_name, smaller in (
             ("sampled", "every third pixel", lambda channel: channel[::step, ::step]),
@@ -18,7 +18,7 @@ def aliasing(labs, out="aliasing", photo=None):
             ("blurred", "sampled, then blurred",
              lambda channel: sampling.sample_then_blur(channel, step))):
         picture = np.stack([smaller(channel) for channel in np.moveaxis(whole, -1, 0)], -1)
-        yield step_name, save(out, name, enlarged(shown(picture), step))
+        yield step_name, save(out, name, enlarged(image.to_srgb(picture), step))
         size = np.abs(np.fft.fftshift(sampling.spectrum_of(picture.mean(-1))))
         decades = np.log10(np.maximum(size / (size.max() or 1), 1e-5))
         yield "its spectrum", save(out, f"{name}_spectrum", enlarged(1 + decades / 5, step))
@@ -27,7 +27,7 @@ def aliasing(labs, out="aliasing", photo=None):
         return
     corners = SIZE / 8 * np.array([[0.08, 0.15], [0.93, 0.31], [0.33, 0.9]])
     coverage = sampling.pixel_coverage_loop(corners, SIZE // 8, SIZE // 8)
-    yield "exact coverage", save(out, "coverage", enlarged(1 - coverage, 8))
+    yield "exact coverage", save(out, "coverage", enlarged(image.to_srgb(1 - coverage), 8))
 
 
 def zone_plate():

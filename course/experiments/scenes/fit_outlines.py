@@ -94,8 +94,8 @@ def blend_outline(labs, clip, faces, size):
 OUTLINES = {"sweep": sweep_outline, "soft": soft_outline, "blend": blend_outline}
 
 
-def triangle(labs, outline, steps=300):
-    """`fit_triangle` by an outline -> vertices (steps + 1, 3, 2) in pixels."""
+def triangle(labs, outline, steps=300, start=fit_triangle.START):
+    """`fit_triangle` by an outline, from start (3, 2) -> vertices (steps + 1, 3, 2) in pixels."""
     lab9, goal = labs.inverse_rendering, fit_triangle.template(labs)[..., 0]
     shape, _, view = fit_triangle.scene(labs)
     side = fit_triangle.SIDE
@@ -108,11 +108,11 @@ def triangle(labs, outline, steps=300):
         grad_x, _ = labs.pipeline.to_clip_backward(grad_clip, positions, view.clip_from_model)
         return lab9.squared_error(picture, goal), grad_x[:, :2]
 
-    path, _ = descended(labs, fit_triangle.START, gradient, fit_triangle.schedule(steps))
+    path, _ = descended(labs, start, gradient, fit_triangle.schedule(steps))
     return np.array(path)
 
 
-def teapot(labs, outline, steps=150, size=64, weight=2e-3):
+def teapot(labs, outline, steps=150, size=64, weight=2e-3, radius=0.5):
     """A ball's vertices move until its silhouette is the teapot's, in one view of size x size.
 
     -> vertices (steps + 1, V, 3), faces. The goal is a mean of 4 x 4 samples.
@@ -120,7 +120,7 @@ def teapot(labs, outline, steps=150, size=64, weight=2e-3):
     lab9, pipeline, camera = labs.inverse_rendering, labs.pipeline, teapot_camera(labs)
     goal = labs.msaa.box_resolve(teapot_mask(labs, 4 * size)[..., None] * 1.0, 4)[..., 0]
     vertices, faces = mesh.icosphere(320)
-    edges, start = mesh.edges(faces)[0], 0.5 * vertices
+    edges, start = mesh.edges(faces)[0], radius * vertices
 
     def gradient(x):
         picture, backward = outline(labs, pipeline.to_clip(x, camera), faces, size)

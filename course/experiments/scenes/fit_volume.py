@@ -31,7 +31,8 @@ def fit_volume(labs):
     lab15, n, size = labs.marching_tetrahedra, 24, 32
     rays = saturn_rays(labs, cameras_around(labs, 30, longitude=0.2), size)
     yield f"30 views, {size} x {size} pixels", None
-    volume, _ = fit(labs, rays, n, 500)
+    for volume, _ in fit(labs, rays, n, 500):  # noqa: B007
+        pass
     yield "500 steps", None
     new = saturn_rays(labs, cameras_around(labs, 3, longitude=0.7), size)
     picture = seen(labs, new, volume)
@@ -50,8 +51,9 @@ def fit_volume(labs):
 
 
 def fit(labs, rays, n, steps, seed=0, batch=1000):
-    """Adam on a grid of n^3 cells: in each step, batch random ones of the Rays. -> the Volume,
-    losses (steps,).
+    """Adam on a grid of n^3 cells: in each step, batch random ones of the Rays.
+
+    Yields the Volume after each step, and the loss before it, as lab 9's `descend` does.
     """
     lab9, lab15, rng = labs.inverse_rendering, labs.implicit_surfaces, np.random.default_rng(seed)
 
@@ -65,10 +67,8 @@ def fit(labs, rays, n, steps, seed=0, batch=1000):
         return lab9.squared_error(output, target), Volume(
             weights.T @ grad_density.ravel(), weights.T @ grad_colour.reshape(-1, 3))
 
-    x, losses = Volume(np.full((n + 1)**3, 0.1), np.full(((n + 1)**3, 3), 0.5)), []
-    for x, loss in lab9.descend(x, gradient, schedule(steps), project=bounded):  # noqa: B007, B020
-        losses.append(loss)
-    return x, np.array(losses)
+    start = Volume(np.full((n + 1)**3, 0.1), np.full(((n + 1)**3, 3), 0.5))
+    return lab9.descend(start, gradient, schedule(steps), project=bounded)
 
 
 def schedule(steps):

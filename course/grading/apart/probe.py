@@ -14,8 +14,7 @@ CALLS = {  # of the C library
     "POSIX queues": ("mq_open", b"/written", 0o102, 0o600, None),
     "files in memory": ("memfd_create", b"written", 0),
     "namespaces": ("unshare", 0x10000000),  # CLONE_NEWUSER
-    "tracing": ("ptrace", 0, 0, None, None),
-}
+    "tracing": ("ptrace", 0, 0, None, None)}
 
 
 def open_ways(port, course, file, keyctl):

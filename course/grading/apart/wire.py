@@ -154,8 +154,7 @@ def built_kind(kind, content, rest, named):
     if kind == "named":
         return built_named(*content, rest, named)
     if kind == "dict":
-        return {built(key, rest, named): built(part, rest, named)
-                for key, part in content.items()}
+        return {built(key, rest, named): built(part, rest, named) for key, part in content.items()}
     if kind == "complex":
         return complex(*map(float, content))
     if kind == "array":

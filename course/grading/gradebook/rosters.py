@@ -69,8 +69,7 @@ def gradable(header, pattern):
 
 def chosen(columns, header, assignment, path):
     """The only column, or the one that --assignment names."""
-    fit = [column for column, name in columns.items()
-           if assignment in (None, name, header[column])]
+    fit = [column for column, name in columns.items() if assignment in (None, name, header[column])]
     if len(fit) == 1:
         return fit[0]
     there = "; ".join(header[column] for column in columns) or "no such column"

@@ -33,8 +33,7 @@ class LookedAt(NamedTuple):
     unusual: list  # of `unusual.by_student`
 
 
-def overview(records, exercises, level, about, not_understood=(), looked_at=None,
-             waiting=0) -> str:
+def overview(records, exercises, level, about, not_understood=(), looked_at=None, waiting=0) -> str:
     """exercises: those that count. not_understood: [(name, sentence)].
 
     looked_at: None where nobody has looked yet. waiting: how many are not graded yet.

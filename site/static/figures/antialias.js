@@ -57,7 +57,7 @@ export function pairOf(ends) {
 }
 
 const shade = (value) =>
-  `fill: color-mix(in srgb, #ffffff ${100 * value}%, #0072b2)`;
+  `fill: color-mix(in srgb-linear, #ffffff ${100 * value}%, #0072b2)`;
 
 function why(ends, { c, alpha }) {
   if (alpha !== null && Math.abs(alpha) < 1e-9) {

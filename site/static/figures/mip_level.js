@@ -11,6 +11,13 @@ const LEVELS = [[68, 1, 84], [70, 50, 127], [54, 92, 141], [39, 127, 142], [31, 
 
 const mix = (a, b, t) => a.map((value, k) => (1 - t) * value + t * b[k]);
 
+/** The numbers that a screen takes for mixtures of light, from DARK to LIGHT. */
+const toLight = (code) => code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
+const toCode = (light) => light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
+const SHADES = Array.from({ length: 257 }, (_, k) =>
+  mix(DARK.map(toLight), LIGHT.map(toLight), k / 256).map(toCode));
+const shade = (value) => SHADES[Math.round(256 * value)];
+
 /** Eq. (5): each texel of the next level is the mean of 2 x 2, image[row][column]. */
 export const halve = (image) => Array.from({ length: image.length / 2 }, (_, i) =>
   Array.from({ length: image[0].length / 2 }, (_, j) =>
@@ -78,13 +85,13 @@ const TOP = CHECKERS.length - 1;
 
 const nearest = ({ uv }) => {
   const [j, i] = uv.map((t) => wrap(nearestTexel(t, SIZE), SIZE));
-  return mix(DARK, LIGHT, CHECKERS[0][i][j]);
+  return shade(CHECKERS[0][i][j]);
 };
 
 function trilinear({ uv, jacobian }, showsLevels) {
   const [lower, upper, f] = blendLevels(mipLevel(jacobian, SIZE, SIZE), TOP);
   const value = (1 - f) * bilinear(CHECKERS[lower], uv) + f * bilinear(CHECKERS[upper], uv);
-  const colour = mix(DARK, LIGHT, value);
+  const colour = shade(value);
   return showsLevels ? mix(colour, mix(LEVELS[lower], LEVELS[upper], f), 0.65) : colour;
 }
 

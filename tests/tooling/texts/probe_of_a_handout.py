@@ -3,12 +3,11 @@ import contextlib
 import functools
 import importlib
 import itertools
-import json
 from pathlib import Path
 
 import matplotlib as mpl
 
-from course import cli
+from course import cli, exercises
 from course.experiments.scenes import demo
 
 mpl.use("agg")
@@ -21,8 +20,7 @@ def first_steps(scene):
 for path in Path("labs").glob("*.py"):
     importlib.import_module(f"labs.{path.stem}")
 for path in sorted(Path("notebooks").glob("*.ipynb")):
-    cells = ["".join(cell["source"]) for cell in json.loads(path.read_text("utf-8"))["cells"]
-             if cell["cell_type"] == "code"]
+    cells = exercises.cells(path, "code")
     whole = path.stem.startswith("00") and Path("tests/labs/test_rasterization.py").exists()
     names = {}
     try:
