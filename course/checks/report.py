@@ -56,9 +56,8 @@ def judge(item, error, report, mark):
         suspected = hints.suspected(compared, item.stash.get(LAST_CALL, None), returned)
     catches = caught(item, error, rows) if verdict == "failed" else ""
     report.check = Check(number, item.nodeid, claim(item), verdict, layout([*rows, *printed]),
-                         getattr(error, "picture", None), report.duration,
-                         is_fine_print(mark), *known,
-                         suspected and tuple(suspected), catches)._asdict()
+                         getattr(error, "picture", None), report.duration, is_fine_print(mark),
+                         *known, suspected and tuple(suspected), catches)._asdict()
     if report.failed and item.config.option.tbstyle == "auto":
         perhaps = [("perhaps", catches)] if catches else []
         report.longrepr = layout([("claim", claim(item)), *perhaps, *rows,

@@ -54,8 +54,7 @@ def wrong_functions(folder, topic):
         if function.name not in known:
             raise ValueError(f"{place}: {function.name} is no exercise of {topic}; "
                              "give it the name of one")
-        yield (place, known[function.name],
-               "".join(lines[function.lineno - 1:function.end_lineno]),
+        yield (place, known[function.name], "".join(lines[function.lineno - 1:function.end_lineno]),
                " ".join((ast.get_docstring(function) or "").split()))
 
 

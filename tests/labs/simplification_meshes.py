@@ -151,6 +151,14 @@ def check_where_it_stops(simplify, rng):
                  f"a ball of 80 faces, and face_count={counts}: how many faces are left of each?")
 
 
+def check_one_collapse(simplify, rng):
+    vertices, faces = bumpy(20, rng, 0.2)
+    [(expected, left)] = greedy(vertices, faces, [19])
+    got, got_left = simplify(vertices, faces, 19)
+    assert_equal(rows(got_left), rows(left))
+    assert_close(got, expected, atol=1e-9)
+
+
 def check_all_collapses(simplify, rng):
     """They are those of the slow algorithm. The first collapse that differs is shown."""
     for noise in 0.05, 0.3:

@@ -7,8 +7,6 @@ import pytest
 from course.checks import Mismatch, assert_equal
 from course.given import mesh
 
-PUBLISHED = Path(__file__).parents[1] / "golden" / "subdivision.npz"  # see the README there
-
 # A hub of valence 5 inside, and one of 4 on the boundary; vertices 3 and 9 belong to no face.
 FAN = np.array([[0, 1, 2], [0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 1], [7, 6, 5], [8, 6, 7]])
 # A band with one twist: 10 triangles, one boundary, no way to wind all of them alike.
@@ -111,6 +109,12 @@ def old_vertices(count, edges, is_boundary, u, w):
     return matrix
 
 
+def published(name, *keys):
+    """OpenSubdiv's arrays of a mesh, see tests/golden/README.md."""
+    with np.load(Path(__file__).parents[1] / "golden" / "subdivision.npz") as arrays:
+        return [arrays[f"{name}/{key}"] for key in keys]
+
+
 def farthest(points, expected):
     """How far the farthest point of either set is from the other set; in any order."""
     assert_equal(np.shape(points), expected.shape)
@@ -122,10 +126,9 @@ def farthest(points, expected):
 
 def polygon_meshes():
     """Quads, and some of them joined or cut: name -> vertices, corners, counts."""
-    with np.load(PUBLISHED) as published:
-        pyramid = tuple(published[f"pyramid/{key}"] for key in ("vertices", "corners", "counts"))
     rng = np.random.default_rng(1)
-    return {"cube": (CUBE_VERTICES, *flat(CUBE)), "pyramid": pyramid,
+    return {"cube": (CUBE_VERTICES, *flat(CUBE)),
+            "pyramid": (*published("pyramid", "vertices", "corners", "counts"),),
             "house, open": (rng.normal(size=(12, 3)), *flat(POLYGONS["house, open"][1])),
             "two holes": plate_with_two_holes(),
             "triangles": (mesh.torus(36)[0], *flat(mesh.torus(36)[1])),

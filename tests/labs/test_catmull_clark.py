@@ -123,9 +123,7 @@ def test_an_isolated_vertex_stays(impl, rng, count, faces):
 @pytest.mark.parametrize("name", ["pyramid", "square"])
 def test_the_published_polygons_of_opensubdiv(impl, name):
     """Not the scheme that everybody means: triangles and a quad, and a boundary with corners."""
-    with np.load(meshes.PUBLISHED) as published:
-        *given, expected = (published[f"{name}/{key}"]
-                            for key in ("vertices", "corners", "counts", "step_1"))
+    *given, expected = meshes.published(name, "vertices", "corners", "counts", "step_1")
     assert_close(meshes.farthest(impl.catmull_clark_slow(*given), expected), 0.0, atol=1e-6)
 
 

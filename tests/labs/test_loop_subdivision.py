@@ -105,9 +105,7 @@ def test_the_slow_step_is_that_of_the_matrix(impl, rng, count, faces):
 @pytest.mark.parametrize("name", ["cube", "saddle"])
 def test_the_published_meshes_of_opensubdiv(impl, name):
     """Not the scheme that everybody means: Loop's own weights, and smooth boundaries."""
-    with np.load(meshes.PUBLISHED) as published:
-        vertices, faces, expected = (published[f"{name}/{key}"]
-                                     for key in ("vertices", "faces", "step_1"))
+    vertices, faces, expected = meshes.published(name, "vertices", "faces", "step_1")
     n = meshes.valence_of(len(vertices), meshes.topology(faces)[0])
     u = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
     assert_close(meshes.farthest(impl.loop_slow(vertices, faces, u), expected), 0.0, atol=1e-6)

@@ -12,8 +12,7 @@ TWO_SIDES_ON_THE_GRID = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]])
 
 # Eq. (7) is easy to get right for an ordinary triangle. Each fits a picture 6 wide and 5 high.
 TRIANGLES = {
-    "ordinary": TRIANGLE,
-    "clockwise": TRIANGLE[::-1].copy(),
+    "ordinary": TRIANGLE, "clockwise": TRIANGLE[::-1].copy(),
     "smaller than a pixel": np.array([[3.2, 2.3], [3.7, 2.4], [3.3, 2.9]]),
     "thinner than a pixel": np.array([[0.3, 0.2], [5.8, 4.1], [5.7, 4.11]]),
     "far larger than the picture": np.array([[-900.0, -700.0], [950.0, 0.3], [-13.0, 800.0]]),

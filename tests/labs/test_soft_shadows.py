@@ -91,8 +91,7 @@ def test_a_slanted_plane_does_not_darken_itself(impl, rng):
     place = rng.uniform(2, [7, 4], (20, 2))
     above = np.where(np.arange(20) % 2, -0.125, 0.125)  # every other receiver lies before the map
     got = impl.percentage_closer(distance_map, place, 5 + place @ slope + above,
-                                 np.tile(slope, (20, 1)),
-                                 0.05, CROSS, 1.5)
+                                 np.tile(slope, (20, 1)), 0.05, CROSS, 1.5)
     assert_close(got, np.arange(20) % 2)
 
 

@@ -45,10 +45,9 @@ def interpolate_backward_loop(grad_output, attributes, faces, face_index, baryce
     grad_attributes, grad_barycentric = np.zeros(attributes.shape), np.zeros(barycentric.shape)
     for i, j in np.argwhere(face_index >= 0):
         corners = faces[face_index[i, j]]
+        shares = np.outer(barycentric[i, j], grad_output[i, j])
         grad_attributes += sum(np.outer(np.arange(len(attributes)) == vertex, share)
-                               for vertex, share in zip(corners, np.outer(barycentric[i, j],
-                                                                          grad_output[i, j]),
-                                                        strict=True))
+                               for vertex, share in zip(corners, shares, strict=True))
         grad_barycentric[i, j] = attributes[corners] @ grad_output[i, j]
     return grad_attributes, grad_barycentric
 

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 import triangle_meshes
-from subdivision_meshes import CUBE_VERTICES, PUBLISHED, farthest
+from subdivision_meshes import CUBE_VERTICES, farthest, published
 from triangle_meshes import POLYGONS, each_polygon_mesh, valence_and_boundary
 
 from course.given.gradcheck import gradcheck
@@ -22,11 +22,10 @@ def test_catmull_clarks_matrix_agrees_with_the_slow_version(vertices, corners, c
 @pytest.mark.parametrize("name", ["pyramid", "square"])
 def test_two_steps_of_catmull_clark_are_the_published_ones(name):
     """Another boundary rule than OpenSubdiv's smooth corners, or other rules for triangles."""
-    with np.load(PUBLISHED) as published:
-        polygons = tuple(published[f"{name}/{key}"] for key in ("vertices", "corners", "counts"))
-        for step in 1, 2:
-            polygons = catmull_clark.catmull_clark(*polygons)
-            assert farthest(polygons[0], published[f"{name}/step_{step}"]) < 1e-6
+    polygons = published(name, "vertices", "corners", "counts")
+    for expected in published(name, "step_1", "step_2"):
+        polygons = catmull_clark.catmull_clark(*polygons)
+        assert farthest(polygons[0], expected) < 1e-6
 
 
 def test_a_cube_after_a_step_of_catmull_clark():

@@ -119,13 +119,11 @@ def test_every_eighth_picture_is_kept_out(photos, tmp_path, monkeypatch):
     assert not (given[0].cameras == photos.cameras[7]).all((1, 2)).any()
 
 
-@pytest.mark.parametrize("line", [
-    "demo reconstruct FOLDER --size 31", "demo reconstruct FOLDER --size 513",
-    "demo reconstruct FOLDER --steps 2", "demo reconstruct FOLDER --steps many"])
-def test_options_out_of_range_are_told_in_a_line(line, capsys):
+@pytest.mark.parametrize("option", ["--size 31", "--size 513", "--steps 2", "--steps many"])
+def test_options_out_of_range_are_told_in_a_line(option, capsys):
     """A traceback from deep inside."""
     with pytest.raises(SystemExit):
-        cli.main(line.split())
+        cli.main(["demo", "reconstruct", "FOLDER", *option.split()])
     assert "give a whole number from" in capsys.readouterr().err
 
 

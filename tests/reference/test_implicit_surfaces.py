@@ -9,9 +9,7 @@ from reference import implicit_surfaces, transforms
 
 BALL, BOX = ("sphere", 0.7), ("box", np.array([0.3, 0.5, 0.6]))
 SHAPES = {
-    "sphere": BALL,
-    "box": BOX,
-    "torus": ("torus", 0.6, 0.25),
+    "sphere": BALL, "box": BOX, "torus": ("torus", 0.6, 0.25),
     "moved": ("moved", np.array([0.2, -0.1, 0.3]), BOX),
     "union": ("union", BOX, ("sphere", 0.5)),
     "intersection": ("intersection", BOX, ("sphere", 0.5)),

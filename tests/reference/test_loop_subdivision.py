@@ -1,7 +1,7 @@
 """What Loop's scheme composes: S of whole meshes, several steps, and limits."""
 import numpy as np
 import pytest
-from subdivision_meshes import MOEBIUS, PUBLISHED, farthest
+from subdivision_meshes import MOEBIUS, farthest, published
 from triangle_meshes import MESHES, require_spline, require_symmetric, valence_and_boundary
 
 from course.given import mesh
@@ -27,9 +27,7 @@ def test_loops_matrix_agrees_with_the_slow_version(vertices, faces, weight):
 
 def test_with_loops_own_weights_the_published_cube_comes_out_and_with_warrens_it_does_not():
     """The weights' names are swapped, or there is no difference at valences 4 and 5."""
-    with np.load(PUBLISHED) as published:
-        vertices, faces, expected = (published[f"cube/{key}"]
-                                     for key in ("vertices", "faces", "step_1"))
+    vertices, faces, expected = published("cube", "vertices", "faces", "step_1")
     warren, loop = (farthest(loop_subdivision.loop(vertices, faces, weight)[0], expected)
                     for weight in WEIGHTS)
     assert loop < 1e-6 and 0.02 < warren < 0.03

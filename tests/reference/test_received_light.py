@@ -14,9 +14,7 @@ def surface_of(vertices, faces):
 
 def two_plates(apart):
     """Two squares of side 2 that face each other, as one Surface."""
-    points, faces = mesh.split_longest(
-        np.array([[-1.0, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]]),
-        np.array([[0, 2, 1], [0, 3, 2]]), 1500)
+    points, faces = mesh.split_longest(*mesh.plane(2), 1500)
     return surface_of(np.concatenate([points, points + [0, apart, 0]]),
                       np.concatenate([faces, faces[:, ::-1] + len(points)]))
 
@@ -45,9 +43,8 @@ def test_a_ball_over_a_plate_throws_its_shadow():
     or the plate shadows itself.
     """
     ball, ball_faces = mesh.icosphere(320)
-    plate, plate_faces = mesh.split_longest(
-        np.array([[-2.0, 0, -2], [2, 0, -2], [2, 0, 2], [-2, 0, 2]]),
-        np.array([[0, 2, 1], [0, 3, 2]]), 4000)
+    plate, plate_faces = mesh.split_longest(*mesh.plane(2), 4000)
+    plate = 2 * plate
     surface = surface_of(np.concatenate([0.3 * ball + [0, 0.8, 0], plate]),
                          np.concatenate([ball_faces, plate_faces + len(ball)]))
     up = np.array([0.0, 1.0, 0.0])

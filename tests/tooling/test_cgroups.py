@@ -71,9 +71,8 @@ def test_a_share_that_cannot_be_made_does_nothing(tree, monkeypatch):
     share.close()
 
 
-@pytest.mark.parametrize(("events", "told"), [("oom 0\noom_kill 0\n", False),
-                                              ("oom 1\noom_kill 3\noom_group_kill 1\n", True),
-                                              ("", False)])
+@pytest.mark.parametrize(("events", "told"), [
+    ("oom 0\noom_kill 0\n", False), ("oom 1\noom_kill 3\noom_group_kill 1\n", True), ("", False)])
 def test_a_share_tells_whether_its_memory_was_used_up(tree, events, told):
     """Every death put down to memory, or none."""
     share = cgroups.Share([1], 1 << 28, 20)

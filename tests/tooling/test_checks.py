@@ -442,8 +442,7 @@ NOT_COUNTED = "a check has to run and pass; this one is skipped or expected to f
 @pytest.mark.parametrize(("test", "told"), [
     ("shifted_adds[one]", "shifting by 1.0"),  # the student's print
     ("the_second_of_two", "output    2 of 2"),
-    ("shifted_gives_two",
-     "wrong     shifted returned one array or number; a tuple of several"),
+    ("shifted_gives_two", "wrong     shifted returned one array or number; a tuple of several"),
     ("shifted_can_be_multiplied",
      "wrong     what shifted returned does not fit: ValueError: matmul"),
     ("strict_is_not_strict",

@@ -77,9 +77,8 @@ def test_what_was_told_wrongly_once_is_not_told_again(topic, name, answer, told)
     ({"hint": "it may be that everything is 2 times what was expected"}, "silent"),
     ({"hint": "this may be what comes out when it is tripled", "perhaps": "A sign."}, "named"),
     ({"hint": "this is what comes out when it is tripled", "perhaps": "A sign."}, "wrong"),
-    ({"perhaps": "It is tripled."}, "silent"),
-    ({"perhaps": "Minus where plus should stand."}, "named"),
-    ({"perhaps": "Minus."}, "silent")])
+    ({"perhaps": "It is tripled."}, "silent"), ({"perhaps": "Minus."}, "silent"),
+    ({"perhaps": "Minus where plus should stand."}, "named")])
 def test_a_report_is_judged_by_its_sentences(monkeypatch, rows, verdict):
     """A wrong hint is overlooked because another row is right, or words of two rows are mixed."""
     answer = feedback.WrongAnswer(None, "", "the sign is wrong", "sign | minus & plus")

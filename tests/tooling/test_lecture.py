@@ -106,14 +106,13 @@ WAITS_TOO = "This cell waits, too, for exercise {}: it uses `{}`, which is made 
 
 
 @pytest.mark.parametrize(("cell", "text"), [
-    ("all done", ""),
+    ("all done", ""), ("goes on", "3/2 2 2 1.5\n"),
     ("not all done", "Still to be written: 8.7, 8.8 in labs/antialiasing.py.\n"
                      "A cell that needs what is missing waits and says so.\n"),
     ("waits", "so far\n" + WAITS.format("8.7, crossing")),
     ("waits, too", WAITS_TOO.format("8.7", "picture")),
     ("waits for a function", WAITS_TOO.format("8.7", "doubled")),
     ("waits for one that waits, too", WAITS_TOO.format("8.7", "double")),
-    ("goes on", "3/2 2 2 1.5\n"),
     ("waits for another", WAITS.format("8.8, blend")),
     ("waits for the other", WAITS_TOO.format("8.8", "picture"))])
 def test_a_cell_says_which_unwritten_exercise_it_waits_for(outputs, cell, text):

@@ -276,10 +276,9 @@ def test_a_hundred_thousand_faces_take_no_time():
 def test_the_data_readme_states_the_facts():
     """Numbers in the README that are no longer those of the files."""
     text = (places.DATA / "README.md").read_text(encoding="utf-8")
-    counts = []
-    for vertices, faces in (mesh.bunny(), mesh.teapot()):
-        counts.append(f"{len(vertices)}, {len(faces)}, {len(mesh.edges(faces)[0])}")
-    assert f"| {counts[0]} | {counts[1]} |" in text
+    bunny, teapot = (f"{len(vertices)}, {len(faces)}, {len(mesh.edges(faces)[0])}"
+                     for vertices, faces in (mesh.bunny(), mesh.teapot()))
+    assert f"| {bunny} | {teapot} |" in text
     vertices, faces = mesh.teapot()
     points, index = np.unique(vertices, axis=0, return_inverse=True)
     assert f"at {len(points)} places" in text

@@ -274,8 +274,7 @@ def f(x, y):
     ("z = x - y -> z = x; z -= k", "z = x; z -= k; for k in range(2): z += (x - y) * k; return z"),
     ("z += (x - y) * k -> pass", "z = x - y; for k in range(2): pass; return z"),
     ("return z -> return x, z", "z = x - y; for k in range(2): z += (x - y) * k; return (x, z)"),
-    ("x - y -> x (#1) and range(2) -> [0]",
-     "z = x; for k in [0]: z += (x - y) * k; return z"),
+    ("x - y -> x (#1) and range(2) -> [0]", "z = x; for k in [0]: z += (x - y) * k; return z"),
     ("f(x, y) -> y, x", "return (y, x)"),
     ("f(x, y) -> z = y - x; return z", "z = y - x; return z")])
 def test_a_change_is_made_where_it_says(wanted, text):

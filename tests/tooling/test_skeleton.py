@@ -63,8 +63,7 @@ LAB = LAB.replace(THIRD, 'raise NotImplementedError("exercise 1.10: third")')
 def test_an_exercise_has_number_name_points_line_and_calls():
     """The line is a decorator's, 1.10 becomes 1.1, or calls through given functions are missed."""
     assert [found[:5] for found in exercises.text_exercises(MODULE)] == [
-        ("1.1", "first", 2, 11, ()),
-        ("1.2", "second", 1, 26, ("first",)),
+        ("1.1", "first", 2, 11, ()), ("1.2", "second", 1, 26, ("first",)),
         ("1.10", "third", 12, 40, ("first", "second"))]
 
 

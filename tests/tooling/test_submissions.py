@@ -183,10 +183,8 @@ def test_archives_are_read(handed_in, name, content):
     (["ada_12_700_transforms-2.py", "ada_12_701_transforms-1.py"], 1),
     (["ada_12_5_transforms.py", "ada_12_6_labs.zip", "ada_12_7_transforms.py"], 2),
     (["ada_12_5_transforms.py", "ada_12_6_labs.zip"], 1),
-    (["ada_transforms.py", "ada.zip"], 1),
-    (["ada/transforms.py", "ada/transforms (1).py"], 1),
-    (["ada/transforms.py", "ada/labs.zip"], 1),
-    (["ada/labs (1).zip", "ada/labs.zip"], 1),
+    (["ada_transforms.py", "ada.zip"], 1), (["ada/transforms.py", "ada/transforms (1).py"], 1),
+    (["ada/transforms.py", "ada/labs.zip"], 1), (["ada/labs (1).zip", "ada/labs.zip"], 1),
     ([f"{MOODLE}/2.zip", f"{MOODLE}/1.zip"], 1),
     ([f"1-2 - A B - Nov {rest}" for rest in (
         "22, 2026 1159 PM - x.py/transforms.py", "3, 2026 1159 PM - labs.zip")], 0)])
@@ -364,14 +362,14 @@ def test_a_folder_without_submissions_is_a_sentence(tmp_path, name):
 
 
 @pytest.mark.parametrize(("line", "found"), [
-    ("import numpy as np, os", []), ("from . import transforms", []), ("x = (", []),
-    ("from scipy.sparse import csr_array", []),
-    ("import matplotlib.pyplot as plt", []), ("from mpl_toolkits.mplot3d import Axes3D", []),
+    *((line, []) for line in (
+        "import numpy as np, os", "from . import transforms", "x = (",
+        "import matplotlib.pyplot as plt", "from mpl_toolkits.mplot3d import Axes3D",
+        "from scipy.sparse import csr_array", "from course.given import mesh",
+        "from course.given.distances import closest_points")),
     ("import torch.nn as nn", [(1, "torch.nn", True)]),
     ("from cv2 import imread", [(1, "cv2", True)]),
     ("try:\n    import tqdm\nexcept ImportError:\n    pass", [(2, "tqdm", False)]),
-    ("from course.given import mesh", []),
-    ("from course.given.distances import closest_points", []),
     ("def f():\n    from course.given import gradcheck, mesh",
      [(2, "course.given.gradcheck", False)]),
     ("from course import checks", [(1, "course.checks", True)])])

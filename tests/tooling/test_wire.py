@@ -58,8 +58,7 @@ def test_an_array_of_strings_arrives_as_a_list():
 
 @pytest.mark.parametrize(("value", "name"), [
     ((x for x in ()), "generator"), (object(), "object"), ({1: 2}, "dict"), ({1}, "set"),
-    (np.array([None]), "ndarray of object"),
-    (np.zeros(1, "f8,i4"), "ndarray of void96")])
+    (np.array([None]), "ndarray of object"), (np.zeros(1, "f8,i4"), "ndarray of void96")])
 def test_what_cannot_be_sent_arrives_as_its_type_s_name(value, name):
     """An object is sent as it is, as a pickle, or its repr runs."""
     came = wire.decode(wire.encode((value,)))[0]

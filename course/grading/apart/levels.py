@@ -85,9 +85,8 @@ def strict(folder, limits) -> tuple[list, dict]:
     seen = [option for place, path in there.items() for option in mounted(place, str(path))]
     hidden = [option for path in not_for_workers(there)
               for option in ("--ro-bind", folder, str(path))]  # it is empty
-    empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev",
-             "--size", str(1 << 24), "--perms", "1777", "--tmpfs", "/tmp", "--remount-ro", "/",
-             "--chdir", "/tmp"]
+    empty = ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev", "--size", str(1 << 24),
+             "--perms", "1777", "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", "/tmp"]
     return ["bwrap", *shut_in, "--die-with-parent", "--as-pid-1", *seen, *hidden, *empty,
             *python("/worker/worker.py", "/packages")], settings(
         limits, processes=limits.processes, uid=user, doors=[], readable=["/"],

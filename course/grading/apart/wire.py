@@ -25,9 +25,8 @@ MOST_HEADER = 1 << 22  # of it
 MOST_ANSWER = 1 << 17  # of the header of a worker's answer, where numbers are in arrays
 MOST_EMPTY = 1 << 16    # rows of an array without numbers
 USUAL = 300            # bytes of a header that holds no numbers
-DTYPES = {name: np.dtype(name) for name in (
-    "|b1", "|i1", "|u1", "<i2", "<u2", "<f2", "<i4", "<u4", "<f4", "<i8", "<u8", "<f8", "<c8",
-    "<c16")}
+DTYPES = {name: np.dtype(name) for name in
+          "|b1 |i1 |u1 <i2 <u2 <f2 <i4 <u4 <f4 <i8 <u8 <f8 <c8 <c16".split()}
 
 
 class Garbled(ValueError):

@@ -35,10 +35,9 @@ class Gradebook:
         one = self.handed_in[record.work.student]
         when = self.when(one)
         policy = self.policy._replace(due=self.due.get(one.student, self.policy.due))
-        return record._replace(
-            work=one._replace(texts={}, missing={}, handed_in=when),
-            lateness=lateness.judged(policy, when, one.late),
-            overrides=self.by_hand.get(one.student, {}))
+        return record._replace(work=one._replace(texts={}, missing={}, handed_in=when),
+                               lateness=lateness.judged(policy, when, one.late),
+                               overrides=self.by_hand.get(one.student, {}))
 
     def when(self, one):
         """Seconds since 1970. Moodle tells them in its worksheet only."""
