@@ -170,7 +170,7 @@ def test_a_film_shows_each_frame_for_its_time(monkeypatch):
     plot.film(figure, lambda k: axes.plot([0, k], color=plot.RED), range(3), [0.1, 0.1, 0.8])
     film, = shown
     opened = Image.open(io.BytesIO(film.data))
-    assert (opened.n_frames, opened.size, film.width, film.height) == (3, (400, 300), 400, 300)
+    assert (opened.n_frames, opened.size, film.width, film.height) == (3, (800, 600), 400, 300)
     durations = [frame.info["duration"] for frame in ImageSequence.Iterator(opened)]
     assert durations == [800, 100, 100]
     assert len(axes.lines) == 1 and not plt.get_fignums()
