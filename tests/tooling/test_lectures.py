@@ -1,4 +1,5 @@
 """What every lecture has, so that a reader finds his way: links, parts, equations, exercises."""
+import ast
 import re
 
 import pytest
@@ -125,6 +126,18 @@ def test_a_lecture_begins_and_its_figures_are_folded_away(path):
                        re.MULTILINE)
     assert [cell[:60] for cell in others
             if draws.search(cell) and not cell.startswith("# figure:")] == []
+
+
+@each_page
+def test_cells_leave_modules_as_they_are(path):
+    """A constant or a function that a cell replaces, for all cells after it."""
+    nodes = [node for code in exercises.cells(path, "code") if not code.startswith("# live")
+             for node in ast.walk(ast.parse(code))]
+    modules = {alias.asname or alias.name for node in nodes if isinstance(node, ast.ImportFrom)
+               for alias in node.names}
+    changed = [ast.unparse(node) for node in nodes if isinstance(node, ast.Attribute)
+               and isinstance(node.ctx, ast.Store) and getattr(node.value, "id", "") in modules]
+    assert changed == []
 
 
 @each_page
