@@ -130,6 +130,7 @@ async def _run_one(path, free):
             if content != before:
                 write_whole(path, content)
             for picture in openings(content.decode()):
+                (path.parent / "openings").mkdir(exist_ok=True)
                 write_whole(path.parent / "openings" / f"{path.stem}.png", picture)
         except (ValueError, OSError) as error:
             return str(error)

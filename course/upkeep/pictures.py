@@ -16,7 +16,7 @@ PICTURE_LIMIT = 2.0                                # between two pictures, of 25
 
 def told(source):
     """What is said of a cell's pictures, in their order: its comments `# figure: ...`."""
-    comments = re.findall(r"^# figure: *(.*(?:\n#(?! figure:).*)*)", source, re.MULTILINE)
+    comments = re.findall(r"^# figure: *(.*(?:\n#(?! figure:| opening$).*)*)", source, re.MULTILINE)
     return [re.sub(r"\s*\n#\s*", " ", comment).strip() for comment in comments]
 
 

@@ -57,7 +57,7 @@ LECTURE = (
     "    print(word, flush=True)\n"
     "print(os.path.samefile('course/given/plot.py', plot.__file__))",
     "# live\nimport ipywidgets\nipywidgets.IntSlider()",
-    "# figure: squares that grow,\n#   faster and faster\n# figure: a diagonal\n"
+    "# figure: squares that grow,\n#   faster and faster\n# figure: a diagonal\n# opening\n"
     "figure, axes = plt.subplots()\n"
     "axes.plot(np.arange(5) ** 2)\n"
     "plt.show()\n"
@@ -135,6 +135,13 @@ def test_what_is_told_of_a_figure_stands_beside_it(cells):
     """A figure that says nothing to those who do not see it; the text of another one."""
     told = [output["metadata"]["image/png"]["alt"] for output in cells[4]["outputs"]]
     assert told == ["squares that grow, faster and faster", "a diagonal"]
+
+
+def test_a_lecture_opens_with_the_last_picture_of_the_cell_that_says_so(written, cells):
+    """An opening that is not written, or shows another picture."""
+    opening, = written.parent.glob("openings/*.png")
+    assert opening.stem == written.stem
+    assert opening.read_bytes() == base64.b64decode(cells[4]["outputs"][-1]["data"]["image/png"])
 
 
 # Pictures
