@@ -34,7 +34,7 @@ MESHES = {
     "simplified": Turned("12_simplification", "Left, the bunny while its faces become fewer",
                          "the Stanford bunny, lit, each face in one shade",
                          "The bunny in ever fewer faces.", levels.BUNNY_EYE),
-    "found": Turned("16_reconstruction", "three rows of two pictures. Top, target 16 and what",
+    "found": Turned("16_reconstruction", "two rows of two pictures. Top, what camera 16 sees",
                     "a bunny with blue, red and yellow paint, found from 24 pictures",
                     "What this search finds from 24 pictures of another object: a painted bunny. "
                     "Lab 12 left 10,000 of its faces.", portrait.BUNNY_EYE, "smooth"),
