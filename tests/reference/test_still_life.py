@@ -12,4 +12,5 @@ def test_many_samples_are_a_large_picture_made_small():
     large = still_life.picture(LABS, scene, 4 * 96, 4 * 54, samples=1)
     small = still_life.picture(LABS, scene, 96, 54, samples=16)
     error = small - large.reshape(54, 4, 96, 4, 3).mean((1, 3))
+    # 0.017; 0.029 without the samples' finer levels, 0.074 if samples lie half a pixel off
     assert np.sqrt((error**2).mean()) < 0.022 and abs(error.mean()) < 5e-4

@@ -83,9 +83,7 @@ def test_a_lecture_takes_45_minutes_at_most(path):
     figures = path.read_text(encoding="utf-8").count('"image/png": "')
     lines = [line for code in exercises.cells(path, "code") for line in code.splitlines()
              if line.strip() and not code.startswith(("# live", "# figure:"))]
-    minutes = (len(words.split()) / 180 + figures / 3 + text.count("$$") / 4
-               + len(lines) / 15)
-    print(f"{path.stem}: {minutes:.0f} minutes")
+    minutes = len(words.split()) / 180 + figures / 3 + text.count("$$") / 4 + len(lines) / 15
     assert minutes <= MOST_MINUTES
 
 
