@@ -29,6 +29,7 @@ def place(tmp_path):
     frames[0].save(tmp_path / "film.png", save_all=True, append_images=frames[1:], duration=120)
     (tmp_path / "still.png").write_bytes(poster((tmp_path / "film.png").read_bytes()))
     frames[0].save(tmp_path / "first.png")
+    frames[-1].save(tmp_path / "last.png")
     shutil.copytree(ROOT / "site" / "static", tmp_path / "static")
 
     def written(body):
@@ -44,12 +45,12 @@ def animation(more=""):
             '<img src="still.png" alt="grey" width="60" height="40"></figure>')
 
 
-def test_the_still_is_the_last_frame(tmp_path):
-    """A film that ends with the result shows its grey beginning."""
+def test_the_still_is_the_first_frame(tmp_path):
+    """Films begin with what they come to, so the last frame is the one before it."""
     frames = [Image.fromarray(frame) for frame in FRAMES]
     frames[0].save(tmp_path / "film.png", save_all=True, append_images=frames[1:], duration=120)
     (tmp_path / "still.png").write_bytes(poster((tmp_path / "film.png").read_bytes()))
-    assert np.all(np.asarray(Image.open(tmp_path / "still.png").convert("RGB")) == 250)
+    assert np.all(np.asarray(Image.open(tmp_path / "still.png").convert("RGB")) == FRAMES[0])
 
 
 def test_an_animation_is_fetched_when_it_is_played(page, place):
@@ -168,7 +169,7 @@ def test_a_film_that_is_not_there_can_be_asked_for_again(browser, place, tmp_pat
 def pair():
     return ('<figure class="before-after">'
             '<img src="first.png" alt="dark" data-label="dark" width="60" height="40">'
-            '<img src="still.png" alt="light" data-label="light" width="60" height="40"></figure>')
+            '<img src="last.png" alt="light" data-label="light" width="60" height="40"></figure>')
 
 
 def test_the_line_between_two_pictures_moves_by_keys(page, place):
