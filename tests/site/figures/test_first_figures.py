@@ -1,13 +1,13 @@
-"""The figures of lectures 02 to 08: their numbers, their points to move."""
+"""The figures of lectures 02 to 08: their functions, their numbers."""
 import re
 
 import numpy as np
 import pytest
-from reading import middle, opened, point_of, shown
+from reading import middle, opened, shown
 
 from reference import antialiasing, interpolation, mipmapping, rasterization, sampling
 
-# Numbers
+# Functions
 
 def test_edge_functions_are_those_of_the_reference(call):
     """The edge is walked the other way round, a sample on an edge belongs to both triangles or to
@@ -140,89 +140,7 @@ def test_aliases_are_those_of_the_reference(call):
         np.testing.assert_allclose(found, sampling.box_spectrum(width, n), atol=1e-9)
 
 
-# Points to move
-
-def check_edges(page, p):
-    """The table shows the reference's numbers for the pixel at p and the handles' places."""
-    places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
-    triangle, p = np.array(places), np.array(p)
-    e = [rasterization.edge_function(p, triangle[i], triangle[j]) for i, j in rasterization.EDGES]
-    rows = shown(page, "The pixel's edge functions")
-    np.testing.assert_allclose([row[0] for row in rows], [*e, sum(e)], atol=5.1e-5)
-    np.testing.assert_allclose([row[2] for row in rows[:3]], np.array(e) / sum(e), atol=5.1e-4)
-    owns = [rasterization.is_top_left(triangle[i][1] - triangle[j][1],
-                                      triangle[j][0] - triangle[i][0])
-            for i, j in rasterization.EDGES]
-    assert [row[1] for row in rows[:3]] == ["yes" if own else "no" for own in owns]
-    covered = page.locator(".verdict").inner_text().startswith("Covered")
-    assert covered == rasterization.is_covered(p, triangle)
-    return places
-
-
-def at(sheet, x, y):
-    """The place of (x, y) on a sheet of 12 x 8."""
-    box = sheet.bounding_box()
-    return box["x"] + x * box["width"] / 12, box["y"] + (8 - y) * box["height"] / 8
-
-
-def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
-    """A vertex jumps to the pointer, or stays in the table where it was."""
-    opened(page, address, "edge_functions")
-    sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
-    check_edges(page, [7.5, 3.5])
-    off = 9                                        # pressed beside its middle
-    page.mouse.move(middle(vertex)[0] + off, middle(vertex)[1])
-    page.mouse.down()
-    target = at(sheet, 2.3, 4.2)
-    page.mouse.move(target[0] + off, target[1], steps=4)
-    page.mouse.up()
-    assert point_of(vertex) == [2.25, 4.25]
-    page.mouse.move(*at(sheet, 6.4, 3.7))
-    check_edges(page, [6.5, 3.5])
-    page.mouse.move(5, 5)                          # back to the chosen pixel
-    check_edges(page, [7.5, 3.5])
-    page.get_by_role("button", name="Reset").click()
-    assert check_edges(page, [7.5, 3.5])[0] == [1.25, 2.25]
-
-
-def test_a_vertex_follows_the_arrow_keys(page, address):
-    """The keys scroll the page, y points down, or a step is a whole pixel."""
-    opened(page, address, "edge_functions")
-    page.keyboard.press("Tab")
-    for key in ("ArrowRight", "ArrowUp", "ArrowUp", "Shift+ArrowLeft"):
-        page.keyboard.press(key)
-    assert check_edges(page, [7.5, 3.5])[0] == [0.5, 2.75]
-    for _ in range(4):
-        page.keyboard.press("Tab")                 # three vertices, then the pixel
-    page.keyboard.press("ArrowDown")
-    check_edges(page, [7.5, 2.5])
-
-
-def test_a_vertex_follows_a_finger_and_the_page_still_scrolls(browser, address):
-    """The finger scrolls the page instead of moving the vertex, or can no longer scroll it."""
-    context = browser.new_context(has_touch=True, viewport={"width": 375, "height": 800})
-    page = opened(context.new_page(), address, "edge_functions")
-    sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
-    touch = context.new_cdp_session(page)
-
-    def send(kind, *point):
-        points = [{"x": point[0], "y": point[1]}] if point else []
-        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    send("touchStart", *middle(vertex))
-    for y in (3.0, 4.0, 5.5):
-        send("touchMove", *at(sheet, 3, y))
-    send("touchEnd")
-    assert point_of(vertex) == [3, 5.5]
-    page.touchscreen.tap(*at(sheet, 4.5, 2.5))
-    page.get_by_text("Pixel [2, 4]").wait_for()    # a tap becomes a click a little later
-    check_edges(page, [4.5, 2.5])
-    actions = [where.evaluate("e => getComputedStyle(e).touchAction") for where in (sheet, vertex)]
-    assert actions == ["auto", "none"]
-    box = vertex.bounding_box()
-    assert min(box["width"], box["height"]) >= 44
-    context.close()
-
+# What they show
 
 def test_an_edge_that_moves_shows_the_references_gradient(page, address):
     """The gradient is shown of the edge before it moved, or of the other pixel."""
@@ -280,19 +198,6 @@ def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address, nam
     assert page.locator(".answers table").all_inner_texts() != tables
     page.mouse.move(1, 1)
     assert page.locator(".answers table").all_inner_texts() == tables
-
-
-def test_only_the_main_button_drags(page, address):
-    """The menu of the right button opens, and the vertex hangs on the mouse."""
-    opened(page, address, "edge_functions")
-    vertex = page.locator(".handle:not(.probe)").first
-    before = point_of(vertex)
-    x, y = middle(vertex)
-    page.mouse.move(x, y)
-    page.mouse.down(button="right")
-    page.mouse.move(x + 60, y - 40, steps=4)
-    page.mouse.up(button="right")
-    assert point_of(vertex) == before
 
 
 def test_the_slider_shows_the_alias(page, address):
