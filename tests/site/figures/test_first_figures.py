@@ -3,9 +3,16 @@ import re
 
 import numpy as np
 import pytest
-from reading import middle, opened, shown
+from reading import MINUS, middle, opened, settled, shown
 
-from reference import antialiasing, interpolation, mipmapping, rasterization, sampling
+from reference import (
+    antialiasing,
+    interpolation,
+    mipmapping,
+    rasterization,
+    sampling,
+    texturing,
+)
 
 # Functions
 
@@ -97,7 +104,8 @@ def test_what_a_pixel_sees_in_perspective_is_projected_back_to_it(call):
 
 
 def test_levels_are_those_of_the_reference(call):
-    """J is transposed or not in texels, or the fraction belongs to the lower level."""
+    """J is transposed or not in texels, or the fraction belongs to the lower level, or a mean is
+    not of the footprint."""
     rng = np.random.default_rng(6)
     jacobian = rng.normal(size=(200, 2, 2)) * 2.0 ** rng.integers(-9, 2, (200, 1, 1))
     level = mipmapping.mip_level(jacobian, 64, 16)
@@ -110,21 +118,30 @@ def test_levels_are_those_of_the_reference(call):
     levels, = call("mip_level", "pyramid", [(image,)])
     for found, wanted in zip(levels, mipmapping.pyramid(image[..., None]), strict=True):
         np.testing.assert_allclose(found, wanted[..., 0], atol=1e-9)
-    uv = rng.uniform(-2, 2, (100, 2))
-    np.testing.assert_allclose(call("mip_level", "bilinear", [(image, x) for x in uv]),
-                               mipmapping.texture(image[..., None], uv)[:, 0], atol=1e-9)
+    uv, image = rng.uniform(-2, 2, (100, 2)), image[..., None]
+    np.testing.assert_allclose(call("mip_level", "bilinear", [(levels[0], *x) for x in uv]),
+                               mipmapping.texture(image, uv)[:, 0], atol=1e-9)
+    jacobian = rng.normal(size=(100, 2, 2)) * 2.0 ** rng.integers(-6, 1, (100, 1, 1))
+    level = mipmapping.mip_level(jacobian, 8, 8)
+    wanted = mipmapping.texture(image, uv, jacobian, filter="linear-mipmap-linear")[:, 0]
+    found = call("mip_level", "trilinear", [(levels, *x, at) for x, at in
+                                            zip(uv, level, strict=True)])
+    np.testing.assert_allclose(found, wanted, atol=1e-9)
+    found = call("mip_level", "footprintMean", [(levels[0], x, j, 6) for x, j in zip(
+        uv, jacobian, strict=True)])
+    np.testing.assert_allclose(found, texturing.footprint_mean(image, uv, jacobian, 6)[:, 0],
+                               atol=1e-9)
 
 
 def test_the_floors_jacobian_is_its_derivative(call):
     """A term of the quotient rule is missing."""
     rng, h = np.random.default_rng(60), 1e-4
-    pixels, camera = rng.uniform([0, 0], [168, 70], (50, 2)), {"tilt": 25, "forward": 0.3}
+    pixels = rng.uniform([0, 0], [336, 150], (50, 2))
 
     def uv(at):
-        return np.array([s["uv"] for s in call("mip_level", "floorAt", [(p, camera) for p in at])])
+        return np.array([s["uv"] for s in call("mip_level", "floorAt", [(p, 0.3) for p in at])])
 
-    jacobian = [s["jacobian"] for s in call("mip_level", "floorAt",
-                                            [(p, camera) for p in pixels])]
+    jacobian = [s["jacobian"] for s in call("mip_level", "floorAt", [(p, 0.3) for p in pixels])]
     columns = [(uv(pixels + step) - uv(pixels - step)) / (2 * h) for step in h * np.eye(2)]
     np.testing.assert_allclose(jacobian, np.stack(columns, -1), rtol=1e-5, atol=1e-7)
 
@@ -169,19 +186,45 @@ def test_the_pixel_in_perspective_shows_the_references_weights(page, address):
     assert not np.allclose(shown(page, "The pixel's weights"), rows, atol=1e-3)
 
 
-def test_the_floors_pixel_shows_the_references_level(page, address):
-    """J is shown of one pixel, and the level of another."""
+def test_the_floors_pixel_shows_the_references_level(page, address, call):
+    """The level is that of the pixel before, or the mixture is turned round."""
+    pixels = [[x, y] for x in (20.5, 250.5) for y in (10.5, 120.5, 150.5)]
+    seen = call("mip_level", "floorAt", [(p,) for p in pixels])
+    level = mipmapping.mip_level(np.array([s["jacobian"] for s in seen]), 128, 128)
+    lower, upper, f = mipmapping.blend_levels(level, 7)
     opened(page, address, "mip_level")
-    for _ in range(3):
-        page.get_by_label("tilt").press("ArrowRight")
-        page.locator(".probe").first.press("ArrowDown")
-        jacobian = np.array(shown(page, "J in texels")) / 64
-        level = float(re.search(r"level = ([\d.]+)", page.inner_text(".pane"))[1])
-        wanted, = mipmapping.mip_level(jacobian[None], 64, 64)
-        assert abs(level - wanted) < 2e-3
+    box = page.get_by_role("img", name="A floor").bounding_box()
+    for k, (x, y) in enumerate(pixels):
+        page.mouse.click(box["x"] + x * box["width"] / 336,
+                         box["y"] + (192 - y) * box["height"] / 192)
+        said = settled(page).inner_text(".verdict").replace(MINUS, "-")
+        length, shown, *mixed = map(float, re.findall(r"-?\d+(?:\.\d+)?", said))
+        wanted = [1 - f[k], lower[k], f[k], upper[k]] if f[k] else [lower[k]]
+        np.testing.assert_allclose([shown, *mixed], [level[k], *wanted], atol=5.1e-3)
+        assert abs(length - 2 ** level[k]) < 5.1e-3
+    assert level.min() < 0 and level.max() > 4
 
 
-@pytest.mark.parametrize("name", ["perspective", "mip_level"])
+def test_only_the_half_without_the_pyramid_flickers_in_a_walk(page, address):
+    """The walk does nothing, or both halves read one texel."""
+    opened(page, address, "mip_level")
+    page.evaluate("""() => {
+        const canvas = document.querySelector("canvas");
+        window.far = (left) => [...canvas.getContext("2d").getImageData(left, 20, 150, 15).data];
+    }""")
+
+    def both():
+        return np.array([page.evaluate("far(5)"), page.evaluate("far(180)")], float)
+
+    before = both()
+    page.get_by_role("button", name="Walk").click()
+    page.wait_for_function("before => far(5).join() !== before.join()", arg=before[0].tolist())
+    page.get_by_role("button", name="Pause").click()
+    left, right = np.abs(both() - before).mean(1)
+    assert left > 20 * right
+
+
+@pytest.mark.parametrize("name", ["perspective"])
 def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address, name):
     """The mouse crosses the other picture on its way, and the chosen pixel is forgotten."""
     opened(page, address, name)
