@@ -1,14 +1,13 @@
-"""The front page, from README.md, and the tree of all pages."""
+"""The front page, from README.md."""
 import html
 import re
 
-from course import exercises
 from course.given import image
 from course.given.places import DATA, ROOT, read_whole
 
 from . import put
-from .names import lab_page
 from .posters import poster
+from .sidebar import trees
 from .texts_links import with_page_links
 
 DOORS = {"Students": "labs/index", "Instructors": "instructors", "Readers": "reference/index"}
@@ -26,14 +25,6 @@ CARD = """\
 
 {text}
 :::
-"""
-TREE = """
-```{{toctree}}
-:hidden:
-:caption: {caption}
-
-{pages}
-```
 """
 FILM = """\
 <figure class="animation" data-file="reconstruction.png" data-autoplay>
@@ -73,17 +64,3 @@ def cards(doors):
     return CARDS.format(cards="\n".join(
         CARD.format(title=title, page=DOORS[title],
                     text=LINK.sub(r"\1", text[0].upper() + text[1:])) for title, text in found))
-
-
-def trees(lite):
-    """What stands in the margin of every page."""
-    lectures = [f"lectures/{path.stem}" for path in sorted((ROOT / "notebooks").glob("*.ipynb"))]
-    labs = [lab_page(topics[0]) for topics in exercises.LABS]
-    groups = {"Lectures": lectures, "Labs": ["labs/index", *labs],
-              "Code": ["reference/index", "given/index", "benchmarks"],
-              "More": ["own_pictures", "real_projects", "instructors", "errata", "glossary",
-                       "bibliography"]}
-    if lite:
-        groups["Labs"].append("in_the_browser")
-    for caption, pages in groups.items():
-        yield TREE.format(caption=caption, pages="\n".join(pages))
