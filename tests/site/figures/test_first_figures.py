@@ -1,0 +1,253 @@
+"""The figures of lectures 02 to 08: their functions, their numbers."""
+import re
+
+import numpy as np
+import pytest
+from reading import MINUS, middle, opened, settled, shown
+
+from reference import (
+    antialiasing,
+    interpolation,
+    mipmapping,
+    rasterization,
+    sampling,
+    texturing,
+)
+
+# Functions
+
+def test_edge_functions_are_those_of_the_reference(call):
+    """The edge is walked the other way round, a sample on an edge belongs to both triangles or to
+    none, or the weights belong to other vertices."""
+    rng = np.random.default_rng(2)
+    whole = rng.integers(0, 7, (400, 4, 2)).astype(float)
+    points = np.concatenate([whole, rng.normal(size=(100, 4, 2))])
+    cases = [(p, triangle) for p, *triangle in points]
+    wanted = [rasterization.edge_function(p, t[0], t[1]) for p, t in cases]
+    assert sum(e == 0 for e in wanted) > 30, "these inputs have hardly any ties"
+    found = call("edge_functions", "edgeFunction", [(p, t[0], t[1]) for p, t in cases])
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-9)
+    areas = [rasterization.signed_area(np.array(t)) for _, t in cases]
+    np.testing.assert_allclose(call("edge_functions", "signedArea", [(t,) for _, t in cases]),
+                               areas, rtol=0, atol=1e-9)
+    found = call("edge_functions", "isCovered", cases)
+    assert found == [bool(rasterization.is_covered(p, np.array(t))) for p, t in cases]
+    solid = [case for case, area in zip(cases, areas, strict=True) if area != 0]
+    np.testing.assert_allclose(
+        call("edge_functions", "screenWeights", solid),
+        [rasterization.screen_weights(p, np.array(t)) for p, t in solid], atol=1e-9)
+
+
+def test_left_and_lower_edges_are_top_left(call):
+    """A horizontal edge belongs to the wrong side."""
+    normals = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+    wanted = [bool(rasterization.is_top_left(*normal)) for normal in normals]
+    assert call("edge_functions", "isTopLeft", normals) == wanted
+    assert call("edge_functions", "isTopLeft", [(0, 1), (0, -1), (1, -5)]) == [True, False, True]
+
+
+def test_the_blend_and_its_gradient_are_those_of_the_reference(call):
+    """A sign of the gradient is turned, or at the kink the wrong pixel changes."""
+    rng = np.random.default_rng(8)
+    ends = rng.uniform(-1, 2, (200, 4))
+    ends[:, 1], ends[:, 3] = rng.uniform(0.1, 1, 200), rng.uniform(-1, -0.1, 200)
+    c = np.array([antialiasing.crossing(*end) for end in ends])
+    np.testing.assert_allclose(call("antialias", "crossing", ends), c, atol=1e-9)
+    np.testing.assert_allclose(
+        call("antialias", "crossingBackward", [(1.7, *end) for end in ends]),
+        [antialiasing.crossing_backward(np.array(1.7), *end) for end in ends], atol=1e-9)
+    c = np.concatenate([c, [0, 0.5, 1, -0.05, 1.05]])
+    alpha = antialiasing.blend_weight(c)
+    np.testing.assert_allclose(call("antialias", "blendWeight", c[:, None]), alpha, atol=1e-9)
+    np.testing.assert_allclose(call("antialias", "blendWeightBackward", [(3.0, x) for x in c]),
+                               antialiasing.blend_weight_backward(np.full(len(c), 3.0), c))
+    true = np.full(200, True)
+    assert call("antialias", "isBlended", np.column_stack([c[:200], ends])) == list(
+        antialiasing.is_blended(c[:200], true, *ends.T))
+    pair, grad = np.array([[[0.3], [0.8]]]), np.array([[[5.0], [7.0]]])
+    numbers = np.array([0]), np.array([1])
+    np.testing.assert_allclose(
+        call("antialias", "blend", [(0.3, 0.8, a) for a in alpha]),
+        [antialiasing.blend(pair, *numbers, np.array([a])).ravel() for a in alpha], atol=1e-9)
+    wanted = [antialiasing.blend_backward(grad, pair, *numbers, np.array([a])) for a in alpha]
+    np.testing.assert_allclose(
+        call("antialias", "blendBackward", [([5, 7], 0.3, 0.8, a) for a in alpha]),
+        [[*colour.ravel(), *by_alpha] for colour, by_alpha in wanted], atol=1e-9)
+
+
+def test_the_weights_of_the_face_are_those_of_the_reference(call):
+    """The weights are multiplied by w, or not normalised."""
+    rng = np.random.default_rng(5)
+    e, w = rng.uniform(0.1, 1, (2, 200, 3))
+    b = interpolation.barycentric_from_screen(e, w)
+    found = call("perspective", "barycentricFromScreen", list(zip(e, w, strict=True)))
+    np.testing.assert_allclose(found, b, atol=1e-9)
+    faces, seen, corners = np.array([[0, 1, 2]]), np.array([[0]]), rng.normal(size=(3, 2))
+    np.testing.assert_allclose(
+        call("perspective", "interpolate", [(weights, corners) for weights in b]),
+        [interpolation.interpolate_loop(corners, faces, seen, weights[None, None])[0, 0]
+         for weights in b], atol=1e-9)
+
+
+def test_what_a_pixel_sees_in_perspective_is_projected_back_to_it(call):
+    """The w of the corners are those of other corners."""
+    camera = {"tilt": 50, "distance": 1.7}
+    rng = np.random.default_rng(50)
+    pixels = rng.uniform([50, 20], [110, 50], (100, 2)).tolist()
+    seen = call("perspective", "seenAt", [(p, camera) for p in pixels])
+    there = [(p, s) for p, s in zip(pixels, seen, strict=True) if s]
+    assert len(there) > 50
+    back = call("perspective", "project", [(s["right"], camera) for _, s in there])
+    np.testing.assert_allclose([b["point"] for b in back], [p for p, _ in there], atol=1e-9)
+    assert np.abs(np.subtract([s["right"] for _, s in there],
+                              [s["affine"] for _, s in there])).max() > 0.1
+
+
+def test_levels_are_those_of_the_reference(call):
+    """J is transposed or not in texels, or the fraction belongs to the lower level, or a mean is
+    not of the footprint."""
+    rng = np.random.default_rng(6)
+    jacobian = rng.normal(size=(200, 2, 2)) * 2.0 ** rng.integers(-9, 2, (200, 1, 1))
+    level = mipmapping.mip_level(jacobian, 64, 16)
+    np.testing.assert_allclose(call("mip_level", "mipLevel", [(j, 64, 16) for j in jacobian]),
+                               level, atol=1e-9)
+    level = np.concatenate([level, np.arange(8)])
+    np.testing.assert_allclose(call("mip_level", "blendLevels", [(x, 6) for x in level]),
+                               np.transpose(mipmapping.blend_levels(level, 6)), atol=1e-9)
+    image = rng.uniform(size=(8, 8))
+    levels, = call("mip_level", "pyramid", [(image,)])
+    for found, wanted in zip(levels, mipmapping.pyramid(image[..., None]), strict=True):
+        np.testing.assert_allclose(found, wanted[..., 0], atol=1e-9)
+    uv, image = rng.uniform(-2, 2, (100, 2)), image[..., None]
+    np.testing.assert_allclose(call("mip_level", "bilinear", [(levels[0], *x) for x in uv]),
+                               mipmapping.texture(image, uv)[:, 0], atol=1e-9)
+    jacobian = rng.normal(size=(100, 2, 2)) * 2.0 ** rng.integers(-6, 1, (100, 1, 1))
+    level = mipmapping.mip_level(jacobian, 8, 8)
+    wanted = mipmapping.texture(image, uv, jacobian, filter="linear-mipmap-linear")[:, 0]
+    found = call("mip_level", "trilinear", [(levels, *x, at) for x, at in
+                                            zip(uv, level, strict=True)])
+    np.testing.assert_allclose(found, wanted, atol=1e-9)
+    found = call("mip_level", "footprintMean", [(levels[0], x, j, 6) for x, j in zip(
+        uv, jacobian, strict=True)])
+    np.testing.assert_allclose(found, texturing.footprint_mean(image, uv, jacobian, 6)[:, 0],
+                               atol=1e-9)
+
+
+def test_the_floors_jacobian_is_its_derivative(call):
+    """A term of the quotient rule is missing."""
+    rng, h = np.random.default_rng(60), 1e-4
+    pixels = rng.uniform([0, 0], [336, 150], (50, 2))
+
+    def uv(at):
+        return np.array([s["uv"] for s in call("mip_level", "floorAt", [(p, 0.3) for p in at])])
+
+    jacobian = [s["jacobian"] for s in call("mip_level", "floorAt", [(p, 0.3) for p in pixels])]
+    columns = [(uv(pixels + step) - uv(pixels - step)) / (2 * h) for step in h * np.eye(2)]
+    np.testing.assert_allclose(jacobian, np.stack(columns, -1), rtol=1e-5, atol=1e-7)
+
+
+def test_aliases_are_those_of_the_reference(call):
+    """A frequency of half the rate has the wrong sign, or the box is too wide."""
+    frequency = np.concatenate([np.random.default_rng(3).uniform(-40, 40, 200),
+                                np.arange(-24, 25, 6)])
+    np.testing.assert_allclose(call("alias", "aliasFrequency", [(f, 12) for f in frequency]),
+                               sampling.alias_frequency(frequency, 12.0), atol=1e-9)
+    for width, n in ((3, 4), (15, 180), (7, 20)):
+        found, = call("alias", "boxSpectrum", [(width, n)])
+        np.testing.assert_allclose(found, sampling.box_spectrum(width, n), atol=1e-9)
+
+
+# What they show
+
+def test_an_edge_that_moves_shows_the_references_gradient(page, address):
+    """The gradient is shown of the edge before it moved, or of the other pixel."""
+    opened(page, address, "antialias")
+    sides = set()
+    for _ in range(12):
+        page.locator(".handle:text-is('0')").press("ArrowRight")
+        rows = shown(page, "The gradient at both ends")
+        ends = np.array([row[:2] for row in rows]).ravel()
+        c = antialiasing.crossing(*ends)
+        sides.add(bool(c < 0.5))
+        grad_c = antialiasing.blend_weight_backward(np.array([0.9 - 0.2]), np.array([c]))[0]
+        wanted = np.reshape(antialiasing.crossing_backward(grad_c, *ends), (2, 2))
+        np.testing.assert_allclose([row[2:] for row in rows], wanted, atol=5.1e-4)
+    assert sides == {True, False}, "the kink is not passed"
+
+
+def test_the_pixel_in_perspective_shows_the_references_weights(page, address):
+    """The weights are those of another pixel than the one pointed at."""
+    opened(page, address, "perspective")
+    page.get_by_label("tilt").press("ArrowRight")
+    rows = np.array(shown(page, "The pixel's weights"))
+    b = interpolation.barycentric_from_screen(rows[:, 1], rows[:, 0])
+    np.testing.assert_allclose(rows[:, 2], b, atol=2e-3)
+    page.locator(".probe").last.press("ArrowRight")
+    assert not np.allclose(shown(page, "The pixel's weights"), rows, atol=1e-3)
+
+
+def test_the_floors_pixel_shows_the_references_level(page, address, call):
+    """The level is that of the pixel before, or the mixture is turned round."""
+    pixels = [[x, y] for x in (20.5, 250.5) for y in (10.5, 120.5, 150.5)]
+    seen = call("mip_level", "floorAt", [(p,) for p in pixels])
+    level = mipmapping.mip_level(np.array([s["jacobian"] for s in seen]), 128, 128)
+    lower, upper, f = mipmapping.blend_levels(level, 7)
+    opened(page, address, "mip_level")
+    box = page.get_by_role("img", name="A floor").bounding_box()
+    for k, (x, y) in enumerate(pixels):
+        page.mouse.click(box["x"] + x * box["width"] / 336,
+                         box["y"] + (192 - y) * box["height"] / 192)
+        said = settled(page).inner_text(".verdict").replace(MINUS, "-")
+        length, shown, *mixed = map(float, re.findall(r"-?\d+(?:\.\d+)?", said))
+        wanted = [1 - f[k], lower[k], f[k], upper[k]] if f[k] else [lower[k]]
+        np.testing.assert_allclose([shown, *mixed], [level[k], *wanted], atol=5.1e-3)
+        assert abs(length - 2 ** level[k]) < 5.1e-3
+    assert level.min() < 0 and level.max() > 4
+
+
+def test_only_the_half_without_the_pyramid_flickers_in_a_walk(page, address):
+    """The walk does nothing, or both halves read one texel."""
+    opened(page, address, "mip_level")
+    page.evaluate("""() => {
+        const canvas = document.querySelector("canvas");
+        window.far = (left) => [...canvas.getContext("2d").getImageData(left, 20, 150, 15).data];
+    }""")
+
+    def both():
+        return np.array([page.evaluate("far(5)"), page.evaluate("far(180)")], float)
+
+    before = both()
+    page.get_by_role("button", name="Walk").click()
+    page.wait_for_function("before => far(5).join() !== before.join()", arg=before[0].tolist())
+    page.get_by_role("button", name="Pause").click()
+    left, right = np.abs(both() - before).mean(1)
+    assert left > 20 * right
+
+
+@pytest.mark.parametrize("name", ["perspective"])
+def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address, name):
+    """The mouse crosses the other picture on its way, and the chosen pixel is forgotten."""
+    opened(page, address, name)
+    left, right = page.get_by_role("slider", name="Pixel").all()
+    first = left.get_attribute("aria-valuetext")
+    left.focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowLeft")
+    chosen = left.get_attribute("aria-valuetext")
+    assert chosen != first and right.get_attribute("aria-valuetext") == chosen
+    tables = page.locator(".answers table").all_inner_texts()
+    x, y = middle(right)
+    page.mouse.move(x + 20, y + 20)
+    assert page.locator(".answers table").all_inner_texts() != tables
+    page.mouse.move(1, 1)
+    assert page.locator(".answers table").all_inner_texts() == tables
+
+
+def test_the_slider_shows_the_alias(page, address):
+    """The alias is that of the wave before."""
+    opened(page, address, "alias")
+    page.get_by_role("slider", name="periods").fill("16.5")
+    assert "the samples show 4.5" in page.inner_text(".verdict")
+    assert "= 4.5." in page.inner_text(".pane")
+    page.get_by_role("slider", name="periods").fill("5.5")
+    assert page.inner_text(".verdict") == "5.5 periods, seen correctly."
