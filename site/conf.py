@@ -46,9 +46,6 @@ notfound_context = {"title": "Page not found", "body": f"""<h1>Page not found</h
 <p>There is no page at this address. Look for it with the search, in the list of all pages, or
 begin at <a href="{notfound_urls_prefix}index.html">the front page</a>.</p>"""}
 if ADDRESS:
-    extensions.append("sphinx_sitemap")
     html_baseurl = ogp_site_url = f"{ADDRESS}/"
     ogp_image = f"{ADDRESS}/still_life.jpg"
     ogp_image_alt = "a terracotta bunny, a teal teapot, a ball and a brass ring on a tiled floor"
-    sitemap_url_scheme = "{link}"
-    sitemap_excludes = ["404.html", "genindex.html", "search.html"]
