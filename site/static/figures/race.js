@@ -5,7 +5,7 @@ const NAMES = ["A", "B"], DEPTHS = [0.25, 0.5];
 const SCHEDULES = ["AABB", "ABAB", "ABBA", "BAAB", "BABA", "BBAA"];
 
 /** A z-buffer of one pixel without atomics -> the steps, each with what is there after it. The
- *  first step of a thread reads the depth. Its second writes its own, if less than what it has read. */
+ *  first step of a thread reads the depth. Its second writes its own, if less than what it read. */
 export function race(face, depth, schedule) {
   const read = face.map(() => null);
   let seen = -1, nearest = Infinity;
