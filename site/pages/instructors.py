@@ -26,6 +26,7 @@ def with_pictures(text, place, extra):
     def shown(found):
         words, file = found.groups()
         put(extra / file, (place / file).read_bytes())
-        return picture(file, " ".join(words.split()), *image.size(extra / file))
+        one = picture(file, " ".join(words.split()), *image.size(extra / file))
+        return f'<figure class="drawn">{one}</figure>'
 
     return PICTURE.sub(shown, text)
