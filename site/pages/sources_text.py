@@ -9,15 +9,15 @@ import html
 import re
 import textwrap
 
-from pygments import lexers, token
+from pygments import lexers
 
 from course import exercises
 
 from . import put
 from .names import exercise_pages
+from .sources_code import highlighted
 
 PYCON = lexers.get_lexer_by_name("pycon")
-PLAIN = "", "n", "p"  # classes without a colour
 FENCE = "``````"
 EQUATION = r"(?<![\w)])\((\d{1,2})\)"
 RANGE = re.compile(rf"{EQUATION} to {EQUATION}")
@@ -79,22 +79,10 @@ def listing(text, kind):
 
 @functools.cache
 def example(text):
-    """A doctest in the colours of Pygments' style, as HTML. What is typed may wrap."""
-    lines = [""]
-    for kind, value in PYCON.get_tokens(text):
-        first, *rest = value.split("\n")
-        lines[-1] += span(kind, first)
-        lines += [span(kind, line) for line in rest]
+    """A doctest as HTML. What is typed may wrap."""
+    lines = zip(highlighted(PYCON, text).split("\n"), text.split("\n"), strict=True)
     return "\n".join(f'<span class="typed">{line}</span>' if plain.startswith((">>>", "..."))
-                     else line for line, plain in zip(lines, text.split("\n"), strict=False))
-
-
-def span(kind, value):
-    """A token of Pygments as HTML, in the classes of its style sheets."""
-    while kind not in token.STANDARD_TYPES:
-        kind = kind.parent
-    text, name = html.escape(value, quote=False), token.STANDARD_TYPES[kind]
-    return f'<span class="{name}">{text}</span>' if name not in PLAIN and value.strip() else text
+                     else line for line, plain in lines)
 
 
 def table(kind, head, rows):

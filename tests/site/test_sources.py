@@ -87,13 +87,16 @@ def wrong_lines(module, soup):
               for n in range(node.body[0].lineno, node.body[0].end_lineno + 1)}
     lines = module.text.splitlines()
     shown = collections.defaultdict(list)
-    for element in soup.select('[id^="line-"]'):
-        shown[int(element["id"].removeprefix("line-"))].append(
-            element.get_text() if element.get("class") else section_text(element))
+    for row in (row for pre in soup.select(".code > pre") for row in pre.get_text().splitlines()):
+        number, code = re.match(r"(\d+)(.*)", row).groups()
+        shown[int(number)].append(code)
+    for element in soup.select('[id^="line-"]:not(.linenos)'):
+        shown[int(element["id"].removeprefix("line-"))].append(section_text(element))
+    anchors = {int(element["id"].removeprefix("line-")) for element in soup.select('[id^="line-"]')}
     expected = {n for n, line in enumerate(lines, 1) if line.strip() and n not in inside}
     strange = {n for n, texts in shown.items() if len(texts) != 1 or n in inside
                or (texts[0] != lines[n - 1] and plain(lines[n - 1]) not in texts[0])}
-    return sorted(expected - set(shown) | strange)
+    return sorted(expected - set(shown) | strange | anchors ^ set(shown))
 
 
 def section_text(element):
@@ -175,9 +178,10 @@ PLANTED = {  # a mistake in the page of antialiasing, and the check that finds i
     "a star is lost": (wrong_letters, r"row \* W", "row  W"),
     "three dots are one letter": (wrong_letters, r"c \(\.\.\.\)", "c (…)"),
     "the fine print is lost": (wrong_letters, r"<details.*?</details>", ""),
-    "a line has the next one's number": (wrong_lines, 'id="line-176"', 'id="line-177"'),
-    "a line is not there": (wrong_lines, r'<span class="line" id="line-176">.*?\n', ""),
-    "a line holds other code": (wrong_lines, r"nearer = |nearer <span[^>]*>=", "other ="),
+    "a line has the next one's anchor": (wrong_lines, 'id="line-176"', 'id="line-177"'),
+    "a line has the next one's number": (wrong_lines, ">176</a>", ">177</a>"),
+    "a line is not there": (wrong_lines, r'<a class="linenos" id="line-176".*?\n', ""),
+    "a line holds other code": (wrong_lines, "nearer = ", "other = "),
     "an equation is not there": (wrong_equations, r'class="equation"', 'class="lost"'),
     "an equation has another number": (wrong_equations, r">\(3\)</a></div>", ">(4)</a></div>"),
     "an equation is another": (wrong_equations, "<mn>1</mn>", "<mn>7</mn>"),
