@@ -9,7 +9,7 @@ from course.given.places import ROOT
 
 from . import put
 from .instructors import with_pictures
-from .texts_links import with_function_links, with_page_links
+from .texts_links import linked
 
 SCRIPTS = ROOT / "benchmarks"
 STAGES = ("rasterize", "barycentrics", "interpolate", "antialias", "d antialias", "d interpolate",
@@ -23,9 +23,9 @@ def write(folder, extra):
     for file in files:
         put(extra / "benchmarks" / file.name, file.read_bytes())
     readme = with_pictures((SCRIPTS / "README.md").read_text("utf-8"), SCRIPTS, extra)
-    about, *more = with_page_links(readme, "benchmarks").partition("\n## ")
+    about, *more = readme.partition("\n## ")
     found = {file.stem: json.loads(file.read_text("utf-8")) for file in files}
-    put(folder / "benchmarks.md", about + with_function_links(numbers(found)) + "".join(more))
+    put(folder / "benchmarks.md", linked(about + numbers(found) + "".join(more), "benchmarks"))
 
 
 def numbers(found):

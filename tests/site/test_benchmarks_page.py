@@ -210,7 +210,7 @@ def test_every_function_that_a_word_ends_with_has_a_place_in_the_code():
     for word, text in TERMS:
         ending = " ".join(text.split()).partition("[Lecture")[2]
         for name in re.findall(r"`([^`]+)`", ending):
-            assert texts_links.with_function_links(f"`{name}`").startswith("<a "), (word, name)
+            assert texts_links.linked(f"`{name}`", "site/texts").startswith("<a "), (word, name)
 
 
 def test_the_words_of_page_00b_are_in_the_glossary():

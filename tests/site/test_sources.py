@@ -16,7 +16,7 @@ from serving import ROOT, served
 
 sys.path.insert(0, str(ROOT / "site"))
 
-from pages import labs, names, sources_course, sources_text
+from pages import labs, names, sources_course, sources_text, texts_links
 
 from course import exercises
 
@@ -210,7 +210,7 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
         element = shown[names.anchor(exercise.number)]
         assert f"{exercise.number} {exercise.name}" in element.h2.get_text()
         assert f"{exercise.number} {exercise.name}" in listed
-        assert sources_text.mark(exercise) in element.get_text()
+        assert names.mark(exercise) in element.get_text()
         assert letters(prose(element)) == letters(ast.get_docstring(node))
         assert f"({ast.unparse(node.args)})" in element.select_one(".signature").get_text()
         assert answer_lines(module, node) & {*map(str.strip, element.get_text().splitlines())} \
@@ -248,9 +248,11 @@ def test_no_letter_is_markup(text):
 
 
 def test_names_become_links_to_the_right_places():
-    """`crossing_backward` is in two modules; `tube` is a parameter."""
-    def address(module, name, own=()):
-        return sources_text.name_address(COURSE, COURSE.modules[module], name, own)
+    """`crossing_backward` is in two modules; `tube` is a parameter; lab 17 has kernels' names."""
+    def address(name, text, own=()):
+        shown = sources_text.inline(COURSE, COURSE.modules[name], f"`{text}`", own)
+        link = BeautifulSoup(shown, "html.parser").a
+        return link and link["href"]
     assert address("reference.antialiasing", "crossing_backward") \
         == "../reference/antialiasing.html#reference.antialiasing.crossing_backward"
     assert address("reference.shape_rendering", "sphere_trace") \
@@ -258,8 +260,24 @@ def test_names_become_links_to_the_right_places():
     assert address("reference.reconstruction", "course.given.mesh.vertex_normals") \
         == "../given/mesh.html#course.given.mesh.vertex_normals"
     assert address("reference.regularization", "remeshing") == "../reference/remeshing.html"
+    assert address("reference.regularization", "edge_function") \
+        == "../reference/rasterization.html#reference.rasterization.edge_function"
     assert address("course.given.mesh", "radius", ("radius", "tube")) is None
     assert address("reference.antialiasing", "no_such_function") is None
+
+
+def test_a_text_links_the_functions_that_it_names_and_no_others():
+    """`np.clip` leads to a function `clip`; a paragraph is full of one link; kernels are meant."""
+    def links(text, lab=0):
+        shown = texts_links.linked(text, "notebooks", lab, "../")
+        return [link["href"] for link in BeautifulSoup(shown, "html.parser").find_all("a")]
+    place = "../reference/{0}.html#reference.{0}.{1}"
+    assert links("`crossing` and `crossing`") == [place.format("antialiasing", "crossing")]
+    assert links("`crossing`", lab=17) == [place.format("pair_kernels", "crossing")]
+    assert links("`texture_cubes.render`") == [place.format("texture_cubes", "render")]
+    assert links("`np.crossing`, `rasterize`, `unit_of_nothing`, ``crossing``, `mesh`") == []
+    assert texts_links.linked("[a](../labs/outlines.py#b), [c](../LICENSE)", "notebooks") \
+        == "[a](/labs/08_antialiasing.md#b), `c`"
 
 
 @pytest.mark.parametrize(("words", "first"), [
