@@ -15,43 +15,39 @@ MARK = re.compile("\ue000(.*?)\ue001(.*?)\ue002")  # an address and a name: no c
 
 
 class Block(NamedTuple):
-    """Lines of a module, from first to last. node: the function or class, if they are one's."""
+    """Lines of a module, from first to last, and the statements on them."""
 
-    kind: str  # "section": comments that stand alone; "code": imports and constants; "definition"
     first: int
     last: int
-    nodes: tuple
+    kind: str  # "section": comments that stand alone; "code": imports and constants; "definition"
+    nodes: tuple = ()
 
 
 def blocks(module):
     """A module after its docstring, from top to bottom. Imports and constants are one block."""
-    found, lines = [], module.text.splitlines()
-    end = module.tree.body[0].end_lineno
-    for node in module.tree.body[1:]:
-        first = min([node.lineno, *(each.lineno for each in getattr(node, "decorator_list", ()))])
-        for start, last in comments(lines, end, first):
-            if lines[last]:  # nothing empty between the comment and what it is about
-                first = start
-            else:
-                found.append(Block("section", start, last, ()))
-        kind = "definition" if isinstance(node, ast.FunctionDef | ast.ClassDef) else "code"
-        if kind == "code" and found and found[-1].kind == "code":
-            found[-1] = found[-1]._replace(last=node.end_lineno, nodes=(*found[-1].nodes, node))
+    lines, found = module.text.splitlines(), []
+    statements = (block_of(node, lines) for node in module.tree.body[1:])
+    for block in sorted([*sections(module.text), *statements]):
+        if block.kind == "code" and found and found[-1].kind == "code":
+            found[-1] = found[-1]._replace(last=block.last, nodes=found[-1].nodes + block.nodes)
         else:
-            found.append(Block(kind, first, node.end_lineno, (node,)))
-        end = node.end_lineno
+            found.append(block)
     return found
 
 
-def comments(lines, end, first):
-    """(first, last) of each run of comment lines between the lines end and first."""
-    starts = [n for n in range(end + 1, first)
-              if lines[n - 1].startswith("#") and not lines[n - 2].startswith("#")]
-    for start in starts:
-        last = start
-        while lines[last].startswith("#"):
-            last += 1
-        yield start, last
+def sections(text):
+    for comment in re.finditer(r"^(?:#.*\n)+(?=\n)", text, re.MULTILINE):
+        first, last = (text.count("\n", 0, place) for place in comment.span())
+        yield Block(first + 1, last, "section")
+
+
+def block_of(node, lines):
+    """A statement, with its decorators and the comment right above it."""
+    first = min(each.lineno for each in (node, *getattr(node, "decorator_list", ())))
+    while lines[first - 2].startswith("#"):
+        first -= 1
+    is_code = not isinstance(node, ast.FunctionDef | ast.ClassDef)
+    return Block(first, node.end_lineno, "code" if is_code else "definition", (node,))
 
 
 def docstring_lines(node):

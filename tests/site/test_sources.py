@@ -12,7 +12,7 @@ import sys
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT, served
+from serving import ROOT
 
 sys.path.insert(0, str(ROOT / "site"))
 
@@ -24,7 +24,6 @@ SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
 MODULES = sorted(COURSE.modules)
 LABS = sorted(COURSE.lectures)
-NAME = re.compile(r"`(\w+)`")
 
 
 @functools.cache
@@ -235,7 +234,6 @@ def test_a_question_leads_to_where_the_lecture_asks_it(lab):
         assert re.search(rf"\b{re.escape(exercise.number)}\b", section.get_text()), exercise.name
 
 
-
 @pytest.mark.parametrize("text", [
     "a*b* and x* and *c*", "_a_ __init__ b_", "|n| <b> & &amp; <!-- -->", "(..., 2) -> e (...)",
     r"\alpha \* $x$ $$y$$", "1. one\n2. two\n- three", "# no heading\n===\n---", "`a` and ``b``",
@@ -278,17 +276,3 @@ def test_a_text_links_the_functions_that_it_names_and_no_others():
     assert links("`np.crossing`, `rasterize`, `unit_of_nothing`, ``crossing``, `mesh`") == []
     assert texts_links.linked("[a](../labs/outlines.py#b), [c](../LICENSE)", "notebooks") \
         == "[a](/labs/08_antialiasing.md#b), `c`"
-
-
-@pytest.mark.parametrize(("words", "first"), [
-    ("exercise 8.7", "labs/08_antialiasing.html#"),
-    ("exercise 14.18", "labs/14_shadow_mapping.html#"),
-    ("crossing_backward", "reference/antialiasing.html#reference.antialiasing.crossing_backward"),
-    ("is_top_left", "reference/rasterization.html#reference.rasterization.is_top_left")])
-def test_the_search_finds_an_exercise_and_a_function_first(words, first, page):
-    """Sphinx looks for whole words, and a lecture has more of them."""
-    with served(SITE) as address:
-        page.goto(f"{address}/search.html?q={words}")
-        page.wait_for_selector("ul.search li a")
-        found = page.eval_on_selector_all("ul.search li a", "all => all.map(one => one.href)")
-    assert first in found[0], found[:5]
