@@ -106,12 +106,10 @@ class Course(NamedTuple):
 @functools.cache
 def read():
     """The course as it is in the working folder."""
-    texts = {f"reference.{topic}": exercises.read(exercises.reference(topic))
-             for topic in exercises.TOPICS}
-    texts |= {"reference.tiny": exercises.read(exercises.reference("tiny"))}  # of no lab
-    given = places.ROOT / "course" / "given"
-    texts |= {f"course.given.{path.stem}": exercises.read(path)
-              for path in sorted(given.glob("*.py")) if path.stem != "__init__"}
+    paths = [*map(exercises.reference, (*exercises.TOPICS, "tiny")),  # tiny is of no lab
+             *sorted((places.ROOT / "course" / "given").glob("[!_]*.py"))]
+    texts = {".".join(path.relative_to(places.ROOT).with_suffix("").parts): exercises.read(path)
+             for path in paths}
     modules = {name: read_module(name, text, texts) for name, text in texts.items()}
     for module in modules.values():
         module.names.update({short: origin(modules, full) for short, full in module.names.items()})
