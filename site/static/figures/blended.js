@@ -45,10 +45,14 @@ function blendedPairs(inside, triangle, width, height) {
   return pairs;
 }
 
-/** -> the picture of a triangle (3 vertices, counter-clockwise), and the pairs that it blends. */
-export function render(triangle, width, height) {
-  const inside = Array.from({ length: width * height }, (_, n) =>
+/** Which pixels' centres does a triangle (3 vertices, counter-clockwise) cover? */
+export const covered = (triangle, width, height) =>
+  Array.from({ length: width * height }, (_, n) =>
     isCovered([n % width + 0.5, Math.floor(n / width) + 0.5], triangle));
+
+/** -> the picture of a triangle, and the pairs that it blends. */
+export function render(triangle, width, height) {
+  const inside = covered(triangle, width, height);
   const pairs = blendedPairs(inside, triangle, width, height);
   const picture = Float64Array.from(inside, Number);
   for (const { owner, other, c } of pairs) {

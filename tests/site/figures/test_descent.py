@@ -81,3 +81,34 @@ def test_a_vertex_that_is_moved_begins_a_new_descent(page, address):
     assert loss_of(page)[0] == 0 and loss_of(page)[1] < before[1]
     page.get_by_role("button", name="Reset").click()
     assert loss_of(page) == before
+
+
+def test_the_landscape_has_the_blends_slopes_or_none(call):
+    """The arrow is of another vertex, or the map is of another loss."""
+    places = np.random.default_rng(4).uniform([1, 2], [11, 8], (60, 2))
+    h = 1e-6 * np.eye(2)
+    found = call("landscape", "lossAt", [(place, True) for place in places])
+    around = [call("landscape", "lossAt", [(place + step, True) for place in places])
+              for step in (h[0], -h[0], h[1], -h[1])]
+    right, left, above, below = (np.array([one["loss"] for one in row]) for row in around)
+    differences = np.stack([right - left, above - below], -1) / 2e-6
+    gradients = np.array([one["gradient"] for one in found])
+    steady = np.abs(differences).max(1) < 1  # no pair of pixels begins or ends in between
+    assert steady.sum() > 50 and np.abs(gradients).max() > 0.01
+    np.testing.assert_allclose(gradients[steady], differences[steady], atol=1e-6)
+    steps = call("landscape", "lossAt", [(place, False) for place in places])
+    assert all(one["gradient"] == [0, 0] for one in steps)
+    counts = np.array([one["loss"] for one in steps]) * 12 * 8
+    np.testing.assert_allclose(counts, counts.round(), atol=1e-9)
+
+
+def test_without_the_blend_there_is_no_way_down(page, address):
+    """The arrow of the blended picture stays."""
+    opened(page, address, "landscape")
+    assert "Flat" not in page.inner_text(".told")
+    arrows = page.locator(".sheet polygon.descent")
+    assert arrows.count() == 1
+    page.get_by_label("blend the edges").uncheck()
+    page.get_by_text("Flat between two cliffs").wait_for()
+    assert settled(page).locator(".sheet polygon.descent").count() == 0
+    assert arrows.count() == 0
