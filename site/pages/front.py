@@ -8,7 +8,7 @@ from course.given.places import DATA, ROOT, read_whole
 
 from . import put
 from .names import lab_page
-from .posters import poster
+from .posters import frame_count, poster
 from .texts_links import with_page_links
 
 DOORS = {"Students": "labs/index", "Instructors": "instructors", "Readers": "reference/index"}
@@ -36,7 +36,7 @@ TREE = """
 ```
 """
 FILM = """\
-<figure class="animation" data-file="reconstruction.png" data-autoplay>
+<figure class="animation" data-file="reconstruction.png" data-frames="{frames}" data-autoplay>
 <img src="reconstruction_still.png" alt="{words}" width="{width}" height="{height}">
 </figure>
 """
@@ -60,7 +60,8 @@ def page(readme):
     sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
     doors = sections.pop("Three doors")
     width, height = image.size(DATA / "reconstruction.png")
-    shown = FILM.format(words=html.escape(words), width=width, height=height)
+    shown = FILM.format(words=html.escape(words), width=width, height=height,
+                        frames=frame_count(read_whole(DATA / "reconstruction.png")))
     parts = [title, shown, text, cards(doors),
              "## A picture and its gradient", code,
              *(f"## {name}\n{body}" for name, body in sections.items())]
