@@ -29,14 +29,19 @@ SHADE = """() => {
 }"""
 
 
+def film(path, duration=120):
+    """Write an animation of three grey frames, each of so many milliseconds."""
+    first, *others = map(Image.fromarray, FRAMES)
+    first.save(path, save_all=True, append_images=others, duration=duration)
+
+
 @pytest.fixture
 def place(tmp_path):
     """A folder with an animation, its still and the players -> a function that serves a page."""
-    frames = [Image.fromarray(frame) for frame in FRAMES]
-    frames[0].save(tmp_path / "film.png", save_all=True, append_images=frames[1:], duration=120)
+    film(tmp_path / "film.png")
     (tmp_path / "still.png").write_bytes(poster((tmp_path / "film.png").read_bytes()))
-    frames[0].save(tmp_path / "first.png")
-    frames[-1].save(tmp_path / "last.png")
+    Image.fromarray(FRAMES[0]).save(tmp_path / "first.png")
+    Image.fromarray(FRAMES[-1]).save(tmp_path / "last.png")
     shutil.copytree(ROOT / "site" / "static", tmp_path / "static")
 
     def written(body):
@@ -52,11 +57,8 @@ def animation(more=""):
             '<img src="still.png" alt="grey" width="60" height="40"></figure>')
 
 
-def test_the_still_is_the_first_frame(tmp_path):
+def test_the_still_is_the_first_frame(place, tmp_path):
     """Films begin with what they come to, so the last frame is the one before it."""
-    frames = [Image.fromarray(frame) for frame in FRAMES]
-    frames[0].save(tmp_path / "film.png", save_all=True, append_images=frames[1:], duration=120)
-    (tmp_path / "still.png").write_bytes(poster((tmp_path / "film.png").read_bytes()))
     assert np.all(np.asarray(Image.open(tmp_path / "still.png").convert("RGB")) == FRAMES[0])
 
 
@@ -145,9 +147,7 @@ def test_quick_pauses_do_not_make_it_faster(page, place):
 
 def test_play_goes_on_at_once(page, place, tmp_path):
     """The first frame stays for seconds: the reader has pressed the button, and nothing moves."""
-    frames = [Image.fromarray(frame) for frame in FRAMES]
-    frames[0].save(tmp_path / "film.png", save_all=True, append_images=frames[1:],
-                   duration=[60_000, 60_000, 60_000])
+    film(tmp_path / "film.png", duration=60_000)
     page.goto(place(animation()))
     page.get_by_role("button", name="Play").click()
     page.wait_for_selector("canvas")
@@ -192,8 +192,7 @@ def test_a_drag_fetches_the_film_once_and_shows_its_place(page, place):
 @pytest.mark.parametrize("browsers", ["", "delete window.ImageDecoder"])
 def test_a_film_that_is_not_there_is_told_and_asked_for_again(browser, place, tmp_path, browsers):
     """The button says Pause for ever, and nothing moves; or it stops without a word."""
-    page = browser.new_page()
-    wrong = []
+    page, wrong = browser.new_page(), []
     page.on("pageerror", lambda error: wrong.append(str(error)))
     page.add_init_script(browsers)
     page.goto(place(animation()))
@@ -215,7 +214,6 @@ def test_a_sign_is_drawn_and_not_written(page, place, name, shapes):
     """A font has no sign for a pause, and an empty box stands there."""
     page.goto(place(animation()))
     button = page.get_by_role("button")
-    button.wait_for()
     if name == "Pause":
         button.click()
     assert button.inner_text() == ""
@@ -226,8 +224,8 @@ def test_a_sign_is_drawn_and_not_written(page, place, name, shapes):
 
 def test_a_lectures_film_says_how_many_frames_it_has(place, tmp_path):
     """The slider's end is not the film's."""
-    film = (tmp_path / "film.png").read_bytes()
-    shown = lectures.Pictures("02_rasterization", tmp_path).shown(film, "grey", 60)
+    content = (tmp_path / "film.png").read_bytes()
+    shown = lectures.Pictures("02_rasterization", tmp_path).shown(content, "grey", 60)
     assert 'data-file="pictures/02_00.png" data-frames="3"' in shown
 
 
