@@ -1,8 +1,8 @@
 /** Lecture 10: one triangle, a target, and what four gradients say of the triangle's outline. */
+import { covered, render, renderBackward } from "./blended.js";
 import { signedArea } from "./edge_functions.js";
 import { toSrgb } from "./msaa_samples.js";
-import { antialias, antialiasBackward, hardPicture, softSilhouette, softSilhouetteBackward,
-         sweepBackward } from "./outline_gradients.js";
+import { softSilhouette, softSilhouetteBackward, sweepBackward } from "./outline_gradients.js";
 import { button, clamp, eachFrame, html, number, slider } from "./paper.js";
 import { Picture } from "./picture.js";
 import { pixelCoverage, pixelCoverageBackward } from "./pixel_coverage.js";
@@ -26,7 +26,7 @@ export const METHODS = {
     picture: pixelCoverage(triangle, ...SIZE),
     backward: (grad) => pixelCoverageBackward(grad, triangle, WIDTH) }),
   sweep: (triangle, eps) => {
-    const picture = hardPicture(triangle, ...SIZE);
+    const picture = Float64Array.from(covered(triangle, ...SIZE), Number);
     return { picture, backward: (grad) =>
       sweepBackward(grad, picture, triangle, ...SIZE, eps)
         .map(([x, y]) => [x * 2 / WIDTH, y * 2 / HEIGHT]) };
@@ -35,9 +35,8 @@ export const METHODS = {
     picture: softSilhouette(triangle, ...SIZE, sigma),
     backward: (grad) => softSilhouetteBackward(grad, triangle, WIDTH, sigma) }),
   blend: (triangle) => {
-    const picture = hardPicture(triangle, ...SIZE);
-    return { picture: antialias(picture, triangle, WIDTH),
-             backward: (grad) => antialiasBackward(grad, picture, triangle, WIDTH) };
+    const { picture, pairs } = render(triangle, ...SIZE);
+    return { picture, backward: (grad) => renderBackward(grad, pairs) };
   },
 };
 

@@ -1,17 +1,10 @@
-/** Lecture 10: a triangle's silhouette in width x height pixels, and three gradients of its border.
- *  Pictures and triangles are those of pixel_coverage.js, which has the truth. */
-import { blendWeight, blendWeightBackward, crossing, crossingBackward, isBlended }
-  from "./antialias.js";
-import { isCovered } from "./edge_functions.js";
+/** Lecture 10: the sweep of neural_renderer and the soft silhouette of SoftRas, for one triangle.
+ *  Pictures and triangles are those of pixel_coverage.js. */
 import { clamp } from "./elements.js";
 import { noGradient, picture } from "./pixel_coverage.js";
 
 const EDGES = [[1, 2], [2, 0], [0, 1]];      // edge k is opposite to vertex k
 const LEAST_PROBABILITY = 1e-6;
-
-/** 1 where a pixel's centre is in the triangle. */
-export const hardPicture = (triangle, width, height) =>
-  picture(width, height, (j, i) => (isCovered([j + 0.5, i + 0.5], triangle) ? 1 : 0));
 
 // neural_renderer's sweep
 
@@ -93,56 +86,5 @@ export function softSilhouetteBackward(gradSilhouette, triangle, width, sigma) {
       grad[k][axis] += scale * (end ? t : 1 - t) * d;
     }));
   });
-  return grad;
-}
-
-// Lab 8's blend
-
-/** Lecture 08, eqs. (2) and (3): the pairs of a pixel that sees the face and one that does not. */
-function blendedPairs(colour, triangle, width) {
-  const pairs = [];
-  const add = (first, second, right, up) => {
-    if (colour[first] === colour[second]) return;
-    const [owner, other, way] = colour[first] ? [first, second, 1] : [second, first, -1];
-    const [px, py] = [owner % width + 0.5, Math.floor(owner / width) + 0.5];
-    const points = triangle.map(([x, y]) => [way * (right * (x - px) + up * (y - py)),
-                                             up * (x - px) + right * (y - py)]);
-    const crossed = EDGES.filter(([i, j]) => (points[i][1] < 0) !== (points[j][1] < 0))
-      .map((ends) => ({ ends, places: ends.flatMap((k) => points[k]) }))
-      .map((edge) => ({ ...edge, c: crossing(...edge.places) }));
-    if (!crossed.length) return;
-    const last = crossed.reduce((a, b) => (b.c > a.c ? b : a));
-    if (!isBlended(last.c, ...last.places) || (last.c === 0.5 && owner < other)) return;
-    pairs.push({ ...last, owner, other, right, up, way });
-  };
-  colour.forEach((_, n) => {
-    if (n % width + 1 < width) add(n, n + 1, 1, 0);
-    if (n + width < colour.length) add(n, n + width, 0, 1);
-  });
-  return pairs;
-}
-
-/** Lecture 08, eqs. (4) and (5), for a face of 1 on a background of 0. */
-export function antialias(colour, triangle, width) {
-  const output = Float64Array.from(colour);
-  for (const { owner, other, c } of blendedPairs(colour, triangle, width)) {
-    const alpha = blendWeight(c);
-    output[alpha > 0 ? owner : other] -= alpha;
-  }
-  return output;
-}
-
-export function antialiasBackward(gradOutput, colour, triangle, width) {
-  const grad = noGradient();
-  for (const { owner, other, right, up, way, c, ends, places }
-    of blendedPairs(colour, triangle, width)) {
-    const gradAlpha = -gradOutput[blendWeight(c) >= 0 ? owner : other];
-    const by = crossingBackward(blendWeightBackward(gradAlpha, c), ...places);
-    ends.forEach((k, end) => {
-      const [byX, byY] = [way * by[2 * end], by[2 * end + 1]];
-      grad[k][0] += right * byX + up * byY;
-      grad[k][1] += up * byX + right * byY;
-    });
-  }
   return grad;
 }

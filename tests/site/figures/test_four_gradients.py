@@ -6,7 +6,6 @@ import pytest
 from reading import opened, settled
 
 from reference import (
-    antialiasing,
     neural_renderer,
     outlines,
     rasterization,
@@ -17,7 +16,7 @@ from reference import (
 )
 
 WIDTH, HEIGHT = 16, 8
-FACE = np.array([[0, 1, 2]])
+FACE, OPPOSITE = np.array([[0, 1, 2]]), np.array([[-1, -1, -1]])
 
 
 def triangles():
@@ -62,8 +61,6 @@ def test_the_exact_coverage_and_its_gradient_are_those_of_the_reference(call):
 def test_the_sweep_is_that_of_the_reference(call, eps):
     """The outside of an edge is taken for its inside, or columns for rows."""
     points, seen, grad = cases()
-    found = call("outline_gradients", "hardPicture", [(p, WIDTH, HEIGHT) for p in points])
-    np.testing.assert_array_equal(pictures(found), seen + 1)
     found = call("outline_gradients", "sweepBackward",
                  [(g.ravel(), (face + 1).ravel(), p, WIDTH, HEIGHT, eps)
                   for g, face, p in zip(grad, seen, points, strict=True)])
@@ -90,23 +87,19 @@ def test_the_soft_picture_is_that_of_the_reference(call, sigma):
 
 
 def test_the_blend_is_that_of_the_reference(call):
-    """A pair of pixels above each other is blended as if they were side by side."""
-    points, seen, grad = cases()
-    found = call("outline_gradients", "antialias",
-                 [((face + 1).ravel(), p, WIDTH)
-                  for face, p in zip(seen, points, strict=True)])
-    scenes = [(p, *scanline.rasterize(clip_of(p), FACE, WIDTH, HEIGHT), clip_of(p), FACE,
-               antialiasing.opposite_vertices(FACE)) for p in points]
-    wanted = [outlines.antialias(face[..., None] + 1.0, face, *rest)[..., 0]
-              for _, face, *rest in scenes]
-    np.testing.assert_allclose(pictures(found), wanted, atol=1e-9)
-    found = call("outline_gradients", "antialiasBackward",
-                 [(g.ravel(), (face + 1).ravel(), p, WIDTH)
-                  for g, face, p in zip(grad, seen, points, strict=True)])
-    wanted = [outlines.antialias_backward(g[..., None], face[..., None] + 1.0, face, *rest)[1]
-              [:, :2] * [2 / WIDTH, 2 / HEIGHT]
-              for g, (_, face, *rest) in zip(grad, scenes, strict=True)]
-    np.testing.assert_allclose(found, wanted, atol=1e-9)
+    """An edge half-way between two centres has a gradient of the side that the reference drops."""
+    points, _, grad = cases()
+    found = call("blended", "render", [(p, WIDTH, HEIGHT) for p in points])
+    back = call("blended", "renderBackward",
+                [(g.ravel(), one["pairs"]) for g, one in zip(grad, found, strict=True)])
+    for p, g, one, gradient in zip(points, grad, found, back, strict=True):
+        clip = clip_of(p)
+        edges = *scanline.rasterize(clip, FACE, WIDTH, HEIGHT), clip, FACE, OPPOSITE
+        hard = (edges[0] + 1.0)[..., None]
+        np.testing.assert_allclose(one["picture"], outlines.antialias(hard, *edges).ravel(),
+                                   atol=1e-9)
+        wanted = outlines.antialias_backward(g[..., None], hard, *edges)[1][:, :2]
+        np.testing.assert_allclose(gradient, wanted * [2 / WIDTH, 2 / HEIGHT], atol=1e-9)
 
 
 START = np.array([[7.0, 2.5], [14.0, 4.75], [9.0, 11.25]])
@@ -128,7 +121,7 @@ def pulls_by_reference(points, eps, sigma):
                                           corners, eps)[0, :, :2] * 2 / [width, height]
     soft = soft_rasterizer.soft_silhouette(points[None], width, height, sigma)
     soft = soft_rasterizer.soft_silhouette_backward(2 * (soft - target), points[None], sigma)[0]
-    edges = seen, depth, clip, FACE, antialiasing.opposite_vertices(FACE)
+    edges = seen, depth, clip, FACE, OPPOSITE
     smooth = outlines.antialias(hard[..., None], *edges)
     blend = outlines.antialias_backward(2 * (smooth - target[..., None]), hard[..., None],
                                         *edges)[1][:, :2] * 2 / [width, height]
