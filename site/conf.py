@@ -28,7 +28,7 @@ html_title = project
 html_math_renderer = "drawn"
 html_static_path = [str(SITE / "static")]
 html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
-                  "figures/figures.css"]
+                  "figures/figures.css", "figures/four_gradients.css"]
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]
 html_copy_source = False
