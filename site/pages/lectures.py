@@ -13,7 +13,7 @@ from PIL import Image
 
 from course.given.places import ROOT, read_whole
 
-from . import inserts, picture, put
+from . import inserts, picture, put, sidebar
 from .names import CODE, document, exercise_pages, function_page
 from .posters import poster
 
@@ -46,6 +46,7 @@ def write(folder, extra):
             notebook.cells.append(cell)
             if below:
                 notebook.cells.append(nbformat.v4.new_markdown_cell(below, id=f"{cell.id}-below"))
+        notebook.cells.append(nbformat.v4.new_markdown_cell(sidebar.below(path.stem), id="tree"))
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
     added.require_all()
 

@@ -1,0 +1,31 @@
+"""The search: what a reader types, and what stands first."""
+import re
+
+QUERIES = {
+    "lab 8": r"labs/08_antialiasing\.html$",
+    "lecture 8": r"lectures/08_antialiasing\.html$",
+    "8.7": r"labs/08_antialiasing\.html#exercise-8-7$",
+    "exercise 8.7": r"labs/08_antialiasing\.html#exercise-8-7$",
+    "zbuffer": r"glossary\.html#term-z-buffer$|lectures/02_\w+\.html#.*z-buffer$",
+    "z-buffer": r"glossary\.html#term-z-buffer$|lectures/02_\w+\.html#.*z-buffer$",
+    "crossing equation": r"lectures/08_\w+\.html#where-does-the-edge-cross$|labs/08_\w+\.html#exercise-8-7$",
+    "install": r"index\.html#",
+    "download": r"index\.html#",
+    "get the course": r"index\.html#",
+    "top-left rule": r"glossary\.html#term-top-left-rule$",
+    "antialias gradient": r"lectures/08_|reference/outlines\.html#reference\.outlines\.antialias_backward$",
+    "bilinear": r"glossary\.html#term-bilinear$|lectures/06_\w+\.html#one-texel",
+    "quadric": r"glossary\.html#term-quadric|lectures/12_\w+\.html#the-distance",
+    "shadow acne": r"glossary\.html#term-shadow-acne$|lectures/14_\w+\.html#acne",
+    "perspective divide": r"glossary\.html#term-perspective-divide$|lectures/01_\w+\.html#the-divide$",
+    "Adam": r"glossary\.html#term-Adam$|lectures/09_\w+\.html#downhill-adam$",
+    "mipmap": r"glossary\.html#term-mip|lectures/06_\w+\.html|labs/06_|reference/mipmapping\.html$",
+    "soft rasterizer": r"glossary\.html#term-SoftRas$|lectures/10_\w+\.html#.*softras$|reference/soft_rasterizer\.html$",
+    "silhouette": r"glossary\.html#term-silhouette-edge$|lectures/08_\w+\.html#which-edges-silhouettes$",
+    "finite difference": r"glossary\.html#term-central-difference$|given/gradcheck",
+    "barycentric": r"glossary\.html#term-barycentrics$|lectures/02_\w+\.html#.*barycentric|lectures/05_",
+    "marching tetrahedra": r"glossary\.html#term-marching-tetrahedra$|lectures/15_\w+\.html#marching",
+    "antialias_backward": r"reference/outlines\.html#reference\.outlines\.antialias_backward$",
+    "nvdiffrast": r"real_projects\.html",
+    "grade": r"instructors\.html",
+}
