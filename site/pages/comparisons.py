@@ -8,18 +8,18 @@ from course.given import image, places
 
 from . import picture, put
 
-PAIRS = {  # name: lecture, words of the figure above, scene, caption, its two pictures
-    "sampled": ("03_sampling", "three small zone plates", aliasing.aliasing,
+PAIRS = {  # name: scene, caption, its two pictures
+    "sampled": (aliasing.aliasing,
                 "A zone plate made smaller.",
                 ("sampled", "sampled", "a zone plate of which every third pixel was kept: nine "
                  "centres of rings, equally strong"),
                 ("filtered", "filtered, then sampled", "the same with a filter first: one strong "
                  "centre of rings, and faint false ones")),
-    "samples": ("04_msaa", "an ear of the bunny, enlarged, with 1 sample", msaa.msaa,
+    "samples": (msaa.msaa,
                 "One sample in a pixel, and MSAA.",
                 ("1x", "1 sample in a pixel", "the bunny with stairs along its outline"),
                 ("16x", "16 samples", "the bunny with a smooth outline")),
-    "soft": ("14_shadow_mapping", "four pictures: a hard shadow, PCF with", shadow.shadow,
+    "soft": (shadow.shadow,
              "The shadow of a small lamp and of a large one.",
              ("hard", "a point", "the bunny on the ground, its shadow with a sharp outline"),
              ("soft", "a disc", "the same shadow, sharp at the feet and soft at the ears")),
@@ -32,7 +32,7 @@ def write(extra):
     with mock.patch.object(places, "OUT", str(extra.parent)):  # the reader's own out/demo stays
         return {name: figure(extra, name, drawn(scene(labs), [one[0] for one in pair]), caption,
                              pair)
-                for name, (_, _, scene, caption, *pair) in PAIRS.items()}
+                for name, (scene, caption, *pair) in PAIRS.items()}
 
 
 def drawn(scene, names):

@@ -1,24 +1,57 @@
 """What the site adds to the lectures: figures that answer, pairs of pictures, meshes to turn.
 
-Each has its place below a cell. Words of it, or of its picture, say which.
+A lecture's paragraph says what there is to touch, and links to this site with its name:
+
+    **Drag vertex 2** ([on the site](../site/README.md#edge_functions)), until two triangles ...
+
+On the site the link goes, and what it names stands below the paragraph.
 """
+import re
+
+from course.given.places import ROOT
+
 from . import comparisons, meshes
 
-ANSWERS = {  # a figure that answers: its lecture, and words of the cell above it
-    "edge_functions": ("02_rasterization", "a point p in a triangle and the three smaller"),
-    "alias": ("03_sampling", "a wave with 4 periods in one second and a wave with 1 period"),
-    "perspective": ("05_interpolation", "two pictures of a checkerboard floor of two faces"),
-    "mip_level": ("06_texturing", "left, a pixel with its circle"),
-    "antialias": ("08_antialiasing", "\\tag{7}"),
-}
+FIGURES = ROOT / "site" / "static" / "figures"
+LINK = re.compile(r" \(\[[^]]*\]\(\.\./site/README\.md#(\w+)\)\)")
 
 
-def write(extra):
-    """Write their files -> [(lecture, words, HTML)]."""
-    turned, paired = meshes.write(extra), comparisons.write(extra)
-    return [
-        *((lecture, words, f'<div class="answers" data-figure="{name}"></div>')
-          for name, (lecture, words) in ANSWERS.items()),
-        *((*meshes.MESHES[name][:2], shown) for name, shown in turned.items()),
-        *((*comparisons.PAIRS[name][:2], shown) for name, shown in paired.items()),
-    ]
+class Inserts:
+    """All of them, by name, each with its place in one lecture."""
+
+    def __init__(self, extra):
+        """Write their files to extra."""
+        self.placed = []
+        self.made = {**meshes.write(extra), **comparisons.write(extra)}
+
+    def put_in(self, text):
+        """A lecture's Markdown with the HTML of what its paragraphs name.
+
+        ValueError: there is none of this name.
+        """
+        return "\n\n".join(map(self._with_figure, text.split("\n\n")))
+
+    def _with_figure(self, paragraph):
+        named = LINK.findall(paragraph)
+        return "\n\n".join([LINK.sub("", paragraph), *map(self._html, named)])
+
+    def _html(self, name):
+        self.placed.append(name)
+        if name in self.made:
+            return self.made[name]
+        if not (FIGURES / f"{name}.js").exists():
+            raise ValueError(f"a lecture names the figure {name}, and site/static/figures has "
+                             f"none: it has {', '.join(answering())}")
+        return f'<div class="answers" id="figure-{name}" data-figure="{name}"></div>'
+
+    def require_all(self):
+        """ValueError: one has no place."""
+        for name in {*self.made, *answering()}.difference(self.placed):
+            raise ValueError(f"no lecture has a place for {name}: let a paragraph of one link to "
+                             f"../site/README.md#{name}")
+
+
+def answering():
+    """The names of the figures that answer."""
+    return sorted(path.stem for path in FIGURES.glob("*.js")
+                  if "export function show(" in path.read_text("utf-8"))

@@ -1,7 +1,6 @@
 """The lectures: the notebooks as they are saved, with links to the site's other pages.
 
-Pictures become files. What moves waits for the reader, in a player. Below some figures stands one
-that answers: without JavaScript its place is empty.
+Pictures become files. What moves waits for the reader, in a player.
 """
 import base64
 import html
@@ -28,9 +27,9 @@ BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\
 def write(folder, extra):
     """Write the lectures to folder/lectures, their pictures to extra/lectures/pictures.
 
-    ValueError: the place of what the site adds is not there.
+    ValueError: a figure has no place, or a place no figure.
     """
-    added = Inserts(extra)
+    added = inserts.Inserts(extra)
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
         notebook, lab = nbformat.read(path, as_version=4), int(path.stem[:2])
         pictures = Pictures(path.stem, extra / "lectures" / "pictures")
@@ -38,14 +37,12 @@ def write(folder, extra):
         for cell in cells:
             if BOARD.fullmatch(cell.source):
                 continue
-            below = added.below(path.stem, words_of(cell))
             if cell.cell_type == "markdown":
-                cell.source = OPENING.sub(pictures.opening, linked(cell.source, lab))
+                text = linked(added.put_in(cell.source), lab)
+                cell.source = OPENING.sub(pictures.opening, text)
             for output in cell.get("outputs", []):
                 pictures.extract(output)
             notebook.cells.append(cell)
-            if below:
-                notebook.cells.append(nbformat.v4.new_markdown_cell(below, id=f"{cell.id}-below"))
         notebook.cells.append(nbformat.v4.new_markdown_cell(sidebar.below(path.stem), id="tree"))
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
     added.require_all()
@@ -58,13 +55,6 @@ def linked(text, lab):
     text = ANNOUNCED.sub(lambda found: NUMBER.sub(_exercise, found[0]), text)
     seen = set()
     return CODE.sub(lambda found: _function(found, lab, seen), text)
-
-
-def words_of(cell):
-    """The text of a cell, and the words of its pictures."""
-    pictures = [output.metadata["image/png"]["alt"] for output in cell.get("outputs", [])
-                if "image/png" in output.get("data", {})]
-    return "\n".join([cell.source, *pictures])
 
 
 def _page_link(link):
@@ -87,25 +77,6 @@ def _function(name, lab, seen):
         return name[0]
     seen.add(name[1])
     return f'<a class="function" href="../{address}"><code>{name[1]}</code></a>'
-
-
-class Inserts:
-    """What the site adds to the lectures, each once."""
-
-    def __init__(self, extra):
-        self.left = inserts.write(extra)
-
-    def below(self, lecture, text):
-        """The HTML of what stands below this text of a lecture."""
-        meant = [one for one in self.left if one[0] == lecture and one[1] in text]
-        self.left = [one for one in self.left if one not in meant]
-        return "\n\n".join(shown for _, _, shown in meant)
-
-    def require_all(self):
-        if self.left:
-            lecture, words, _ = self.left[0]
-            raise ValueError(f"no figure of {lecture} has the words {words!r}: name others in "
-                             "site/pages")
 
 
 class Pictures:

@@ -14,10 +14,8 @@ from . import picture, put
 
 
 class Turned(NamedTuple):
-    """A mesh that a reader turns: its place in the lectures, and its still."""
+    """A mesh that a reader turns, and its still."""
 
-    lecture: str
-    above: str     # words of the figure above it
     words: str     # what is seen
     caption: str
     eye: tuple     # where the still's camera stands
@@ -25,17 +23,13 @@ class Turned(NamedTuple):
 
 
 MESHES = {
-    "teapot": Turned("01_transforms", "the teapot, grey around the origin and blue after",
-                     "the Utah teapot", "The teapot, for you to turn.",
+    "teapot": Turned("the Utah teapot", "The teapot, for you to turn.",
                      portrait.TEAPOT_EYE, "smooth"),
-    "loop": Turned("11_subdivision", "left, the bunny's head with its own faces",
-                   "a ring of 64 large faces",
+    "loop": Turned("a ring of 64 large faces",
                    "Three steps of Loop, each with four times as many faces.", levels.RING_EYE),
-    "simplified": Turned("12_simplification", "Left, the bunny while its faces become fewer",
-                         "the Stanford bunny, lit, each face in one shade",
+    "simplified": Turned("the Stanford bunny, lit, each face in one shade",
                          "The bunny in ever fewer faces.", levels.BUNNY_EYE),
-    "found": Turned("16_reconstruction", "two rows of two pictures. Top, what camera 16 sees",
-                    "a bunny with blue, red and yellow paint, found from 24 pictures",
+    "found": Turned("a bunny with blue, red and yellow paint, found from 24 pictures",
                     "What this search finds from 24 pictures of another object: a painted bunny. "
                     "Lab 12 left 10,000 of its faces.", portrait.BUNNY_EYE, "smooth"),
 }

@@ -12,12 +12,17 @@ import re
 from docutils import nodes
 from sphinx import addnodes
 
+from course import exercises
+
 from . import put
 
 SKIPPED = (nodes.literal_block, nodes.math, nodes.math_block, nodes.image, nodes.comment,
            nodes.title, addnodes.index, addnodes.toctree, addnodes.desc_signature)
 INLINE = re.compile(r"</?(?:a|b|code|em|i|span|strong|sub|sup)\b[^>]*>")
 UNSEEN = re.compile(r"<(pre|svg|math|script|style)\b.*?</\1>|<[^>]*>", re.DOTALL)
+SAID_ELSEWHERE = re.compile(r'<(\w+) class="(?:docutils )?(?:belongs|exercises|marks|modules|'
+                            r'names|overview|read-on)".*?</\1>', re.DOTALL)
+EQUATION = re.compile(r"\b([Ee])q\. \(")
 KINDS = {"lectures": "Lecture", "labs": "Lab", "reference": "Annotated source",
          "given": "Given code"}
 
@@ -45,16 +50,27 @@ def records(name, page):
     gather(page, parts)
     if not parts:
         return
-    parts[0][0] = ""  # the page's beginning
-    folder = name.partition("/")[0]
+    folder, _, topic = name.rpartition("/")
     head = page_title(name, parts[0][1])
+    yield [f"{name}.html", head, KINDS.get(folder, "Page"), shown(parts[0][2])]
     place = f"{name}.py" if folder in ("reference", "given") else head.partition(":")[0]
-    for anchor, title, words in parts:
-        text = " ".join("".join(words).split()).replace("eq. (", "equation (")
+    for anchor, title, words in parts[1:]:
         if anchor.startswith("exercise-"):
             title = f"Exercise {title}"
-        yield ([f"{name}.html#{anchor}", title, place, text] if anchor else
-               [f"{name}.html", head, KINDS.get(folder, "Page"), text])
+        if folder != "reference" or title not in asked(topic):
+            yield [f"{name}.html#{anchor}", title, place, shown(words)]
+
+
+def asked(topic):
+    """The functions of a module whose docstrings are on the lab's page: they are found there."""
+    if topic not in exercises.TOPICS:
+        return ()
+    return {exercise.name for exercise in exercises.topic_exercises(topic)}
+
+
+def shown(words):
+    """The words of a part as a text."""
+    return EQUATION.sub(r"\1quation (", " ".join("".join(words).split()))
 
 
 def page_title(name, title):
@@ -83,7 +99,8 @@ def gather(node, parts):
 
 def seen(source):
     """HTML -> the words that a reader sees."""
-    return html.unescape(UNSEEN.sub(" ", INLINE.sub("", source)))
+    source = INLINE.sub("", SAID_ELSEWHERE.sub(" ", source))
+    return html.unescape(UNSEEN.sub(" ", source))
 
 
 def part(node):

@@ -12,8 +12,7 @@ from .names import lab_page
 TREE = """
 ```{{toctree}}
 :hidden:
-:caption: {caption}
-
+{caption}
 {pages}
 ```
 """
@@ -37,11 +36,11 @@ def trees(lite):
     if lite:
         groups["Further"] = [*groups["Further"], "/in_the_browser"]
     for caption, pages in groups.items():
-        yield TREE.format(caption=caption, pages="\n".join(pages))
+        yield TREE.format(caption=f":caption: {caption}\n", pages="\n".join(pages))
 
 
 def below(lecture):
-    """What stands below a lecture in the tree: its lab, the lectures that follow on it, its code."""
+    """What stands below a lecture in the tree: its lab, its sequels, its code."""
     number = int(lecture[:2])
     topics = exercises.LABS[number - 1] if number else ()
     pages = [f"Lab {number} </{lab_page(topics[0])}>"] if topics else []

@@ -20,24 +20,27 @@ function pattern(word) {
 
 const asked = query => query.match(/[\p{L}\p{N}_-]+(\.\d+)?/gu)?.map(pattern) ?? [];
 
-// How well one word fits: in the title, in the place, or in the text.
+// How well a word fits: in the title, in the place, or in the text, the oftener the better.
 function fit(word, title, place, text) {
-  if (word.test(title)) return 8;
-  if (word.test(place)) return 3;
-  return word.test(text) ? 1 : 0;
+  if (title.search(word) >= 0) return 8;
+  if (place.search(word) >= 0) return 3;
+  const times = text.match(word)?.length ?? 0;
+  return times && 1 + 2 * times / (times + 1 + text.length / 400);
 }
 
 // What has all words, or as many as one record has; the title that says little else stands first.
 function search(records, patterns) {
-  const words = patterns.map(one => new RegExp(one, "iu"));
+  const words = patterns.map(one => new RegExp(one, "giu"));
   const every = new RegExp(patterns.join("|"), "giu");
   const found = records.map(record => {
     const [address, title, place, text] = record;
     const fits = words.map(word => fit(word, title, place, text));
+    const fitting = fits.reduce((sum, one) => sum + one, 0) / words.length;
     const covered = (title.match(every) ?? []).join("").length / title.length;
     const code = /^(reference|given)\//.test(address) ? 0.7 : 1;
+    const whole = address.includes("#") ? 0 : 1;
     return {record, has: fits.filter(Boolean).length,
-            score: code * (fits.reduce((sum, one) => sum + one, 0) / words.length + 10 * covered)};
+            score: code * (fitting + 10 * covered + whole)};
   });
   const most = Math.max(1, ...found.map(one => one.has));
   return found.filter(one => one.has === most).sort((a, b) => b.score - a.score)
@@ -51,9 +54,9 @@ function element(name, className, ...children) {
   return made;
 }
 
-// The text around the first word that is found, with all of them marked.
-function excerpt(text, every) {
-  const first = Math.max(0, text.search(every) - EXCERPT / 3);
+// The beginning of what a title names, or the text around the first word that is found.
+function excerpt(title, text, every) {
+  const first = title.search(every) < 0 ? Math.max(0, text.search(every) - EXCERPT / 3) : 0;
   const start = first ? text.indexOf(" ", first) + 1 : 0;
   const cut = text.slice(start, start + EXCERPT), shown = element("p", "");
   let end = 0;
@@ -72,7 +75,7 @@ function show(records) {
   list.replaceChildren(...found.slice(0, SHOWN).map(([address, title, place, text]) => {
     const link = element("a", "", title);
     link.href = address;
-    return element("li", "", link, element("span", "place", place), excerpt(text, every));
+    return element("li", "", link, element("span", "place", place), excerpt(title, text, every));
   }));
   const more = found.length > SHOWN ? `, the best ${SHOWN} are shown` : "";
   count.textContent = query && `${found.length || "No"} ` +

@@ -51,11 +51,15 @@ def test_what_the_site_adds_has_its_place(figure, lecture, written):
     assert found.count(lecture) == 1
 
 
-def test_words_that_are_no_longer_in_a_lecture_end_the_build(tmp_path, monkeypatch):
-    """The words of a lecture have changed, and the figure is gone without a sound."""
-    monkeypatch.setitem(inserts.ANSWERS, "alias", ("03_sampling", "words of yesterday"))
-    with pytest.raises(ValueError, match="no figure of 03_sampling has the words 'words of yest"):
-        lectures.write(tmp_path, tmp_path)
+def test_a_name_without_a_figure_and_a_figure_without_a_place_end_the_build(tmp_path):
+    """A figure is renamed, or its paragraph goes, and it is missing without a sound."""
+    added = inserts.Inserts(tmp_path)
+    with pytest.raises(ValueError, match="the figure edges, and site/static/figures has none"):
+        added.put_in("**Drag** ([on the site](../site/README.md#edges)).")
+    for name in [*added.made, *inserts.answering()[1:]]:
+        added.put_in(f"**Drag** ([on the site](../site/README.md#{name})).")
+    with pytest.raises(ValueError, match=f"no lecture has a place for {inserts.answering()[0]}"):
+        added.require_all()
 
 
 def test_an_exercise_and_a_function_are_linked():

@@ -216,9 +216,9 @@ def without_marks(text):
 
 
 def unlinked(text, asked):
-    """A notebook whose links to lectures that are not handed out are their words alone."""
+    """A notebook whose links to what is not handed out are their words alone."""
     there = {path.name for path in [*lectures(asked), *places.ROOT.glob("notebooks/00*")]}
-    return re.sub(r"\[([^][]*)\]\((\d\d\w+\.ipynb)[^)]*\)",
+    return re.sub(r"\[([^][]*)\]\((\d\d\w+\.ipynb|\.\./site/README\.md)[^)]*\)",
                   lambda link: link[0] if link[2] in there else link[1], text)
 
 

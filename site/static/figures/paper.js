@@ -1,28 +1,9 @@
-/** What all figures share: elements, a sheet whose y points up, points to move, and numbers. */
+/** What all figures share: a sheet whose y points up, points to move, and what elements.js has. */
+import { clamp, html, number, svg } from "./elements.js";
 
-const SVG = "http://www.w3.org/2000/svg";
+export * from "./elements.js";
+
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
-
-function filled(element, attributes, children) {
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.append(...children);
-  return element;
-}
-
-export const html = (name, attributes = {}, ...children) =>
-  filled(document.createElement(name), attributes, children);
-
-export const svg = (name, attributes = {}, ...children) =>
-  filled(document.createElementNS(SVG, name), attributes, children);
-
-/** -1.5 -> "−1.5": at most so many decimals, without zeros at the end. */
-export function number(x, decimals = 3) {
-  if (!Number.isFinite(x)) return "–";
-  const rounded = Number(x.toFixed(decimals));
-  return `${rounded < 0 ? "−" : ""}${Math.abs(rounded)}`;
-}
-
-export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 
 /** The nearest point on whole steps, counted from `from`, in the limits [x0, x1, y0, y1]. */
 const snapped = (point, { step, from = [0, 0], limits }) => point.map((t, k) => clamp(
@@ -146,43 +127,4 @@ export class Sheet {
     this.box.addEventListener("pointerleave", () => options.moved(chosen.point()));
     return chosen;
   }
-}
-
-/** A slider with its label and its value. changed(value) is called when it moves. -> set(value) */
-export function slider({ label, min, max, step, value, unit = "", changed }) {
-  const said = html("output");
-  const input = html("input", { type: "range", min, max, step });
-  const set = (to) => {
-    input.value = to;
-    said.textContent = `${number(input.valueAsNumber)}${unit}`;
-  };
-  input.addEventListener("input", () => {
-    set(input.value);
-    changed(input.valueAsNumber);
-  });
-  set(value);
-  return { set, element: html("label", { class: "slider" }, html("span", {}, label), input, said) };
-}
-
-export function button(label, pressed) {
-  const element = html("button", { type: "button" }, label);
-  element.addEventListener("click", pressed);
-  return element;
-}
-
-/** A table of numbers: names are its columns, rows hold text or elements. -> table, write(rows) */
-export function table(caption, names, rowNames) {
-  const cells = rowNames.map(() => names.slice(1).map(() => html("td")));
-  const head = (scope, name) => {
-    const cell = html("th", { scope });
-    cell.innerHTML = name;
-    return cell;
-  };
-  const element = html("table", { "aria-label": caption },
-    html("thead", {}, html("tr", {}, ...names.map((name) => head("col", name)))),
-    html("tbody", {}, ...rowNames.map((name, k) =>
-      html("tr", {}, head("row", name), ...cells[k]))));
-  const write = (rows) => rows.forEach((row, k) =>
-    row.forEach((value, j) => { cells[k][j].textContent = value; }));
-  return { element, write };
 }

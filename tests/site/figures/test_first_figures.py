@@ -1,85 +1,11 @@
-"""The figures of the lectures' pages: their numbers, their points to move, their room."""
+"""The figures of lectures 02 to 08: their numbers, their points to move."""
 import re
-import shutil
 
 import numpy as np
 import pytest
-from serving import ROOT, served
+from reading import middle, opened, point_of, shown
 
 from reference import antialiasing, interpolation, mipmapping, rasterization, sampling
-
-SOURCE = ROOT / "site" / "static" / "figures"
-MINUS = "\N{MINUS SIGN}"
-NAMES = "edge_functions", "antialias", "perspective", "mip_level", "alias"
-PAGE = """<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>{name}</title>
-<link rel="icon" href="data:,">
-<link rel="stylesheet" href="figures/figures.css">
-<style>
-  body {{ --color-foreground-primary: #000000; --color-foreground-secondary: #5a5c63;
-          margin: 0; font-family: sans-serif; color: var(--color-foreground-primary); }}
-  body[data-theme="dark"] {{ --color-foreground-primary: #cfd0d0; background: #131416;
-                             --color-foreground-secondary: #9ca0a5; }}
-  main {{ max-width: 46em; margin: auto; padding: 1em; }}
-</style>
-<body data-theme="light">
-<main><h1>Above</h1><div class="answers" data-figure="{name}"></div><p>Below</p></main>
-<script type="module" src="figures/begin.js"></script>
-</body>
-</html>
-"""
-
-
-@pytest.fixture(scope="module")
-def address(tmp_path_factory):
-    """A page for each figure, NAME.html."""
-    folder = tmp_path_factory.mktemp("figures")
-    shutil.copytree(SOURCE, folder / "figures")
-    for name in NAMES:
-        (folder / f"{name}.html").write_text(PAGE.format(name=name))
-    with served(folder) as at:
-        yield at
-
-
-@pytest.fixture
-def call(page, address):
-    """call(module, function, inputs): the function's results for many lists of arguments."""
-    page.goto(f"{address}/alias.html")
-
-    def called(module, function, inputs):
-        inputs = [[np.asarray(x).tolist() for x in arguments] for arguments in inputs]
-        return page.evaluate("""async ([module, name, inputs]) => {
-            const functions = await import(`/figures/${module}.js`);
-            return inputs.map((x) => functions[name](...x));
-        }""", [module, function, inputs])
-    return called
-
-
-def opened(page, address, name):
-    page.goto(f"{address}/{name}.html")
-    page.wait_for_selector(".pane")
-    return page
-
-
-def shown(page, label):
-    """The numbers of a table -> rows of floats, or of text where it is no number."""
-    rows = page.get_by_role("table", name=label).locator("tbody tr").all()
-    return [[number(cell) for cell in row.locator("td").all_inner_texts()] for row in rows]
-
-
-def number(text):
-    text = text.replace(MINUS, "-")
-    return float(text) if re.fullmatch(r"-?\d+(\.\d+)?", text) else text
-
-
-def point_of(handle):
-    """Where a handle says that it is."""
-    return [number(t) for t in re.findall(rf"{MINUS}?[\d.]+",
-                                          handle.get_attribute("aria-valuetext"))]
-
 
 # Numbers
 
@@ -233,11 +159,6 @@ def check_edges(page, p):
     return places
 
 
-def middle(locator):
-    box = locator.bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-
 def at(sheet, x, y):
     """The place of (x, y) on a sheet of 12 x 8."""
     box = sheet.bounding_box()
@@ -382,56 +303,3 @@ def test_the_slider_shows_the_alias(page, address):
     assert "= 4.5." in page.inner_text(".pane")
     page.get_by_role("slider", name="periods").fill("5.5")
     assert page.inner_text(".verdict") == "5.5 periods, seen correctly."
-
-
-# Room on the page
-
-@pytest.mark.parametrize("width", [375, 768, 1280])
-@pytest.mark.parametrize("name", NAMES)
-def test_nothing_on_the_page_moves_when_a_figure_starts(page, address, name, width):
-    """The room that is kept for the figure is too small. (It must not be far too large, either.)"""
-    page.set_viewport_size({"width": width, "height": 3000})
-    page.add_init_script("""window.shifts = 0; new PerformanceObserver((list) => {
-        for (const entry of list.getEntries()) window.shifts += entry.value;
-    }).observe({ type: "layout-shift", buffered: true });""")
-    page.route("**/begin.js", lambda route: (page.wait_for_timeout(150), route.continue_()))
-    opened(page, address, name)
-    page.wait_for_timeout(250)
-    assert page.evaluate("window.shifts") == 0
-    room, used, across = page.evaluate("""() => {
-        const place = document.querySelector(".answers");
-        const bottoms = [...place.firstElementChild.children].map(
-            (child) => child.getBoundingClientRect().bottom);
-        return [place.getBoundingClientRect().height,
-                Math.max(...bottoms) - place.getBoundingClientRect().top,
-                document.documentElement.scrollWidth];
-    }""")
-    assert used <= room < used + 70
-    assert across == width
-
-
-def test_without_a_script_a_figure_takes_no_room(browser, address):
-    """An empty box stands in the page."""
-    context = browser.new_context(java_script_enabled=False)
-    page = context.new_page()
-    page.goto(f"{address}/alias.html")
-    assert page.locator(".answers").bounding_box() is None
-    context.close()
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("name", NAMES)
-def test_a_figure_is_for_all_readers(page, address, name, theme):
-    """A text is too pale, or a handle has no name."""
-    from axe_playwright_python.sync_playwright import Axe
-    opened(page, address, name)
-    page.evaluate("theme => { document.body.dataset.theme = theme }", theme)
-    result = Axe().run(page)
-    assert result.violations_count == 0, result.generate_report()
-
-
-@pytest.mark.parametrize("path", sorted(SOURCE.iterdir()), ids=lambda path: path.name)
-def test_a_file_is_short(path):
-    """A figure has grown until nobody reads it."""
-    lines = path.read_text().splitlines()
-    assert len(lines) < 200 and max(map(len, lines)) <= 100

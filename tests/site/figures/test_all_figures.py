@@ -1,0 +1,54 @@
+"""What every figure of the lectures' pages has: room, names, and files that can be read."""
+import pytest
+from reading import NAMES, SOURCE, opened
+
+
+@pytest.mark.parametrize("width", [375, 768, 1280])
+@pytest.mark.parametrize("name", NAMES)
+def test_nothing_on_the_page_moves_when_a_figure_starts(page, address, name, width):
+    """The room that is kept for the figure is too small. (It must not be far too large, either.)"""
+    page.set_viewport_size({"width": width, "height": 3000})
+    page.add_init_script("""window.shifts = 0; new PerformanceObserver((list) => {
+        for (const entry of list.getEntries()) window.shifts += entry.value;
+    }).observe({ type: "layout-shift", buffered: true });""")
+    page.route("**/begin.js", lambda route: (page.wait_for_timeout(150), route.continue_()))
+    opened(page, address, name)
+    page.wait_for_timeout(250)
+    assert page.evaluate("window.shifts") == 0
+    room, used, across = page.evaluate("""() => {
+        const place = document.querySelector(".answers");
+        const bottoms = [...place.firstElementChild.children].map(
+            (child) => child.getBoundingClientRect().bottom);
+        return [place.getBoundingClientRect().height,
+                Math.max(...bottoms) - place.getBoundingClientRect().top,
+                document.documentElement.scrollWidth];
+    }""")
+    assert used <= room < used + 70
+    assert across == width
+
+
+def test_without_a_script_a_figure_takes_no_room(browser, address):
+    """An empty box stands in the page."""
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(f"{address}/alias.html")
+    assert page.locator(".answers").bounding_box() is None
+    context.close()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_figure_is_for_all_readers(page, address, name, theme):
+    """A text is too pale, or a handle has no name."""
+    from axe_playwright_python.sync_playwright import Axe
+    opened(page, address, name)
+    page.evaluate("theme => { document.body.dataset.theme = theme }", theme)
+    result = Axe().run(page)
+    assert result.violations_count == 0, result.generate_report()
+
+
+@pytest.mark.parametrize("path", sorted(SOURCE.iterdir()), ids=lambda path: path.name)
+def test_a_file_is_short(path):
+    """A figure has grown until nobody reads it."""
+    lines = path.read_text().splitlines()
+    assert len(lines) < 200 and max(map(len, lines)) <= 100
