@@ -17,7 +17,7 @@ from course import exercises
 from . import put
 
 SKIPPED = (nodes.literal_block, nodes.math, nodes.math_block, nodes.image, nodes.comment,
-           nodes.title, addnodes.index, addnodes.toctree, addnodes.desc_signature)
+           nodes.title, nodes.term, addnodes.index, addnodes.toctree, addnodes.desc_signature)
 INLINE = re.compile(r"</?(?:a|b|code|em|i|span|strong|sub|sup)\b[^>]*>")
 UNSEEN = re.compile(r"<(pre|svg|math|script|style)\b.*?</\1>|<[^>]*>", re.DOTALL)
 SAID_ELSEWHERE = re.compile(r'<(\w+) class="(?:docutils )?(?:belongs|exercises|marks|modules|'
@@ -53,11 +53,12 @@ def records(name, page):
     folder, _, topic = name.rpartition("/")
     head = page_title(name, parts[0][1])
     yield [f"{name}.html", head, KINDS.get(folder, "Page"), shown(parts[0][2])]
+    known = asked(topic) if folder == "reference" else ()
     place = f"{name}.py" if folder in ("reference", "given") else head.partition(":")[0]
     for anchor, title, words in parts[1:]:
         if anchor.startswith("exercise-"):
             title = f"Exercise {title}"
-        if folder != "reference" or title not in asked(topic):
+        if title not in known:
             yield [f"{name}.html#{anchor}", title, place, shown(words)]
 
 
@@ -111,5 +112,5 @@ def part(node):
         anchor = node[0]["ids"][0]
         return [anchor, anchor.rpartition(".")[2], []]
     if isinstance(node, nodes.definition_list_item) and node[0]["ids"]:
-        return [node[0]["ids"][0], node.pop(0).astext(), []]
+        return [node[0]["ids"][0], node[0].astext(), []]
     return None

@@ -38,9 +38,9 @@ function search(records, patterns) {
     const fitting = fits.reduce((sum, one) => sum + one, 0) / words.length;
     const covered = (title.match(every) ?? []).join("").length / title.length;
     const code = /^(reference|given)\//.test(address) ? 0.7 : 1;
-    const whole = address.includes("#") ? 0 : 1;
+    const page = covered && !address.includes("#") ? 1 : 0;
     return {record, has: fits.filter(Boolean).length,
-            score: code * (fitting + 10 * covered + whole)};
+            score: code * (fitting + 10 * covered + page)};
   });
   const most = Math.max(1, ...found.map(one => one.has));
   return found.filter(one => one.has === most).sort((a, b) => b.score - a.score)
@@ -58,13 +58,14 @@ function element(name, className, ...children) {
 function excerpt(title, text, every) {
   const first = title.search(every) < 0 ? Math.max(0, text.search(every) - EXCERPT / 3) : 0;
   const start = first ? text.indexOf(" ", first) + 1 : 0;
-  const cut = text.slice(start, start + EXCERPT), shown = element("p", "");
+  const goesOn = start + EXCERPT < text.length, shown = element("p", "");
+  const cut = text.slice(start, goesOn ? text.lastIndexOf(" ", start + EXCERPT) : undefined);
   let end = 0;
   for (const match of cut.matchAll(every)) {
     shown.append(cut.slice(end, match.index), element("mark", "", match[0]));
     end = match.index + match[0].length;
   }
-  shown.append(cut.slice(end), start + EXCERPT < text.length ? " …" : "");
+  shown.append(cut.slice(end), goesOn ? " …" : "");
   return shown;
 }
 
