@@ -10,7 +10,7 @@ sys.path[:0] = [str(SITE), str(SITE.parent)]
 project = "Differentiable rasterization in plain NumPy"
 author = "the authors of the course"
 copyright = "Code: MIT License. Lectures and figures: CC BY 4.0"
-extensions = ["myst_nb", "pages.formulas"]
+extensions = ["myst_nb", "pages.formulas", "pages.search", "pages.sidebar"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline",
                           "attrs_block"]
@@ -29,6 +29,7 @@ html_math_renderer = "drawn"
 html_static_path = [str(SITE / "static")]
 html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
                   "figures/figures.css", "figures/four_gradients.css"]
+html_additional_pages = {"search": "search.html"}
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]
 html_copy_source = False

@@ -12,7 +12,7 @@ from PIL import Image
 
 from course.given.places import ROOT, read_whole
 
-from . import inserts, picture, put
+from . import inserts, picture, put, sidebar
 from .names import CODE, document, exercise_pages, function_page
 from .posters import frame_count, poster
 
@@ -43,6 +43,7 @@ def write(folder, extra):
             for output in cell.get("outputs", []):
                 pictures.extract(output)
             notebook.cells.append(cell)
+        notebook.cells.append(nbformat.v4.new_markdown_cell(sidebar.below(path.stem), id="tree"))
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
     added.require_all()
 
