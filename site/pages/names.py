@@ -59,8 +59,8 @@ def page_of_file(path):
     """A file of the course, seen from its folder -> the page that shows it, or None."""
     folder, _, name = path.rpartition("/")
     stem, _, ending = name.partition(".")
-    if path == "README.md":
-        return "index"
+    if path == "README.md":  # a text that leads there means its table of labs
+        return "labs/index"
     if folder == "notebooks" and ending == "ipynb":
         return f"lectures/{stem}"
     if folder == "labs" and stem in exercises.TOPICS:

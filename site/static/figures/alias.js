@@ -1,5 +1,5 @@
 /** Lecture 03: a wave that is too fast for its samples looks like a slow one. */
-import { button, html, number, Sheet, slider } from "./paper.js";
+import { button, eachFrame, html, number, Sheet, slider } from "./paper.js";
 
 const RATE = 12;                 // samples, at the middles of as many pixels
 const FINE = 15;                 // each pixel is a box over so many fine samples
@@ -24,19 +24,20 @@ const range = (count) => Array.from({ length: count + 1 }, (_, n) => n / count);
 const grey = (value) => `fill: rgb(${Array(3).fill(255 * (0.5 + 0.45 * value)).join(" ")})`;
 
 export function show(place) {
+  const redraw = eachFrame(draw);
   let frequency = START;
   const times = Array.from({ length: RATE }, (_, n) => (n + 0.5) / RATE);
   const waves = new Sheet([0, 1, -0.075, 0.075],
-    "The wave, its samples, and the alias through the same samples", draw);
+    "The wave, its samples, and the alias through the same samples", redraw);
   const strips = ["sampled", "the mean over each pixel"].map((title) =>
-    ({ title, sheet: new Sheet([0, 1, 0, 0.05], `Twelve pixels: ${title}`, draw) }));
+    ({ title, sheet: new Sheet([0, 1, 0, 0.05], `Twelve pixels: ${title}`, redraw) }));
   const fold = new Sheet([-0.03, 1.02, -0.07, 0.42],
-    "The periods seen, and what the box filter leaves, against the wave's periods", draw);
+    "The periods seen, and what the box filter leaves, against the wave's periods", redraw);
   const answer = html("p", { class: "verdict", role: "status" });
   const filtered = html("p");
   const go = (to) => {
     frequency = to;
-    draw();
+    redraw();
   };
   const control = slider({ label: "periods", min: 0, max: FASTEST, step: 0.5, value: START,
                            changed: go });

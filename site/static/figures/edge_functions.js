@@ -1,5 +1,5 @@
 /** Lecture 02: three edge functions decide which pixels a triangle covers. */
-import { button, html, number, Sheet, table } from "./paper.js";
+import { button, eachFrame, html, number, Sheet, table } from "./paper.js";
 
 const WIDTH = 12, HEIGHT = 8;
 const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
@@ -60,9 +60,10 @@ function isOnEdge(p, a, b) {
 }
 
 export function show(place) {
+  const redraw = eachFrame(draw);
   let points = START, p = CHOSEN;
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
-    "Two triangles with a shared edge on a grid of 12 by 8 pixels", draw);
+    "Two triangles with a shared edge on a grid of 12 by 8 pixels", redraw);
   const numbers = table("The pixel's edge functions",
     ["edge", "<i>e<sub>k</sub></i>", "top-left", "<i>l<sub>k</sub></i>"],
     ["0, shared", "1", "2", "sum"]);
@@ -75,14 +76,14 @@ export function show(place) {
     style: k < 3 ? "" : "second", step: 0.25, limits: [0, WIDTH, 0, HEIGHT], at,
     moved: (to) => {
       points = points.map((point, n) => (n === k ? to : point));
-      draw();
+      redraw();
     } }));
   const probe = sheet.probe({
     name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
     limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
     moved: (to) => {
       p = to;
-      draw();
+      redraw();
     } });
   const reset = button("Reset", () => {
     START.forEach((point, k) => handles[k].set(point));

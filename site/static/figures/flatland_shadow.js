@@ -1,7 +1,7 @@
 /** Lecture 14: in flatland the light's map is one row of texels, and one bias is never right. */
 import { eachFrame, html, number, Sheet, slider } from "./paper.js";
 
-const TEXELS = 18, MAP_HIGH = 4, SAMPLES = 720, GROUND = 12, FOOT = 5, BEHIND = 5.12, TOP = 1.8;
+const TEXELS = 18, MAP_HIGH = 3.4, SAMPLES = 720, GROUND = 12, FOOT = 5, BEHIND = 5.12, TOP = 1.8;
 const WALL = [[FOOT, 0], [FOOT, TOP], [BEHIND, TOP], [BEHIND, 0]];
 const SCENE = [[0, 0], ...WALL, [GROUND, 0]];  // one line, from left to right
 const GRAZING = 1e-2;
@@ -111,7 +111,7 @@ function runs(samples) {
 export function show(place) {
   let position = START, constant = BIAS, factor = 0;
   const ask = eachFrame(draw);
-  const world = new Sheet([0, GROUND, -0.25, 4.4], "A light, a wall and its shadow", ask);
+  const world = new Sheet([0, GROUND, -0.25, 4.25], "A light, a wall and its shadow", ask);
   const map = new Sheet([0, TEXELS, -MAP_HIGH, 0], "The light's map: a depth in each texel", ask);
   const answer = html("p", { class: "verdict", role: "status" });
   world.box.classList.add("cut");
@@ -126,7 +126,7 @@ export function show(place) {
                              constant = to;
                              ask();
                            } });
-  control.element.firstChild.classList.add("bias");
+  control.element.firstChild.classList.add("green");
   const sloped = html("input", { type: "checkbox" });
   sloped.addEventListener("change", () => {
     factor = Number(sloped.checked);
@@ -170,14 +170,14 @@ export function show(place) {
     const share = (kind) => number(
       100 * samples.filter((sample) => sample.kind === kind).length / samples.length, 1);
     answer.replaceChildren(
-      html("span", { class: "acne" }, `${share("acne")}% of the ground is wrongly dark: acne.`),
-      " ", html("span", { class: "leak" }, `${share("leak")}% is wrongly lit: light leaks.`));
+      html("span", { class: "blue" }, `${share("acne")}% of the ground is wrongly dark: acne.`),
+      " ", html("span", { class: "red" }, `${share("leak")}% is wrongly lit: light leaks.`));
   }
 
   place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Drag the light. Change the bias. ",
       html("span", {}, "What a texel’s beam reaches is lit. ",
-           html("b", { class: "bias" }, "The bias"), " makes it longer.")),
+           html("b", { class: "green" }, "The bias"), " makes it longer.")),
     html("div", { class: "wide" }, world.box), html("div", { class: "wide" }, map.box),
     html("div", { class: "told" }, control.element,
          html("label", { class: "check" }, sloped, "plus slope × half a texel")),

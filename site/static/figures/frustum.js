@@ -82,9 +82,9 @@ export function show(place) {
       ndc.text([0, -1], "0", "middle", [0, -20]),
       ndc.text([1, -1], "z = 1", "label first middle", [-10, -20]));
     answer.replaceChildren(
-      html("span", { class: "half" }, "Half of the depth"),
+      html("span", { class: "green" }, "Half of the depth"),
       `, −1 to 0, lies before distance ${number(half, 2)}, less than twice `,
-      html("span", { class: "near" }, "near"), ".");
+      html("span", { class: "red" }, "near"), ".");
   }
 
   /** In both sheets the same, between the planes: at(distance, y) is where it is there. */

@@ -1,26 +1,23 @@
 /** Lecture 06: the footprint of a pixel tells which level of the pyramid it reads. */
-import { button, clamp, html, number, Sheet, slider, table } from "./paper.js";
-import { Picture, probeAll } from "./picture.js";
+import { clamp, eachFrame, html, number, player } from "./paper.js";
+import { coded, Picture } from "./picture.js";
 
-const WIDTH = 168, HEIGHT = 112, SIZE = 64, SQUARE = 8;  // the texture is SIZE x SIZE texels
-const TURN = 0.35, PERIOD = 2;           // how the texture lies on the floor; the eye is 1 high
-const START = { tilt: 20, forward: 0 }, CHOSEN = [104.5, 66.5];
-const SKY = [0.8, 0.88, 0.95], DARK = [0.16, 0.3, 0.42], LIGHT = [0.96, 0.96, 0.94];
-const LEVELS = [[68, 1, 84], [70, 50, 127], [54, 92, 141], [39, 127, 142], [31, 161, 135],
-                [122, 209, 81], [253, 231, 37]].map((colour) => colour.map((t) => t / 255));
+const WIDTH = 336, HEIGHT = 192, TILT = 25 * Math.PI / 180;  // the camera: 90 degrees wide
+const SIZE = 128, SQUARE = 16;           // the texture is SIZE x SIZE texels
+const TURN = 0.35, PERIOD = 2;           // how it lies on the floor; the eye is 1 high
+const ZOOM = 120, CHOSEN = [100.5, 141.5];
+const SKY = coded([0.8, 0.88, 0.95]), DARK = [0.16, 0.3, 0.42], LIGHT = [0.96, 0.96, 0.94];
 
-const mix = (a, b, t) => a.map((value, k) => (1 - t) * value + t * b[k]);
-
-/** The numbers that a screen takes for mixtures of light, from DARK to LIGHT. */
+/** The codes of mixtures of light, from DARK to LIGHT. */
 const toLight = (code) => code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
 const toCode = (light) => light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
-const SHADES = Array.from({ length: 257 }, (_, k) =>
-  mix(DARK.map(toLight), LIGHT.map(toLight), k / 256).map(toCode));
+const SHADES = Uint32Array.from({ length: 257 }, (_, n) => coded(DARK.map((dark, k) =>
+  toCode(toLight(dark) + (toLight(LIGHT[k]) - toLight(dark)) * n / 256))));
 const shade = (value) => SHADES[Math.round(256 * value)];
 
 /** Eq. (5): each texel of the next level is the mean of 2 x 2, image[row][column]. */
 export const halve = (image) => Array.from({ length: image.length / 2 }, (_, i) =>
-  Array.from({ length: image[0].length / 2 }, (_, j) =>
+  Float64Array.from({ length: image[0].length / 2 }, (_, j) =>
     (image[2 * i][2 * j] + image[2 * i + 1][2 * j] + image[2 * i][2 * j + 1] +
      image[2 * i + 1][2 * j + 1]) / 4));
 
@@ -30,15 +27,14 @@ export function pyramid(image) {
   return levels;
 }
 
-/** The rows (s_x, s_y) and (t_x, t_y) of J in texels, and A, B, C of eq. (6). */
-export function footprint([[uX, uY], [vX, vY]], width, height) {
-  const [sX, sY, tX, tY] = [width * uX, width * uY, height * vX, height * vY];
-  return { sX, sY, tX, tY, A: sX ** 2 + tX ** 2, B: sY ** 2 + tY ** 2, C: sX * sY + tX * tY };
-}
+/** J in texels: its rows (s_x, s_y) and (t_x, t_y). */
+export const inTexels = ([s, t], width, height) =>
+  [s.map((x) => width * x), t.map((x) => height * x)];
 
 /** Eq. (6): the level whose texels are as large as the footprint is long. */
 export function mipLevel(jacobian, width, height) {
-  const { A, B, C } = footprint(jacobian, width, height);
+  const [[sX, sY], [tX, tY]] = inTexels(jacobian, width, height);
+  const [A, B, C] = [sX ** 2 + tX ** 2, sY ** 2 + tY ** 2, sX * sY + tX * tY];
   return Math.log2((A + B) / 2 + Math.sqrt((A - B) ** 2 / 4 + C ** 2)) / 2;
 }
 
@@ -49,139 +45,143 @@ export function blendLevels(level, top) {
   return [lower, Math.min(lower + 1, top), clamped - lower];
 }
 
-export const nearestTexel = (x, size) => Math.floor(x * size);
+/** Eq. (1), with wrap: the texel of image[row][column], whose sides are powers of two. */
+export const nearest = (image, u, v) => image[Math.floor(v * image.length) & (image.length - 1)][
+  Math.floor(u * image[0].length) & (image[0].length - 1)];
 
-const wrap = (index, size) => ((index % size) + size) % size;
-
-/** Eq. (2) of texturing: four texels of one level, image[row][column], around (u, v). */
-export function bilinear(image, [u, v]) {
-  const size = image.length;
-  const [x, y] = [u * size - 0.5, v * size - 0.5];
-  const [j, i] = [Math.floor(x), Math.floor(y)];
-  const texel = (row, column) => image[wrap(row, size)][wrap(column, size)];
-  const row = (r) => (1 - (x - j)) * texel(r, j) + (x - j) * texel(r, j + 1);
-  return (1 - (y - i)) * row(i) + (y - i) * row(i + 1);
+/** Eq. (2) and (3), with wrap: four texels around (u, v). */
+export function bilinear(image, u, v) {
+  const last = image.length - 1;
+  const x = u * image.length - 0.5, y = v * image.length - 0.5;
+  const j = Math.floor(x), i = Math.floor(y);
+  const a = x - j, b = y - i;
+  const lower = image[i & last], upper = image[(i + 1) & last];
+  return (1 - b) * ((1 - a) * lower[j & last] + a * lower[(j + 1) & last]) +
+         b * ((1 - a) * upper[j & last] + a * upper[(j + 1) & last]);
 }
+
+/** Eq. (7): eight texels, of two levels. */
+export function trilinear(levels, u, v, level) {
+  const exact = clamp(level, 0, levels.length - 1), lower = Math.floor(exact);
+  const f = exact - lower, below = bilinear(levels[lower], u, v);
+  return f ? (1 - f) * below + f * bilinear(levels[lower + 1], u, v) : below;
+}
+
+/** Eq. (4), by n x n points: what is right. */
+export function footprintMean(image, [u, v], [[uX, uY], [vX, vY]], n) {
+  let sum = 0;
+  for (let k = 0; k < n * n; k++) {
+    const dx = (k % n + 0.5) / n - 0.5, dy = (Math.floor(k / n) + 0.5) / n - 0.5;
+    sum += nearest(image, u + uX * dx + uY * dy, v + vX * dx + vY * dy);
+  }
+  return sum / n ** 2;
+}
+
+const [COS, SIN] = [Math.cos(TURN) / PERIOD, Math.sin(TURN) / PERIOD];
+const turned = (p, q) => [COS * p - SIN * q, SIN * p + COS * q];
 
 /** (u, v) and J = d(u, v)/d(x, y) of the floor, seen by a camera that is 1 above it. */
-export function floorAt([x, y], { tilt, forward }) {
-  const angle = tilt * Math.PI / 180;
-  const f = WIDTH / 2;                   // 90 degrees wide
+export function floorAt([x, y], forward = 0) {
+  const f = WIDTH / 2;
   const [X, Y] = [(x - WIDTH / 2) / f, (y - HEIGHT / 2) / f];
-  const down = Math.sin(angle) - Y * Math.cos(angle);
+  const down = Math.sin(TILT) - Y * Math.cos(TILT);
   if (down <= 0) return null;            // the sky
-  const place = [X / down, (Math.cos(angle) + Y * Math.sin(angle)) / down + forward];
-  const byPixel = [[1 / (f * down), X * Math.cos(angle) / (f * down ** 2)],
-                   [0, 1 / (f * down ** 2)]];
-  const [c, s] = [Math.cos(TURN) / PERIOD, Math.sin(TURN) / PERIOD];
-  const turned = (p, q) => [c * p - s * q, s * p + c * q];
-  const columns = [0, 1].map((k) => turned(byPixel[0][k], byPixel[1][k]));
-  return { uv: turned(...place), jacobian: [0, 1].map((r) => columns.map((col) => col[r])) };
+  const ahead = (Math.cos(TILT) + Y * Math.sin(TILT)) / down;
+  const columns = [turned(1 / (f * down), 0),
+                   turned(X * Math.cos(TILT) / (f * down ** 2), 1 / (f * down ** 2))];
+  return { uv: turned(X / down, ahead + forward),
+           jacobian: [0, 1].map((r) => columns.map((column) => column[r])) };
 }
 
-const CHECKERS = pyramid(Array.from({ length: SIZE }, (_, i) => Array.from({ length: SIZE },
-  (_, j) => (Math.floor(i / SQUARE) + Math.floor(j / SQUARE)) % 2)));
+const CHECKERS = pyramid(Array.from({ length: SIZE }, (_, i) => Float64Array.from(
+  { length: SIZE }, (_, j) => (Math.floor(i / SQUARE) + Math.floor(j / SQUARE)) % 2)));
 const TOP = CHECKERS.length - 1;
-
-const nearest = ({ uv }) => {
-  const [j, i] = uv.map((t) => wrap(nearestTexel(t, SIZE), SIZE));
-  return shade(CHECKERS[0][i][j]);
-};
-
-function trilinear({ uv, jacobian }, showsLevels) {
-  const [lower, upper, f] = blendLevels(mipLevel(jacobian, SIZE, SIZE), TOP);
-  const value = (1 - f) * bilinear(CHECKERS[lower], uv) + f * bilinear(CHECKERS[upper], uv);
-  const colour = shade(value);
-  return showsLevels ? mix(colour, mix(LEVELS[lower], LEVELS[upper], f), 0.65) : colour;
-}
+const levelOf = ({ jacobian }) => mipLevel(jacobian, SIZE, SIZE);
 
 export function show(place) {
-  let camera = START, p = CHOSEN;
-  const levels = html("input", { type: "checkbox" });
-  const pictures = ["Nearest: one texel", "Trilinear: eight texels"].map((title) =>
-    ({ title, picture: new Picture(WIDTH, HEIGHT, title, mark) }));
-  const texels = new Sheet([-1, 1, -0.7, 0.7], "The footprint on the texels", mark);
-  texels.box.classList.add("light", "cut");
-  const numbers = table("J in texels", ["texels", "by <i>x</i>", "by <i>y</i>"],
-                        ["<i>s</i>", "<i>t</i>"]);
-  const sums = html("p");
-  const squares = html("p");
+  let forward = 0, p = CHOSEN;
+  const redraw = eachFrame(mark);
+  const floor = new Picture(WIDTH, HEIGHT, "A floor: left half, one texel for each pixel; " +
+                            "right half, the pyramid", redraw);
+  const texels = new Picture(ZOOM, ZOOM, "The pixel's footprint on the texture", redraw);
+  floor.box.classList.add("smooth");
+  const swatches = ["one texel", "pyramid", "true mean"].map((name) =>
+    html("span", { class: "swatch" }, html("i"), name));
   const answer = html("p", { class: "verdict", role: "status" });
-  const choose = probeAll(pictures.map(({ picture }) => picture), CHOSEN, (to) => {
-    p = to;
+  floor.probe({ name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
+                limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
+                moved: (to) => {
+                  p = to;
+                  redraw();
+                } });
+  const walk = player("Walk", () => {
+    forward += 0.012;
+    paint();
     mark();
   });
-  const sliders = [
-    slider({ label: "tilt", min: 0, max: 60, step: 1, value: START.tilt, unit: "°",
-             changed: (tilt) => draw({ ...camera, tilt }) }),
-    slider({ label: "forward", min: 0, max: 1, step: 0.01, value: START.forward,
-             changed: (forward) => draw({ ...camera, forward }) })];
-  const reset = button("Reset", () => {
-    sliders.forEach((each, k) => each.set(k ? START.forward : START.tilt));
-    choose(CHOSEN);
-    p = CHOSEN;
-    levels.checked = false;
-    draw(START);
-  });
-  levels.addEventListener("change", () => draw(camera));
 
-  function draw(to) {
-    camera = to;
-    const colours = [nearest, (seen) => trilinear(seen, levels.checked)];
-    pictures.forEach(({ picture }, k) => picture.paint((x, y) => {
-      const seen = floorAt([x, y], camera);
-      return seen ? colours[k](seen) : SKY;
-    }));
-    mark();
+  // The walk changes neither J nor the level of a pixel.
+  const seen = Array.from({ length: WIDTH * HEIGHT }, (_, n) =>
+    floorAt([n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5]));
+  const [us, vs, levels] = [({ uv }) => uv[0], ({ uv }) => uv[1], levelOf].map((of) =>
+    Float64Array.from(seen, (point) => (point ? of(point) : NaN)));
+
+  function paint() {
+    const [du, dv] = turned(0, forward);
+    floor.fill((x, y) => {
+      const n = (y - 0.5) * WIDTH + x - 0.5;
+      const u = us[n] + du, v = vs[n] + dv;
+      if (Number.isNaN(u)) return SKY;
+      return shade(x < WIDTH / 2 ? nearest(CHECKERS[0], u, v)
+        : trilinear(CHECKERS, u, v, levels[n]));
+    });
   }
 
   function mark() {
-    pictures.forEach(({ picture }) => picture.draw(picture.cross(p)));
-    const seen = floorAt(p, camera);
-    const J = seen && footprint(seen.jacobian, SIZE, SIZE);
-    const level = seen && mipLevel(seen.jacobian, SIZE, SIZE);
-    numbers.write(J ? [[J.sX, J.sY], [J.tX, J.tY]].map((row) => row.map((t) => number(t)))
-      : [["–", "–"], ["–", "–"]]);
-    texels.draw(J ? drawn(seen.uv, J, level) : []);
-    tell(J, level);
+    const at = floorAt(p, forward);
+    floor.draw(floor.line([[WIDTH / 2, 0], [WIDTH / 2, HEIGHT]], "true"),
+      floor.text([0, HEIGHT], "one texel", "", [8, -20]),
+      floor.text([WIDTH / 2, HEIGHT], "pyramid", "", [8, -20]), floor.cross(p));
+    if (at) zoomIn(at, levelOf(at));
+    answer.innerHTML = at ? sentence(levelOf(at)) : "The sky has no footprint.";
   }
 
-  /** The footprint and its ellipse, in units of 2^level texels, on the lower level's texels. */
-  function drawn(uv, { sX, sY, tX, tY }, level) {
-    const unit = 2 ** level;
-    const texel = 2 ** blendLevels(level, TOP)[0] / unit;
-    const start = uv.map((t) => -wrap(t * SIZE / unit, texel));
-    const steps = Array.from({ length: Math.ceil(4 / texel) + 2 }, (_, n) => n * texel);
-    const lines = steps.flatMap((step) => [step, -step]).flatMap((step) => [
-      texels.line([[start[0] + step, -0.7], [start[0] + step, 0.7]], "texel"),
-      texels.line([[-1, start[1] + step], [1, start[1] + step]], "texel")]);
-    const onTexture = ([dx, dy]) => [(sX * dx + sY * dy) / unit, (tX * dx + tY * dy) / unit];
-    const around = Array.from({ length: 61 }, (_, n) => n * Math.PI / 30);
-    const corners = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5], [-0.5, -0.5]];
-    return [lines, texels.line(corners.map(onTexture), "print"),
-            texels.line(around.map((a) => onTexture([Math.cos(a) / 2, Math.sin(a) / 2])), "true")];
+  /** The footprint, and a square that is 2^level texels wide, both around (u, v). */
+  function zoomIn({ uv, jacobian }, level) {
+    const J = inTexels(jacobian, SIZE, SIZE);
+    const texel = ZOOM / (1.7 * 2 ** Math.max(level, 0));
+    const [u, v] = uv;
+    texels.fill((x, y) => shade(nearest(CHECKERS[0], u + (x - ZOOM / 2) / texel / SIZE,
+                                        v + (y - ZOOM / 2) / texel / SIZE)));
+    const byPixel = (d) => J.map((row) => ZOOM / 2 + (row[0] * d[0] + row[1] * d[1]) * texel);
+    const square = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5], [-0.5, -0.5]];
+    const circle = Array.from({ length: 61 }, (_, n) =>
+      [Math.cos(n * Math.PI / 30) / 2, Math.sin(n * Math.PI / 30) / 2]);
+    const wide = square.map((d) => d.map((t) => ZOOM / 2 + t * texel * 2 ** level));
+    texels.draw(["halo", "outline first thick"].map((style) => texels.line(wide, style)),
+      texels.line(square.map(byPixel), "print"), texels.line(circle.map(byPixel), "true"),
+      texels.text(wide[3], `level ${number(level, 2)}`, "label first", [6, -20]));
+    [nearest(CHECKERS[0], u, v), trilinear(CHECKERS, u, v, level),
+     footprintMean(CHECKERS[0], uv, jacobian, 24)].forEach((value, k) => {
+      const code = shade(value);
+      swatches[k].firstChild.style.background =
+        `rgb(${code & 255} ${code >> 8 & 255} ${code >> 16 & 255})`;
+    });
   }
 
-  function tell(J, level) {
-    const names = J ? [J.A, J.B, J.C, level].map((t) => number(t)) : Array(4).fill("–");
-    sums.innerHTML = `<i>A</i> = ${names[0]}, <i>B</i> = ${names[1]}, <i>C</i> = ${names[2]}<br>` +
-      `<b>level = ${names[3]}</b>`;
+  function sentence(level) {
     const [lower, upper, f] = blendLevels(level, TOP);
-    squares.textContent = J ? `The squares are texels of level ${lower}.` : "–";
-    answer.textContent = !J ? "The sky has no footprint."
-      : f ? `${number(1 - f, 2)} of level ${lower} and ${number(f, 2)} of level ${upper}.`
-        : `Level ${lower} alone.`;
+    return `The <b class="red">footprint</b> is ${number(2 ** level, 2)} texels long, a ` +
+      `<b class="blue">texel of level ${number(level, 2)}</b> as wide. The pixel ` +
+      (f ? `mixes ${number(1 - f, 2)} of level ${lower} and ${number(f, 2)} of level ${upper}.`
+        : `takes level ${lower} alone.`);
   }
 
   place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Tilt the camera. Point at a pixel. ",
-      html("span", {}, "On the texture, the pixel's circle is an ellipse, ",
-        "2", html("sup", {}, "level"), " texels long.")),
-    html("div", { class: "two" }, ...pictures.map(({ title, picture }) =>
-      html("div", {}, html("p", {}, title), picture.box))),
-    html("div", { class: "two" },
-      html("div", { class: "told" }, ...sliders.map((each) => each.element),
-        html("label", { class: "check" }, levels, "show the levels"), numbers.element, reset),
-      html("div", { class: "told" }, squares, texels.box, sums, answer))));
-  draw(START);
+    html("p", { class: "task" }, "Point at a pixel, near and far. ",
+      html("span", {}, "Then walk.")),
+    floor.box, texels.box,
+    html("div", { class: "told" }, answer, html("p", {}, ...swatches), walk.element)));
+  paint();
+  mark();
 }

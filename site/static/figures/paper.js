@@ -3,7 +3,12 @@ import { clamp, html, number, svg } from "./elements.js";
 
 export * from "./elements.js";
 
-const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
+const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1],
+               PageDown: [0, -4], PageUp: [0, 4],
+               Home: [-Infinity, -Infinity], End: [Infinity, Infinity] };
+const DISC = 12;                          // a handle's radius, in CSS pixels
+const REACH = { touch: 22, mouse: 14 };   // how far from its middle it is still gripped
+const STILL = 5;                          // a pointer that moves less is a tap
 
 /** The nearest point on whole steps, counted from `from`, in the limits [x0, x1, y0, y1]. */
 const snapped = (point, { step, from = [0, 0], limits }) => point.map((t, k) => clamp(
@@ -13,11 +18,12 @@ const snapped = (point, { step, from = [0, 0], limits }) => point.map((t, k) => 
  *  have one size on all screens: draw() is called again when the width changes. */
 export class Sheet {
   constructor([x0, x1, y0, y1], label, draw) {
-    Object.assign(this, { x0, x1, y0, y1 });
+    Object.assign(this, { x0, x1, y0, y1, handles: [] });
     this.svg = svg("svg", { role: "img", "aria-label": label });
     this.box = html("div", { class: "sheet" }, this.svg);
     this.box.style.aspectRatio = (x1 - x0) / (y1 - y0);
     new ResizeObserver(draw).observe(this.box);
+    this.followPointers();
   }
 
   get scale() {
@@ -71,35 +77,27 @@ export class Sheet {
     return svg("text", { x: x + right, y: y - up, class: style }, text);
   }
 
-  /** A point to drag, or to move with the arrow keys (Shift: four steps at once).
-   *  moved(point) is called when it has moved. -> set(point), go(point): set and tell, point() */
+  /** A point to drag, or to move with the keys of a slider (Shift: four steps at once).
+   *  moved(point, true) is called when it has moved. -> set(point), go(point): set and tell,
+   *  point(), element */
   handle({ name, mark = "", style = "", at, moved, ...grid }) {
+    const axis = grid.limits[0] < grid.limits[1] ? 0 : 1; // of the one value that a slider has
     const element = html("div", { class: `handle ${style}`, role: "slider", tabindex: 0,
                                   "aria-label": `${name}, moved by the arrow keys`,
-                                  "aria-valuemin": grid.limits[0],
-                                  "aria-valuemax": grid.limits[1] }, mark);
-    let point, grip = null;
+                                  "aria-valuemin": grid.limits[2 * axis],
+                                  "aria-valuemax": grid.limits[2 * axis + 1] }, mark);
+    let point;
     const set = (to) => {
       point = snapped(to, grid);
       element.style.left = `${100 * (point[0] - this.x0) / (this.x1 - this.x0)}%`;
       element.style.top = `${100 * (this.y1 - point[1]) / (this.y1 - this.y0)}%`;
-      element.setAttribute("aria-valuenow", point[0]);
+      element.setAttribute("aria-valuenow", point[axis]);
       element.setAttribute("aria-valuetext", `x ${number(point[0])}, y ${number(point[1])}`);
     };
     const go = (to) => {
       set(to);
       moved(point, true); // chosen, not only pointed at
     };
-    element.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0) return;
-      const at = this.pointOf(event);
-      grip = [point[0] - at[0], point[1] - at[1]];
-      element.setPointerCapture(event.pointerId);
-    });
-    element.addEventListener("pointermove", (event) => {
-      if (grip) go(this.pointOf(event).map((t, k) => t + grip[k]));
-    });
-    element.addEventListener("lostpointercapture", () => { grip = null; });
     element.addEventListener("keydown", (event) => {
       const direction = KEYS[event.key];
       if (!direction) return;
@@ -109,22 +107,66 @@ export class Sheet {
     });
     set(at);
     this.box.append(element);
-    return { set, go, point: () => point };
+    const handle = { set, go, point: () => point, element };
+    this.handles.push(handle);
+    return handle;
   }
 
   /** The point that the reader asks about: a handle, which a click or a tap brings to any place.
    *  While a mouse hovers, moved() gets the place under it; when it leaves, the chosen place. */
   probe(options) {
-    const chosen = this.handle({ ...options, style: "probe" });
-    const isElsewhere = (event) => event.target.closest(".handle:not(.probe)");
-    this.box.addEventListener("click", (event) => {
-      if (!isElsewhere(event)) chosen.go(this.pointOf(event));
-    });
+    this.chosen = this.handle({ ...options, style: "probe" });
     this.box.addEventListener("pointermove", (event) => {
       if (event.pointerType !== "mouse" || event.buttons) return;
       options.moved(snapped(this.pointOf(event), options));
     });
-    this.box.addEventListener("pointerleave", () => options.moved(chosen.point()));
-    return chosen;
+    this.box.addEventListener("pointerleave", () => options.moved(this.chosen.point()));
+    return this.chosen;
+  }
+
+  /** -> the handle that a pointer means, if one is near, and whether the pointer is on its disc. */
+  under(event) {
+    const at = this.place(this.pointOf(event));
+    const near = this.handles.flatMap((handle) => {
+      const [x, y] = this.place(handle.point());
+      const distance = Math.hypot(at[0] - x, at[1] - y);
+      const fromDisc = handle === this.chosen ? distance : distance - DISC;
+      return distance <= (REACH[event.pointerType] ?? REACH.mouse) ? { handle, fromDisc } : [];
+    }).sort((a, b) => a.fromDisc - b.fromDisc)[0];
+    return { handle: near?.handle, isOnDisc: near?.fromDisc <= 0 };
+  }
+
+  /** Handles take no pointer themselves: a browser would send them the taps that are for the
+   *  pixels around them. Only a finger that is near one does not scroll the page. */
+  followPointers() {
+    let down = null;
+    const isMeant = ({ pointerId }) => pointerId === down?.pointerId;
+    const on = (kind, listener, options) => this.box.addEventListener(kind, listener, options);
+    on("pointerdown", (event) => {
+      if (event.button !== 0 || down) return;
+      const under = this.under(event);
+      down = { ...under, pointerId: event.pointerId, at: this.pointOf(event),
+               from: under.handle?.point(), isDragged: false };
+      this.box.setPointerCapture(event.pointerId);
+    });
+    on("touchstart", (event) => {
+      if (down?.handle && event.cancelable) event.preventDefault();
+    }, { passive: false });
+    on("pointermove", (event) => {
+      if (!down) this.box.classList.toggle("grips", Boolean(this.under(event).handle));
+      if (!isMeant(event)) return;
+      const by = this.pointOf(event).map((t, k) => t - down.at[k]);
+      down.isDragged ||= Math.hypot(...by) * this.scale > STILL;
+      if (down.isDragged) down.handle?.go(by.map((t, k) => down.from[k] + t));
+    });
+    on("pointerup", (event) => {
+      if (!isMeant(event)) return;
+      const isTap = !down.isDragged && !down.isOnDisc;
+      if (isTap) this.chosen?.go(down.at);
+      (isTap ? this.chosen : down.handle)?.element.focus({ preventScroll: true });
+    });
+    on("lostpointercapture", (event) => {
+      if (isMeant(event)) down = null;
+    });
   }
 }

@@ -1,6 +1,10 @@
 /** Pictures that are computed pixel by pixel, row 0 at the bottom. */
 import { Sheet, html } from "./paper.js";
 
+/** [red, green, blue] from 0 to 1 -> one number, as the memory of a picture has it. */
+export const coded = ([red, green, blue]) =>
+  (255 << 24 | 255 * blue << 16 | 255 * green << 8 | 255 * red) >>> 0;
+
 /** The pixel of several pictures of one size: chosen in one, it is chosen in all. -> set(point) */
 export function probeAll(pictures, at, moved) {
   const { width, height } = pictures[0].canvas;
@@ -23,18 +27,21 @@ export class Picture extends Sheet {
     this.box.classList.add("light");
   }
 
-  /** colourAt(x, y) -> [red, green, blue] from 0 to 1, at each pixel's centre. */
-  paint(colourAt) {
+  /** codeAt(x, y) -> coded([red, green, blue]), at each pixel's centre. Nothing is allocated. */
+  fill(codeAt) {
     const { width, height } = this.canvas;
     const context = this.canvas.getContext("2d");
-    const image = context.createImageData(width, height);
-    for (let n = 0; n < width * height; n++) {
-      const [column, row] = [n % width, Math.floor(n / width)];
-      const colour = colourAt(column + 0.5, height - row - 0.5);
-      for (let k = 0; k < 3; k++) image.data[4 * n + k] = 255 * colour[k];
-      image.data[4 * n + 3] = 255;
+    this.image ??= context.createImageData(width, height);
+    const codes = new Uint32Array(this.image.data.buffer);
+    for (let n = 0, y = height - 0.5; y > 0; y--) {
+      for (let x = 0.5; x < width; x++) codes[n++] = codeAt(x, y);
     }
-    context.putImageData(image, 0, 0);
+    context.putImageData(this.image, 0, 0);
+  }
+
+  /** colourAt(x, y) -> [red, green, blue] from 0 to 1, at each pixel's centre. */
+  paint(colourAt) {
+    this.fill((x, y) => coded(colourAt(x, y)));
   }
 
   /** The pixel that is asked about: a cross in the picture. */

@@ -1,7 +1,7 @@
 """Pages with one figure each, its formulas, and its numbers as they are shown."""
+import json
 import shutil
 
-import numpy as np
 import pytest
 from reading import NAMES, SOURCE
 from serving import served
@@ -45,7 +45,7 @@ def call(page, address):
     page.goto(f"{address}/alias.html")
 
     def called(module, function, inputs):
-        inputs = [[np.asarray(x).tolist() for x in arguments] for arguments in inputs]
+        inputs = json.loads(json.dumps(list(inputs), default=lambda x: x.tolist()))  # of NumPy
         return page.evaluate("""async ([module, name, inputs]) => {
             const functions = await import(`/figures/${module}.js`);
             return inputs.map((x) => functions[name](...x));

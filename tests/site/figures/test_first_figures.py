@@ -1,13 +1,20 @@
-"""The figures of lectures 02 to 08: their numbers, their points to move."""
+"""The figures of lectures 02 to 08: their functions, their numbers."""
 import re
 
 import numpy as np
 import pytest
-from reading import middle, opened, point_of, shown
+from reading import MINUS, middle, opened, settled, shown
 
-from reference import antialiasing, interpolation, mipmapping, rasterization, sampling
+from reference import (
+    antialiasing,
+    interpolation,
+    mipmapping,
+    rasterization,
+    sampling,
+    texturing,
+)
 
-# Numbers
+# Functions
 
 def test_edge_functions_are_those_of_the_reference(call):
     """The edge is walked the other way round, a sample on an edge belongs to both triangles or to
@@ -97,7 +104,8 @@ def test_what_a_pixel_sees_in_perspective_is_projected_back_to_it(call):
 
 
 def test_levels_are_those_of_the_reference(call):
-    """J is transposed or not in texels, or the fraction belongs to the lower level."""
+    """J is transposed or not in texels, or the fraction belongs to the lower level, or a mean is
+    not of the footprint."""
     rng = np.random.default_rng(6)
     jacobian = rng.normal(size=(200, 2, 2)) * 2.0 ** rng.integers(-9, 2, (200, 1, 1))
     level = mipmapping.mip_level(jacobian, 64, 16)
@@ -110,21 +118,30 @@ def test_levels_are_those_of_the_reference(call):
     levels, = call("mip_level", "pyramid", [(image,)])
     for found, wanted in zip(levels, mipmapping.pyramid(image[..., None]), strict=True):
         np.testing.assert_allclose(found, wanted[..., 0], atol=1e-9)
-    uv = rng.uniform(-2, 2, (100, 2))
-    np.testing.assert_allclose(call("mip_level", "bilinear", [(image, x) for x in uv]),
-                               mipmapping.texture(image[..., None], uv)[:, 0], atol=1e-9)
+    uv, image = rng.uniform(-2, 2, (100, 2)), image[..., None]
+    np.testing.assert_allclose(call("mip_level", "bilinear", [(levels[0], *x) for x in uv]),
+                               mipmapping.texture(image, uv)[:, 0], atol=1e-9)
+    jacobian = rng.normal(size=(100, 2, 2)) * 2.0 ** rng.integers(-6, 1, (100, 1, 1))
+    level = mipmapping.mip_level(jacobian, 8, 8)
+    wanted = mipmapping.texture(image, uv, jacobian, filter="linear-mipmap-linear")[:, 0]
+    found = call("mip_level", "trilinear", [(levels, *x, at) for x, at in
+                                            zip(uv, level, strict=True)])
+    np.testing.assert_allclose(found, wanted, atol=1e-9)
+    found = call("mip_level", "footprintMean", [(levels[0], x, j, 6) for x, j in zip(
+        uv, jacobian, strict=True)])
+    np.testing.assert_allclose(found, texturing.footprint_mean(image, uv, jacobian, 6)[:, 0],
+                               atol=1e-9)
 
 
 def test_the_floors_jacobian_is_its_derivative(call):
     """A term of the quotient rule is missing."""
     rng, h = np.random.default_rng(60), 1e-4
-    pixels, camera = rng.uniform([0, 0], [168, 70], (50, 2)), {"tilt": 25, "forward": 0.3}
+    pixels = rng.uniform([0, 0], [336, 150], (50, 2))
 
     def uv(at):
-        return np.array([s["uv"] for s in call("mip_level", "floorAt", [(p, camera) for p in at])])
+        return np.array([s["uv"] for s in call("mip_level", "floorAt", [(p, 0.3) for p in at])])
 
-    jacobian = [s["jacobian"] for s in call("mip_level", "floorAt",
-                                            [(p, camera) for p in pixels])]
+    jacobian = [s["jacobian"] for s in call("mip_level", "floorAt", [(p, 0.3) for p in pixels])]
     columns = [(uv(pixels + step) - uv(pixels - step)) / (2 * h) for step in h * np.eye(2)]
     np.testing.assert_allclose(jacobian, np.stack(columns, -1), rtol=1e-5, atol=1e-7)
 
@@ -140,89 +157,7 @@ def test_aliases_are_those_of_the_reference(call):
         np.testing.assert_allclose(found, sampling.box_spectrum(width, n), atol=1e-9)
 
 
-# Points to move
-
-def check_edges(page, p):
-    """The table shows the reference's numbers for the pixel at p and the handles' places."""
-    places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
-    triangle, p = np.array(places), np.array(p)
-    e = [rasterization.edge_function(p, triangle[i], triangle[j]) for i, j in rasterization.EDGES]
-    rows = shown(page, "The pixel's edge functions")
-    np.testing.assert_allclose([row[0] for row in rows], [*e, sum(e)], atol=5.1e-5)
-    np.testing.assert_allclose([row[2] for row in rows[:3]], np.array(e) / sum(e), atol=5.1e-4)
-    owns = [rasterization.is_top_left(triangle[i][1] - triangle[j][1],
-                                      triangle[j][0] - triangle[i][0])
-            for i, j in rasterization.EDGES]
-    assert [row[1] for row in rows[:3]] == ["yes" if own else "no" for own in owns]
-    covered = page.locator(".verdict").inner_text().startswith("Covered")
-    assert covered == rasterization.is_covered(p, triangle)
-    return places
-
-
-def at(sheet, x, y):
-    """The place of (x, y) on a sheet of 12 x 8."""
-    box = sheet.bounding_box()
-    return box["x"] + x * box["width"] / 12, box["y"] + (8 - y) * box["height"] / 8
-
-
-def test_a_vertex_follows_the_mouse_and_the_numbers_follow(page, address):
-    """A vertex jumps to the pointer, or stays in the table where it was."""
-    opened(page, address, "edge_functions")
-    sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
-    check_edges(page, [7.5, 3.5])
-    off = 9                                        # pressed beside its middle
-    page.mouse.move(middle(vertex)[0] + off, middle(vertex)[1])
-    page.mouse.down()
-    target = at(sheet, 2.3, 4.2)
-    page.mouse.move(target[0] + off, target[1], steps=4)
-    page.mouse.up()
-    assert point_of(vertex) == [2.25, 4.25]
-    page.mouse.move(*at(sheet, 6.4, 3.7))
-    check_edges(page, [6.5, 3.5])
-    page.mouse.move(5, 5)                          # back to the chosen pixel
-    check_edges(page, [7.5, 3.5])
-    page.get_by_role("button", name="Reset").click()
-    assert check_edges(page, [7.5, 3.5])[0] == [1.25, 2.25]
-
-
-def test_a_vertex_follows_the_arrow_keys(page, address):
-    """The keys scroll the page, y points down, or a step is a whole pixel."""
-    opened(page, address, "edge_functions")
-    page.keyboard.press("Tab")
-    for key in ("ArrowRight", "ArrowUp", "ArrowUp", "Shift+ArrowLeft"):
-        page.keyboard.press(key)
-    assert check_edges(page, [7.5, 3.5])[0] == [0.5, 2.75]
-    for _ in range(4):
-        page.keyboard.press("Tab")                 # three vertices, then the pixel
-    page.keyboard.press("ArrowDown")
-    check_edges(page, [7.5, 2.5])
-
-
-def test_a_vertex_follows_a_finger_and_the_page_still_scrolls(browser, address):
-    """The finger scrolls the page instead of moving the vertex, or can no longer scroll it."""
-    context = browser.new_context(has_touch=True, viewport={"width": 375, "height": 800})
-    page = opened(context.new_page(), address, "edge_functions")
-    sheet, vertex = page.locator(".sheet"), page.locator(".handle:text-is('0')")
-    touch = context.new_cdp_session(page)
-
-    def send(kind, *point):
-        points = [{"x": point[0], "y": point[1]}] if point else []
-        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    send("touchStart", *middle(vertex))
-    for y in (3.0, 4.0, 5.5):
-        send("touchMove", *at(sheet, 3, y))
-    send("touchEnd")
-    assert point_of(vertex) == [3, 5.5]
-    page.touchscreen.tap(*at(sheet, 4.5, 2.5))
-    page.get_by_text("Pixel [2, 4]").wait_for()    # a tap becomes a click a little later
-    check_edges(page, [4.5, 2.5])
-    actions = [where.evaluate("e => getComputedStyle(e).touchAction") for where in (sheet, vertex)]
-    assert actions == ["auto", "none"]
-    box = vertex.bounding_box()
-    assert min(box["width"], box["height"]) >= 44
-    context.close()
-
+# What they show
 
 def test_an_edge_that_moves_shows_the_references_gradient(page, address):
     """The gradient is shown of the edge before it moved, or of the other pixel."""
@@ -251,19 +186,45 @@ def test_the_pixel_in_perspective_shows_the_references_weights(page, address):
     assert not np.allclose(shown(page, "The pixel's weights"), rows, atol=1e-3)
 
 
-def test_the_floors_pixel_shows_the_references_level(page, address):
-    """J is shown of one pixel, and the level of another."""
+def test_the_floors_pixel_shows_the_references_level(page, address, call):
+    """The level is that of the pixel before, or the mixture is turned round."""
+    pixels = [[x, y] for x in (20.5, 250.5) for y in (10.5, 120.5, 150.5)]
+    seen = call("mip_level", "floorAt", [(p,) for p in pixels])
+    level = mipmapping.mip_level(np.array([s["jacobian"] for s in seen]), 128, 128)
+    lower, upper, f = mipmapping.blend_levels(level, 7)
     opened(page, address, "mip_level")
-    for _ in range(3):
-        page.get_by_label("tilt").press("ArrowRight")
-        page.locator(".probe").first.press("ArrowDown")
-        jacobian = np.array(shown(page, "J in texels")) / 64
-        level = float(re.search(r"level = ([\d.]+)", page.inner_text(".pane"))[1])
-        wanted, = mipmapping.mip_level(jacobian[None], 64, 64)
-        assert abs(level - wanted) < 2e-3
+    box = page.get_by_role("img", name="A floor").bounding_box()
+    for k, (x, y) in enumerate(pixels):
+        page.mouse.click(box["x"] + x * box["width"] / 336,
+                         box["y"] + (192 - y) * box["height"] / 192)
+        said = settled(page).inner_text(".verdict").replace(MINUS, "-")
+        length, shown, *mixed = map(float, re.findall(r"-?\d+(?:\.\d+)?", said))
+        wanted = [1 - f[k], lower[k], f[k], upper[k]] if f[k] else [lower[k]]
+        np.testing.assert_allclose([shown, *mixed], [level[k], *wanted], atol=5.1e-3)
+        assert abs(length - 2 ** level[k]) < 5.1e-3
+    assert level.min() < 0 and level.max() > 4
 
 
-@pytest.mark.parametrize("name", ["perspective", "mip_level"])
+def test_only_the_half_without_the_pyramid_flickers_in_a_walk(page, address):
+    """The walk does nothing, or both halves read one texel."""
+    opened(page, address, "mip_level")
+    page.evaluate("""() => {
+        const canvas = document.querySelector("canvas");
+        window.far = (left) => [...canvas.getContext("2d").getImageData(left, 20, 150, 15).data];
+    }""")
+
+    def both():
+        return np.array([page.evaluate("far(5)"), page.evaluate("far(180)")], float)
+
+    before = both()
+    page.get_by_role("button", name="Walk").click()
+    page.wait_for_function("before => far(5).join() !== before.join()", arg=before[0].tolist())
+    page.get_by_role("button", name="Pause").click()
+    left, right = np.abs(both() - before).mean(1)
+    assert left > 20 * right
+
+
+@pytest.mark.parametrize("name", ["perspective"])
 def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address, name):
     """The mouse crosses the other picture on its way, and the chosen pixel is forgotten."""
     opened(page, address, name)
@@ -280,19 +241,6 @@ def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address, nam
     assert page.locator(".answers table").all_inner_texts() != tables
     page.mouse.move(1, 1)
     assert page.locator(".answers table").all_inner_texts() == tables
-
-
-def test_only_the_main_button_drags(page, address):
-    """The menu of the right button opens, and the vertex hangs on the mouse."""
-    opened(page, address, "edge_functions")
-    vertex = page.locator(".handle:not(.probe)").first
-    before = point_of(vertex)
-    x, y = middle(vertex)
-    page.mouse.move(x, y)
-    page.mouse.down(button="right")
-    page.mouse.move(x + 60, y - 40, steps=4)
-    page.mouse.up(button="right")
-    assert point_of(vertex) == before
 
 
 def test_the_slider_shows_the_alias(page, address):
