@@ -1,5 +1,5 @@
 /** Lecture 14: in flatland the light's map is one row of texels, and one bias is never right. */
-import { eachFrame, html, number, Sheet, slider } from "./paper.js";
+import { button, eachFrame, html, number, Sheet, slider } from "./paper.js";
 
 const TEXELS = 18, MAP_HIGH = 3.4, SAMPLES = 720, GROUND = 12, FOOT = 5, BEHIND = 5.12, TOP = 1.8;
 const WALL = [[FOOT, 0], [FOOT, TOP], [BEHIND, TOP], [BEHIND, 0]];
@@ -127,11 +127,12 @@ export function show(place) {
                              ask();
                            } });
   control.element.firstChild.classList.add("green");
-  const sloped = html("input", { type: "checkbox" });
-  sloped.addEventListener("change", () => {
-    factor = Number(sloped.checked);
+  const sloped = button("plus slope × half a texel", () => {
+    factor = 1 - factor;
+    sloped.setAttribute("aria-pressed", factor === 1);
     ask();
   });
+  sloped.setAttribute("aria-pressed", false);
 
   function draw() {
     const light = pointLight(position, SCENE);
@@ -179,7 +180,6 @@ export function show(place) {
       html("span", {}, "What a texel’s beam reaches is lit. ",
            html("b", { class: "green" }, "The bias"), " makes it longer.")),
     html("div", { class: "wide" }, world.box), html("div", { class: "wide" }, map.box),
-    html("div", { class: "told" }, control.element,
-         html("label", { class: "check" }, sloped, "plus slope × half a texel")),
+    html("div", { class: "told" }, control.element, sloped),
     html("div", { class: "told" }, answer)));
 }

@@ -100,7 +100,7 @@ export function show(place) {
                                                  "axis")),
       posts.map((d) => coloured(across(d, t(d), "step"), d)),
       posts.map((d) => coloured(across(d, Math.min(HIGH, t(d)), "post"), d)),
-      across(near, t(near), "plane near"), across(FAR, t(FAR), "plane")];
+      across(near, t(near), "plane red"), across(FAR, t(FAR), "plane blue")];
   }
 
   place.append(html("div", { class: "pane" },
