@@ -41,7 +41,7 @@ export class Sheet {
   }
 
   draw(...elements) {
-    this.svg.replaceChildren(...elements.flat(2));
+    this.svg.replaceChildren(...elements.flat(Infinity));
   }
 
   rectangle([x, y], width, height, style) {

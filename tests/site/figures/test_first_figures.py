@@ -3,7 +3,7 @@ import re
 
 import numpy as np
 import pytest
-from reading import MINUS, middle, opened, settled, shown
+from reading import MINUS, middle, number, opened, point_of, settled, shown
 
 from reference import (
     antialiasing,
@@ -160,19 +160,24 @@ def test_aliases_are_those_of_the_reference(call):
 # What they show
 
 def test_an_edge_that_moves_shows_the_references_gradient(page, address):
-    """The gradient is shown of the edge before it moved, or of the other pixel."""
+    """The gradient is shown of the edge before it moved, or of the other pixel; or it is not 0
+    where c is clamped, or where nothing is blended."""
     opened(page, address, "antialias")
-    sides = set()
-    for _ in range(12):
-        page.locator(".handle:text-is('0')").press("ArrowRight")
-        rows = shown(page, "The gradient at both ends")
-        ends = np.array([row[:2] for row in rows]).ravel()
-        c = antialiasing.crossing(*ends)
-        sides.add(bool(c < 0.5))
-        grad_c = antialiasing.blend_weight_backward(np.array([0.9 - 0.2]), np.array([c]))[0]
-        wanted = np.reshape(antialiasing.crossing_backward(grad_c, *ends), (2, 2))
-        np.testing.assert_allclose([row[2:] for row in rows], wanted, atol=5.1e-4)
-    assert sides == {True, False}, "the kink is not passed"
+    handles, seen = page.locator(".handle").all(), []
+    for n in range(110):
+        handles[n // 2 % 2].press("ArrowLeft" if n < 30 else "ArrowRight")
+        ends = np.ravel([point_of(handle) for handle in handles])
+        c = np.array([antialiasing.crossing(*ends)])
+        grad_c = antialiasing.blend_weight_backward(np.array([0.9 - 0.2]), c)[0]
+        is_blended = antialiasing.is_blended(c, np.array([True]), *ends[:, None])[0]
+        wanted = -np.array(antialiasing.crossing_backward(grad_c * is_blended, *ends))
+        found = ", ".join(settled(page).locator(".descent.label").all_text_contents())
+        np.testing.assert_allclose([number(t) for t in found.split(", ")], wanted, atol=5.1e-4)
+        said = page.inner_text(".verdict")
+        is_clamped = is_blended and not 0 < c[0] < 1
+        assert ("no gradient" in said) == (not wanted.any()) and ("clamped" in said) == is_clamped
+        seen.append("clamped" if is_clamped else "none" if not is_blended else c[0] < 0.5)
+    assert set(seen) == {"none", "clamped", True, False}
 
 
 def test_the_pixel_in_perspective_shows_the_references_weights(page, address):
