@@ -74,8 +74,8 @@ function why({ c, alpha }) {
       : "It crosses elsewhere: another pair blends it.");
   }
   if (c <= 0 || c >= 1) {
-    return `${at} is clamped to ${clamp(c, 0, 1)}, so <i>α</i> stays ${number(alpha)} when the edge ` +
-      "moves: no gradient.";
+    return `${at} is clamped to ${clamp(c, 0, 1)}, so <i>α</i> stays ${number(alpha)} when ` +
+      "the edge moves: no gradient.";
   }
   return `${at}, <i>α</i> = ½ − <i>c</i> = ${number(alpha)}: ` + (Math.abs(alpha) < 1e-9
     ? "both pixels are right. The kink is here."

@@ -276,7 +276,7 @@ def test_the_slider_shows_the_alias(page, address):
     """The alias is that of the wave before."""
     opened(page, address, "alias")
     page.get_by_role("slider", name="periods").fill("16.5")
-    assert "the samples show 4.5" in page.inner_text(".verdict")
+    assert "the samples show 4.5" in settled(page).inner_text(".verdict")
     assert "= 4.5." in page.inner_text(".pane")
     page.get_by_role("slider", name="periods").fill("5.5")
-    assert page.inner_text(".verdict") == "5.5 periods, seen correctly."
+    assert settled(page).inner_text(".verdict") == "5.5 periods, seen correctly."
