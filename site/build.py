@@ -3,8 +3,11 @@
     python3 -m course site            the site in out/site; lectures are shown as they are saved
     python3 -m course site --serve    and opens it in the browser
     python3 -m course site --lite     and with JupyterLite: the labs in the browser
+
+Sphinx reads again only what has changed. The new site replaces the old one when it is whole.
 """
 import contextlib
+import filecmp
 import functools
 import http.server
 import shutil
@@ -20,25 +23,54 @@ from sphinx.cmd.build import build_main
 from course.given.places import ROOT, out, shown_path
 
 SITE = ROOT / "site"
-SOURCE, TARGET = out("site-source", "pages"), out("site")
-EXTRA = SOURCE.parent / "extra"  # files that go to the site as they are
+WORK, TARGET = out("site-source"), out("site")
 
 
-def write_sources(lite):
-    """All pages, as Sphinx reads them, and the files beside them."""
+def write_sources(folder, extra, lite):
+    """All pages, as Sphinx reads them, and to extra the files beside them."""
     for part in labs, sources:
-        part.write(SOURCE)
+        part.write(folder)
     for part in lectures, benchmarks, instructors:
-        part.write(SOURCE, EXTRA)
-    front.write(SOURCE, EXTRA, lite)
-    texts_links.write(SOURCE, lite)
+        part.write(folder, extra)
+    front.write(folder, extra, lite)
+    texts_links.write(folder, lite)
 
 
-def make():
+def bring_in_step(folder, new):
+    """Make a folder's files those of another, touching only those that differ.
+
+    -> whether the same files are there as before.
+    """
+    names = [{path.relative_to(root) for path in root.rglob("*") if path.is_file()}
+             for root in (folder, new)]
+    for name in names[0] - names[1]:
+        (folder / name).unlink()
+    for name in names[1]:
+        if name not in names[0] or not filecmp.cmp(folder / name, new / name, shallow=False):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(new / name, folder / name)
+    return names[0] == names[1]
+
+
+def run_sphinx(folder, target):
     """-> Sphinx's exit status. A warning is an error: a link that leads nowhere, say."""
     return build_main(["-b", "html", "-j", "auto", "-q", "--fail-on-warning", "--keep-going",
-                       "-c", str(SITE), "-d", str(SOURCE.parent / "doctrees"),
-                       "-D", f"html_extra_path={EXTRA}", str(SOURCE), str(TARGET)])
+                       "-c", str(SITE), "-d", str(target.with_name("doctrees")),
+                       str(folder), str(target)])
+
+
+def publish(parts, target):
+    """The files of these folders, together, replace the site."""
+    new, old = (target.with_name(f"{target.name}-{age}") for age in ("new", "old"))
+    for folder in new, old:
+        shutil.rmtree(folder, ignore_errors=True)
+    for part in parts:
+        shutil.copytree(part, new, dirs_exist_ok=True,
+                        ignore=shutil.ignore_patterns("_sources", ".buildinfo"))
+    if target.exists():
+        target.rename(old)
+    new.rename(target)
+    shutil.rmtree(old, ignore_errors=True)
 
 
 def serve():
@@ -52,21 +84,34 @@ def serve():
             server.serve_forever()
 
 
-def main(options):
-    for folder in SOURCE.parent, TARGET:
+def make(lite):
+    """-> exit status. Unless it is 0, the site is the one before."""
+    pages, new, extra, html = (WORK / name for name in ("pages", "new", "extra", "html"))
+    for folder in new, extra:
         shutil.rmtree(folder, ignore_errors=True)
-    write_sources("--lite" in options)
-    status = make()
-    if status:
+    write_sources(new, extra, lite)
+    if not bring_in_step(pages, new):
+        for folder in html, WORK / "doctrees":  # with pages that are no more
+            shutil.rmtree(folder, ignore_errors=True)
+    status = run_sphinx(pages, html)
+    if status:  # what Sphinx has read it does not read again, and would say nothing of the fault
+        shutil.rmtree(WORK / "doctrees", ignore_errors=True)
         return status
-    if "--lite" in options:
-        from pages import lite  # needs more packages
-        lite.write(TARGET / "lite")
-    print(f"The site is in {shown_path(TARGET)}. Its figures need a server: "
-          "python3 -m course site --serve")
-    if "--serve" in options:
-        serve()
+    if lite:
+        from pages import lite as jupyter_lite  # needs more packages
+        jupyter_lite.write(extra / "lite")
+    publish([html, extra], TARGET)
     return 0
+
+
+def main(options):
+    status = make("--lite" in options)
+    if not status:
+        print(f"The site is in {shown_path(TARGET)}. Its figures need a server: "
+              "python3 -m course site --serve")
+        if "--serve" in options:
+            serve()
+    return status
 
 
 if __name__ == "__main__":

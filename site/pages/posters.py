@@ -5,9 +5,11 @@ from PIL import Image
 
 
 def poster(animation):
-    """The first frame of an animated PNG, as a PNG: bytes -> bytes. The course's films begin with
-    what they come to.
+    """The first frame of an animated PNG, as a PNG of 256 colours: bytes -> bytes. The course's
+    films begin with what they come to.
     """
-    frames, still = Image.open(io.BytesIO(animation)), io.BytesIO()
-    frames.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(still, "PNG", optimize=True)
+    frame, still = Image.open(io.BytesIO(animation)), io.BytesIO()
+    if frame.mode != "P":
+        frame = frame.convert("RGB").quantize(256, dither=Image.Dither.NONE)
+    frame.save(still, "PNG", optimize=True)
     return still.getvalue()

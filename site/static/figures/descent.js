@@ -1,0 +1,104 @@
+/** Lectures 00 and 09: a triangle descends to the one that made a picture. */
+import { adamStep, lossOf, render } from "./blended.js";
+import { signedArea } from "./edge_functions.js";
+import { button, clamp, eachFrame, html, player, Sheet } from "./paper.js";
+
+const WIDTH = 24, HEIGHT = 16, STEPS = 240;
+const TARGET = [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]];
+const START = [[2.2, 9.6], [12.4, 1.3], [18.7, 12.4]];
+const ARROW = 4;                         // pixels: the longest arrow
+const LOWEST = -5, HIGHEST = 0;          // of the curve: powers of ten
+
+/** The learning rate of step n, in pixels: it falls by a factor of 100. */
+const rate = (n) => 0.3 * 0.01 ** (n / STEPS);
+
+function verdict(triangle, { gradients, loss }) {
+  if (signedArea(triangle) <= 0) return "It is turned over. No pixel shows it: no gradient.";
+  if (loss < 1e-5) return "Found: the picture is the target.";
+  return gradients.flat().every((slope) => slope === 0) ? "No pixel is blended: no gradient."
+    : "The pixels along its edges pull at all three vertices.";
+}
+
+export function show(place) {
+  const target = render(TARGET, WIDTH, HEIGHT).picture;
+  let triangle, means, squares, step, losses;
+  const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
+    "A triangle on a grid of 24 by 16 pixels, and the outline of the one that is looked for",
+    eachFrame(draw));
+  const curve = new Sheet([0, STEPS, LOWEST * 14, HIGHEST * 14],
+    "The loss after each step, falling", eachFrame(draw));
+  const said = html("p");
+  const answer = html("p", { class: "verdict", role: "status" });
+  const handles = START.map((at, k) => sheet.handle({
+    name: `Vertex ${k}`, mark: String(k), step: 0.05, limits: [0, WIDTH, 0, HEIGHT], at,
+    moved: (to) => {
+      begin(triangle.map((vertex, n) => (n === k ? to : vertex)));
+      redraw();
+    } }));
+  const redraw = eachFrame(draw);
+  const play = player("Play", () => {
+    const found = lossOf(triangle, target, WIDTH, HEIGHT);
+    if (step === STEPS || found.loss < 1e-6) return false;
+    descend(found.gradients);
+    draw();
+    return true;
+  });
+  const reset = button("Reset", () => {
+    play.stop();
+    begin(START);
+    redraw();
+  });
+
+  function begin(from) {
+    [triangle, means, squares, step, losses] = [from, Array(6).fill(0), Array(6).fill(0), 0, []];
+    triangle.forEach((vertex, k) => handles[k].set(vertex));
+  }
+
+  function descend(gradients) {
+    step += 1;
+    let x;
+    [x, means, squares] = adamStep(triangle.flat(), gradients.flat(), means, squares, step,
+                                   rate(step));
+    triangle = [0, 1, 2].map((k) => [clamp(x[2 * k], 0, WIDTH), clamp(x[2 * k + 1], 0, HEIGHT)]);
+    triangle.forEach((vertex, k) => handles[k].set(vertex));
+  }
+
+  function draw() {
+    const found = lossOf(triangle, target, WIDTH, HEIGHT);
+    losses[step] = found.loss;
+    const longest = Math.max(...found.gradients.map((g) => Math.hypot(...g)), 1e-9);
+    const pixels = Array.from(found.picture, (shade, n) => {
+      const [at, wanted] = [[n % WIDTH, Math.floor(n / WIDTH)], target[n]];
+      return [["agrees", Math.min(shade, wanted)], ["extra", shade - wanted],
+              ["missing", wanted - shade]].filter(([, share]) => share > 0.004)
+        .map(([style, share]) => {
+          const square = sheet.rectangle(at, 1, 1, style);
+          square.setAttribute("fill-opacity", share.toFixed(3));
+          return square;
+        });
+    });
+    sheet.draw(
+      pixels.flat(), sheet.line([...TARGET, TARGET[0]], "goal"),
+      sheet.line([...triangle, triangle[0]], "outline found"),
+      triangle.map((vertex, k) => sheet.arrow(vertex, vertex.map(
+        (t, axis) => t - ARROW * found.gradients[k][axis] / longest), "descent")));
+    curve.draw(curve.line([[0, 0], [0, LOWEST * 14], [STEPS, LOWEST * 14]], "axis"),
+      curve.text([6, -14], "loss", "label descent"),
+      curve.text([STEPS, LOWEST * 14], "step", "", [-34, 6]),
+      curve.line(losses.map((loss, n) =>
+        [n, 14 * clamp(Math.log10(loss), LOWEST, HIGHEST)]), "curve descent"));
+    said.innerHTML = `Step ${step}: loss <b class="descent">${found.loss.toFixed(5)}</b>`;
+    answer.textContent = verdict(triangle, found);
+  }
+
+  begin(START);
+  place.append(html("div", { class: "pane" },
+    html("p", { class: "task" }, "Drag a vertex, or press Play. ",
+      html("span", {}, html("b", { class: "missing" }, "Blue"), " pixels are missing, ",
+        html("b", { class: "extra" }, "orange"), " ones are too much. The ",
+        html("b", { class: "descent" }, "green"), " arrows are the gradient, turned downhill.")),
+    sheet.box,
+    html("div", { class: "told" }, said, answer, curve.box,
+      html("div", { class: "buttons" }, play.element, reset))));
+  draw();
+}

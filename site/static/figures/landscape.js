@@ -1,0 +1,135 @@
+/** Lecture 09: the loss over all places of one vertex, sampled and blended. */
+import { adamStep, covered, lossOf, render, squaredError } from "./blended.js";
+import { button, clamp, eachFrame, html, player, Sheet } from "./paper.js";
+
+const WIDTH = 12, HEIGHT = 8, FINE = 14;  // pixels, and how many of the map's places in each
+const GOAL = [[1.6, 1.2], [9.7, 1.9], [4.7, 6.3]], START = [9.4, 6.2], LOWEST = 1.7;
+const STEPS = 200, BUDGET = 8;            // ms of a frame, for the map
+const ARROW = 1.8;
+
+const triangleOf = (vertex) => [GOAL[0], GOAL[1], vertex];
+
+/** -> the loss of the triangle with this vertex 2, and the gradient with respect to it. */
+export function lossAt(vertex, isBlended) {
+  const triangle = triangleOf(vertex);
+  if (isBlended) {
+    const { loss, gradients } = lossOf(triangle, TARGET, WIDTH, HEIGHT);
+    return { loss, gradient: gradients[2] };
+  }
+  const picture = covered(triangle, WIDTH, HEIGHT).map(Number);
+  return { loss: squaredError(picture, SAMPLED), gradient: [0, 0] };
+}
+
+const TARGET = render(GOAL, WIDTH, HEIGHT).picture;
+const SAMPLED = covered(GOAL, WIDTH, HEIGHT).map(Number);
+
+/** The colour of a loss: white at 0, blue at the highest. Slopes are lit from the upper left. */
+function paint(pixels, n, loss, slope) {
+  const share = Math.min(1, Math.sqrt(loss / 0.15));
+  const light = clamp(1 - 12 * slope, 0.5, 1.2);
+  [40, 130, 185].forEach((dark, k) => {
+    pixels[4 * n + k] = light * (240 + share * (dark - 240));
+  });
+  pixels[4 * n + 3] = 255;
+}
+
+/** Paints the map of all places, from above, a few rows in each frame. -> a function: stop. */
+function paintMap(canvas, isBlended) {
+  const { width, height } = canvas;
+  const context = canvas.getContext("2d");
+  const lossesOf = (row) => Float64Array.from({ length: width }, (_, n) =>
+    lossAt([(n + 0.5) / FINE, (height - row - 0.5) / FINE], isBlended).loss);
+  let row = 0, frame = 0, above = lossesOf(-1);
+  const go = () => {
+    const end = performance.now() + BUDGET;
+    for (; row < height && performance.now() < end; row++) {
+      const [image, losses] = [context.createImageData(width, 1), lossesOf(row)];
+      losses.forEach((loss, n) =>
+        paint(image.data, n, loss, above[n] - loss + losses[Math.max(n - 1, 0)] - loss));
+      context.putImageData(image, 0, row);
+      above = losses;
+    }
+    if (row < height) frame = requestAnimationFrame(go);
+  };
+  go();
+  return () => cancelAnimationFrame(frame);
+}
+
+export function show(place) {
+  let vertex, path, means, squares, stopMap = () => {};
+  const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
+    "A map of the loss for each place of vertex 2 of a triangle", eachFrame(draw));
+  const canvas = html("canvas", { width: WIDTH * FINE, height: HEIGHT * FINE,
+                                  "aria-hidden": "true" });
+  sheet.box.prepend(canvas);
+  sheet.box.classList.add("light");
+  const said = html("p");
+  const answer = html("p", { class: "verdict", role: "status" });
+  const redraw = eachFrame(draw);
+  const handle = sheet.handle({
+    name: "Vertex 2", mark: "2", step: 0.05, limits: [0, WIDTH, LOWEST, HEIGHT], at: START,
+    moved: (to) => {
+      begin(to);
+      redraw();
+    } });
+  const blend = html("input", { type: "checkbox", checked: "" });
+  blend.addEventListener("change", () => {
+    stopMap();
+    stopMap = paintMap(canvas, blend.checked);
+    begin(vertex);
+    redraw();
+  });
+  const play = player("Play", () => {
+    const { loss, gradient } = lossAt(vertex, blend.checked);
+    const n = path.length;
+    if (n > STEPS || loss < 1e-7 || gradient.every((slope) => slope === 0)) return false;
+    [vertex, means, squares] = adamStep(vertex, gradient, means, squares, n,
+                                        0.3 * 0.01 ** (n / STEPS));
+    vertex = [clamp(vertex[0], 0, WIDTH), clamp(vertex[1], LOWEST, HEIGHT)];
+    path.push(vertex);
+    handle.set(vertex);
+    draw();
+    return true;
+  });
+  const reset = button("Reset", () => {
+    play.stop();
+    begin(START);
+    redraw();
+  });
+
+  function begin(from) {
+    [vertex, path, means, squares] = [from, [from], [0, 0], [0, 0]];
+    handle.set(vertex);
+  }
+
+  function draw() {
+    const { loss, gradient } = lossAt(vertex, blend.checked);
+    const length = Math.hypot(...gradient);
+    const triangle = triangleOf(vertex);
+    sheet.draw(
+      covered(triangle, WIDTH, HEIGHT).map((inside, n) => sheet.dot(
+        [n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5], 2.2, inside ? "sample point" : "sample")),
+      sheet.line([...GOAL, GOAL[0]], "goal"),
+      sheet.line([...triangle, triangle[0]], "outline found"),
+      sheet.line(path, "curve descent"),
+      length ? sheet.arrow(vertex, vertex.map((t, k) => t - ARROW * gradient[k] / length),
+                           "descent") : []);
+    said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
+      `<b class="descent">${length.toFixed(5)}</b>, step ${path.length - 1}`;
+    const told = !blend.checked ? "Flat between two cliffs: no arrow, and Play does nothing."
+      : loss < 1e-6 ? "Found." : "";
+    if (answer.textContent !== told) answer.textContent = told;
+  }
+
+  begin(START);
+  place.append(html("div", { class: "pane" },
+    html("p", { class: "task" }, "Drag vertex 2, then take the blend away. ",
+      html("span", {}, "The map is the loss for each place of vertex 2: white is low. The ",
+        html("b", { class: "descent" }, "green"), " arrow points downhill.")),
+    sheet.box,
+    html("div", { class: "told" }, said, answer,
+      html("label", { class: "check" }, blend, html("span", {}, "blend the edges (lab 8)")),
+      html("div", { class: "buttons" }, play.element, reset))));
+  stopMap = paintMap(canvas, true);
+  draw();
+}

@@ -1,0 +1,164 @@
+/** Lecture 15: a grid of signed distances, the outline between its signs, and its way back. */
+import { button, eachFrame, html, player, Sheet } from "./paper.js";
+
+const COLUMNS = 25, ROWS = 17, SPACING = 1 / 8;
+const RADIUS = 0.75, TUBE = 0.32, BALL = 0.86;
+const RATE = 5, STEPS = 300;
+
+const POINTS = Array.from({ length: COLUMNS * ROWS }, (_, n) => [
+  (n % COLUMNS - (COLUMNS - 1) / 2) * SPACING,
+  (Math.floor(n / COLUMNS) - (ROWS - 1) / 2) * SPACING]);
+
+/** Two triangles, counter-clockwise, in each square of the grid. */
+const TRIANGLES = POINTS.flatMap((_, n) => {
+  if (n % COLUMNS === COLUMNS - 1 || n >= COLUMNS * (ROWS - 1)) return [];
+  const [right, above] = [n + 1, n + COLUMNS];
+  return [[n, right, above + 1], [n, above + 1, above]];
+});
+
+/** Eq. (1): the slice of a ring around the y axis through its axis: two discs. */
+export const torus = ([x, y], radius, tube) => Math.hypot(Math.abs(x) - radius, y) - tube;
+
+/** Eq. (8): where on the edge from a to b is the distance 0? */
+export const zeroCrossing = (pA, pB, sA, sB) => pA.map((a, k) => (a * sB - pB[k] * sA) / (sB - sA));
+
+/** Eq. (9) -> dL/dsA, dL/dsB. */
+export function zeroCrossingBackward(gradP, pA, pB, sA, sB) {
+  const gradT = gradP.reduce((sum, g, k) => sum + g * (pB[k] - pA[k]), 0);
+  return [-gradT * sB / (sB - sA) ** 2, gradT * sA / (sB - sA) ** 2];
+}
+
+/** The outline: -> vertices {p, a, b}, each on the edge from a point a inside to a point b outside,
+ *  and segments [from, to], numbers of vertices, the inside on their left. */
+export function marchingTriangles(distance) {
+  const vertices = [], numbers = new Map();
+  const vertexOn = (i, j) => {
+    const [a, b] = distance[i] < 0 ? [i, j] : [j, i];
+    const key = a * POINTS.length + b;
+    if (!numbers.has(key)) {
+      numbers.set(key, vertices.length);
+      vertices.push({ a, b, p: zeroCrossing(POINTS[a], POINTS[b], distance[a], distance[b]) });
+    }
+    return numbers.get(key);
+  };
+  const segments = TRIANGLES.flatMap((corners) => {
+    const inside = corners.map((n) => distance[n] < 0);
+    const count = inside.filter(Boolean).length;
+    if (count === 0 || count === 3) return [];
+    const k = inside.indexOf(count === 1); // the corner that is alone on its side
+    const [alone, next, last] = [0, 1, 2].map((turn) => corners[(k + turn) % 3]);
+    const ends = [vertexOn(alone, next), vertexOn(alone, last)];
+    return [count === 1 ? ends : ends.reverse()];
+  });
+  return { vertices, segments };
+}
+
+/** The gradient of the area inside, with respect to the outline's vertices. */
+export function areaBackward(vertices, segments) {
+  const gradients = vertices.map(() => [0, 0]);
+  for (const [i, j] of segments) {
+    const [[px, py], [qx, qy]] = [vertices[i].p, vertices[j].p];
+    gradients[i][0] += qy / 2;
+    gradients[i][1] -= qx / 2;
+    gradients[j][0] -= py / 2;
+    gradients[j][1] += px / 2;
+  }
+  return gradients;
+}
+
+/** Section 8: the integral of the ring's distance over the inside, back to the grid's numbers. */
+export function distanceGradient(distance) {
+  const { vertices, segments } = marchingTriangles(distance);
+  const gradient = distance.map(() => 0);
+  areaBackward(vertices, segments).forEach((area, n) => {
+    const { a, b, p } = vertices[n];
+    const push = area.map((g) => g * torus(p, RADIUS, TUBE));
+    const [gradA, gradB] = zeroCrossingBackward(
+      push, POINTS[a], POINTS[b], distance[a], distance[b]);
+    gradient[a] += gradA;
+    gradient[b] += gradB;
+  });
+  return gradient;
+}
+
+/** How many pieces do the points inside make, along the grid's edges? */
+export function pieces(distance) {
+  const root = distance.map((_, n) => n);
+  const find = (n) => (root[n] === n ? n : (root[n] = find(root[n])));
+  for (const corners of TRIANGLES) {
+    const inside = corners.filter((n) => distance[n] < 0);
+    for (const n of inside.slice(1)) root[find(n)] = find(inside[0]);
+  }
+  return distance.filter((s, n) => s < 0 && find(n) === n).length;
+}
+
+export function show(place) {
+  const centre = POINTS.length >> 1, across = COLUMNS * SPACING / 2, up = ROWS * SPACING / 2;
+  let distance, step, chosen = POINTS[centre];
+  const redraw = eachFrame(draw);
+  const sheet = new Sheet([-across, across, -up, up],
+    "A grid of signs, and the outline that runs between them", redraw);
+  const said = html("p");
+  const answer = html("p", { class: "verdict", role: "status" });
+  const probe = sheet.probe({
+    name: "Grid point", step: SPACING, from: POINTS[0], at: chosen,
+    limits: [POINTS[0][0], -POINTS[0][0], POINTS[0][1], -POINTS[0][1]],
+    moved: (to) => {
+      chosen = to;
+      redraw();
+    } });
+  const flip = button("Flip its sign", () => {
+    const [x, y] = probe.point();
+    const n = Math.round((x - POINTS[0][0]) / SPACING) +
+      COLUMNS * Math.round((y - POINTS[0][1]) / SPACING);
+    distance[n] = -distance[n];
+    redraw();
+  });
+  const play = player("Play", () => {
+    if (step === STEPS) return false;
+    step += 1;
+    const gradient = distanceGradient(distance);
+    distance = distance.map((s, n) => s - RATE * gradient[n]);
+    draw();
+    return true;
+  });
+  const reset = button("Reset", () => {
+    play.stop();
+    begin();
+    redraw();
+  });
+
+  function begin() {
+    [distance, step] = [POINTS.map((p) => Math.hypot(...p) - BALL), 0];
+  }
+
+  function draw() {
+    const { vertices, segments } = marchingTriangles(distance);
+    const circle = (side) => sheet.line(Array.from({ length: 49 }, (_, k) =>
+      [side * RADIUS + TUBE * Math.cos(k * Math.PI / 24), TUBE * Math.sin(k * Math.PI / 24)]),
+      "goal");
+    sheet.draw(
+      sheet.rectangle([chosen[0] - SPACING / 2, chosen[1] - SPACING / 2], SPACING, SPACING,
+                      "chosen"),
+      circle(-1), circle(1),
+      POINTS.map((p, n) => sheet.dot(p, distance[n] < 0 ? 3.4 : 1.8,
+                                     distance[n] < 0 ? "sample first" : "sample")),
+      segments.map(([i, j]) => sheet.line([vertices[i].p, vertices[j].p], "edge")));
+    const count = pieces(distance);
+    said.innerHTML = `Step ${step}: <b class="red">${count} piece${count === 1 ? "" : "s"}</b>`;
+    const told = count === 1 ? "One outline."
+      : `${count} outlines: signs have changed, and nothing else.`;
+    if (answer.textContent !== told) answer.textContent = told;
+  }
+
+  begin();
+  place.append(html("div", { class: "pane" },
+    html("p", { class: "task" }, "Press Play, or flip signs by hand. ",
+      html("span", {}, html("b", { class: "blue" }, "Blue"),
+        " points have a negative distance: they are inside. The ",
+        html("b", { class: "red" }, "red"), " outline runs where the sign changes.")),
+    sheet.box,
+    html("div", { class: "told" }, said, answer,
+      html("div", { class: "row" }, play.element, flip, reset))));
+  draw();
+}

@@ -1,0 +1,114 @@
+"""The triangle that descends: the picture, its gradient, and the steps down."""
+import re
+
+import numpy as np
+from reading import opened, point_of, settled
+
+from reference import inverse_rendering, outlines, rasterization
+
+WIDTH, HEIGHT = 24, 16
+FACES, OPPOSITE = np.array([[0, 1, 2]]), np.array([[-1, -1, -1]])
+
+
+def triangles(count, seed):
+    """Counter-clockwise triangles that cover some pixels' centres."""
+    points = np.random.default_rng(seed).uniform(1, [WIDTH - 1, HEIGHT - 1], (count, 3, 2))
+    area = np.array([rasterization.signed_area(triangle) for triangle in points])
+    return [triangle if a > 0 else triangle[::-1]
+            for triangle, a in zip(points, area, strict=True) if abs(a) > 4]
+
+
+def drawn(triangle):
+    """The reference's picture of a triangle (vertices on screen), and what its way back needs."""
+    ndc = triangle / [WIDTH / 2, HEIGHT / 2] - 1
+    clip = np.column_stack([ndc, np.zeros(3), np.ones(3)])
+    face_index, depth = rasterization.rasterize_loop(clip, FACES, WIDTH, HEIGHT)
+    buffers = face_index, depth, clip, FACES, OPPOSITE
+    colour = (face_index >= 0)[..., None].astype(float)
+    return outlines.antialias(colour, *buffers), (colour, *buffers)
+
+
+def test_the_picture_and_its_gradient_are_those_of_the_reference(call):
+    """A pair of pixels above each other is turned, or an edge's gradient goes to the wrong end."""
+    cases = triangles(40, seed=9)
+    grad = np.random.default_rng(0).normal(size=(HEIGHT, WIDTH, 1))
+    found = call("blended", "render", [(triangle, WIDTH, HEIGHT) for triangle in cases])
+    back = call("blended", "renderBackward", [(grad.ravel(), one["pairs"]) for one in found])
+    for triangle, one, gradient in zip(cases, found, back, strict=True):
+        wanted, buffers = drawn(triangle)
+        np.testing.assert_allclose(one["picture"], wanted.ravel(), atol=1e-9)
+        grad_clip = outlines.antialias_backward(grad, *buffers)[1]
+        assert np.abs(grad_clip).max() > 0.1
+        wanted = grad_clip[:, :2] / [WIDTH / 2, HEIGHT / 2]
+        np.testing.assert_allclose(gradient, wanted, atol=1e-9)
+
+
+def test_the_loss_and_a_step_are_those_of_the_reference(call):
+    """The mean is over rows, or Adam's first steps are too short."""
+    picture, target, x, grad, mean = np.random.default_rng(1).normal(size=(5, 6))
+    square = mean**2
+    assert np.isclose(call("blended", "squaredError", [(picture, target)])[0],
+                      inverse_rendering.squared_error(picture, target), atol=1e-9)
+    found, = call("blended", "squaredErrorBackward", [(picture, target)])
+    np.testing.assert_allclose(
+        found, inverse_rendering.squared_error_backward(1.0, picture, target), atol=1e-9)
+    found, = call("blended", "adamStep", [(x, grad, mean, square, 3, 0.25)])
+    np.testing.assert_allclose(
+        found, inverse_rendering.adam_step(x, grad, mean, square, 3, 0.25), atol=1e-9)
+
+
+def loss_of(page):
+    step, loss = re.search(r"Step (\d+): loss ([\d.]+)", settled(page).inner_text(".told")).groups()
+    return int(step), float(loss)
+
+
+def test_play_finds_the_triangle(page, address):
+    """It circles round the target, or ends beside it."""
+    opened(page, address, "descent")
+    assert loss_of(page)[0] == 0 and loss_of(page)[1] > 0.05
+    page.get_by_role("button", name="Play").click()
+    page.get_by_text("Found").wait_for(timeout=60_000)
+    assert loss_of(page)[1] < 1e-4
+    places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
+    np.testing.assert_allclose(places, [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]], atol=0.11)
+
+
+def test_a_vertex_that_is_moved_begins_a_new_descent(page, address):
+    """The curve goes on from the old place, or the picture is the one before."""
+    opened(page, address, "descent")
+    before = loss_of(page)
+    page.locator(".handle:text-is('0')").press("Shift+ArrowDown")
+    assert loss_of(page)[0] == 0 and loss_of(page)[1] < before[1]
+    page.get_by_role("button", name="Reset").click()
+    assert loss_of(page) == before
+
+
+def test_the_landscape_has_the_blends_slopes_or_none(call):
+    """The arrow is of another vertex, or the map is of another loss."""
+    places = np.random.default_rng(4).uniform([1, 2], [11, 8], (60, 2))
+    h = 1e-6 * np.eye(2)
+    found = call("landscape", "lossAt", [(place, True) for place in places])
+    around = [call("landscape", "lossAt", [(place + step, True) for place in places])
+              for step in (h[0], -h[0], h[1], -h[1])]
+    right, left, above, below = (np.array([one["loss"] for one in row]) for row in around)
+    differences = np.stack([right - left, above - below], -1) / 2e-6
+    gradients = np.array([one["gradient"] for one in found])
+    steady = np.abs(differences).max(1) < 1  # no pair of pixels begins or ends in between
+    assert steady.sum() > 50 and np.abs(gradients).max() > 0.01
+    np.testing.assert_allclose(gradients[steady], differences[steady], atol=1e-6)
+    steps = call("landscape", "lossAt", [(place, False) for place in places])
+    assert all(one["gradient"] == [0, 0] for one in steps)
+    counts = np.array([one["loss"] for one in steps]) * 12 * 8
+    np.testing.assert_allclose(counts, counts.round(), atol=1e-9)
+
+
+def test_without_the_blend_there_is_no_way_down(page, address):
+    """The arrow of the blended picture stays."""
+    opened(page, address, "landscape")
+    assert "Flat" not in page.inner_text(".told")
+    arrows = page.locator(".sheet polygon.descent")
+    assert arrows.count() == 1
+    page.get_by_label("blend the edges").uncheck()
+    page.get_by_text("Flat between two cliffs").wait_for()
+    assert settled(page).locator(".sheet polygon.descent").count() == 0
+    assert arrows.count() == 0
