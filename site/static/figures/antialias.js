@@ -1,5 +1,5 @@
 /** Lecture 08: an edge crosses between two pixels. It blends their colours, and gets a gradient. */
-import { button, clamp, eachFrame, html, number, Sheet, svg } from "./paper.js";
+import { clamp, eachFrame, html, number, Sheet, svg } from "./paper.js";
 
 const START = [[0.2, 0.6], [0.35, -0.5]];
 const OWNER = 0.2, OTHER = 0.9;  // their shades: 0 is blue, 1 is white
@@ -90,14 +90,13 @@ export function show(place) {
     "An edge between two pixels; below, their colours after the blend, and as curves", redraw);
   sheet.box.classList.add("light");
   const answer = html("p", { class: "verdict", role: "status" });
-  const handles = START.map((at, k) => sheet.handle({
+  START.forEach((at, k) => sheet.handle({
     name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.025, at,
     limits: [-0.45, 1.45, ...(k ? [-0.6, -0.15] : [0.15, 0.6])],
     moved: (to) => {
       ends = ends.map((end, n) => (n === k ? to : end));
       redraw();
     } }));
-  const reset = button("Reset", () => START.forEach((end, k) => handles[k].go(end)));
 
   function draw() {
     const pair = pairOf(ends);
@@ -155,6 +154,6 @@ export function show(place) {
     html("p", { class: "task" }, "Drag the ends of the edge. ",
       html("span", {}, "The loss wants the changed pixel bluer. The arrows are ",
         html("b", { class: "green" }, "−∂L/∂(x, y)"), ".")), sheet.box,
-    html("div", { class: "told" }, answer, reset)));
+    html("div", { class: "told" }, answer)));
   draw();
 }

@@ -63,21 +63,18 @@ function mixtures(face, corners, isAffine) {
 /** A function (x, y) -> colour of the square, which allocates nothing. */
 function board(tilt, isAffine) {
   const corners = UV.map((uv) => project(uv, tilt));
-  const [below, above] = FACES.map((face) => mixtures(face, corners, isAffine));
+  const faces = FACES.map((face) => mixtures(face, corners, isAffine));
   const mix = ([byX, byY, start], x, y) => byX * x + byY * y + start;
   return (x, y) => {
-    let face = below, sum = mix(face[2], x, y);
-    let u = mix(face[0], x, y) / sum, v = mix(face[1], x, y) / sum;
-    if (v > u) {
-      face = above;
-      sum = mix(face[2], x, y);
-      u = mix(face[0], x, y) / sum;
-      v = mix(face[1], x, y) / sum;
+    for (let k = 0; k < 2; k++) {
+      const sum = mix(faces[k][2], x, y);
+      const u = mix(faces[k][0], x, y) / sum, v = mix(faces[k][1], x, y) / sum;
+      if (!(u >= 0 && u < 1 && v >= 0 && v < 1) || (v > u) !== (k === 1)) continue;
+      const column = Math.floor(SQUARES * u), row = Math.floor(SQUARES * v);
+      if (column === MARKED[0] && row === MARKED[1]) return ORANGE;
+      return (column + row) % 2 ? LIGHT : DARK;
     }
-    if (!(u >= 0 && u < 1 && v >= 0 && v < 1)) return AROUND;
-    const column = Math.floor(SQUARES * u), row = Math.floor(SQUARES * v);
-    if (column === MARKED[0] && row === MARKED[1]) return ORANGE;
-    return (column + row) % 2 ? LIGHT : DARK;
+    return AROUND;
   };
 }
 
