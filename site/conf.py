@@ -1,6 +1,8 @@
 """How Sphinx makes the web site of the pages that build.py has written."""
+import os
 import sys
 from pathlib import Path
+from urllib.parse import urlsplit
 
 SITE = Path(__file__).parent
 sys.path[:0] = [str(SITE), str(SITE.parent)]
@@ -8,7 +10,7 @@ sys.path[:0] = [str(SITE), str(SITE.parent)]
 project = "Differentiable rasterization in plain NumPy"
 author = "the authors of the course"
 copyright = "Code: MIT License. Lectures and figures: CC BY 4.0"
-extensions = ["myst_nb", "sphinx_design", "pages.formulas"]
+extensions = ["myst_nb", "pages.formulas"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline",
                           "attrs_block"]
@@ -22,7 +24,7 @@ nb_code_prompt_hide = "How this figure is drawn"
 templates_path = ["templates"]
 html_theme = "furo"
 html_favicon = str(SITE / "static" / "icon.svg")
-html_title = "Differentiable rasterization"
+html_title = project
 html_math_renderer = "drawn"
 html_static_path = [str(SITE / "static")]
 html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
@@ -34,3 +36,16 @@ html_domain_indices = False  # reference/index lists the modules
 html_show_sphinx = False
 html_permalinks_icon = "#"
 html_theme_options = {"navigation_with_keys": False}
+
+# Where the site will be, as its publisher says: search engines and chats want whole addresses.
+ADDRESS = os.environ.get("SITE_ADDRESS", "").rstrip("/")
+extensions += ["pages.descriptions", "sphinxext.opengraph", "notfound.extension"]
+ogp_social_cards = {"enable": False}
+notfound_urls_prefix = f"{urlsplit(ADDRESS).path}/"
+notfound_context = {"title": "Page not found", "body": f"""<h1>Page not found</h1>
+<p>There is no page at this address. Look for it with the search, in the list of all pages, or
+begin at <a href="{notfound_urls_prefix}index.html">the front page</a>.</p>"""}
+if ADDRESS:
+    html_baseurl = ogp_site_url = f"{ADDRESS}/"
+    ogp_image = f"{ADDRESS}/still_life.jpg"
+    ogp_image_alt = "a terracotta bunny, a teal teapot, a ball and a brass ring on a tiled floor"

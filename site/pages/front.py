@@ -1,89 +1,132 @@
-"""The front page, from README.md, and the tree of all pages."""
+"""The front page: its words are in front.md, its numbers in README.md, its pictures in lectures."""
 import html
+import io
+import os
 import re
+import subprocess
+from pathlib import Path
+
+from PIL import Image, ImageOps
 
 from course import exercises
 from course.given import image
 from course.given.places import DATA, ROOT, read_whole
 
-from . import put
-from .names import lab_page
-from .posters import poster
-from .texts_links import with_page_links
+from . import picture, put
+from .posters import frame_count, poster
+from .sidebar import trees
 
-DOORS = {"Students": "labs/index", "Instructors": "instructors", "Readers": "reference/index"}
-CARDS = """\
-::::{{grid}} 1 1 3 3
-:gutter: 3
-
-{cards}
-::::
-"""
-CARD = """\
-:::{{grid-item-card}} {title}
-:link: /{page}
-:link-type: doc
-
-{text}
-:::
-"""
-TREE = """
-```{{toctree}}
-:hidden:
-:caption: {caption}
-
-{pages}
-```
-"""
+STILL_LIFE = "course/given/data/still_life.png"
+SIZE = 920, 690  # of a picture of the gallery, which is shown half as wide
+GALLERY = {  # lecture: the file, the part of it that is shown, its words, and what stands below
+    "01_transforms": (
+        "notebooks/openings/01_transforms.png", (245, 56, 1661, 1078),
+        "a bunny and a ball as nets of edges, a teapot and a ring whose faces are filled",
+        "where each vertex lands on the screen"),
+    "06b_cube_maps": (
+        "notebooks/openings/06b_cube_maps.png", (1020, 160, 1880, 805),
+        "a teapot of polished metal on a floor of checkers, which it reflects",
+        "a teapot that reflects what is around it"),
+    "14_shadow_mapping": (
+        STILL_LIFE, (175, 0, 1375, 900),
+        "a terracotta bunny, a teal teapot, an ochre ball and a brass ring on a tiled floor",
+        "the soft shadows of a window and the sky"),
+    "08_antialiasing": (
+        "notebooks/openings/08_antialiasing.png", (60, 60, 890, 890),
+        "a bunny of large blue pixels fills a red outline",
+        "a gradient pulls an outline to the red one"),
+    "11_subdivision": (
+        "notebooks/openings/11_subdivision.png", (20, 40, 920, 715),
+        "a smooth surface with six arms inside a cage of red lines",
+        "the smooth surface of a cage of thirty quads"),
+    "13_regularization": (
+        "notebooks/openings/13_regularization.png", (1290, 45, 1920, 517),
+        "a bunny with many red and blue spots",
+        "one of the waves that a surface is made of"),
+}
 FILM = """\
-<figure class="animation" data-file="reconstruction.png" data-autoplay>
+<figure class="animation film" data-file="reconstruction.png" data-frames="{frames}"
+ data-autoplay>
 <img src="reconstruction_still.png" alt="{words}" width="{width}" height="{height}">
-</figure>
-"""
-LINK = re.compile(r"\[([^]]*)\]\([^)]+\)")
+<figcaption><span>the target</span> <span>found, with paint and light</span>
+<span>its shape, in white clay</span></figcaption>
+</figure>"""
+FILM_WORDS = ("An animation. Left, a painted bunny. Beside it a grey ball becomes this bunny, "
+              "paint and light included. On the right the same shape in white clay")
+SHOWN = ('<a href="lectures/{lecture}.html">{picture}'
+         "<span><b>Lecture {number}:</b> {below}</span></a>")
+ZIP = "differentiable-rasterization"
+LITE = " Labs and lectures also run [in the browser](/in_the_browser.md), with nothing to install."
+ORIGIN = re.compile(r"(?:https://(?:[^@/]+@)?|(?:ssh://)?git@)([\w.-]+)[:/](.+?)(?:\.git)?/?")
 
 
 def write(folder, extra, lite):
-    """Write folder/index.md, and its film to extra. lite: the labs in the browser are there."""
+    """Write folder/index.md, and its files to extra. lite: the labs in the browser are there."""
     film = read_whole(DATA / "reconstruction.png")
     put(extra / "reconstruction.png", film)
     put(extra / "reconstruction_still.png", poster(film))
-    put(folder / "index.md", page((ROOT / "README.md").read_text("utf-8")) +
+    put(extra / "still_life.jpg", smaller(Image.open(ROOT / STILL_LIFE), (1200, 675), "JPEG"))
+    archive = git("archive", "--format=zip", f"--prefix={ZIP}/", "HEAD")
+    if archive:
+        put(extra / f"{ZIP}.zip", archive)
+    put(folder / "index.md", page(gallery(extra / "gallery"), ways(len(archive)), lite) +
         "".join(trees(lite)))
 
 
-def page(readme):
-    """README.md -> the front page: the doors stand before the code."""
-    opening, *sections = re.split(r"^## ", readme, flags=re.MULTILINE)
-    title, _, film, text, code = opening.split("\n\n", 4)
-    words = film.removeprefix("![").partition("]")[0]
-    sections = {name: body for name, _, body in (part.partition("\n") for part in sections)}
-    doors = sections.pop("Three doors")
+def page(pictures, get, lite):
+    """The front page's text. ValueError or AttributeError: README.md lacks a number."""
+    readme = exercises.read(ROOT / "README.md")
+    numbers = {name: re.search(rf"The {name} is (\d+) exercises, about (\d+) hours",
+                               readme).groups() for name in ("spine", "core")}
     width, height = image.size(DATA / "reconstruction.png")
-    shown = FILM.format(words=html.escape(words), width=width, height=height)
-    parts = [title, shown, text, cards(doors),
-             "## A picture and its gradient", code,
-             *(f"## {name}\n{body}" for name, body in sections.items())]
-    return with_page_links("\n\n".join(parts), ".")
+    frames = frame_count(read_whole(DATA / "reconstruction.png"))
+    return exercises.read(Path(__file__).with_name("front.md")).format(
+        labs=len(exercises.LABS), gallery=pictures, get=get, lite=LITE if lite else "",
+        film=FILM.format(words=html.escape(FILM_WORDS), width=width, height=height, frames=frames),
+        commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)
 
 
-def cards(doors):
-    """The three paragraphs about students, instructors and readers, as cards."""
-    found = re.findall(r"\*\*(\w+)\*\* (.*?)(?=\n\n\*\*|\Z)", doors.strip(), re.DOTALL)
-    return CARDS.format(cards="\n".join(
-        CARD.format(title=title, page=DOORS[title],
-                    text=LINK.sub(r"\1", text[0].upper() + text[1:])) for title, text in found))
+def gallery(folder):
+    """Write its pictures into a folder -> its HTML."""
+    links = []
+    for lecture, (file, part, words, below) in GALLERY.items():
+        put(folder / f"{lecture}.webp", smaller(Image.open(ROOT / file).crop(part), SIZE, "WEBP"))
+        shown = picture(f"gallery/{lecture}.webp", words, *SIZE)
+        number = lecture.partition("_")[0].lstrip("0")
+        links.append(SHOWN.format(lecture=lecture, picture=shown, number=number, below=below))
+    return "\n".join(['<div class="gallery">', *links, "</div>"])
 
 
-def trees(lite):
-    """What stands in the margin of every page."""
-    lectures = [f"lectures/{path.stem}" for path in sorted((ROOT / "notebooks").glob("*.ipynb"))]
-    labs = [lab_page(topics[0]) for topics in exercises.LABS]
-    groups = {"Lectures": lectures, "Labs": ["labs/index", *labs],
-              "Code": ["reference/index", "given/index", "benchmarks"],
-              "More": ["own_pictures", "real_projects", "instructors", "errata", "glossary",
-                       "bibliography"]}
-    if lite:
-        groups["Labs"].append("in_the_browser")
-    for caption, pages in groups.items():
-        yield TREE.format(caption=caption, pages="\n".join(pages))
+def smaller(opened, size, kind):
+    """A picture -> the bytes of one of this size. What is too narrow stands between white."""
+    content = io.BytesIO()
+    ImageOps.pad(opened.convert("RGB"), size, color="white").save(content, kind, quality=85)
+    return content.getvalue()
+
+
+def ways(size):
+    """How to get the course, in Markdown: a zip of so many bytes, if any, and the clone line."""
+    address, parts = repository(), []
+    if size:
+        parts.append(f'<a class="first" href="{ZIP}.zip" download>Download the course</a> '
+                     f"as a zip of {size / 1e6:.0f} MB, and unpack it.")
+    if address:
+        parts.append(f"{'Or clone' if size else 'Clone'} it:\n\n    git clone {address}")
+    return "\n\n".join(parts)
+
+
+def repository():
+    """The address at which everybody finds the course's repository, or "" where it is unknown."""
+    server, name = map(os.environ.get, ("GITHUB_SERVER_URL", "GITHUB_REPOSITORY"))
+    if server and name:
+        return f"{server}/{name}"
+    found = ORIGIN.fullmatch(git("remote", "get-url", "origin").decode().strip())
+    return f"https://{found[1]}/{found[2]}" if found else ""
+
+
+def git(*command):
+    """What git prints of the course's repository: bytes, none where there is no such thing."""
+    try:
+        return subprocess.run(["git", *command], cwd=ROOT, capture_output=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        return b""

@@ -14,7 +14,7 @@ from course.given.places import ROOT, read_whole
 
 from . import inserts, picture, put
 from .names import CODE, document, exercise_pages, function_page
-from .posters import poster
+from .posters import frame_count, poster
 
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)(#[^)\s]+)?\)")
@@ -108,7 +108,9 @@ class Pictures:
         height = round(opened.height * width / opened.width)
         still, kind = name, 'class="drawn"'
         if getattr(opened, "is_animated", False):
-            still, kind = f"{name}_still", f'class="animation" data-file="pictures/{name}.png"'
+            still, kind = f"{name}_still", (
+                f'class="animation" data-file="pictures/{name}.png" '
+                f'data-frames="{frame_count(content)}"')
             put(self.folder / f"{still}.png", poster(content))
         return (f"<figure {kind}>{picture(f'pictures/{still}.png', words, width, height)}"
                 "</figure>")

@@ -9,7 +9,7 @@ from serving import ROOT
 
 sys.path.insert(0, str(ROOT / "site"))
 
-from pages import formulas, front, inserts, lectures, names
+from pages import formulas, inserts, lectures, names
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 
@@ -101,11 +101,3 @@ def test_a_formula_with_a_mistake_ends_the_build():
     """Red letters on a page that nobody looks at."""
     with pytest.raises(ValueError, match=r"cannot read the formula '\\\\frac\{'"):
         formulas.formula(r"\frac{", False)
-
-
-def test_the_front_page_has_the_readmes_doors_and_its_lines():
-    """The README changed its form, and the front page lost a part."""
-    page = front.page((ROOT / "README.md").read_text("utf-8"))
-    assert page.count("grid-item-card") == 3
-    assert "import numpy as np" in page and "data-autoplay" in page
-    assert page.index("grid-item-card") < page.index("import numpy as np")

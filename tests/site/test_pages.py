@@ -49,7 +49,8 @@ def test_every_link_leads_somewhere(page):
         if address.scheme:
             continue
         path = urllib.parse.unquote(address.path)
-        target = (SITE / page).parent / path if path else SITE / page
+        folder = SITE if path.startswith("/") else (SITE / page).parent  # the page of error 404
+        target = folder / path.lstrip("/") if path else SITE / page
         if not target.resolve().is_file():
             dead.append(link["href"])
         elif address.fragment and target.suffix == ".html":
