@@ -3,7 +3,7 @@ import json
 import shutil
 
 import pytest
-from reading import NAMES, SOURCE
+from reading import NAMES, SOURCE, opened
 from serving import served
 
 PAGE = """<!doctype html>
@@ -43,7 +43,7 @@ def address(tmp_path_factory):
 @pytest.fixture
 def call(page, address):
     """call(module, function, inputs): the function's results for many lists of arguments."""
-    page.goto(f"{address}/alias.html")
+    opened(page, address, "alias")
 
     def called(module, function, inputs):
         inputs = json.loads(json.dumps(list(inputs), default=lambda x: x.tolist()))  # of NumPy
