@@ -1,7 +1,6 @@
 """The lectures on the site: what the notebooks say is there, and more links."""
 import functools
 import json
-import re
 import sys
 
 import nbformat
