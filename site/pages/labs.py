@@ -149,8 +149,7 @@ def question(course, name):
     marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
              f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
-    return "\n".join([f"```{{index}} ! exercise {exercise.number}\n```\n",  # the search knows it
-                      f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
+    return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
                       docstring(course, module, node),
                       as_myst(read_on(course, name))])

@@ -36,7 +36,8 @@ def index(course, name, modules):
              inline(course, module, first_sentence(ast.get_docstring(module.tree))),
              *lab_link(course, module)] for module in modules]
     head = ["module", "what it is", "lab"][:len(rows[0])]
-    tree = "```{toctree}\n:hidden:\n\n" + "\n".join(module.topic for module in modules) + "\n```"
+    alone = "\n".join(module.topic for module in modules if not module.lab)  # of no lecture
+    tree = f"```{{toctree}}\n:hidden:\n\n{alone}\n```"
     return f"# {title}\n\n{about}\n{table('modules', head, rows)}\n{tree}\n"
 
 
