@@ -41,7 +41,7 @@ function verdict(k, target, { coverage, hits, outlines }) {
   if (hits[k]) {
     return target[k] === 1
       ? "Only colour: the face may slide along the ray, and nothing says where it is."
-      : "Nothing: no found outline is here, and the target's is too near for carving.";
+      : "Nothing yet: near the target's outline only a found outline pulls.";
   }
   return target[k] > 0 ? "Nothing: no face is here that could be moved."
     : "Nothing: both pictures are empty here.";
