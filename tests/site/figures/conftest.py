@@ -3,7 +3,7 @@ import json
 import shutil
 
 import pytest
-from reading import NAMES, SOURCE
+from reading import NAMES, SOURCE, opened
 from serving import served
 
 PAGE = """<!doctype html>
@@ -13,7 +13,6 @@ PAGE = """<!doctype html>
 <title>{name}</title>
 <link rel="icon" href="data:,">
 <link rel="stylesheet" href="figures/figures.css">
-<link rel="stylesheet" href="figures/four_gradients.css">
 <style>
   body {{ --color-foreground-primary: #000000; --color-foreground-secondary: #5a5c63;
           margin: 0; font-family: sans-serif; color: var(--color-foreground-primary); }}
@@ -43,7 +42,7 @@ def address(tmp_path_factory):
 @pytest.fixture
 def call(page, address):
     """call(module, function, inputs): the function's results for many lists of arguments."""
-    page.goto(f"{address}/alias.html")
+    opened(page, address, "alias")
 
     def called(module, function, inputs):
         inputs = json.loads(json.dumps(list(inputs), default=lambda x: x.tolist()))  # of NumPy
