@@ -67,7 +67,6 @@ export function show(place) {
   let pixel = 9, distance, velocity, step;
   const sheet = new Flatland([-1.31, 1.31, -1.38, 1.02],
     "A camera's rays to a surface in which a skin joins two blobs", redraw);
-  sheet.box.classList.add("cut");
   const said = html("p"), answer = html("p", { class: "verdict" });
   const ended = html("p", { role: "status" });
   const probe = sheet.probe({
@@ -117,8 +116,8 @@ export function show(place) {
         [cX + radius * Math.cos(k * Math.PI / 24), cY + radius * Math.sin(k * Math.PI / 24)]),
         "goal")),
       sheet.text([TRUTH[0][0], 0.88], "truth", "middle"),
-      POINTS.map((p, n) => (p[1] < 0 ? [] : sheet.dot(p, distance[n] < 0 ? 3 : 1.6,
-        `sample ${distance[n] < 0 ? "first" : ""}`))),
+      POINTS.map((p, n) => (p[1] < 0 || Math.abs(p[0]) > sheet.x1 ? []
+        : sheet.dot(p, distance[n] < 0 ? 3 : 1.6, `sample ${distance[n] < 0 ? "first" : ""}`))),
       segments.map((ends) => sheet.line(ends.map((n) => vertices[n].p), "curve first"))];
   }
 
@@ -149,7 +148,7 @@ export function show(place) {
     const moves = crossings.flatMap(({ vertex }) => {
       const { p, a } = vertices[vertex];
       return moved(p, p.map((t, axis) => Math.sign(more) * (t - POINTS[a][axis])),
-                   0.4 * Math.abs(more), more > 0 ? "extra" : "descent");
+                   0.3 * Math.abs(more), more > 0 ? "extra" : "descent");
     });
     if (!hit) return moves;
     const [p, q] = segments[hit.segment].map((n) => vertices[n].p);
@@ -166,9 +165,10 @@ export function show(place) {
   function draw() {
     const surface = marchingTriangles(distance);
     const picture = render(surface.vertices, surface.segments);
+    const far = Math.min(2.08, sheet.x1 / Math.abs(centre(pixel))); // in the sheet
     sheet.draw(
       scene(surface, picture),
-      sheet.line([EYE, picture.hits[pixel]?.at ?? fromEye([centre(pixel), STRIP], 2.2)], "ray"),
+      sheet.line([EYE, picture.hits[pixel]?.at ?? fromEye([centre(pixel), STRIP], far)], "ray"),
       asked(surface, picture), pulled(),
       sheet.rectangle([centre(pixel) - WIDTH / 2, STRIP - HEIGHT], WIDTH, 2 * HEIGHT, "chosen"));
     tell(picture);
