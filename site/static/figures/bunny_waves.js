@@ -6,7 +6,7 @@ const FILE = new URL("../../waves/bunny.bin", import.meta.url);
 const WHOLE = 2 ** 15;                    // a wave of length 1 in units of the file
 const CLAY = [217, 199, 174], RED = [202, 0, 32], BLUE = [5, 90, 170];
 const START = 0.5, STEPS = 48, FRAMES = 400;
-const LEFT = 0.5, RIGHT = 9.5, FLOOR = 0.5, TOP = 2.1;  // of the spectrum, on its sheet
+const LEFT = 0.5, RIGHT = 9.5, FLOOR = 0.5, TOP = 1.8;  // of the spectrum, on its sheet
 const LEAST = -2.2, MOST = 1.4;           // its powers of ten
 const SHAPES = [[1, "a point"], [2, "a line"], [3, "a flat sheet"], [15, "a lump with two horns"],
                 [60, "a body and ears"], [Infinity, "a body with feet, a tail and a mouth"]];

@@ -8,7 +8,8 @@ from reading import NAMES, SOURCE
 from serving import ROOT, served
 
 sys.path.append(str(ROOT / "site"))
-from pages import waves  # noqa: E402
+
+from pages import waves
 
 PAGE = """<!doctype html>
 <html lang="en">
