@@ -30,9 +30,10 @@ def write_sources(folder, extra, lite):
     """All pages, as Sphinx reads them, and to extra the files beside them."""
     for part in labs, sources:
         part.write(folder)
-    for part in lectures, benchmarks, instructors:
+    for part in benchmarks, instructors:
         part.write(folder, extra)
-    front.write(folder, extra, lite)
+    for part in lectures, front:
+        part.write(folder, extra, lite)
     texts_links.write(folder, lite)
 
 

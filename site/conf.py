@@ -10,7 +10,8 @@ sys.path[:0] = [str(SITE), str(SITE.parent)]
 project = "Differentiable rasterization in plain NumPy"
 author = "the authors of the course"
 copyright = "Code: MIT License. Lectures and figures: CC BY 4.0"
-extensions = ["myst_nb", "pages.formulas"]
+extensions = ["myst_nb", "pages.formulas", "pages.references", "pages.folds", "pages.search",
+              "pages.sidebar", "sphinx_copybutton"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline",
                           "attrs_block"]
@@ -18,8 +19,9 @@ myst_heading_anchors = 3
 myst_dmath_double_inline = True
 nb_execution_mode = "off"
 nb_merge_streams = True
-nb_code_prompt_show = "How this figure is drawn"
-nb_code_prompt_hide = "How this figure is drawn"
+nb_code_prompt_show = "How it is drawn"
+copybutton_selector = ":not(.output) > div.highlight > pre"
+copybutton_exclude = ".gp, .go"  # prompts, and what was printed
 
 templates_path = ["templates"]
 html_theme = "furo"
@@ -28,14 +30,18 @@ html_title = project
 html_math_renderer = "drawn"
 html_static_path = [str(SITE / "static")]
 html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
-                  "figures/figures.css"]
+                  "figures/figures.css", "figures/four_gradients.css"]
+html_additional_pages = {"search": "search.html"}
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]
 html_copy_source = False
 html_domain_indices = False  # reference/index lists the modules
 html_show_sphinx = False
 html_permalinks_icon = "#"
-html_theme_options = {"navigation_with_keys": False}
+html_theme_options = {
+    "navigation_with_keys": False,
+    # how bright the white of a drawn picture is: its colours have a meaning, so none is inverted
+    "light_css_variables": {"paper": "1"}, "dark_css_variables": {"paper": "0.82"}}
 
 # Where the site will be, as its publisher says: search engines and chats want whole addresses.
 ADDRESS = os.environ.get("SITE_ADDRESS", "").rstrip("/")

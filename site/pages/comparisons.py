@@ -4,6 +4,7 @@ from unittest import mock
 
 from course.experiments.scenes import aliasing, msaa, shadow
 from course.experiments.scenes.demo import Labs
+from course.experiments.scenes.drawing import enlarged
 from course.given import image, places
 
 from . import picture, put
@@ -16,14 +17,16 @@ PAIRS = {  # name: scene, caption, its two pictures
                 ("filtered", "filtered, then sampled", "the same with a filter first: one strong "
                  "centre of rings, and faint false ones")),
     "samples": (msaa.msaa,
-                "One sample in a pixel, and MSAA.",
-                ("1x", "1 sample in a pixel", "the bunny with stairs along its outline"),
-                ("16x", "16 samples", "the bunny with a smooth outline")),
+                "An ear of the bunny, 64 x 64 pixels, with one sample in each and with 16 (MSAA).",
+                ("1x", "1 sample in a pixel", "the ear, enlarged: its outline has stairs"),
+                ("16x", "16 samples", "the same ear with a smooth outline: its pixels are mixed "
+                 "with the background")),
     "soft": (shadow.shadow,
              "The shadow of a small lamp and of a large one.",
              ("hard", "a point", "the bunny on the ground, its shadow with a sharp outline"),
              ("soft", "a disc", "the same shadow, sharp at the feet and soft at the ears")),
 }
+CLOSE_UPS = {"samples": (slice(358, 422), slice(186, 250))}  # rows and columns, shown 8 times
 
 
 def write(extra):
@@ -50,6 +53,8 @@ def figure(extra, name, paths, caption, pair):
     parts = []
     for path, (_, label, words) in zip(paths, pair, strict=True):
         file = f"{name}_{path.stem}"
+        if name in CLOSE_UPS:
+            image.write(path, enlarged(image.read(path)[CLOSE_UPS[name]], 8))
         put(extra / "pairs" / f"{file}.png", places.read_whole(path))
         parts.append(picture(f"../pairs/{file}.png", words, *image.size(path),
                              f' data-label="{html.escape(label)}"'))

@@ -13,7 +13,7 @@ from course.given import image
 from course.given.places import DATA, ROOT, read_whole
 
 from . import picture, put
-from .posters import poster
+from .posters import frame_count, poster
 from .sidebar import trees
 
 STILL_LIFE = "course/given/data/still_life.png"
@@ -45,7 +45,8 @@ GALLERY = {  # lecture: the file, the part of it that is shown, its words, and w
         "one of the waves that a surface is made of"),
 }
 FILM = """\
-<figure class="animation film" data-file="reconstruction.png" data-autoplay>
+<figure class="animation film" data-file="reconstruction.png" data-frames="{frames}"
+ data-autoplay>
 <img src="reconstruction_still.png" alt="{words}" width="{width}" height="{height}">
 <figcaption><span>the target</span> <span>found, with paint and light</span>
 <span>its shape, in white clay</span></figcaption>
@@ -78,9 +79,10 @@ def page(pictures, get, lite):
     numbers = {name: re.search(rf"The {name} is (\d+) exercises, about (\d+) hours",
                                readme).groups() for name in ("spine", "core")}
     width, height = image.size(DATA / "reconstruction.png")
+    frames = frame_count(read_whole(DATA / "reconstruction.png"))
     return exercises.read(Path(__file__).with_name("front.md")).format(
         labs=len(exercises.LABS), gallery=pictures, get=get, lite=LITE if lite else "",
-        film=FILM.format(words=html.escape(FILM_WORDS), width=width, height=height),
+        film=FILM.format(words=html.escape(FILM_WORDS), width=width, height=height, frames=frames),
         commands=re.search(r"^## Start\n\n((?: {4}.*\n)+)", readme, re.M)[1], **numbers)
 
 

@@ -16,12 +16,17 @@ PICTURE = re.compile(r"!\[([^]]*)\]\((\w+\.png)\)")
 def write(folder, extra):
     """Write them into a folder, and their pictures to extra."""
     for name, source in TEXTS.items():
-        place = source.rpartition("/")[0]
+        place = (ROOT / source).parent
+        text = with_pictures((ROOT / source).read_text("utf-8"), place, extra)
+        put(folder / name, with_page_links(text, source.rpartition("/")[0]))
 
-        def shown(found, place=place):
-            words, file = found.groups()
-            put(extra / file, (ROOT / place / file).read_bytes())
-            return picture(file, words, *image.size(extra / file))
 
-        text = PICTURE.sub(shown, (ROOT / source).read_text("utf-8"))
-        put(folder / name, with_page_links(text, place))
+def with_pictures(text, place, extra):
+    """A text of the folder `place`, whose pictures are copied to extra."""
+    def shown(found):
+        words, file = found.groups()
+        put(extra / file, (place / file).read_bytes())
+        one = picture(file, " ".join(words.split()), *image.size(extra / file))
+        return f'<figure class="drawn">{one}</figure>'
+
+    return PICTURE.sub(shown, text)

@@ -10,22 +10,9 @@ from docutils.nodes import make_id
 from course import exercises
 from course.given import places
 
-from . import sources_course
-from .names import anchor, exercise_pages
-from .sources_text import (
-    as_myst,
-    docstring,
-    escape,
-    first_sentence,
-    inline,
-    kind,
-    lab_title,
-    mark,
-    own_names,
-    points,
-    table,
-    write_pages,
-)
+from . import put, sources_course
+from .names import anchor, exercise_pages, kind, lab_title, mark, points
+from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
 
 ABOUT = ("Each lab is the code of one lecture, with functions left for you to write. An exercise's "
          "docstring is the question, its body is your answer. `python3 -m course check 1` checks "
@@ -37,9 +24,9 @@ ABOUT = ("Each lab is the code of one lecture, with functions left for you to wr
 def write(folder):
     """Write folder/labs: a page for each lab, and the index of all exercises."""
     course = sources_course.read()
-    pages = {f"{course.lectures[lab].page}.md": page(course, lab)
-             for lab in course.lectures}
-    write_pages(folder / "labs", {"index.md": index(course), **pages})
+    put(folder / "labs" / "index.md", index(course))
+    for lab, lecture in course.lectures.items():
+        put(folder / "labs" / f"{lecture.page}.md", page(course, lab))
 
 
 def of_lab(course, lab):
@@ -146,7 +133,8 @@ def given(course, lab, missing):
 
 def question_line(course, name):
     module, node = found(course, name)
-    return inline(course, module, first_sentence(ast.get_docstring(node)), own_names(node))
+    return inline(course, module, first_sentence(ast.get_docstring(node)),
+                  set(sources_course.bound(node)))
 
 
 def found(course, name):
@@ -161,10 +149,9 @@ def question(course, name):
     marks = (f'<p class="marks"><span class="badge {kind(exercise)}">{mark(exercise)}</span></p>'
              f'<pre class="signature" tabindex="0"><code>{node.name}({ast.unparse(node.args)})'
              "</code></pre>")
-    return "\n".join([f"```{{index}} ! exercise {exercise.number}\n```\n",  # the search knows it
-                      f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
+    return "\n".join([f"({anchor(exercise.number)})=\n## {exercise.number} `{exercise.name}`\n",
                       as_myst(marks),
-                      docstring(course, module, ast.get_docstring(node), own_names(node)),
+                      docstring(course, module, node),
                       as_myst(read_on(course, name))])
 
 
@@ -179,19 +166,13 @@ def read_on(course, name):
                         f"</code>, line {exercise.line}</a>")]
     called = dict.fromkeys(full for (line, _), full in sorted(course.uses[module.name].items())
                            if node.lineno < line <= node.end_lineno and full != name
-                           and is_function(course, full))
+                           and course.function(full))
     if called:
         items.append(("It calls", ", ".join(
             f'<a href="{asked_address(course, full)}"><code>{full.rpartition(".")[2]}</code></a>'
             for full in called)))
     lines = "".join(f"<li>{words}: {links}</li>" for words, links in items)
     return f'<ul class="read-on">{lines}</ul>'
-
-
-def is_function(course, full):
-    module, _, name = full.rpartition(".")
-    return module in course.modules and isinstance(course.modules[module].nodes.get(name),
-                                                   ast.FunctionDef)
 
 
 def asked_address(course, full):

@@ -1,6 +1,6 @@
 """The lectures: the notebooks as they are saved, with links to the site's other pages.
 
-Pictures become files. What moves waits for the reader, in a player.
+Pictures become files with numbers. What moves waits for the reader, in a player.
 """
 import base64
 import html
@@ -11,49 +11,67 @@ import nbformat
 from PIL import Image
 
 from course.given.places import ROOT, read_whole
+from course.upkeep import hours
 
-from . import inserts, picture, put
-from .names import CODE, document, exercise_pages, function_page
-from .posters import poster
+from . import inserts, picture, put, sidebar
+from .names import document
+from .posters import frame_count, poster
 
+NEIGHBOURS = re.compile(r"^\[.*[←→].*$", re.MULTILINE)
 NEIGHBOUR = re.compile(r"\[[^]]*[←→][^]]*\]\([^)]*\)(?: · )?")  # the theme has its own
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)(#[^)\s]+)?\)")
 OPENING = re.compile(r'<img src="([^"]+)" width="(\d+)" alt="([^"]+)">')
-ANNOUNCED = re.compile(r"\*(?:Exercises?|Extras?) \d.*")
-NUMBER = re.compile(r"\b\d+\.\d+\b")
 BOARD = re.compile(r"# live\s+(?:(?:from course import board|board\.show\([^)]*\))\s*)+")
+IMPORTS = "import sys; sys.path.append"
 
 
-def write(folder, extra):
-    """Write the lectures to folder/lectures, their pictures to extra/lectures/pictures.
+def write(folder, extra, lite):
+    """Write the lectures to folder/lectures, notebooks and pictures to extra/lectures.
 
-    ValueError: a figure has no place, or a place no figure.
+    lite: they run in the browser. ValueError: a figure has no place, or a place no figure.
     """
     added = inserts.Inserts(extra)
     for path in sorted((ROOT / "notebooks").glob("*.ipynb")):
-        notebook, lab = nbformat.read(path, as_version=4), int(path.stem[:2])
-        pictures = Pictures(path.stem, extra / "lectures" / "pictures")
-        cells, notebook.cells = notebook.cells, []
-        for cell in cells:
-            if BOARD.fullmatch(cell.source):
-                continue
+        put(extra / "lectures" / path.name, read_whole(path))
+        notebook = nbformat.read(path, as_version=4)
+        notebook.cells = [cell for cell in notebook.cells if not BOARD.fullmatch(cell.source)]
+        first, pictures = notebook.cells[0], Pictures(path.stem, extra / "lectures" / "pictures")
+        first.source = NEIGHBOURS.sub(ways(path, NEIGHBOURS.search(first.source)[0], lite),
+                                      first.source)
+        for cell in notebook.cells:
             if cell.cell_type == "markdown":
-                text = linked(added.put_in(cell.source), lab)
+                text = linked(added.put_in(cell.source))
                 cell.source = OPENING.sub(pictures.opening, text)
+            elif cell.source.startswith(IMPORTS):
+                fold(cell, "What this page imports")
             for output in cell.get("outputs", []):
                 pictures.extract(output)
-            notebook.cells.append(cell)
+        notebook.cells.append(nbformat.v4.new_markdown_cell(sidebar.below(path.stem), id="tree"))
         put(folder / "lectures" / path.name, nbformat.writes(notebook) + "\n")
     added.require_all()
 
 
-def linked(text, lab):
-    """The text of a lab's lecture with its links led to the site's pages, and more links."""
-    text = NEIGHBOUR.sub("", text)
-    text = LINK.sub(_page_link, text)
-    text = ANNOUNCED.sub(lambda found: NUMBER.sub(_exercise, found[0]), text)
-    seen = set()
-    return CODE.sub(lambda found: _function(found, lab, seen), text)
+def ways(path, line, lite):
+    """The line below a lecture's title: where to run and read it, what it leads to, its minutes."""
+    run = f'<a href="../lite/lab/index.html?path=notebooks/{path.name}">Run here</a>'
+    notebook = f'<a href="{path.name}" download>Notebook</a>'
+    rest = NEIGHBOUR.sub("", line).replace("code: ", "Source: ")
+    rest = re.sub(r"lab: \[[^]]*\]", f"[Lab {int(path.stem[:2])}]", rest)
+    minutes = 5 * round(sum(hours.sections(path).values()) / 5)
+    return "{.ways}\n" + " · ".join([run] * lite + [notebook, rest] +
+                                    [f"about {minutes} minutes to read"] * bool(minutes))
+
+
+def fold(cell, words):
+    """Show these words in the place of a cell's code, which they open."""
+    cell.metadata.tags = ["hide-input"]
+    cell.metadata.mystnb = {"code_prompt_show": words}
+
+
+def linked(text):
+    """A lecture's text without links to its neighbours, and with its links led to the site's pages.
+    """
+    return LINK.sub(_page_link, NEIGHBOURS.sub("", text))
 
 
 def _page_link(link):
@@ -62,20 +80,6 @@ def _page_link(link):
     if page is None:
         raise ValueError(f"a lecture leads to {link[1]}, which is no page of the site")
     return f"]({page}{link[2] or ''})"
-
-
-def _exercise(number):
-    address = exercise_pages().get(number[0])
-    return f'<a href="../{address}">{number[0]}</a>' if address else number[0]
-
-
-def _function(name, lab, seen):
-    """The first of a cell's `crossing` leads to its place in the source."""
-    address = function_page(name[1], lab)
-    if address is None or name[1] in seen:
-        return name[0]
-    seen.add(name[1])
-    return f'<a class="function" href="../{address}"><code>{name[1]}</code></a>'
 
 
 class Pictures:
@@ -108,7 +112,12 @@ class Pictures:
         height = round(opened.height * width / opened.width)
         still, kind = name, 'class="drawn"'
         if getattr(opened, "is_animated", False):
-            still, kind = f"{name}_still", f'class="animation" data-file="pictures/{name}.png"'
+            still, kind = f"{name}_still", (
+                f'class="animation" data-file="pictures/{name}.png" '
+                f'data-frames="{frame_count(content)}"')
             put(self.folder / f"{still}.png", poster(content))
-        return (f"<figure {kind}>{picture(f'pictures/{still}.png', words, width, height)}"
-                "</figure>")
+        shown = picture(f"pictures/{still}.png", words, width, height)
+        said = html.escape(words[0].upper() + words[1:].rstrip("."))
+        return (f'<figure class="numbered" id="figure-{self.count}"><figure {kind}>{shown}</figure>'
+                f'<figcaption><details class="fold"><summary>Figure {self.count} in words</summary>'
+                f"{said}.</details></figcaption></figure>")

@@ -4,6 +4,7 @@ Python and its packages are not among the files. They come from Pyodide's CDN wh
 One that the CDN does not have, comm, is among them, so that no other host is asked.
 """
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -20,7 +21,8 @@ CONTENTS = (
     "course/experiments/**/*.*", "course/checks/*.*", "course/upkeep/__init__.py",
     "course/upkeep/extras.py", "tests/conftest.py",
     "tests/labs/*.py", "tests/golden/*", "pyproject.toml", "README.md", "LICENSE")
-GUIDE = Path(__file__).parents[1] / "texts" / "in_the_browser.ipynb"
+TEXTS = Path(__file__).parents[1] / "texts"
+GUIDE, NO_PYTHON = TEXTS / "in_the_browser.ipynb", TEXTS / "no_python.js"
 KERNEL = "@jupyterlite/pyodide-kernel-extension"
 # What modules import that a cell imports. What a cell itself imports, Pyodide loads without this.
 PACKAGES = ["numpy", "scipy", "matplotlib", "pillow", "pytest", "rich"]
@@ -51,6 +53,17 @@ def write(folder):
             cwd=source, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
     if built.returncode:
         raise OSError(f"cannot build JupyterLite: {built.stdout[-2000:]}")
+    watch(Path(folder), extension)
+
+
+def watch(folder, extension):
+    """Have JupyterLab say so when its kernel cannot load Python."""
+    python, = {address for file in (extension / "static").glob("*.js")
+               for address in re.findall(r'"(https:[^"]+/pyodide\.mjs)"', file.read_text("utf-8"))}
+    shutil.copy2(NO_PYTHON, folder)
+    page = folder / "lab" / "index.html"
+    script = f'<head><script src="../{NO_PYTHON.name}" data-python="{python}"></script>'
+    page.write_text(page.read_text("utf-8").replace("<head>", script, 1), "utf-8")
 
 
 def collect(folder):

@@ -1,9 +1,11 @@
-"""Where on the site the course's functions, exercises and files are."""
+"""Where on the site the course's functions, exercises and files are, and what they are called."""
 import functools
 import re
 
 from course import exercises
 from course.given.places import ROOT
+
+from . import sources_course
 
 CODE = re.compile(r"(?<!`)`(\w+)`(?!`)")
 
@@ -13,28 +15,33 @@ def lab_page(topic):
     return f"labs/{exercises.lecture(topic).stem}"
 
 
-@functools.cache
-def topics_of_functions():
-    """{name: topics} of all functions of reference/."""
-    found = {}
-    for topic in exercises.topics():
-        for function in exercises.top_level_functions(exercises.read(exercises.reference(topic))):
-            found.setdefault(function.name, []).append(topic)
-    return found
-
-
 def function_page(name, lab):
-    """The address of a function as a lab's lecture means it, or None: that lab's, or the only one.
+    """The address of the function of reference/ that a text of a lab calls so, or None.
 
-    lab: a number, as the first lecture's is 0. Lab 17's kernels have the names of what they stand
-    for, which is meant elsewhere.
+    lab: a number, as the first lecture's is 0.
     """
-    topics = topics_of_functions().get(name, [])
-    near = [topic for topic in topics if exercises.lab_number(topic) == lab]
-    meant = near or [topic for topic in topics if topic not in exercises.LABS[-1]] or topics
-    if len(meant) != 1:
-        return None
-    return f"reference/{meant[0]}.html#reference.{meant[0]}.{name}"
+    course = sources_course.read()
+    full = course.find(name, lab)
+    is_ours = full and full.startswith("reference.") and course.function(full)
+    return course.address(full).removeprefix("../") if is_ours else None
+
+
+def lab_title(lab):
+    name = exercises.LABS[lab - 1][0].replace("_", " ")
+    return f"Lab {lab}: {name}"
+
+
+def kind(exercise):
+    return "extra" if exercise.is_extra else "spine" if exercise.is_spine else "core"
+
+
+def mark(exercise):
+    name = "extra" if exercise.is_extra else "exercise"
+    return f"{name} {exercise.number} ({points(exercise.points)}){', spine' * exercise.is_spine}"
+
+
+def points(count):
+    return f"{count} point{'s' * (count != 1)}"
 
 
 def anchor(number):

@@ -1,4 +1,4 @@
-"""The still picture of an animation."""
+"""What stands in for an animation until it is played: its still picture, its length."""
 import io
 
 from PIL import Image
@@ -13,3 +13,8 @@ def poster(animation):
         frame = frame.convert("RGB").quantize(256, dither=Image.Dither.NONE)
     frame.save(still, "PNG", optimize=True)
     return still.getvalue()
+
+
+def frame_count(animation):
+    """How many frames an animated PNG has: bytes -> int."""
+    return Image.open(io.BytesIO(animation)).n_frames

@@ -1,4 +1,9 @@
-"""The tree of all pages, which stands in the margin of each."""
+"""The tree of all pages, which stands in the margin of each: a topic's lab and code below it.
+
+An extension of Sphinx, too: "next" leads from lecture to lecture, and from lab to lab.
+"""
+import re
+
 from course import exercises
 from course.given.places import ROOT
 
@@ -7,22 +12,85 @@ from .names import lab_page
 TREE = """
 ```{{toctree}}
 :hidden:
-:caption: {caption}
-
+{caption}
 {pages}
 ```
 """
+MORE = {
+    "The whole": ["All exercises </labs/index>", "/reference/index", "/given/index", "/benchmarks",
+                  "/glossary", "/bibliography", "/errata"],
+    "Further": ["/own_pictures", "/real_projects", "/instructors"],
+}
+HEADING = re.compile(r'"# 0?(\d+b?) ([^:"\\]+)')
+
+
+def setup(app):
+    app.connect("html-page-context", lead_on)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
 def trees(lite):
-    """What stands in the margin of every page."""
-    lectures = [f"lectures/{path.stem}" for path in sorted((ROOT / "notebooks").glob("*.ipynb"))]
-    labs = [lab_page(topics[0]) for topics in exercises.LABS]
-    groups = {"Lectures": lectures, "Labs": ["labs/index", *labs],
-              "Code": ["reference/index", "given/index", "benchmarks"],
-              "More": ["own_pictures", "real_projects", "instructors", "errata", "glossary",
-                       "bibliography"]}
+    """What stands in the margin of every page. lite: the labs in the browser are there."""
+    topics = [entry(path.stem) for path in lectures() if not is_sequel(path.stem)]
+    groups = {"Lectures, labs, code": topics, **MORE}
     if lite:
-        groups["Labs"].append("in_the_browser")
+        groups["Further"] = [*groups["Further"], "/in_the_browser"]
     for caption, pages in groups.items():
-        yield TREE.format(caption=caption, pages="\n".join(pages))
+        yield TREE.format(caption=f":caption: {caption}\n", pages="\n".join(pages))
+
+
+def below(lecture):
+    """What stands below a lecture in the tree: its lab, its sequels, its code."""
+    number = int(lecture[:2])
+    topics = exercises.LABS[number - 1] if number else ()
+    pages = [f"Lab {number} </{lab_page(topics[0])}>"] if topics else []
+    pages += [entry(path.stem) for path in lectures()
+              if is_sequel(path.stem) and path.stem[:2] == lecture[:2]]
+    pages += [f"{topic}.py </reference/{topic}>" for topic in topics]
+    return "" if is_sequel(lecture) else TREE.format(caption="", pages="\n".join(pages))
+
+
+def lectures():
+    return sorted((ROOT / "notebooks").glob("*.ipynb"))
+
+
+def is_sequel(lecture):
+    """06b_cube_maps is."""
+    return lecture[2] == "b"
+
+
+def entry(lecture):
+    """06b_cube_maps -> its line in the tree: 6b Cube maps."""
+    text = (ROOT / "notebooks" / f"{lecture}.ipynb").read_text("utf-8")
+    number, name = HEADING.search(text).groups()
+    shown = f"{number} {name}" if number.strip("0b") else name
+    return f"{shown} </lectures/{lecture}>"
+
+
+def lead_on(app, name, _template, context, _tree):
+    """Next and previous stay among the lectures, among the labs, among the modules."""
+    context["mended"] = mended
+    if "/" in name:
+        for way, step in (("prev", 1), ("next", 2)):
+            there = near(app.builder.relations, name, step)
+            context[way] = there and {
+                "link": app.builder.get_relative_uri(name, there),
+                "title": app.builder.render_partial(app.env.titles[there])["title"]}
+
+
+def near(relations, name, step):
+    """The page before (1) or after (2) a page in its folder, or None."""
+    there = name
+    while there := relations.get(there, [None] * 3)[step]:
+        if there.rpartition("/")[0] == name.rpartition("/")[0]:
+            return there
+    return None
+
+
+def mended(page, changes):
+    """The theme's page with [(old, new)] replaced. ValueError: the theme has no such part now."""
+    for old, new in changes:
+        if old not in page:
+            raise ValueError(f"templates/page.html mends {old!r}, which the theme no longer has")
+        page = page.replace(old, new)
+    return page

@@ -5,20 +5,10 @@ Beside its docstring stands its code, with the numbers of its lines in the file.
 """
 import ast
 
-from . import sources_course
+from . import put, sources_course
+from .names import exercise_pages, kind, lab_title, mark
 from .sources_code import blocks, docstring_lines, html_lines, listing
-from .sources_text import (
-    as_myst,
-    badge,
-    docstring,
-    escape,
-    first_sentence,
-    inline,
-    lab_title,
-    own_names,
-    table,
-    write_pages,
-)
+from .sources_text import as_myst, docstring, escape, first_sentence, inline, table
 
 ABOUT = {
     "reference": ("The annotated source", "The complete code of the labs: every function with its "
@@ -34,8 +24,9 @@ def write(folder):
     course = sources_course.read()
     for name in ABOUT:
         modules = [module for module in course.modules.values() if module.folder == name]
-        pages = {f"{module.topic}.md": page(course, module) for module in modules}
-        write_pages(folder / name, {"index.md": index(course, name, modules), **pages})
+        put(folder / name / "index.md", index(course, name, modules))
+        for module in modules:
+            put(folder / name / f"{module.topic}.md", page(course, module))
 
 
 def index(course, name, modules):
@@ -45,7 +36,8 @@ def index(course, name, modules):
              inline(course, module, first_sentence(ast.get_docstring(module.tree))),
              *lab_link(course, module)] for module in modules]
     head = ["module", "what it is", "lab"][:len(rows[0])]
-    tree = "```{toctree}\n:hidden:\n\n" + "\n".join(module.topic for module in modules) + "\n```"
+    alone = "\n".join(module.topic for module in modules if not module.lab)  # of no lecture
+    tree = f"```{{toctree}}\n:hidden:\n\n{alone}\n```"
     return f"# {title}\n\n{about}\n{table('modules', head, rows)}\n{tree}\n"
 
 
@@ -59,7 +51,7 @@ def page(course, module):
     lines = html_lines(course, module)
     parts = [HIDE_CONTENTS, f"# {escape(module.topic)}\n", directive("module", module.name),
              as_myst(f'<div class="top"><div class="opening">{links(course, module)}'),
-             docstring(course, module, ast.get_docstring(module.tree), is_module=True),
+             docstring(course, module, module.tree),
              as_myst(f"</div>{contents(module)}</div>")]
     for block in blocks(module):
         if block.kind == "section":
@@ -115,18 +107,19 @@ def constants(block, code):
 def definition(course, module, lines, block):
     """A function or a class: what its docstring says, and its code beside it."""
     node, = block.nodes
-    said = ""
-    exercise = course.exercises.get(f"{module.name}.{node.name}")
-    if exercise:
-        said += as_myst(f'<p class="marks">{badge(exercise)}</p>')
-    text = ast.get_docstring(node)
-    if text:
-        said += docstring(course, module, text, own_names(node))
     code = listing(lines, block.first, block.last, docstring_lines(node))
-    kind, name = signature(node)
-    content = "".join([as_myst('<div class="beside"><div class="said">'), said,
-                       as_myst(f'</div><div class="answer">{code}</div></div>')])
-    return directive(kind, name, content)
+    return directive(*signature(node), "".join([
+        as_myst('<div class="beside"><div class="said">'),
+        badge(course.exercises.get(f"{module.name}.{node.name}")),
+        docstring(course, module, node),
+        as_myst(f'</div><div class="answer">{code}</div></div>')]))
+
+
+def badge(exercise):
+    """An exercise's mark, as a link to its question on its lab's page."""
+    return as_myst(f'<p class="marks"><a class="badge {kind(exercise)}" '
+                   f'href="../{exercise_pages()[exercise.number]}">{mark(exercise)}</a></p>'
+                   ) if exercise else ""
 
 
 def signature(node):

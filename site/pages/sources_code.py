@@ -1,56 +1,53 @@
 """A module's code as HTML: in colours, each line with its number, each name a link to its place."""
 import ast
-import builtins
-import html
-import io
-import keyword
-import tokenize
+import itertools
+import re
 from typing import NamedTuple
 
-COLOURS = {tokenize.COMMENT: "c1", tokenize.NUMBER: "mf", tokenize.OP: "o"}
-STRINGS = [kind for kind, name in tokenize.tok_name.items() if "STRING" in name]
-PLAIN = tuple("()[]{},:.;")
-EMPTY = (tokenize.NEWLINE, tokenize.NL, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER)
+import pygments
+from pygments import lexers, token
+from pygments.formatters import HtmlFormatter
+
+FORMAT = HtmlFormatter(nowrap=True)
+COLOURED = (token.Comment, token.Keyword, token.Number, token.String, token.Name.Builtin,
+            token.Name.Class, token.Name.Function, token.Operator.Word)
+MARK = re.compile("\ue000(.*?)\ue001(.*?)\ue002")  # an address and a name: no code has these
 
 
 class Block(NamedTuple):
-    """Lines of a module, from first to last. node: the function or class, if they are one's."""
+    """Lines of a module, from first to last, and the statements on them."""
 
-    kind: str  # "section": comments that stand alone; "code": imports and constants; "definition"
     first: int
     last: int
-    nodes: tuple
+    kind: str  # "section": comments that stand alone; "code": imports and constants; "definition"
+    nodes: tuple = ()
 
 
 def blocks(module):
     """A module after its docstring, from top to bottom. Imports and constants are one block."""
-    found, lines = [], module.text.splitlines()
-    end = module.tree.body[0].end_lineno
-    for node in module.tree.body[1:]:
-        first = min([node.lineno, *(each.lineno for each in getattr(node, "decorator_list", ()))])
-        for start, last in comments(lines, end, first):
-            if lines[last]:  # nothing empty between the comment and what it is about
-                first = start
-            else:
-                found.append(Block("section", start, last, ()))
-        kind = "definition" if isinstance(node, ast.FunctionDef | ast.ClassDef) else "code"
-        if kind == "code" and found and found[-1].kind == "code":
-            found[-1] = found[-1]._replace(last=node.end_lineno, nodes=(*found[-1].nodes, node))
+    lines, found = module.text.splitlines(), []
+    statements = (block_of(node, lines) for node in module.tree.body[1:])
+    for block in sorted([*sections(module.text), *statements]):
+        if block.kind == "code" and found and found[-1].kind == "code":
+            found[-1] = found[-1]._replace(last=block.last, nodes=found[-1].nodes + block.nodes)
         else:
-            found.append(Block(kind, first, node.end_lineno, (node,)))
-        end = node.end_lineno
+            found.append(block)
     return found
 
 
-def comments(lines, end, first):
-    """(first, last) of each run of comment lines between the lines end and first."""
-    starts = [n for n in range(end + 1, first)
-              if lines[n - 1].startswith("#") and not lines[n - 2].startswith("#")]
-    for start in starts:
-        last = start
-        while lines[last].startswith("#"):
-            last += 1
-        yield start, last
+def sections(text):
+    for comment in re.finditer(r"^(?:#.*\n)+(?=\n)", text, re.MULTILINE):
+        first, last = (text.count("\n", 0, place) for place in comment.span())
+        yield Block(first + 1, last, "section")
+
+
+def block_of(node, lines):
+    """A statement, with its decorators and the comment right above it."""
+    first = min(each.lineno for each in (node, *getattr(node, "decorator_list", ())))
+    while lines[first - 2].startswith("#"):
+        first -= 1
+    is_code = not isinstance(node, ast.FunctionDef | ast.ClassDef)
+    return Block(first, node.end_lineno, "code" if is_code else "definition", (node,))
 
 
 def docstring_lines(node):
@@ -65,43 +62,26 @@ def listing(lines, first, last, hidden=()):
     shown = [n for n in range(first, last + 1) if n not in hidden]
     while not lines[shown[-1] - 1].strip():
         shown.pop()
-    rows = [f'<span class="line" id="line-{n}"><a href="#line-{n}" data-line="{n}" tabindex="-1" '
-            f'aria-label="line {n}"></a>{lines[n - 1]}</span>' for n in shown]
+    rows = [f'<a class="linenos" id="line-{n}" href="#line-{n}" tabindex="-1">{n}</a>'
+            + lines[n - 1] for n in shown]
     return '<div class="highlight code"><pre tabindex="0">' + "\n".join(rows) + "\n</pre></div>"
 
 
 def html_lines(course, module):
-    """The lines of a module as HTML, in the colours of Pygments' style, with links."""
-    links, parts, before = course.uses[module.name], [], "\n"
-    lines, (row, column) = module.text.splitlines(keepends=True), (1, 0)
-    for token in tokenize.generate_tokens(io.StringIO(module.text).readline):
-        if token.type in EMPTY or token.start < (row, column):
-            continue
-        gap = "".join(lines[row - 1:token.start[0]])
-        parts.append(gap[column:len(gap) - len(lines[token.start[0] - 1]) + token.start[1]])
-        text, full = coloured(token, before), links.get(token.start)
-        parts.append(f'<a href="{course.address(full)}">{text}</a>' if full else text)
-        (row, column), before = token.end, token.string
-    return "".join(parts).split("\n")
+    """The lines of a module as HTML, its names with links."""
+    lines = module.text.splitlines(keepends=True)
+    starts = list(itertools.accumulate(map(len, lines), initial=0))
+    links = {starts[line - 1] + column: course.address(full)
+             for (line, column), full in course.uses[module.name].items()}
+    return highlighted(lexers.PythonLexer(), module.text, links).split("\n")
 
 
-def coloured(token, before):
-    """A token as HTML. A string of several lines is one span for each. before: the last token."""
-    text, kind = html.escape(token.string, quote=False), colour(token, before)
-    return "\n".join(f'<span class="{kind}">{line}</span>' for line in text.split("\n")) \
-        if kind else text
+def highlighted(lexer, text, links=None):
+    """A text as HTML in the classes of Pygments' style. links: {offset of a name: address}."""
+    def parts():
+        for offset, kind, value in lexer.get_tokens_unprocessed(text):
+            kind = next((one for one in COLOURED if kind in one), token.Text)  # that has no element
+            address = links and links.get(offset)
+            yield kind, f"\ue000{address}\ue001{value}\ue002" if address else value
 
-
-def colour(token, before):
-    """The name that Pygments' style sheets have for a kind of token. "" for plain ones."""
-    if token.type == tokenize.NAME:
-        if before in ("def", "class"):
-            return {"def": "nf", "class": "nc"}[before]
-        if token.string in ("and", "or", "not", "in", "is"):
-            return "ow"
-        if keyword.iskeyword(token.string):
-            return "kc" if token.string[0].isupper() else "k"
-        return "nb" if hasattr(builtins, token.string) and before != "." else ""
-    if token.string in PLAIN:
-        return ""
-    return COLOURS.get(token.type, "s2" if token.type in STRINGS else "")
+    return MARK.sub(r'<a href="\1">\2</a>', pygments.format(parts(), FORMAT).rstrip("\n"))

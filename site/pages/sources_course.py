@@ -57,12 +57,34 @@ class Course(NamedTuple):
     """modules: {full name: Module}, lectures: {lab: Lecture}, exercises: {full name: Exercise}.
 
     uses: {module's name: {(line, column): full name}} where code names something of the course.
+    places: {name: full names} of all functions, classes and constants, and of the other modules.
     """
 
     modules: dict
     lectures: dict
     exercises: dict
     uses: dict
+    places: dict
+
+    def find(self, name, lab):
+        """The full name of what a text of a lab calls so, or None if that is nothing, or many.
+
+        Of several it is the lab's own. Lab 17's kernels have the names of what they stand for,
+        which is meant elsewhere.
+        """
+        found = [full for full in self.places.get(name.rpartition(".")[2], ())
+                 if f".{full}".endswith(f".{name}")]
+        labs = {full: (self.modules.get(full) or self.modules[full.rpartition(".")[0]]).lab
+                for full in found}
+        near = [full for full in found if labs[full] == lab]
+        other = [full for full in found if labs[full] not in (None, max(self.lectures))]
+        return next((one for one, *more in filter(None, (found, near, other)) if not more), None)
+
+    def function(self, full):
+        """The node of a function, or None: it is a class, a constant, a module."""
+        module, _, name = full.rpartition(".")
+        node = self.modules[module].nodes.get(name) if module in self.modules else None
+        return node if isinstance(node, ast.FunctionDef) else None
 
     def equations(self, module):
         """{number: LaTeX} of the lecture whose numbers a module uses."""
@@ -84,12 +106,10 @@ class Course(NamedTuple):
 @functools.cache
 def read():
     """The course as it is in the working folder."""
-    texts = {f"reference.{topic}": exercises.read(exercises.reference(topic))
-             for topic in exercises.TOPICS}
-    texts |= {"reference.tiny": exercises.read(exercises.reference("tiny"))}  # of no lab
-    given = places.ROOT / "course" / "given"
-    texts |= {f"course.given.{path.stem}": exercises.read(path)
-              for path in sorted(given.glob("*.py")) if path.stem != "__init__"}
+    paths = [*map(exercises.reference, (*exercises.TOPICS, "tiny")),  # tiny is of no lab
+             *sorted((places.ROOT / "course" / "given").glob("[!_]*.py"))]
+    texts = {".".join(path.relative_to(places.ROOT).with_suffix("").parts): exercises.read(path)
+             for path in paths}
     modules = {name: read_module(name, text, texts) for name, text in texts.items()}
     for module in modules.values():
         module.names.update({short: origin(modules, full) for short, full in module.names.items()})
@@ -99,7 +119,17 @@ def read():
                                               if exercise.number.split(".")[0] == str(lab)])
                 for lab, topics in enumerate(exercises.LABS, 1)}
     used = {name: uses(modules, module) for name, module in modules.items()}
-    return Course(modules, lectures, asked, used)
+    return Course(modules, lectures, asked, used, places_of(modules))
+
+
+def places_of(modules):
+    """{name: full names} of what modules define, and of those modules with a name of their own."""
+    found = {}
+    for module in modules.values():
+        for short, full in module.names.items():
+            if full == f"{module.name}.{short}":
+                found.setdefault(short, []).append(full)
+    return {module.topic: [module.name] for module in modules.values()} | found
 
 
 def read_module(name, text, known):
@@ -167,26 +197,26 @@ def uses(modules, module):
     """{(line, column): full name} where a module's code names something of the course."""
     found = {}
     for statement in module.tree.body:
-        own = bound(statement) if isinstance(statement, ast.FunctionDef) else set()
+        own = set(bound(statement))
+        known = {short: full for short, full in module.names.items() if short not in own}
         for node in ast.walk(statement):
-            if isinstance(node, ast.alias) and node.name in module.names:
-                found[node.lineno, node.col_offset] = module.names[node.name]
-            elif isinstance(node, ast.Name) and node.id not in own:
-                if isinstance(node.ctx, ast.Load) and node.id in module.names:
-                    found[node.lineno, node.col_offset] = module.names[node.id]
-            elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-                owner = modules.get(module.names.get(node.value.id))
-                if owner and node.value.id not in own and node.attr in owner.names:
-                    column = node.end_col_offset - len(node.attr)
-                    found[node.end_lineno, column] = owner.names[node.attr]
+            match node:
+                case ast.alias(name=name) | ast.Name(id=name):
+                    names = known
+                case ast.Attribute(value=ast.Name(id=owner), attr=name):
+                    names = modules[known[owner]].names if known.get(owner) in modules else {}
+                case _:
+                    continue
+            if name in names:
+                found[node.end_lineno, node.end_col_offset - len(name)] = names[name]
     return found
 
 
-def bound(function):
-    """The names that a function gives to values of its own."""
-    nodes = list(ast.walk(function))
-    return ({node.arg for node in nodes if isinstance(node, ast.arg)}
-            | {node.id for node in nodes if isinstance(node, ast.Name)
-               and isinstance(node.ctx, ast.Store)}
-            | {node.name for node in nodes if isinstance(node, ast.FunctionDef)
-               and node is not function})
+def bound(statement):
+    """The names that a statement of a module gives to values of its own, such as parameters."""
+    for node in ast.walk(statement):
+        match node:
+            case ast.arg(arg=name) | ast.Name(id=name, ctx=ast.Store()):
+                yield name
+            case ast.FunctionDef(name=name) if node is not statement:
+                yield name

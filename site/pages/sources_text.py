@@ -9,15 +9,11 @@ import html
 import re
 import textwrap
 
-from pygments import lexers, token
+from pygments import lexers
 
-from course import exercises
+from .sources_code import highlighted
+from .sources_course import bound
 
-from . import put
-from .names import exercise_pages
-
-PYCON = lexers.get_lexer_by_name("pycon")
-PLAIN = "", "n", "p"  # classes without a colour
 FENCE = "``````"
 EQUATION = r"(?<![\w)])\((\d{1,2})\)"
 RANGE = re.compile(rf"{EQUATION} to {EQUATION}")
@@ -26,21 +22,21 @@ INLINE = re.compile(rf"`(?P<code>[^`]+)`|(?:\b[Ee]q\. )?{EQUATION}|\b(?P<file>\w
                     r"(?<!GAMES101 )\b(?P<kind>[Ll]ab|[Ll]ecture) (?P<lab>\d+)\b")
 
 
-def docstring(course, module, text, own=(), is_module=False):
-    """-> MyST of a docstring. own: names that are the function's own, such as its parameters.
+def docstring(course, module, node):
+    """-> MyST of the docstring of a module, a function or a class.
 
     A module's equations are typeset below its table of them, a function's below what names them.
     """
-    seen, parts, is_folded = set(), [], False
-    for rank, paragraph in enumerate(paragraphs(text)):
+    is_module, parts, seen, is_folded = isinstance(node, ast.Module), [], set(), False
+    own = set() if is_module else set(bound(node))
+    for rank, paragraph in enumerate(paragraphs(ast.get_docstring(node))):
         if paragraph.startswith("Fine print."):
             parts.append('<details class="fine-print"><summary>Fine print.</summary>')
             paragraph, is_folded = paragraph.removeprefix("Fine print.").strip(), True
         parts.append(block(course, module, paragraph, own, is_first=rank == 0))
         if is_module == is_table(paragraph):
-            new = [number for number in named_equations(paragraph)
-                   if number in course.equations(module) and number not in seen]
-            seen.update(new)
+            new = named_equations(paragraph) & set(course.equations(module)) - seen
+            seen |= new
             for number in sorted(new):
                 parts += equation(course, module, number)
     if is_folded:
@@ -54,7 +50,7 @@ def is_table(paragraph):
 
 
 def paragraphs(text):
-    return re.split(r"\n(?:[ ]*\n)+", text.strip("\n").rstrip())
+    return re.split(r"\n\s*\n", text.strip()) if text else []
 
 
 def as_myst(part):
@@ -74,45 +70,23 @@ def block(course, module, paragraph, own=(), is_first=False):
 
 
 def listing(text, kind):
-    return (f'<div class="highlight {kind}"><pre tabindex="0">{text}\n</pre></div>')
+    return f'<div class="highlight {kind}"><pre tabindex="0">{text}\n</pre></div>'
 
 
 @functools.cache
 def example(text):
-    """A doctest in the colours of Pygments' style, as HTML. What is typed may wrap."""
-    lines = [""]
-    for kind, value in PYCON.get_tokens(text):
-        first, *rest = value.split("\n")
-        lines[-1] += span(kind, first)
-        lines += [span(kind, line) for line in rest]
+    """A doctest as HTML. What is typed may wrap."""
+    lines = highlighted(lexers.PythonConsoleLexer(), text).split("\n")
     return "\n".join(f'<span class="typed">{line}</span>' if plain.startswith((">>>", "..."))
-                     else line for line, plain in zip(lines, text.split("\n"), strict=False))
-
-
-def span(kind, value):
-    """A token of Pygments as HTML, in the classes of its style sheets."""
-    while kind not in token.STANDARD_TYPES:
-        kind = kind.parent
-    text, name = html.escape(value, quote=False), token.STANDARD_TYPES[kind]
-    return f'<span class="{name}">{text}</span>' if name not in PLAIN and value.strip() else text
-
-
-def table(kind, head, rows):
-    """head: words. rows: lists of HTML, a cell each. kind: a class, for its style."""
-    body = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
-    top = "".join(f"<th>{word}</th>" for word in head)
-    return as_myst(f'<div class="table-wrapper" tabindex="0"><table class="docutils {kind}">'
-                   f"<thead><tr>{top}</tr></thead>\n<tbody>\n" + "\n".join(body)
-                   + "\n</tbody></table></div>")
+                     else line for line, plain in zip(lines, text.split("\n"), strict=True))
 
 
 def named_equations(text):
     """The numbers of the equations that a text names, "(1) to (3)" in full."""
     if text.startswith(">>> "):
-        return []
-    whole = RANGE.sub(lambda ends: " ".join(f"({n})" for n in range(int(ends[1]),
-                                                                    int(ends[2]) + 1)), text)
-    return list(dict.fromkeys(map(int, re.findall(EQUATION, whole))))
+        return set()
+    ranges = (range(int(first), int(last)) for first, last in RANGE.findall(text))
+    return {int(number) for number in re.findall(EQUATION, text)}.union(*ranges)
 
 
 def equation(course, module, number):
@@ -124,56 +98,35 @@ def equation(course, module, number):
 
 
 def inline(course, module, text, own=()):
-    """Prose as HTML: what it names of the course are links."""
-    parts, end = [], 0
-    for match in INLINE.finditer(text):
-        parts += [html.escape(text[end:match.start()], quote=False),
-                  link(course, module, match, own)]
-        end = match.end()
-    whole = "".join(parts) + html.escape(text[end:], quote=False)
-    return whole.replace("-&gt;", '<span class="arrow">-&gt;</span>')
+    """Prose as HTML: what it names of the course are links, but for the names of its own."""
+    def linked(match):
+        found = address(course, module, match, own)
+        code = match["code"]
+        shown = f"<code>{code}</code>" if code else match[0]
+        return f'<a href="{found}">{shown}</a>' if found else shown
+
+    return INLINE.sub(linked, html.escape(text, quote=False)).replace(
+        "-&gt;", '<span class="arrow">-&gt;</span>')
 
 
-def link(course, module, match, own):
-    """A match of INLINE as HTML."""
-    whole, address = match[0], None
+def address(course, module, match, own):
+    """Where what a match of INLINE names has its place, or None."""
     if match["code"]:
-        whole = f"<code>{html.escape(match['code'], quote=False)}</code>"
-        address = name_address(course, module, match["code"], own)
-    elif match["file"]:
-        address = name_address(course, module, match["file"])
-    elif match["lab"]:
-        address = lab_address(course, match["kind"].lower(), int(match["lab"]))
-    elif int(match[2]) in course.equations(module):
-        address = course.equation_address(module, int(match[2]))
-    return f'<a href="{address}">{whole}</a>' if address else whole
+        return match["code"] not in own and name_address(course, module, match["code"])
+    if match["file"]:
+        return next((course.address(full) for full, other in course.modules.items()
+                     if other.topic == match["file"]), None)
+    if match["lab"]:
+        lecture = course.lectures.get(int(match["lab"]))
+        return lecture and f"../{match['kind'].lower()}s/{lecture.page}.html"
+    number = int(match[2])
+    return number in course.equations(module) and course.equation_address(module, number)
 
 
-def lab_address(course, kind, lab):
-    lecture = course.lectures.get(lab)
-    return lecture and f"../{kind}s/{lecture.page}.html"
-
-
-def name_address(course, module, name, own=()):
+def name_address(course, module, name):
     """Where a name that a docstring of this module mentions has its place. None if it has none."""
-    if name in own:
-        return None
-    full = module.names.get(name) or full_name(course, module, name)
+    full = module.names.get(name) or course.find(name, module.lab)
     return full and course.address(full)
-
-
-def full_name(course, module, name):
-    """The module, or the function or constant, of this name. Of several, the one of this lab."""
-    head, _, tail = name.rpartition(".")
-    found = [full for full in course.modules if full == name or full.endswith(f".{name}")]
-    for full, other in course.modules.items():
-        if tail in other.names and other.names[tail] == f"{full}.{tail}":
-            if not head or full == head or full.endswith(f".{head}"):
-                found.append(f"{full}.{tail}")
-    near = [full for full in found if course.modules.get(full.rpartition(".")[0], module).lab
-            == module.lab]
-    chosen = near if len(found) > 1 else found
-    return chosen[0] if len(chosen) == 1 else None
 
 
 def first_sentence(text):
@@ -187,36 +140,10 @@ def escape(text):
     return re.sub(r"([!-/:-@\[-`{-~])", r"\\\1", text)
 
 
-def own_names(node):
-    """The names of a function's parameters, or of a class's fields."""
-    return {part.arg for part in ast.walk(node) if isinstance(part, ast.arg)}
-
-
-def badge(exercise):
-    """An exercise's mark, as a link to its question on its lab's page."""
-    return (f'<a class="badge {kind(exercise)}" href="../{exercise_pages()[exercise.number]}">'
-            f"{mark(exercise)}</a>")
-
-
-def kind(exercise):
-    return "extra" if exercise.is_extra else "spine" if exercise.is_spine else "core"
-
-
-def mark(exercise):
-    name = "extra" if exercise.is_extra else "exercise"
-    return f"{name} {exercise.number} ({points(exercise.points)}){', spine' * exercise.is_spine}"
-
-
-def points(count):
-    return f"{count} point{'s' * (count != 1)}"
-
-
-def write_pages(folder, pages):
-    """Write {file name: text}."""
-    for name, text in pages.items():
-        put(folder / name, text)
-
-
-def lab_title(lab):
-    name = exercises.LABS[lab - 1][0].replace("_", " ")
-    return f"Lab {lab}: {name}"
+def table(kind, head, rows):
+    """head: words. rows: lists of HTML, a cell each. kind: a class, for its style."""
+    body = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
+    top = "".join(f"<th>{word}</th>" for word in head)
+    return as_myst(f'<div class="table-wrapper" tabindex="0"><table class="docutils {kind}">'
+                   f"<thead><tr>{top}</tr></thead>\n<tbody>\n" + "\n".join(body)
+                   + "\n</tbody></table></div>")

@@ -12,7 +12,7 @@ from . import put
 from .names import document, function_page
 
 LINK = re.compile(r"\[([^\[\]]+)\]\(([^()\s]+)\)")
-CODE = re.compile(r"(?<!`)`(?:(\w+)\.)?(\w+)`(?![`\w])")
+CODE = re.compile(r"(?<![`[])`((?:\w+\.)?\w+)`(?![`\w])")
 
 
 def write(folder, lite):
@@ -22,35 +22,40 @@ def write(folder, lite):
     """
     for path in sorted((ROOT / "site" / "texts").glob("*.md")):
         if lite or path.stem != "in_the_browser":
-            put(folder / path.name, with_function_links(path.read_text("utf-8")))
+            put(folder / path.name, linked(path.read_text("utf-8"), "site/texts"))
 
 
-def with_function_links(text):
-    """A text with links from the functions that it names to their places in reference/."""
-    return CODE.sub(_function, text)
+def linked(text, place, lab=0, up=""):
+    """Markdown of a file in the folder `place`, with links to pages and to functions of reference/.
+
+    lab: the one that it belongs to. up: "../" if its page stands in a folder of the site.
+    """
+    return "\n\n".join(_with_functions(paragraph, lab, up)
+                       for paragraph in with_page_links(text, place).split("\n\n"))
 
 
 def with_page_links(text, place):
-    """Markdown of a file in the folder `place` of the repository, with the site's links."""
-    return LINK.sub(lambda link: _page_link(link, place), text)
+    """Markdown of a file in the folder `place` of the repository, with links to pages."""
+    def page_link(link):
+        label, target = link.groups()
+        if "://" in target or target.startswith(("#", "/")):
+            return link[0]
+        path, mark, section = target.partition("#")
+        page = document(posixpath.normpath(f"{place}/{path}"))
+        return f"[{label}]({page}{mark}{section})" if page else f"`{label.strip('`')}`"
+
+    return LINK.sub(page_link, text)
 
 
-def _page_link(link, place):
-    label, target = link.groups()
-    if "://" in target or target.startswith(("#", "/")):
-        return link[0]
-    path, mark, section = target.partition("#")
-    page = document(posixpath.normpath(f"{place}/{path}"))
-    if page is None:
-        return label if "`" in label else f"`{label}`"
-    return f"[{label}]({page}{mark}{section})"
+def _with_functions(paragraph, lab, up):
+    """The functions of reference/ that a paragraph names are links, each once."""
+    seen = set()
 
+    def link(name):
+        address = function_page(name[1], lab)
+        if not address or address in seen:
+            return name[0]
+        seen.add(address)
+        return f'<a class="function" href="{up}{address}"><code>{name[1]}</code></a>'
 
-def _function(name):
-    module, function = name.groups()
-    address = function_page(function, lab=None)
-    if module and (ROOT / "reference" / f"{module}.py").exists():
-        address = f"reference/{module}.html#reference.{module}.{function}"
-    if address is None:
-        return name[0]
-    return f'<a class="function" href="{address}"><code>{name[0].strip("`")}</code></a>'
+    return CODE.sub(link, paragraph)

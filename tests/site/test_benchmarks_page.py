@@ -1,8 +1,6 @@
 """The benchmarks' page, and the texts beside it: guide, errata, glossary and bibliography."""
 import ast
-import copy
 import html
-import itertools
 import json
 import re
 import sys
@@ -12,7 +10,7 @@ from serving import ROOT
 
 sys.path.insert(0, str(ROOT / "site"))
 
-from pages import benchmark_plots, benchmarks, instructors, names, texts_links
+from pages import benchmarks, instructors, names, texts_links
 
 from course import exercises
 
@@ -23,7 +21,6 @@ GLOSSARY = (ROOT / "site" / "texts" / "glossary.md").read_text("utf-8")
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 PAGES = ("benchmarks", "own_pictures", "real_projects", "instructors", "errata", "glossary",
          "bibliography")
-NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)?(?:e[-+]\d+)?(?![\w.]*\d)")
 CITED = re.compile(r"([A-Z]\w+)(?:(?:, [A-Z]\w+)*(?:,? and [A-Z]\w+)?| et al\.) ((?:19|20)\d\d)\b")
 
 
@@ -31,143 +28,37 @@ CITED = re.compile(r"([A-Z]\w+)(?:(?:, [A-Z]\w+)*(?:,? and [A-Z]\w+)?| et al\.) 
 def written(tmp_path_factory):
     """The folder of all these pages, made of what the repository holds."""
     folder = tmp_path_factory.mktemp("pages")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(benchmarks, "NEW", folder / "nothing new")
-        benchmarks.write(folder, folder / "extra")
+    benchmarks.write(folder, folder / "extra")
     instructors.write(folder, folder / "extra")
     texts_links.write(folder, lite=False)
     return folder
 
 
-def page_of(results):
-    """The benchmarks' page of these results, with the plots' words in place of the plots."""
-    words = {name: plot.words(results[name.partition("-")[0]])
-             for name, plot in benchmark_plots.PLOTS.items()}
-    return benchmarks.page(results, words)
-
-
-def leaves(value):
-    """All numbers in a result."""
-    if isinstance(value, (dict, list)):
-        for part in value.values() if isinstance(value, dict) else value:
-            yield from leaves(part)
-    elif isinstance(value, (int, float)):
-        yield value
-
-
-def lists_of_rows(value):
-    """All lists of rows in a result."""
-    if isinstance(value, list):
-        yield value
-    elif isinstance(value, dict):
-        for part in value.values():
-            yield from lists_of_rows(part)
-
-
-def shown(value):
-    """A number as the page shows it: three digits below ten, one decimal above."""
-    if isinstance(value, int):
-        return f"{value:,}"
-    return f"{value:.3g}" if abs(value) < 10 else f"{value:.1f}"
-
-
-def sections(page):
-    """{name: text} of the results' sections, and of "Questions"."""
-    parts = re.split(r"^###? (\w+)$", page, flags=re.MULTILINE)
-    return dict(zip(parts[1::2], parts[2::2], strict=True))
+def tables(text):
+    """The tables below a text's headings, in their order: {(line, column): cell} of each."""
+    found = []
+    for part in re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE):
+        (_, *columns), _, *lines = [line.strip("| ").split(" | ") for line in part.splitlines()]
+        found.append({(line[0], column): cell for line in lines
+                      for column, cell in zip(columns, line[1:], strict=True)})
+    return found
 
 
 # The benchmarks
 
 
-@pytest.mark.parametrize("name", RESULTS)
-def test_a_table_shows_every_number_of_its_result_and_no_other(name, written):
-    """A number is typed, lost, rounded twice, or stands in another benchmark's table."""
-    section = sections((written / "benchmarks.md").read_text("utf-8"))[name]
-    cells = [cell.strip() for line in section.splitlines() if line.startswith("| ")
-             for cell in line.strip("| ").split(" | ")]
-    values = {shown(value) for value in leaves(RESULTS[name])}
-    assert values <= set(cells)
-    assert {cell for cell in cells if re.fullmatch(r"[\d,.e+-]*\d[\d,.e+-]*", cell)
-            and not re.fullmatch(r"\d+", cell)} <= values  # 994 is a column's name
-
-
-def test_each_number_of_the_answers_is_a_result_or_a_ratio_of_two_in_a_column(written):
-    """An answer is typed, and stays when the numbers change."""
-    answers = sections((written / "benchmarks.md").read_text("utf-8"))["Questions"]
-    named = [RESULTS[name] for name in ("pipeline", "antialiasing", "peers")]
-    known = {shown(value) for result in named for value in leaves(result)}
-    known |= {f"{round(row['pixels'] ** 0.5):,}" for result in named
-              for rows in lists_of_rows(result) for row in rows}
-    faces, pixels = RESULTS["pipeline"]["medians in ms"].values()
-    known |= {f"{rows[-1][key] / rows[0][key]:.3g}" for rows in (faces, pixels) for key in rows[0]}
-    known |= {f"{row['d render'] / row['render']:.3g}" for row in faces}
-    known |= {"100,000", "10,000", "2048"}  # what was asked for, and the scene of the memory
-    answers = answers.partition("\n## ")[0]
-    words = re.sub(r"<[^>]*>|\(#[^)]*\)|\(antialias[^)]*\)", "", answers)
-    assert set(NUMBER.findall(words)) <= known
-
-
-@pytest.mark.parametrize("name", benchmark_plots.PLOTS)
-def test_each_number_in_a_plots_words_is_a_result_or_a_ratio(name, written):
-    """A title keeps what was found on another machine."""
-    result = RESULTS[name.partition("-")[0]]
-    found = re.search(rf'benchmarks/{name}\.svg" alt="([^"]*)"',
-                      (written / "benchmarks.md").read_text("utf-8"))[1]
-    values = list(leaves(result))
-    known = {shown(value) for value in values}
-    known |= {shown(part["ms"] / part["steps"]) for part in result.values()
-              if isinstance(part, dict) and "steps" in part}
-    known |= {f"{one / other:.3g}" for one, other in itertools.permutations(values, 2) if other}
-    rows = list(itertools.chain(*lists_of_rows(result)))
-    words = html.unescape(found)
-    own = {*result, *itertools.chain(*rows), *itertools.chain(*map(dict.values, rows))}
-    for name in sorted((name for name in own if isinstance(name, str) and name), key=len)[::-1]:
-        words = words.replace(name, " ")  # such as 4x MSAA
-    assert set(NUMBER.findall(words)) <= known
-
-
-def test_the_plot_says_its_finding_and_is_drawn(written):
-    """A plot without a curve, or with another title than the one that is read aloud."""
-    for name, plot in benchmark_plots.PLOTS.items():
-        drawing = (written / "extra" / "benchmarks" / f"{name}.svg").read_text("utf-8")
-        result = RESULTS[name.partition("-")[0]]
-        assert drawing.count("<path") > 20
-        assert plot.words(result).startswith(plot.finding(plot.rows(result)) + ".")
-
-
-@pytest.mark.parametrize("name", RESULTS)
-def test_a_changed_result_changes_its_section(name):
-    """The page shows numbers that it remembers."""
-    changed = copy.deepcopy(RESULTS)
-    row = next(lists_of_rows(changed[name]))[-1]
-    column = next(key for key, value in row.items() if isinstance(value, float))
-    row[column] = 1234.5
-    before, after = sections(page_of(RESULTS)), sections(page_of(changed))
-    assert "1234.5" in after[name] and "1234.5" not in before[name]
-    assert all(before[other] == after[other] for other in set(RESULTS) - {name})
-
-
-def test_the_answer_about_antialias_backward_is_the_row_of_100_000_faces():
-    """The answer is that of ten thousand faces, or of the forward pass."""
-    changed = copy.deepcopy(RESULTS)
-    row = next(row for row in changed["antialiasing"]["medians in ms"]
-               if row["faces"] > 100_000 and row["pixels"] == 512**2)
-    row["backward"] = 77.7
-    answer = re.search(r"\(antialias-backward-at-100-000-faces\)=\n(.*)", page_of(changed))[1]
-    assert re.match(r"\*\*What does .* cost at 100,000 faces\?\*\* It takes 77\.7 ms", answer)
-
-
-def test_newer_numbers_win_and_the_page_says_so(tmp_path, monkeypatch):
-    """Who runs a benchmark does not find it on the page; or nobody knows whose numbers it shows."""
-    monkeypatch.setattr(benchmarks, "NEW", tmp_path)
-    for date, is_newer in (("2031-01-02", True), ("2001-01-02", False)):
-        mine = RESULTS["antialiasing"] | {"date": date, "processor": "My own"}
-        (tmp_path / "antialiasing.json").write_text(json.dumps(mine))
-        section = sections(page_of(benchmarks.results()))["antialiasing"]
-        assert ("My own" in section) == is_newer
-        assert ("this machine's own numbers" in section) == is_newer
-        assert (date in section) == is_newer
+def test_each_cell_of_a_table_is_the_number_of_its_result():
+    """A number is typed, or stands in its neighbour's line or column."""
+    both = [row for row in RESULTS["peers"]["milliseconds"] if row["work"] == "both ways"]
+    wanted = (("faces", 9, RESULTS["pipeline"]["medians in ms"]["faces"]),
+              ("faces", 4, [row for row in both if row["pixels"] == 512**2]),
+              ("pixels", 4, [row for row in both if row["faces"] == 10_580]))
+    for shown, (key, count, rows) in zip(tables(benchmarks.numbers(RESULTS)), wanted, strict=True):
+        by_column = {f"{row[key]:,}": row for row in rows}
+        assert len(shown) == count * len(rows) > 10
+        assert {place: float(cell) for place, cell in shown.items()} == {
+            (name, column): pytest.approx(by_column[column][name], rel=6e-3)
+            for name, column in shown}
 
 
 # Links
@@ -227,7 +118,8 @@ def test_every_link_leads_somewhere(page, written):
 def test_a_mapped_text_differs_from_its_source_in_links_alone(page, source, written):
     """A sentence is lost, or a link inside code was taken for a link."""
     def bare(text):
-        text = re.sub(r'<img src="\S+" alt="([^"]+)"[^>]*>', r"!\1", html.unescape(text))
+        text = re.sub(r'<figure[^>]*><img src="\S+" alt="([^"]+)"[^>]*></figure>', r"!\1",
+                      html.unescape(text))
         return re.sub(r"\[([^\[\]]+)\]\([^()\s]+\)", r"\1", text).replace("`", "")
 
     text = (ROOT / source).read_text("utf-8")
@@ -318,7 +210,7 @@ def test_every_function_that_a_word_ends_with_has_a_place_in_the_code():
     for word, text in TERMS:
         ending = " ".join(text.split()).partition("[Lecture")[2]
         for name in re.findall(r"`([^`]+)`", ending):
-            assert texts_links.with_function_links(f"`{name}`").startswith("<a "), (word, name)
+            assert texts_links.linked(f"`{name}`", "site/texts").startswith("<a "), (word, name)
 
 
 def test_the_words_of_page_00b_are_in_the_glossary():

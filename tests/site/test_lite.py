@@ -88,6 +88,25 @@ def test_the_board_reads_a_lab_anew(contents):
     assert told.index("not started") < told.index("All that was asked for is done")
 
 
+@pytest.mark.parametrize("number", ["4.10", "4.11", "5.13"])
+def test_the_indices_of_a_check_are_no_wider_than_numpys(number, contents):
+    """rng.integers gives 64 bits where indices have 32, and NumPy refuses them. Imitated: what it
+    gives without a type is no index.
+    """
+    told = as_in_a_browser(contents, f"""
+import numpy as np
+from course import board
+
+class Narrow(np.random.Generator):
+    def integers(self, low, high=None, size=None, dtype=float):
+        return super().integers(low, high, size).astype(dtype)
+
+np.random.default_rng = lambda seed: Narrow(np.random.PCG64(seed))
+board.show({number!r}, "reference")
+""")
+    assert "All that was asked for is done" in told
+
+
 def test_a_lecture_runs_from_its_first_cell_to_its_last(contents):
     told = as_in_a_browser(contents, f"NAME = '02_rasterization.ipynb'\n{LECTURE}")
     assert "the same depth, bit for bit: True" in told
@@ -180,7 +199,8 @@ def test_a_lab_opens_in_the_editor(built, alone):
     assert not hosts(asked)
 
 
-def test_python_is_asked_for_when_a_cell_is_run(built, alone):
+def test_python_is_asked_for_when_a_cell_is_run_and_a_page_says_that_it_does_not_come(built, alone):
+    """The cell waits for ever, and nobody says for what."""
     page, asked = alone
     page.goto(f"{built}?path=notebooks/in_the_browser.ipynb")
     page.wait_for_selector(".jp-Notebook .jp-CodeCell", timeout=60_000)
@@ -193,3 +213,4 @@ def test_python_is_asked_for_when_a_cell_is_run(built, alone):
         if hosts(asked):
             break
     assert hosts(asked) == {"cdn.jsdelivr.net"}
+    page.get_by_role("alert").get_by_text("cdn.jsdelivr.net cannot be reached").wait_for()

@@ -48,7 +48,7 @@ def page_of(files, eye=""):
 
 @pytest.fixture(scope="module")
 def address(tmp_path_factory):
-    """A small site: pages with one mesh, with two, with paint, with one that is not there."""
+    """A small site: pages with one mesh, with two, with paint."""
     folder = tmp_path_factory.mktemp("orbit")
     shutil.copytree(ROOT / "site" / "static" / "players", folder / "_static" / "players")
     shutil.copytree(ROOT / "site" / "static" / "vendor", folder / "_static" / "vendor")
@@ -60,7 +60,6 @@ def address(tmp_path_factory):
     (folder / "painted.html").write_text(page_of({"painted.glb": "12 faces"}))
     (folder / "two.html").write_text(page_of({"coarse.glb": "20 faces", "fine.glb": "1,280 faces"}))
     (folder / "box.html").write_text(page_of({"box.glb": "12 faces"}, 'data-eye="3 4 5"'))
-    (folder / "missing.html").write_text(page_of({"missing.glb": "none"}))
     with served(folder) as place:
         yield place
 
@@ -325,13 +324,18 @@ def test_without_webgl_the_still_stays(page, address):
     assert page.get_by_role("button").count() == page.locator("canvas").count() == 0
 
 
-def test_a_mesh_that_does_not_come_is_told(browser, address):
-    """The button says Loading for ever."""
+@pytest.mark.parametrize("missing", ["coarse.glb", "three.min.js"])
+def test_what_does_not_come_is_told_and_asked_for_again(browser, address, missing):
+    """The button says Loading for ever, or is gone, and the reader has to load the page anew."""
     page = browser.new_page()
-    page.goto(f"{address}/missing.html")
+    page.route(f"**/{missing}", lambda route: route.abort(), times=1)
+    page.goto(f"{address}/two.html")
     page.get_by_role("button", name="Turn it").click()
-    page.get_by_text("The picture stays still").wait_for()
+    page.get_by_text("The mesh did not load. Press the button to try again.").wait_for()
     assert page.locator("img").is_visible()
+    page.get_by_role("button", name="Turn it").click()
+    page.locator("canvas").wait_for()
+    assert not page.get_by_text("did not load").count()
     page.close()
 
 
@@ -344,11 +348,12 @@ def test_a_later_mesh_that_does_not_come_is_told(browser, address):
     page.get_by_role("button", name="Turn it").click()
     slider = page.get_by_role("slider")
     slider.press("End")
-    page.get_by_text("1,280 faces: did not load").wait_for()
-    slider.press("Home")
-    page.get_by_text("20 faces", exact=True).wait_for()
+    page.get_by_text("20 faces. The mesh of 1,280 faces did not load: move the slider").wait_for()
+    assert slider.input_value() == "0"
+    coarse = picture(page)
     slider.press("End")
     page.get_by_text("1,280 faces", exact=True).wait_for()
+    assert changed(coarse, picture(page)) > 0.1
     assert wrong == []
     page.close()
 

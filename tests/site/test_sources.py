@@ -12,11 +12,11 @@ import sys
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT, served
+from serving import ROOT
 
 sys.path.insert(0, str(ROOT / "site"))
 
-from pages import labs, names, sources_course, sources_text
+from pages import labs, names, sources_course, sources_text, texts_links
 
 from course import exercises
 
@@ -24,7 +24,6 @@ SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
 MODULES = sorted(COURSE.modules)
 LABS = sorted(COURSE.lectures)
-NAME = re.compile(r"`(\w+)`")
 
 
 @functools.cache
@@ -87,13 +86,16 @@ def wrong_lines(module, soup):
               for n in range(node.body[0].lineno, node.body[0].end_lineno + 1)}
     lines = module.text.splitlines()
     shown = collections.defaultdict(list)
-    for element in soup.select('[id^="line-"]'):
-        shown[int(element["id"].removeprefix("line-"))].append(
-            element.get_text() if element.get("class") else section_text(element))
+    for row in (row for pre in soup.select(".code > pre") for row in pre.get_text().splitlines()):
+        number, code = re.match(r"(\d+)(.*)", row).groups()
+        shown[int(number)].append(code)
+    for element in soup.select('[id^="line-"]:not(.linenos)'):
+        shown[int(element["id"].removeprefix("line-"))].append(section_text(element))
+    anchors = {int(element["id"].removeprefix("line-")) for element in soup.select('[id^="line-"]')}
     expected = {n for n, line in enumerate(lines, 1) if line.strip() and n not in inside}
     strange = {n for n, texts in shown.items() if len(texts) != 1 or n in inside
                or (texts[0] != lines[n - 1] and plain(lines[n - 1]) not in texts[0])}
-    return sorted(expected - set(shown) | strange)
+    return sorted(expected - set(shown) | strange | anchors ^ set(shown))
 
 
 def section_text(element):
@@ -175,9 +177,10 @@ PLANTED = {  # a mistake in the page of antialiasing, and the check that finds i
     "a star is lost": (wrong_letters, r"row \* W", "row  W"),
     "three dots are one letter": (wrong_letters, r"c \(\.\.\.\)", "c (…)"),
     "the fine print is lost": (wrong_letters, r"<details.*?</details>", ""),
-    "a line has the next one's number": (wrong_lines, 'id="line-176"', 'id="line-177"'),
-    "a line is not there": (wrong_lines, r'<span class="line" id="line-176">.*?\n', ""),
-    "a line holds other code": (wrong_lines, r"nearer = |nearer <span[^>]*>=", "other ="),
+    "a line has the next one's anchor": (wrong_lines, 'id="line-176"', 'id="line-177"'),
+    "a line has the next one's number": (wrong_lines, ">176</a>", ">177</a>"),
+    "a line is not there": (wrong_lines, r'<a class="linenos" id="line-176".*?\n', ""),
+    "a line holds other code": (wrong_lines, "nearer = ", "other = "),
     "an equation is not there": (wrong_equations, r'class="equation"', 'class="lost"'),
     "an equation has another number": (wrong_equations, r">\(3\)</a></div>", ">(4)</a></div>"),
     "an equation is another": (wrong_equations, "<mn>1</mn>", "<mn>7</mn>"),
@@ -206,7 +209,7 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
         element = shown[names.anchor(exercise.number)]
         assert f"{exercise.number} {exercise.name}" in element.h2.get_text()
         assert f"{exercise.number} {exercise.name}" in listed
-        assert sources_text.mark(exercise) in element.get_text()
+        assert names.mark(exercise) in element.get_text()
         assert letters(prose(element)) == letters(ast.get_docstring(node))
         assert f"({ast.unparse(node.args)})" in element.select_one(".signature").get_text()
         assert answer_lines(module, node) & {*map(str.strip, element.get_text().splitlines())} \
@@ -231,7 +234,6 @@ def test_a_question_leads_to_where_the_lecture_asks_it(lab):
         assert re.search(rf"\b{re.escape(exercise.number)}\b", section.get_text()), exercise.name
 
 
-
 @pytest.mark.parametrize("text", [
     "a*b* and x* and *c*", "_a_ __init__ b_", "|n| <b> & &amp; <!-- -->", "(..., 2) -> e (...)",
     r"\alpha \* $x$ $$y$$", "1. one\n2. two\n- three", "# no heading\n===\n---", "`a` and ``b``",
@@ -244,9 +246,11 @@ def test_no_letter_is_markup(text):
 
 
 def test_names_become_links_to_the_right_places():
-    """`crossing_backward` is in two modules; `tube` is a parameter."""
-    def address(module, name, own=()):
-        return sources_text.name_address(COURSE, COURSE.modules[module], name, own)
+    """`crossing_backward` is in two modules; `tube` is a parameter; lab 17 has kernels' names."""
+    def address(name, text, own=()):
+        shown = sources_text.inline(COURSE, COURSE.modules[name], f"`{text}`", own)
+        link = BeautifulSoup(shown, "html.parser").a
+        return link and link["href"]
     assert address("reference.antialiasing", "crossing_backward") \
         == "../reference/antialiasing.html#reference.antialiasing.crossing_backward"
     assert address("reference.shape_rendering", "sphere_trace") \
@@ -254,19 +258,21 @@ def test_names_become_links_to_the_right_places():
     assert address("reference.reconstruction", "course.given.mesh.vertex_normals") \
         == "../given/mesh.html#course.given.mesh.vertex_normals"
     assert address("reference.regularization", "remeshing") == "../reference/remeshing.html"
+    assert address("reference.regularization", "edge_function") \
+        == "../reference/rasterization.html#reference.rasterization.edge_function"
     assert address("course.given.mesh", "radius", ("radius", "tube")) is None
     assert address("reference.antialiasing", "no_such_function") is None
 
 
-@pytest.mark.parametrize(("words", "first"), [
-    ("exercise 8.7", "labs/08_antialiasing.html#"),
-    ("exercise 14.18", "labs/14_shadow_mapping.html#"),
-    ("crossing_backward", "reference/antialiasing.html#reference.antialiasing.crossing_backward"),
-    ("is_top_left", "reference/rasterization.html#reference.rasterization.is_top_left")])
-def test_the_search_finds_an_exercise_and_a_function_first(words, first, page):
-    """Sphinx looks for whole words, and a lecture has more of them."""
-    with served(SITE) as address:
-        page.goto(f"{address}/search.html?q={words}")
-        page.wait_for_selector("ul.search li a")
-        found = page.eval_on_selector_all("ul.search li a", "all => all.map(one => one.href)")
-    assert first in found[0], found[:5]
+def test_a_text_links_the_functions_that_it_names_and_no_others():
+    """`np.clip` leads to a function `clip`; a paragraph is full of one link; kernels are meant."""
+    def links(text, lab=0):
+        shown = texts_links.linked(text, "notebooks", lab, "../")
+        return [link["href"] for link in BeautifulSoup(shown, "html.parser").find_all("a")]
+    place = "../reference/{0}.html#reference.{0}.{1}"
+    assert links("`crossing` and `crossing`") == [place.format("antialiasing", "crossing")]
+    assert links("`crossing`", lab=17) == [place.format("pair_kernels", "crossing")]
+    assert links("`texture_cubes.render`") == [place.format("texture_cubes", "render")]
+    assert links("`np.crossing`, `rasterize`, `unit_of_nothing`, ``crossing``, `mesh`") == []
+    assert texts_links.linked("[a](../labs/outlines.py#b), [c](../LICENSE)", "notebooks") \
+        == "[a](/labs/08_antialiasing.md#b), `c`"

@@ -36,7 +36,8 @@ function blendedPairs(inside, triangle, width, height) {
     const corners = triangle.map(([x, y]) => pairFrame([x - centre[0], y - centre[1]], frame));
     const { edge, c } = lastCrossing(corners);
     const ends = EDGES[edge].flatMap((k) => corners[k]);
-    if (isBlended(c, ...ends)) pairs.push({ owner, other, c, ends, edge, frame });
+    const isDropped = c === 0.5 && owner < other; // nothing moves there
+    if (isBlended(c, ...ends) && !isDropped) pairs.push({ owner, other, c, ends, edge, frame });
   };
   for (let n = 0; n < width * height; n++) {
     if (n % width < width - 1) look(n, 1, 0);

@@ -121,7 +121,7 @@ export function show(place) {
     spectrum.draw(
       spectrum.line([[LEFT, FLOOR], [RIGHT, FLOOR]], "axis"),
       spectrum.line(comb(k, bunny.count), "axis"), spectrum.line(comb(0, k), "outline second"),
-      spectrum.text([RIGHT, TOP], "share of each wave (log)", "last", [0, -16]),
+      spectrum.text([RIGHT, TOP], "share of each wave (log)", "end", [0, -16]),
       [1, 10, 100].map((wave) => spectrum.text([x(wave), 0], String(wave), "middle", [0, 2])));
   }
 

@@ -1,121 +1,84 @@
-// An animated PNG with play, pause and a slider. It is fetched when it is first played.
+// An animated PNG with play, pause and a slider. It is fetched when it is first played, and rests
+// while it is out of sight.
 //
-//   <figure class="animation" data-file="x.png" [data-autoplay]><img src="still.png"></figure>
+//   <figure class="animation" data-file="x.png" data-frames="25" [data-autoplay]>
+//     <img src="still.png"></figure>
 //
-// Its frames are drawn on a canvas over the still. A browser that cannot decode frames shows the
-// file itself, which plays on its own.
+// A canvas takes the place of the still, which is the first frame. A browser that cannot decode
+// frames shows the file itself, which plays on its own.
+import { make } from "./make.js";
 
 export function show(figure) {
-  const still = figure.querySelector("img");
-  const player = { still, playing: false, now: 0 };
-  const play = button(figure, "Play");
-  const slider = range(figure, "Frame");
-  slider.hidden = !("ImageDecoder" in window);
-  const set = (playing) => {
-    player.playing = playing;
-    label(play, playing ? "Pause" : "Play");
-  };
-  player.draw = () => {
-    const frame = player.frames[player.now];
-    player.canvas.getContext("2d").drawImage(frame.image, 0, 0);
-    slider.value = player.now;
-    slider.setAttribute("aria-valuetext", `${player.now + 1} of ${player.frames.length}`);
-  };
-  const loaded = () => load(figure, player, slider).then(() => true, () => {
-    set(false);
-    return false;
-  });
+  const { file, frames } = figure.dataset;
+  const still = figure.querySelector("img"), poster = still.src;
+  const decodes = "ImageDecoder" in window;
+  const play = make("button", { type: "button" });
+  const slider = make("input", { type: "range", max: frames - 1, value: 0, ariaLabel: "Frame" });
+  const told = make("span", { role: "status" });
+  const controls = make("div", { className: "controls" });
+  const canvas = make("canvas", { role: "img", ariaLabel: still.alt });
+  let playing, film, timer, isSeen = false;
 
-  const go = async () => {
-    set(!player.playing);
-    if (slider.hidden) showFile(figure, player);
-    else if (await loaded()) run(player);
+  const set = (isPlaying, words = "") => {
+    playing = isPlaying;
+    play.ariaLabel = playing ? "Pause" : "Play";
+    told.textContent = words;
+    slider.hidden = !decodes || words !== "";
+    if (!decodes) still.src = playing ? file : poster;
   };
-  play.addEventListener("click", go);
-  slider.addEventListener("input", async () => {
-    const share = slider.valueAsNumber / slider.max;
-    set(false);
-    if (!(await loaded())) return;
-    player.now = Math.round(share * (player.frames.length - 1));
-    player.draw();
-  });
+  const fail = () => {
+    film = null; // the next press fetches it again
+    slider.value = 0;
+    set(false, "The film did not load. Press play to try again.");
+  };
+  // Draw the slider's frame. While the film plays in sight, the next one follows.
+  const draw = async () => {
+    if (!decodes) return;
+    film ??= decoded(file, Number(frames));
+    const images = await film.catch(fail);
+    clearTimeout(timer);
+    if (!images) return;
+    const image = images[slider.value];
+    if (!canvas.isConnected) takePlace(canvas, still, image);
+    canvas.getContext("2d").drawImage(image, 0, 0);
+    slider.ariaValueText = `${slider.valueAsNumber + 1} of ${frames}`;
+    if (playing && isSeen) timer = setTimeout(next, image.duration / 1000);
+  };
+  const next = () => {
+    slider.value = (slider.valueAsNumber + 1) % frames;
+    draw();
+  };
 
-  const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if ("autoplay" in figure.dataset && !reducedMotion) go();
+  play.addEventListener("click", () => {
+    set(!playing);
+    if (playing) next();
+    else clearTimeout(timer);
+  });
+  slider.addEventListener("input", () => {
+    set(false);
+    draw();
+  });
+  still.addEventListener("error", () => playing && fail());
+  slider.ariaValueText = `1 of ${frames}`;
+  controls.append(play, slider, told);
+  figure.append(controls);
+  set("autoplay" in figure.dataset && !matchMedia("(prefers-reduced-motion: reduce)").matches);
+  new IntersectionObserver((entries) => {
+    isSeen = entries.at(-1).isIntersecting;
+    if (playing) draw();
+  }).observe(figure);
 }
 
-// All frames of the file, as pictures with their durations in milliseconds.
-async function decoded(file) {
+// All frames of the file. Each knows its duration in microseconds.
+async function decoded(file, frames) {
   const response = await fetch(file);
-  if (!response.ok) throw new Error(`there is no ${file}`);
   const decoder = new ImageDecoder({ data: await response.arrayBuffer(), type: "image/png" });
-  await Promise.all([decoder.tracks.ready, decoder.completed]);
-  const frames = [];
-  for (let k = 0; k < decoder.tracks.selectedTrack.frameCount; k += 1) {
-    const { image } = await decoder.decode({ frameIndex: k });
-    frames.push({ image: await createImageBitmap(image), duration: image.duration / 1000 });
-    image.close();
-  }
-  return frames;
+  const all = Array.from({ length: frames }, (_, frameIndex) => decoder.decode({ frameIndex }));
+  return (await Promise.all(all)).map(({ image }) => image);
 }
 
-async function load(figure, player, slider) {
-  player.loading ??= decoded(figure.dataset.file);
-  try {
-    player.frames = await player.loading;
-  } catch (error) {
-    player.loading = null; // the next try fetches it again
-    throw error;
-  }
-  if (player.canvas) return;
-  const { image } = player.frames[0];
-  player.canvas = document.createElement("canvas");
-  Object.assign(player.canvas, { width: image.width, height: image.height });
-  player.canvas.setAttribute("aria-hidden", "true"); // the still behind it has the words
-  player.still.after(player.canvas);
-  slider.max = player.frames.length - 1;
-}
-
-function run(player) {
-  clearTimeout(player.timer);
-  if (!player.playing) return;
-  player.draw();
-  const wait = player.frames[player.now].duration;
-  player.now = (player.now + 1) % player.frames.length;
-  player.timer = setTimeout(() => run(player), wait);
-}
-
-function showFile(figure, player) {
-  player.poster ??= player.still.src;
-  player.still.src = player.playing ? figure.dataset.file : player.poster;
-}
-
-function controls(figure) {
-  const found = figure.querySelector(".controls");
-  if (found) return found;
-  const made = document.createElement("div");
-  made.className = "controls";
-  figure.append(made);
-  return made;
-}
-
-function button(figure, name) {
-  const made = document.createElement("button");
-  made.type = "button";
-  label(made, name);
-  controls(figure).append(made);
-  return made;
-}
-
-function label(button, name) {
-  button.textContent = { Play: "▶", Pause: "⏸" }[name] + "\uFE0E";
-  button.setAttribute("aria-label", name);
-}
-
-function range(figure, name) {
-  const made = document.createElement("input");
-  Object.assign(made, { type: "range", min: 0, max: 100, value: 0 });
-  made.setAttribute("aria-label", name);
-  controls(figure).append(made);
-  return made;
+function takePlace(canvas, still, { displayWidth, displayHeight }) {
+  Object.assign(canvas, { width: displayWidth, height: displayHeight });
+  canvas.style.width = `${still.getAttribute("width")}px`;
+  still.replaceWith(canvas);
 }

@@ -3,32 +3,43 @@
 //   <figure class="before-after"><img data-label="Before"><img data-label="After"></figure>
 //
 // Without scripts they stand one above the other.
+import { make } from "./make.js";
 
 export function show(figure) {
   const [before, after] = figure.querySelectorAll("img");
-  const pair = document.createElement("div");
-  pair.className = "pair";
+  const pair = make("div", { className: "pair" });
+  const slider = make("input", { type: "range", step: "any", value: 50 });
+  slider.ariaLabel = `From ${before.dataset.label} to ${after.dataset.label}`;
   figure.prepend(pair);
-  pair.append(named(before), named(after));
+  pair.append(named(before), named(after), slider);
 
-  const slider = document.createElement("input");
-  Object.assign(slider, { type: "range", min: 0, max: 100, step: 0.5, value: 50 });
-  slider.setAttribute("aria-label", `From ${before.dataset.label} to ${after.dataset.label}`);
-  const move = () => {
+  let start;
+  const move = (share = slider.valueAsNumber) => {
+    slider.value = share;
     pair.style.setProperty("--line", `${slider.value}%`);
-    const share = Math.round(slider.valueAsNumber);
-    slider.setAttribute("aria-valuetext", `${share} % ${before.dataset.label}`);
+    slider.ariaValueText = `${Math.round(slider.value)} % ${before.dataset.label}`;
   };
-  slider.addEventListener("input", move);
-  pair.append(slider);
+  const follow = ({ clientX }) => {
+    const { left, width } = pair.getBoundingClientRect();
+    move(100 * (clientX - left) / width);
+  };
+  slider.addEventListener("input", () => move());
+  pair.addEventListener("pointerdown", ({ pointerId }) => {
+    pair.setPointerCapture(pointerId);
+    start = slider.valueAsNumber;
+  });
+  pair.addEventListener("pointermove", (event) => event.buttons & 1 && follow(event));
+  pair.addEventListener("pointercancel", () => move(start)); // the finger scrolls the page
+  pair.addEventListener("click", (event) => {
+    follow(event);
+    slider.focus({ preventScroll: true });
+  });
   figure.classList.add("ready");
   move();
 }
 
 function named(picture) {
-  const place = document.createElement("div");
-  const name = document.createElement("span");
-  name.textContent = picture.dataset.label;
-  place.append(picture, name);
+  const place = make("div", {});
+  place.append(picture, make("span", { textContent: picture.dataset.label }));
   return place;
 }

@@ -6,6 +6,7 @@
 //
 // data-eye is where the still's camera stands. It looks at the origin, and up is y. Without
 // data-eye the camera frames the first mesh.
+import { make } from "./make.js";
 
 const FIELD_OF_VIEW = 48;
 const LIGHT = [-0.4, 0.6, 0.7], BRASS = [0.85, 0.66, 0.48]; // as in the course's pictures
@@ -16,25 +17,34 @@ export function show(figure) {
   const still = figure.querySelector("img");
   const stage = make("div", { className: "stage" });
   const button = make("button", { type: "button", className: "turn", textContent: "Turn it" });
+  const told = make("p", { role: "status" });
   still.replaceWith(stage);
   stage.append(still, button);
-  button.addEventListener("click", async () => {
-    button.textContent = "Loading";
+  stage.after(told);
+  const turn = async () => {
     const canvas = make("canvas", { tabIndex: 0, role: "application" });
+    const context = canvas.getContext("webgl2", { antialias: true });
     canvas.ariaLabel = `${still.alt}. ${HELP}`;
+    if (!context) {
+      button.remove();
+      told.textContent = "The picture stays still: this browser has no WebGL.";
+      return;
+    }
+    told.textContent = "";
+    button.textContent = "Loading";
     try {
-      const context = canvas.getContext("webgl2", { antialias: true });
-      if (!context) throw new Error("this browser has no WebGL");
-      const tools = await start(figure, canvas, context);
+      stage.after(await start(figure, canvas, context));
       stage.append(canvas);
       stage.classList.add("turns");
-      stage.after(tools);
       canvas.focus({ preventScroll: true });
-    } catch (error) {
-      stage.after(make("p", { textContent: `The picture stays still: ${error.message}.` }));
+      button.remove();
+    } catch {
+      button.textContent = "Turn it";
+      button.addEventListener("click", turn, { once: true });
+      told.textContent = "The mesh did not load. Press the button to try again.";
     }
-    button.remove();
-  }, { once: true });
+  };
+  button.addEventListener("click", turn, { once: true });
 }
 
 // The canvas shows the first mesh -> the row of tools below it.
@@ -165,11 +175,15 @@ function toolsOf(view, meshes) {
   const edges = make("button", { type: "button", textContent: "Edges", ariaPressed: "false" });
   const reset = make("button", { type: "button", textContent: "Reset view" });
   Object.assign(slider, { ariaLabel: "Which mesh", ariaValueText: meshes[0].label });
+  let shown = meshes[0];
   slider.addEventListener("input", async () => {
-    const { file, label: words } = meshes[slider.value];
-    const isThere = await view.choose(file).then(() => true, () => false);
-    if (file !== view.chosen) return;
-    slider.ariaValueText = label.textContent = isThere ? words : `${words}: did not load`;
+    const wanted = meshes[slider.value];
+    const isThere = await view.choose(wanted.file).then(() => true, () => false);
+    if (wanted.file !== view.chosen) return;
+    if (isThere) shown = wanted;
+    slider.value = meshes.indexOf(shown);
+    slider.ariaValueText = label.textContent = isThere ? shown.label
+      : `${shown.label}. The mesh of ${wanted.label} did not load: move the slider to try again.`;
   });
   edges.addEventListener("click", () => {
     edges.ariaPressed = String(view.ink.visible = !view.ink.visible);
@@ -180,8 +194,4 @@ function toolsOf(view, meshes) {
   if (meshes.length > 1) tools.append(slider);
   tools.append(edges, reset, make("p", { textContent: HELP }));
   return tools;
-}
-
-function make(name, properties) {
-  return Object.assign(document.createElement(name), properties);
 }

@@ -18,6 +18,7 @@ PAGE = """<!doctype html>
 <title>{name}</title>
 <link rel="icon" href="data:,">
 <link rel="stylesheet" href="figures/figures.css">
+<link rel="stylesheet" href="figures/four_gradients.css">
 <style>
   body {{ --color-foreground-primary: #000000; --color-foreground-secondary: #5a5c63;
           margin: 0; font-family: sans-serif; color: var(--color-foreground-primary); }}

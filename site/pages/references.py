@@ -1,0 +1,190 @@
+"""What a lecture's text names becomes a link: equations, sections, lectures, exercises, functions,
+and the words of the glossary.
+
+(3) is an equation of the page, or of the lecture that is named beside it. A lecture and the page
+that goes on from it, 14 and 14b, number their equations together. What has no target stays text.
+"""
+import functools
+import re
+from pathlib import Path
+
+from docutils import nodes
+from sphinx import addnodes
+from sphinx.transforms.post_transforms import SphinxPostTransform
+
+from .formulas import TAG
+from .names import exercise_pages, function_page
+
+NUMBER = re.compile(r"\d+b?")
+LIST = r"\d+b?(?:(?:, and|,| and| or| to) \d+b?)*"
+PLACE = re.compile(
+    rf"\b[Ll]ectures (?P<lectures>{LIST})|\b[Ll]ecture (?P<lecture>\d+b?)"
+    r"|(?<!\d{4}, )\b(?:"  # "2020, section 3" is in a paper
+    rf"[Ss]ections (?P<sections>{LIST})|[Ss]ection (?P<section>\d+))(?!\.?\d)"
+    r"|(?<![\w)])\((?P<equation>[1-9]\d?)\)")  # 22(4) is a volume of a journal
+BEFORE = re.compile(r"[Ll]ecture (\d+b?)(?:, |['\u2019]s )(?:equation )?$")
+BEHIND = re.compile(r" of lecture (\d+b?)")
+ANNOUNCED = re.compile(r"(?:Exercises?|Extras?) \d")
+EXERCISE = re.compile(r"\b\d+\.\d+\b")
+EVERYDAY = set(  # words of another meaning, too: they are links where the glossary leads
+    "chart crossing fan filter flip fused kernel lattice mass owner picture pixel shade steep "
+    "sweep tap target thread tile warp".split())
+SENTENCE = re.compile(r".{24,}?\.(?= |$)|.*")  # "CSG." alone says nothing
+UNTOUCHED = nodes.literal, nodes.math, nodes.raw, nodes.reference
+
+
+class References(SphinxPostTransform):
+    """Makes the links of a lecture's page, after those that its text has of its own."""
+
+    default_priority = 200
+    formats = ("html",)
+
+    def run(self):
+        if not self.env.docname.startswith("lectures/"):
+            return
+        self.targets = Targets(self.env, self.app.builder)
+        self.defined, self.seen = definitions(self.env, self.env.docname), set()
+        for paragraph in self.document.findall(nodes.paragraph):
+            self.link(paragraph)
+
+    def link(self, paragraph):
+        section = _above(paragraph, nodes.section)
+        announced = False
+        for node in [*paragraph.findall(lambda one: isinstance(one, nodes.Text | nodes.literal))]:
+            if _above(node, UNTOUCHED):
+                continue
+            if isinstance(node, nodes.literal):
+                self.link_function(node, section)
+                continue
+            bold = isinstance(node.parent, nodes.strong | nodes.emphasis)
+            announced = announced or (bold and ANNOUNCED.match(node))
+            found = [*self.targets.places(node, isinstance(section.parent, nodes.document)),
+                     *(self.targets.exercises(node) if announced else ()),
+                     *self.words(node, section)]
+            _replace(node, found)
+
+    def link_function(self, literal, section):
+        """The first `crossing` of a section leads to its place in the source."""
+        address = self.targets.function(literal.astext())
+        if address and (section, address) not in self.seen:
+            self.seen.add((section, address))
+            literal.replace_self(_reference(literal.deepcopy(), address, classes=["function"]))
+
+    def words(self, text, section):
+        """The first use of each word of the glossary. The sources have words of their own."""
+        pattern, defined = self.defined
+        if section.next_node(nodes.title).astext().startswith("Sources"):
+            return
+        for found in pattern.finditer(text):
+            word = found[1][0].lower() + found[1][1:]
+            if word not in self.seen:
+                self.seen.add(word)
+                name, sentence = defined[word]
+                yield (*found.span(), self.targets.address("glossary", name),
+                       {"classes": ["term"], "reftitle": sentence})
+
+
+class Targets:
+    """Where on the site is what a page names: addresses, as this page links to them."""
+
+    def __init__(self, env, builder):
+        self.env, self.page = env, env.docname
+        self.relative = functools.partial(builder.get_relative_uri, self.page)
+        self.lectures = {page.partition("/")[2].partition("_")[0]: page
+                         for page in env.found_docs if page.startswith("lectures/")}
+        self.here = self.page.partition("/")[2].partition("_")[0]
+
+    def address(self, page, name):
+        return f"{'' if page == self.page else self.relative(page)}{name and f'#{name}'}"
+
+    def function(self, name):
+        address = function_page(name, int(self.here[:2]))
+        return address and f"../{address}"
+
+    def exercises(self, text):
+        for found in EXERCISE.finditer(text):
+            if address := exercise_pages().get(found[0]):
+                yield *found.span(), f"../{address}", {}
+
+    def places(self, text, is_introduction):
+        """(start, end, address, {}) of each equation, section and lecture that a text names."""
+        for found in PLACE.finditer(text):
+            kind = found.lastgroup
+            named = BEFORE.search(text[:found.start()]) or BEHIND.match(text, found.end())
+            lecture = named[1].zfill(2) if named else self.here
+            for number in NUMBER.finditer(text, *found.span(kind)):
+                address = getattr(self, kind.rstrip("s"))(number[0], lecture)
+                if is_introduction and kind == "equation" and address.startswith("#"):
+                    continue  # it is not stated yet: "clip space (1)" is a lab
+                if address:
+                    yield *(number if kind.endswith("s") else found).span(), address, {}
+
+    def lecture(self, number, _):
+        page = self.lectures.get(number.zfill(2), self.page)
+        return "" if page == self.page else self.address(page, "")
+
+    def section(self, number, lecture):
+        page = self.lectures.get(lecture)
+        for slug, (_, _, title) in self.env.metadata[page].get("myst_slugs", {}).items():
+            if title.startswith(f"{number}. "):
+                return self.address(page, slug)
+        return ""
+
+    def equation(self, number, lecture):
+        page = equations(self.env.srcdir).get((lecture[:2], number))
+        return self.address(page, f"equation-{number}") if page else ""
+
+
+@functools.cache
+def equations(folder):
+    """{(number of the lecture, number of the equation): page}."""
+    return {(path.stem[:2], number): f"lectures/{path.stem}"
+            for path in Path(folder).glob("lectures/*.ipynb")
+            for number in TAG.findall(path.read_text("utf-8"))}
+
+
+def definitions(env, page):
+    """The glossary's words on a page: a pattern, {word: (anchor, its definition's first sentence)}.
+    """
+    found = {}
+    for term in env.get_doctree("glossary").findall(nodes.term):
+        said, word = term.parent.next_node(nodes.paragraph), term.astext()
+        leads = [link.get("reftarget") for link in said.findall(addnodes.pending_xref)]
+        if word not in EVERYDAY or page in leads:
+            sentence = SENTENCE.match(" ".join(said.astext().split()))[0]
+            found[word[0].lower() + word[1:]] = term["ids"][0], sentence
+    words = "|".join(sorted(map(_either_case, found), key=len, reverse=True))
+    return re.compile(rf"\b({words})(?:s|es)?\b"), found
+
+
+def _either_case(word):
+    return f"[{word[0].upper()}{word[0]}]{re.escape(word[1:])}"
+
+
+def _above(node, kinds):
+    """The nearest element of these kinds that holds a node, or None."""
+    node = node.parent
+    while node is not None and not isinstance(node, kinds):
+        node = node.parent
+    return node
+
+
+def _reference(shown, address, **more):
+    return nodes.reference("", "", shown, internal=True, refuri=address, **more)
+
+
+def _replace(text, found):
+    """Put links into a text. Where two overlap, the first stays."""
+    parts, done = [], 0
+    for start, end, address, more in sorted(found, key=lambda one: one[:2]):
+        if start >= done:
+            parts += [nodes.Text(text[done:start]),
+                      _reference(nodes.Text(text[start:end]), address, **more)]
+            done = end
+    if parts:
+        text.parent.replace(text, [*parts, nodes.Text(text[done:])])
+
+
+def setup(app):
+    app.add_post_transform(References)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

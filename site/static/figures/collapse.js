@@ -1,0 +1,141 @@
+/** Lecture 12 in the plane: an outline loses points, one collapse of an edge after the other. */
+import { clamp, eachFrame, html, number, player, Sheet, slider } from "./paper.js";
+
+/** The outline of the bunny in hundredths, x and y in turn, counter-clockwise. */
+const BUNNY = [
+  -15, -99, -9, -99, -4, -99, 2, -99, 7, -98, 13, -97, 18, -98, 24, -98, 29, -98, 35, -98, 40,
+  -97, 46, -95, 51, -93, 55, -90, 60, -88, 66, -86, 71, -85, 76, -82, 81, -80, 86, -78, 91, -75,
+  94, -71, 97, -66, 99, -61, 100, -55, 100, -50, 98, -45, 94, -41, 89, -39, 85, -35, 83, -30, 83,
+  -25, 82, -19, 81, -14, 80, -8, 78, -3, 76, 2, 73, 7, 70, 11, 66, 15, 63, 19, 58, 23, 54, 26,
+  49, 29, 44, 31, 39, 32, 33, 34, 28, 34, 22, 33, 17, 33, 11, 32, 6, 31, 1, 30, -5, 29, -10, 28,
+  -16, 29, -21, 31, -26, 33, -30, 36, -34, 41, -36, 46, -34, 51, -30, 55, -26, 58, -21, 61, -16,
+  63, -11, 66, -6, 68, -1, 71, 4, 73, 8, 76, 11, 81, 13, 86, 13, 91, 11, 96, 6, 99, 1, 99, -4,
+  96, -9, 94, -14, 91, -19, 89, -23, 86, -28, 83, -32, 79, -36, 75, -40, 77, -39, 82, -42, 87,
+  -46, 91, -51, 91, -55, 87, -59, 83, -61, 78, -62, 73, -65, 68, -70, 66, -75, 64, -80, 63, -85,
+  61, -90, 58, -93, 53, -94, 48, -96, 43, -97, 37, -98, 32, -99, 26, -100, 21, -100, 16, -97, 11,
+  -93, 7, -88, 4, -86, -1, -87, -6, -87, -12, -87, -17, -86, -23, -84, -28, -81, -33, -78, -37,
+  -74, -41, -70, -45, -66, -49, -62, -52, -57, -54, -51, -56, -47, -60, -49, -65, -53, -68, -57,
+  -72, -59, -77, -58, -82, -60, -88, -58, -92, -53, -94, -47, -95, -42, -95, -36, -95, -31, -95,
+  -25, -96, -20, -98];
+const LEAST = 8, LEVEL = 1e-3, LONGEST = 0.14;  // points; the error on an ellipse; its half axis
+
+/** Eqs. (1) and (2) for the line through a and b, times its length: the six numbers of Q. */
+export function lineQuadric([ax, ay], [bx, by]) {
+  const length = Math.hypot(bx - ax, by - ay);
+  const [x, y] = [(by - ay) / length, (ax - bx) / length];
+  const d = -(x * ax + y * ay);
+  return [x * x, x * y, y * y, x * d, y * d, d * d].map((t) => length * t);
+}
+
+const add = (q, r) => q.map((t, k) => t + r[k]);
+
+/** v Q v with v = (x, y, 1). */
+export const quadricError = ([xx, xy, yy, xd, yd, dd], [x, y]) =>
+  xx * x * x + 2 * xy * x * y + yy * y * y + 2 * (xd * x + yd * y) + dd;
+
+/** Eq. (5), A x = -b, or null where the least eigenvalue of A is less than 1 % of the greatest. */
+export function bestAnywhere([xx, xy, yy, xd, yd]) {
+  const { axes: [greatest, least] } = ellipse([xx, xy, yy]);
+  if (least <= 0.01 * greatest) return null;
+  const det = xx * yy - xy * xy;
+  return [(xy * yd - yy * xd) / det, (xy * xd - xx * yd) / det];
+}
+
+/** Eq. (6): the best place on the segment from a to b. */
+export function bestOnSegment([xx, xy, yy, xd, yd], a, b) {
+  const [ex, ey] = [b[0] - a[0], b[1] - a[1]];
+  const along = xx * ex * ex + 2 * xy * ex * ey + yy * ey * ey;
+  const slope = ex * (xx * a[0] + xy * a[1] + xd) + ey * (xy * a[0] + yy * a[1] + yd);
+  const t = along > 1e-6 * (xx + yy) * (ex * ex + ey * ey) ? clamp(-slope / along, 0, 1) : 0.5;
+  return [a[0] + t * ex, a[1] + t * ey];
+}
+
+/** The eigenvalues of A, the greatest first, and the direction of the least one. */
+export function ellipse([xx, xy, yy]) {
+  const [mean, half] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
+  return { axes: [mean + half, mean - half],
+           angle: Math.atan2(2 * xy, xx - yy) / 2 + Math.PI / 2 };
+}
+
+/** The cheapest edge to collapse: its first point, where the new point goes, and the cost. */
+export function cheapest(points, quadrics) {
+  let best = { cost: Infinity };
+  points.forEach((a, i) => {
+    const j = (i + 1) % points.length;
+    const q = add(quadrics[i], quadrics[j]);
+    const place = bestAnywhere(q) ?? bestOnSegment(q, a, points[j]);
+    const cost = quadricError(q, place);
+    if (cost < best.cost) best = { i, j, q, place, cost };
+  });
+  return best;
+}
+
+/** All outlines from the whole one down to a few points: {points, quadrics, next}. */
+export function simplify(points) {
+  const lines = points.map((a, i) => lineQuadric(a, points[(i + 1) % points.length]));
+  let quadrics = lines.map((q, i) => add(q, lines[(i + lines.length - 1) % lines.length]));
+  const states = [];
+  for (;;) {
+    const next = cheapest(points, quadrics);
+    states.push({ points, quadrics, next });
+    if (points.length === LEAST) return states;
+    const kept = (list, middle) => list.map((one, n) => (n === next.i ? middle : one))
+      .filter((_, n) => n !== next.j);
+    [points, quadrics] = [kept(points, next.place), kept(quadrics, next.q)];
+  }
+}
+
+export function show(place) {
+  const whole = BUNNY.flatMap((x, n) => (n % 2 ? [] : [[x / 100, BUNNY[n + 1] / 100]]));
+  const states = simplify(whole);
+  let count = 40;
+  const redraw = eachFrame(draw);
+  const sheet = new Sheet([-1.6, 1.6, -1.1, 1.1],
+    "The outline of a bunny with few points, an ellipse around each", redraw);
+  const said = html("p");
+  const points = slider({ label: "points", min: LEAST, max: whole.length, step: 1, value: count,
+                          changed: (to) => {
+                            count = to;
+                            redraw();
+                          } });
+  const play = player("Play", () => {
+    if (count === LEAST) return false;
+    count -= 1;
+    points.set(count);
+    draw();
+    return true;
+  });
+
+  /** Where the error of a point's quadric is LEVEL, cut where it is long and thin. */
+  function ring(quadric, centre) {
+    const { axes, angle } = ellipse(quadric);
+    const [short, long] = axes.map((value) => Math.min(LONGEST, Math.sqrt(LEVEL / value)));
+    return sheet.line(Array.from({ length: 33 }, (_, k) => {
+      const [u, v] = [long * Math.cos(k * Math.PI / 16), short * Math.sin(k * Math.PI / 16)];
+      return [centre[0] + u * Math.cos(angle) - v * Math.sin(angle),
+              centre[1] + u * Math.sin(angle) + v * Math.cos(angle)];
+    }), "ring");
+  }
+
+  function draw() {
+    const { points: outline, quadrics, next } = states[whole.length - count];
+    sheet.draw(
+      sheet.line([...whole, whole[0]], "goal"),
+      quadrics.map((quadric, n) => ring(quadric, outline[n])),
+      sheet.line([...outline, outline[0]], "outline found"),
+      sheet.line([outline[next.i], outline[next.j]], "edge thick"),
+      outline.map((point) => sheet.dot(point, 2.5, "sample point")));
+    said.innerHTML = `The <b class="red">red</b> edge is the cheapest: collapsing it costs ` +
+      `<b>${number(next.cost, 6)}</b>.`;
+  }
+
+  place.append(html("div", { class: "pane" },
+    html("p", { class: "task" }, "Take points away. ",
+      html("span", {}, "Along its ", html("b", { class: "green" }, "green"),
+        " ellipse a point would cost the same everywhere: it may slide along a straight part, ",
+        "and not leave a bend.")),
+    sheet.box,
+    html("div", { class: "told" }, points.element, said,
+      html("div", { class: "row" }, play.element))));
+  draw();
+}

@@ -1,0 +1,90 @@
+/** Lecture 10: the sweep of neural_renderer and the soft silhouette of SoftRas, for one triangle.
+ *  Pictures and triangles are those of pixel_coverage.js. */
+import { clamp } from "./elements.js";
+import { noGradient, picture } from "./pixel_coverage.js";
+
+const EDGES = [[1, 2], [2, 0], [0, 1]];      // edge k is opposite to vertex k
+const LEAST_PROBABILITY = 1e-6;
+
+// neural_renderer's sweep
+
+/** Eqs. (7) and (8): one line of pixels, crossed at x by an edge that has its outside on a side.
+ *  -> the gradient of the edge's ends, in ndc. */
+export function sweepLine(gradColour, colour, x, side, share, eps) {
+  const inner = side > 0 ? Math.floor(x - 0.5) : Math.ceil(x - 0.5), outer = inner + side;
+  if (Math.min(inner, outer) < 0 || Math.max(inner, outer) >= colour.length) return [0, 0];
+  const grad = [0, 0];
+  for (let j = 0; j < colour.length; j++) {
+    const isOut = (j - inner) * side > 0;
+    if (!(isOut ? colour[inner] : colour[j])) continue; // does it see the face?
+    const fall = Math.max(0, (colour[j] - colour[isOut ? inner : outer]) * gradColour[j]);
+    const way = 2 / colour.length * (j + 0.5 - x);
+    for (const end of [0, 1]) {
+      const scaled = way + (isOut ? side : -side) * eps * share[end];
+      if (share[end] > 0) grad[end] -= fall * share[end] / scaled;
+    }
+  }
+  return grad;
+}
+
+/** Eq. (7) along all rows, for x, and along all columns, for y -> dL/dvertices, in ndc. */
+export function sweepBackward(gradColour, colour, triangle, width, height, eps) {
+  const grad = noGradient(), size = [width, height], step = [1, width];
+  if (!colour.some((value) => value)) return grad;
+  for (const [x, y] of [[0, 1], [1, 0]]) {
+    const lineOf = (values, row) => Array.from({ length: size[x] },
+      (_, j) => values[j * step[x] + row * step[y]]);
+    for (const [i, j] of EDGES) {
+      const [a, b] = [triangle[i], triangle[j]];
+      const first = Math.max(Math.ceil(Math.min(a[y], b[y]) - 0.5), 0);
+      const end = Math.min(Math.floor(Math.max(a[y], b[y]) + 0.5), size[y]);
+      for (let row = first; row < end && a[y] !== b[y]; row++) {
+        const share = (row + 0.5 - a[y]) / (b[y] - a[y]);
+        const pulls = sweepLine(lineOf(gradColour, row), lineOf(colour, row),
+                                a[x] + share * (b[x] - a[x]),
+                                (x ? -1 : 1) * Math.sign(b[y] - a[y]), [1 - share, share], eps);
+        grad[i][x] += pulls[0];
+        grad[j][x] += pulls[1];
+      }
+    }
+  }
+  return grad;
+}
+
+// SoftRas
+
+/** The nearest point of a triangle's border: on which edge, at which t, and how far away. */
+export function nearestOnBorder(point, triangle) {
+  const found = EDGES.map(([i, j], edge) => {
+    const [a, b] = [triangle[i], triangle[j]];
+    const along = [b[0] - a[0], b[1] - a[1]], from = [point[0] - a[0], point[1] - a[1]];
+    const t = clamp((from[0] * along[0] + from[1] * along[1]) / Math.hypot(...along) ** 2, 0, 1);
+    return { edge, t, away: [from[0] - t * along[0], from[1] - t * along[1]],
+             e: along[0] * from[1] - along[1] * from[0] };
+  });
+  const square = ({ away: [x, y] }) => x * x + y * y;
+  const nearest = found.reduce((a, b) => (square(b) < square(a) ? b : a));
+  return { ...nearest, square: square(nearest), sign: found.every(({ e }) => e > 0) ? 1 : -1 };
+}
+
+/** Eq. (9) of a pixel, and what its derivative needs. */
+function softPixel(triangle, n, width, sigma) {
+  const near = nearestOnBorder([n % width + 0.5, Math.floor(n / width) + 0.5], triangle);
+  const probability = 1 / (1 + Math.exp(-near.sign * near.square / sigma));
+  return { ...near, probability: probability > LEAST_PROBABILITY ? probability : 0 };
+}
+
+export const softSilhouette = (triangle, width, height, sigma) =>
+  picture(width, height, (j, i) => softPixel(triangle, i * width + j, width, sigma).probability);
+
+export function softSilhouetteBackward(gradSilhouette, triangle, width, sigma) {
+  const grad = noGradient();
+  gradSilhouette.forEach((gradS, n) => {
+    const { edge, t, away, sign, probability } = softPixel(triangle, n, width, sigma);
+    const scale = -2 * gradS * probability * (1 - probability) * sign / sigma;
+    EDGES[edge].forEach((k, end) => away.forEach((d, axis) => {
+      grad[k][axis] += scale * (end ? t : 1 - t) * d;
+    }));
+  });
+  return grad;
+}

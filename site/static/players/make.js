@@ -1,0 +1,1 @@
+export const make = (name, properties) => Object.assign(document.createElement(name), properties);

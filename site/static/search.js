@@ -1,0 +1,92 @@
+// The search: each record is [address, title, place, text], made by site/pages/search.py.
+const SHOWN = 20, EXCERPT = 220;
+const form = document.getElementById("search"), list = document.getElementById("found");
+const count = document.getElementById("found-count");
+
+async function unpack(packed) {
+  const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).json();
+}
+
+// A word begins where it is found: z-buffer is zbuffer and z_buffer, barycentric finds
+// barycentrics, but 8 is neither in 8.7 nor in 80.
+function pattern(word) {
+  const letters = [...word.replace(/[-_]/g, "").replace(/(?<=...)s$/, "")];
+  const spelled = letters.map(letter => letter.replace(".", "\\.")).join("[-_]?");
+  const end = /\d$/.test(word) ? "(?!\\d|\\.\\d)" : "";
+  return `(?<![\\p{L}\\p{N}]|\\d\\.)${spelled}${end}`;
+}
+
+const asked = query => query.match(/[\p{L}\p{N}_-]+(\.\d+)?/gu)?.map(pattern) ?? [];
+
+// How well a word fits: in the title, in the place, or in the text, the oftener the better.
+function fit(word, title, place, text) {
+  if (title.search(word) >= 0) return 8;
+  if (place.search(word) >= 0) return 3;
+  const times = text.match(word)?.length ?? 0;
+  return times && 1 + 2 * times / (times + 1 + text.length / 400);
+}
+
+// What has all words, or as many as one record has; the title that says little else stands first.
+function search(records, patterns) {
+  const words = patterns.map(one => new RegExp(one, "giu"));
+  const every = new RegExp(patterns.join("|"), "giu");
+  const found = records.map(record => {
+    const [address, title, place, text] = record;
+    const fits = words.map(word => fit(word, title, place, text));
+    const fitting = fits.reduce((sum, one) => sum + one, 0) / words.length;
+    const covered = (title.match(every) ?? []).join("").length / title.length;
+    const code = /^(reference|given)\//.test(address) ? 0.7 : 1;
+    const page = covered && !address.includes("#") ? 1 : 0;
+    return {record, has: fits.filter(Boolean).length,
+            score: code * (fitting + 10 * covered + page)};
+  });
+  const most = Math.max(1, ...found.map(one => one.has));
+  return found.filter(one => one.has === most).sort((a, b) => b.score - a.score)
+    .map(one => one.record);
+}
+
+function element(name, className, ...children) {
+  const made = document.createElement(name);
+  if (className) made.className = className;
+  made.append(...children);
+  return made;
+}
+
+// The beginning of what a title names, or the text around the first word that is found.
+function excerpt(title, text, every) {
+  const first = title.search(every) < 0 ? Math.max(0, text.search(every) - EXCERPT / 3) : 0;
+  const start = first ? text.indexOf(" ", first) + 1 : 0;
+  const goesOn = start + EXCERPT < text.length, shown = element("p", "");
+  const cut = text.slice(start, goesOn ? text.lastIndexOf(" ", start + EXCERPT) : undefined);
+  let end = 0;
+  for (const match of cut.matchAll(every)) {
+    shown.append(cut.slice(end, match.index), element("mark", "", match[0]));
+    end = match.index + match[0].length;
+  }
+  shown.append(cut.slice(end), goesOn ? " …" : "");
+  return shown;
+}
+
+function show(records) {
+  const query = form.q.value.trim(), patterns = asked(query);
+  const found = patterns.length ? search(records, patterns) : [];
+  const every = new RegExp(patterns.join("|"), "giu");
+  list.replaceChildren(...found.slice(0, SHOWN).map(([address, title, place, text]) => {
+    const link = element("a", "", title);
+    link.href = address;
+    return element("li", "", link, element("span", "place", place), excerpt(title, text, every));
+  }));
+  const more = found.length > SHOWN ? `, the best ${SHOWN} are shown` : "";
+  count.textContent = query && `${found.length || "No"} ` +
+    `${found.length === 1 ? "place" : "places"} for “${query}”${more}`;
+  history.replaceState(null, "", query ? `?${new URLSearchParams({q: query})}` : location.pathname);
+}
+
+form.q.value = new URLSearchParams(location.search).get("q") ?? "";
+unpack(PACKED_RECORDS).then(records => {
+  form.addEventListener("input", () => show(records));
+  form.addEventListener("submit", event => { event.preventDefault(); show(records); });
+  show(records);
+});
