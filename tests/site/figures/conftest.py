@@ -19,6 +19,8 @@ PAGE = """<!doctype html>
 <link rel="icon" href="data:,">
 <link rel="stylesheet" href="figures/figures.css">
 <link rel="stylesheet" href="figures/four_gradients.css">
+<link rel="stylesheet" href="figures/rubber_sheet.css">
+<link rel="stylesheet" href="figures/bunny_waves.css">
 <style>
   body {{ --color-foreground-primary: #000000; --color-foreground-secondary: #5a5c63;
           margin: 0; font-family: sans-serif; color: var(--color-foreground-primary); }}
