@@ -27,11 +27,10 @@ templates_path = ["templates"]
 html_theme = "furo"
 html_favicon = str(SITE / "static" / "icon.svg")
 html_title = project
-html_math_renderer = "drawn"
+html_math_renderer = "mathml"
 html_static_path = [str(SITE / "static")]
 html_css_files = ["style.css", "source.css", "players/players.css", "players/orbit.css",
-                  "figures/figures.css", "figures/four_gradients.css", "figures/rubber_sheet.css",
-                  "figures/bunny_waves.css"]
+                  "figures/figures.css"]
 html_additional_pages = {"search": "search.html"}
 html_js_files = ["scrolling.js", ("figures/begin.js", {"type": "module"}),
                  ("players/begin.js", {"type": "module"})]

@@ -127,8 +127,8 @@ def wrong_equations(module, soup):
 
 
 def formula(element):
-    """What a screen reader reads of a drawn formula, without its number."""
-    return re.sub(r"^\(\d+\)", "", letters(element.select_one("mjx-assistive-mml").get_text()))
+    """The letters of a formula, without its number."""
+    return letters(element.select_one("math").get_text())
 
 
 @functools.cache

@@ -1,5 +1,5 @@
 /** Lecture 03: a wave that is too fast for its samples looks like a slow one. */
-import { button, eachFrame, html, number, Sheet, slider } from "./paper.js";
+import { eachFrame, html, number, Sheet, slider } from "./paper.js";
 
 const RATE = 12;                 // samples, at the middles of as many pixels
 const FINE = 15;                 // each pixel is a box over so many fine samples
@@ -31,26 +31,21 @@ export function show(place) {
     "The wave, its samples, and the alias through the same samples", redraw);
   const strips = ["sampled", "the mean over each pixel"].map((title) =>
     ({ title, sheet: new Sheet([0, 1, 0, 0.05], `Twelve pixels: ${title}`, redraw) }));
-  const fold = new Sheet([-0.03, 1.02, -0.07, 0.42],
+  const fold = new Sheet([-0.03, 1.03, -0.07, 0.42],
     "The periods seen, and what the box filter leaves, against the wave's periods", redraw);
   const answer = html("p", { class: "verdict", role: "status" });
   const filtered = html("p");
-  const go = (to) => {
-    frequency = to;
-    redraw();
-  };
   const control = slider({ label: "periods", min: 0, max: FASTEST, step: 0.5, value: START,
-                           changed: go });
-  const reset = button("Reset", () => {
-    control.set(START);
-    go(START);
-  });
+                           changed: (to) => {
+                             frequency = to;
+                             redraw();
+                           } });
 
   function draw() {
     const alias = aliasFrequency(frequency, RATE);
     const left = boxFactor(frequency, FINE, FINE * RATE);
     const samples = times.map((t) => wave(frequency, t));
-    const curve = (f) => range(720).map((t) => [t, 0.055 * wave(f, t)]);
+    const curve = (f) => range(480).map((t) => [t, 0.055 * wave(f, t)]);
     waves.draw(
       waves.line(curve(frequency), "curve wave"), waves.line(curve(alias), "curve alias"),
       samples.map((value, n) => waves.dot([times[n], 0.055 * value], 5, "sample point")));
@@ -83,22 +78,24 @@ export function show(place) {
   }
 
   function tell(alias, left) {
-    answer.textContent = frequency < RATE / 2
+    answer.innerHTML = frequency < RATE / 2
       ? `${number(frequency)} periods, seen correctly.`
       : frequency === RATE / 2
         ? "Two samples a period: what is seen depends on where they lie."
-        : `${number(frequency)} periods, but the samples show ${number(Math.abs(alias))}.`;
+        : `${number(frequency)} periods, but the samples show ` +
+          `<b class="red">${number(Math.abs(alias))}</b>.`;
     filtered.innerHTML = `alias = <i>f</i> − <i>r m</i> = ${number(frequency)} − ${RATE} · ` +
-      `${Math.floor(frequency / RATE + 0.5)} = <b>${number(alias)}</b>.<br>` +
-      `A box of one pixel leaves <b>${number(100 * Math.abs(left), 1)}%</b> of the wave.`;
+      `${Math.floor(frequency / RATE + 0.5)} = <b class="red">${number(alias)}</b>.<br>` +
+      `A box of one pixel leaves <b class="orange">${number(100 * Math.abs(left), 1)}%</b> ` +
+      "of the wave.";
   }
 
   place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Make the wave faster. ",
       html("span", {}, `There are always ${RATE} samples. `,
-        "Red is the slowest wave through them.")),
+        html("b", { class: "red" }, "Red"), " is the slowest wave through them.")),
     html("div", { class: "wide told" }, control.element, waves.box,
       ...strips.flatMap(({ title, sheet }) => [html("p", {}, title), sheet.box])),
-    fold.box, html("div", { class: "told" }, answer, filtered, reset)));
+    fold.box, html("div", { class: "told" }, answer, filtered)));
   draw();
 }

@@ -1,7 +1,7 @@
 /** Lecture 08: an edge crosses between two pixels. It blends their colours, and gets a gradient. */
-import { button, clamp, html, number, Sheet, svg, table } from "./paper.js";
+import { clamp, eachFrame, html, number, Sheet, svg } from "./paper.js";
 
-const START = [[0.2, 0.9], [0.35, -0.75]];
+const START = [[0.2, 0.6], [0.35, -0.5]];
 const OWNER = 0.2, OTHER = 0.9;  // their shades: 0 is blue, 1 is white
 const WINDOW = 1 / 16;
 
@@ -56,95 +56,104 @@ export function pairOf(ends) {
            gradients: crossingBackward(gradC, x0, y0, x1, y1) };
 }
 
-const shade = (value) =>
-  `fill: color-mix(in srgb-linear, #ffffff ${100 * value}%, #0072b2)`;
+/** The two pixels' shades when the edge crosses at c. */
+const shown = (c) => (c >= -WINDOW && c <= 1 + WINDOW ? blend(OWNER, OTHER, blendWeight(c))
+  : [OWNER, OTHER]);
+const CORNERS = [-0.25, -WINDOW - 1e-9, -WINDOW, 0, 0.5, 1, 1 + WINDOW, 1 + WINDOW + 1e-9, 1.25];
 
-function why(ends, { c, alpha }) {
-  if (alpha !== null && Math.abs(alpha) < 1e-9) {
-    return "α = 0. Both pixels are right. The kink is here.";
+const coloured = (element, value) => {
+  element.style.cssText = `fill: color-mix(in srgb-linear, #ffffff ${100 * value}%, #0072b2)`;
+  return element;
+};
+
+function why({ c, alpha }) {
+  const at = `<i>c</i> = ${number(c)}`;
+  if (alpha === null) {
+    return `${at}: no blend, no gradient. ` + (c > -WINDOW && c < 1 + WINDOW
+      ? "The edge is not steep: a pair of pixels above each other blends it."
+      : "It crosses elsewhere: another pair blends it.");
   }
-  if (alpha !== null) {
-    return alpha > 0 ? "The owner changes: it is too blue."
-      : "The other pixel changes: it is not blue enough.";
+  if (c <= 0 || c >= 1) {
+    return `${at} is clamped to ${clamp(c, 0, 1)}, so <i>α</i> stays ${number(alpha)} when ` +
+      "the edge moves: no gradient.";
   }
-  if (c > -WINDOW && c < 1 + WINDOW) {
-    return "Not steep. A pair of pixels above each other blends this edge.";
-  }
-  return "Not between the centres. Another pair blends this edge.";
+  return `${at}, <i>α</i> = ½ − <i>c</i> = ${number(alpha)}: ` + (Math.abs(alpha) < 1e-9
+    ? "both pixels are right. The kink is here."
+    : `the ${alpha > 0 ? '<b class="blue">owner' : '<b class="orange">other pixel'}</b> ` +
+      `changes by <i>α</i> (${OTHER} − ${OWNER}) = ${number(alpha * (OTHER - OWNER))}.`);
 }
 
 export function show(place) {
+  const redraw = eachFrame(draw);
   let ends = START;
-  const limits = [-0.45, 1.45, 0.15, 1.05];
-  const sheet = new Sheet([-0.7, 1.7, -1.82, 1.15],
-    "An edge between two pixels, and the colours before and after the blend", draw);
-  const curves = new Sheet([-0.16, 2.16, -0.2, 1.14],
-    "Both pixels' shades, from the crossing at 0 to the crossing at 1", draw);
+  const sheet = new Sheet([-0.7, 1.7, -2.2, 0.75],
+    "An edge between two pixels; below, their colours after the blend, and as curves", redraw);
   sheet.box.classList.add("light");
-  const numbers = table("The gradient at both ends",
-    ["end", "<i>x</i>", "<i>y</i>", "<i>∂L/∂x</i>", "<i>∂L/∂y</i>"], ["0", "1"]);
-  const blended = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
-  const handles = START.map((at, k) => sheet.handle({
-    name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.05, at,
-    limits: k ? [limits[0], limits[1], -limits[3], -limits[2]] : limits,
+  START.forEach((at, k) => sheet.handle({
+    name: `End ${k} of the edge`, mark: String(k), style: "edge", step: 0.025, at,
+    limits: [-0.45, 1.45, ...(k ? [-0.6, -0.15] : [0.15, 0.6])],
     moved: (to) => {
       ends = ends.map((end, n) => (n === k ? to : end));
-      draw();
+      redraw();
     } }));
-  const reset = button("Reset", () => START.forEach((end, k) => handles[k].go(end)));
 
   function draw() {
     const pair = pairOf(ends);
-    const { c, alpha, colours, gradients } = pair;
-    const pixels = (title, values, left) => [sheet.text([left, -1.3], title, ""),
-      values.map((value, k) => {
-        const square = sheet.rectangle([left + 0.45 * k, -1.75], 0.45, 0.4, "square");
-        square.style.cssText = shade(value);
-        return [square, sheet.text([left + 0.45 * k + 0.08, -1.55], number(value), "", [0, -5])];
-      })];
+    sheet.draw(pixels(pair.c), edge(pair), ends.map((end, k) => pull(end, k, pair.gradients)),
+               curves(pair));
+    answer.innerHTML = why(pair);
+  }
+
+  /** Both pixels, the left part blue up to the edge. */
+  function pixels(c) {
     const slope = (ends[1][0] - ends[0][0]) / (ends[1][1] - ends[0][1]);
-    const at = (y) => clamp(c + slope * y, -0.5, 1.5);
     const rows = Array.from({ length: 41 }, (_, n) => n / 40 - 0.5);
-    const face = svg("polygon", { class: "face", points: [
-      [-0.5, -0.5], ...rows.map((y) => [at(y), y]), [-0.5, 0.5]].map((p) => sheet.place(p)) });
-    const whole = sheet.rectangle([-0.5, -0.5], 2, 1, "square");
-    whole.style.cssText = shade(OTHER);
-    face.style.cssText = shade(OWNER);
-    sheet.draw(
-      whole, face, sheet.line([[0.5, -0.5], [0.5, 0.5]], "border"),
-      sheet.line([[0, 0], [1, 0]], "ruler"),
-      sheet.dot([0, 0], 4, "sample none"), sheet.dot([1, 0], 4, "sample none"),
-      sheet.text([0, 0], "owner", "", [-22, -20]), sheet.text([1, 0], "other", "", [-18, -20]),
-      alpha === null ? [] : sheet.line([[clamp(c, 0, 1), 0], [0.5, 0]], "strip"),
-      sheet.line(ends, "edge"), sheet.dot([c, 0], 5, "crossing"),
-      sheet.text([c, 0], "c", "label edge", [8, 9]),
-      [0, 1].map((k) => sheet.arrow(ends[k],
-        [ends[k][0] - gradients[2 * k], ends[k][1] - gradients[2 * k + 1]], "descent")),
-      pixels("sampled", [OWNER, OTHER], -0.5).flat(2), pixels("blended", colours, 0.6).flat(2));
-    const along = (k) => Array.from({ length: 21 }, (_, n) =>
-      [n / 10, blend(OWNER, OTHER, blendWeight(n / 20))[k]]);
-    curves.draw(
-      curves.line([[0, 1], [0, 0], [2, 0]], "axis"),
-      curves.line([[1, 0], [1, 1]], "ray"),
-      curves.text([1, 1], "α = 0", "", [-18, 6]),
-      curves.text([0, 0], "c = 0", "", [-4, -18]), curves.text([2, 0], "1", "", [-4, -18]),
-      curves.text([0, OWNER], "owner", "label first", [8, -16]),
-      curves.text([2, OTHER], "other", "label second", [-48, 10]),
-      curves.line(along(0), "curve first"), curves.line(along(1), "curve second"),
-      c < 0 || c > 1 ? [] : [curves.dot([2 * c, colours[0]], 7, "sample first"),
-                             curves.dot([2 * c, colours[1]], 7, "sample second")]);
-    numbers.write(ends.map((end, k) => [number(end[0]), number(end[1]),
-      number(gradients[2 * k]), number(gradients[2 * k + 1])]));
-    blended.innerHTML = `<i>c</i> = ${number(c)}, &ensp; <i>α</i> = ` +
-      `${alpha === null ? "none" : `½ − <i>c</i> = ${number(alpha)}`}`;
-    answer.textContent = why(ends, pair);
+    const face = svg("polygon", { points: [[-0.5, -0.5],
+      ...rows.map((y) => [clamp(c + slope * y, -0.5, 1.5), y]),
+      [-0.5, 0.5]].map((p) => sheet.place(p)) });
+    return [coloured(sheet.rectangle([-0.5, -0.5], 2, 1, "square"), OTHER),
+      coloured(face, OWNER), sheet.line([[0.5, -0.5], [0.5, 0.5]], "border"),
+      sheet.line([[0, 0], [1, 0]], "ruler"), [0, 1].map((x) => sheet.dot([x, 0], 4, "sample")),
+      sheet.text([-0.5, 0.5], `owner ${OWNER}`, "", [5, -18]),
+      sheet.text([1.5, 0.5], `other ${OTHER}`, "end", [-5, -18])];
+  }
+
+  function edge({ c, alpha }) {
+    const strip = alpha === null ? [] : sheet.line([[clamp(c, 0, 1), 0], [0.5, 0]], "strip");
+    return [strip, sheet.line(ends, "edge"), sheet.line([[c, 0], [c, -2.1]], "ray"),
+            sheet.dot([c, 0], 5, "crossing"), sheet.text([c, 0], "c", "label edge", [8, 9])];
+  }
+
+  /** An end's arrow: where descent takes it, in numbers, too. */
+  function pull([x, y], k, gradients) {
+    const [dx, dy] = [-gradients[2 * k], -gradients[2 * k + 1]];
+    return [sheet.arrow([x, y], [x + dx, y + dy], "descent"),
+            sheet.text([x + Math.max(dx, 0), y + dy], `${number(dx)}, ${number(dy)}`,
+                       "label descent", [16, -5])];
+  }
+
+  function curves({ c, alpha, colours }) {
+    const at = (x, value) => [x, 0.85 * value - 2.05];
+    const colour = ["first", "second"];
+    return [
+      sheet.text([-0.5, -0.75], "blended", "", [5, 6]),
+      [-WINDOW, 1].map((x) => [sheet.rectangle(at(x, 0), WINDOW, 0.85, "clamp"),
+                               sheet.text(at(x, 1), "clamped", "middle", [5, 2])]),
+      sheet.line([at(-0.25, 0), at(1.25, 0)], "axis"),
+      [0, 0.5, 1].map((x) => sheet.text(at(x, 0), number(x), "middle", [0, -18])),
+      colour.map((style, k) => sheet.line(CORNERS.map((x) => at(x, shown(x)[k])),
+                                          `curve ${style}`)),
+      colours.map((value, k) => [
+        coloured(sheet.rectangle([k - 0.5, -1.05], 1, 0.3, "square"), value),
+        sheet.text([k, -0.9], number(value), "middle", [0, -5]),
+        c < -0.25 || c > 1.25 ? [] : sheet.dot(at(c, value), 6, `sample ${colour[k]}`)])];
   }
 
   place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the edge. ",
-      html("span", {}, "The loss wants the changed pixel bluer (∂L/∂pixel = +1). " +
-        "The green arrows show where each end would go.")), sheet.box,
-    html("div", { class: "told" }, blended, answer, curves.box, numbers.element, reset)));
+    html("p", { class: "task" }, "Drag the ends of the edge. ",
+      html("span", {}, "The loss wants the changed pixel bluer. The arrows are ",
+        html("b", { class: "green" }, "−∂L/∂(x, y)"), ".")), sheet.box,
+    html("div", { class: "told" }, answer)));
   draw();
 }

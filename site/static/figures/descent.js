@@ -87,7 +87,7 @@ export function show(place) {
       curve.text([STEPS, LOWEST * 14], "step", "", [-34, 6]),
       curve.line(losses.map((loss, n) =>
         [n, 14 * clamp(Math.log10(loss), LOWEST, HIGHEST)]), "curve descent"));
-    said.innerHTML = `Step ${step}: loss <b class="descent">${found.loss.toFixed(5)}</b>`;
+    said.innerHTML = `Step ${step}: loss <b class="green">${found.loss.toFixed(5)}</b>`;
     answer.textContent = verdict(triangle, found);
   }
 
@@ -96,7 +96,7 @@ export function show(place) {
     html("p", { class: "task" }, "Drag a vertex, or press Play. ",
       html("span", {}, html("b", { class: "missing" }, "Blue"), " pixels are missing, ",
         html("b", { class: "extra" }, "orange"), " ones are too much. The ",
-        html("b", { class: "descent" }, "green"), " arrows are the gradient, turned downhill.")),
+        html("b", { class: "green" }, "green"), " arrows are the gradient, turned downhill.")),
     sheet.box,
     html("div", { class: "told" }, said, answer, curve.box,
       html("div", { class: "buttons" }, play.element, reset))));

@@ -1,5 +1,5 @@
 /** Lecture 02: three edge functions decide which pixels a triangle covers. */
-import { button, eachFrame, html, number, Sheet, table } from "./paper.js";
+import { button, eachFrame, html, number, Sheet } from "./paper.js";
 
 const WIDTH = 12, HEIGHT = 8;
 const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
@@ -36,20 +36,20 @@ export function screenWeights(p, triangle) {
   return e.map((value) => value / sum);
 }
 
-/** Why a sample is covered, or is not, in one sentence. */
+/** Is a sample covered, and why? */
 function verdict(p, triangle) {
   const area = signedArea(triangle);
-  if (area === 0) return "Not covered. The triangle has no area.";
-  if (area < 0) return "Not covered. These vertices run clockwise: turn two of them round first.";
+  if (area === 0) return "is not covered. The triangle has no area.";
+  if (area < 0) return "is not covered. These vertices run clockwise: turn two of them round.";
   const edges = edgesAt(p, triangle);
   const names = (list, join) => list.map((k) => `e${SUB[k]}`).join(join);
   const which = (test) => [0, 1, 2].filter((k) => test(edges[k]));
   const [below, on] = [which(({ e }) => e < 0), which(({ e }) => e === 0)];
   const lost = which(({ e, owns }) => e === 0 && !owns);
-  if (below.length) return `Not covered: ${names(below, ", ")} < 0.`;
-  if (lost.length) return `Not covered: ${names(lost, " = ")} = 0, not on a top-left edge.`;
-  if (on.length) return `Covered: ${names(on, " = ")} = 0 on a top-left edge.`;
-  return "Covered: all three are positive.";
+  if (below.length) return `is not covered: ${names(below, ", ")} < 0.`;
+  if (lost.length) return `is not covered: ${names(lost, " = ")} = 0, not on a top-left edge.`;
+  if (on.length) return `is covered: ${names(on, " = ")} = 0 on a top-left edge.`;
+  return "is covered: all three are positive.";
 }
 
 /** Is p on the edge from a to b, between its ends? */
@@ -64,10 +64,6 @@ export function show(place) {
   let points = START, p = CHOSEN;
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
     "Two triangles with a shared edge on a grid of 12 by 8 pixels", redraw);
-  const numbers = table("The pixel's edge functions",
-    ["edge", "<i>e<sub>k</sub></i>", "top-left", "<i>l<sub>k</sub></i>"],
-    ["0, shared", "1", "2", "sum"]);
-  const about = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
   const shared = html("p");
 
@@ -93,6 +89,7 @@ export function show(place) {
 
   function draw() {
     const triangle = points.slice(0, 3);
+    const [edges, l] = [edgesAt(p, triangle), screenWeights(p, triangle)];
     const second = [points[2], points[1], points[3]];
     const centres = Array.from({ length: WIDTH * HEIGHT }, (_, n) =>
       [n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5]);
@@ -106,37 +103,34 @@ export function show(place) {
                                           `pixel ${kind(pixel)}`)),
       sheet.line([...second, second[0]], "outline second"),
       EDGES.map(([i, j], k) => sheet.line([triangle[i], triangle[j]],
-        `outline first ${edgesAt(p, triangle)[k].owns ? "thick" : ""}`)),
+        `outline first ${edges[k].owns ? "thick" : ""}`)),
       seen.map((pixel) => sheet.dot(pixel.centre, pixel.onEdge ? 4.5 : 2.5,
                                     `sample ${kind(pixel)}`)),
       triangle.map((vertex) => sheet.line([p, vertex], "ray")),
       sheet.rectangle(p.map((t) => t - 0.5), 1, 1, "chosen"),
       EDGES.map(([i, j], k) => sheet.text(
-        [0, 1].map((axis) => (triangle[i][axis] + triangle[j][axis]) / 2), `e${SUB[k]}`,
-        "label first", [-8, -5])));
-    tell(triangle, seen);
+        [0, 1].map((axis) => (triangle[i][axis] + triangle[j][axis]) / 2),
+        `e${SUB[k]} = ${number(edges[k].e, 4)}`, "label first middle", [0, -5])),
+      l.map((weight, k) => sheet.text(triangle[k], number(weight), "weight", [15, -16])));
+    answer.textContent = `Pixel [${Math.floor(p[1])}, ${Math.floor(p[0])}] ` +
+      verdict(p, triangle);
+    tell(seen);
   }
 
-  function tell(triangle, seen) {
-    const edges = edgesAt(p, triangle);
-    const l = screenWeights(p, triangle);
-    about.textContent = `Pixel [${Math.floor(p[1])}, ${Math.floor(p[0])}]`;
-    numbers.write([
-      ...edges.map(({ e, owns }, k) => [number(e, 4), owns ? "yes" : "no", number(l[k])]),
-      [number(2 * signedArea(triangle), 4), "", number(l[0] + l[1] + l[2])]]);
-    answer.textContent = verdict(p, triangle);
+  function tell(seen) {
     const onEdge = seen.filter((pixel) => pixel.onEdge);
     const count = (list, test) => list.filter(test).length;
-    shared.textContent = `${onEdge.length} sample${onEdge.length === 1 ? "" : "s"} on the ` +
-      `shared edge: ${count(onEdge, ({ first }) => first)} blue, ` +
-      `${count(onEdge, ({ second }) => second)} orange. ` +
+    shared.innerHTML = `${onEdge.length} sample${onEdge.length === 1 ? "" : "s"} on the ` +
+      `shared edge: <b class="blue">${count(onEdge, ({ first }) => first)} blue</b>, ` +
+      `<b class="orange">${count(onEdge, ({ second }) => second)} orange</b>. ` +
       `In both: ${count(seen, ({ first, second }) => first && second)}. ` +
       `Missed: ${count(onEdge, ({ first, second }) => !first && !second)}.`;
   }
 
   place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Drag the vertices. Point at a pixel. ",
-      html("span", {}, "Thick edges are top-left.")), sheet.box,
-    html("div", { class: "told" }, about, numbers.element, answer, shared, reset)));
+    html("p", { class: "task" }, "Drag the vertices, and point at a pixel. ",
+      html("span", {}, "Thick edges are top-left. At the vertices: the pixel's weights.")),
+    sheet.box,
+    html("div", { class: "told" }, answer, shared, reset)));
   draw();
 }

@@ -1,4 +1,4 @@
-/** What stands in a figure beside its drawing: elements, numbers, sliders, buttons, tables. */
+/** What stands in a figure beside its drawing: elements, numbers, sliders, buttons. */
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -72,21 +72,4 @@ export function button(label, pressed) {
   const element = html("button", { type: "button" }, label);
   element.addEventListener("click", pressed);
   return element;
-}
-
-/** A table of numbers: names are its columns, rows hold text or elements. -> table, write(rows) */
-export function table(caption, names, rowNames) {
-  const cells = rowNames.map(() => names.slice(1).map(() => html("td")));
-  const head = (scope, name) => {
-    const cell = html("th", { scope });
-    cell.innerHTML = name;
-    return cell;
-  };
-  const element = html("table", { "aria-label": caption },
-    html("thead", {}, html("tr", {}, ...names.map((name) => head("col", name)))),
-    html("tbody", {}, ...rowNames.map((name, k) =>
-      html("tr", {}, head("row", name), ...cells[k]))));
-  const write = (rows) => rows.forEach((row, k) =>
-    row.forEach((value, j) => { cells[k][j].textContent = value; }));
-  return { element, write };
 }

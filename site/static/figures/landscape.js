@@ -115,7 +115,7 @@ export function show(place) {
       length ? sheet.arrow(vertex, vertex.map((t, k) => t - ARROW * gradient[k] / length),
                            "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
-      `<b class="descent">${length.toFixed(5)}</b>, step ${path.length - 1}`;
+      `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
     const told = !blend.checked ? "Flat between two cliffs: no arrow, and Play does nothing."
       : loss < 1e-6 ? "Found." : "";
     if (answer.textContent !== told) answer.textContent = told;
@@ -125,7 +125,7 @@ export function show(place) {
   place.append(html("div", { class: "pane" },
     html("p", { class: "task" }, "Drag vertex 2, then take the blend away. ",
       html("span", {}, "The map is the loss for each place of vertex 2: white is low. The ",
-        html("b", { class: "descent" }, "green"), " arrow points downhill.")),
+        html("b", { class: "green" }, "green"), " arrow points downhill.")),
     sheet.box,
     html("div", { class: "told" }, said, answer,
       html("label", { class: "check" }, blend, html("span", {}, "blend the edges (lab 8)")),

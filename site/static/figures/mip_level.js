@@ -1,11 +1,11 @@
 /** Lecture 06: the footprint of a pixel tells which level of the pyramid it reads. */
 import { clamp, eachFrame, html, number, player } from "./paper.js";
-import { coded, Picture } from "./picture.js";
+import { coded, Picture, probeAll } from "./picture.js";
 
 const WIDTH = 336, HEIGHT = 192, TILT = 25 * Math.PI / 180;  // the camera: 90 degrees wide
 const SIZE = 128, SQUARE = 16;           // the texture is SIZE x SIZE texels
 const TURN = 0.35, PERIOD = 2;           // how it lies on the floor; the eye is 1 high
-const ZOOM = 120, CHOSEN = [100.5, 141.5];
+const ZOOM = 120, CHOSEN = [100.5, 152.5];
 const SKY = coded([0.8, 0.88, 0.95]), DARK = [0.16, 0.3, 0.42], LIGHT = [0.96, 0.96, 0.94];
 
 /** The codes of mixtures of light, from DARK to LIGHT. */
@@ -108,12 +108,10 @@ export function show(place) {
   const swatches = ["one texel", "pyramid", "true mean"].map((name) =>
     html("span", { class: "swatch" }, html("i"), name));
   const answer = html("p", { class: "verdict", role: "status" });
-  floor.probe({ name: "Pixel", step: 1, from: [0.5, 0.5], at: CHOSEN,
-                limits: [0.5, WIDTH - 0.5, 0.5, HEIGHT - 0.5],
-                moved: (to) => {
-                  p = to;
-                  redraw();
-                } });
+  probeAll([floor], CHOSEN, (to) => {
+    p = to;
+    redraw();
+  });
   const walk = player("Walk", () => {
     forward += 0.012;
     paint();

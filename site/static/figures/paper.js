@@ -41,7 +41,7 @@ export class Sheet {
   }
 
   draw(...elements) {
-    this.svg.replaceChildren(...elements.flat(2));
+    this.svg.replaceChildren(...elements.flat(Infinity));
   }
 
   rectangle([x, y], width, height, style) {
@@ -163,7 +163,8 @@ export class Sheet {
       if (!isMeant(event)) return;
       const isTap = !down.isDragged && !down.isOnDisc;
       if (isTap) this.chosen?.go(down.at);
-      (isTap ? this.chosen : down.handle)?.element.focus({ preventScroll: true });
+      const meant = isTap ? this.chosen : down.handle;
+      meant?.element.focus({ preventScroll: true, focusVisible: false });
     });
     on("lostpointercapture", (event) => {
       if (isMeant(event)) down = null;

@@ -1,15 +1,15 @@
 /** Lecture 05: weights on the screen are not weights on the face. */
-import { isCovered, screenWeights } from "./edge_functions.js";
-import { button, html, number, slider, table } from "./paper.js";
-import { Picture, probeAll } from "./picture.js";
+import { edgeFunction, isCovered, screenWeights } from "./edge_functions.js";
+import { eachFrame, html, number, slider } from "./paper.js";
+import { coded, Picture, probeAll } from "./picture.js";
 
-const WIDTH = 160, HEIGHT = 88, SQUARES = 8;
+const WIDTH = 320, HEIGHT = 176, SQUARES = 8, DISTANCE = 2;
 const UV = [[0, 0], [1, 0], [1, 1], [0, 1]];
 const FACES = [[0, 1, 2], [0, 2, 3]];
 const MARKED = [5, 2];                       // the column and the row of the orange square
-const START = { tilt: 55, distance: 2 }, CHOSEN = [64.5, 39.5];
-const LIGHT = [0.96, 0.96, 0.94], DARK = [0.16, 0.3, 0.42], ORANGE = [0.9, 0.62, 0];
-const AROUND = [0.8, 0.88, 0.95];
+const TILT = 55, CHOSEN = [128.5, 78.5];
+const [LIGHT, DARK, ORANGE, AROUND] = [[0.96, 0.96, 0.94], [0.16, 0.3, 0.42], [0.9, 0.62, 0],
+                                       [0.8, 0.88, 0.95]].map(coded);
 
 /** Eq. (3): weights e on the screen -> weights b on the face, with the w of each corner. */
 export function barycentricFromScreen(e, w) {
@@ -22,111 +22,109 @@ export function barycentricFromScreen(e, w) {
 export const interpolate = (b, attributes) => attributes[0].map((_, c) =>
   b[0] * attributes[0][c] + b[1] * attributes[1][c] + b[2] * attributes[2][c]);
 
-/** Where (u, v) of the tilted square is on the screen, and its w. The distance does not change
- *  the square's size. The tilt, in degrees, moves its upper side away. */
-export function project([u, v], { tilt, distance }) {
+/** Where (u, v) of the square is on the screen, and its w. The tilt, in degrees, moves its upper
+ *  side away. */
+export function project([u, v], tilt) {
   const angle = tilt * Math.PI / 180;
   const [x, up] = [2 * u - 1, 2 * v - 1];
-  const w = distance + up * Math.sin(angle);
-  const scale = 0.42 * HEIGHT * distance / w;
+  const w = DISTANCE + up * Math.sin(angle);
+  const scale = 0.42 * HEIGHT * DISTANCE / w;
   return { point: [WIDTH / 2 + scale * x, HEIGHT / 2 + scale * up * Math.cos(angle)], w };
 }
 
 /** What the pixel at p sees: the weights of the screen l and of the face b, and their (u, v). */
-export function seenAt(p, camera, corners = UV.map((uv) => project(uv, camera))) {
+export function seenAt(p, tilt) {
+  const corners = UV.map((uv) => project(uv, tilt));
   for (const face of FACES) {
     const triangle = face.map((k) => corners[k].point);
     if (!isCovered(p, triangle)) continue;
-    const w = face.map((k) => corners[k].w);
     const l = screenWeights(p, triangle);
-    const b = barycentricFromScreen(l, w);
+    const b = barycentricFromScreen(l, face.map((k) => corners[k].w));
     const uv = face.map((k) => UV[k]);
-    return { face, w, l, b, affine: interpolate(l, uv), right: interpolate(b, uv) };
+    return { face, affine: { weights: l, uv: interpolate(l, uv) },
+             right: { weights: b, uv: interpolate(b, uv) } };
   }
   return null;
 }
 
-function checkerboard(uv) {
-  const [column, row] = uv.map((t) => Math.floor(SQUARES * t));
-  if (column === MARKED[0] && row === MARKED[1]) return ORANGE;
-  return (column + row) % 2 ? LIGHT : DARK;
+/** Eq. (5) for a whole face: its numerators u and v and its denominator, which are linear on the
+ *  screen, each as [by x, by y, at (0, 0)]. With w = 1 at all corners these are the screen's. */
+function mixtures(face, corners, isAffine) {
+  const points = face.map((k) => corners[k].point);
+  const at = (p) => {
+    const n = face.map((k, j) => edgeFunction(p, points[(j + 1) % 3], points[(j + 2) % 3]) /
+                                 (isAffine ? 1 : corners[k].w));
+    return [...interpolate(n, face.map((k) => UV[k])), n[0] + n[1] + n[2]];
+  };
+  const [origin, x, y] = [[0, 0], [1, 0], [0, 1]].map(at);
+  return origin.map((value, k) => [x[k] - value, y[k] - value, value]);
+}
+
+/** A function (x, y) -> colour of the square, which allocates nothing. */
+function board(tilt, isAffine) {
+  const corners = UV.map((uv) => project(uv, tilt));
+  const faces = FACES.map((face) => mixtures(face, corners, isAffine));
+  const mix = ([byX, byY, start], x, y) => byX * x + byY * y + start;
+  return (x, y) => {
+    for (let k = 0; k < 2; k++) {
+      const sum = mix(faces[k][2], x, y);
+      const u = mix(faces[k][0], x, y) / sum, v = mix(faces[k][1], x, y) / sum;
+      if (!(u >= 0 && u < 1 && v >= 0 && v < 1) || (v > u) !== (k === 1)) continue;
+      const column = Math.floor(SQUARES * u), row = Math.floor(SQUARES * v);
+      if (column === MARKED[0] && row === MARKED[1]) return ORANGE;
+      return (column + row) % 2 ? LIGHT : DARK;
+    }
+    return AROUND;
+  };
 }
 
 export function show(place) {
-  let camera = START, p = CHOSEN;
+  let tilt = TILT, p = CHOSEN;
+  const [redraw, remark] = [draw, mark].map(eachFrame);
   const sides = [["affine", "Weights of the screen"], ["right", "Weights of the face"]].map(
-    ([name, title]) => ({ name, title, picture: new Picture(WIDTH, HEIGHT, title, mark) }));
-  const numbers = table("The pixel's weights",
-    ["corner", "<i>w<sub>k</sub></i>", "screen <i>l<sub>k</sub></i>",
-     "face <i>b<sub>k</sub></i>"], ["·", "·", "·"]);
-  const places = table("The pixel's place on the texture", ["weights", "<i>u</i>", "<i>v</i>"],
-    ["screen", "face"]);
+    ([name, title]) => ({ name, title, picture: new Picture(WIDTH, HEIGHT, title, remark) }));
   const answer = html("p", { class: "verdict", role: "status" });
-  const choose = probeAll(sides.map(({ picture }) => picture), CHOSEN, (to) => {
+  probeAll(sides.map(({ picture }) => picture), CHOSEN, (to) => {
     p = to;
-    mark();
+    remark();
   });
-  const sliders = [
-    slider({ label: "tilt", min: 0, max: 80, step: 1, value: START.tilt, unit: "°",
-             changed: (tilt) => draw({ ...camera, tilt }) }),
-    slider({ label: "distance", min: 1.4, max: 6, step: 0.1, value: START.distance,
-             changed: (distance) => draw({ ...camera, distance }) })];
-  const reset = button("Reset", () => {
-    sliders.forEach((each, k) => each.set(k ? START.distance : START.tilt));
-    choose(CHOSEN);
-    p = CHOSEN;
-    draw(START);
-  });
+  const control = slider({ label: "tilt", min: 0, max: 80, step: 1, value: TILT, unit: "°",
+                           changed: (to) => {
+                             tilt = to;
+                             redraw();
+                           } });
 
-  function draw(to) {
-    camera = to;
-    const corners = UV.map((uv) => project(uv, camera));
-    for (const { name, picture } of sides) {
-      picture.paint((x, y) => {
-        const seen = seenAt([x, y], camera, corners);
-        return seen ? checkerboard(seen[name]) : AROUND;
-      });
-    }
+  function draw() {
+    for (const { name, picture } of sides) picture.fill(board(tilt, name === "affine"));
     mark();
   }
 
   function mark() {
-    const seen = seenAt(p, camera);
+    const seen = seenAt(p, tilt);
     const [column, row] = MARKED;
+    const onScreen = ([u, v]) => project([u / SQUARES, v / SQUARES], tilt).point;
     const square = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([i, j]) =>
-      project([(column + i) / SQUARES, (row + j) / SQUARES], camera).point);
+      onScreen([column + i, row + j]));
+    const diagonal = [[0, 0], [SQUARES, SQUARES]].map(onScreen);
     for (const { name, picture } of sides) {
-      const diagonal = [0, 2].map((k) => project(UV[k], camera).point);
-      const read = seen && name === "affine" ? project(seen.affine, camera).point : p;
-      picture.draw(picture.line(diagonal, "diagonal"), picture.line(square, "halo"),
-        picture.line(square, "true"), picture.arrow(p, read, "reads"), picture.cross(p));
+      const uv = seen?.[name].uv;
+      picture.draw(picture.line(diagonal, "diagonal"),
+        ["halo", "true"].map((style) => picture.line(square, style)),
+        uv ? picture.arrow(p, project(uv, tilt).point, "reads") : [], picture.cross(p),
+        (seen?.face ?? []).map((corner, k) => picture.text(project(UV[corner], tilt).point,
+          number(seen[name].weights[k], 2), "label middle", [0, 4])));
     }
-    tell(seen);
-  }
-
-  function tell(seen) {
-    numbers.element.querySelectorAll("tbody th").forEach((cell, k) => {
-      cell.textContent = seen ? seen.face[k] : "–";
-    });
-    const none = ["–", "–", "–"];
-    numbers.write([0, 1, 2].map((k) =>
-      (seen ? [seen.w, seen.l, seen.b].map((list) => number(list[k])) : none)));
-    places.write(["affine", "right"].map((name) =>
-      (seen ? seen[name].map((t) => number(t)) : ["–", "–"])));
-    const off = seen && SQUARES * Math.hypot(seen.affine[0] - seen.right[0],
-                                             seen.affine[1] - seen.right[1]);
-    answer.textContent = seen ? `The screen's weights are off by ${number(off, 2)} squares.`
-      : "This pixel does not see the square.";
+    const off = seen && SQUARES * Math.hypot(...seen.affine.uv.map((t, k) => t - seen.right.uv[k]));
+    answer.innerHTML = !seen ? "This pixel does not see the board."
+      : `With the weights of the screen, the pixel reads a place that is ` +
+        `<b class="red">${number(off, 2)} squares</b> away.`;
   }
 
   place.append(html("div", { class: "pane" },
-    html("p", { class: "task" }, "Tilt the board. Point at a pixel. ",
-      html("span", {}, "Red: where the orange square truly is. " +
-        "The arrow leads to the place whose colour the left pixel shows.")),
+    html("p", { class: "task" }, "Tilt the board, and point at a pixel. ",
+      html("span", {}, "Its three weights stand at the corners.")),
     html("div", { class: "two" }, ...sides.map(({ title, picture }) =>
       html("div", {}, html("p", {}, title), picture.box))),
-    html("div", { class: "two" }, html("div", { class: "told" },
-      ...sliders.map((each) => each.element), answer, reset),
-      html("div", { class: "told" }, numbers.element, places.element))));
-  draw(START);
+    html("div", { class: "wide told" }, control.element, answer)));
+  draw();
 }

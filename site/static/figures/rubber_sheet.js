@@ -59,7 +59,6 @@ export function show(place) {
   const redraw = eachFrame(draw);
   const picture = new Picture(WIDTH, HEIGHT,
     "A shaded triangle with lines on it, a framed pixel, and an arrow at each vertex", redraw);
-  picture.box.classList.add("cut");
   const seen = html("p"), numbers = html("p");
   const answer = html("p", { class: "verdict", role: "status" });
   const handles = START.map((at, k) => picture.handle({

@@ -4,7 +4,7 @@ import shutil
 import sys
 
 import pytest
-from reading import NAMES, SOURCE
+from reading import NAMES, SOURCE, opened
 from serving import ROOT, served
 
 sys.path.append(str(ROOT / "site"))
@@ -18,9 +18,6 @@ PAGE = """<!doctype html>
 <title>{name}</title>
 <link rel="icon" href="data:,">
 <link rel="stylesheet" href="figures/figures.css">
-<link rel="stylesheet" href="figures/four_gradients.css">
-<link rel="stylesheet" href="figures/rubber_sheet.css">
-<link rel="stylesheet" href="figures/bunny_waves.css">
 <style>
   body {{ --color-foreground-primary: #000000; --color-foreground-secondary: #5a5c63;
           margin: 0; font-family: sans-serif; color: var(--color-foreground-primary); }}
@@ -51,7 +48,7 @@ def address(tmp_path_factory):
 @pytest.fixture
 def call(page, address):
     """call(module, function, inputs): the function's results for many lists of arguments."""
-    page.goto(f"{address}/alias.html")
+    opened(page, address, "alias")
 
     def called(module, function, inputs):
         inputs = json.loads(json.dumps(list(inputs), default=lambda x: x.tolist()))  # of NumPy

@@ -1,4 +1,4 @@
-"""How a test reads a figure: its page, its tables, the places of its handles."""
+"""How a test reads a figure: its page, its numbers, the places of its handles."""
 import re
 
 from serving import ROOT
@@ -19,12 +19,6 @@ def settled(page):
     """What was done is drawn: it is, in the next animation frame."""
     page.evaluate("new Promise(requestAnimationFrame)")
     return page
-
-
-def shown(page, label):
-    """The numbers of a table -> rows of floats, or of text where it is no number."""
-    rows = settled(page).get_by_role("table", name=label).locator("tbody tr").all()
-    return [[number(cell) for cell in row.locator("td").all_inner_texts()] for row in rows]
 
 
 def number(text):

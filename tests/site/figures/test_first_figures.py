@@ -2,8 +2,7 @@
 import re
 
 import numpy as np
-import pytest
-from reading import MINUS, middle, opened, settled, shown
+from reading import MINUS, middle, number, opened, point_of, settled
 
 from reference import (
     antialiasing,
@@ -91,16 +90,14 @@ def test_the_weights_of_the_face_are_those_of_the_reference(call):
 
 def test_what_a_pixel_sees_in_perspective_is_projected_back_to_it(call):
     """The w of the corners are those of other corners."""
-    camera = {"tilt": 50, "distance": 1.7}
-    rng = np.random.default_rng(50)
-    pixels = rng.uniform([50, 20], [110, 50], (100, 2)).tolist()
-    seen = call("perspective", "seenAt", [(p, camera) for p in pixels])
-    there = [(p, s) for p, s in zip(pixels, seen, strict=True) if s]
+    pixels = np.random.default_rng(50).uniform([100, 40], [220, 100], (100, 2)).tolist()
+    seen = call("perspective", "seenAt", [(p, 50) for p in pixels])
+    there = [(p, s["right"]["uv"], s["affine"]["uv"])
+             for p, s in zip(pixels, seen, strict=True) if s]
     assert len(there) > 50
-    back = call("perspective", "project", [(s["right"], camera) for _, s in there])
-    np.testing.assert_allclose([b["point"] for b in back], [p for p, _ in there], atol=1e-9)
-    assert np.abs(np.subtract([s["right"] for _, s in there],
-                              [s["affine"] for _, s in there])).max() > 0.1
+    back = call("perspective", "project", [(right, 50) for _, right, _ in there])
+    np.testing.assert_allclose([b["point"] for b in back], [p for p, _, _ in there], atol=1e-9)
+    assert max(np.abs(np.subtract(right, affine)).max() for _, right, affine in there) > 0.1
 
 
 def test_levels_are_those_of_the_reference(call):
@@ -160,30 +157,64 @@ def test_aliases_are_those_of_the_reference(call):
 # What they show
 
 def test_an_edge_that_moves_shows_the_references_gradient(page, address):
-    """The gradient is shown of the edge before it moved, or of the other pixel."""
+    """The gradient is shown of the edge before it moved, or of the other pixel; or it is not 0
+    where c is clamped, or where nothing is blended."""
     opened(page, address, "antialias")
-    sides = set()
-    for _ in range(12):
-        page.locator(".handle:text-is('0')").press("ArrowRight")
-        rows = shown(page, "The gradient at both ends")
-        ends = np.array([row[:2] for row in rows]).ravel()
-        c = antialiasing.crossing(*ends)
-        sides.add(bool(c < 0.5))
-        grad_c = antialiasing.blend_weight_backward(np.array([0.9 - 0.2]), np.array([c]))[0]
-        wanted = np.reshape(antialiasing.crossing_backward(grad_c, *ends), (2, 2))
-        np.testing.assert_allclose([row[2:] for row in rows], wanted, atol=5.1e-4)
-    assert sides == {True, False}, "the kink is not passed"
+    handles, seen = page.locator(".handle").all(), []
+    for n in range(110):
+        handles[n // 2 % 2].press("ArrowLeft" if n < 30 else "ArrowRight")
+        ends = np.ravel([point_of(handle) for handle in handles])
+        c = np.array([antialiasing.crossing(*ends)])
+        grad_c = antialiasing.blend_weight_backward(np.array([0.9 - 0.2]), c)[0]
+        is_blended = antialiasing.is_blended(c, np.array([True]), *ends[:, None])[0]
+        wanted = -np.array(antialiasing.crossing_backward(grad_c * is_blended, *ends))
+        found = ", ".join(settled(page).locator(".descent.label").all_text_contents())
+        np.testing.assert_allclose([number(t) for t in found.split(", ")], wanted, atol=5.1e-4)
+        said = page.inner_text(".verdict")
+        is_clamped = is_blended and not 0 < c[0] < 1
+        assert ("no gradient" in said) == (not wanted.any()) and ("clamped" in said) == is_clamped
+        seen.append("clamped" if is_clamped else "none" if not is_blended else c[0] < 0.5)
+    assert set(seen) == {"none", "clamped", True, False}
 
 
-def test_the_pixel_in_perspective_shows_the_references_weights(page, address):
-    """The weights are those of another pixel than the one pointed at."""
+def weights(page):
+    """The weights at the corners in both pictures: of the screen and of the face."""
+    texts = settled(page).locator(".sheet text").all_text_contents()
+    return np.reshape([number(text) for text in texts], (2, -1))
+
+
+def test_the_pixel_in_perspective_shows_the_references_weights(page, address, call):
+    """The weights are those of another pixel than the one pointed at, or of another tilt."""
     opened(page, address, "perspective")
-    page.get_by_label("tilt").press("ArrowRight")
-    rows = np.array(shown(page, "The pixel's weights"))
-    b = interpolation.barycentric_from_screen(rows[:, 1], rows[:, 0])
-    np.testing.assert_allclose(rows[:, 2], b, atol=2e-3)
-    page.locator(".probe").last.press("ArrowRight")
-    assert not np.allclose(shown(page, "The pixel's weights"), rows, atol=1e-3)
+    for tilt in (40, 70):
+        page.get_by_label("tilt").fill(str(tilt))
+        probe = page.locator(".probe").last
+        probe.press("Shift+ArrowDown")
+        seen, = call("perspective", "seenAt", [(point_of(probe), tilt)])
+        corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])[seen["face"]]
+        w = [corner["w"] for corner in call("perspective", "project",
+                                            [(uv, tilt) for uv in corners])]
+        screen, face = weights(page)
+        np.testing.assert_allclose(screen, seen["affine"]["weights"], atol=5.1e-3)
+        wanted = interpolation.barycentric_from_screen(np.array(seen["affine"]["weights"]),
+                                                       np.array(w))
+        np.testing.assert_allclose(face, wanted, atol=5.1e-3)
+
+
+def test_the_boards_pixels_have_the_colours_of_their_places(page, address, call):
+    """What is fast enough to draw is not what the equations say."""
+    opened(page, address, "perspective")
+    pixels = np.random.default_rng(51).integers([60, 45], [260, 130], (300, 2))
+    seen = call("perspective", "seenAt", [(p + 0.5, 55) for p in pixels])
+    for k, name in enumerate(("affine", "right")):
+        found = page.evaluate("""([k, pixels]) => {
+            const context = document.querySelectorAll("canvas")[k].getContext("2d");
+            return pixels.map(([x, y]) => context.getImageData(x, 175 - y, 1, 1).data[0]);
+        }""", [k, pixels.tolist()])
+        squares = [np.floor(8 * np.array(s[name]["uv"])) if s else None for s in seen]
+        wanted = [204 if at is None else 229 if (at == [5, 2]).all() else
+                  244 if at.sum() % 2 else 40 for at in squares]
+        assert found == wanted and len(set(wanted)) == 4
 
 
 def test_the_floors_pixel_shows_the_references_level(page, address, call):
@@ -224,30 +255,28 @@ def test_only_the_half_without_the_pyramid_flickers_in_a_walk(page, address):
     assert left > 20 * right
 
 
-@pytest.mark.parametrize("name", ["perspective"])
-def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address, name):
+def test_a_pixel_chosen_in_one_picture_is_chosen_in_the_other(page, address):
     """The mouse crosses the other picture on its way, and the chosen pixel is forgotten."""
-    opened(page, address, name)
+    opened(page, address, "perspective")
     left, right = page.get_by_role("slider", name="Pixel").all()
     first = left.get_attribute("aria-valuetext")
     left.focus()
-    for _ in range(5):
+    for _ in range(9):
         page.keyboard.press("ArrowLeft")
-    chosen = left.get_attribute("aria-valuetext")
+    chosen, shown = left.get_attribute("aria-valuetext"), weights(page)
     assert chosen != first and right.get_attribute("aria-valuetext") == chosen
-    tables = page.locator(".answers table").all_inner_texts()
     x, y = middle(right)
-    page.mouse.move(x + 20, y + 20)
-    assert page.locator(".answers table").all_inner_texts() != tables
+    page.mouse.move(x + 30, y + 10)
+    assert not np.array_equal(weights(page), shown)
     page.mouse.move(1, 1)
-    assert page.locator(".answers table").all_inner_texts() == tables
+    np.testing.assert_array_equal(weights(page), shown)
 
 
 def test_the_slider_shows_the_alias(page, address):
     """The alias is that of the wave before."""
     opened(page, address, "alias")
     page.get_by_role("slider", name="periods").fill("16.5")
-    assert "the samples show 4.5" in page.inner_text(".verdict")
+    assert "the samples show 4.5" in settled(page).inner_text(".verdict")
     assert "= 4.5." in page.inner_text(".pane")
     page.get_by_role("slider", name="periods").fill("5.5")
-    assert page.inner_text(".verdict") == "5.5 periods, seen correctly."
+    assert settled(page).inner_text(".verdict") == "5.5 periods, seen correctly."
