@@ -1,10 +1,15 @@
 """Pages with one figure each, its formulas, and its numbers as they are shown."""
 import json
 import shutil
+import sys
 
 import pytest
 from reading import NAMES, SOURCE, opened
-from serving import served
+from serving import ROOT, served
+
+sys.path.append(str(ROOT / "site"))
+
+from pages import waves
 
 PAGE = """<!doctype html>
 <html lang="en">
@@ -33,6 +38,7 @@ def address(tmp_path_factory):
     """A page for each figure, NAME.html."""
     folder = tmp_path_factory.mktemp("figures")
     shutil.copytree(SOURCE, folder / "figures")
+    waves.write(folder)
     for name in NAMES:
         (folder / f"{name}.html").write_text(PAGE.format(name=name))
     with served(folder) as at:
