@@ -167,6 +167,6 @@ export function show(place) {
     html("div", { class: "told" }, picture.box,
       html("div", { class: "row", role: "group", "aria-label": "Samples in each pixel" },
         ...buttons, "samples in each pixel"), tested, price.box),
-    html("div", { class: "told beside" }, pixel.box, about)));
+    html("div", { class: "told enlarged" }, pixel.box, about)));
   choose(count);
 }
