@@ -7,6 +7,7 @@ const WIDTH = 24, HEIGHT = 16, STEPS = 240;
 const TARGET = [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]];
 const START = [[2.2, 9.6], [12.4, 1.3], [18.7, 12.4]];
 const ARROW = 4;                         // pixels: the longest arrow
+const FOUND = 1e-5;                      // the loss below which nobody sees a difference
 const LOWEST = -5, HIGHEST = 0;          // of the curve: powers of ten
 
 /** The learning rate of step n, in pixels: it falls by a factor of 100. */
@@ -14,7 +15,7 @@ const rate = (n) => 0.3 * 0.01 ** (n / STEPS);
 
 function verdict(triangle, { gradients, loss }) {
   if (signedArea(triangle) <= 0) return "It is turned over. No pixel shows it: no gradient.";
-  if (loss < 1e-5) return "Found: the picture is the target.";
+  if (loss < FOUND) return "Found: the picture is the target.";
   return gradients.flat().every((slope) => slope === 0) ? "No pixel is blended: no gradient."
     : "The pixels along its edges pull at all three vertices.";
 }
@@ -80,11 +81,11 @@ export function show(place) {
     sheet.draw(
       pixels.flat(), sheet.line([...TARGET, TARGET[0]], "goal"),
       sheet.line([...triangle, triangle[0]], "outline found"),
-      triangle.map((vertex, k) => sheet.arrow(vertex, vertex.map(
+      found.loss < FOUND ? [] : triangle.map((vertex, k) => sheet.arrow(vertex, vertex.map(
         (t, axis) => t - ARROW * found.gradients[k][axis] / longest), "descent")));
     curve.draw(curve.line([[0, 0], [0, LOWEST * 14], [STEPS, LOWEST * 14]], "axis"),
       curve.text([6, -14], "loss", "label descent"),
-      curve.text([STEPS, LOWEST * 14], "step", "", [-34, 6]),
+      curve.text([STEPS, LOWEST * 14], "step", "end", [0, -20]),
       curve.line(losses.map((loss, n) =>
         [n, 14 * clamp(Math.log10(loss), LOWEST, HIGHEST)]), "curve descent"));
     said.innerHTML = `Step ${step}: loss <b class="green">${found.loss.toFixed(5)}</b>`;

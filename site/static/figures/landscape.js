@@ -5,7 +5,7 @@ import { button, clamp, eachFrame, html, player, Sheet } from "./paper.js";
 const WIDTH = 12, HEIGHT = 8, FINE = 14;  // pixels, and how many of the map's places in each
 const GOAL = [[1.6, 1.2], [9.7, 1.9], [4.7, 6.3]], START = [9.4, 6.2], LOWEST = 1.7;
 const STEPS = 200, BUDGET = 8;            // ms of a frame, for the map
-const ARROW = 1.8;
+const ARROW = 1.8, FOUND = 1e-6;         // pixels; the loss where the arrow ends
 
 const triangleOf = (vertex) => [GOAL[0], GOAL[1], vertex];
 
@@ -112,12 +112,12 @@ export function show(place) {
       sheet.line([...GOAL, GOAL[0]], "goal"),
       sheet.line([...triangle, triangle[0]], "outline found"),
       sheet.line(path, "curve descent"),
-      length ? sheet.arrow(vertex, vertex.map((t, k) => t - ARROW * gradient[k] / length),
-                           "descent") : []);
+      length && loss >= FOUND ? sheet.arrow(vertex, vertex.map(
+        (t, k) => t - ARROW * gradient[k] / length), "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
     const told = !blend.checked ? "Flat between two cliffs: no arrow, and Play does nothing."
-      : loss < 1e-6 ? "Found." : "";
+      : loss < FOUND ? "Found." : "";
     if (answer.textContent !== told) answer.textContent = told;
   }
 

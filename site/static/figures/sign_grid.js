@@ -81,16 +81,23 @@ export function distanceGradient(distance) {
   return gradient;
 }
 
+/** The groups that links [i, j] make of the numbers below count -> one number of each. */
+function groups(count, links) {
+  const root = Array.from({ length: count }, (_, n) => n);
+  const find = (n) => (root[n] === n ? n : (root[n] = find(root[n])));
+  for (const [i, j] of links) root[find(i)] = find(j);
+  return [...root.keys()].filter((n) => root[n] === n);
+}
+
 /** How many pieces do the points inside make, along the grid's edges? */
 export function pieces(distance) {
-  const root = distance.map((_, n) => n);
-  const find = (n) => (root[n] === n ? n : (root[n] = find(root[n])));
-  for (const corners of TRIANGLES) {
-    const inside = corners.filter((n) => distance[n] < 0);
-    for (const n of inside.slice(1)) root[find(n)] = find(inside[0]);
-  }
-  return distance.filter((s, n) => s < 0 && find(n) === n).length;
+  const links = TRIANGLES.flatMap(([a, b, c]) => [[a, b], [b, c], [c, a]])
+    .filter((ends) => ends.every((n) => distance[n] < 0));
+  return groups(distance.length, links).filter((n) => distance[n] < 0).length;
 }
+
+/** How many curves do the segments make? A piece with a hole has two. */
+export const outlines = ({ vertices, segments }) => groups(vertices.length, segments).length;
 
 export function show(place) {
   const centre = POINTS.length >> 1, across = COLUMNS * SPACING / 2, up = ROWS * SPACING / 2;
@@ -146,8 +153,9 @@ export function show(place) {
       segments.map(([i, j]) => sheet.line([vertices[i].p, vertices[j].p], "edge")));
     const count = pieces(distance);
     said.innerHTML = `Step ${step}: <b class="red">${count} piece${count === 1 ? "" : "s"}</b>`;
-    const told = count === 1 ? "One outline."
-      : `${count} outlines: signs have changed, and nothing else.`;
+    const curves = outlines({ vertices, segments });
+    const told = curves === 1 ? "One outline."
+      : `${curves} outlines: signs have changed, and nothing else.`;
     if (answer.textContent !== told) answer.textContent = told;
   }
 

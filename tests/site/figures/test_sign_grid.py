@@ -23,7 +23,7 @@ def test_the_ring_and_the_crossings_are_those_of_the_reference(call):
     np.testing.assert_allclose(found, np.transpose(wanted), atol=1e-9)
 
 
-def outlines(call, distance):
+def outline(call, distance):
     found, = call("sign_grid", "marchingTriangles", [(distance,)])
     return found["vertices"], found["segments"]
 
@@ -38,7 +38,7 @@ def test_the_outline_is_closed_and_has_the_inside_on_its_left(call):
     rng = np.random.default_rng(3)
     grid = np.ones((17, 25))
     grid[1:-1, 1:-1] = rng.normal(size=(15, 23))
-    vertices, segments = outlines(call, grid.ravel())
+    vertices, segments = outline(call, grid.ravel())
     assert len(vertices) > 300
     begins, ends = np.transpose(segments)
     every = np.arange(len(vertices))
@@ -49,7 +49,7 @@ def test_the_outline_is_closed_and_has_the_inside_on_its_left(call):
 def test_the_areas_gradient_is_that_of_the_area(call):
     """The two segments of a vertex pull in opposite directions."""
     x, y = np.meshgrid((np.arange(25) - 12) / 8, (np.arange(17) - 8) / 8)
-    vertices, segments = outlines(call, (np.hypot(x, y) - 0.83).ravel())
+    vertices, segments = outline(call, (np.hypot(x, y) - 0.83).ravel())
     assert abs(area(vertices, segments) - np.pi * 0.83**2) < 0.03
     gradient, = call("sign_grid", "areaBackward", [(vertices, segments)])
     for n in 0, 7, 30:
@@ -61,6 +61,15 @@ def test_the_areas_gradient_is_that_of_the_area(call):
             below = area(vertices, segments)
             vertices[n]["p"][axis] += h
             assert np.isclose(gradient[n][axis], (above - below) / (2 * h), atol=1e-9)
+
+
+def test_a_hole_makes_an_outline_but_no_piece(page, address):
+    """The sentence counts the pieces: two closed lines are seen, and it speaks of one."""
+    opened(page, address, "sign_grid")
+    assert "One outline" in page.inner_text(".told")
+    page.get_by_role("button", name="Flip its sign").click()
+    told = settled(page).inner_text(".told")
+    assert "1 piece" in told and "2 outlines" in told
 
 
 def test_play_makes_two_pieces_of_one_and_a_flip_one_more(page, address):
