@@ -17,6 +17,7 @@ const BUNNY = [
   -74, -41, -70, -45, -66, -49, -62, -52, -57, -54, -51, -56, -47, -60, -49, -65, -53, -68, -57,
   -72, -59, -77, -58, -82, -60, -88, -58, -92, -53, -94, -47, -95, -42, -95, -36, -95, -31, -95,
   -25, -96, -20, -98];
+const WIDTH = 2;
 const LEAST = 8, LEVEL = 1e-3, LONGEST = 0.14;  // points; the error on an ellipse; its half axis
 
 /** Eqs. (1) and (2) for the line through a and b, times its length: the six numbers of Q. */
@@ -70,6 +71,9 @@ export function cheapest(points, quadrics) {
   return best;
 }
 
+/** How far a collapse's place is from the lines of its quadric: the root of the mean square. */
+export const distanceOf = ({ q, cost }) => Math.sqrt(Math.max(cost, 0) / (q[0] + q[2]));
+
 /** All outlines from the whole one down to a few points: {points, quadrics, next}. */
 export function simplify(points) {
   const lines = points.map((a, i) => lineQuadric(a, points[(i + 1) % points.length]));
@@ -99,17 +103,17 @@ export function show(place) {
                             redraw();
                           } });
   const play = player("Play", () => {
-    if (count === LEAST) return false;
-    count -= 1;
+    count = count > LEAST ? count - 1 : whole.length;
     points.set(count);
     draw();
-    return true;
+    return count > LEAST;
   });
 
   /** Where the error of a point's quadric is LEVEL, cut where it is long and thin. */
   function ring(quadric, centre) {
     const { axes, angle } = ellipse(quadric);
-    const [short, long] = axes.map((value) => Math.min(LONGEST, Math.sqrt(LEVEL / value)));
+    const [short, long] = axes.map((value) =>
+      Math.min(LONGEST, Math.sqrt(LEVEL / Math.max(value, 0))));
     return sheet.line(Array.from({ length: 33 }, (_, k) => {
       const [u, v] = [long * Math.cos(k * Math.PI / 16), short * Math.sin(k * Math.PI / 16)];
       return [centre[0] + u * Math.cos(angle) - v * Math.sin(angle),
@@ -125,8 +129,9 @@ export function show(place) {
       sheet.line([...outline, outline[0]], "outline found"),
       sheet.line([outline[next.i], outline[next.j]], "edge thick"),
       outline.map((point) => sheet.dot(point, 2.5, "sample point")));
-    said.innerHTML = `The <b class="red">red</b> edge is the cheapest: collapsing it costs ` +
-      `<b>${number(next.cost, 6)}</b>.`;
+    said.innerHTML = `The <b class="red">red</b> edge is the cheapest. The point in its place is ` +
+      `<b>${number(100 * distanceOf(next) / WIDTH, 2)} %</b> of the bunny's width away from the ` +
+      "lines that it stands for.";
   }
 
   place.append(html("div", { class: "pane" },

@@ -1,5 +1,6 @@
 """The outline that loses points: quadrics in the plane, and the order of the collapses."""
 import numpy as np
+from playwright.sync_api import expect
 from reading import opened, settled
 
 from reference import simplification
@@ -53,3 +54,22 @@ def test_the_slider_takes_points_away(page, address):
     for count in 100, 20, 8:
         page.get_by_role("slider").fill(str(count))
         assert settled(page).locator(".sheet .sample.point").count() == count
+
+
+def test_play_at_the_end_begins_again(page, address):
+    """The button does nothing where no point can be taken away."""
+    opened(page, address, "collapse")
+    points = page.get_by_role("slider")
+    points.fill("8")
+    page.get_by_role("button", name="Play").click()
+    expect(points).not_to_have_value("8")
+    assert int(points.input_value()) > 40
+
+
+def test_the_distance_of_a_collapse_is_that_of_its_lines(call):
+    """The lines' lengths are forgotten, or the square."""
+    quadrics = call("collapse", "lineQuadric", [((0, 0), (3, 0)), ((0, 2), (1, 2))])
+    q = np.sum(quadrics, 0)
+    cost, = call("collapse", "quadricError", [(q, (7, 1.5))])
+    found, = call("collapse", "distanceOf", [({"q": q.tolist(), "cost": cost},)])
+    assert np.isclose(found**2, (3 * 1.5**2 + 1 * 0.5**2) / 4, atol=1e-9)
