@@ -26,7 +26,7 @@ export function show(place) {
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
     "A triangle on a grid of 24 by 16 pixels, and the outline of the one that is looked for",
     eachFrame(draw));
-  const curve = new Sheet([0, STEPS, LOWEST * 14, HIGHEST * 14],
+  const curve = new Sheet([0, STEPS, LOWEST * 14 - 16, HIGHEST * 14],
     "The loss after each step, falling", eachFrame(draw));
   const said = html("p");
   const answer = html("p", { class: "verdict", role: "status" });

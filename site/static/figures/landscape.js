@@ -33,8 +33,28 @@ function paint(pixels, n, loss, slope) {
   pixels[4 * n + 3] = 255;
 }
 
-/** Paints the map of all places, from above, a few rows in each frame. -> a function: stop. */
-function paintMap(canvas, isBlended) {
+/** The border of the places around place n that have its value, as [from, to] in places, row 0 at
+ *  the top. */
+export function plateauBorder(values, width, n) {
+  const [seen, border] = [new Set([n]), []];
+  for (const at of seen) {
+    const [x, y] = [at % width, Math.floor(at / width)];
+    [[0, -1], [1, 0], [0, 1], [-1, 0]].forEach(([dx, dy]) => {
+      const isInside = x + dx >= 0 && x + dx < width;
+      const next = at + dx + dy * width;
+      if (isInside && values[next] === values[n]) seen.add(next);
+      else {
+        const [left, top] = [x + (dx > 0), y + (dy > 0)];
+        border.push([[left, top], [left + (dx === 0), top + (dy === 0)]]);
+      }
+    });
+  }
+  return border;
+}
+
+/** Paints the map of all places, from above, a few rows in each frame, and keeps it in values.
+ *  painted() is called at its end. -> a function: stop. */
+function paintMap(canvas, isBlended, values, painted) {
   const { width, height } = canvas;
   const context = canvas.getContext("2d");
   const lossesOf = (row) => Float64Array.from({ length: width }, (_, n) =>
@@ -44,18 +64,21 @@ function paintMap(canvas, isBlended) {
     const end = performance.now() + BUDGET;
     for (; row < height && performance.now() < end; row++) {
       const [image, losses] = [context.createImageData(width, 1), lossesOf(row)];
+      values.set(losses, row * width);
       losses.forEach((loss, n) =>
         paint(image.data, n, loss, above[n] - loss + losses[Math.max(n - 1, 0)] - loss));
       context.putImageData(image, 0, row);
       above = losses;
     }
     if (row < height) frame = requestAnimationFrame(go);
+    else painted();
   };
   go();
   return () => cancelAnimationFrame(frame);
 }
 
 export function show(place) {
+  const values = new Float64Array(WIDTH * FINE * HEIGHT * FINE);
   let vertex, path, means, squares, stopMap = () => {};
   const sheet = new Sheet([0, WIDTH, 0, HEIGHT],
     "A map of the loss for each place of vertex 2 of a triangle", eachFrame(draw));
@@ -75,7 +98,9 @@ export function show(place) {
   const blend = html("input", { type: "checkbox", checked: "" });
   blend.addEventListener("change", () => {
     stopMap();
-    stopMap = paintMap(canvas, blend.checked);
+    values.fill(NaN);
+    stopMap = paintMap(canvas, blend.checked, values, redraw);
+    sheet.box.classList.toggle("through", !blend.checked);
     begin(vertex);
     redraw();
   });
@@ -105,8 +130,10 @@ export function show(place) {
   function draw() {
     const { loss, gradient } = lossAt(vertex, blend.checked);
     const length = Math.hypot(...gradient);
-    const triangle = triangleOf(vertex);
+    const triangle = triangleOf(vertex), border = blend.checked ? [] : plateau();
     sheet.draw(
+      ["halo", "curve second"].map((style) =>
+        border.map((side) => sheet.line(side, style))),
       covered(triangle, WIDTH, HEIGHT).map((inside, n) => sheet.dot(
         [n % WIDTH + 0.5, Math.floor(n / WIDTH) + 0.5], 2.2, inside ? "sample point" : "sample")),
       sheet.line([...GOAL, GOAL[0]], "goal"),
@@ -116,9 +143,18 @@ export function show(place) {
         (t, k) => t - ARROW * gradient[k] / length), "descent") : []);
     said.innerHTML = `Loss <b>${loss.toFixed(5)}</b>, gradient ` +
       `<b class="green">${length.toFixed(5)}</b>, step ${path.length - 1}`;
-    const told = !blend.checked ? "Flat between two cliffs: no arrow, and Play does nothing."
+    const told = !blend.checked ? "Flat up to the orange cliffs: no arrow, and Play does nothing."
       : loss < FOUND ? "Found." : "";
     if (answer.textContent !== told) answer.textContent = told;
+  }
+
+  /** The border of the plateau that holds the vertex, once the map is there. */
+  function plateau() {
+    if (Number.isNaN(values.at(-1))) return [];
+    const [column, row] = [vertex[0], HEIGHT - vertex[1]].map((t, k) =>
+      Math.min(Math.floor(t * FINE), [WIDTH, HEIGHT][k] * FINE - 1));
+    return plateauBorder(values, WIDTH * FINE, row * WIDTH * FINE + column).map((side) =>
+      side.map(([x, y]) => [x / FINE, HEIGHT - y / FINE]));
   }
 
   begin(START);
@@ -130,6 +166,6 @@ export function show(place) {
     html("div", { class: "told" }, said, answer,
       html("label", { class: "check" }, blend, html("span", {}, "blend the edges (lab 8)")),
       html("div", { class: "buttons" }, play.element, reset))));
-  stopMap = paintMap(canvas, true);
+  stopMap = paintMap(canvas, true, values, redraw);
   draw();
 }

@@ -2,6 +2,7 @@
 import re
 
 import numpy as np
+from playwright.sync_api import expect
 from reading import opened, point_of, settled
 
 from reference import inverse_rendering, outlines, rasterization
@@ -68,6 +69,7 @@ def test_play_finds_the_triangle(page, address):
     assert loss_of(page)[0] == 0 and loss_of(page)[1] > 0.05
     page.get_by_role("button", name="Play").click()
     page.get_by_text("Found").wait_for(timeout=60_000)
+    expect(page.locator(".sheet polygon.descent")).to_have_count(0)
     assert loss_of(page)[1] < 1e-4
     places = [point_of(page.locator(f".handle:text-is('{k}')")) for k in range(3)]
     np.testing.assert_allclose(places, [[5.3, 3.1], [20.4, 5.8], [9.6, 14.2]], atol=0.11)
@@ -109,6 +111,17 @@ def test_without_the_blend_there_is_no_way_down(page, address):
     arrows = page.locator(".sheet polygon.descent")
     assert arrows.count() == 1
     page.get_by_label("blend the edges").uncheck()
-    page.get_by_text("Flat between two cliffs").wait_for()
+    page.get_by_text("Flat up to").wait_for()
     assert settled(page).locator(".sheet polygon.descent").count() == 0
     assert arrows.count() == 0
+    page.locator(".sheet .curve.second").nth(20).wait_for(state="attached")
+
+
+def test_a_plateau_ends_where_the_loss_changes(call):
+    """It leaks over a corner, or from one side of the map to the other."""
+    values = np.array([[5, 1, 1, 2, 1],
+                       [1, 1, 2, 2, 1],
+                       [2, 2, 1, 1, 2]])
+    border, = call("landscape", "plateauBorder", [(values.ravel(), 5, 1)])
+    assert len(border) == 10
+    assert sorted(set(np.reshape(border, (-1, 2))[:, 0])) == [0, 1, 2, 3]
