@@ -107,6 +107,7 @@ export function show(place) {
   floor.box.classList.add("smooth");
   const swatches = ["one texel", "pyramid", "true mean"].map((name) =>
     html("span", { class: "swatch" }, html("i"), name));
+  const colours = html("p", {}, ...swatches);
   const answer = html("p", { class: "verdict", role: "status" });
   probeAll([floor], CHOSEN, (to) => {
     p = to;
@@ -140,6 +141,7 @@ export function show(place) {
     floor.draw(floor.line([[WIDTH / 2, 0], [WIDTH / 2, HEIGHT]], "true"),
       floor.text([0, HEIGHT], "one texel", "", [8, -20]),
       floor.text([WIDTH / 2, HEIGHT], "pyramid", "", [8, -20]), floor.cross(p));
+    for (const { style } of [texels.box, colours]) style.visibility = at ? "" : "hidden";
     if (at) zoomIn(at, levelOf(at));
     answer.innerHTML = at ? sentence(levelOf(at)) : "The sky has no footprint.";
   }
@@ -179,7 +181,7 @@ export function show(place) {
     html("p", { class: "task" }, "Point at a pixel, near and far. ",
       html("span", {}, "Then walk.")),
     floor.box, texels.box,
-    html("div", { class: "told" }, answer, html("p", {}, ...swatches), walk.element)));
+    html("div", { class: "told" }, answer, colours, walk.element)));
   paint();
   mark();
 }
