@@ -66,10 +66,14 @@ const coloured = (element, value) => {
   return element;
 };
 
-function why({ c, alpha }) {
+/** Does the edge cross between the centres, and leave the blend to a pair above each other? */
+const isFlat = ({ c, alpha }) => alpha === null && c > -WINDOW && c < 1 + WINDOW;
+
+function why(pair) {
+  const { c, alpha } = pair;
   const at = `<i>c</i> = ${number(c)}`;
   if (alpha === null) {
-    return `${at}: no blend, no gradient. ` + (c > -WINDOW && c < 1 + WINDOW
+    return `${at}: no blend, no gradient. ` + (isFlat(pair)
       ? "The edge is not steep: a pair of pixels above each other blends it."
       : "It crosses elsewhere: another pair blends it.");
   }
@@ -115,8 +119,8 @@ export function show(place) {
     return [coloured(sheet.rectangle([-0.5, -0.5], 2, 1, "square"), OTHER),
       coloured(face, OWNER), sheet.line([[0.5, -0.5], [0.5, 0.5]], "border"),
       sheet.line([[0, 0], [1, 0]], "ruler"), [0, 1].map((x) => sheet.dot([x, 0], 4, "sample")),
-      sheet.text([-0.5, 0.5], `owner ${OWNER}`, "", [5, -18]),
-      sheet.text([1.5, 0.5], `other ${OTHER}`, "end", [-5, -18])];
+      ["owner", OWNER].map((word, row) => sheet.text([-0.5, 0], word, "", [5, 3 - 18 * row])),
+      ["other", OTHER].map((word, row) => sheet.text([1.5, 0], word, "end", [-5, 3 - 18 * row]))];
   }
 
   function edge({ c, alpha }) {
@@ -128,14 +132,17 @@ export function show(place) {
   /** An end's arrow: where descent takes it, in numbers, too. */
   function pull([x, y], k, gradients) {
     const [dx, dy] = [-gradients[2 * k], -gradients[2 * k + 1]];
+    const isRight = x + Math.max(dx, 0) < 0.9; // there is room on the right
     return [sheet.arrow([x, y], [x + dx, y + dy], "descent"),
-            sheet.text([x + Math.max(dx, 0), y + dy], `${number(dx)}, ${number(dy)}`,
-                       "label descent", [16, -5])];
+            sheet.text([x + (isRight ? Math.max(dx, 0) : Math.min(dx, 0)), y + dy],
+                       `${number(dx)}, ${number(dy)}`,
+                       `label descent ${isRight ? "" : "end"}`, [isRight ? 16 : -16, -5])];
   }
 
-  function curves({ c, alpha, colours }) {
+  function curves(pair) {
+    const { c, colours } = pair;
     const at = (x, value) => [x, 0.85 * value - 2.05];
-    const colour = ["first", "second"];
+    const colour = ["first", "second"], faded = isFlat(pair) ? "faded" : "";
     return [
       sheet.text([-0.5, -0.75], "blended", "", [5, 6]),
       [-WINDOW, 1].map((x) => [sheet.rectangle(at(x, 0), WINDOW, 0.85, "clamp"),
@@ -143,11 +150,14 @@ export function show(place) {
       sheet.line([at(-0.25, 0), at(1.25, 0)], "axis"),
       [0, 0.5, 1].map((x) => sheet.text(at(x, 0), number(x), "middle", [0, -18])),
       colour.map((style, k) => sheet.line(CORNERS.map((x) => at(x, shown(x)[k])),
-                                          `curve ${style}`)),
+                                          `curve ${style} ${faded}`)),
+      ["owner", "other"].map((name, k) => sheet.text(at(-0.25, shown(-0.25)[k]), name,
+                                                     `label ${colour[k]} end`, [-6, -5])),
+      sheet.text(at(1.25, 0), "c", "label edge", [8, -5]),
       colours.map((value, k) => [
         coloured(sheet.rectangle([k - 0.5, -1.05], 1, 0.3, "square"), value),
         sheet.text([k, -0.9], number(value), "middle", [0, -5]),
-        c < -0.25 || c > 1.25 ? [] : sheet.dot(at(c, value), 6, `sample ${colour[k]}`)])];
+        faded || c < -0.25 || c > 1.25 ? [] : sheet.dot(at(c, value), 6, `sample ${colour[k]}`)])];
   }
 
   place.append(html("div", { class: "pane" },
