@@ -1,7 +1,8 @@
 /** Lecture 11: pull a vertex of the cage, and Loop's limit surface follows. */
 import { button, eachFrame, html, Sheet } from "./paper.js";
 
-const STEPS = 3, LIGHT = [-0.36, 0.55, 0.75], ACROSS = 2.4, UP = 1.5;
+const STEPS = 3, LIGHT = [-0.36, 0.55, 0.75], SHEET = [-1.1, 2.1, -0.92, 1.08];
+const RIM = 0.12;                         // the handle stays whole
 const GOLDEN = (1 + Math.sqrt(5)) / 2;
 const TURN = [[0.86, 0.12, -0.5], [0.1, 0.92, 0.39], [0.5, -0.38, 0.78]];  // rows: right, up, near
 
@@ -101,13 +102,13 @@ export function show(place) {
     .filter(([i, j]) => i < j);
   let cage = start;
   const redraw = eachFrame(draw);
-  const sheet = new Sheet([-ACROSS, ACROSS, -UP, UP],
+  const sheet = new Sheet(SHEET,
     "A cage of twenty triangles, and the smooth surface in it", redraw);
   const canvas = html("canvas", { "aria-hidden": "true" });
   sheet.box.prepend(canvas);
   const handle = sheet.handle({
     name: "Vertex of the cage", step: 0.1, at: start[held].slice(0, 2),
-    limits: [-ACROSS, ACROSS, -UP, UP],
+    limits: SHEET.map((t, k) => t + (k % 2 ? -RIM : RIM)),
     moved: ([x, y]) => {
       cage = cage.map((v, n) => (n === held ? [x, y, v[2]] : v));
       redraw();
@@ -135,10 +136,11 @@ export function show(place) {
     }).sort((a, b) => a.depth - b.depth);
     for (const { face, corners } of ordered) {
       const n = normal(...corners);
-      const lit = 0.25 + 0.75 * Math.max(0, n.reduce((sum, t, k) => sum + t * LIGHT[k], 0)
+      const share = (face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest)) ** 0.7;
+      const dark = 0.25 + 0.35 * share; // the blue is seen where no light falls, too
+      const lit = dark + (1 - dark) * Math.max(0, n.reduce((sum, t, k) => sum + t * LIGHT[k], 0)
         / Math.hypot(...n));
-      const share = face.reduce((sum, v) => sum + weights[v], 0) / (3 * strongest);
-      const shade = [[214, 30], [178, 120], [132, 200]].map(([brass, blue]) =>
+      const shade = [[214, 0], [178, 114], [132, 230]].map(([brass, blue]) =>
         lit * (brass + share * (blue - brass)));
       context.fillStyle = context.strokeStyle = `rgb(${shade.map(Math.round).join(",")})`;
       context.beginPath();
