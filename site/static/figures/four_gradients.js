@@ -13,8 +13,8 @@ const START = GOAL.map(([x, y]) => [x - 8, y]);
 const TINT = [0.05, 0.25, 0.7];          // how much red, green and blue the target takes away
 const WHY = {
   truth: "The derivative of the exact coverage. Only pixels on the outline count.",
-  sweep: "Every wrong pixel of a row or column pulls at the edges that cross it, near ones most. " +
-    "It reaches far, and is many times too strong.",
+  sweep: "Every wrong pixel of a row or column pulls at the edges that cross it, near ones most, " +
+    "though ε limits them. It reaches far, and is many times too strong.",
   soft: "The derivative of a blurred picture. It reaches as far as the blur, which grows with σ.",
   blend: "Lab 8: pairs of pixels at the outline are blended. It is near the truth, and reaches " +
     "no farther.",
@@ -146,7 +146,7 @@ export function show(place) {
     picture.draw(picture.line([...GOAL, GOAL[0]], "outline second"),
                  picture.text([20.3, 8.7], "target", "label second"),
                  picture.line([...points, points[0]], "outline own"),
-                 name === "truth" ? [] : arrows(name), arrows("truth"));
+                 arrows("truth"), name === "truth" ? [] : arrows(name));
   }
 
   place.append(html("div", { class: "pane" },
@@ -155,7 +155,7 @@ export function show(place) {
         "Black arrows: the truth.")),
     picture.box,
     html("div", { class: "told" },
-      html("p", {}, "Pull on the whole triangle (thick arrow), towards the target:"),
+      html("p", {}, "Pull on the whole triangle (thick arrow), towards the target (0: none):"),
       html("div", { class: "four", role: "group", "aria-label": "Gradient" }, ...buttons),
       why, html("div", { class: "setting" }, ...Object.values(sliders).map((s) => s.element)))));
   choose(name);
