@@ -1,5 +1,5 @@
 /** Lecture 02: three edge functions decide which pixels a triangle covers. */
-import { button, eachFrame, html, number, Sheet } from "./paper.js";
+import { button, clamp, eachFrame, html, number, Sheet } from "./paper.js";
 
 const WIDTH = 12, HEIGHT = 8;
 const EDGES = [[1, 2], [2, 0], [0, 1]];  // edge k is opposite to vertex k
@@ -104,17 +104,25 @@ export function show(place) {
       sheet.line([...second, second[0]], "outline second"),
       EDGES.map(([i, j], k) => sheet.line([triangle[i], triangle[j]],
         `outline first ${edges[k].owns ? "thick" : ""}`)),
-      seen.map((pixel) => sheet.dot(pixel.centre, pixel.onEdge ? 4.5 : 2.5,
+      seen.map((pixel) => sheet.dot(pixel.centre, pixel.onEdge ? 6.5 : 2.5,
                                     `sample ${kind(pixel)}`)),
       triangle.map((vertex) => sheet.line([p, vertex], "ray")),
       sheet.rectangle(p.map((t) => t - 0.5), 1, 1, "chosen"),
-      EDGES.map(([i, j], k) => sheet.text(
-        [0, 1].map((axis) => (triangle[i][axis] + triangle[j][axis]) / 2),
-        `e${SUB[k]} = ${number(edges[k].e, 4)}`, "label first middle", [0, -5])),
+      EDGES.map(([i, j], k) => named(triangle[i], triangle[j],
+                                     `e${SUB[k]} = ${number(edges[k].e, 1)}`)),
       l.map((weight, k) => sheet.text(triangle[k], number(weight), "weight", [15, -16])));
     answer.textContent = `Pixel [${Math.floor(p[1])}, ${Math.floor(p[0])}] ` +
       verdict(p, triangle);
     tell(seen);
+  }
+
+  /** An edge's label stands on its right, outside of the triangle. */
+  function named(a, b, words) {
+    const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+    const length = Math.hypot(dx, dy) || 1, half = 48 / sheet.scale;
+    const middle = [(a[0] + b[0]) / 2 + half * dy / length, (a[1] + b[1]) / 2];
+    return sheet.text([clamp(middle[0], half, WIDTH - half), middle[1]], words,
+                      "label first middle", [0, -16 * dx / length - 5]);
   }
 
   function tell(seen) {
