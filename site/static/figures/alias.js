@@ -79,7 +79,7 @@ export function show(place) {
 
   function tell(alias, left) {
     answer.innerHTML = frequency < RATE / 2
-      ? `${number(frequency)} periods, seen correctly.`
+      ? `${number(frequency)} period${frequency === 1 ? "" : "s"}, seen correctly.`
       : frequency === RATE / 2
         ? "Two samples a period: what is seen depends on where they lie."
         : `${number(frequency)} periods, but the samples show ` +

@@ -1,5 +1,5 @@
 /** Lecture 14: in flatland the light's map is one row of texels, and one bias is never right. */
-import { button, eachFrame, html, number, Sheet, slider } from "./paper.js";
+import { button, clamp, eachFrame, html, number, Sheet, slider } from "./paper.js";
 
 const TEXELS = 18, MAP_HIGH = 3.4, SAMPLES = 720, GROUND = 12, FOOT = 5, BEHIND = 5.12, TOP = 1.8;
 const WALL = [[FOOT, 0], [FOOT, TOP], [BEHIND, TOP], [BEHIND, 0]];
@@ -127,7 +127,7 @@ export function show(place) {
                              ask();
                            } });
   control.element.firstChild.classList.add("green");
-  const sloped = button("plus slope × half a texel", () => {
+  const sloped = button("+ slope × ½ texel", () => {
     factor = 1 - factor;
     sloped.setAttribute("aria-pressed", factor === 1);
     ask();
@@ -157,14 +157,15 @@ export function show(place) {
       sheet === world ? world.line(WALL, "wall") : [],
       runs(samples).map((run) =>
         sheet.line(run.map(({ x, distance }) => at(x, distance)), `ground ${run.at(-1).kind}`)),
-      sheet === world ? world.text([BEHIND, TOP], "wall", "", [6, -4]) : named(distanceMap));
+      sheet === world ? world.text([BEHIND, TOP], "wall", "", [6, -4]) : named(samples));
   }
 
   /** Where the ground is near, there is room. */
-  function named(distanceMap) {
-    const isLeft = distanceMap[0] < distanceMap[TEXELS - 1];
-    return map.text([isLeft ? 0 : TEXELS, -MAP_HIGH], "the map: one depth in each texel",
-                    isLeft ? "" : "end", [isLeft ? 8 : -8, 8]);
+  function named(samples) {
+    const { x } = samples.reduce((best, one) => (one.distance < best.distance ? one : best));
+    const half = 60 / map.scale;
+    return map.text([clamp(x, half, TEXELS - half), -MAP_HIGH], "the light’s map", "middle",
+                    [0, 8]);
   }
 
   function tell(samples) {

@@ -1,6 +1,6 @@
 /** Lecture 05: weights on the screen are not weights on the face. */
 import { edgeFunction, isCovered, screenWeights } from "./edge_functions.js";
-import { eachFrame, html, number, slider } from "./paper.js";
+import { clamp, eachFrame, html, number, slider } from "./paper.js";
 import { coded, Picture, probeAll } from "./picture.js";
 
 const WIDTH = 320, HEIGHT = 176, SQUARES = 8, DISTANCE = 2;
@@ -31,6 +31,10 @@ export function project([u, v], tilt) {
   const scale = 0.42 * HEIGHT * DISTANCE / w;
   return { point: [WIDTH / 2 + scale * x, HEIGHT / 2 + scale * up * Math.cos(angle)], w };
 }
+
+/** The nearest place where a weight can be read on the picture. */
+const inside = ([x, y], scale) => [clamp(x, 22 / scale, WIDTH - 22 / scale),
+                                   clamp(y, 0, HEIGHT - 18 / scale)];
 
 /** What the pixel at p sees: the weights of the screen l and of the face b, and their (u, v). */
 export function seenAt(p, tilt) {
@@ -111,7 +115,8 @@ export function show(place) {
       picture.draw(picture.line(diagonal, "diagonal"),
         ["halo", "true"].map((style) => picture.line(square, style)),
         uv ? picture.arrow(p, project(uv, tilt).point, "reads") : [], picture.cross(p),
-        (seen?.face ?? []).map((corner, k) => picture.text(project(UV[corner], tilt).point,
+        (seen?.face ?? []).map((corner, k) => picture.text(
+          inside(project(UV[corner], tilt).point, picture.scale),
           number(seen[name].weights[k], 2), "label middle", [0, 4])));
     }
     const off = seen && SQUARES * Math.hypot(...seen.affine.uv.map((t, k) => t - seen.right.uv[k]));

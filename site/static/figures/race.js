@@ -51,14 +51,17 @@ export function show(place) {
       kind === "leaves" ? ["no write"] : [kind, shown(value)], `cell ${style(thread)}`);
     const pixelBox = ({ seen, nearest }, n) => box(n, 0, seen < 0 ? [shown(nearest)]
       : [NAMES[seen], shown(nearest)], `cell ${seen < 0 ? "" : style(seen)}`);
+    const goesOn = (thread) => schedule.filter((other) => other === thread).length < 2;
     sheet.draw(
       NAMES.map((name, thread) => sheet.text([-0.58, 2.6 - thread], name,
                                              `label ${style(thread)}`, [0, -6])),
       sheet.text([-0.58, 0.4], "pixel", "", [0, -5]), sheet.line([[0, 1], [3.94, 1]], "axis"),
       [0, 1, 2, 3].map((n) => box(n, 0, [], "cell later")),
+      [0, 1, 2, 3].slice(steps.length).map((n) => [0, 1].filter(goesOn).map((thread) =>
+        box(n, 2.2 - thread, [], "cell later"))),
       steps.map((step, n) => [...stepBox(step, n), ...pixelBox(step, n)]));
     threads.forEach((one, thread) => {
-      one.disabled = schedule.filter((other) => other === thread).length === 2;
+      one.disabled = !goesOn(thread);
     });
     if (isDone) tell(steps[3].seen === 0);
     else answer.textContent = steps.length ? "" : "The pixel is empty: depth ∞.";
@@ -83,6 +86,6 @@ export function show(place) {
         html("b", { class: "orange" }, "B"), " 0.50.")),
     sheet.box,
     html("div", { class: "told" }, html("div", { class: "row" }, ...threads, again), answer,
-      html("p", { class: "chips" }, ...chips), found)));
+      html("p", { class: "chips" }, "The six orders:", ...chips), found)));
   draw();
 }

@@ -141,7 +141,7 @@ def test_a_bias_trades_acne_for_leaks(page, address):
     (acne, *_), _, (none, leak) = said
     assert acne > 30 and none < 1 and leak > 5
     bias.fill("0")
-    page.get_by_role("button", name="plus slope").click()
+    page.get_by_role("button", name="slope").click()
     np.testing.assert_allclose(told(page), shares([1.6, 4], 0, 1), atol=0.051)
 
 
