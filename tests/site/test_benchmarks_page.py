@@ -3,14 +3,10 @@ import ast
 import html
 import json
 import re
-import sys
 
 import pytest
-from serving import ROOT
-
-sys.path.insert(0, str(ROOT / "site"))
-
 from pages import benchmarks, instructors, names, texts_links
+from serving import ROOT
 
 from course import exercises
 

@@ -7,14 +7,9 @@ import zipfile
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT, served
-
-sys.path.append(str(ROOT / "site"))
-
 from pages import front
+from serving import PAGES, ROOT, SITE
 
-SITE = ROOT / "out" / "site"
-PAGES = [path for path in SITE.glob("**/*.html") if "lite" not in path.relative_to(SITE).parts]
 ADDRESS = "https://somebody.github.io/course"
 
 
@@ -34,14 +29,13 @@ def index():
 
 
 @pytest.fixture(scope="module")
-def opened(browser):
+def opened(browser, address):
     """The front page in a browser, its film loaded."""
-    with served(SITE) as address:
-        page = browser.new_page(viewport={"width": 1280, "height": 900})
-        page.goto(f"{address}/index.html")
-        page.locator(".film canvas").wait_for()
-        yield page
-        page.close()
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.goto(f"{address}/index.html")
+    page.locator(".film canvas").wait_for()
+    yield page
+    page.close()
 
 
 @pytest.fixture(scope="module")
@@ -137,9 +131,9 @@ def test_without_a_public_repository_there_is_no_clone_line(monkeypatch):
 
 def test_every_page_has_a_description_in_words():
     """A search engine shows code, a row of links, or nothing."""
-    said = {path.name: re.findall('<meta name="description" content="(.*?)"',
-                                  path.read_text("utf-8"))
-            for path in PAGES if path.name not in ("404.html", "genindex.html", "search.html")}
+    said = {page: re.findall('<meta name="description" content="(.*?)"',
+                             (SITE / page).read_text("utf-8"))
+            for page in PAGES if page not in ("404.html", "genindex.html", "search.html")}
     assert {name: words for name, words in said.items()
             if len(words) != 1 or not re.fullmatch(r"[^\\·]{30,300}", words[0])} == {}
 

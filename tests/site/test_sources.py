@@ -8,19 +8,14 @@ import collections
 import copy
 import functools
 import re
-import sys
 
 import pytest
 from bs4 import BeautifulSoup
-from serving import ROOT
-
-sys.path.insert(0, str(ROOT / "site"))
-
 from pages import labs, names, sources_course, sources_text, texts_links
+from serving import SITE
 
 from course import exercises
 
-SITE = ROOT / "out" / "site"
 COURSE = sources_course.read()
 MODULES = sorted(COURSE.modules)
 LABS = sorted(COURSE.lectures)
