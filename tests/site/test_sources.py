@@ -200,7 +200,7 @@ def test_a_lab_has_all_its_questions_and_no_answer(lab):
     assert list(shown) == [names.anchor(exercise.number) for exercise in asked.values()]
     listed = built("labs/index").get_text()
     for name, exercise in asked.items():
-        module, node = labs.found(COURSE, name)
+        module, node = labs.module_and_node(COURSE, name)
         element = shown[names.anchor(exercise.number)]
         assert f"{exercise.number} {exercise.name}" in element.h2.get_text()
         assert f"{exercise.number} {exercise.name}" in listed
